@@ -1,0 +1,39 @@
+# Flags that hold for every target, and the two interface targets that the others link.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_VISIBILITY_PRESET default)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+
+set(UMBRAL_SANITIZERS "" CACHE STRING "Sanitizers for everything but students' files, as for -fsanitize=")
+set(UMBRAL_FP_CONTRACT off CACHE STRING "-ffp-contract: off everywhere; `fast` only in the preset that shows what survives it")
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+find_program(MOLD mold)
+if(MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+# A fused multiply-add rounds once where the source says twice: results would depend on the compiler's mood.
+add_compile_options(-ffp-contract=${UMBRAL_FP_CONTRACT})
+if(UMBRAL_FP_CONTRACT STREQUAL "fast")
+  add_compile_options(-mfma)
+endif()
+# Template statics marked unique would be shared between libraries that must not see each other.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-fno-gnu-unique)
+endif()
+if(UMBRAL_SANITIZERS)
+  add_compile_options(-fsanitize=${UMBRAL_SANITIZERS} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  add_link_options(-fsanitize=${UMBRAL_SANITIZERS})
+endif()
+
+add_library(umbral-warnings INTERFACE)
+target_compile_options(umbral-warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace umbral {
+
+/// A small generator of random numbers that gives the same sequence on every machine.
+///
+/// The distributions of <random> are left to each standard library, so the same seed would give other test inputs elsewhere.
+/// Based on: M. O'Neill. PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms. 2014 (pcg32).
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(0), increment_((seed << 1U) | 1U)
+    {
+        (void)bits();
+        state_ += seed * 0x9E3779B97F4A7C15U + 0xBF58476D1CE4E5B9U;
+        (void)bits();
+    }
+
+    /// 32 independent bits.
+    [[nodiscard]] std::uint32_t bits()
+    {
+        const std::uint64_t old = state_;
+        state_ = old * 6364136223846793005U + increment_;
+        const auto folded = static_cast<std::uint32_t>(((old >> 18U) ^ old) >> 27U);
+        const auto rotation = static_cast<std::uint32_t>(old >> 59U);
+        return (folded >> rotation) | (folded << ((32U - rotation) & 31U));
+    }
+
+    /// Uniform in [0, 1), a multiple of 2^-24, so that it is exact in float.
+    [[nodiscard]] float uniform() { return static_cast<float>(bits() >> 8U) * 0x1p-24F; }
+
+    /// Uniform in [low, high).
+    [[nodiscard]] float uniform(float low, float high) { return low + (high - low) * uniform(); }
+
+    /// Uniform in [0, 1) with 53 random bits.
+    [[nodiscard]] double uniform_double()
+    {
+        const std::uint64_t high = bits();
+        return static_cast<double>(((high << 32U) | bits()) >> 11U) * 0x1p-53;
+    }
+
+    /// Uniform in {0, …, count - 1}; count > 0.
+    [[nodiscard]] std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>((std::uint64_t{bits()} * count) >> 32U); }
+
+    /// Uniform in the box of side 2 round the origin.
+    [[nodiscard]] glm::vec3 in_cube()
+    {
+        const float x = uniform(-1, 1);
+        const float y = uniform(-1, 1);
+        return {x, y, uniform(-1, 1)};
+    }
+
+    /// Uniform on the unit sphere (Archimedes: height and longitude are independent).
+    [[nodiscard]] glm::vec3 unit_vector()
+    {
+        const float height = uniform(-1, 1);
+        const float longitude = uniform(0, 6.2831853F);
+        const float radius = std::sqrt(1 - height * height);
+        return {radius * std::cos(longitude), radius * std::sin(longitude), height};
+    }
+
+private:
+    std::uint64_t state_;
+    std::uint64_t increment_;
+};
+
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <umbral/core/not_implemented.hpp>
+#include <umbral/core/ray.hpp>
+
+namespace umbral::raytracing {
+
+/// A ball's surface: `centre` in world units, `radius` > 0.
+struct Sphere {
+    glm::vec3 centre;
+    float radius;
+};
+
+/// Distance along the ray to the first point of the sphere, if there is one.
+///
+/// `ray.direction` need not be unit; the distance t is counted in its lengths, and lies in (t_min, t_max).
+/// Guarantee of the reference: hit or miss is right whenever the ray passes the silhouette by more than one ulp of
+/// its distance from the centre; t is within 16 ulp unless the ray grazes (cosine to the normal under 0.1).
+/// Course: problem 5.2.
+[[nodiscard]] std::optional<float> intersect(const Ray& ray, const Sphere& sphere);
+
+}

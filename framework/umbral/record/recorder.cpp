@@ -1,0 +1,76 @@
+#include <cstring>
+#include <stdexcept>
+#include <umbral/record/recorder.hpp>
+
+namespace umbral {
+namespace {
+
+template <class Value>
+void add_bytes(Tensor& tensor, const Value& value)
+{
+    const std::size_t old = tensor.bytes.size();
+    tensor.bytes.resize(old + sizeof value);
+    std::memcpy(tensor.bytes.data() + old, &value, sizeof value);
+}
+
+}
+
+// A table is optional from its first row on: `present` then has a byte for each row.
+Tensor& Recorder::row(std::string_view name, Element element, std::uint32_t components, bool optional)
+{
+    auto found = tensors_.find(name);
+    if (found == tensors_.end()) {
+        found = tensors_.emplace(std::string(name), Tensor{element, 0, 1, components, {}, {}}).first;
+    } else {
+        const Tensor& tensor = found->second;
+        if (tensor.element != element || tensor.components != components || tensor.columns != 1 || optional == tensor.present.empty())
+            throw std::logic_error("Recorder: '" + std::string(name) + "' was recorded before with another type or shape");
+    }
+    ++found->second.rows;
+    return found->second;
+}
+
+void Recorder::append(std::string_view name, float value) { add_bytes(row(name, Element::float32, 1, false), value); }
+void Recorder::append(std::string_view name, double value) { add_bytes(row(name, Element::float64, 1, false), value); }
+void Recorder::append(std::string_view name, std::int32_t value) { add_bytes(row(name, Element::int32, 1, false), value); }
+void Recorder::append(std::string_view name, std::uint32_t value) { add_bytes(row(name, Element::uint32, 1, false), value); }
+void Recorder::append(std::string_view name, glm::vec2 value) { add_bytes(row(name, Element::float32, 2, false), value); }
+void Recorder::append(std::string_view name, glm::vec3 value) { add_bytes(row(name, Element::float32, 3, false), value); }
+void Recorder::append(std::string_view name, glm::vec4 value) { add_bytes(row(name, Element::float32, 4, false), value); }
+void Recorder::append(std::string_view name, const glm::mat3& value) { add_bytes(row(name, Element::float32, 9, false), value); }
+void Recorder::append(std::string_view name, const glm::mat4& value) { add_bytes(row(name, Element::float32, 16, false), value); }
+
+void Recorder::append(std::string_view name, std::optional<float> value)
+{
+    Tensor& tensor = row(name, Element::float32, 1, true);
+    add_bytes(tensor, value.value_or(0.0F));
+    tensor.present.push_back(value.has_value() ? 1 : 0);
+}
+
+void Recorder::whole(std::string_view name, Element element, int width, int height, std::uint32_t components, const void* data)
+{
+    Tensor tensor{element, static_cast<std::uint32_t>(height), static_cast<std::uint32_t>(width), components, {}, {}};
+    tensor.bytes.resize(tensor.count() * size_of(element));
+    if (!tensor.bytes.empty()) std::memcpy(tensor.bytes.data(), data, tensor.bytes.size());
+    if (!tensors_.emplace(std::string(name), std::move(tensor)).second)
+        throw std::logic_error("Recorder: '" + std::string(name) + "' was recorded before; a picture is recorded once");
+}
+
+void Recorder::image(std::string_view name, const Grid<glm::u8vec4>& picture)
+{
+    whole(name, Element::uint8, picture.width, picture.height, 4, picture.cells.data());
+}
+void Recorder::image(std::string_view name, const Grid<glm::vec3>& picture)
+{
+    whole(name, Element::float32, picture.width, picture.height, 3, picture.cells.data());
+}
+void Recorder::buffer(std::string_view name, const Grid<std::uint32_t>& cells)
+{
+    whole(name, Element::uint32, cells.width, cells.height, 1, cells.cells.data());
+}
+void Recorder::buffer(std::string_view name, const Grid<float>& cells)
+{
+    whole(name, Element::float32, cells.width, cells.height, 1, cells.cells.data());
+}
+
+}

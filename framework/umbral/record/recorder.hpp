@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <umbral/core/grid.hpp>
+#include <umbral/record/tensor.hpp>
+
+namespace umbral {
+
+/// Takes down what a driver observes: raw outputs under names, never a verdict of its own.
+///
+/// What was recorded is testimony, since the student's code shares the address space: the grader computes from it
+/// everything that has a known right value. Throws std::logic_error if one name is used with two types or shapes.
+class Recorder {
+public:
+    using Tensors = std::map<std::string, Tensor, std::less<>>;
+
+    /// Adds one row to the table called `name`.
+    void append(std::string_view name, float value);
+    void append(std::string_view name, double value);
+    void append(std::string_view name, std::int32_t value);
+    void append(std::string_view name, std::uint32_t value);
+    void append(std::string_view name, glm::vec2 value);
+    void append(std::string_view name, glm::vec3 value);
+    void append(std::string_view name, glm::vec4 value);
+    void append(std::string_view name, const glm::mat3& value);
+    void append(std::string_view name, const glm::mat4& value);
+    /// A row that may have no value; that is another observation than any number.
+    void append(std::string_view name, std::optional<float> value);
+
+    /// Records a whole picture or buffer under a name not used before.
+    void image(std::string_view name, const Grid<glm::u8vec4>& picture);
+    void image(std::string_view name, const Grid<glm::vec3>& picture);
+    void buffer(std::string_view name, const Grid<std::uint32_t>& cells);
+    void buffer(std::string_view name, const Grid<float>& cells);
+
+    [[nodiscard]] const Tensors& tensors() const noexcept { return tensors_; }
+
+private:
+    Tensor& row(std::string_view name, Element element, std::uint32_t components, bool optional);
+    void whole(std::string_view name, Element element, int width, int height, std::uint32_t components, const void* data);
+
+    Tensors tensors_;
+};
+
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/exercise.hpp"
+#include "model/scorecard.hpp"
+
+#include <umbral/record/tensor.hpp>
+
+namespace umbral::grader {
+
+/// What one comparison gives, before controls and points.
+struct Judgement {
+    double right = 0;             ///< the fraction that is right, 0..1 (an image: 1 within the thresholds, falling to 0)
+    std::optional<double> error;  ///< the worst error in the unit of the tolerance; empty if not finite or not comparable
+    std::string message;          ///< one line: what is wrong, where; empty if all is right
+    std::map<std::string, double> metrics;
+    std::optional<Difference> first_difference;
+};
+
+/// Compares what the student recorded with what was expected, by the check's rule. Trusts `expected` and `margin` only: a
+/// non-finite value, another shape, type or presence is wrong, never an exception. `margin` (may be null) is the expected
+/// recording's column "<value>.margin": rows where it is under the check's band_ulps do not count.
+/// Throws std::invalid_argument if the check cannot be judged at all (no row counts, unknown rule): a grader fault.
+[[nodiscard]] Judgement judge(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin);
+
+/// Recordings that know nothing of the problem, of the shape of `expected`: zeros, ones (the forger's "true"), identity matrices,
+/// the most frequent row, the mean row, noise in the range of `expected`, the blank picture, all absent. By name.
+[[nodiscard]] std::vector<std::pair<std::string, Tensor>> controls(const Check& check, const Tensor& expected, std::uint64_t seed);
+
+/// The best that a control gets for this check (its `right`), and which one it is.
+struct BestControl {
+    std::string name;
+    double right = 0;
+};
+[[nodiscard]] BestControl best_control(const Check& check, const Tensor& expected, const Tensor* margin, std::uint64_t seed);
+
+/// Points for a fraction right: linear from max(check.zero, control) to check.full.
+[[nodiscard]] Millipoints points_for(const Check& check, double right, double control);
+
+}

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace umbral::grader {
+
+/// Points are whole thousandths of a point everywhere; they become decimals only in what people read.
+using Millipoints = std::int64_t;
+
+/// How far a value may lie from the expected one. A value is right if it satisfies any bound that is given.
+struct Tolerance {
+    std::optional<double> absolute;
+    std::optional<double> relative;   ///< of the expected value (of the largest entry of a vector or matrix)
+    std::optional<double> ulps;       ///< units in the last place of the expected value as a float
+    std::optional<double> band_ulps;  ///< rows whose trusted column "<value>.margin" is smaller do not count
+};
+
+/// What a check compares with what.
+enum class JudgeKind { numbers, matrices, buffer, image };
+
+/// One observation of one case, and what it is worth.
+struct Check {
+    std::string name;       ///< "case/value"
+    std::string case_name;  ///< the driver's case
+    std::string value;      ///< the name recorded in it
+    JudgeKind judge = JudgeKind::numbers;
+    Millipoints points = 0;
+    bool hard = false;    ///< judged against the oracle
+    bool hidden = false;  ///< its seed is secret; details are shown after the due date
+    bool pairs = false;   ///< rows 2k and 2k+1 count only together
+    Tolerance tolerance;
+    double full = 1.0;  ///< the fraction right that earns all points
+    double zero = 0.0;  ///< the fraction right that earns none; raised to the best control's
+    double range_low = 0;   ///< images of floats: the value shown black …
+    double range_high = 1;  ///< … and the value shown white
+    std::string why;  ///< where the tolerance comes from
+};
+
+/// Limits of one case.
+struct Limits {
+    double wall_seconds = 5;
+    int memory_mib = 512;
+};
+
+/// A unit as its folder describes it.
+struct Exercise {
+    std::string id;     ///< "topic/unit"
+    std::string topic;
+    std::string name;
+    std::filesystem::path folder;
+    std::vector<std::string> files;  ///< what the student hands in
+    Millipoints points = 0;
+    std::vector<std::string> uses;    ///< reference units that the student may call
+    std::vector<std::string> forbid;  ///< names that must not be used, as "glm::lookAt"
+    std::map<std::string, std::string> title;  ///< by language: "en", "es"
+    std::vector<std::string> course;
+    bool gl = false;  ///< its cases need an OpenGL context
+    Limits limits;
+    std::vector<Check> checks;
+    std::string digest;  ///< SHA-256 of everything that decides the score
+
+    /// Is the unit written in C++ (and not in GLSL only)?
+    [[nodiscard]] bool is_cpp() const;
+    [[nodiscard]] bool has_oracle() const;
+    /// Names of the cases that the checks need, in the manifest's order, each once.
+    [[nodiscard]] std::vector<std::string> cases() const;
+};
+
+/// Reads `folder/exercise.json`. Throws std::runtime_error that names the file, the field, what was expected and what came.
+[[nodiscard]] Exercise load_exercise(const std::filesystem::path& folder);
+
+/// The same from parsed JSON (`where` names it in messages); reads no other file, so `digest` stays empty.
+[[nodiscard]] Exercise parse_exercise(const nlohmann::json& json, const std::string& where);
+
+/// All units below `root` (topic/unit/exercise.json), in the course's order. Throws as load_exercise does.
+[[nodiscard]] std::vector<Exercise> load_exercises(const std::filesystem::path& root);
+
+[[nodiscard]] const char* to_string(JudgeKind kind);
+
+}
