@@ -1,0 +1,153 @@
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace raytracing;
+
+void record(Recorder& out, const std::vector<BallShot>& shots)
+{
+    for (const auto& [ray, ball] : shots) out.append("t", intersect(ray, ball));
+}
+
+// Rays along an axis, with answers that a student can check by hand; each has a twin that passes beside the ball.
+std::vector<BallShot> head_on()
+{
+    std::vector<BallShot> shots;
+    const auto add = [&](glm::vec3 origin, glm::vec3 direction, Sphere ball, glm::vec3 aside) {
+        shots.push_back({Ray{origin, direction}, ball});
+        shots.push_back({Ray{origin + aside, direction}, ball});
+    };
+    add({0, 0, 5}, {0, 0, -1}, {{0, 0, 0}, 1}, {2, 0, 0});
+    add({1, 2, 10}, {0, 0, -1}, {{1, 2, 3}, 2}, {0, 3, 0});
+    add({-7, 0, 0}, {1, 0, 0}, {{0, 0, 0}, 3}, {0, 0, 4});
+    add({2, 9, 2}, {0, -1, 0}, {{2, -1, 2}, 0.5F}, {1, 0, 0});
+    add({0, 0, -4}, {0, 0, 1}, {{0, 0, 4}, 2}, {2, 2, 0});
+    add({3, 1, 8}, {0, 0, -1}, {{0, 1, 0}, 5}, {4, 0, 0});
+    add({8, -3, 4}, {-1, 0, 0}, {{0, 0, 0}, 13}, {8, -12, 8});
+    return shots;
+}
+
+// The root behind the origin is no answer: the second one is. Misses begin inside too: the interval ends before the surface.
+std::vector<BallShot> from_inside(Random& random)
+{
+    std::vector<BallShot> shots = {{Ray{{0, 0, 0}, {0, 0, -1}}, {{0, 0, 0}, 1}}, {Ray{{0, 0, 0}, {0, 0, -1}, 0, 0.5F}, {{0, 0, 0}, 1}}};
+    for (int i = 0; i < 200; ++i) {
+        const Sphere ball = random_ball(random);
+        const glm::vec3 origin = ball.centre + ball.radius * random.uniform(0, 0.9F) * random.unit_vector();
+        const Ray ray{origin, random.unit_vector()};
+        Ray short_ray = ray;
+        short_ray.t_max = 0.05F * ball.radius;
+        add_pair(shots, {ray, ball}, {short_ray, ball}, random);
+    }
+    return shots;
+}
+
+// Where the interval (t_min, t_max) decides: the ball lies behind, before t_min, beyond t_max, or round t_min.
+std::vector<BallShot> behind_and_before(Random& random)
+{
+    std::vector<BallShot> shots;
+    for (int i = 0; i < 200; ++i) {
+        const Sphere ball = random_ball(random);
+        const auto distance = random.uniform(2, 6);
+        const BallShot hit = aimed(ball, distance, 0.9 * std::sqrt(random.uniform_double()), random);
+        const float first = (distance - 1.01F) * ball.radius;
+        const float last = (distance + 1.01F) * ball.radius;
+        BallShot miss = hit;
+        BallShot kept = hit;
+        switch (i % 4) {
+            case 0: miss.ray.direction = -miss.ray.direction; break;
+            case 1: miss.ray.t_min = last; break;
+            case 2: miss.ray.t_max = first; break;
+            default:  // t_min inside the ball: the far root is the first one in the interval
+                kept.ray.t_min = distance * ball.radius * 0.99F;
+                kept.ray.direction = glm::vec3(normalize(glm::dvec3(ball.centre) - glm::dvec3(hit.ray.origin)));
+                miss.ray.t_min = last;
+        }
+        add_pair(shots, kept, miss, random);
+    }
+    return shots;
+}
+
+// Rays that touch: all numbers are small integers times a power of two, so that the discriminant is exactly 0 in every formula.
+std::vector<BallShot> tangent(Random& random)
+{
+    std::vector<BallShot> shots;
+    for (int i = 0; i < 60; ++i) {
+        const float scale = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const int along = static_cast<int>(random.below(3));
+        const glm::vec3 centre(glm::ivec3(4.0F * random.in_cube()));
+        glm::vec3 touching(0);
+        glm::vec3 direction(0);
+        touching[along] = static_cast<float>(random.below(6) + 2);
+        direction[along] = -1;
+        touching[(along + 1) % 3] = 3;
+        touching[(along + 2) % 3] = random.below(2) == 0 ? 4 : -4;
+        glm::vec3 passing = touching;
+        passing[(along + 1) % 3] = 3.0625F;
+        const Sphere ball{scale * centre, scale * 5};
+        add_pair(shots, {Ray{scale * (centre + touching), direction}, ball}, {Ray{scale * (centre + passing), direction}, ball}, random);
+    }
+    return shots;
+}
+
+// The same lines with directions of all lengths: t counts in them.
+std::vector<BallShot> long_direction(Random& random)
+{
+    std::vector<BallShot> shots = random_pairs(random, 200);
+    for (std::size_t i = 0; i < shots.size(); i += 2) {
+        const float length = std::pow(10.0F, random.uniform(-6, 6));
+        shots[i].ray.direction *= length;
+        shots[i + 1].ray.direction *= length;
+    }
+    return shots;
+}
+
+void record_silhouette(Random& random, Recorder& out)
+{
+    // The course's own example: at 5000 radii the school formula sees no difference between b² and 4ac.
+    std::vector<BallShot> shots = {{Ray{{0.5F, 0, 5000}}, {{0, 0, 0}, 1}}, {Ray{{1.5F, 0, 5000}}, {{0, 0, 0}, 1}}};
+    for (const double distance : {1e2, 1e4, 1e6}) {
+        const std::vector<BallShot> more = silhouette_pairs(random, distance, 300, 3);
+        shots.insert(shots.end(), more.begin(), more.end());
+    }
+    for (const BallShot& shot : shots) {
+        out.append("t", intersect(shot.ray, shot.ball));
+        out.append("t.margin", silhouette_margin(shot));
+    }
+}
+
+std::vector<Sphere> three_spheres() { return {{{-0.55F, 0.05F, -4.2F}, 0.75F}, {{0.5F, -0.2F, -3.4F}, 0.5F}, {{0.3F, 0.75F, -5}, 0.8F}}; }
+
+void record_picture(Recorder& out)
+{
+    constexpr int size = 256;
+    Grid<glm::vec3> normals(size, size);
+    Grid<std::uint32_t> ids(size, size);
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            const BallHit hit = nearest(pixel_ray({0, 0.1F, 0}, 0.36F, size, x, y), three_spheres());
+            ids.at(x, y) = hit.id;
+            normals.at(x, y) = hit.normal;
+        }
+    }
+    out.image("normals", normals);
+    out.buffer("ids", ids);
+}
+
+}
+
+const Driver driver = {
+    {"head-on", [](Case&, Recorder& out) { record(out, head_on()); }},
+    {"random", [](Case& c, Recorder& out) { record(out, random_pairs(c.random, 2000)); }},
+    {"inside", [](Case& c, Recorder& out) { record(out, from_inside(c.random)); }},
+    {"behind and before", [](Case& c, Recorder& out) { record(out, behind_and_before(c.random)); }},
+    {"tangent", [](Case& c, Recorder& out) { record(out, tangent(c.random)); }},
+    {"long direction", [](Case& c, Recorder& out) { record(out, long_direction(c.random)); }},
+    {"far away", [](Case& c, Recorder& out) { record_silhouette(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+};
+
+}

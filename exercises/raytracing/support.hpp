@@ -1,0 +1,144 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <umbral/core/grid.hpp>
+#include <umbral/core/random.hpp>
+#include <umbral/core/ray.hpp>
+#include <umbral/raytracing/intersect.hpp>
+#include <utility>
+#include <vector>
+
+/// What the drivers of ray tracing share: rays aimed so that the answer is known, and a small camera.
+namespace umbral::raytracing {
+
+/// One question put to a ray-sphere intersection.
+struct BallShot {
+    Ray ray;
+    Sphere ball;
+};
+
+/// Distance between the sphere's centre and the line of the ray, in double: the products of the float inputs are exact, so
+/// that for origins up to 1e6 radii away the result is good to 1e-9 radii.
+inline double miss_distance(const BallShot& shot)
+{
+    const glm::dvec3 direction(shot.ray.direction);
+    const glm::dvec3 to_origin = glm::dvec3(shot.ray.origin) - glm::dvec3(shot.ball.centre);
+    return length(cross(to_origin, direction)) / length(direction);
+}
+
+/// How far the ray passes the silhouette, in units in the last place (float) of its origin's distance from the centre.
+inline double silhouette_margin(const BallShot& shot)
+{
+    const auto distance = static_cast<float>(length(glm::dvec3(shot.ray.origin) - glm::dvec3(shot.ball.centre)));
+    const float ulp = std::nextafter(distance, std::numeric_limits<float>::infinity()) - distance;
+    return std::abs(miss_distance(shot) - double{shot.ball.radius}) / double{ulp};
+}
+
+/// A unit vector perpendicular to the unit vector `axis`, uniform in the angle round it.
+inline glm::dvec3 perpendicular_to(const glm::dvec3& axis, Random& random)
+{
+    for (;;) {
+        const glm::dvec3 side = cross(axis, glm::dvec3(random.unit_vector()));
+        if (length(side) > 0.1) return normalize(side);
+    }
+}
+
+/// A ray of unit direction from a random side, its origin `distance` radii from the centre, that passes the centre at
+/// `offset` radii but for the rounding of its direction.
+inline BallShot aimed(const Sphere& ball, double distance, double offset, Random& random)
+{
+    const double radius = ball.radius;
+    const glm::dvec3 outwards(random.unit_vector());
+    const glm::vec3 origin(glm::dvec3(ball.centre) + distance * radius * outwards);
+    const glm::dvec3 to_origin = glm::dvec3(origin) - glm::dvec3(ball.centre);
+    const glm::dvec3 axis = normalize(to_origin);
+    // The tangent cone is narrower than the silhouette: tilt by the angle whose sine is offset / distance.
+    const double sine = offset * radius / length(to_origin);
+    const glm::dvec3 direction = -std::sqrt(1 - sine * sine) * axis + sine * perpendicular_to(axis, random);
+    return {Ray{origin, glm::vec3(direction)}, ball};
+}
+
+/// As `aimed`, with offsets drawn by `offset()` until the ray, as rounded, hits (or misses) by at least `margin` ulps of the distance.
+template <class Offset>
+BallShot aimed_clear(const Sphere& ball, double distance, bool hit, double margin, Random& random, Offset offset)
+{
+    for (;;) {
+        const BallShot shot = aimed(ball, distance, offset(), random);
+        if ((miss_distance(shot) < double{ball.radius}) == hit && silhouette_margin(shot) >= margin) return shot;
+    }
+}
+
+/// Adds one ray that hits and one that misses, in random order.
+inline void add_pair(std::vector<BallShot>& shots, const BallShot& hit, const BallShot& miss, Random& random)
+{
+    const bool swapped = random.below(2) == 1;
+    shots.push_back(swapped ? miss : hit);
+    shots.push_back(swapped ? hit : miss);
+}
+
+inline Sphere random_ball(Random& random)
+{
+    const glm::vec3 centre = 5.0F * random.in_cube();
+    return {centre, random.uniform(0.5F, 2)};
+}
+
+/// `count` pairs from origins 2 to 10 radii away; hits keep 1 % of the radius from the silhouette, so that no rounding decides.
+inline std::vector<BallShot> random_pairs(Random& random, int count)
+{
+    std::vector<BallShot> shots;
+    for (int i = 0; i < count; ++i) {
+        const Sphere ball = random_ball(random);
+        const double distance = random.uniform(2, 10);
+        const BallShot hit = aimed(ball, distance, 0.99 * std::sqrt(random.uniform_double()), random);
+        const BallShot miss = aimed(ball, distance, 1.01 + 0.5 * random.uniform_double(), random);
+        add_pair(shots, hit, miss, random);
+    }
+    return shots;
+}
+
+/// `count` pairs from `distance` radii away: hits uniform over the disc of 0.99 radii, misses within 1.3 radii, both at least `margin` ulps clear.
+inline std::vector<BallShot> silhouette_pairs(Random& random, double distance, int count, double margin)
+{
+    std::vector<BallShot> shots;
+    for (int i = 0; i < count; ++i) {
+        const Sphere ball{random.in_cube(), random.uniform(0.5F, 2)};
+        const BallShot hit = aimed_clear(ball, distance, true, margin, random, [&] { return 0.99 * std::sqrt(random.uniform_double()); });
+        const BallShot miss = aimed_clear(ball, distance, false, margin, random, [&] { return 1 + 0.3 * random.uniform_double(); });
+        add_pair(shots, hit, miss, random);
+    }
+    return shots;
+}
+
+/// The ray from `eye` through the centre of pixel (x, y) of a square picture `size` pixels wide that shows 2 * `half_width` at distance 1 along -z.
+inline Ray pixel_ray(const glm::vec3& eye, float half_width, int size, int x, int y)
+{
+    const auto centred = [&](int pixel) { return half_width * (2 * (static_cast<float>(pixel) + 0.5F) / static_cast<float>(size) - 1); };
+    return Ray{eye, glm::vec3(centred(x), -centred(y), -1)};
+}
+
+/// The nearest ball along a ray: its place in the list plus one (0 for none), and the outward normal there.
+struct BallHit {
+    std::uint32_t id = 0;
+    glm::vec3 point{0};
+    glm::vec3 normal{0};
+};
+
+inline BallHit nearest(Ray ray, const std::vector<Sphere>& balls)
+{
+    BallHit hit;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const std::optional<float> t = intersect(ray, balls[i]);
+        if (!t || !(*t < ray.t_max)) continue;
+        ray.t_max = *t;
+        hit.id = static_cast<std::uint32_t>(i + 1);
+        hit.point = ray.origin + *t * ray.direction;
+        hit.normal = (hit.point - balls[i].centre) / balls[i].radius;
+    }
+    return hit;
+}
+
+}

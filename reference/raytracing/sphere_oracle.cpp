@@ -1,0 +1,52 @@
+#include <umbral/raytracing/intersect.hpp>
+
+#include <cmath>
+
+// The school formula with 113 bits, rounded to float once. Where the compiler has no __float128 (arm64), long double is as wide.
+// Products of floats are exact here, and so is the discriminant but for its last few of 113 bits.
+
+namespace umbral::raytracing {
+namespace {
+
+#ifdef __SIZEOF_FLOAT128__
+using Wide = __float128;
+#else
+using Wide = long double;
+#endif
+
+struct WideVector {
+    Wide x, y, z;
+};
+
+WideVector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+WideVector operator-(const WideVector& a, const WideVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Wide dot(const WideVector& a, const WideVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// One step of Newton's method doubles the right digits of the estimate (from 64 to all 113 bits).
+Wide square_root(Wide value)
+{
+    if (value <= 0) return 0;
+    const Wide estimate = std::sqrt(static_cast<long double>(value));
+    return (estimate + value / estimate) / 2;
+}
+
+}
+
+std::optional<float> intersect(const Ray& ray, const Sphere& sphere)
+{
+    const WideVector to_origin = widened(ray.origin) - widened(sphere.centre);
+    const WideVector direction = widened(ray.direction);
+    const Wide radius = sphere.radius;
+    const Wide a = dot(direction, direction);
+    const Wide half_b = dot(to_origin, direction);
+    const Wide c = dot(to_origin, to_origin) - radius * radius;
+    const Wide discriminant = half_b * half_b - a * c;
+    if (!(a > 0) || !(discriminant >= 0)) return std::nullopt;
+
+    const Wide root = square_root(discriminant);
+    for (const Wide t : {(-half_b - root) / a, (-half_b + root) / a})
+        if (Wide(ray.t_min) < t && t < Wide(ray.t_max)) return static_cast<float>(t);
+    return std::nullopt;
+}
+
+}
