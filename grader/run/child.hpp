@@ -1,0 +1,18 @@
+#pragma once
+
+#include "run/sandbox.hpp"
+
+namespace umbral::grader {
+
+/// What every run of a spawner shares; built once, before the first fork.
+struct ChildSetup {
+    sandbox::Filter loading;
+    sandbox::Filter running;
+    std::uint64_t base_address_space = 0;  ///< bytes the spawner maps: a run's memory limit comes on top
+};
+
+/// The life of a run, in a fresh fork of the spawner: takes its job from `run_socket`, closes everything else, enters the sandbox,
+/// loads the libraries, runs one case, writes the recording. Never returns.
+[[noreturn]] void live(const ChildSetup& setup, int run_socket);
+
+}

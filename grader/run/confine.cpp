@@ -1,0 +1,95 @@
+#include "run/confine.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <system_error>
+
+#include "run/descriptor.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<std::string> whole_command(const ConfinedCommand& command)
+{
+    std::vector<std::string> words{command.confine.string(), std::to_string(command.memory_mib), std::to_string(static_cast<int>(command.wall_seconds) + 1),
+                                   command.directory.string()};
+    for (const auto& path : command.read) words.push_back(path.string());
+    words.emplace_back("--");
+    words.insert(words.end(), command.arguments.begin(), command.arguments.end());
+    return words;
+}
+
+pid_t start(const ConfinedCommand& command, int output)
+{
+    const std::vector<std::string> words = whole_command(command);
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const std::string temporary = "TMPDIR=" + command.directory.string();
+    std::array environment{const_cast<char*>("PATH=/usr/bin:/bin"), const_cast<char*>("LC_ALL=C.UTF-8"), const_cast<char*>(temporary.c_str()),
+                           static_cast<char*>(nullptr)};
+
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, output, 1);
+    posix_spawn_file_actions_adddup2(&actions, output, 2);
+    posix_spawn_file_actions_addclosefrom_np(&actions, 3);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    // A group of its own, so that a compiler's children end with it.
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    pid_t process = -1;
+    const int failed = posix_spawn(&process, command.confine.c_str(), &actions, &attributes, arguments.data(), environment.data());
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failed != 0) throw std::system_error(failed, std::generic_category(), "starting " + command.confine.string());
+    return process;
+}
+
+}
+
+ConfinedResult run_confined(const ConfinedCommand& command)
+{
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe2");
+    Descriptor reading(ends[0]);
+    Descriptor writing(ends[1]);
+    const pid_t process = start(command, writing.get());
+    writing.reset();
+
+    ConfinedResult result;
+    const auto end = Clock::now() + std::chrono::duration<double>(command.wall_seconds);
+    std::array<char, 16384> buffer{};
+    for (;;) {
+        const double left = std::chrono::duration<double>(end - Clock::now()).count();
+        pollfd watched{reading.get(), POLLIN, 0};
+        if (left <= 0 || (poll(&watched, 1, static_cast<int>(left * 1000) + 1) == 0)) {
+            result.timed_out = true;
+            break;
+        }
+        const ssize_t got = read(reading.get(), buffer.data(), buffer.size());
+        if (got == 0) break;
+        if (got < 0) continue;
+        const std::size_t room = command.output_limit - std::min(command.output_limit, result.output.size());
+        result.output.append(buffer.data(), std::min(static_cast<std::size_t>(got), room));
+    }
+    if (result.timed_out) kill(-process, SIGKILL);
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {}
+    kill(-process, SIGKILL);
+    if (WIFEXITED(status)) result.exit_status = WEXITSTATUS(status);
+    return result;
+}
+
+}

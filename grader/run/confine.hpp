@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "run/sandbox.hpp"
+
+namespace umbral::grader {
+
+/// A program to run on a student's files with its reach limited: the compiler, the linker, the inspector.
+struct ConfinedCommand {
+    std::filesystem::path confine;  ///< the umbral-confine program
+    std::vector<std::string> arguments;
+    std::filesystem::path directory;           ///< working directory; the one tree it may write
+    std::vector<std::filesystem::path> read;   ///< trees it may read and execute, beside /usr
+    double wall_seconds = 30;
+    int memory_mib = 2048;
+    std::size_t output_limit = std::size_t{256} << 10U;
+};
+
+struct ConfinedResult {
+    int exit_status = -1;  ///< of the program; -1 if a signal ended it
+    bool timed_out = false;
+    std::string output;  ///< stdout and stderr together, cut at the limit
+};
+
+/// Runs it and waits. Throws std::system_error if it cannot be started.
+[[nodiscard]] ConfinedResult run_confined(const ConfinedCommand& command);
+
+}

@@ -1,0 +1,89 @@
+#include "run/outcome.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <cstring>
+#include <set>
+
+#include "run/sandbox.hpp"
+
+namespace umbral::grader {
+namespace {
+
+struct End {
+    Verdict verdict;
+    std::string message;
+};
+
+std::string refused_text(const std::vector<std::string>& names)
+{
+    return fmt::format("the sandbox refused: {}", fmt::join(names, ", "));
+}
+
+/// What the run noted about itself before it ended.
+End from_note(const Recording& recording, const Limits& limits)
+{
+    switch (recording.note) {
+        case wire::Note::out_of_memory: return {Verdict::out_of_memory, fmt::format("your code asked for more than {} MiB of memory ({})", limits.memory_mib, recording.text)};
+        case wire::Note::compile_error: return {Verdict::compile_error, recording.text};
+        case wire::Note::interface_mismatch: return {Verdict::interface_mismatch, recording.text};
+        case wire::Note::stack_overflow: return {Verdict::crashed, "the stack overflowed: does a function call itself without end?"};
+        case wire::Note::uncaught_exception: return {Verdict::crashed, recording.text};
+        case wire::Note::signal: return {Verdict::crashed, fmt::format("signal {} ({})", recording.signal, strsignal(static_cast<int>(recording.signal)))};
+        case wire::Note::driver_fault:
+        case wire::Note::load_failure: return {Verdict::grader_fault, recording.text};
+        case wire::Note::none: break;
+    }
+    return {Verdict::crashed, "the run ended early: does your code call exit?"};
+}
+
+End ended_early(const protocol::Ended& ended, const Recording& recording, const Limits& limits)
+{
+    if (ended.could_not_start != 0) return {Verdict::grader_fault, "the operating system could not start another process"};
+    if (ended.timed_out != 0) return {Verdict::timeout, fmt::format("stopped after {:g} s: is there a loop that never ends?", limits.wall_seconds)};
+    if (WIFSIGNALED(ended.wait_status)) {
+        const int signal = WTERMSIG(ended.wait_status);
+        if (signal == SIGXCPU || (signal == SIGKILL && ended.cpu_seconds >= limits.wall_seconds))
+            return {Verdict::timeout, fmt::format("stopped after {:.1f} s of computing", ended.cpu_seconds)};
+        if (signal == SIGSYS) return {Verdict::blocked, "the sandbox stopped a system call"};
+        if (recording.note == wire::Note::none) return {Verdict::crashed, fmt::format("signal {} ({})", signal, strsignal(signal))};
+    }
+    if (recording.stage < wire::Stage::confined) return {Verdict::grader_fault, recording.text.empty() ? "the run did not reach its sandbox" : recording.text};
+    return from_note(recording, limits);
+}
+
+}
+
+RunOutcome judge_end(const protocol::Ended& ended, std::span<const std::byte> bytes, std::string_view printed, const Limits& limits)
+{
+    RunOutcome outcome;
+    outcome.wall_seconds = ended.wall_seconds;
+    outcome.cpu_seconds = ended.cpu_seconds;
+    outcome.output = printable(printed, protocol::output_size);
+    try {
+        outcome.recording = parse_recording(bytes);
+    } catch (const DamagedRecording& damage) {
+        outcome.verdict = ended.timed_out != 0 ? Verdict::timeout : Verdict::crashed;
+        outcome.message = fmt::format("the recording of this run was overwritten by your code ({})", damage.what());
+        return outcome;
+    }
+    std::set<std::string> names;
+    for (const unsigned call : outcome.recording.refused) names.insert(sandbox::call_name(call));
+    outcome.refused.assign(names.begin(), names.end());
+
+    const bool finished = outcome.recording.stage == wire::Stage::finished && WIFEXITED(ended.wait_status) && WEXITSTATUS(ended.wait_status) == 0;
+    if (finished && ended.timed_out == 0) {
+        outcome.verdict = Verdict::ok;
+        return outcome;
+    }
+    End end = ended_early(ended, outcome.recording, limits);
+    // A crash after a refused call is the refusal's consequence: naming it helps more than the signal does.
+    if (end.verdict == Verdict::crashed && !outcome.refused.empty()) end = {Verdict::blocked, refused_text(outcome.refused) + "; then " + end.message};
+    outcome.verdict = end.verdict;
+    outcome.message = printable(end.message, sizeof(wire::Header::text));
+    return outcome;
+}
+
+}
