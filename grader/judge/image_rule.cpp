@@ -1,0 +1,234 @@
+#include "judge/image_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "judge/thresholds.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+std::uint8_t apart(std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(std::max(a, b) - std::min(a, b)); }
+
+// 1 where a pixel differs from the background.
+Bytes content_of(const Picture& picture, const std::array<std::uint8_t, 4>& background)
+{
+    const auto width = static_cast<std::size_t>(picture.width);
+    Bytes content(width * static_cast<std::size_t>(picture.height), 0);
+    for (int c = 0; c < picture.channels; ++c)
+        for (int y = 0; y < picture.height; ++y) {
+            const std::uint8_t* row = picture.row(c, y);
+            std::uint8_t* out = content.data() + static_cast<std::size_t>(y) * width;
+            const std::uint8_t base = background[static_cast<std::size_t>(c)];
+            for (std::size_t x = 0; x < width; ++x) out[x] = static_cast<std::uint8_t>(out[x] | (apart(row[x], base) > thresholds::background_levels ? 1 : 0));
+        }
+    return content;
+}
+
+// 1 where no channel spans more than smooth_span over the 3x3 neighbourhood.
+Bytes smooth_part(const Picture& picture)
+{
+    const auto width = static_cast<std::size_t>(picture.width);
+    Bytes smooth(width * static_cast<std::size_t>(picture.height), 1);
+    Bytes low(width + 2);
+    Bytes high(width + 2);
+    for (int c = 0; c < picture.channels; ++c)
+        for (int y = 0; y < picture.height; ++y) {
+            const std::uint8_t* above = picture.row(c, y - 1) - 1;
+            const std::uint8_t* here = picture.row(c, y) - 1;
+            const std::uint8_t* below = picture.row(c, y + 1) - 1;
+            for (std::size_t x = 0; x < width + 2; ++x) {
+                low[x] = std::min(std::min(above[x], here[x]), below[x]);
+                high[x] = std::max(std::max(above[x], here[x]), below[x]);
+            }
+            std::uint8_t* out = smooth.data() + static_cast<std::size_t>(y) * width;
+            for (std::size_t x = 0; x < width; ++x) {
+                const std::uint8_t bottom = std::min(std::min(low[x], low[x + 1]), low[x + 2]);
+                const std::uint8_t top = std::max(std::max(high[x], high[x + 1]), high[x + 2]);
+                out[x] = static_cast<std::uint8_t>(out[x] & (top - bottom <= thresholds::smooth_span ? 1 : 0));
+            }
+        }
+    return smooth;
+}
+
+// Least difference of each pixel of a's row y to the 3x3 neighbourhood of the same place in b; `best` and `pixel` hold a row.
+void least_difference(const Picture& a, const Picture& b, int y, Bytes& best, Bytes& pixel)
+{
+    const auto width = static_cast<std::size_t>(a.width);
+    std::fill(best.begin(), best.end(), std::uint8_t{255});
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+            std::fill(pixel.begin(), pixel.end(), std::uint8_t{0});
+            for (int c = 0; c < a.channels; ++c) {
+                const std::uint8_t* from = a.row(c, y);
+                const std::uint8_t* to = b.row(c, y + dy) + dx;
+                for (std::size_t x = 0; x < width; ++x) pixel[x] = std::max(pixel[x], apart(from[x], to[x]));
+            }
+            for (std::size_t x = 0; x < width; ++x) best[x] = std::min(best[x], pixel[x]);
+        }
+}
+
+// (a): the larger of the two directions decides, so that neither a lost nor an added thin line finds an excuse.
+std::size_t count_edge_errors(const Picture& student, const Picture& expected, const Bytes& difference)
+{
+    const auto width = static_cast<std::size_t>(expected.width);
+    Bytes one(width);
+    Bytes other(width);
+    Bytes pixel(width);
+    std::size_t errors = 0;
+    for (int y = 0; y < expected.height; ++y) {
+        const auto start = difference.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * width);
+        if (*std::max_element(start, start + static_cast<std::ptrdiff_t>(width)) <= thresholds::edge_levels) continue;
+        least_difference(student, expected, y, one, pixel);
+        least_difference(expected, student, y, other, pixel);
+        for (std::size_t x = 0; x < width; ++x) errors += std::max(one[x], other[x]) > thresholds::edge_levels ? 1 : 0;
+    }
+    return errors;
+}
+
+// (c): the mean difference of the worst colour channel, and the mean level of the expected content.
+void measure_bias(const Picture& student, const Picture& expected, const Bytes& either, const Bytes& content, double area, ImageRule& rule)
+{
+    const auto width = static_cast<std::size_t>(expected.width);
+    double level = 0;
+    for (int c = 0; c < expected.colours(); ++c) {
+        std::int64_t sum = 0;
+        std::int64_t light = 0;
+        for (int y = 0; y < expected.height; ++y) {
+            const std::uint8_t* yours = student.row(c, y);
+            const std::uint8_t* target = expected.row(c, y);
+            const std::uint8_t* mask = either.data() + static_cast<std::size_t>(y) * width;
+            const std::uint8_t* inside = content.data() + static_cast<std::size_t>(y) * width;
+            int row_sum = 0;
+            int row_light = 0;
+            for (std::size_t x = 0; x < width; ++x) {
+                row_sum += (yours[x] - target[x]) * mask[x];
+                row_light += target[x] * inside[x];
+            }
+            sum += row_sum;
+            light += row_light;
+        }
+        const double bias = static_cast<double>(sum) / area;
+        if (std::abs(bias) > std::abs(rule.bias)) rule.bias = bias;
+        level += static_cast<double>(light) / area / expected.colours();
+    }
+    rule.ratios[2] = std::abs(rule.bias) / std::max(thresholds::bias_levels, thresholds::bias_share * level);
+}
+
+// Sum of differences if the expected picture is moved by (dx, dy), each -1, 0 or 1; beyond the edge lies the repeated border.
+std::int64_t shifted_difference(const Picture& student, const Picture& expected, int dx, int dy)
+{
+    std::int64_t sum = 0;
+    for (int c = 0; c < expected.colours(); ++c)
+        for (int y = 0; y < expected.height; ++y) {
+            const std::uint8_t* yours = student.row(c, y);
+            const std::uint8_t* target = expected.row(c, y - dy) - dx;
+            unsigned row_sum = 0;
+            for (int x = 0; x < expected.width; ++x) row_sum += apart(yours[x], target[x]);
+            sum += row_sum;
+        }
+    return sum;
+}
+
+void find_shift(const Picture& student, const Picture& expected, double area, ImageRule& rule)
+{
+    const std::int64_t still = shifted_difference(student, expected, 0, 0);
+    if (static_cast<double>(still) <= thresholds::shift_minimum * area * expected.colours()) return;
+    auto best = static_cast<double>(still) * thresholds::shift_gain;
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+            if (dx == 0 && dy == 0) continue;
+            const auto moved = static_cast<double>(shifted_difference(student, expected, dx, dy));
+            if (moved >= best) continue;
+            best = moved;
+            rule.shift_x = dx;
+            rule.shift_y = dy;
+        }
+    if (rule.shift_x != 0 || rule.shift_y != 0) rule.ratios[3] = thresholds::shift_ratio;
+}
+
+}
+
+double ImageRule::worst() const { return *std::max_element(ratios.begin(), ratios.end()); }
+
+double ImageRule::right() const
+{
+    const double ratio = worst();
+    return ratio <= 1 ? 1.0 : std::max(0.0, 1 - std::log(ratio) / std::log(thresholds::zero_ratio));
+}
+
+std::array<std::uint8_t, 4> background_of(const Picture& picture)
+{
+    std::vector<std::array<std::uint8_t, 4>> border;
+    const auto add = [&](int x, int y) {
+        std::array<std::uint8_t, 4> colour{};
+        for (int c = 0; c < picture.channels; ++c) colour[static_cast<std::size_t>(c)] = picture.row(c, y)[x];
+        border.push_back(colour);
+    };
+    for (int x = 0; x < picture.width; ++x) add(x, 0), add(x, picture.height - 1);
+    for (int y = 1; y + 1 < picture.height; ++y) add(0, y), add(picture.width - 1, y);
+    std::sort(border.begin(), border.end());
+    std::size_t most = 0;
+    std::array<std::uint8_t, 4> best{};
+    for (auto run = border.begin(); run != border.end();) {
+        const auto end = std::upper_bound(run, border.end(), *run);
+        if (const auto count = static_cast<std::size_t>(end - run); count > most) most = count, best = *run;
+        run = end;
+    }
+    return best;
+}
+
+std::vector<std::uint8_t> channel_difference(const Picture& a, const Picture& b)
+{
+    const auto width = static_cast<std::size_t>(a.width);
+    Bytes difference(width * static_cast<std::size_t>(a.height), 0);
+    for (int c = 0; c < a.channels; ++c)
+        for (int y = 0; y < a.height; ++y) {
+            const std::uint8_t* from = a.row(c, y);
+            const std::uint8_t* to = b.row(c, y);
+            std::uint8_t* out = difference.data() + static_cast<std::size_t>(y) * width;
+            for (std::size_t x = 0; x < width; ++x) out[x] = std::max(out[x], apart(from[x], to[x]));
+        }
+    return difference;
+}
+
+ImageRule apply_image_rule(const Picture& student, const Picture& expected)
+{
+    const Bytes difference = channel_difference(student, expected);
+    const auto background = background_of(expected);
+    const Bytes content = content_of(expected, background);
+    Bytes either = content_of(student, background);
+    std::size_t expected_count = 0;
+    std::size_t either_count = 0;
+    for (std::size_t i = 0; i < content.size(); ++i) {
+        either[i] = static_cast<std::uint8_t>(either[i] | content[i]);
+        expected_count += content[i];
+        either_count += either[i];
+    }
+
+    ImageRule rule;
+    rule.content = static_cast<double>(expected_count);
+    // An expected picture without content leaves only what the student drew.
+    const double area = static_cast<double>(expected_count > 0 ? expected_count : std::max<std::size_t>(either_count, 1));
+    rule.edge_share = static_cast<double>(count_edge_errors(student, expected, difference)) / area;
+    rule.ratios[0] = rule.edge_share / thresholds::edge_share;
+
+    const Bytes smooth = smooth_part(expected);
+    std::size_t interior = 0;
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < content.size(); ++i) {
+        interior += static_cast<std::size_t>(smooth[i] & content[i]);
+        wrong += smooth[i] != 0 && difference[i] > thresholds::interior_levels ? 1U : 0U;
+    }
+    rule.interior_share = static_cast<double>(wrong) / std::max(static_cast<double>(interior), thresholds::smooth_floor * area);
+    rule.ratios[1] = rule.interior_share / thresholds::interior_share;
+
+    measure_bias(student, expected, either, content, area, rule);
+    find_shift(student, expected, area, rule);
+    return rule;
+}
+
+}

@@ -1,0 +1,78 @@
+#include "judge/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "judge/tensor_view.hpp"
+
+namespace umbral::grader {
+namespace {
+
+template <class Value, class Convert>
+void split(const Tensor& tensor, Picture& picture, Convert convert)
+{
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const auto width = static_cast<std::size_t>(picture.width);
+    for (int c = 0; c < picture.channels; ++c)
+        for (int y = 0; y < picture.height; ++y) {
+            const std::byte* source = tensor.bytes.data() + (static_cast<std::size_t>(y) * width * channels + static_cast<std::size_t>(c)) * sizeof(Value);
+            std::uint8_t* target = picture.row(c, y);
+            for (std::size_t x = 0; x < width; ++x) {
+                Value value;
+                std::memcpy(&value, source + x * channels * sizeof(Value), sizeof(Value));
+                target[x] = convert(value);
+            }
+        }
+}
+
+void repeat_border(Picture& picture)
+{
+    for (int c = 0; c < picture.channels; ++c) {
+        for (int y = 0; y < picture.height; ++y) {
+            std::uint8_t* row = picture.row(c, y);
+            row[-1] = row[0];
+            row[picture.width] = row[picture.width - 1];
+        }
+        std::memcpy(picture.row(c, -1) - 1, picture.row(c, 0) - 1, picture.stride());
+        std::memcpy(picture.row(c, picture.height) - 1, picture.row(c, picture.height - 1) - 1, picture.stride());
+    }
+}
+
+}
+
+Picture to_picture(const Check& check, const Tensor& tensor)
+{
+    const bool floats = tensor.element == Element::float32 || tensor.element == Element::float64;
+    const std::uint32_t channels = tensor.components;
+    if ((!floats && tensor.element != Element::uint8) || (channels != 1 && channels != 3 && channels != 4) || tensor.cells() == 0)
+        throw std::invalid_argument("check '" + check.name + "': expected a picture of 1, 3 or 4 channels of bytes or floats");
+    if (floats && !(check.range_high > check.range_low))
+        throw std::invalid_argument("check '" + check.name + "': the range of a picture must be two different numbers, the lower one first");
+
+    Picture picture{static_cast<int>(tensor.columns), static_cast<int>(tensor.rows), static_cast<int>(channels), {}};
+    picture.planes.resize(channels * (std::size_t{tensor.rows} + 2) * picture.stride());
+    const double low = check.range_low;
+    const double scale = 255.0 / (check.range_high - check.range_low);
+    const auto level = [low, scale](auto value) {
+        const double mapped = (static_cast<double>(value) - low) * scale;
+        return static_cast<std::uint8_t>(mapped > 0 ? std::min(mapped, 255.0) + 0.5 : 0.5);
+    };
+    if (tensor.element == Element::uint8)
+        split<std::uint8_t>(tensor, picture, [](std::uint8_t value) { return value; });
+    else if (tensor.element == Element::float32)
+        split<float>(tensor, picture, level);
+    else
+        split<double>(tensor, picture, level);
+    repeat_border(picture);
+    return picture;
+}
+
+bool complete(const Tensor& tensor)
+{
+    if (std::any_of(tensor.present.begin(), tensor.present.end(), [](std::uint8_t present) { return present == 0; })) return false;
+    return (tensor.element != Element::float32 && tensor.element != Element::float64) || all_finite(to_doubles(tensor));
+}
+
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <umbral/record/tensor.hpp>
+#include <vector>
+
+namespace umbral::grader {
+
+/// A tensor's values as doubles (exact for every element type), cell by cell.
+///
+/// Needs a well-formed tensor; copies its values, so the tensor may go away.
+class TensorView {
+public:
+    explicit TensorView(const Tensor& tensor);
+
+    [[nodiscard]] std::size_t cells() const noexcept { return cells_; }
+    [[nodiscard]] std::size_t components() const noexcept { return components_; }
+    [[nodiscard]] bool present(std::size_t cell) const { return present_.empty() || present_[cell] != 0; }
+    [[nodiscard]] bool optional() const noexcept { return !present_.empty(); }
+    [[nodiscard]] std::span<const double> cell(std::size_t index) const { return {values_.data() + index * components_, components_}; }
+    [[nodiscard]] std::span<const double> values() const noexcept { return values_; }
+
+private:
+    std::size_t cells_;
+    std::size_t components_;
+    std::vector<double> values_;
+    std::vector<std::uint8_t> present_;
+};
+
+/// All values of a well-formed tensor.
+[[nodiscard]] std::vector<double> to_doubles(const Tensor& tensor);
+
+/// A tensor of the shape, type and presence of `like` with these values; integers are rounded and clamped to their range.
+[[nodiscard]] Tensor with_values(const Tensor& like, std::span<const double> values);
+
+/// Does the tensor hold as many bytes, and as much presence, as its shape says?
+[[nodiscard]] bool well_formed(const Tensor& tensor);
+
+/// What is wrong with the student's type or shape, as a sentence; nothing if it is the expected one.
+[[nodiscard]] std::optional<std::string> shape_error(const Tensor& student, const Tensor& expected);
+
+[[nodiscard]] bool all_finite(std::span<const double> values);
+
+/// "3.25", "1.6e+06", "nan": six digits, which tell two floats apart in what people read.
+[[nodiscard]] std::string number_text(double value);
+
+/// One number, or "(1, 2, 3)"; "nothing" for an absent cell.
+[[nodiscard]] std::string cell_text(const TensorView& view, std::size_t cell);
+
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+/// Every threshold of the judges that no manifest declares, with where it comes from.
+///
+/// The four of the image rule were set on 6 synthetic scenes at 512 x 512: of 50 pictures with a real bug they catch 48, of 15 benign
+/// variants (one level of noise, edge pixels owned by the neighbour, another vendor's rounding) they fail none. They are in-sample.
+namespace umbral::grader::thresholds {
+
+// (a) Edges: largest of the two one-way 3x3 minimum differences. Based on: the fuzzy compare of the Khronos conformance suite, with the
+// larger direction instead of the smaller, or a missing thin line would pass.
+constexpr int edge_levels = 10;
+constexpr double edge_share = 0.0015;
+
+// (b) Colour in the smooth interior, where no edge can excuse a difference. 5 levels: filament's gate for renders on one machine.
+constexpr int interior_levels = 5;
+constexpr double interior_share = 0.005;
+/// A pixel is smooth if no channel of the expected 3x3 neighbourhood spans more: a unit step of a shading gradient is far below this, a
+/// silhouette far above.
+constexpr int smooth_span = 16;
+/// Where less than this share of the content is smooth (a wireframe), the content's area is the base: one stray pixel is not all.
+constexpr double smooth_floor = 0.25;
+
+// (c) Mean bias over the content: a wrong light moves everything a little. One level is what rounding can do.
+constexpr double bias_share = 0.012;
+constexpr double bias_levels = 1.0;
+
+// (d) Shift: another alignment is better only if it leaves less than this share of the difference; re-owned edge pixels reach 0.95.
+constexpr double shift_gain = 0.8;
+/// Below this mean difference (levels, over the content) no shift is looked for: it would be fitted to rounding.
+constexpr double shift_minimum = 0.25;
+/// Ratio charged for one pixel of shift, which (a) forgives by design: two thirds of the credit remain.
+constexpr double shift_ratio = 4.5;
+
+/// A pixel belongs to the content if a channel differs by more from the background. Two levels: a dithered or re-rounded background
+/// stays background; errors in what is left out are at most 4 levels, below every other threshold.
+constexpr int background_levels = 2;
+
+/// Worst ratio of a measure to its threshold at which a picture is worth nothing. Credit falls with the logarithm of the ratio, as
+/// errors spread over decades: ten times the threshold is worth one half. 100: 15 % of edges or half of the interior wrong.
+constexpr double zero_ratio = 100.0;
+
+/// Side of the window that worst_region looks for.
+constexpr int worst_window = 32;
+
+/// An explanation must raise a failing check to this (or make it right) …
+constexpr double explained = 0.9;
+/// … from at most this share of it.
+constexpr double unexplained_share = 0.5;
+/// Share of the rows in which a mistake must deviate as the student did.
+constexpr double mistake_share = 0.95;
+
+}
