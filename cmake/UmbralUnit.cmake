@@ -1,1 +1,99 @@
+# Builds what the grader loads for one unit, into ${CMAKE_BINARY_DIR}/units/<topic>/<unit>/:
+#   driver.so       the driver and the reference objects of the units in `uses` (their closure); the unit itself stays undefined
+#   reference.so, oracle.so    the tenants whose answers students' are compared with
+#   mistakes/*.so   known wrong solutions, loaded only to explain a failing result
+#   exports.map, exports.txt   the names that a student's library may define: those of the reference object, no other
+#
+# A unit's tenants are built alike and loaded alike, so that nothing can depend on who lives there.
 
+set(UMBRAL_UNITS_DIR ${CMAKE_BINARY_DIR}/units)
+
+# The flags of students' files, in one place: the precompiled header works only with exactly these.
+set(UMBRAL_STUDENT_FLAGS -std=c++20 -g -O1 -fPIC -fno-gnu-unique -ffp-contract=off -D_GLIBCXX_ASSERTIONS)
+
+# umbral_unit_objects(UNIT RESULT): the object library of a unit's reference, made on first need.
+function(umbral_reference_objects unit result)
+  string(REPLACE "/" "-" target "reference-${unit}")
+  string(REPLACE "-" "_" file "${unit}")
+  if(NOT TARGET ${target})
+    add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/reference/${file}.cpp)
+    target_link_libraries(${target} PRIVATE umbral-framework umbral-warnings)
+  endif()
+  set(${result} ${target} PARENT_SCOPE)
+endfunction()
+
+# umbral_uses_closure(UNIT PATH RESULT): all units that UNIT uses, directly or not. A cycle stops the configuration, naming its path.
+function(umbral_uses_closure unit path result)
+  if(unit IN_LIST path)
+    list(JOIN path " -> " shown)
+    message(FATAL_ERROR "Units use each other in a circle: ${shown} -> ${unit}. Take one out of `uses`.")
+  endif()
+  list(APPEND path ${unit})
+  set(all)
+  file(READ ${PROJECT_SOURCE_DIR}/exercises/${unit}/exercise.json json)
+  string(JSON count LENGTH "${json}" uses)
+  if(count GREATER 0)
+    math(EXPR last "${count} - 1")
+    foreach(i RANGE ${last})
+      string(JSON used GET "${json}" uses ${i})
+      umbral_uses_closure(${used} "${path}" below)
+      list(APPEND all ${used} ${below})
+    endforeach()
+  endif()
+  list(REMOVE_DUPLICATES all)
+  set(${result} ${all} PARENT_SCOPE)
+endfunction()
+
+function(umbral_unit_library target folder name)
+  add_library(${target} MODULE ${ARGN})
+  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${folder})
+  target_link_libraries(${target} PRIVATE umbral-framework)
+endfunction()
+
+# umbral_add_unit(TOPIC/UNIT)
+function(umbral_add_unit unit)
+  set(source ${PROJECT_SOURCE_DIR}/exercises/${unit})
+  set(folder ${UMBRAL_UNITS_DIR}/${unit})
+  string(REPLACE "/" "-" id ${unit})
+  string(REPLACE "-" "_" file ${unit})
+  set(reference ${PROJECT_SOURCE_DIR}/reference/${file})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source}/exercise.json)
+  file(READ ${source}/exercise.json json)
+
+  umbral_uses_closure(${unit} "" used)
+  umbral_unit_library(driver-${id} ${folder} driver ${source}/driver.cpp)
+  target_include_directories(driver-${id} PRIVATE ${PROJECT_SOURCE_DIR}/exercises)
+  target_link_libraries(driver-${id} PRIVATE umbral-warnings)
+  target_link_options(driver-${id} PRIVATE -Wl,-Bsymbolic -s)
+  foreach(other IN LISTS used)
+    umbral_reference_objects(${other} objects)
+    target_link_libraries(driver-${id} PRIVATE ${objects})
+  endforeach()
+  string(JSON gl ERROR_VARIABLE no_gl GET "${json}" gl)
+  if(gl STREQUAL "ON")
+    target_link_libraries(driver-${id} PRIVATE umbral-gl)
+  endif()
+
+  if(NOT EXISTS ${reference}.cpp)
+    return()
+  endif()
+  umbral_reference_objects(${unit} objects)
+  umbral_unit_library(reference-library-${id} ${folder} reference $<TARGET_OBJECTS:${objects}>)
+  set_target_properties(reference-library-${id} PROPERTIES LINKER_LANGUAGE CXX)
+  add_custom_command(OUTPUT ${folder}/exports.map ${folder}/exports.txt
+    COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=$<TARGET_OBJECTS:${objects}>" -DFOLDER=${folder} -P ${PROJECT_SOURCE_DIR}/cmake/exports.cmake
+    DEPENDS $<TARGET_OBJECTS:${objects}> ${PROJECT_SOURCE_DIR}/cmake/exports.cmake COMMAND_EXPAND_LISTS VERBATIM)
+  add_custom_target(exports-${id} ALL DEPENDS ${folder}/exports.map)
+
+  if(EXISTS ${reference}_oracle.cpp)
+    umbral_unit_library(oracle-library-${id} ${folder} oracle ${reference}_oracle.cpp)
+    target_link_libraries(oracle-library-${id} PRIVATE umbral-warnings)
+  endif()
+
+  file(GLOB mistakes CONFIGURE_DEPENDS ${source}/mistakes/*.cpp)
+  foreach(mistake IN LISTS mistakes)
+    get_filename_component(name ${mistake} NAME_WE)
+    umbral_unit_library(mistake-${id}-${name} ${folder}/mistakes ${name} ${mistake})
+    target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} -include umbral/student.hpp)
+  endforeach()
+endfunction()

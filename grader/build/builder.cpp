@@ -1,0 +1,113 @@
+#include "build/builder.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "build/check_names.hpp"
+#include "build/compile.hpp"
+#include "build/inspection.hpp"
+#include "build/scratch.hpp"
+#include "model/digest.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> lines_of(const fs::path& file)
+{
+    std::vector<std::string> lines;
+    std::istringstream text(read_text(file));
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    return lines;
+}
+
+/// Everything that decides what a build gives. The precompiled header stands for all headers: it is rebuilt when one changes.
+std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
+{
+    const fs::path header = tools.student_header.string() + ".gch";
+    std::string all = fmt::format("1\n{}\n{}\n{}\n{}\n", exercise.id, tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
+    all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
+    all += read_text(unit_folder(tools, exercise.id) / "exports.txt");
+    for (const auto& [name, text] : files) all += fmt::format("{} {}\n{}\n", name, text.size(), text);
+    return sha256_hex(std::as_bytes(std::span(all)));
+}
+
+/// A result kept earlier, if it is whole.
+std::optional<Built> kept(const fs::path& folder)
+{
+    std::ifstream stream(folder / "result.json");
+    const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+    if (!json.is_object()) return std::nullopt;
+    Built built;
+    built.verdict = verdict_from(json.value("verdict", "grader_fault"));
+    built.message = json.value("message", "");
+    if (built.verdict == Verdict::ok) built.library = folder / "student.so";
+    if (built.verdict == Verdict::ok && !fs::exists(built.library)) return std::nullopt;
+    return built;
+}
+
+/// Puts a finished build in its place by renaming its directory: others see all of it or nothing.
+Built keep(const Built& built, const fs::path& work, const fs::path& folder)
+{
+    for (const auto& entry : fs::directory_iterator(work))
+        if (entry.path().filename() != "student.so") fs::remove_all(entry.path());
+    std::ofstream(work / "result.json") << nlohmann::json{{"verdict", to_string(built.verdict)}, {"message", built.message}}.dump(
+        1, ' ', false, nlohmann::json::error_handler_t::replace);
+    fs::create_directories(folder.parent_path());
+    std::error_code taken;
+    fs::rename(work, folder, taken);
+    if (const auto result = kept(folder)) return *result;
+    throw std::runtime_error(fmt::format("cannot keep a build in {}: {}; is the disk full?", folder.string(), taken.message()));
+}
+
+Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+{
+    Built built;
+    const Compilation compilation = compile(tools, exercise, files, work);
+    if (!compilation.library) {
+        built.verdict = Verdict::compile_error;
+        built.message = compilation.diagnostics;
+        return built;
+    }
+    std::set<std::string> offered;
+    for (std::string& name : lines_of(tools.units / "framework-exports.txt")) offered.insert(std::move(name));
+    for (const std::string& used : exercise.uses)
+        for (std::string& name : lines_of(unit_folder(tools, used) / "exports.txt")) offered.insert(std::move(name));
+    const auto objection = object_to(inspect(tools, *compilation.library), lines_of(unit_folder(tools, exercise.id) / "exports.txt"), offered, exercise);
+    built.verdict = objection ? objection->verdict : Verdict::ok;
+    if (objection) built.message = objection->message;
+    return built;
+}
+
+}
+
+Built build(const Toolchain& tools, const Exercise& exercise, const Sources& files)
+{
+    Built built;
+    if (!exercise.is_cpp()) {
+        const auto objection = object_to_words(files, exercise);
+        built.verdict = objection ? objection->verdict : Verdict::ok;
+        if (objection) built.message = objection->message;
+        built.sources = files;
+        return built;
+    }
+    const std::string key = content_key(tools, exercise, files);
+    const fs::path folder = tools.cache / "builds" / key.substr(0, 2) / key;
+    if (auto result = kept(folder)) {
+        built = *std::move(result);
+    } else {
+        const ScratchFolder work(tools.cache);
+        built = keep(compile_fresh(tools, exercise, files, work.path()), work.path(), folder);
+    }
+    for (const auto& [name, text] : files)
+        if (!name.ends_with(".cpp") && !name.ends_with(".hpp")) built.sources[name] = text;
+    return built;
+}
+
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "build/submission.hpp"
+#include "build/toolchain.hpp"
+#include "model/exercise.hpp"
+#include "model/verdict.hpp"
+
+namespace umbral::grader {
+
+/// What a student's files became.
+struct Built {
+    Verdict verdict = Verdict::grader_fault;  ///< ok, or why it cannot run
+    std::string message;                      ///< diagnostics for the student
+    std::filesystem::path library;            ///< empty for a unit without C++, or if not ok
+    Sources sources;                          ///< the texts that are not C++, for the run
+};
+
+/// Turns a unit's files into a library that defines the unit and can override nothing else. Results, also bad ones, are kept by
+/// content: the same files, flags and headers are compiled once. Several threads and processes may build at the same time.
+/// Throws std::runtime_error only for faults of the grader's.
+[[nodiscard]] Built build(const Toolchain& tools, const Exercise& exercise, const Sources& files);
+
+}

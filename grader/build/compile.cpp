@@ -1,0 +1,76 @@
+#include "build/compile.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "model/recording.hpp"
+#include "run/confine.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+ConfinedCommand command_for(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+{
+    const fs::path unit = unit_folder(tools, exercise.id);
+    ConfinedCommand command;
+    command.confine = tools.programs / "umbral-confine";
+    command.directory = work;
+    command.read = {tools.framework, tools.student_header.parent_path(), unit};
+    command.arguments = {tools.compiler};
+    command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
+    for (const std::string& word : {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"), "-I" + tools.framework.string(), std::string("-include"),
+                                    tools.student_header.string(), std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,-z,lazy"),
+                                    "-Wl,--version-script=" + (unit / "exports.map").string(), std::string("-o"), std::string("student.so")})
+        command.arguments.push_back(word);
+    for (const auto& [name, text] : files)
+        if (name.ends_with(".cpp")) command.arguments.push_back(name);
+    return command;
+}
+
+}
+
+std::string first_errors(std::string_view output, std::size_t lines)
+{
+    std::string kept;
+    std::istringstream stream{std::string(output)};
+    std::size_t count = 0;
+    bool relevant = false;
+    for (std::string line; std::getline(stream, line);) {
+        // A message begins a block ("sphere.cpp:3:5: error: …"); source lines and notes follow it.
+        if (line.find(": error:") != std::string::npos || line.find("undefined reference") != std::string::npos || line.find("duplicate symbol") != std::string::npos)
+            relevant = true;
+        else if (line.find(": warning:") != std::string::npos) relevant = false;
+        if (!relevant) continue;
+        if (++count > lines) return kept + "…\n";
+        kept += line + '\n';
+    }
+    return kept;
+}
+
+Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+{
+    for (const auto& [name, text] : files) {
+        std::ofstream stream(work / name, std::ios::binary);
+        stream << text;
+        if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", (work / name).string()));
+    }
+    const ConfinedCommand command = command_for(tools, exercise, files, work);
+    const ConfinedResult result = run_confined(command);
+    Compilation compilation;
+    const fs::path library = work / "student.so";
+    if (result.exit_status == 0 && fs::is_regular_file(fs::symlink_status(library))) {
+        compilation.library = library;
+        return compilation;
+    }
+    compilation.diagnostics = first_errors(result.output, 24);
+    if (result.timed_out) compilation.diagnostics = fmt::format("the compiler was stopped after {:g} s\n", command.wall_seconds);
+    if (compilation.diagnostics.empty()) compilation.diagnostics = first_errors(": error:\n" + result.output, 24).substr(9);
+    compilation.diagnostics = printable(compilation.diagnostics, 8192);
+    return compilation;
+}
+
+}

@@ -1,0 +1,46 @@
+#include "build/inspection.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "run/confine.hpp"
+
+namespace umbral::grader {
+namespace {
+
+ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path& library, std::vector<std::string> arguments)
+{
+    ConfinedCommand command;
+    command.confine = tools.programs / "umbral-confine";
+    command.arguments = {(tools.programs / "umbral-inspect").string()};
+    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+    command.directory = library.parent_path();
+    command.read = {tools.programs};
+    command.wall_seconds = 10;
+    command.memory_mib = 1024;
+    command.output_limit = std::size_t{8} << 20U;
+    return run_confined(command);
+}
+
+}
+
+Inspection inspect(const Toolchain& tools, const std::filesystem::path& library)
+{
+    const ConfinedResult result = run_inspector(tools, library, {"names", library.string()});
+    if (result.exit_status != 0) throw std::runtime_error(fmt::format("umbral-inspect failed on {} (status {}): {}", library.string(), result.exit_status, result.output));
+    const nlohmann::json json = nlohmann::json::parse(result.output);
+    return {json.at("exported"), json.at("undefined"), json.at("functions")};
+}
+
+std::string place_of(const Toolchain& tools, const std::filesystem::path& library, const std::vector<std::uint64_t>& frames)
+{
+    std::vector<std::string> arguments{"lines", library.string()};
+    for (const std::uint64_t frame : frames) arguments.push_back(std::to_string(frame));
+    const ConfinedResult result = run_inspector(tools, library, arguments);
+    if (result.exit_status != 0) return "";
+    return result.output.substr(0, result.output.find('\n'));
+}
+
+}

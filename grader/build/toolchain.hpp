@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace umbral::grader {
+
+/// Where the pieces of a built Umbral lie, and how students' files are compiled.
+struct Toolchain {
+    std::filesystem::path exercises;       ///< the folder of units' sources
+    std::filesystem::path reference;       ///< the folder of the reference's sources (for GLSL units and listing only)
+    std::filesystem::path units;           ///< the folder of built drivers and tenants
+    std::filesystem::path programs;        ///< umbral-spawner, umbral-confine, umbral-inspect …
+    std::filesystem::path framework;       ///< include folder
+    std::filesystem::path student_header;  ///< force-included, with its precompiled form beside it
+    std::filesystem::path cache;           ///< built submissions, by content
+    std::filesystem::path scratch;         ///< where fresh directories are made
+    std::string compiler;
+    std::vector<std::string> flags;
+};
+
+/// The folder in `units` of a unit's built libraries.
+[[nodiscard]] inline std::filesystem::path unit_folder(const Toolchain& tools, const std::string& id) { return tools.units / id; }
+
+}
