@@ -35,11 +35,11 @@ struct Check {
     bool hidden = false;  ///< its seed is secret; details are shown after the due date
     bool pairs = false;   ///< rows 2k and 2k+1 count only together
     Tolerance tolerance;
-    double full = 1.0;  ///< the fraction right that earns all points
-    double zero = 0.0;  ///< the fraction right that earns none; raised to the best control's
+    double full = 1.0;      ///< the fraction right that earns all points
+    double zero = 0.0;      ///< the fraction right that earns none; raised to the best control's
     double range_low = 0;   ///< images of floats: the value shown black …
     double range_high = 1;  ///< … and the value shown white
-    std::string why;  ///< where the tolerance comes from
+    std::string why;        ///< where the tolerance comes from
 };
 
 /// Limits of one case.
@@ -50,35 +50,38 @@ struct Limits {
 
 /// A unit as its folder describes it.
 struct Exercise {
-    std::string id;     ///< "topic/unit"
+    std::string id;  ///< "topic/unit"
     std::string topic;
     std::string name;
     std::filesystem::path folder;
     std::vector<std::string> files;  ///< what the student hands in
     Millipoints points = 0;
-    std::vector<std::string> uses;    ///< reference units that the student may call
-    std::vector<std::string> forbid;  ///< names that must not be used, as "glm::lookAt"
+    std::vector<std::string> uses;             ///< reference units that the student may call
+    std::vector<std::string> forbid;           ///< names that must not be used, as "glm::lookAt"
     std::map<std::string, std::string> title;  ///< by language: "en", "es"
     std::vector<std::string> course;
-    bool gl = false;  ///< its cases need an OpenGL context
+    std::optional<double> order;  ///< place within the topic; units without one come last
+    bool gl = false;              ///< its cases need an OpenGL context
     Limits limits;
     std::vector<Check> checks;
-    std::string digest;  ///< SHA-256 of everything that decides the score
+    std::string digest;  ///< SHA-256 of what decides the score in the unit's folder: manifest, driver, support.hpp of its topic, stubs
 
     /// Is the unit written in C++ (and not in GLSL only)?
     [[nodiscard]] bool is_cpp() const;
+    /// Is a check judged against an oracle?
     [[nodiscard]] bool has_oracle() const;
     /// Names of the cases that the checks need, in the manifest's order, each once.
     [[nodiscard]] std::vector<std::string> cases() const;
 };
 
-/// Reads `folder/exercise.json`. Throws std::runtime_error that names the file, the field, what was expected and what came.
+/// Reads `folder/exercise.json`; the folder's last two names must be the unit's id, and driver and stubs must lie in it. Throws std::runtime_error that names the file, the field, what was expected and what came.
 [[nodiscard]] Exercise load_exercise(const std::filesystem::path& folder);
 
 /// The same from parsed JSON (`where` names it in messages); reads no other file, so `digest` stays empty.
 [[nodiscard]] Exercise parse_exercise(const nlohmann::json& json, const std::string& where);
 
-/// All units below `root` (topic/unit/exercise.json), in the course's order. Throws as load_exercise does.
+/// All units below `root` (topic/unit/exercise.json), sorted by topic in the course's order (other topics behind, by name), then `order`, then
+/// id. Throws as load_exercise does.
 [[nodiscard]] std::vector<Exercise> load_exercises(const std::filesystem::path& root);
 
 [[nodiscard]] const char* to_string(JudgeKind kind);

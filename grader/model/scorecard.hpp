@@ -37,9 +37,9 @@ struct CheckResult {
 
 /// Why a result fails, as far as it could be recognised.
 struct Explanation {
-    std::string name;      ///< "transposed", "mistake: school_formula"
-    std::string sentence;  ///< for the student
-    double confidence = 0; ///< the share of the failing checks that it accounts for, 0..1
+    std::string name;       ///< "transposed", "mistake: school_formula"
+    std::string sentence;   ///< for the student
+    double confidence = 0;  ///< the share of the failing checks that it accounts for, 0..1
 };
 
 struct UnitResult {
@@ -51,10 +51,10 @@ struct UnitResult {
     double seconds = 0;            ///< of the student's cases, wall clock
     double reference_seconds = 0;  ///< of the reference's
     std::vector<CheckResult> checks;
-    std::string message;                   ///< why there is no better verdict: diagnostics, crash text, refused calls
-    std::vector<Explanation> explanations; ///< best first
-    std::string output;                    ///< what the student's code printed, bounded
-    std::uint64_t seed = 0;                ///< of the visible cases
+    std::string message;                    ///< why there is no better verdict: diagnostics, crash text, refused calls
+    std::vector<Explanation> explanations;  ///< best first
+    std::string output;                     ///< what the student's code printed, bounded
+    std::uint64_t seed = 0;                 ///< of the visible cases
 };
 
 struct SubmissionResult {
@@ -80,7 +80,7 @@ struct ClassResult {
     std::vector<SubmissionResult> submissions;
 };
 
-/// Sums the units' points into the submission's.
+/// Sums the units' points into the submission's. A unit with a grader fault is in neither sum: our fault is nobody's zero.
 void add_up(SubmissionResult& submission);
 
 /// class.json and report.json as docs/schemas describe them. Times are the only fields that differ between equal runs.

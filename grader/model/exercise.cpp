@@ -1,0 +1,100 @@
+#include "model/exercise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <tuple>
+
+#include "model/digest.hpp"
+#include "model/json_file.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// The course's order of topics; others come behind.
+constexpr std::array topics{"pipeline", "meshes", "transforms", "projections", "lighting", "texturing", "interaction", "raytracing"};
+
+std::string digest_of(const Exercise& exercise)
+{
+    std::vector<NamedFile> files;
+    for (const std::string& name : exercise.files) files.push_back({name, exercise.folder / name});
+    for (const char* name : {"exercise.json", "driver.cpp"}) files.push_back({name, exercise.folder / name});
+    const std::filesystem::path support = exercise.folder.parent_path() / "support.hpp";
+    if (std::filesystem::exists(support)) files.push_back({"support.hpp", support});
+    return sha256_of_files(std::move(files));
+}
+
+std::vector<std::filesystem::path> folders_in(const std::filesystem::path& root)
+{
+    std::vector<std::filesystem::path> folders;
+    for (const auto& entry : std::filesystem::directory_iterator(root))
+        if (entry.is_directory()) folders.push_back(entry.path());
+    return folders;
+}
+
+auto place_in_course(const Exercise& exercise)
+{
+    const auto topic = std::find(topics.begin(), topics.end(), exercise.topic) - topics.begin();
+    return std::tuple(topic, exercise.topic, exercise.order.value_or(std::numeric_limits<double>::infinity()), exercise.id);
+}
+
+}
+
+bool Exercise::is_cpp() const
+{
+    return std::any_of(files.begin(), files.end(), [](const std::string& file) { return file.ends_with(".cpp") || file.ends_with(".hpp"); });
+}
+
+bool Exercise::has_oracle() const
+{
+    return std::any_of(checks.begin(), checks.end(), [](const Check& check) { return check.hard; });
+}
+
+std::vector<std::string> Exercise::cases() const
+{
+    std::vector<std::string> names;
+    for (const Check& check : checks)
+        if (std::find(names.begin(), names.end(), check.case_name) == names.end()) names.push_back(check.case_name);
+    return names;
+}
+
+Exercise load_exercise(const std::filesystem::path& folder)
+{
+    const std::filesystem::path file = folder / "exercise.json";
+    Exercise exercise = parse_exercise(read_json(file), file.string());
+    exercise.folder = std::filesystem::canonical(folder);
+    const std::string place = (exercise.folder.parent_path().filename() / exercise.folder.filename()).string();
+    if (exercise.id != place)
+        throw std::runtime_error(fmt::format("{}: id: expected \"{}\", as its folders are called, got \"{}\"", file.string(), place, exercise.id));
+    exercise.digest = digest_of(exercise);
+    return exercise;
+}
+
+std::vector<Exercise> load_exercises(const std::filesystem::path& root)
+{
+    if (!std::filesystem::is_directory(root))
+        throw std::runtime_error(fmt::format("{}: expected a directory with units, topic/unit/exercise.json", root.string()));
+    std::vector<Exercise> exercises;
+    for (const auto& topic : folders_in(root))
+        for (const auto& folder : folders_in(topic))
+            if (std::filesystem::exists(folder / "exercise.json")) exercises.push_back(load_exercise(folder));
+    std::sort(exercises.begin(), exercises.end(), [](const Exercise& a, const Exercise& b) { return place_in_course(a) < place_in_course(b); });
+    return exercises;
+}
+
+const char* to_string(JudgeKind kind)
+{
+    switch (kind) {
+        case JudgeKind::numbers: return "numbers";
+        case JudgeKind::matrices: return "matrices";
+        case JudgeKind::buffer: return "buffer";
+        case JudgeKind::image: return "image";
+    }
+    throw std::invalid_argument("judge: expected one of the declared ones, got number " + std::to_string(static_cast<int>(kind)));
+}
+
+}

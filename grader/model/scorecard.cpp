@@ -1,0 +1,134 @@
+#include "model/scorecard.hpp"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "model/recording.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using nlohmann::json;
+
+// Texts may hold what a student printed or named: only here do they enter JSON, which must be UTF-8.
+std::string text(std::string_view value) { return printable(value, std::numeric_limits<std::size_t>::max()); }
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json number(const std::optional<double>& value) { return value ? number(*value) : json(nullptr); }
+
+template <class Items, class Convert>
+json list(const Items& items, Convert&& convert)
+{
+    json result = json::array();
+    for (const auto& item : items) result.push_back(convert(item));
+    return result;
+}
+
+template <class Values, class Convert>
+json object(const Values& values, Convert&& convert)
+{
+    json result = json::object();
+    for (const auto& [key, value] : values) result[text(key)] = convert(value);
+    return result;
+}
+
+json difference(const std::optional<Difference>& value)
+{
+    if (!value) return nullptr;
+    return {{"where", text(value->where)}, {"yours", text(value->yours)}, {"expected", text(value->expected)}};
+}
+
+/// What a student's own report shows beyond the class's.
+enum class Detail { for_class, for_report };
+
+json check(const CheckResult& value, Detail detail)
+{
+    json result{{"name", text(value.name)},
+                {"kind", to_string(value.kind)},
+                {"hard", value.hard},
+                {"hidden", value.hidden},
+                {"score", value.score},
+                {"max_score", value.max_score},
+                {"error", number(value.error)},
+                {"reference_error", number(value.reference_error)},
+                {"message", text(value.message)},
+                {"metrics", object(value.metrics, [](double metric) { return number(metric); })},
+                {"first_difference", difference(value.first_difference)}};
+    if (detail == Detail::for_report) result["artefacts"] = object(value.artefacts, [](const std::string& path) { return text(path); });
+    return result;
+}
+
+json explanation(const Explanation& value)
+{
+    return {{"name", text(value.name)}, {"sentence", text(value.sentence)}, {"confidence", number(value.confidence)}};
+}
+
+json unit(const UnitResult& value, Detail detail)
+{
+    json result{{"id", text(value.id)},
+                {"digest", text(value.digest)},
+                {"verdict", to_string(value.verdict)},
+                {"score", value.score},
+                {"max_score", value.max_score},
+                {"seconds", number(value.seconds)},
+                {"reference_seconds", number(value.reference_seconds)},
+                {"checks", list(value.checks, [&](const CheckResult& item) { return check(item, detail); })},
+                {"message", text(value.message)},
+                {"explanation", list(value.explanations, explanation)},
+                {"stdout", text(value.output)}};
+    // As text: readers that hold numbers in a double would round a 64-bit seed.
+    if (detail == Detail::for_report) result["seed"] = std::to_string(value.seed);
+    return result;
+}
+
+json submission(const SubmissionResult& value, Detail detail)
+{
+    return {{"id", text(value.id)}, {"score", value.score}, {"max_score", value.max_score}, {"units", list(value.units, [&](const UnitResult& item) {
+                                                                                                 return unit(item, detail);
+                                                                                             })}};
+}
+
+json document(const char* format, const Fingerprint& fingerprint)
+{
+    return {{"format", format},
+            {"version", 1},
+            {"score_unit", "millipoints"},
+            {"tool", {{"version", text(fingerprint.version)}, {"commit", text(fingerprint.commit)}}},
+            {"machine",
+             {{"cpu", text(fingerprint.cpu)},
+              {"compiler", text(fingerprint.compiler)},
+              {"gl", text(fingerprint.gl)},
+              {"libm", text(fingerprint.libm)},
+              {"protections", list(fingerprint.protections, text)}}}};
+}
+
+}
+
+void add_up(SubmissionResult& submission)
+{
+    submission.score = 0;
+    submission.max_score = 0;
+    for (const UnitResult& unit : submission.units) {
+        if (unit.verdict == Verdict::grader_fault) continue;
+        submission.score += unit.score;
+        submission.max_score += unit.max_score;
+    }
+}
+
+json to_json(const ClassResult& result)
+{
+    json root = document("umbral-class", result.fingerprint);
+    root["submissions"] = list(result.submissions, [](const SubmissionResult& item) { return submission(item, Detail::for_class); });
+    return root;
+}
+
+json to_json(const SubmissionResult& result, const Fingerprint& fingerprint)
+{
+    json root = document("umbral-report", fingerprint);
+    root["submission"] = submission(result, Detail::for_report);
+    return root;
+}
+
+}
