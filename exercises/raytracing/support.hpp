@@ -113,11 +113,11 @@ inline std::vector<BallShot> silhouette_pairs(Random& random, double distance, i
     return shots;
 }
 
-/// The ray from `eye` through the centre of pixel (x, y) of a square picture `size` pixels wide that shows 2 * `half_width` at distance 1 along -z.
+/// The ray of unit direction from `eye` through the centre of pixel (x, y) of a square picture `size` pixels wide that shows 2 * `half_width` at distance 1 along -z.
 inline Ray pixel_ray(const glm::vec3& eye, float half_width, int size, int x, int y)
 {
     const auto centred = [&](int pixel) { return half_width * (2 * (static_cast<float>(pixel) + 0.5F) / static_cast<float>(size) - 1); };
-    return Ray{eye, glm::vec3(centred(x), -centred(y), -1)};
+    return Ray{eye, normalize(glm::vec3(centred(x), -centred(y), -1))};
 }
 
 /// The nearest ball along a ray: its place in the list plus one (0 for none), and the outward normal there.

@@ -76,19 +76,19 @@ std::vector<BallShot> tangent(Random& random)
 {
     std::vector<BallShot> shots;
     for (int i = 0; i < 60; ++i) {
-        const float scale = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const float radius = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const glm::vec3 centre = radius * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
         const int along = static_cast<int>(random.below(3));
-        const glm::vec3 centre(glm::ivec3(4.0F * random.in_cube()));
+        const int aside = (along + 1 + static_cast<int>(random.below(2))) % 3;
         glm::vec3 touching(0);
         glm::vec3 direction(0);
         touching[along] = static_cast<float>(random.below(6) + 2);
+        touching[aside] = random.below(2) == 0 ? 1 : -1;
         direction[along] = -1;
-        touching[(along + 1) % 3] = 3;
-        touching[(along + 2) % 3] = random.below(2) == 0 ? 4 : -4;
         glm::vec3 passing = touching;
-        passing[(along + 1) % 3] = 3.0625F;
-        const Sphere ball{scale * centre, scale * 5};
-        add_pair(shots, {Ray{scale * (centre + touching), direction}, ball}, {Ray{scale * (centre + passing), direction}, ball}, random);
+        passing[aside] *= 1.015625F;
+        const Sphere ball{centre, radius};
+        add_pair(shots, {Ray{centre + radius * touching, direction}, ball}, {Ray{centre + radius * passing, direction}, ball}, random);
     }
     return shots;
 }

@@ -1,0 +1,62 @@
+// Prints how far the reference and the school formula lie from the oracle: the table in the statement of raytracing/sphere.
+// Usage: sphere-accuracy [SEED [RAYS]]
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <raytracing/support.hpp>
+
+#include "tenant.hpp"
+#include "ulps.hpp"
+
+using namespace umbral;
+using namespace umbral::raytracing;
+using Intersect = std::optional<float>(const Ray&, const Sphere&);
+
+namespace {
+
+struct Errors {
+    int wrong = 0;         ///< hit for miss, or miss for hit
+    double band = 0;       ///< the farthest from the silhouette that one of them passes, in ulps of the distance
+    double worst = 0;      ///< error of t where both hit, in ulps, rays with a cosine under 0.1 left out
+    double worst_all = 0;  ///< the same with all rays
+};
+
+void add(Errors& errors, const BallShot& shot, std::optional<float> got, std::optional<float> exact)
+{
+    if (got.has_value() != exact.has_value()) {
+        ++errors.wrong;
+        errors.band = std::max(errors.band, silhouette_margin(shot));
+        return;
+    }
+    if (!got) return;
+    const double sine = miss_distance(shot) / double{shot.ball.radius};
+    const double error = tests::ulps_between(*got, *exact);
+    errors.worst_all = std::max(errors.worst_all, error);
+    if (1 - sine * sine >= 0.01) errors.worst = std::max(errors.worst, error);
+}
+
+}
+
+int main(int count, char** arguments)
+{
+    const std::uint64_t seed = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1;
+    const int rays = count > 2 ? std::atoi(arguments[2]) : 400'000;
+    const auto oracle = tests::tenant<Intersect>(ORACLE_MODULE);
+    const std::pair<const char*, Intersect*> tenants[] = {{"reference", tests::tenant<Intersect>(REFERENCE_MODULE)},
+                                                          {"school formula", tests::tenant<Intersect>(NAIVE_MODULE)}};
+    std::printf("seed %llu, %d rays a line, aimed uniformly at a disc of 1.3 radii\n", static_cast<unsigned long long>(seed), rays);
+    std::printf("%-15s %9s %12s %10s %12s %12s\n", "tenant", "radii", "wrong, %", "band, ulp", "worst t, ulp", "with grazing");
+    for (const auto& [name, intersect] : tenants) {
+        for (const double distance : {1e1, 1e2, 1e3, 1e4, 1e5, 1e6}) {
+            Random random(seed);
+            Errors errors;
+            for (int i = 0; i < rays; ++i) {
+                const Sphere ball{random.in_cube(), random.uniform(0.5F, 2)};
+                const BallShot shot = aimed(ball, distance, 1.3 * std::sqrt(random.uniform_double()), random);
+                add(errors, shot, intersect(shot.ray, shot.ball), oracle(shot.ray, shot.ball));
+            }
+            std::printf("%-15s %9.0e %12.4f %10.2f %12.0f %12.0f\n", name, distance, 100.0 * errors.wrong / rays, errors.band, errors.worst, errors.worst_all);
+        }
+    }
+}
