@@ -87,7 +87,7 @@ std::pair<std::string, Tensor> take_tensor(Cursor& cursor)
     const wire::TensorHeader header = take_header(cursor);
     const std::vector<char> letters = copy<char>(cursor.take(header.name_size, "the name of a tensor"));
     std::string name(letters.begin(), letters.end());
-    if (printable(name, wire::maximum_name) != name) damaged(offset, "a printable name", "'" + printable(name, wire::maximum_name) + "'");
+    if (printable(name, wire::maximum_name) != name) damaged(offset, "a printable name", fmt::format("'{}'", printable(name, wire::maximum_name)));
 
     Tensor tensor{static_cast<Element>(header.element), header.rows, header.columns, header.components, {}, {}};
     tensor.bytes = copy<std::byte>(cursor.take(std::uint64_t{tensor.count()} * size_of(tensor.element), "the values of a tensor"));
@@ -104,7 +104,7 @@ void take_tensors(Recording& recording, const wire::Header& header, std::span<co
     for (std::uint64_t i = 0; i < header.tensor_count; ++i) {
         const std::size_t offset = cursor.offset();
         auto [name, tensor] = take_tensor(cursor);
-        if (!recording.tensors.emplace(name, std::move(tensor)).second) damaged(offset, "a name not used before", "'" + name + "'");
+        if (!recording.tensors.emplace(name, std::move(tensor)).second) damaged(offset, "a name not used before", fmt::format("'{}'", name));
     }
     require(cursor.left() == 0, cursor.offset(), "no bytes behind the last tensor", cursor.left());
 }
