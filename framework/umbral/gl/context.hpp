@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+namespace umbral::gl {
+
+/// Who draws when there is no window.
+enum class BackendKind { osmesa };
+
+/// An OpenGL 4.5 context, compatibility profile, without a window.
+///
+/// One context is current at a time, for the whole process; OpenGL is called from one thread only. Draw into a gl::Framebuffer: the
+/// context's own framebuffer is a stub of 64 x 64 pixels. A process may make a context, fork, and draw in the children, each for itself,
+/// if LP_NUM_THREADS=0 was in its environment before (threads do not survive a fork).
+class OffscreenContext {
+public:
+    /// Loads the back end and makes a context, current from now on. Throws std::runtime_error that says what could not be loaded.
+    explicit OffscreenContext(BackendKind kind = BackendKind::osmesa);
+    OffscreenContext(const OffscreenContext&) = delete;
+    OffscreenContext& operator=(const OffscreenContext&) = delete;
+    /// Finishes what was drawn; if this context was current, none is afterwards.
+    ~OffscreenContext();
+
+    void make_current();
+    [[nodiscard]] bool is_current() const noexcept;
+
+private:
+    const struct Backend* backend_;
+    void* handle_;
+};
+
+/// Is any context current? Where it is not, every call of OpenGL aborts.
+[[nodiscard]] bool has_context() noexcept;
+
+/// Version and renderer of the current context, as "4.5 (Compatibility Profile) Mesa …; llvmpipe (…)", for fingerprints.
+/// Throws std::logic_error if no context is current.
+[[nodiscard]] std::string backend_description();
+
+/// Throws std::runtime_error if OpenGL has noted errors since it was last asked; `where` says what was being done. Clears them.
+void check_errors(const std::string& where);
+
+}
