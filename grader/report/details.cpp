@@ -1,0 +1,153 @@
+#include "report/details.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "report/hidden.hpp"
+#include "report/layout.hpp"
+#include "report/side_by_side.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr int label_width = 10;
+constexpr std::size_t most_lines = 12;
+constexpr std::size_t most_bytes = 4096;
+
+bool fails(const CheckResult& check) { return check.score < check.max_score; }
+
+std::string check_words(const CheckResult& check)
+{
+    const char* verdict = !fails(check) ? "right" : check.score > 0 ? "partly right" : "wrong";
+    return fmt::format("{}, {} of {} points", verdict, points_text(check.score), points_text(check.max_score));
+}
+
+/// The student's text, at most most_lines lines, each of at most `width` cells; says how much is left out.
+std::vector<std::string> excerpt(std::string_view text, int width, const Paint& paint)
+{
+    std::size_t size = std::min(text.size(), most_bytes);
+    while (size < text.size() && size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0U) == 0x80U) --size;
+    std::vector<std::string> lines = wrap(paint.safe_lines(text.substr(0, size)), width);
+    const bool too_many = lines.size() > most_lines;
+    if (too_many) lines.resize(most_lines);
+    if (too_many || size < text.size()) lines.push_back(fmt::format("{} ({} bytes in all; the beginning is shown)", paint.ellipsis(), text.size()));
+    return lines;
+}
+
+/// Collects indented lines; text after a label hangs below itself.
+class Block {
+public:
+    Block(int width, const Paint& paint) : width_(width), paint_(paint) {}
+
+    [[nodiscard]] int room() const { return width_ - 4 - label_width; }
+    void line(std::string_view text) { result_ += fmt::format("    {}\n", text); }
+    void labelled(std::string_view label, const std::vector<std::string>& lines)
+    {
+        for (std::size_t i = 0; i < lines.size(); ++i) line(paint_(Tone::quiet, pad(i == 0 ? label : "", label_width)) + lines[i]);
+    }
+    void sentence(std::string_view label, std::string_view text) { labelled(label, wrap(paint_.safe(text), room())); }
+    void blank() { result_ += '\n'; }
+    [[nodiscard]] std::string take() { return std::move(result_); }
+
+private:
+    int width_;
+    const Paint& paint_;
+    std::string result_;
+};
+
+void add_first_failing(Block& block, const CheckResult& check, const Paint& paint)
+{
+    block.labelled("check", {paint(Tone::strong, paint.safe(check.name)) + "  " + check_words(check)});
+    // A matrix judge's message repeats the matrices that are drawn below.
+    const bool drawn = check.first_difference && find_matrix(check.first_difference->yours);
+    const std::string message = drawn ? check.message.substr(0, check.message.find(": yours ")) : check.message;
+    block.sentence("", message);
+    if (check.first_difference) {
+        block.sentence("first", check.first_difference->where);
+        block.labelled("", side_by_side(*check.first_difference, block.room(), paint));
+    }
+    for (const auto& [name, path] : check.artefacts) block.sentence(paint.safe(name), path);
+}
+
+std::string how_sure(double confidence)
+{
+    if (!(confidence > 0)) return "a guess";
+    if (confidence >= 0.995) return "fits every failing check";
+    return fmt::format("fits {:.0f} % of the failing checks", 100 * std::min(confidence, 1.0));
+}
+
+void add_others(Block& block, const UnitResult& unit, const CheckResult* shown)
+{
+    std::string others;
+    for (const CheckResult& check : unit.checks)
+        if (!check.hidden && fails(check) && &check != shown) others += fmt::format("{}{}", others.empty() ? "" : ", ", check.name);
+    if (!others.empty()) block.sentence("also", others + " not right yet");
+    bool first = true;
+    for (const CheckResult& check : unit.checks) {
+        if (!check.hidden || !fails(check)) continue;
+        block.sentence(first ? "hidden" : "", check.name + ": " + check_words(check));
+        first = false;
+    }
+}
+
+std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* failing, const Paint& paint)
+{
+    const std::string id = shell_word(unit.id);
+    std::vector<std::string> steps;
+    switch (unit.verdict) {
+        case Verdict::grader_fault: return {"This is the grader's fault, not yours: please show this report to your instructor."};
+        case Verdict::missing: return {fmt::format("umbral reset {}   puts the file to write back in its place", paint.safe(id))};
+        case Verdict::compile_error:
+        case Verdict::interface_mismatch:
+        case Verdict::forbidden: steps.push_back(fmt::format("umbral check {}", id)); break;
+        case Verdict::not_implemented: break;
+        default: {
+            const std::string name = failing != nullptr ? shell_word(failing->name.substr(0, failing->name.rfind('/'))) : "";
+            steps.push_back(fmt::format("umbral debug {}{}{}", id, name.empty() ? "" : " ", name));
+        }
+    }
+    steps.push_back(fmt::format("umbral hint {}", id));
+    for (std::string& step : steps) step = paint(Tone::strong, paint.safe(step));
+    return steps;
+}
+
+}
+
+std::string shell_word(std::string_view text)
+{
+    const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/'; };
+    if (!text.empty() && std::ranges::all_of(text, plain)) return std::string(text);
+    std::string word = "'";
+    for (const char c : text) c == '\'' ? word += "'\\''" : word += c;
+    return fmt::format("{}'", word);
+}
+
+std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
+{
+    const Verdict verdict = shown_verdict(unit);
+    const auto failing = std::ranges::find_if(unit.checks, [](const CheckResult& check) { return !check.hidden && fails(check); });
+    const CheckResult* shown = failing == unit.checks.end() ? nullptr : &*failing;
+    const bool hidden_fails = std::ranges::any_of(unit.checks, [](const CheckResult& check) { return check.hidden && fails(check); });
+
+    Block block(width, paint);
+    block.blank();
+    std::string result =
+        fmt::format("\n  {} {}  {}", paint.mark(verdict), paint(Tone::strong, paint.safe(unit.id)),
+                    paint(tone_of(verdict), fmt::format("{}, {} of {} points", in_words(verdict), points_text(unit.score), points_text(unit.max_score))));
+    block.labelled("", excerpt(unit.message, block.room(), paint));
+    if (shown != nullptr) add_first_failing(block, *shown, paint);
+    if (shown == nullptr && hidden_fails) block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
+    if (!unit.explanations.empty()) block.sentence("why", unit.explanations.front().sentence + " (" + how_sure(unit.explanations.front().confidence) + ")");
+    add_others(block, unit, shown);
+    if (!unit.output.empty()) {
+        std::vector<std::string> lines = excerpt(unit.output, block.room() - 2, paint);
+        for (std::string& line : lines) line = paint(Tone::quiet, paint.symbol("│ ", "| ")) + line;
+        block.labelled("printed", lines);
+    }
+    block.labelled("next", next_steps(unit, shown, paint));
+    return result + block.take();
+}
+
+}

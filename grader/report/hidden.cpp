@@ -1,0 +1,36 @@
+#include <algorithm>
+#include <utility>
+
+#include "report/hidden.hpp"
+
+namespace umbral::grader {
+
+SubmissionResult without_hidden_values(SubmissionResult submission)
+{
+    for (UnitResult& unit : submission.units)
+        for (CheckResult& check : unit.checks)
+            if (check.hidden)
+                check = {.name = std::move(check.name),
+                         .kind = check.kind,
+                         .hard = check.hard,
+                         .hidden = true,
+                         .score = check.score,
+                         .max_score = check.max_score,
+                         .error = {},
+                         .reference_error = {},
+                         .message = {},
+                         .metrics = {},
+                         .first_difference = {},
+                         .artefacts = {}};
+    return submission;
+}
+
+bool all_right(const UnitResult& unit)
+{
+    return unit.verdict == Verdict::ok && !unit.checks.empty() && unit.score >= unit.max_score &&
+           std::ranges::all_of(unit.checks, [](const CheckResult& check) { return check.score >= check.max_score; });
+}
+
+Verdict shown_verdict(const UnitResult& unit) { return unit.verdict == Verdict::ok && !all_right(unit) ? Verdict::partial : unit.verdict; }
+
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace umbral::grader {
+
+/// One character of a UTF-8 text. What is not valid UTF-8 (also overlong forms and surrogates) comes byte by byte with `valid` false.
+struct Character {
+    char32_t code = 0;
+    std::size_t size = 1;
+    bool valid = false;
+};
+
+/// The first character of `text`, which is not empty.
+[[nodiscard]] Character first_character(std::string_view text);
+
+/// How many terminal cells a character takes: 0 (combining), 1 or 2 (East Asian wide, most emoji).
+[[nodiscard]] int cells_of(char32_t code);
+
+}
