@@ -1,0 +1,63 @@
+#include "batch/case_results.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace umbral::grader {
+
+std::string CaseResult::trouble() const
+{
+    if (is_stub()) return "not implemented yet";
+    if (student.verdict == Verdict::ok) return "";
+    std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);
+    if (!place.empty()) text += " at " + place;
+    return text;
+}
+
+CheckResult blank_result(const Check& check)
+{
+    CheckResult result;
+    result.name = check.name;
+    result.kind = check.judge;
+    result.hard = check.hard;
+    result.hidden = check.hidden;
+    result.max_score = check.points;
+    return result;
+}
+
+const Tensor* tensor_of(const RunOutcome& run, const std::string& name)
+{
+    const auto found = run.recording.tensors.find(name);
+    return found == run.recording.tensors.end() ? nullptr : &found->second;
+}
+
+CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run, const RunOutcome& reference_run)
+{
+    CheckResult result = blank_result(check);
+    const Tensor* expected = tensor_of(expected_run, check.value);
+    const Tensor* reference = tensor_of(reference_run, check.value);
+    if (expected == nullptr || reference == nullptr)
+        throw std::runtime_error(fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
+    const Tensor* margin = tensor_of(expected_run, check.value + ".margin");
+    if (check.hard) result.reference_error = judge(check, *reference, *expected, margin).error;
+
+    result.message = one.trouble();
+    if (!result.message.empty()) return result;
+    const Tensor* student = tensor_of(one.student, check.value);
+    if (student == nullptr) {
+        result.message = "nothing was recorded: the run was disturbed";
+        return result;
+    }
+    const Judgement judgement = judge(check, *student, *expected, margin);
+    const BestControl control = best_control(check, *expected, margin, one.seed);
+    result.score = points_for(check, judgement.right, control.right);
+    result.error = judgement.error;
+    result.message = judgement.message;
+    result.metrics = judgement.metrics;
+    result.metrics["right"] = judgement.right;
+    result.first_difference = judgement.first_difference;
+    return result;
+}
+
+}

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "judge/judge.hpp"
+#include "model/exercise.hpp"
+#include "model/scorecard.hpp"
+#include "run/spawner.hpp"
+
+namespace umbral::grader {
+
+/// The student's run of one case.
+struct CaseResult {
+    std::uint64_t seed = 0;
+    bool hidden = false;
+    RunOutcome student;
+    std::string place;  ///< where it crashed: "sphere.cpp:17"
+    double reference_seconds = 0;
+
+    [[nodiscard]] bool is_stub() const { return student.verdict == Verdict::ok && student.recording.not_implemented > 0; }
+    /// What kept the case from being judged, in words; empty if nothing did.
+    [[nodiscard]] std::string trouble() const;
+};
+using CaseResults = std::map<std::string, CaseResult>;
+
+/// A check that earned nothing yet.
+[[nodiscard]] CheckResult blank_result(const Check& check);
+
+/// Judges one check of a case against what was expected (the oracle's or the reference's run), with the best control earning nothing.
+/// Throws std::runtime_error if the expected run lacks the value: a grader fault.
+[[nodiscard]] CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected, const RunOutcome& reference);
+
+/// The recorded tensor of that name, or null.
+[[nodiscard]] const Tensor* tensor_of(const RunOutcome& run, const std::string& name);
+
+}

@@ -1,0 +1,118 @@
+#include "batch/grade_class.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "batch/fingerprint.hpp"
+#include "report/json_files.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the workers of one class share. Each takes the next submission until none is left; the first fault of ours stops all.
+class Work {
+public:
+    Work(const Toolchain& tools, const std::vector<Exercise>& exercises, const ClassOptions& options, const std::function<void(const SubmissionResult&)>& done)
+        : tools_(tools), exercises_(exercises), options_(options), done_(done), ids_(submission_ids(options.submissions))
+    {
+        result_.submissions.resize(ids_.size());
+    }
+
+    ClassResult finish()
+    {
+        {
+            Workshop first(tools_);
+            result_.fingerprint = fingerprint(first, exercises_);
+        }
+        std::vector<std::jthread> workers;
+        const std::size_t count = std::clamp<std::size_t>(options_.jobs, 1, ids_.size());
+        for (std::size_t i = 0; i < count; ++i) workers.emplace_back([this] { work(); });
+        workers.clear();
+        if (fault_) std::rethrow_exception(fault_);
+        write_class_json(options_.out / "class.json", result_);
+        return std::move(result_);
+    }
+
+private:
+    void work()
+    {
+        try {
+            Workshop workshop(tools_);
+            for (std::size_t i = next_++; i < ids_.size() && !stop_; i = next_++) grade(workshop, i);
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            if (!fault_) fault_ = std::current_exception();
+            stop_ = true;
+        }
+    }
+
+    void grade(Workshop& workshop, std::size_t index)
+    {
+        GradeOptions options;
+        options.seeds = {options_.secret, options_.course, ids_[index], options_.attempt};
+        options.explain = options_.explain;
+        options.relative_to = options_.out / ids_[index];
+        options.artefacts = options.relative_to / "pictures";
+        fs::remove_all(options.relative_to);
+        fs::create_directories(options.relative_to);
+        SubmissionResult submission = grade_submission(workshop, exercises_, options_.submissions / ids_[index], options);
+        submission.id = ids_[index];
+        write_report_json(options.relative_to / "report.json", submission, result_.fingerprint);
+        const std::lock_guard lock(mutex_);
+        done_(submission);
+        result_.submissions[index] = std::move(submission);
+    }
+
+    const Toolchain& tools_;
+    const std::vector<Exercise>& exercises_;
+    const ClassOptions& options_;
+    const std::function<void(const SubmissionResult&)>& done_;
+    std::vector<std::string> ids_;
+    ClassResult result_;
+    std::atomic<std::size_t> next_ = 0;
+    std::atomic<bool> stop_ = false;
+    std::mutex mutex_;
+    std::exception_ptr fault_;
+};
+
+}
+
+std::vector<std::string> submission_ids(const fs::path& folder)
+{
+    if (!fs::is_directory(folder)) throw std::runtime_error(fmt::format("{}: expected a folder with one folder a submission; there is none", folder.string()));
+    std::vector<std::string> ids;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!fs::is_directory(entry.symlink_status()) || name.starts_with('.')) continue;
+        if (!is_submission_id(name))
+            throw std::runtime_error(fmt::format("{}: a submission's folder is named with letters, digits, '.', '_' and '-' only; rename it", entry.path().string()));
+        ids.push_back(name);
+    }
+    if (ids.empty()) throw std::runtime_error(fmt::format("{}: no submission in it; expected one folder each", folder.string()));
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+SubmissionResult grade_submission(Workshop& workshop, const std::vector<Exercise>& exercises, const fs::path& folder, const GradeOptions& options)
+{
+    SubmissionResult submission;
+    for (const Exercise& exercise : exercises) submission.units.push_back(grade_unit(workshop, exercise, collect(folder, exercise), options));
+    add_up(submission);
+    return submission;
+}
+
+ClassResult grade_class(const Toolchain& tools, const std::vector<Exercise>& exercises, const ClassOptions& options,
+                        const std::function<void(const SubmissionResult&)>& done)
+{
+    return Work(tools, exercises, options, done).finish();
+}
+
+}

@@ -1,0 +1,61 @@
+#include "batch/pictures.hpp"
+
+#include <algorithm>
+#include <umbral/core/png.hpp>
+
+#include "report/triptych.hpp"
+
+namespace umbral::grader {
+namespace {
+
+bool is_picture(const Check& check) { return check.judge == JudgeKind::image || check.judge == JudgeKind::buffer; }
+
+std::string file_name(const Exercise& exercise, const Check& check)
+{
+    std::string name = exercise.id + "-" + check.name + ".png";
+    std::replace_if(name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
+    return name;
+}
+
+}
+
+void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, UnitResult& result)
+{
+    bool one_saved = false;
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        const Check& check = exercise.checks[i];
+        const CaseResult& one = cases.at(check.case_name);
+        const bool failing = result.checks[i].score < check.points;
+        if (!is_picture(check) || check.hidden || !one.trouble().empty() || (!failing && (one_saved || result.verdict != Verdict::ok))) continue;
+        const Tensor* student = tensor_of(one.student, check.value);
+        const Tensor* expected = tensor_of(workshop.trusted(exercise, check.hard ? Tenant::oracle : Tenant::reference, check.case_name, one.seed), check.value);
+        if (student == nullptr || expected == nullptr) continue;
+        try {
+            std::filesystem::create_directories(options.artefacts);
+            const std::filesystem::path file = options.artefacts / file_name(exercise, check);
+            write_png(file, triptych(to_image(*student, check), to_image(*expected, check)));
+            result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();
+            one_saved = true;
+        } catch (const std::exception& error) {
+            result.message += std::string("a picture is missing: ") + error.what() + "\n";
+        }
+    }
+}
+
+bool save_goal(Workshop& workshop, const Exercise& exercise, const std::filesystem::path& file)
+{
+    // The colour picture says most; a buffer serves where there is none.
+    const auto of_kind = [&](JudgeKind kind) {
+        return std::find_if(exercise.checks.begin(), exercise.checks.end(), [&](const Check& check) { return check.judge == kind && !check.hidden; });
+    };
+    auto chosen = of_kind(JudgeKind::image);
+    if (chosen == exercise.checks.end()) chosen = of_kind(JudgeKind::buffer);
+    if (chosen == exercise.checks.end()) return false;
+    const RunOutcome& run = workshop.trusted(exercise, Tenant::reference, chosen->case_name, SeedPlan{}.seed_of(exercise, chosen->case_name));
+    const Tensor* tensor = tensor_of(run, chosen->value);
+    if (tensor == nullptr) return false;
+    write_png(file, to_image(*tensor, *chosen));
+    return true;
+}
+
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "batch/case_results.hpp"
+#include "batch/grade_unit.hpp"
+
+namespace umbral::grader {
+
+/// Writes a triptych (yours, reference, difference) for every failing picture that is not hidden, and one for a unit that passes;
+/// notes their paths in the result. A picture that cannot be written is left out: points do not depend on it.
+void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, UnitResult& result);
+
+/// The goal picture of a unit (its first picture or buffer, as the reference draws it); false if it has none.
+bool save_goal(Workshop& workshop, const Exercise& exercise, const std::filesystem::path& file);
+
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "build/submission.hpp"
+#include "model/exercise.hpp"
+#include "model/verdict.hpp"
+
+namespace umbral::grader {
+
+/// A solution that comes with a unit: a known mistake, or another right way to write it.
+struct Specimen {
+    std::string name;  ///< the file's name without suffix
+    std::string what;  ///< what is wrong, or how it differs
+    std::string hint;  ///< a mistake's, for the student
+    double least_credit = 100;  ///< percent of the unit's points
+    double most_credit = 100;
+    std::optional<Verdict> verdict;  ///< expected one, if not decided by the credit
+    std::filesystem::path file;
+    Sources sources;  ///< the whole unit: this file, the rest from the reference
+};
+
+/// The reference's own files, under the names that students use.
+[[nodiscard]] Sources reference_sources(const std::filesystem::path& reference, const Exercise& exercise);
+/// The files of the stub.
+[[nodiscard]] Sources stub_sources(const Exercise& exercise);
+
+/// The unit's mistakes/ and alternatives/, sorted by name. Throws std::runtime_error with file and line if a header is malformed.
+[[nodiscard]] std::vector<Specimen> mistakes_of(const std::filesystem::path& reference, const Exercise& exercise);
+[[nodiscard]] std::vector<Specimen> alternatives_of(const std::filesystem::path& reference, const Exercise& exercise);
+
+}

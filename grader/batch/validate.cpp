@@ -1,0 +1,122 @@
+#include "batch/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "batch/case_results.hpp"
+#include "batch/specimens.hpp"
+#include "judge/judge.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using Report = std::function<void(const Finding&)>;
+
+double percent(const UnitResult& result) { return result.max_score == 0 ? 0 : 100.0 * static_cast<double>(result.score) / static_cast<double>(result.max_score); }
+
+GradeOptions options_for(unsigned seed)
+{
+    GradeOptions options;
+    options.seeds = {"validate", "validate", "validate", seed};
+    return options;
+}
+
+/// The first thing to say about a result that is not what it should be.
+std::string complaint(const UnitResult& result)
+{
+    if (!result.message.empty()) return result.message;
+    for (const CheckResult& check : result.checks)
+        if (check.score != check.max_score) return fmt::format("{}: {}", check.name, check.message);
+    return "";
+}
+
+Finding expect_all(Workshop& workshop, const Exercise& exercise, const std::string& subject, const Sources& sources, unsigned seed)
+{
+    const UnitResult result = grade_unit(workshop, exercise, {sources, {}, ""}, options_for(seed));
+    Finding finding{exercise.id, subject, seed, result.verdict == Verdict::ok, percent(result), "100", ""};
+    if (!finding.holds) finding.message = complaint(result);
+    return finding;
+}
+
+Finding expect_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, unsigned seed)
+{
+    const UnitResult result = grade_unit(workshop, exercise, {mistake.sources, {}, ""}, options_for(seed));
+    Finding finding{exercise.id, "mistake: " + mistake.name, seed, false, percent(result), "", ""};
+    if (mistake.verdict) {
+        finding.expected = std::string(to_string(*mistake.verdict));
+        finding.holds = result.verdict == *mistake.verdict;
+        finding.message = finding.holds ? "" : fmt::format("verdict {}: {}", to_string(result.verdict), complaint(result));
+        return finding;
+    }
+    finding.expected = fmt::format("{:g}..{:g}", mistake.least_credit, mistake.most_credit);
+    const bool in_range = finding.credit >= mistake.least_credit && finding.credit <= mistake.most_credit && result.score < result.max_score;
+    const bool explained = !result.explanations.empty() && result.explanations.front().name == "mistake: " + mistake.name;
+    finding.holds = in_range && explained;
+    if (!in_range) finding.message = "credit out of range; " + complaint(result);
+    else if (!explained) finding.message = result.explanations.empty() ? "not explained" : "explained as " + result.explanations.front().name;
+    else finding.message = fmt::format("explained, confidence {:.2f}", result.explanations.front().confidence);
+    return finding;
+}
+
+/// The best that knows nothing of the problem gets nothing: over the unit's checks, the largest share of a control that is left after
+/// rescaling, and what it would have got without.
+std::vector<Finding> expect_controls(Workshop& workshop, const Exercise& exercise, unsigned seed)
+{
+    const GradeOptions options = options_for(seed);
+    std::map<std::string, Millipoints> earned;
+    std::map<std::string, double> raw;
+    for (const Check& check : exercise.checks) {
+        const std::uint64_t case_seed = options.seeds.seed_of(exercise, check.case_name);
+        const RunOutcome& run = workshop.trusted(exercise, check.hard ? Tenant::oracle : Tenant::reference, check.case_name, case_seed);
+        const Tensor* expected = tensor_of(run, check.value);
+        if (expected == nullptr) throw std::runtime_error(fmt::format("{}: nothing recorded for check '{}'", exercise.id, check.name));
+        const Tensor* margin = tensor_of(run, check.value + ".margin");
+        const BestControl best = best_control(check, *expected, margin, case_seed);
+        for (const auto& [name, tensor] : controls(check, *expected, case_seed)) {
+            const double right = judge(check, tensor, *expected, margin).right;
+            earned[name] += points_for(check, right, best.right);
+            raw[name] += right * static_cast<double>(check.points);
+        }
+    }
+    std::vector<Finding> findings;
+    for (const auto& [name, points] : earned) {
+        const double credit = 100.0 * static_cast<double>(points) / static_cast<double>(exercise.points);
+        findings.push_back({exercise.id, "control: " + name, seed, points == 0, credit, "0",
+                            fmt::format("{:.1f} % before rescaling", 100 * raw[name] / static_cast<double>(exercise.points))});
+    }
+    return findings;
+}
+
+}
+
+void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seeds, const Report& report)
+{
+    const auto guarded = [&](const std::string& subject, unsigned seed, const auto& make) {
+        try {
+            make();
+        } catch (const std::exception& error) {
+            report({exercise.id, subject, seed, false, 0, "", error.what()});
+        }
+    };
+    const std::filesystem::path& reference = workshop.tools().reference;
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        guarded("reference", seed, [&] { report(expect_all(workshop, exercise, "reference", reference_sources(reference, exercise), seed)); });
+        guarded("alternatives", seed, [&] {
+            for (const Specimen& other : alternatives_of(reference, exercise))
+                report(expect_all(workshop, exercise, "alternative: " + other.name, other.sources, seed));
+        });
+        guarded("mistakes", seed, [&] {
+            for (const Specimen& mistake : mistakes_of(reference, exercise)) report(expect_mistake(workshop, exercise, mistake, seed));
+        });
+        guarded("controls", seed, [&] {
+            for (const Finding& finding : expect_controls(workshop, exercise, seed)) report(finding);
+        });
+        guarded("stub", seed, [&] {
+            const UnitResult stub = grade_unit(workshop, exercise, {stub_sources(exercise), {}, ""}, options_for(seed));
+            report({exercise.id, "stub", seed, stub.verdict == Verdict::not_implemented && stub.score == 0, percent(stub), "not_implemented", std::string(to_string(stub.verdict))});
+        });
+    }
+}
+
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "batch/grade_unit.hpp"
+
+namespace umbral::grader {
+
+/// One thing that must hold of a unit, and whether it did with one seed.
+struct Finding {
+    std::string unit;
+    std::string subject;  ///< "reference", "alternative: double_precision", "mistake: far_root", "control: zeros", "stub"
+    unsigned seed = 0;
+    bool holds = false;
+    double credit = 0;    ///< percent of the unit's points
+    std::string expected; ///< "100", "75..85", "forbidden"
+    std::string message;  ///< what is wrong; the explanation found, for a mistake
+};
+
+/// Proves that a unit's checks discriminate, with `seeds` different sets of inputs: the reference and every alternative get all
+/// points, the stub, every control and the forger none, every mistake its declared share, told by its own hint; the reference is
+/// within its guarantee of the oracle. Calls `report` with each finding as it is made.
+void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seeds, const std::function<void(const Finding&)>& report);
+
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "build/builder.hpp"
+#include "build/toolchain.hpp"
+#include "run/spawner.hpp"
+
+namespace umbral::grader {
+
+/// Whose answers a run gives.
+enum class Tenant { reference, oracle };
+
+/// What one worker needs to grade: the tools, its own spawners (started when first needed), and the trusted runs it has seen.
+/// Not for use by several threads at once.
+class Workshop {
+public:
+    explicit Workshop(Toolchain tools) : tools_(std::move(tools)) {}
+
+    [[nodiscard]] const Toolchain& tools() const noexcept { return tools_; }
+
+    /// The spawner for a unit: with a warm OpenGL context if it draws.
+    [[nodiscard]] Spawner& spawner(bool gl);
+
+    /// Runs one case with a student's (or a specimen's) build.
+    [[nodiscard]] RunOutcome run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed);
+
+    /// The recording of a trusted tenant; kept for the next submission with the same seed. Throws std::runtime_error if that run fails:
+    /// a grader fault.
+    [[nodiscard]] const RunOutcome& trusted(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed);
+
+    /// The recording of one of the unit's mistakes, compiled when the project was built.
+    [[nodiscard]] RunOutcome run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources, const std::string& case_name,
+                                         std::uint64_t seed);
+
+private:
+    [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
+
+    Toolchain tools_;
+    std::unique_ptr<Spawner> plain_;
+    std::unique_ptr<Spawner> gl_;
+    std::map<std::string, RunOutcome> trusted_;
+};
+
+}
