@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <stdexcept>
 #include <umbral/gl/backend.hpp>
 #include <umbral/gl/context.hpp>
@@ -36,6 +37,12 @@ const char* error_name(GLenum error)
     }
 }
 
+}
+
+void forbid_driver_threads()
+{
+    setenv("LP_NUM_THREADS", "0", 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 }
 
 OffscreenContext::OffscreenContext(BackendKind kind) : backend_(&backend_of(kind)), handle_(backend_->create()) { make_current(); }

@@ -7,11 +7,17 @@ namespace umbral::gl {
 /// Who draws when there is no window.
 enum class BackendKind { osmesa };
 
+/// Sets what keeps Mesa from starting threads: LP_NUM_THREADS=0 (raster threads) and MESA_SHADER_CACHE_DISABLE=true (the thread that
+/// writes compiled shaders to disk; drawing after a fork waits for it for ever, but only where the cache is still empty).
+///
+/// To be called before the first context is made, while the process has one thread.
+void forbid_driver_threads();
+
 /// An OpenGL 4.5 context, compatibility profile, without a window.
 ///
 /// One context is current at a time, for the whole process; OpenGL is called from one thread only. Draw into a gl::Framebuffer: the
 /// context's own framebuffer is a stub of 64 x 64 pixels. A process may make a context, fork, and draw in the children, each for itself,
-/// if LP_NUM_THREADS=0 was in its environment before (threads do not survive a fork).
+/// if it called forbid_driver_threads before.
 class OffscreenContext {
 public:
     /// Loads the back end and makes a context, current from now on. Throws std::runtime_error that says what could not be loaded.
