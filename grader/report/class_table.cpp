@@ -114,15 +114,16 @@ std::string legend(const std::vector<Column>& columns, bool numbered, int width,
 {
     std::string text;
     if (numbered) {
-        std::string names;
-        for (const Column& column : columns) names += fmt::format("{}{} {}", names.empty() ? "" : "   ", column.heading, paint.safe(column.id));
-        for (const std::string& line : wrap(names, width - 4)) text += fmt::format("  {}\n", line);
+        std::vector<std::string> names;
+        for (const Column& column : columns) names.push_back(fmt::format("{} {}", column.heading, paint.safe(column.id)));
+        for (const std::string& line : flow(names, width - 4)) text += fmt::format("  {}\n", line);
+        text += "\n";
     }
     constexpr std::array shown = {Verdict::ok, Verdict::partial, Verdict::wrong, Verdict::not_implemented, Verdict::crashed, Verdict::grader_fault};
     constexpr std::array words = {"right", "partly right", "wrong", "not written", "did not build or run to its end", "fault of the grader, not scored"};
-    std::string marks;
-    for (std::size_t i = 0; i < shown.size(); ++i) marks += fmt::format("{}{} {}", i == 0 ? "" : "   ", paint.plain_mark(shown[i]), words[i]);
-    for (const std::string& line : wrap(marks, width - 4)) text += fmt::format("  {}\n", paint(Tone::quiet, line));
+    std::vector<std::string> marks;
+    for (std::size_t i = 0; i < shown.size(); ++i) marks.push_back(fmt::format("{} {}", paint.plain_mark(shown[i]), words[i]));
+    for (const std::string& line : flow(marks, width - 4)) text += fmt::format("  {}\n", paint(Tone::quiet, line));
     return text;
 }
 

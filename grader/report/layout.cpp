@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "report/layout.hpp"
 #include "report/utf8.hpp"
@@ -78,6 +79,21 @@ std::vector<std::string> wrap(std::string_view text, int width)
         } while (!line.empty());
     }
     return result;
+}
+
+std::vector<std::string> flow(const std::vector<std::string>& items, int width)
+{
+    std::vector<std::string> lines;
+    for (const std::string& item : items) {
+        const int needed = display_width(item) + 3;
+        if (!lines.empty() && display_width(lines.back()) + needed <= width) {
+            lines.back() += "   ";
+            lines.back() += item;
+        } else {
+            for (std::string& line : wrap(item, width)) lines.push_back(std::move(line));
+        }
+    }
+    return lines;
 }
 
 }

@@ -43,18 +43,16 @@ void align_points(MatrixText& matrix)
 
 std::vector<std::string> drawn(MatrixText matrix, const std::vector<std::vector<bool>>& differs, Tone tone, const Paint& paint)
 {
-    for (auto& row : matrix)
-        for (std::string& entry : row) entry = paint.safe(entry);
+    for (std::size_t i = 0; i < matrix.size(); ++i)
+        for (std::size_t j = 0; j < matrix[i].size(); ++j)
+            matrix[i][j] = fmt::format("{}{}", differs[i][j] ? paint.symbol("▸", ">") : " ", paint.safe(matrix[i][j]));
     align_points(matrix);
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < matrix.size(); ++i) {
         const bool first = i == 0;
         const bool last = i + 1 == matrix.size();
         std::string line(first ? paint.symbol("⎡", "[") : last ? paint.symbol("⎣", "[") : paint.symbol("⎢", "["));
-        for (std::size_t j = 0; j < matrix[i].size(); ++j) {
-            const std::string entry = fmt::format("{}{}", differs[i][j] ? paint.symbol("▸", ">") : " ", matrix[i][j]);
-            line += fmt::format(" {}", paint(differs[i][j] ? tone : Tone::quiet, entry));
-        }
+        for (std::size_t j = 0; j < matrix[i].size(); ++j) line += fmt::format(" {}", paint(differs[i][j] ? tone : Tone::quiet, matrix[i][j]));
         line += " ";
         line += first ? paint.symbol("⎤", "]") : last ? paint.symbol("⎦", "]") : paint.symbol("⎥", "]");
         lines.push_back(line);

@@ -36,56 +36,54 @@ std::string worst_error(const UnitResult& unit)
     return fmt::format("{:.3g} / {:.3g}", *worst->error, *worst->reference_error);
 }
 
+/// The student's time and the reference's.
+std::string times(const UnitResult& unit)
+{
+    const std::string reference = duration(unit.reference_seconds);
+    const std::string yours = duration(unit.seconds);
+    return yours.empty() || reference.empty() ? yours : fmt::format("{} / {}", yours, reference);
+}
+
 struct Line {
     Verdict verdict;
-    std::string id, points, words, error, time, ratio;
+    std::string id, points, words, error, time;
     Millipoints score, max_score;
 };
 
 Line line_of(const UnitResult& unit, const Paint& paint)
 {
     const Verdict verdict = shown_verdict(unit);
-    const bool timed = unit.seconds > 0 && unit.reference_seconds > 0 && std::isfinite(unit.seconds / unit.reference_seconds);
-    return {verdict,
-            paint.safe(unit.id),
-            points_text(unit.score) + "/" + points_text(unit.max_score),
-            std::string(in_words(verdict)),
-            worst_error(unit),
-            duration(unit.seconds),
-            timed ? fmt::format("{:.1f}{}", unit.seconds / unit.reference_seconds, paint.symbol("×", "x")) : "",
-            unit.score,
-            unit.max_score};
+    const std::string points = fmt::format("{}/{}", points_text(unit.score), points_text(unit.max_score));
+    return {verdict, paint.safe(unit.id), points, std::string(in_words(verdict)), worst_error(unit), times(unit), unit.score, unit.max_score};
 }
 
 /// Widths of the overview's columns; a column of width 0 is left out.
 struct Columns {
-    int id = 4, points = 6, words = 7, error = 0, time = 0, ratio = 0;
+    int id, points, words, error, time;
+
+    [[nodiscard]] int total() const
+    {
+        const int fixed = margin + 2 + id + 2 + bar_cells + 2 + points + 2 + words;
+        return fixed + (error > 0 ? error + 2 : 0) + (time > 0 ? time + 2 : 0);
+    }
 };
 
-Columns columns_for(const std::vector<Line>& lines, int width)
+/// Columns as wide as their widest text, the heading's too; a column in which only the heading says something is left out.
+Columns columns_for(const std::vector<Line>& lines, const Line& heading, int width)
 {
-    const auto widest = [&](std::string Line::*text, int least) {
+    const auto widest = [&](std::string Line::*text) {
         int cells = 0;
         for (const Line& line : lines) cells = std::max(cells, display_width(line.*text));
-        return cells == 0 ? 0 : std::max(cells, least);
+        return cells == 0 ? 0 : std::max(cells, display_width(heading.*text));
     };
-    Columns columns{std::max(4, widest(&Line::id, 4)),
-                    std::max(6, widest(&Line::points, 6)),
-                    std::max(7, widest(&Line::words, 7)),
-                    widest(&Line::error, 5),
-                    widest(&Line::time, 4),
-                    widest(&Line::ratio, 9)};
-    const auto total = [&] {
-        int cells = margin + 2 + columns.id + 2 + bar_cells + 2 + columns.points + 2 + columns.words;
-        for (const int column : {columns.error, columns.time, columns.ratio}) cells += column > 0 ? column + 2 : 0;
-        return cells;
-    };
-    constexpr int least_id = 16;
-    const auto shrink_id = [&] { columns.id = std::max(std::min(columns.id, least_id), columns.id - std::max(0, total() - width)); };
-    shrink_id();
-    for (int* column : {&columns.ratio, &columns.time, &columns.error})
-        if (total() > width) *column = 0;
-    columns.words = std::max(7, columns.words - std::max(0, total() - width));
+    Columns columns{widest(&Line::id), widest(&Line::points), widest(&Line::words), widest(&Line::error), widest(&Line::time)};
+    const auto shrink = [&](int& column, int least) { column = std::max(std::min(column, least), column - std::max(0, columns.total() - width)); };
+    shrink(columns.id, 16);
+    shrink(columns.words, 20);
+    for (int* column : {&columns.time, &columns.error})
+        if (columns.total() > width) *column = 0;
+    shrink(columns.words, 8);
+    shrink(columns.id, 8);
     return columns;
 }
 
@@ -97,7 +95,7 @@ std::string row(const Columns& columns, const Line& line, std::string_view mark,
     };
     std::string text = fmt::format("{:{}}{} {}  {}  {}  {}", "", margin, mark, cell(line.id, columns.id, id_tone), bar,
                                    paint(Tone::plain, pad(line.points, columns.points, Align::right)), cell(line.words, columns.words, words_tone));
-    text += number(line.error, columns.error, Tone::quiet) + number(line.time, columns.time, Tone::quiet) + number(line.ratio, columns.ratio, Tone::quiet);
+    text += number(line.error, columns.error, Tone::quiet) + number(line.time, columns.time, Tone::quiet);
     return text + "\n";
 }
 
@@ -128,28 +126,22 @@ std::string terminal_report(const SubmissionResult& submission, const TerminalSt
     const Paint paint(style);
     const int width = std::max(style.width, least_width);
     const SubmissionResult shown = without_hidden_values(submission);
-    std::vector<Line> lines;
-    bool against_oracle = false;
-    for (const UnitResult& unit : shown.units) {
-        lines.push_back(line_of(unit, paint));
-        against_oracle = against_oracle || lines.back().error.find('/') != std::string::npos;
-    }
-    Line total{Verdict::ok, "total", points_text(shown.score) + "/" + points_text(shown.max_score), "", "", "", "", shown.score, shown.max_score};
-    lines.push_back(total);
-    const Columns columns = columns_for(lines, width);
-    lines.pop_back();
+    const Line heading{Verdict::ok, "unit", "points", "verdict", "error / ref.", "time / ref.", 0, 0};
+    const std::string sum = fmt::format("{}/{}", points_text(shown.score), points_text(shown.max_score));
+    const Line total{Verdict::ok, "total", sum, " ", "", "", shown.score, shown.max_score};
+    std::vector<Line> lines{total};
+    for (const UnitResult& unit : shown.units) lines.push_back(line_of(unit, paint));
+    const Columns columns = columns_for(lines, heading, width);
+    lines.erase(lines.begin());
 
-    const Line heading{Verdict::ok, "unit", "points", "verdict", against_oracle ? "error / reference" : "error", "time", "reference", 0, 0};
-    Columns fitted = columns;
-    if (columns.error > 0) fitted.error = std::max(columns.error, display_width(heading.error));
     const std::string indent(margin, ' ');
     std::string text = fmt::format("\n{}{}\n\n", indent, paint(Tone::strong, shorten(paint.safe(shown.id), width - 2 * margin, paint.ellipsis())));
-    text += row(fitted, heading, " ", std::string(bar_cells, ' '), Tone::quiet, Tone::quiet, paint);
+    text += row(columns, heading, " ", std::string(bar_cells, ' '), Tone::quiet, Tone::quiet, paint);
     for (const Line& line : lines)
-        text += row(fitted, line, paint.mark(line.verdict), paint.bar(line.score, line.max_score, bar_cells, tone_of(line.verdict)), Tone::plain,
+        text += row(columns, line, paint.mark(line.verdict), paint.bar(line.score, line.max_score, bar_cells, tone_of(line.verdict)), Tone::plain,
                     tone_of(line.verdict), paint);
     text += fmt::format("{}{}\n", indent, paint.rule(width - 2 * margin));
-    text += row(fitted, total, " ", paint.bar(total.score, total.max_score, bar_cells, Tone::plain), Tone::strong, Tone::plain, paint);
+    text += row(columns, total, " ", paint.bar(total.score, total.max_score, bar_cells, Tone::plain), Tone::strong, Tone::plain, paint);
     for (const UnitResult& unit : shown.units)
         if (!all_right(unit)) text += unit_details(unit, width, paint);
     return text + fmt::format("\n{}{}\n", indent, summary(shown, paint));

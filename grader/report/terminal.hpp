@@ -6,7 +6,7 @@
 
 namespace umbral::grader {
 
-/// How a report looks. The width is a promise for tables, bars and sentences; only single words that cannot be broken exceed it.
+/// How a report looks. No line exceeds the width, except commands, which stay whole so that they can be copied.
 struct TerminalStyle {
     bool color = false;           ///< ANSI colours; what a colour says is always said in words or marks too
     bool unicode = true;          ///< UTF-8 marks and frames; otherwise the whole report is ASCII

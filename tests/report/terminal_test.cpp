@@ -1,0 +1,209 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "report/details.hpp"
+#include "report/hidden.hpp"
+#include "report/layout.hpp"
+#include "report/side_by_side.hpp"
+#include "report/terminal.hpp"
+#include "results.hpp"
+
+namespace umbral::grader {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The text without our own colours: an ESC that is left is somebody else's.
+std::string without_colour(std::string text)
+{
+    for (std::size_t at = 0; (at = text.find("\x1b[", at)) != std::string::npos;) text.erase(at, text.find('m', at) - at + 1);
+    return text;
+}
+
+UnitResult transposed()
+{
+    UnitResult unit = unit_result("projections/view-matrix", Verdict::partial, {check_result("axes/m", 4000, 4000), check_result("far away/m", 0, 2500)});
+    unit.checks[1].first_difference = Difference{"matrix 3, entry (row 0, column 1)", "5 in [1 5; 0 1]", "0 in [1 0; 5 1]"};
+    unit.checks[1].message = "1 of 4 matrices is wrong; the worst is matrix 3: yours 5 in [1 5; 0 1], expected 0";
+    unit.explanations = {{"transposed", "Your matrix is the transpose of the expected one.", 0.5}, {"other", "Something less likely.", 0.1}};
+    unit.output = "hello\nworld\n";
+    unit.seconds = 0.25;
+    unit.reference_seconds = 0.002;
+    return unit;
+}
+
+TEST(Terminal, SaysWhatAStudentNeeds)
+{
+    const std::string report = terminal_report(submission_result("ana", {transposed()}), {});
+    EXPECT_TRUE(contains(report, "4/6.5"));
+    EXPECT_TRUE(contains(report, "partly right, 4 of 6.5 points"));
+    EXPECT_TRUE(contains(report, "250 ms / 2.0 ms"));
+    EXPECT_TRUE(contains(report, "far away/m  wrong, 0 of 2.5 points"));
+    EXPECT_TRUE(contains(report, "⎡  1 ▸5 ⎤"));
+    EXPECT_TRUE(contains(report, "⎡  1 ▸0 ⎤"));
+    EXPECT_TRUE(contains(report, "⎣ ▸5  1 ⎦"));
+    EXPECT_TRUE(contains(report, "the transpose of the expected one. (fits 50 % of the failing checks)"));
+    EXPECT_FALSE(contains(report, "less likely"));
+    EXPECT_TRUE(contains(report, "│ hello\n"));
+    EXPECT_TRUE(contains(report, "umbral debug projections/view-matrix 'far away'"));
+    EXPECT_TRUE(contains(report, "1 unit is not right yet") || contains(report, "1 of 1 unit is not right yet"));
+}
+
+TEST(Terminal, EqualResultsGiveEqualReportsAndAsciiIsAscii)
+{
+    const SubmissionResult submission = submission_result("ñandú", {transposed()});
+    EXPECT_EQ(terminal_report(submission, {}), terminal_report(submission, {}));
+    for (const char c : terminal_report(submission, {.unicode = false})) ASSERT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7F)) << int{c};
+}
+
+TEST(Terminal, ColourAddsNothingButColour)
+{
+    const SubmissionResult submission = submission_result("ana", {transposed()});
+    const std::string coloured = terminal_report(submission, {.color = true});
+    EXPECT_TRUE(contains(coloured, "\x1b["));
+    EXPECT_EQ(without_colour(coloured), terminal_report(submission, {.color = false}));
+}
+
+TEST(Terminal, NoLineIsWiderThanAsked)
+{
+    std::vector<UnitResult> units = {transposed(),
+                                     unit_result("raytracing/a-unit-with-a-name-that-is-far-too-long-for-any-table", Verdict::interface_mismatch, {})};
+    units[1].message = std::string(500, 'x') + " " + std::string(30, 'y');
+    units[0].checks[0].error = 1.25e-7;
+    units[0].checks[0].reference_error = 1e-9;
+    for (const int width : {60, 72, 80, 100, 160}) {
+        const std::string report = terminal_report(submission_result(std::string(300, 'n'), units), {.width = width});
+        for (const std::string_view line : lines_of(report)) EXPECT_LE(display_width(line), width) << line;
+    }
+}
+
+TEST(Terminal, HiddenChecksShowNoValue)
+{
+    CheckResult hidden = check_result("secret/t", 0, 1000, true);
+    hidden.message = "LEAK-message";
+    hidden.error = 77771;
+    hidden.reference_error = 77772;
+    hidden.metrics = {{"LEAK-metric", 77773}};
+    hidden.first_difference = Difference{"LEAK-where", "LEAK-yours", "LEAK-expected"};
+    hidden.artefacts = {{"triptych", "LEAK-path"}};
+    UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("open/t", 1000, 1000), hidden});
+    unit.explanations = {{"sign", "The sign is wrong.", 1}};
+    const SubmissionResult submission = submission_result("ana", {unit});
+    for (const std::string& report : {terminal_report(submission, {}), class_table({{}, {submission}}, {})}) {
+        EXPECT_FALSE(contains(report, "LEAK"));
+        EXPECT_FALSE(contains(report, "7777"));
+    }
+    const std::string report = terminal_report(submission, {});
+    EXPECT_TRUE(contains(report, "secret/t: wrong, 0 of 1 points"));
+    EXPECT_TRUE(contains(report, "The sign is wrong."));
+    EXPECT_TRUE(contains(report, "Every check that you can see is right, but a hidden one is not."));
+    EXPECT_TRUE(contains(report, "1 hidden check fails"));
+    EXPECT_FALSE(contains(report, "umbral debug a/b secret"));
+}
+
+TEST(Terminal, NeverSaysAllRightWhileAHiddenCheckFails)
+{
+    UnitResult unit = unit_result("a/b", Verdict::ok, {check_result("open/t", 1000, 1000), check_result("secret/t", 999, 1000, true)});
+    EXPECT_FALSE(all_right(unit));
+    EXPECT_EQ(shown_verdict(unit), Verdict::partial);
+    std::string report = terminal_report(submission_result("ana", {unit}), {});
+    EXPECT_FALSE(contains(report, "all right"));
+    EXPECT_FALSE(contains(report, "Everything is right"));
+    EXPECT_FALSE(contains(report, "✓"));
+    EXPECT_FALSE(contains(report, "██████████"));
+
+    unit.checks[1].score = 1000;
+    unit.score = 2000;
+    report = terminal_report(submission_result("ana", {unit}), {});
+    EXPECT_TRUE(contains(report, "Everything is right."));
+    EXPECT_TRUE(contains(report, "all right"));
+    EXPECT_TRUE(contains(report, "██████████"));
+    EXPECT_FALSE(contains(terminal_report(submission_result("ana", {}), {}), "Everything is right"));
+    EXPECT_FALSE(all_right(unit_result("a/b", Verdict::ok, {}))) << "no check ran";
+}
+
+TEST(Terminal, HostileTextsAreShownAndDoNothing)
+{
+    const std::string attack = "\x1b[2J\x1b]0;owned\x07\u202E\xFF\r\n\x9b";
+    UnitResult unit = transposed();
+    unit.id = attack;
+    unit.message = attack;
+    unit.output = attack;
+    unit.explanations[0].sentence = attack;
+    unit.checks[1].name = attack + "/" + attack;
+    unit.checks[1].first_difference = Difference{attack, attack, "[1 " + attack + "; 2 3]"};
+    unit.checks[1].artefacts = {{attack, attack}};
+    for (const bool color : {false, true}) {
+        const SubmissionResult submission = submission_result(attack, {unit, unit});
+        for (const std::string& report : {terminal_report(submission, {.color = color}), class_table({{}, {submission}}, {.color = color})}) {
+            const std::string rest = without_colour(report);
+            EXPECT_FALSE(contains(report, "\x1b[2J"));
+            EXPECT_EQ(rest.find_first_of("\x1b\x07\r\x7f"), std::string::npos);
+            EXPECT_FALSE(contains(rest, "\u202E"));
+            EXPECT_EQ(rest.find('\xFF'), std::string::npos);
+        }
+    }
+}
+
+TEST(Terminal, AMegabyteOfOutputStaysShort)
+{
+    for (const std::string& flood : {std::string(1 << 20, 'x'), std::string(1 << 20, '\n'), std::string(1 << 20, '\xF0'), std::string(1 << 20, '\x1b')}) {
+        UnitResult unit = transposed();
+        unit.output = flood;
+        unit.message = flood;
+        const std::string report = terminal_report(submission_result("ana", {unit}), {});
+        EXPECT_LT(report.size(), 16000U);
+        EXPECT_TRUE(contains(report, "1048576 bytes in all"));
+    }
+}
+
+TEST(Terminal, NumbersThatAreNoneDoNoHarm)
+{
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    UnitResult unit = transposed();
+    unit.seconds = nan;
+    unit.reference_seconds = -INFINITY;
+    unit.explanations[0].confidence = nan;
+    unit.checks[1].error = nan;
+    unit.checks[0].error = INFINITY;
+    unit.checks[0].metrics = {{"m", nan}};
+    const std::string report = terminal_report(submission_result("ana", {unit}), {});
+    EXPECT_FALSE(contains(report, "nan"));
+    EXPECT_FALSE(contains(report, "inf"));
+    EXPECT_TRUE(contains(report, "(a guess)"));
+}
+
+TEST(Terminal, AGraderFaultIsNotBlamedOnTheStudent)
+{
+    UnitResult unit = unit_result("a/b", Verdict::grader_fault, {});
+    const std::string report = terminal_report(submission_result("ana", {unit}), {});
+    EXPECT_TRUE(contains(report, "the grader's fault, not yours"));
+    EXPECT_FALSE(contains(report, "umbral hint"));
+}
+
+TEST(SideBySide, FindsMatricesAndTheirDifferences)
+{
+    EXPECT_FALSE(find_matrix("4.5"));
+    EXPECT_FALSE(find_matrix("[1 2 3]")) << "a vector stays a text";
+    EXPECT_FALSE(find_matrix("[1 2; 3]"));
+    EXPECT_FALSE(find_matrix("][;"));
+    EXPECT_EQ(find_matrix("5 in [1 2; 3 nan]"), (MatrixText{{"1", "2"}, {"3", "nan"}}));
+    const auto differs = differing_entries({{"1", "2.0001"}, {"nan", "9"}}, {{"1", "2"}, {"0", "4"}});
+    EXPECT_EQ(differs, (std::vector<std::vector<bool>>{{false, false}, {true, true}})) << "a thousandth of the largest difference is noise";
+    const auto same = differing_entries({{"1", "nan"}, {"0", "0"}}, {{"1", "nan"}, {"0", "0"}});
+    EXPECT_EQ(same, (std::vector<std::vector<bool>>{{false, false}, {false, false}}));
+}
+
+TEST(SideBySide, ShellWordsAreOneWord)
+{
+    EXPECT_EQ(shell_word("raytracing/sphere"), "raytracing/sphere");
+    EXPECT_EQ(shell_word("far away"), "'far away'");
+    EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+    EXPECT_EQ(shell_word("$(rm)"), "'$(rm)'");
+    EXPECT_EQ(shell_word(""), "''");
+}
+
+}
+}
