@@ -1,0 +1,108 @@
+#include "model/exercise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "manifest_json.hpp"
+#include "message_of.hpp"
+#include "temporary_folder.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using nlohmann::json;
+
+/// Writes a unit with every file that it needs.
+void write_unit(const test::TemporaryFolder& folder, const std::string& id, std::optional<double> order = {})
+{
+    json manifest = test::manifest();
+    manifest["id"] = id;
+    manifest["files"] = {"stub.cpp"};
+    manifest["uses"] = json::array();
+    manifest.erase("order");
+    if (order) manifest["order"] = *order;
+    folder.write(id + "/exercise.json", manifest.dump());
+    folder.write(id + "/stub.cpp", "// TODO\n");
+    folder.write(id + "/driver.cpp", "// cases\n");
+}
+
+TEST(LoadExercise, finds_the_unit_and_its_folder)
+{
+    const test::TemporaryFolder folder;
+    write_unit(folder, "meshes/normals", 3);
+    const Exercise unit = load_exercise(folder.path() / "meshes/normals");
+    EXPECT_EQ(unit.id, "meshes/normals");
+    EXPECT_EQ(unit.folder, std::filesystem::canonical(folder.path() / "meshes/normals"));
+    EXPECT_EQ(load_exercise(folder.path() / "meshes/../meshes/normals/").digest, unit.digest);
+}
+
+TEST(LoadExercise, refuses_a_unit_that_is_not_whole)
+{
+    const test::TemporaryFolder folder;
+    const auto message = [&] { return test::message_of([&] { (void)load_exercise(folder.path() / "meshes/normals"); }); };
+    EXPECT_NE(message().find("exercise.json: expected a readable regular file"), std::string::npos) << message();
+    write_unit(folder, "meshes/normals");
+    EXPECT_EQ(message(), "nothing was thrown");
+    for (const char* file : {"driver.cpp", "stub.cpp"}) {
+        std::filesystem::remove(folder.path() / "meshes/normals" / file);
+        EXPECT_NE(message().find(std::string(file) + ": expected a readable regular file"), std::string::npos) << message();
+        write_unit(folder, "meshes/normals");
+    }
+    std::filesystem::rename(folder.path() / "meshes/normals", folder.path() / "meshes/other");
+    EXPECT_NE(test::message_of([&] { (void)load_exercise(folder.path() / "meshes/other"); }).find("expected \"meshes/other\""), std::string::npos);
+    folder.write("meshes/other/exercise.json", std::string((1 << 20) + 1, ' '));
+    EXPECT_NE(test::message_of([&] { (void)load_exercise(folder.path() / "meshes/other"); }).find("at most 1048576 bytes"), std::string::npos);
+}
+
+TEST(LoadExercise, the_digest_changes_with_what_decides_the_score_and_nothing_else)
+{
+    const test::TemporaryFolder folder;
+    write_unit(folder, "meshes/normals");
+    const auto digest = [&] { return load_exercise(folder.path() / "meshes/normals").digest; };
+    const std::string first = digest();
+    EXPECT_EQ(first.size(), 64U);
+    folder.write("meshes/normals/README.md", "text");
+    folder.write("meshes/normals/mistakes/one.cpp", "text");
+    EXPECT_EQ(digest(), first);
+    std::set<std::string> seen{first};
+    for (const char* file : {"meshes/support.hpp", "meshes/normals/stub.cpp", "meshes/normals/driver.cpp"}) {
+        folder.write(file, "changed");
+        EXPECT_TRUE(seen.insert(digest()).second) << file;
+    }
+    json manifest = test::manifest();
+    manifest["id"] = "meshes/normals";
+    manifest["files"] = {"stub.cpp"};
+    manifest["limits"]["wall_seconds"] = 6;
+    folder.write("meshes/normals/exercise.json", manifest.dump());
+    EXPECT_TRUE(seen.insert(digest()).second);
+}
+
+TEST(LoadExercises, come_in_the_order_of_the_course)
+{
+    const test::TemporaryFolder folder;
+    for (const char* topic : {"zoo", "raytracing", "interaction", "texturing", "lighting", "projections", "transforms", "meshes", "pipeline", "animals"})
+        write_unit(folder, std::string(topic) + "/unit");
+    write_unit(folder, "lighting/a", 20);
+    write_unit(folder, "lighting/c", 10);
+    write_unit(folder, "lighting/b", 10);
+    write_unit(folder, "lighting/aa");
+    folder.write("lighting/support.hpp", "");
+    folder.write("CMakeLists.txt", "");
+    folder.write("lighting/draft/notes.txt", "");
+    std::vector<std::string> ids;
+    for (const Exercise& unit : load_exercises(folder.path())) ids.push_back(unit.id);
+    EXPECT_EQ(ids,
+              (std::vector<std::string>{"pipeline/unit", "meshes/unit", "transforms/unit", "projections/unit", "lighting/b", "lighting/c", "lighting/a",
+                                        "lighting/aa", "lighting/unit", "texturing/unit", "interaction/unit", "raytracing/unit", "animals/unit", "zoo/unit"}));
+}
+
+TEST(LoadExercises, says_where_there_are_none)
+{
+    const test::TemporaryFolder folder;
+    EXPECT_TRUE(load_exercises(folder.path()).empty());
+    EXPECT_NE(test::message_of([&] { (void)load_exercises(folder.path() / "nowhere"); }).find("nowhere: expected a directory"), std::string::npos);
+}
+
+}
+}

@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "model/recording.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t plenty = 1 << 20;
+
+TEST(Printable, keeps_good_text)
+{
+    for (const std::string text : {"", "a\tb\n", "¿Dónde corta?", "θ → 𝜃", "\xF4\x8F\xBF\xBF"}) EXPECT_EQ(printable(text, plenty), text);
+}
+
+TEST(Printable, replaces_what_terminals_obey)
+{
+    EXPECT_EQ(printable("\x1b[2Jx", plenty), "\uFFFD[2Jx");
+    EXPECT_EQ(printable(std::string("a\0b\r\x7f", 5), plenty), "a\uFFFDb\uFFFD\uFFFD");
+    EXPECT_EQ(printable("\u0085\u009b1m", plenty), "\uFFFD\uFFFD1m");
+    EXPECT_EQ(printable("\u202Eabc\u2066", plenty), "\uFFFDabc\uFFFD");
+}
+
+TEST(Printable, replaces_each_byte_of_invalid_utf8)
+{
+    EXPECT_EQ(printable("\xC0\xAF", plenty), "\uFFFD\uFFFD") << "over-long '/'";
+    EXPECT_EQ(printable("\xE0\x80\xAF", plenty), "\uFFFD\uFFFD\uFFFD") << "over-long in three bytes";
+    EXPECT_EQ(printable("\xED\xA0\x80", plenty), "\uFFFD\uFFFD\uFFFD") << "surrogate";
+    EXPECT_EQ(printable("\xF4\x90\x80\x80", plenty), "\uFFFD\uFFFD\uFFFD\uFFFD") << "past U+10FFFF";
+    EXPECT_EQ(printable("\xC3", plenty), "\uFFFD") << "cut short";
+    EXPECT_EQ(printable("\xC3"
+                        "a\xFF",
+                        plenty),
+              "\uFFFD"
+              "a\uFFFD");
+}
+
+TEST(Printable, cuts_between_characters_and_says_so)
+{
+    EXPECT_EQ(printable("abcdef", 6), "abcdef");
+    EXPECT_EQ(printable("abcdef", 4), "abcd\n[cut here: 2 more bytes]");
+    EXPECT_EQ(printable("aéé", 4), "aé\n[cut here: 2 more bytes]");
+    EXPECT_EQ(printable("\x01", 2), "\n[cut here: 1 more bytes]");
+}
+
+TEST(Printable, is_stable_under_random_bytes)
+{
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    for (int round = 0; round < 2000; ++round) {
+        std::string text(random() % 40, '\0');
+        for (char& byte : text) byte = static_cast<char>(random());
+        const std::string once = printable(text, plenty);
+        ASSERT_EQ(printable(once, plenty), once);
+        ASSERT_LE(once.size(), 3 * text.size());
+    }
+}
+
+}
+}
