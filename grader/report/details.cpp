@@ -59,7 +59,9 @@ private:
 
 void add_first_failing(Block& block, const CheckResult& check, const Paint& paint)
 {
-    block.labelled("check", {paint(Tone::strong, paint.safe(check.name)) + "  " + check_words(check)});
+    const std::string words = check_words(check);
+    const std::string name = shorten(paint.safe(check.name), block.room() - display_width(words) - 2, paint.ellipsis());
+    block.labelled("check", {fmt::format("{}  {}", paint(Tone::strong, name), words)});
     // A matrix judge's message repeats the matrices that are drawn below.
     const bool drawn = check.first_difference && find_matrix(check.first_difference->yours);
     const std::string message = drawn ? check.message.substr(0, check.message.find(": yours ")) : check.message;
@@ -68,7 +70,7 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
         block.sentence("first", check.first_difference->where);
         block.labelled("", side_by_side(*check.first_difference, block.room(), paint));
     }
-    for (const auto& [name, path] : check.artefacts) block.sentence(paint.safe(name), path);
+    for (const auto& [kind, path] : check.artefacts) block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
 }
 
 std::string how_sure(double confidence)
@@ -133,9 +135,9 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
 
     Block block(width, paint);
     block.blank();
-    std::string result =
-        fmt::format("\n  {} {}  {}", paint.mark(verdict), paint(Tone::strong, paint.safe(unit.id)),
-                    paint(tone_of(verdict), fmt::format("{}, {} of {} points", in_words(verdict), points_text(unit.score), points_text(unit.max_score))));
+    const std::string words = fmt::format("{}, {} of {} points", in_words(verdict), points_text(unit.score), points_text(unit.max_score));
+    const std::string id = shorten(paint.safe(unit.id), width - display_width(words) - 6, paint.ellipsis());
+    std::string result = fmt::format("\n  {} {}  {}", paint.mark(verdict), paint(Tone::strong, id), paint(tone_of(verdict), words));
     block.labelled("", excerpt(unit.message, block.room(), paint));
     if (shown != nullptr) add_first_failing(block, *shown, paint);
     if (shown == nullptr && hidden_fails) block.sentence("check", "Every check that you can see is right, but a hidden one is not.");

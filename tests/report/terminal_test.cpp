@@ -48,7 +48,7 @@ TEST(Terminal, SaysWhatAStudentNeeds)
     EXPECT_FALSE(contains(report, "less likely"));
     EXPECT_TRUE(contains(report, "│ hello\n"));
     EXPECT_TRUE(contains(report, "umbral debug projections/view-matrix 'far away'"));
-    EXPECT_TRUE(contains(report, "1 unit is not right yet") || contains(report, "1 of 1 unit is not right yet"));
+    EXPECT_TRUE(contains(report, "1 of 1 unit is not right yet."));
 }
 
 TEST(Terminal, EqualResultsGiveEqualReportsAndAsciiIsAscii)
@@ -71,11 +71,16 @@ TEST(Terminal, NoLineIsWiderThanAsked)
     std::vector<UnitResult> units = {transposed(),
                                      unit_result("raytracing/a-unit-with-a-name-that-is-far-too-long-for-any-table", Verdict::interface_mismatch, {})};
     units[1].message = std::string(500, 'x') + " " + std::string(30, 'y');
+    units[0].checks[1].name = std::string(300, 'c') + "/m";
+    units[0].checks[1].artefacts = {{std::string(50, 'k'), std::string(300, 'p')}};
     units[0].checks[0].error = 1.25e-7;
     units[0].checks[0].reference_error = 1e-9;
     for (const int width : {60, 72, 80, 100, 160}) {
         const std::string report = terminal_report(submission_result(std::string(300, 'n'), units), {.width = width});
-        for (const std::string_view line : lines_of(report)) EXPECT_LE(display_width(line), width) << line;
+        for (const std::string_view line : lines_of(report)) {
+            const bool command = line.find("umbral ") != std::string_view::npos;
+            EXPECT_TRUE(command || display_width(line) <= width) << width << ": " << line;
+        }
     }
 }
 
