@@ -82,7 +82,8 @@ void main()
 {
     vec4 world = model * vec4(position, 1.0);
     world_position = world.xyz;
-    world_normal = transpose(inverse(mat3(model))) * normal;
+    // Enough for normals along the axes of a scaled box, and for uniform scales.
+    world_normal = mat3(model) * normal;
     gl_Position = projection * view * world;
 }
 )";
@@ -99,10 +100,11 @@ out vec4 fragment_color;
 
 void main()
 {
-    ivec2 tile = ivec2(floor(world_position.xz * 2.0));
+    // A little below the surface, so that the sides of the floor do not lie on the border between two tiles.
+    ivec2 tile = ivec2(floor((world_position.xz - 0.001 * world_normal.xz) * 2.0));
     vec3 albedo = ((tile.x + tile.y) & 1) == 0 ? color : color_of_odd_tiles;
-    vec3 normal = normalize(world_normal);
-    vec3 sky = mix(vec3(0.20, 0.16, 0.13), vec3(0.34, 0.40, 0.50), 0.5 + 0.5 * normal.y);
+    vec3 normal = lit > 0.0 ? normalize(world_normal) : vec3(0.0, 1.0, 0.0);
+    vec3 sky = mix(vec3(0.20, 0.16, 0.13), vec3(0.30, 0.36, 0.46), 0.5 + 0.5 * normal.y);
     vec3 light = sky + lit * vec3(0.95, 0.88, 0.75) * max(dot(normal, sun), 0.0);
     fragment_color = vec4(pow(albedo * light, vec3(1.0 / 2.2)), 1.0);
 }
@@ -128,19 +130,19 @@ public:
         program_.set("view", view);
         program_.set("projection", projection);
         program_.set("sun", sun());
-        paint({0.80F, 0.78F, 0.72F}, {0.30F, 0.36F, 0.42F}, 1);
+        paint({0.80F, 0.78F, 0.72F}, {0.12F, 0.18F, 0.26F}, 1);
         program_.set("model", glm::scale(glm::translate(glm::mat4(1), {-2, -0.1F, -2}), {4, 0.1F, 4}));
         box_.draw(program_);
 
         // Shadows are unlit floor: the scene once more, flat, a hair above it.
-        paint({0.80F, 0.78F, 0.72F}, {0.30F, 0.36F, 0.42F}, 0);
+        paint({0.80F, 0.78F, 0.72F}, {0.12F, 0.18F, 0.26F}, 0);
         things(shadow_matrix(sun(), 0.002F), false);
         things(glm::mat4(1), true);
     }
 
 private:
     static gl::Mesh mesh_of(const Shape& shape) { return gl::Mesh(shape.positions, shape.normals, shape.indices); }
-    static glm::vec3 sun() { return glm::normalize(glm::vec3(0.55F, 1, 0.25F)); }
+    static glm::vec3 sun() { return glm::normalize(glm::vec3(-0.7F, 1, 0.3F)); }
 
     void paint(const glm::vec3& even, const glm::vec3& odd, float lit) const
     {
@@ -162,18 +164,18 @@ private:
             const glm::mat4 model = glm::scale(glm::rotate(glm::translate(world, corner), turn, {0, 1, 0}), size);
             thing(box_, model, color, painted);
         };
-        box({-1.5F, 0, -1.4F}, {0.7F, 1.3F, 0.7F}, 0.3F, {0.86F, 0.30F, 0.18F});
-        box({0.7F, 0, -1.3F}, {0.9F, 0.6F, 0.6F}, -0.35F, {0.95F, 0.68F, 0.15F});
-        box({-1.5F, 0, 0.9F}, {0.5F, 0.5F, 0.5F}, 0.6F, {0.20F, 0.55F, 0.62F});
-        box({1.0F, 0, 0.75F}, {0.35F, 0.35F, 0.35F}, 0.9F, {0.55F, 0.32F, 0.62F});
+        box({-1.5F, 0, -1.4F}, {0.7F, 1.3F, 0.7F}, 0.3F, {0.68F, 0.14F, 0.06F});
+        box({0.7F, 0, -1.3F}, {0.9F, 0.6F, 0.6F}, -0.35F, {0.88F, 0.50F, 0.05F});
+        box({-1.5F, 0, 0.9F}, {0.5F, 0.5F, 0.5F}, 0.6F, {0.06F, 0.36F, 0.42F});
+        box({1.0F, 0, 0.75F}, {0.35F, 0.35F, 0.35F}, 0.9F, {0.36F, 0.12F, 0.46F});
         const glm::mat4 origin = glm::translate(world, {0, 0.08F, 0});
         const auto arrow = [&](float turn, glm::vec3 axis, glm::vec3 color) {
             thing(arrow_, glm::scale(glm::rotate(origin, turn, axis), glm::vec3(1.25F)), color, painted);
         };
         constexpr float quarter = 1.5707963F;
-        arrow(quarter, {0, 1, 0}, {0.85F, 0.06F, 0.05F});
-        arrow(-quarter, {1, 0, 0}, {0.10F, 0.65F, 0.12F});
-        arrow(0, {0, 1, 0}, {0.08F, 0.20F, 0.90F});
+        arrow(quarter, {0, 1, 0}, {0.80F, 0.02F, 0.02F});
+        arrow(-quarter, {1, 0, 0}, {0.04F, 0.50F, 0.05F});
+        arrow(0, {0, 1, 0}, {0.02F, 0.08F, 0.80F});
     }
 
     gl::Mesh box_;

@@ -1,0 +1,34 @@
+// alternative: places the camera in the world, then inverts that matrix
+#include <cmath>
+#include <umbral/projections/view.hpp>
+
+namespace umbral::projections {
+namespace {
+
+glm::dvec3 replacement(const glm::dvec3& z)
+{
+    int best = 0;
+    for (int axis = 1; axis < 3; ++axis)
+        if (std::abs(z[axis]) < std::abs(z[best])) best = axis;
+    glm::dvec3 chosen(0);
+    chosen[best] = 1;
+    return chosen;
+}
+
+}
+
+glm::mat4 view_matrix(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up)
+{
+    const glm::dvec3 o(eye);
+    const glm::dvec3 n = eye == target ? glm::dvec3(0, 0, 1) : o - glm::dvec3(target);
+    const glm::dvec3 z = normalize(n);
+    glm::dvec3 u(up);
+    if (length(cross(u, z)) < 1e-6 * length(u) || length(u) == 0) u = replacement(z);
+    // Gram-Schmidt: the part of up that lies in the picture's plane.
+    const glm::dvec3 y = normalize(u - dot(u, z) * z);
+    const glm::dvec3 x = cross(y, z);
+    const glm::dmat4 camera_to_world(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(o, 1));
+    return glm::mat4(inverse(camera_to_world));
+}
+
+}
