@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "batch/workshop.hpp"
+#include "build/toolchain.hpp"
+#include "model/exercise.hpp"
+#include "report/terminal.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace umbral::grader {
+
+/// What a command ends with; documented in --help and in docs.
+enum Exit : int {
+    exit_ok = 0,        ///< all is right
+    exit_not_right = 1, ///< the work (or the unit, or the machine) falls short
+    exit_usage = 2,     ///< the command cannot be carried out as given
+    exit_fault = 3,     ///< a fault of the grader's
+};
+
+/// A mistake in how a command was called. Its text says what was expected, what came and what to do.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// What all commands share.
+struct Application {
+    Toolchain tools;
+    std::vector<Exercise> exercises;
+    TerminalStyle style;
+    int exit_status = exit_ok;  ///< set by the command that ran
+
+    /// The exercises named (as "raytracing/sphere", "sphere", or a path that ends so); all if none is. Throws UsageError with near names.
+    [[nodiscard]] std::vector<Exercise> chosen(const std::vector<std::string>& names) const;
+};
+
+/// Where this build lies, and its units. Throws std::runtime_error.
+[[nodiscard]] Application make_application();
+
+/// Each adds one command. The application must outlive the parser.
+void add_list(CLI::App& parser, Application& application);
+void add_new(CLI::App& parser, Application& application);
+void add_check(CLI::App& parser, Application& application);
+void add_debug(CLI::App& parser, Application& application);
+void add_grade(CLI::App& parser, Application& application);
+void add_demo(CLI::App& parser, Application& application);
+void add_validate(CLI::App& parser, Application& application);
+void add_doctor(CLI::App& parser, Application& application);
+
+}

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "batch/grade_unit.hpp"
+#include "build/builder.hpp"
+#include "cli/application.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string unit;
+    std::string case_name;
+    std::string folder = ".";
+    bool no_debugger = false;
+};
+
+[[noreturn]] void become(std::vector<std::string> words)
+{
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execvp(arguments.front(), arguments.data());
+    throw std::runtime_error(fmt::format("cannot run {}: is it installed? --no-debugger does without", words.front()));
+}
+
+void debug(const Application& application, const Options& options)
+{
+    const Exercise exercise = application.chosen({options.unit}).front();
+    const std::vector<std::string> cases = exercise.cases();
+    const std::string chosen = options.case_name.empty() ? cases.front() : options.case_name;
+    if (std::find(cases.begin(), cases.end(), chosen) == cases.end())
+        throw UsageError(fmt::format("{} has no case '{}'; it has: {}", exercise.id, chosen, fmt::join(cases, ", ")));
+    const Handed handed = collect(options.folder, exercise);
+    if (!handed.missing.empty()) throw UsageError(fmt::format("not found in {}: {}", options.folder, fmt::join(handed.missing, ", ")));
+    const Built built = build(application.tools, exercise, handed.files);
+    if (built.verdict != Verdict::ok) throw UsageError(fmt::format("{}:\n{}", in_words(built.verdict), built.message));
+
+    const fs::path own = fs::path(options.folder) / exercise.id;
+    const fs::path sources = fs::is_directory(own) ? own : fs::path(options.folder);
+    std::vector<std::string> words;
+    if (!options.no_debugger) words = {"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "directory " + fs::absolute(sources).string(), "-ex", "run", "--args"};
+    words.push_back((application.tools.programs / (exercise.gl ? "umbral-debug-gl" : "umbral-debug")).string());
+    for (const std::string& word : {(unit_folder(application.tools, exercise.id) / "driver.so").string(), built.library.string(), chosen,
+                                    std::to_string(SeedPlan{}.seed_of(exercise, chosen)), fs::absolute(sources).string()})
+        words.push_back(word);
+    (void)std::fflush(stdout);
+    become(std::move(words));
+}
+
+}
+
+void add_debug(CLI::App& parser, Application& application)
+{
+    auto options = std::make_shared<Options>();
+    CLI::App* command = parser.add_subcommand("debug", "Runs one case under gdb: an ordinary program, without sandbox and limits");
+    command->add_option("UNIT", options->unit, "Which unit")->required();
+    command->add_option("CASE", options->case_name, "Which case; the first if not given");
+    command->add_option("--dir", options->folder, "The workspace")->capture_default_str();
+    command->add_flag("--no-debugger", options->no_debugger, "Run it alone");
+    command->callback([&application, options] { debug(application, *options); });
+}
+
+}

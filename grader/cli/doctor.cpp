@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "batch/fingerprint.hpp"
+#include "cli/application.hpp"
+#include "report/paint.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One thing that Umbral needs or would like, whether it is there, and what to do if not.
+struct Symptom {
+    std::string name;
+    bool present = false;
+    bool needed = true;
+    std::string detail;  ///< what was found
+    std::string remedy;  ///< what to do if it is missing
+};
+
+bool on_path(const std::string& program) { return std::system(fmt::format("command -v {} >/dev/null 2>&1", program).c_str()) == 0; }
+
+Symptom protection(const std::vector<std::string>& active, const std::string& name, bool needed, const std::string& remedy)
+{
+    const auto found = std::find_if(active.begin(), active.end(), [&](const std::string& one) { return one.starts_with(name); });
+    return {"sandbox: " + name, found != active.end(), needed, found != active.end() ? *found : "", remedy};
+}
+
+void examine_spawners(const Application& application, std::vector<Symptom>& symptoms)
+{
+    Workshop workshop(application.tools);
+    try {
+        const auto& active = workshop.spawner(false).protections();
+        symptoms.push_back(protection(active, "seccomp", false, "grade only work that you trust: this kernel does not filter system calls (CONFIG_SECCOMP_FILTER)"));
+        symptoms.push_back(protection(active, "landlock", false, "grade only work that you trust: use Linux 5.13 or newer, with landlock in the kernel's lsm= list"));
+        for (const char* name : {"user namespace", "network namespace", "process namespace"})
+            symptoms.push_back(protection(active, name, false, "optional: allow unprivileged user namespaces (sysctl kernel.unprivileged_userns_clone=1)"));
+    } catch (const std::exception& error) {
+        symptoms.push_back({"sandbox", false, true, error.what(), "build again: ./umbral test says what fails"});
+    }
+    try {
+        symptoms.push_back({"OpenGL offscreen", true, true, workshop.spawner(true).gl(), ""});
+    } catch (const std::exception& error) {
+        symptoms.push_back({"OpenGL offscreen", false, true, error.what(), "install Mesa's off-screen library: apt install libosmesa6"});
+    }
+}
+
+std::vector<Symptom> examine(const Application& application)
+{
+    std::vector<Symptom> symptoms;
+    const std::string compiler = version_of(application.tools.compiler);
+    symptoms.push_back({"compiler", !compiler.empty(), true, compiler, "apt install g++"});
+    symptoms.push_back({"linker mold", on_path("mold"), true, "", "apt install mold"});
+    const fs::path header = application.tools.student_header.string() + ".gch";
+    symptoms.push_back({"precompiled header", fs::exists(header), true, header.string(), "build again: ./umbral list"});
+    symptoms.push_back({"debugger gdb", on_path("gdb"), false, "", "for `umbral debug`: apt install gdb"});
+    const fs::path& cache = application.tools.cache;
+    std::error_code error;
+    fs::create_directories(cache, error);
+    symptoms.push_back({"cache", !error && access(cache.c_str(), W_OK) == 0, true, cache.string(), "make this folder writable, or set UMBRAL_CACHE to one that is"});
+    examine_spawners(application, symptoms);
+    return symptoms;
+}
+
+}
+
+void add_doctor(CLI::App& parser, Application& application)
+{
+    auto json = std::make_shared<bool>(false);
+    CLI::App* command = parser.add_subcommand("doctor", "Looks at this machine: compiler, OpenGL, sandbox; a remedy for each thing that is missing");
+    command->add_flag("--json", *json, "As JSON");
+    command->callback([&application, json] {
+        const std::vector<Symptom> symptoms = examine(application);
+        const Paint paint(application.style);
+        nlohmann::json rows = nlohmann::json::array();
+        for (const Symptom& symptom : symptoms) {
+            if (!symptom.present && symptom.needed) application.exit_status = exit_not_right;
+            rows.push_back({{"name", symptom.name}, {"present", symptom.present}, {"needed", symptom.needed}, {"detail", symptom.detail},
+                            {"remedy", symptom.present ? "" : symptom.remedy}});
+            if (*json) continue;
+            const std::string mark = symptom.present  ? paint(Tone::good, paint.symbol("✓", "ok"))
+                                     : symptom.needed ? paint(Tone::bad, paint.symbol("✗", "NO"))
+                                                      : paint(Tone::part, paint.symbol("○", "--"));
+            fmt::print("{} {:<30} {}\n", mark, symptom.name, symptom.present ? symptom.detail : symptom.remedy);
+        }
+        if (*json) fmt::print("{}\n", nlohmann::json{{"format", "umbral-doctor"}, {"version", 1}, {"symptoms", rows}}.dump(2));
+    });
+}
+
+}

@@ -1,0 +1,113 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "batch/grade_class.hpp"
+#include "build/submission.hpp"
+#include "cli/application.hpp"
+#include "cli/grading.hpp"
+#include "report/paint.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path default_secret_file()
+{
+    if (const char* xdg = std::getenv("XDG_CONFIG_HOME"); xdg != nullptr && *xdg == '/') return fs::path(xdg) / "umbral" / "secret";
+    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return fs::path(home) / ".config" / "umbral" / "secret";
+    throw UsageError("neither XDG_CONFIG_HOME nor HOME is set: name a file for the secret of hidden cases with --secret-file");
+}
+
+/// The secret that hidden cases' seeds follow from; made once, readable by its owner only.
+std::string secret_from(const fs::path& file)
+{
+    if (!fs::exists(file)) {
+        fs::create_directories(file.parent_path());
+        std::array<unsigned char, 32> bytes{};
+        if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) throw std::runtime_error("no random numbers from the kernel");
+        std::string text;
+        for (const unsigned char byte : bytes) text += fmt::format("{:02x}", byte);
+        const Descriptor made(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
+        if (made && write(made.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+            throw std::runtime_error(fmt::format("cannot write the secret to {}", file.string()));
+    }
+    const std::string secret = read_text(file);
+    if (secret.size() < 16) throw UsageError(fmt::format("{}: expected a secret of at least 16 characters, got {}", file.string(), secret.size()));
+    return secret;
+}
+
+/// Without these, a submission could read this user's files or start programs.
+void refuse_weak_sandbox(const Application& application, const std::vector<Exercise>& exercises, bool allowed)
+{
+    Workshop workshop(application.tools);
+    const auto& active = workshop.spawner(exercises.front().gl).protections();
+    const auto has = [&](std::string_view name) {
+        return std::any_of(active.begin(), active.end(), [&](const std::string& one) { return one.starts_with(name); });
+    };
+    if (allowed || (has("seccomp") && has("landlock"))) return;
+    throw UsageError("this machine lacks seccomp or Landlock, so that submissions could read your files (`umbral doctor` says more); grade on a Linux 5.13 or "
+                     "newer with both, or add --allow-weak-sandbox if you trust every submission");
+}
+
+}
+
+void grade_and_print(Application& application, const GradeCommand& command)
+{
+    const std::vector<Exercise> exercises = application.chosen(command.units);
+    refuse_weak_sandbox(application, exercises, command.allow_weak_sandbox);
+    ClassOptions options;
+    options.submissions = command.submissions;
+    options.out = command.out;
+    options.secret = secret_from(command.secret_file.empty() ? default_secret_file() : fs::path(command.secret_file));
+    options.course = command.course;
+    options.attempt = command.attempt;
+    options.jobs = command.jobs != 0 ? command.jobs : std::max(1U, std::thread::hardware_concurrency());
+    if (!fs::is_directory(options.submissions)) throw UsageError(fmt::format("{}: expected a folder with one folder a submission", command.submissions));
+    fs::create_directories(options.out);
+
+    const std::size_t total = submission_ids(options.submissions).size();
+    std::size_t finished = 0;
+    const bool live = application.style.color;
+    const ClassResult result = grade_class(application.tools, exercises, options, [&](const SubmissionResult& submission) {
+        ++finished;
+        const Paint paint(application.style);
+        if (live) fmt::print("\r\x1b[K{} {}/{}  {}", paint.bar(static_cast<Millipoints>(finished), static_cast<Millipoints>(total), 24, Tone::good), finished, total, submission.id);
+        else if (!command.json) fmt::print("graded {} ({}/{})\n", submission.id, finished, total);
+        (void)std::fflush(stdout);
+    });
+    if (live) fmt::print("\r\x1b[K");
+    if (command.json) fmt::print("{}\n", to_json(result).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    else fmt::print("\n{}\nReports: {}\n         {}\n", class_table(result, application.style), (options.out / "class.json").string(), (options.out / "ID" / "report.json").string());
+    for (const SubmissionResult& submission : result.submissions)
+        for (const UnitResult& unit : submission.units)
+            if (unit.verdict == Verdict::grader_fault) application.exit_status = exit_fault;
+}
+
+void add_grade(CLI::App& parser, Application& application)
+{
+    auto options = std::make_shared<GradeCommand>();
+    CLI::App* command = parser.add_subcommand("grade", "Grades a class: a folder with one folder a submission");
+    command->add_option("CLASS_DIR", options->submissions, "The class")->required();
+    command->add_option("--out", options->out, "Where reports go")->required();
+    command->add_option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor")->capture_default_str();
+    command->add_option("--unit", options->units, "Only these units");
+    command->add_option("--course", options->course, "Part of what hidden seeds follow from")->capture_default_str();
+    command->add_option("--attempt", options->attempt, "Another number gives other random inputs")->capture_default_str();
+    command->add_option("--secret-file", options->secret_file, "The secret that hidden seeds follow from; made if missing. Default: umbral/secret in your configuration folder");
+    command->add_flag("--allow-weak-sandbox", options->allow_weak_sandbox, "Grade even where the sandbox is incomplete");
+    command->add_flag("--json", options->json, "Print class.json instead of a table");
+    command->callback([&application, options] { grade_and_print(application, *options); });
+}
+
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/application.hpp"
+
+namespace umbral::grader {
+
+/// The command line of `grade`; `demo` fills one in by itself.
+struct GradeCommand {
+    std::string submissions;
+    std::string out;
+    unsigned jobs = 0;
+    std::vector<std::string> units;
+    std::string course = "course";
+    unsigned attempt = 0;
+    std::string secret_file;
+    bool allow_weak_sandbox = false;
+    bool json = false;
+};
+
+/// Grades the class, prints its table and where the reports lie.
+void grade_and_print(Application& application, const GradeCommand& command);
+
+}

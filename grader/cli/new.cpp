@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "batch/pictures.hpp"
+#include "cli/application.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string folder;
+    std::vector<std::string> units;
+};
+
+/// Copies a unit's stubs and statements; what is there already is a student's work and stays.
+void make_unit(Workshop& workshop, const Exercise& exercise, const fs::path& folder)
+{
+    fs::create_directories(folder);
+    for (const std::string& file : exercise.files) fs::copy_file(exercise.folder / file, folder / file, fs::copy_options::skip_existing);
+    for (const char* statement : {"README.md", "README.es.md"})
+        if (fs::exists(exercise.folder / statement)) fs::copy_file(exercise.folder / statement, folder / statement, fs::copy_options::overwrite_existing);
+    (void)save_goal(workshop, exercise, folder / "goal.png");
+}
+
+void make_workspace(const Application& application, const Options& options)
+{
+    const fs::path root = options.folder;
+    if (fs::exists(root) && !fs::is_directory(root)) throw UsageError(fmt::format("{} exists and is not a folder", root.string()));
+    Workshop workshop(application.tools);
+    const std::vector<Exercise> exercises = application.chosen(options.units);
+    for (const Exercise& exercise : exercises) make_unit(workshop, exercise, root / exercise.id);
+    fmt::print("Made {} with {} unit{}. Each has a README, the goal picture and a stub to fill in.\n\n", root.string(), exercises.size(), exercises.size() == 1 ? "" : "s");
+    const Exercise& first = exercises.front();
+    fmt::print("Begin with {}, then, in that folder:\n  umbral check {}\n", (root / first.id / first.files.front()).string(), first.name);
+}
+
+}
+
+void add_new(CLI::App& parser, Application& application)
+{
+    auto options = std::make_shared<Options>();
+    CLI::App* command = parser.add_subcommand("new", "Makes a workspace: stubs, statements and goal pictures. Never overwrites your code");
+    command->add_option("DIR", options->folder, "Where")->required();
+    command->add_option("UNIT", options->units, "Only these units");
+    command->callback([&application, options] { make_workspace(application, *options); });
+}
+
+}
