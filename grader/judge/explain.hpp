@@ -1,6 +1,6 @@
 #pragma once
 
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +24,8 @@ struct NamedTransform {
     std::string name;      ///< "transposed"
     std::string sentence;  ///< "Your matrix is the transpose of the expected one: GLM indexes m[column][row]."
     std::optional<Tensor> (*undo)(const Check& check, const Tensor& student, const Tensor& expected);
+    /// The sentence with this result's own figures (a factor, a number of pixels); null where `sentence` says it all.
+    std::string (*describe)(const Check& check, const Tensor& student, const Tensor& expected) = nullptr;
 };
 
 /// All named transforms that are tried, in the order of how specific they are.
@@ -31,10 +33,11 @@ struct NamedTransform {
 
 /// Explanations by named transforms, best first. One is given only if it makes a failing check right (or raises it to at least 0.9
 /// from at most half of that), and if the transform changes the student's result at all; `confidence` is the share of the failing checks.
+/// Since undoing rounds once more, tolerances are widened a little for this, but for no points.
 [[nodiscard]] std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& failing);
 
 /// How well one recorded tensor matches a mistake's: both must deviate from `expected`, and in the same way (within the check's
-/// tolerance of the mistake's value for at least 95 % of the rows; pictures by the image rule). True if so.
+/// tolerance of the mistake's value for at least 95 % of the rows where either deviates; pictures by the image rule). True if so.
 [[nodiscard]] bool matches_mistake(const FailingCheck& failing, const Tensor& mistake);
 
 }

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
 
 #include "judge/image_difference.hpp"
 #include "judge/image_metrics.hpp"
@@ -23,7 +26,12 @@ std::string complaint(const ImageRule& rule)
     }
 }
 
-std::string pixel_text(const TensorView& view, std::size_t cell) { return cell_text(view, cell); }
+std::string pixel_text(const Tensor& picture, int x, int y)
+{
+    const auto size = static_cast<std::ptrdiff_t>(size_of(picture.element) * picture.components);
+    const auto start = picture.bytes.begin() + (static_cast<std::ptrdiff_t>(y) * picture.columns + x) * size;
+    return cell_text(TensorView(Tensor{picture.element, 1, 1, picture.components, {start, start + size}, {}}), 0);
+}
 
 Judgement identical()
 {
@@ -45,15 +53,9 @@ Judgement judge_image(const Check& check, const Tensor& student_tensor, const Te
         wrong.message = "Some pixels of the picture have no value.";
         return wrong;
     }
-    if (student_tensor.bytes == expected_tensor.bytes) {
-        (void)to_picture(check, Tensor{expected_tensor.element,
-                                       1,
-                                       1,
-                                       expected_tensor.components,
-                                       std::vector<std::byte>(expected_tensor.components * size_of(expected_tensor.element)),
-                                       {}});
-        return identical();
-    }
+    check_picture(check, expected_tensor);
+    // Both hold as many bytes: their shapes are the same.
+    if (std::memcmp(student_tensor.bytes.data(), expected_tensor.bytes.data(), expected_tensor.bytes.size()) == 0) return identical();
     if (!complete(student_tensor)) {
         Judgement wrong;
         wrong.message = "The picture holds values that are not finite (NaN or infinity): look for a division by zero or the root of a negative number.";
@@ -81,9 +83,9 @@ Judgement judge_image(const Check& check, const Tensor& student_tensor, const Te
     result.message = "The picture differs: " + complaint(rule);
     if (region) {
         result.message += fmt::format("; look round pixel ({}, {})", region->peak_x, region->peak_y);
-        const std::size_t cell = static_cast<std::size_t>(region->peak_y) * expected_tensor.columns + static_cast<std::size_t>(region->peak_x);
-        result.first_difference = Difference{fmt::format("pixel ({}, {})", region->peak_x, region->peak_y), pixel_text(TensorView(student_tensor), cell),
-                                             pixel_text(TensorView(expected_tensor), cell)};
+        result.first_difference =
+            Difference{fmt::format("pixel ({}, {})", region->peak_x, region->peak_y), pixel_text(student_tensor, region->peak_x, region->peak_y),
+                       pixel_text(expected_tensor, region->peak_x, region->peak_y)};
     }
     return result;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "judge/image_rule.hpp"
 #include "judge/tensor_view.hpp"
 #include "judge/thresholds.hpp"
 
@@ -60,14 +61,21 @@ Window worst_window(const Grid<std::uint8_t>& map)
 {
     const int wide = std::min(thresholds::worst_window, map.width);
     const int high = std::min(thresholds::worst_window, map.height);
-    Grid<std::uint64_t> sums(map.width + 1, map.height + 1);
-    for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x) sums.at(x + 1, y + 1) = map.at(x, y) + sums.at(x, y + 1) + sums.at(x + 1, y) - sums.at(x, y);
+    const std::size_t stride = static_cast<std::size_t>(map.width) + 1;
+    std::vector<std::uint64_t> sums(stride * (static_cast<std::size_t>(map.height) + 1), 0);
+    const auto at = [stride](int x, int y) { return static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x); };
+    for (int y = 0; y < map.height; ++y) {
+        std::uint64_t row = 0;
+        for (int x = 0; x < map.width; ++x) {
+            row += map.cells[static_cast<std::size_t>(y) * (stride - 1) + static_cast<std::size_t>(x)];
+            sums[at(x + 1, y + 1)] = row + sums[at(x + 1, y)];
+        }
+    }
     Window best{0, 0, wide, high};
     std::uint64_t most = 0;
     for (int y = 0; y + high <= map.height; ++y)
         for (int x = 0; x + wide <= map.width; ++x) {
-            const std::uint64_t sum = sums.at(x + wide, y + high) + sums.at(x, y) - sums.at(x + wide, y) - sums.at(x, y + high);
+            const std::uint64_t sum = sums[at(x + wide, y + high)] + sums[at(x, y)] - sums[at(x + wide, y)] - sums[at(x, y + high)];
             if (sum > most) most = sum, best = Window{x, y, wide, high};
         }
     return best;
@@ -79,10 +87,15 @@ Grid<std::uint8_t> difference_map(const Check& check, const Tensor& student_tens
 {
     if (!well_formed(expected_tensor) || shape_error(student_tensor, expected_tensor))
         throw std::invalid_argument("check '" + check.name + "': a map of differences needs two recordings of one shape and type");
+    Grid<std::uint8_t> map(static_cast<int>(expected_tensor.columns), static_cast<int>(expected_tensor.rows));
+    if (check.judge == JudgeKind::image && expected_tensor.element == Element::uint8 && student_tensor.present.empty() && expected_tensor.present.empty() &&
+        expected_tensor.cells() > 0) {
+        map.cells = channel_difference(to_picture(check, student_tensor), to_picture(check, expected_tensor));
+        return map;
+    }
     const TensorView student(student_tensor);
     const TensorView expected(expected_tensor);
     const double scale = levels_per_unit(check, expected_tensor, expected);
-    Grid<std::uint8_t> map(static_cast<int>(expected_tensor.columns), static_cast<int>(expected_tensor.rows));
     for (std::size_t cell = 0; cell < expected.cells(); ++cell) map.cells[cell] = level(student, expected, cell, scale);
     return map;
 }

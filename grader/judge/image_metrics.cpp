@@ -1,7 +1,9 @@
 #include "judge/image_metrics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -24,16 +26,13 @@ cv::Rect differing_part(const Picture& a, const Picture& b)
 // The colour channels inside `part`, interleaved, as floats 0..1.
 cv::Mat colours_in(const Picture& picture, const cv::Rect& part)
 {
-    std::vector<cv::Mat> planes;
-    for (int c = 0; c < 3; ++c) {
-        const int channel = c % picture.colours();
-        cv::Mat plane(part.height, part.width, CV_32F);
-        for (int y = 0; y < part.height; ++y)
-            for (int x = 0; x < part.width; ++x) plane.at<float>(y, x) = static_cast<float>(picture.row(channel, part.y + y)[part.x + x]) / 255.0F;
-        planes.push_back(plane);
-    }
-    cv::Mat colours;
-    cv::merge(planes, colours);
+    cv::Mat colours(part.height, part.width, CV_32FC3);
+    for (int y = 0; y < part.height; ++y)
+        for (int c = 0; c < 3; ++c) {
+            const std::uint8_t* from = picture.row(c % picture.colours(), part.y + y) + part.x;
+            float* to = colours.ptr<float>(y) + c;
+            for (int x = 0; x < part.width; ++x) to[3 * x] = static_cast<float>(from[x]) / 255.0F;
+        }
     return colours;
 }
 
@@ -55,6 +54,57 @@ cv::Mat luma_in(const Picture& picture, const cv::Rect& part)
     return luma;
 }
 
+// Means, mean sum of squares and mean product over a window, for a row of windows.
+struct Moments {
+    std::vector<double> x, y, squares, products;
+    explicit Moments(std::size_t size) : x(size), y(size), squares(size), products(size) {}
+};
+
+std::array<double, radius + 1> gaussian()
+{
+    std::array<double, radius + 1> weights{};
+    double sum = 0;
+    for (int i = 0; i <= radius; ++i) {
+        weights[static_cast<std::size_t>(i)] = std::exp(-i * i / (2 * 1.5 * 1.5));
+        sum += (i == 0 ? 1 : 2) * weights[static_cast<std::size_t>(i)];
+    }
+    for (double& weight : weights) weight /= sum;
+    return weights;
+}
+
+// Sums the window's columns: the four fields in one pass over the eleven rows of the two padded pictures.
+void sum_columns(const cv::Mat& x, const cv::Mat& y, int row, const std::array<double, radius + 1>& weights, Moments& out)
+{
+    const std::size_t size = out.x.size();
+    for (auto* field : {&out.x, &out.y, &out.squares, &out.products}) std::fill(field->begin(), field->end(), 0.0);
+    double* __restrict sum_x = out.x.data();
+    double* __restrict sum_y = out.y.data();
+    double* __restrict squares = out.squares.data();
+    double* __restrict products = out.products.data();
+    for (int k = -radius; k <= radius; ++k) {
+        const double weight = weights[static_cast<std::size_t>(std::abs(k))];
+        const double* __restrict a = x.ptr<double>(row + radius + k);
+        const double* __restrict b = y.ptr<double>(row + radius + k);
+        for (std::size_t i = 0; i < size; ++i) {
+            const double p = weight * a[i];
+            const double q = weight * b[i];
+            sum_x[i] += p;
+            sum_y[i] += q;
+            squares[i] += p * a[i] + q * b[i];
+            products[i] += p * b[i];
+        }
+    }
+}
+
+void sum_rows(const std::vector<double>& from, const std::array<double, radius + 1>& weights, std::vector<double>& to)
+{
+    const double* __restrict source = from.data() + radius;
+    double* __restrict target = to.data();
+    for (std::size_t i = 0; i < to.size(); ++i) target[i] = weights[0] * source[i];
+    for (std::size_t k = 1; k <= radius; ++k)
+        for (std::size_t i = 0; i < to.size(); ++i) target[i] += weights[k] * (*(source + i - k) + source[i + k]);
+}
+
 // One minus the similarity, summed over the pixels of `inner`; `outer` is it with the window's radius round it, inside the picture.
 double dissimilarity(const Picture& student, const Picture& expected, const cv::Rect& outer, const cv::Rect& inner)
 {
@@ -66,26 +116,27 @@ double dissimilarity(const Picture& student, const Picture& expected, const cv::
     const double centre = (cv::mean(x)[0] + cv::mean(y)[0]) / 2;
     x -= centre;
     y -= centre;
-    const auto blur = [](const cv::Mat& from) {
-        cv::Mat to;
-        cv::GaussianBlur(from, to, cv::Size(2 * radius + 1, 2 * radius + 1), 1.5, 1.5, cv::BORDER_REFLECT_101);
-        return to;
-    };
-    const cv::Mat mean_x = blur(x);
-    const cv::Mat mean_y = blur(y);
-    const cv::Mat squares = blur(x.mul(x) + y.mul(y));
-    const cv::Mat products = blur(x.mul(y));
+    cv::copyMakeBorder(x, x, radius, radius, radius, radius, cv::BORDER_REFLECT_101);
+    cv::copyMakeBorder(y, y, radius, radius, radius, radius, cv::BORDER_REFLECT_101);
+    const auto weights = gaussian();
+    Moments columns(static_cast<std::size_t>(x.cols));
+    Moments mean(static_cast<std::size_t>(outer.width));
+    const auto first = static_cast<std::size_t>(inner.x - outer.x);
     double sum = 0;
-    for (int row = inner.y - outer.y; row < inner.y - outer.y + inner.height; ++row)
-        for (int column = inner.x - outer.x; column < inner.x - outer.x + inner.width; ++column) {
-            const double dx = mean_x.at<double>(row, column);
-            const double dy = mean_y.at<double>(row, column);
-            const double mx = dx + centre;
-            const double my = dy + centre;
-            const double variances = squares.at<double>(row, column) - dx * dx - dy * dy;
-            const double covariance = products.at<double>(row, column) - dx * dy;
+    for (int row = inner.y - outer.y; row < inner.y - outer.y + inner.height; ++row) {
+        sum_columns(x, y, row, weights, columns);
+        sum_rows(columns.x, weights, mean.x);
+        sum_rows(columns.y, weights, mean.y);
+        sum_rows(columns.squares, weights, mean.squares);
+        sum_rows(columns.products, weights, mean.products);
+        for (std::size_t i = first; i < first + static_cast<std::size_t>(inner.width); ++i) {
+            const double mx = mean.x[i] + centre;
+            const double my = mean.y[i] + centre;
+            const double variances = mean.squares[i] - mean.x[i] * mean.x[i] - mean.y[i] * mean.y[i];
+            const double covariance = mean.products[i] - mean.x[i] * mean.y[i];
             sum += 1 - (2 * mx * my + c1) * (2 * covariance + c2) / ((mx * mx + my * my + c1) * (variances + c2));
         }
+    }
     return sum;
 }
 
@@ -126,7 +177,9 @@ ImageMetrics measure_image(const Picture& student, const Picture& expected)
     double sum = 0;
     for (int y = 0; y < part.height; ++y)
         for (int x = 0; x < part.width; ++x) {
-            const double distance = cv::norm(yours.at<cv::Vec3f>(y, x) - target.at<cv::Vec3f>(y, x));
+            const float* a = yours.ptr<float>(y) + 3 * x;
+            const float* b = target.ptr<float>(y) + 3 * x;
+            const double distance = std::sqrt(double{(a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2])});
             sum += distance;
             metrics.max_lab = std::max(metrics.max_lab, distance);
         }

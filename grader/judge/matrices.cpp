@@ -47,6 +47,8 @@ constexpr RowKind matrices{"matrix", "matrices", column_scale, entry_text, matri
 
 }
 
+const RowKind& matrix_rows() { return matrices; }
+
 Judgement judge_matrices(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin)
 {
     if (expected.components != 9 && expected.components != 16)

@@ -19,6 +19,8 @@ constexpr RowKind numbers{"row", "rows", component_scale, [](std::size_t row, st
 
 }
 
+const RowKind& number_rows() { return numbers; }
+
 Judgement judge_numbers(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin)
 {
     return judge_rows(check, student, expected, margin, numbers);

@@ -10,6 +10,8 @@
 namespace umbral::grader {
 namespace {
 
+bool is_float(const Tensor& tensor) { return tensor.element == Element::float32 || tensor.element == Element::float64; }
+
 template <class Value, class Convert>
 void split(const Tensor& tensor, Picture& picture, Convert convert)
 {
@@ -42,17 +44,21 @@ void repeat_border(Picture& picture)
 
 }
 
-Picture to_picture(const Check& check, const Tensor& tensor)
+void check_picture(const Check& check, const Tensor& tensor)
 {
-    const bool floats = tensor.element == Element::float32 || tensor.element == Element::float64;
+    const bool floats = is_float(tensor);
     const std::uint32_t channels = tensor.components;
     if ((!floats && tensor.element != Element::uint8) || (channels != 1 && channels != 3 && channels != 4) || tensor.cells() == 0)
         throw std::invalid_argument("check '" + check.name + "': expected a picture of 1, 3 or 4 channels of bytes or floats");
     if (floats && !(check.range_high > check.range_low))
         throw std::invalid_argument("check '" + check.name + "': the range of a picture must be two different numbers, the lower one first");
+}
 
-    Picture picture{static_cast<int>(tensor.columns), static_cast<int>(tensor.rows), static_cast<int>(channels), {}};
-    picture.planes.resize(channels * (std::size_t{tensor.rows} + 2) * picture.stride());
+Picture to_picture(const Check& check, const Tensor& tensor)
+{
+    check_picture(check, tensor);
+    Picture picture{static_cast<int>(tensor.columns), static_cast<int>(tensor.rows), static_cast<int>(tensor.components), {}};
+    picture.planes.resize(tensor.components * (std::size_t{tensor.rows} + 2) * picture.stride());
     const double low = check.range_low;
     const double scale = 255.0 / (check.range_high - check.range_low);
     const auto level = [low, scale](auto value) {
@@ -72,7 +78,7 @@ Picture to_picture(const Check& check, const Tensor& tensor)
 bool complete(const Tensor& tensor)
 {
     if (std::any_of(tensor.present.begin(), tensor.present.end(), [](std::uint8_t present) { return present == 0; })) return false;
-    return (tensor.element != Element::float32 && tensor.element != Element::float64) || all_finite(to_doubles(tensor));
+    return !is_float(tensor) || all_finite(to_doubles(tensor));
 }
 
 }

@@ -36,6 +36,9 @@ private:
 /// rounded, and clamped: beyond the range the check does not look. Throws std::invalid_argument for any other tensor or an empty range.
 [[nodiscard]] Picture to_picture(const Check& check, const Tensor& tensor);
 
+/// Throws what to_picture would throw for this tensor, at no cost.
+void check_picture(const Check& check, const Tensor& tensor);
+
 /// Do all values exist and are they finite? (Bytes always are.)
 [[nodiscard]] bool complete(const Tensor& tensor);
 

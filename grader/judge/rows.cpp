@@ -11,7 +11,6 @@ namespace umbral::grader {
 namespace {
 
 struct Row {
-    bool counted = true;
     bool right = true;
     bool comparable = false;    ///< both sides have a value
     double error = 0;           ///< the worst of its components; infinite if not finite
@@ -67,6 +66,17 @@ void add_quantiles(std::vector<double> errors, std::map<std::string, double>& me
     metrics["max_error"] = errors.back();
 }
 
+}
+
+std::vector<RowState> row_states(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor, const Tensor* margin, const RowKind& kind)
+{
+    const TensorView student(student_tensor);
+    const TensorView expected(expected_tensor);
+    const std::vector<bool> counted = counted_rows(check, margin, expected.cells());
+    std::vector<RowState> states(expected.cells(), RowState::left_out);
+    for (std::size_t i = 0; i < states.size(); ++i)
+        if (counted[i]) states[i] = compare_row(check, student, expected, i, kind).right ? RowState::right : RowState::wrong;
+    return states;
 }
 
 Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor, const Tensor* margin, const RowKind& kind)

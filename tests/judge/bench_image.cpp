@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <opencv2/core.hpp>
+
+#include "judge/image_difference.hpp"
+#include "judge/image_metrics.hpp"
+#include "judge/image_rule.hpp"
+#include "judge/rules.hpp"
+#include "make.hpp"
+
+namespace {
+
+using namespace umbral::grader;
+
+template <class Work>
+void report(const char* what, Work work)
+{
+    double best = 1e9;
+    for (int i = 0; i < 15; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        work();
+        best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    std::printf("%-46s %8.3f ms\n", what, best);
+}
+
+}
+
+// Times of the image judge at 512 x 512, one thread, best of 15.
+int main()
+{
+    cv::setNumThreads(1);
+    const umbral::Tensor right = test::balls(512);
+    umbral::Random random(1);
+    const auto noisy = [&](std::uint32_t span) {
+        return test::repaint(right, [&](int x, int y) {
+            test::Colour colour = test::pixel(right, x, y);
+            for (glm::length_t c = 0; c < 3; ++c) colour[c] = test::byte(colour[c] + random.below(span) - (span - 1) / 2.0);
+            return colour;
+        });
+    };
+    const umbral::Tensor same = right;
+    const umbral::Tensor close = noisy(3);
+    const umbral::Tensor far = noisy(121);
+    const Check check = test::check_of(JudgeKind::image);
+    report("equal", [&] { (void)judge(check, same, right, nullptr); });
+    for (const auto& [name, student] : {std::pair{"one level of noise", &close}, std::pair{"every pixel far off", &far}}) {
+        std::printf("%s\n", name);
+        report("  rule and conversion", [&] { (void)fraction_right(check, *student, right, nullptr); });
+        report("  to_picture, one picture", [&] { (void)to_picture(check, right); });
+        const Picture a = to_picture(check, *student);
+        const Picture b = to_picture(check, right);
+        report("  rule alone", [&] { (void)apply_image_rule(a, b); });
+        report("  SSIM alone", [&] { (void)structural_similarity(a, b); });
+        report("  SSIM, PSNR, RMSE, Lab", [&] { (void)measure_image(a, b); });
+        report("  judge: rule, metrics, worst region", [&] { (void)judge(check, *student, right, nullptr); });
+    }
+    return 0;
+}

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "make.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+constexpr float infinity_f = std::numeric_limits<float>::infinity();
+
+Judgement buffer(const Tensor& student, const Tensor& expected, Tolerance tolerance = {})
+{
+    return judge(check_of(JudgeKind::buffer, tolerance), student, expected, nullptr);
+}
+
+// 100 x 100 of background 7 with four cells 1, 2, 3, 4 in the middle.
+std::vector<std::uint32_t> mostly_empty()
+{
+    std::vector<std::uint32_t> cells(10000, 7);
+    for (std::uint32_t i = 0; i < 4; ++i) cells[5050 + i] = i + 1;
+    return cells;
+}
+
+TEST(Buffer, EqualOnesAreRight)
+{
+    const Judgement found = buffer(grid(100, 100, mostly_empty()), grid(100, 100, mostly_empty()));
+    EXPECT_EQ(found.right, 1);
+    EXPECT_EQ(found.error, 0);
+    EXPECT_EQ(found.message, "");
+    EXPECT_EQ(found.metrics.at("cells"), 4);
+}
+
+TEST(Buffer, AnEmptyOneHidesNothingBehindItsBackground)
+{
+    const Tensor expected = grid(100, 100, mostly_empty());
+    EXPECT_EQ(buffer(grid(100, 100, std::vector<std::uint32_t>(10000, 7)), expected).right, 0);
+    EXPECT_EQ(buffer(grid(100, 100, std::vector<std::uint32_t>(10000, 0)), expected).right, 0);
+}
+
+TEST(Buffer, DifferencesAreClassified)
+{
+    auto cells = mostly_empty();
+    cells[5050] = 7;  // missing
+    cells[5051] = 9;  // wrong value
+    cells[17] = 3;    // extra
+    const Judgement found = buffer(grid(100, 100, cells), grid(100, 100, mostly_empty()));
+    EXPECT_EQ(found.metrics.at("missing"), 1);
+    EXPECT_EQ(found.metrics.at("extra"), 1);
+    EXPECT_EQ(found.metrics.at("wrong_value"), 1);
+    EXPECT_DOUBLE_EQ(found.right, 2.0 / 5);
+    EXPECT_EQ(found.first_difference->where, "pixel (17, 0)");
+    EXPECT_FALSE(found.error) << "ids do not lie some distance apart";
+    EXPECT_EQ(found.message, "3 of 5 cells are wrong (1 missing, 1 extra, 1 with another value); the first is pixel (17, 0): yours 3, expected 7");
+}
+
+TEST(Buffer, DepthIsExactUnlessATolerancesSaysOtherwise)
+{
+    std::vector<float> cells(100, 1.0F);
+    cells[55] = 0.5F;
+    auto off = cells;
+    off[55] = 0.5001F;
+    EXPECT_EQ(buffer(depth(10, 10, off), depth(10, 10, cells)).right, 0);
+    EXPECT_EQ(buffer(depth(10, 10, off), depth(10, 10, cells), absolute(1e-3)).right, 1);
+    EXPECT_NEAR(*buffer(depth(10, 10, off), depth(10, 10, cells), absolute(1e-6)).error, 1e-4, 1e-6);
+    // A background a little off does not join the content and thin its errors out.
+    auto tinted = std::vector<float>(100, 1.0005F);
+    EXPECT_EQ(buffer(depth(10, 10, tinted), depth(10, 10, cells), absolute(1e-3)).right, 0);
+}
+
+TEST(Buffer, InfinityIsABackgroundAndNaNIsNothing)
+{
+    std::vector<float> cells(100, infinity_f);
+    cells[55] = 2;
+    EXPECT_EQ(buffer(depth(10, 10, cells), depth(10, 10, cells)).right, 1);
+    auto finite = std::vector<float>(100, 1e30F);
+    finite[55] = 2;
+    EXPECT_LT(buffer(depth(10, 10, finite), depth(10, 10, cells), absolute(1)).right, 0.02);
+    EXPECT_LT(buffer(depth(10, 10, finite), depth(10, 10, cells), relative(1)).right, 0.02) << "an infinite bound would accept everything";
+    auto broken = cells;
+    broken[55] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(buffer(depth(10, 10, broken), depth(10, 10, cells), absolute(1e30)).right, 0);
+    EXPECT_FALSE(buffer(depth(10, 10, broken), depth(10, 10, cells), absolute(1e30)).error);
+}
+
+TEST(Buffer, ABufferOfOneCellAndOneOfBackgroundOnly)
+{
+    EXPECT_EQ(buffer(grid(1, 1, {4}), grid(1, 1, {4})).right, 1);
+    EXPECT_EQ(buffer(grid(1, 1, {5}), grid(1, 1, {4})).right, 0);
+    EXPECT_EQ(buffer(grid(2, 2, {4, 4, 4, 4}), grid(2, 2, {4, 4, 4, 4})).right, 1);
+    EXPECT_EQ(buffer(grid(2, 2, {4, 4, 4, 5}), grid(2, 2, {4, 4, 4, 4})).right, 0);
+}
+
+TEST(Buffer, TransposedShapeIsWrong) { EXPECT_EQ(buffer(grid(2, 3, {1, 2, 3, 4, 5, 6}), grid(3, 2, {1, 2, 3, 4, 5, 6})).right, 0); }
+
+}
+}

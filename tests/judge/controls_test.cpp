@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "make.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+bool has(const std::vector<std::pair<std::string, Tensor>>& all, const std::string& name)
+{
+    return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.first == name; });
+}
+
+const Tensor& named(const std::vector<std::pair<std::string, Tensor>>& all, const std::string& name)
+{
+    return std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == name; })->second;
+}
+
+TEST(Controls, HaveTheShapeOfTheExpectedAndAreTheDeclaredOnes)
+{
+    const Check check = check_of(JudgeKind::numbers, absolute(0.1));
+    const Tensor expected = optional_floats({1, 2, 0, 2, 5}, {1, 1, 0, 1, 1});
+    const auto all = controls(check, expected, 1);
+    for (const auto& [name, tensor] : all) {
+        EXPECT_EQ(tensor.rows, 5U) << name;
+        EXPECT_EQ(tensor.bytes.size(), expected.bytes.size()) << name;
+        EXPECT_EQ(tensor.present.size(), 5U) << name;
+    }
+    EXPECT_EQ(named(all, "zeros"), optional_floats({0, 0, 0, 0, 0}, {1, 1, 1, 1, 1}));
+    EXPECT_EQ(named(all, "ones"), optional_floats({1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}));
+    EXPECT_EQ(named(all, "most frequent row"), optional_floats({2, 2, 2, 2, 2}, {1, 1, 1, 1, 1}));
+    EXPECT_EQ(named(all, "mean row"), optional_floats({2.5, 2.5, 2.5, 2.5, 2.5}, {1, 1, 1, 1, 1}));
+    EXPECT_EQ(named(all, "all absent"), optional_floats({0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}));
+    EXPECT_FALSE(has(all, "identity"));
+}
+
+TEST(Controls, NoiseStaysInTheRangeAndFollowsItsSeed)
+{
+    const Check check = check_of(JudgeKind::numbers, absolute(0.1));
+    std::vector<float> values(1000, 3.0F);
+    values[0] = 2;
+    values[1] = 5;
+    const auto one = controls(check, floats(values), 7);
+    EXPECT_EQ(named(one, "noise"), named(controls(check, floats(values), 7), "noise"));
+    EXPECT_NE(named(one, "noise"), named(controls(check, floats(values), 8), "noise"));
+    std::vector<float> noise(1000);
+    std::memcpy(noise.data(), named(one, "noise").bytes.data(), 4000);
+    EXPECT_GE(*std::min_element(noise.begin(), noise.end()), 2);
+    EXPECT_LE(*std::max_element(noise.begin(), noise.end()), 5);
+    EXPECT_GT(*std::max_element(noise.begin(), noise.end()) - *std::min_element(noise.begin(), noise.end()), 2.5F);
+}
+
+TEST(Controls, TheBestOneIsFound)
+{
+    const Check numbers = check_of(JudgeKind::numbers, absolute(0.1));
+    const BestControl frequent = best_control(numbers, floats({1, 2, 4, 4, 4}), nullptr, 1);
+    EXPECT_EQ(frequent.name, "most frequent row");
+    EXPECT_DOUBLE_EQ(frequent.right, 0.6);
+
+    const std::vector<float> identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    std::vector<float> matrices = identity;
+    for (std::size_t i = 0; i < 16; ++i) matrices.push_back(identity[i] + 3);
+    const BestControl unit = best_control(check_of(JudgeKind::matrices, absolute(0.1)), floats(matrices, 16), nullptr, 1);
+    EXPECT_EQ(unit.name, "identity");
+    EXPECT_DOUBLE_EQ(unit.right, 0.5);
+
+    const BestControl absent = best_control(numbers, optional_floats({0, 0, 0, 9}, {0, 0, 0, 1}), nullptr, 1);
+    EXPECT_EQ(absent.name, "all absent");
+    EXPECT_DOUBLE_EQ(absent.right, 0.75);
+}
+
+TEST(Controls, InPairsNoConstantAnswerEarnsAnything)
+{
+    Check check = check_of(JudgeKind::numbers, absolute(1e-3));
+    check.pairs = true;
+    std::vector<float> values;
+    std::vector<std::uint8_t> present;
+    for (int i = 0; i < 100; ++i) {
+        values.insert(values.end(), {2.0F, 0.0F});
+        present.insert(present.end(), {1, 0});
+    }
+    // Noise guesses a pair's presence one time in four, but the values are all one number here: what remains is bounded by that.
+    EXPECT_LE(best_control(check, optional_floats(values, present), nullptr, 5).right, 0.4);
+    for (const auto& [name, tensor] : controls(check, optional_floats(values, present), 5)) {
+        if (name == "noise") continue;
+        EXPECT_EQ(judge(check, tensor, optional_floats(values, present), nullptr).right, 0) << name;
+    }
+}
+
+TEST(Controls, NoPictureWithoutASceneEarnsMuch)
+{
+    const Check check = check_of(JudgeKind::image);
+    const auto all = controls(check, balls(), 3);
+    for (const char* name : {"blank", "mean colour", "black", "white", "noise", "zeros", "ones"}) EXPECT_TRUE(has(all, name)) << name;
+    EXPECT_EQ(named(all, "blank"), repaint(balls(), [](int, int) { return Colour{8, 10, 40, 255}; }));
+    EXPECT_EQ(best_control(check, balls(), nullptr, 3).right, 0);
+    // 2.5 % of content: where whole-picture measures give a blank picture 95 of 100.
+    const Tensor sparse = picture(200, 200, [](int x, int y) {
+        return (x - 100) * (x - 100) + (y - 90) * (y - 90) < 18 * 18 ? Colour{byte(100 + x / 4), 80, 60, 255} : Colour{0, 0, 0, 255};
+    });
+    EXPECT_EQ(best_control(check, sparse, nullptr, 3).right, 0);
+}
+
+}
+}

@@ -1,0 +1,127 @@
+#include "explaining.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+const Check image = check_of(JudgeKind::image);
+const Check buffer = check_of(JudgeKind::buffer);
+
+template <class Change>
+Tensor each_colour(const Tensor& tensor, Change change)
+{
+    return repaint(tensor, [&](int x, int y) {
+        Colour colour = pixel(tensor, x, y);
+        for (glm::length_t c = 0; c < 3; ++c) colour[c] = byte(255 * change(colour[c] / 255.0));
+        return colour;
+    });
+}
+
+double encode(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
+double decode(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
+
+Tensor moved(const Tensor& tensor, int dx, int dy)
+{
+    const int size = static_cast<int>(tensor.columns);
+    return repaint(tensor, [&](int x, int y) { return pixel(tensor, (x - dx + size) % size, (y - dy + size) % size); });
+}
+
+TEST(ExplainImages, OneErrorOneExplanation)
+{
+    const Tensor right = balls();
+    const int last = static_cast<int>(right.rows) - 1;
+    const auto at = [&](auto place) { return repaint(right, [&](int x, int y) { return place(x, y); }); };
+    EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, x, last - y); }), right), "flipped vertically");
+    EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, last - x, y); }), right), "flipped horizontally");
+    EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, last - x, last - y); }), right), "turned by 180 degrees");
+    EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, y, x); }), right), "x and y swapped");
+    EXPECT_EQ(first(image, at([&](int x, int y) { return Colour(glm::u8vec3(pixel(right, x, y)), 0); }), right), "alpha only");
+    EXPECT_EQ(first(image, at([&](int x, int y) {
+                        const Colour c = pixel(right, x, y);
+                        return Colour{c.b, c.g, c.r, c.a};
+                    }),
+                    right),
+              "red and blue swapped");
+    EXPECT_EQ(first(image, each_colour(right, encode), right), "gamma applied twice");
+    EXPECT_EQ(first(image, each_colour(right, decode), right), "gamma missing");
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return 0.5 * v; }), right), "light scaled");
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return 2 * v; }), right), "light scaled") << "clamped where it is brightest";
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return 1 - v; }), right), "inverted");
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return v - 0.1; }), right), "too dark by a constant");
+}
+
+TEST(ExplainImages, TheShiftIsTold)
+{
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {0, -1}, {3, 2}, {-8, 8}}) {
+        const auto found = explain(image, moved(balls(), dx, dy), balls());
+        ASSERT_FALSE(found.empty()) << dx << " " << dy;
+        EXPECT_EQ(found.front().name, "shifted");
+    }
+    EXPECT_NE(explain(image, moved(balls(), 3, -1), balls()).front().sentence.find("3 pixels to the right and 1 pixel up"), std::string::npos);
+}
+
+TEST(ExplainImages, TheFactorIsTold)
+{
+    const auto found = explain(image, each_colour(balls(), [](double v) { return v / 2; }), balls());
+    ASSERT_FALSE(found.empty());
+    EXPECT_NE(found.front().sentence.find("about 0.5 times"), std::string::npos) << found.front().sentence;
+}
+
+TEST(ExplainImages, UnrelatedErrorsHaveNoExplanation)
+{
+    const Tensor right = balls();
+    EXPECT_TRUE(explain(image, repaint(right, [](int, int) { return Colour{8, 10, 40, 255}; }), right).empty()) << "blank";
+    EXPECT_TRUE(explain(image, repaint(right, [](int, int) { return Colour{0, 0, 0, 255}; }), right).empty()) << "black";
+    Random random(3);
+    EXPECT_TRUE(explain(image, repaint(right, [&](int, int) { return Colour{random.below(256), random.below(256), random.below(256), 255}; }), right).empty());
+    const auto half = repaint(right, [&](int x, int y) { return x < 50 ? Colour{8, 10, 40, 255} : pixel(right, x, y); });
+    EXPECT_TRUE(explain(image, half, right).empty()) << "one ball missing";
+    EXPECT_TRUE(explain(image, balls(64), right).empty()) << "another size";
+}
+
+std::vector<float> slope(double sign, double from)
+{
+    std::vector<float> cells(64 * 48, static_cast<float>(sign < 0 ? 0 : 1));
+    for (std::size_t y = 10; y < 40; ++y)
+        for (std::size_t x = 5; x < 50; ++x)
+            cells[y * 64 + x] = static_cast<float>(from + sign * (0.2 + 0.01 * static_cast<double>(x) + 0.003 * static_cast<double>(y)));
+    return cells;
+}
+
+TEST(ExplainBuffers, DepthFromTheOtherEnd)
+{
+    const Tensor right = depth(64, 48, slope(1, 0));
+    EXPECT_EQ(first(buffer, depth(64, 48, slope(-1, 1)), right), "depth inverted");
+    auto other = slope(1, 0);
+    for (float& v : other) v = v * v;
+    EXPECT_EQ(first(buffer, depth(64, 48, other), right), "none");
+}
+
+std::vector<std::uint32_t> squares(std::uint32_t offset, std::uint32_t background)
+{
+    std::vector<std::uint32_t> cells(64 * 48, background);
+    for (std::size_t y = 10; y < 40; ++y)
+        for (std::size_t x = 5; x < 50; ++x) cells[y * 64 + x] = static_cast<std::uint32_t>(x / 9 + y / 11 * 7) + offset;
+    return cells;
+}
+
+TEST(ExplainBuffers, IdsOffByOneFlippedAndShifted)
+{
+    const Tensor right = grid(64, 48, squares(3, 0));
+    EXPECT_EQ(first(buffer, grid(64, 48, squares(4, 0)), right), "ids off by one");
+    EXPECT_EQ(first(buffer, grid(64, 48, squares(2, 0)), right), "ids off by one");
+    EXPECT_EQ(first(buffer, grid(64, 48, squares(4, 1)), right), "ids off by one") << "with the background";
+    EXPECT_EQ(first(buffer, grid(64, 48, squares(6, 0)), right), "none");
+    const auto plain = squares(3, 0);
+    auto flipped = squares(3, 0);
+    auto shifted = squares(3, 0);
+    for (std::size_t y = 0; y < 48; ++y)
+        for (std::size_t x = 0; x < 64; ++x) {
+            flipped[y * 64 + x] = plain[(47 - y) * 64 + x];
+            shifted[y * 64 + x] = plain[y * 64 + (x + 63) % 64];
+        }
+    EXPECT_EQ(first(buffer, grid(64, 48, flipped), right), "flipped vertically");
+    EXPECT_EQ(first(buffer, grid(64, 48, shifted), right), "shifted");
+}
+
+}
+}

@@ -1,0 +1,138 @@
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "explaining.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+using Change = glm::dmat4 (*)(const glm::dmat4&);
+
+glm::dmat4 view(Random& random)
+{
+    return glm::lookAt(glm::dvec3(random.in_cube()) * 5.0 + glm::dvec3(7, 1, 0), glm::dvec3(random.in_cube()), glm::dvec3(0, 1, 0));
+}
+
+Tensor matrices(Change change)
+{
+    Random random(31);
+    std::vector<float> values;
+    for (int i = 0; i < 12; ++i) {
+        const glm::dmat4 m = change(view(random));
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 4; ++r) values.push_back(static_cast<float>(m[c][r]));
+    }
+    return floats(values, 16);
+}
+
+const Check check = check_of(JudgeKind::matrices, relative(1e-6));
+const Change unchanged = [](const glm::dmat4& m) { return m; };
+
+glm::dmat4 with_translation(glm::dmat4 m, glm::dvec3 t)
+{
+    m[3] = glm::dvec4(t, 1);
+    return m;
+}
+glm::dvec3 eye(const glm::dmat4& m) { return -glm::transpose(glm::dmat3(m)) * glm::dvec3(m[3]); }
+
+TEST(ExplainMatrices, OneErrorOneExplanation)
+{
+    const std::vector<std::pair<std::string, Change>> errors = {
+        {"transposed", [](const glm::dmat4& m) { return glm::transpose(m); }},
+        {"inverse", [](const glm::dmat4& m) { return glm::inverse(m); }},
+        {"negated", [](const glm::dmat4& m) { return -m; }},
+        {"scaled", [](const glm::dmat4& m) { return 3.0 * m; }},
+        {"rotation transposed", [](const glm::dmat4& m) { return with_translation(glm::dmat4(glm::transpose(glm::dmat3(m))), glm::dvec3(m[3])); }},
+        {"translation missing", [](const glm::dmat4& m) { return with_translation(m, glm::dvec3(0)); }},
+        {"translation negated", [](const glm::dmat4& m) { return with_translation(m, -glm::dvec3(m[3])); }},
+        {"translation not rotated", [](const glm::dmat4& m) { return with_translation(m, -eye(m)); }},
+        {"translation not rotated", [](const glm::dmat4& m) { return with_translation(m, eye(m)); }},
+        {"homogeneous row",
+         [](const glm::dmat4& m) {
+             glm::dmat4 wrong = m;
+             wrong[3][3] = 0;
+             return wrong;
+         }},
+        {"axis flipped",
+         [](const glm::dmat4& m) {
+             glm::dmat4 wrong = m;
+             for (int c = 0; c < 4; ++c) wrong[c][2] = -wrong[c][2];
+             return wrong;
+         }},
+        {"axis flipped",
+         [](const glm::dmat4& m) {
+             glm::dmat4 wrong = m;
+             wrong[0] = -wrong[0];
+             return wrong;
+         }},
+    };
+    const Tensor right = matrices(unchanged);
+    for (const auto& [name, change] : errors) EXPECT_EQ(first(check, matrices(change), right), name);
+}
+
+TEST(ExplainMatrices, TheFlippedAxisIsTold)
+{
+    const Tensor wrong = matrices([](const glm::dmat4& m) {
+        glm::dmat4 result = m;
+        for (int c = 0; c < 4; ++c) result[c][2] = -result[c][2];
+        return result;
+    });
+    const auto found = explain(check, wrong, matrices(unchanged));
+    ASSERT_FALSE(found.empty());
+    EXPECT_NE(found.front().sentence.find("z axis"), std::string::npos) << found.front().sentence;
+}
+
+Tensor rotations(double unit)
+{
+    Random random(5);
+    std::vector<float> values;
+    for (int i = 0; i < 10; ++i) {
+        const glm::dmat4 m = glm::rotate(glm::dmat4(1), unit * random.uniform(0.2F, 2.5F), glm::dvec3(random.unit_vector()));
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 4; ++r) values.push_back(static_cast<float>(m[c][r]));
+    }
+    return floats(values, 16);
+}
+
+Tensor perspectives(double unit)
+{
+    Random random(5);
+    std::vector<float> values;
+    for (int i = 0; i < 10; ++i) {
+        const glm::dmat4 m = glm::perspective(unit * random.uniform(0.3F, 2), 1.5, 0.1, 100.0);
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 4; ++r) values.push_back(static_cast<float>(m[c][r]));
+    }
+    return floats(values, 16);
+}
+
+TEST(ExplainMatrices, AnglesInTheWrongUnit)
+{
+    const double degree = 0.017453292519943295;
+    EXPECT_EQ(first(check, rotations(degree), rotations(1)), "angle in degrees");
+    EXPECT_EQ(first(check, rotations(1 / degree), rotations(1)), "angle in degrees");
+    EXPECT_EQ(first(check, perspectives(degree), perspectives(1)), "angle in degrees");
+    EXPECT_EQ(first(check, rotations(0.5), rotations(1)), "none");
+    EXPECT_EQ(first(check, perspectives(0.5), perspectives(1)), "none") << "half the field of view is another mistake";
+}
+
+TEST(ExplainMatrices, MatricesOfThree)
+{
+    const std::vector<float> right{1, 2, 3, 0, 4, 5, 1, 0, 6};
+    EXPECT_EQ(first(check, floats({1, 0, 1, 2, 4, 0, 3, 5, 6}, 9), floats(right, 9)), "transposed");
+    // By hand: determinant 22, adjugate over it.
+    const std::vector<float> inverse{24.0F / 22, -12.0F / 22, -2.0F / 22, 5.0F / 22, 3.0F / 22, -5.0F / 22, -4.0F / 22, 2.0F / 22, 4.0F / 22};
+    EXPECT_EQ(first(check, floats(inverse, 9), floats(right, 9)), "inverse");
+}
+
+TEST(ExplainMatrices, UnrelatedErrorsHaveNoExplanation)
+{
+    const Tensor right = matrices(unchanged);
+    EXPECT_TRUE(explain(check, matrices([](const glm::dmat4&) { return glm::dmat4(1); }), right).empty());
+    EXPECT_TRUE(explain(check, matrices([](const glm::dmat4&) { return glm::dmat4(0); }), right).empty());
+    EXPECT_TRUE(explain(check, matrices([](const glm::dmat4& m) { return m * m; }), right).empty());
+    EXPECT_TRUE(explain(check, matrices([](const glm::dmat4& m) { return glm::translate(m, glm::dvec3(1, 2, 3)); }), right).empty());
+    EXPECT_TRUE(explain(check, matrices([](const glm::dmat4&) { return glm::dmat4(NAN); }), right).empty());
+}
+
+}
+}

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <numbers>
+
+#include "explaining.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+constexpr std::uint64_t seed = 77;
+
+std::vector<float> values_of(std::size_t count, float low = -2, float high = 3)
+{
+    Random random(seed);
+    std::vector<float> values(count);
+    for (float& v : values) v = random.uniform(low, high);
+    return values;
+}
+
+std::vector<float> vectors(bool unit)
+{
+    Random random(seed);
+    std::vector<float> values;
+    for (int i = 0; i < 50; ++i) {
+        const glm::vec3 v = random.unit_vector() * (unit ? 1.0F : random.uniform(0.5F, 4));
+        values.insert(values.end(), {v.x, v.y, v.z});
+    }
+    return values;
+}
+
+template <class Change>
+std::vector<float> changed(std::vector<float> values, Change change)
+{
+    std::transform(values.begin(), values.end(), values.begin(), change);
+    return values;
+}
+
+const Check numbers = check_of(JudgeKind::numbers, ulps(4));
+
+template <class Change>
+std::string first_after(Change change, float low = -2)
+{
+    const auto right = values_of(40, low);
+    return first(numbers, floats(changed(right, change)), floats(right));
+}
+
+TEST(ExplainNumbers, OneErrorOneExplanation)
+{
+    EXPECT_EQ(first_after([](float v) { return -v; }), "negated");
+    EXPECT_EQ(first_after([](float v) { return static_cast<float>(v * 180 / std::numbers::pi); }), "degrees for radians");
+    EXPECT_EQ(first_after([](float v) { return static_cast<float>(v * std::numbers::pi / 180); }), "radians for degrees");
+    EXPECT_EQ(first_after([](float v) { return 2 * v; }), "scaled");
+    EXPECT_EQ(first_after([](float v) { return -0.5F * v; }), "scaled");
+    EXPECT_EQ(first_after([](float v) { return 1 / v; }), "reciprocal");
+    EXPECT_EQ(first_after([](float v) { return v + 1; }), "off by a constant");
+    EXPECT_EQ(first_after([](float v) { return v * v; }, 0.1F), "squared");
+    EXPECT_EQ(first_after([](float v) { return std::sqrt(v); }, 0.1F), "root taken");
+}
+
+TEST(ExplainNumbers, NegativesNotClamped)
+{
+    const auto raw = values_of(40);
+    EXPECT_EQ(first(numbers, floats(raw), floats(changed(raw, [](float v) { return std::fmax(v, 0.0F); }))), "not clamped");
+}
+
+TEST(ExplainNumbers, Vectors)
+{
+    const auto unit = vectors(true);
+    auto longer = unit;
+    Random random(seed);
+    for (std::size_t i = 0; i < longer.size(); i += 3) {
+        const float by = random.uniform(0.3F, 3);
+        for (std::size_t c = 0; c < 3; ++c) longer[i + c] *= by;
+    }
+    EXPECT_EQ(first(numbers, floats(longer, 3), floats(unit, 3)), "not normalised");
+    auto swapped = unit;
+    for (std::size_t i = 0; i < swapped.size(); i += 3) std::swap(swapped[i + 1], swapped[i + 2]);
+    const auto found = explain(numbers, floats(swapped, 3), floats(unit, 3));
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found.front().name, "components swapped");
+    EXPECT_NE(found.front().sentence.find("(x, z, y)"), std::string::npos) << found.front().sentence;
+    EXPECT_EQ(first(numbers, floats(changed(unit, [](float v) { return -v; }), 3), floats(unit, 3)), "negated");
+    // Vectors that are not meant to be unit do not become an excuse.
+    EXPECT_EQ(first(numbers, floats(unit, 3), floats(vectors(false), 3)), "none");
+}
+
+TEST(ExplainNumbers, HitsBehindTheOrigin)
+{
+    const Tensor right = optional_floats({2, 0, 3, 0, 1, 0}, {1, 0, 1, 0, 1, 0});
+    EXPECT_EQ(first(numbers, optional_floats({2, -4, 3, -1, 1, -2}, {1, 1, 1, 1, 1, 1}), right), "hits behind");
+}
+
+TEST(ExplainNumbers, TheFactorIsTold)
+{
+    const auto right = values_of(40);
+    const auto found = explain(numbers, floats(changed(right, [](float v) { return 3.25F * v; })), floats(right));
+    ASSERT_FALSE(found.empty());
+    EXPECT_NE(found.front().sentence.find("3.25"), std::string::npos) << found.front().sentence;
+    EXPECT_EQ(found.front().confidence, 1);
+}
+
+TEST(ExplainNumbers, UnrelatedErrorsHaveNoExplanation)
+{
+    const auto right = values_of(60);
+    Random random(seed + 1);
+    EXPECT_TRUE(explain(numbers, floats(changed(right, [&](float) { return random.uniform(-2, 3); })), floats(right)).empty());
+    EXPECT_TRUE(explain(numbers, floats(std::vector<float>(60, 0.0F)), floats(right)).empty());
+    EXPECT_TRUE(explain(numbers, floats(std::vector<float>(60, NAN)), floats(right)).empty());
+    EXPECT_TRUE(explain(numbers, floats(changed(right, [](float v) { return v * v * v + 1; })), floats(right)).empty());
+    EXPECT_TRUE(explain(numbers, floats({1, 2}), floats(right)).empty()) << "another shape";
+    EXPECT_TRUE(explain(numbers, floats(right), floats(right)).empty()) << "nothing to explain";
+    // One or two numbers fit any factor and any offset.
+    EXPECT_TRUE(explain(numbers, floats({5.5F}), floats({3})).empty());
+    EXPECT_TRUE(explain(numbers, floats({5.5F, 5.5F, 5.5F}), floats({3, 3, 3})).empty());
+}
+
+TEST(ExplainNumbers, ConfidenceIsTheShareOfTheFailingChecks)
+{
+    const Tensor right = floats(values_of(40));
+    const Tensor negative = floats(changed(values_of(40), [](float v) { return -v; }));
+    const Tensor twice = floats(changed(values_of(40), [](float v) { return 2 * v; }));
+    const FailingCheck a{&numbers, &negative, &right, nullptr, nullptr};
+    const FailingCheck b{&numbers, &twice, &right, nullptr, nullptr};
+    const auto found = explain_by_transform({b, a, a});
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].name, "negated");
+    EXPECT_NEAR(found[0].confidence, 2.0 / 3, 1e-12);
+    EXPECT_EQ(found[1].name, "scaled");
+    EXPECT_NEAR(found[1].confidence, 1.0 / 3, 1e-12);
+    EXPECT_TRUE(explain_by_transform({}).empty());
+    EXPECT_TRUE(explain_by_transform({FailingCheck{}}).empty());
+}
+
+TEST(ExplainNumbers, ThereAreManyAndEachHasItsOwnNameAndSentence)
+{
+    std::vector<std::string> names;
+    for (const NamedTransform& transform : named_transforms()) {
+        EXPECT_GT(transform.sentence.size(), 20U) << transform.name;
+        names.push_back(transform.name);
+    }
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
+    EXPECT_GE(names.size(), 30U);
+}
+
+}
+}

@@ -1,0 +1,255 @@
+#include "judge/image_rule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "make.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+Judgement image(const Tensor& student, const Tensor& expected) { return judge(check_of(JudgeKind::image), student, expected, nullptr); }
+
+ImageRule rule(const Tensor& student, const Tensor& expected)
+{
+    const Check check = check_of(JudgeKind::image);
+    return apply_image_rule(to_picture(check, student), to_picture(check, expected));
+}
+
+bool background(const Colour& colour) { return colour == Colour{8, 10, 40, 255}; }
+
+Colour moved(Colour colour, int by)
+{
+    for (glm::length_t c = 0; c < 3; ++c) colour[c] = byte(colour[c] + by);
+    return colour;
+}
+
+// Lines of one pixel on black.
+Tensor wireframe(bool with_one_more_line)
+{
+    return picture(128, 128, [=](int x, int y) {
+        const bool line = x == 20 || y == 30 || x + y == 150 || (with_one_more_line && x - y == 40);
+        return line ? Colour{255, 255, 255, 255} : Colour{0, 0, 0, 255};
+    });
+}
+
+TEST(Image, EqualOnesAreRight)
+{
+    const Judgement found = image(balls(), balls());
+    EXPECT_EQ(found.right, 1);
+    EXPECT_EQ(found.error, 0);
+    EXPECT_EQ(found.message, "");
+    EXPECT_EQ(found.metrics.at("ssim"), 1);
+    EXPECT_EQ(found.metrics.at("rmse"), 0);
+    EXPECT_EQ(found.metrics.count("psnr"), 0U) << "infinite, so not a number for a report";
+}
+
+TEST(Image, OneLevelOfNoiseIsNoError)
+{
+    const std::uint64_t seed = 11;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const Tensor noisy = repaint(balls(), [&](int x, int y) { return moved(pixel(scene(), x, y), static_cast<int>(random.below(3)) - 1); });
+    const Judgement found = image(noisy, balls());
+    EXPECT_EQ(found.right, 1) << found.message;
+    EXPECT_LE(*found.error, 1);
+    EXPECT_LT(found.metrics.at("ssim"), 1);
+}
+
+TEST(Image, EdgePixelsMayBelongToTheNeighbour)
+{
+    const std::uint64_t seed = 12;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    const Tensor right = balls(256);
+    const Tensor owned = repaint(right, [&](int x, int y) {
+        const Colour here = pixel(right, x, y);
+        if (x == 0 || y == 0 || x == 255 || y == 255 || random.below(10) >= 3) return here;
+        const Colour next = pixel(right, x + static_cast<int>(random.below(3)) - 1, y + static_cast<int>(random.below(3)) - 1);
+        return background(next) != background(here) ? next : here;
+    });
+    ASSERT_NE(owned, right);
+    const Judgement found = image(owned, right);
+    EXPECT_EQ(found.right, 1) << found.message;
+}
+
+TEST(Image, SubRuleA_ALineLostOrAddedIsFound)
+{
+    // Beside another line a lost one would be excused if the smaller direction won.
+    for (const bool lost : {true, false}) {
+        const ImageRule found = rule(wireframe(!lost), wireframe(lost));
+        EXPECT_GT(found.ratios[0], 10) << lost;
+        EXPECT_LT(found.right(), 0.5) << lost;
+    }
+    EXPECT_NE(image(wireframe(false), wireframe(true)).message.find("no similar pixel"), std::string::npos);
+}
+
+TEST(Image, SubRuleB_ColourInTheInteriorIsFoundByItAlone)
+{
+    const Tensor off = repaint(balls(), [](int x, int y) {
+        const Colour colour = pixel(scene(), x, y);
+        return background(colour) ? colour : moved(colour, (x / 4 + y / 4) % 2 == 0 ? 7 : -7);
+    });
+    const ImageRule found = rule(off, balls());
+    EXPECT_LE(found.ratios[0], 1);
+    EXPECT_GT(found.ratios[1], 1);
+    EXPECT_LE(found.ratios[2], 1);
+    EXPECT_LE(found.ratios[3], 1);
+    EXPECT_NE(image(off, balls()).message.find("smooth surfaces"), std::string::npos);
+}
+
+TEST(Image, SubRuleC_ALittleMoreLightEverywhereIsFoundByItAlone)
+{
+    for (const int by : {3, -3}) {
+        const Tensor off = repaint(balls(), [by](int x, int y) {
+            const Colour colour = pixel(scene(), x, y);
+            return background(colour) ? colour : moved(colour, by);
+        });
+        const ImageRule found = rule(off, balls());
+        EXPECT_LE(found.ratios[0], 1);
+        EXPECT_LE(found.ratios[1], 1);
+        EXPECT_GT(found.ratios[2], 1);
+        EXPECT_LE(found.ratios[3], 1);
+        EXPECT_NEAR(found.bias, by, 0.2);
+        EXPECT_NE(image(off, balls()).message.find(by > 0 ? "too bright" : "too dark"), std::string::npos);
+    }
+}
+
+TEST(Image, SubRuleD_AShiftOfOnePixelIsFoundByItAlone)
+{
+    // Large flat tiles: neighbourhoods forgive the shift, and no smooth place shows it.
+    const auto tiles = [](int dx, int dy) {
+        return picture(128, 128, [=](int x, int y) {
+            if (x - dx < 16 || y - dy < 16 || x - dx >= 112 || y - dy >= 112) return Colour{0, 0, 0, 255};
+            const int cell = (x - dx + 400) / 16 * 7 + (y - dy + 400) / 16 * 13;
+            return Colour{byte(cell * 37 % 200), byte(cell * 91 % 200), byte(cell * 53 % 200), 255};
+        });
+    };
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}}) {
+        const ImageRule found = rule(tiles(dx, dy), tiles(0, 0));
+        EXPECT_LE(found.ratios[0], 1);
+        EXPECT_LE(found.ratios[1], 1);
+        EXPECT_GT(found.ratios[3], 1);
+        EXPECT_EQ(found.shift_x, dx);
+        EXPECT_EQ(found.shift_y, dy);
+        EXPECT_LT(found.right(), 1);
+        EXPECT_GT(found.right(), 0.3);
+    }
+}
+
+TEST(Image, CreditFallsWithTheWrongArea)
+{
+    double last = 1;
+    for (const int side : {1, 4, 8, 16, 32, 64, 128}) {
+        const Tensor off = repaint(balls(), [side](int x, int y) { return x < side && y < side ? Colour{250, 0, 250, 255} : pixel(scene(), x, y); });
+        const double right = image(off, balls()).right;
+        EXPECT_LE(right, last) << side;
+        last = right;
+    }
+    EXPECT_EQ(last, 0);
+}
+
+TEST(Image, AHazeOverTheBackgroundDoesNotThinErrorsOut)
+{
+    const auto spoiled = [](bool haze) {
+        return repaint(balls(), [haze](int x, int y) {
+            const Colour colour = pixel(scene(), x, y);
+            if (x >= 40 && x < 48 && y >= 48 && y < 56) return Colour{0, 255, 0, 255};
+            return haze && background(colour) ? moved(colour, 4) : colour;
+        });
+    };
+    EXPECT_LT(image(spoiled(false), balls()).right, 1);
+    EXPECT_LE(image(spoiled(true), balls()).right, image(spoiled(false), balls()).right);
+}
+
+TEST(Image, AlphaCounts)
+{
+    const Tensor glass = repaint(balls(), [](int x, int y) {
+        Colour colour = pixel(scene(), x, y);
+        colour.a = 0;
+        return colour;
+    });
+    EXPECT_EQ(image(glass, balls()).right, 0);
+}
+
+TEST(Image, FloatsAreMappedByTheRange)
+{
+    Check check = check_of(JudgeKind::image);
+    check.range_low = -1;
+    check.range_high = 1;
+    const auto normals = [](float extra) {
+        std::vector<float> values;
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 40; ++x) {
+                const float dx = static_cast<float>(x - 20) / 15;
+                const float dy = static_cast<float>(y - 20) / 15;
+                const float inside = 1 - dx * dx - dy * dy;
+                for (const float v : {dx, dy, std::sqrt(std::fmax(inside, 0.0F))}) values.push_back(inside > 0 ? v + extra : 0);
+            }
+        Tensor tensor = floats(values, 3);
+        tensor.rows = tensor.columns = 40;
+        return tensor;
+    };
+    EXPECT_EQ(judge(check, normals(0.003F), normals(0), nullptr).right, 1) << "less than half a level of 2 / 255";
+    EXPECT_LT(judge(check, normals(0.1F), normals(0), nullptr).right, 0.5);
+    check.range_high = check.range_low;
+    EXPECT_THROW((void)judge(check, normals(0.1F), normals(0), nullptr), std::invalid_argument);
+    EXPECT_THROW((void)judge(check, normals(0), normals(0), nullptr), std::invalid_argument) << "equal pictures do not hide a broken manifest";
+}
+
+TEST(Image, WhatIsNotFiniteFails)
+{
+    Tensor right = floats(std::vector<float>(30 * 30 * 3, 0.5F), 3);
+    right.rows = right.columns = 30;
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+        Tensor wrong = right;
+        std::memcpy(wrong.bytes.data() + 400, &bad, 4);
+        const Judgement found = image(wrong, right);
+        EXPECT_EQ(found.right, 0);
+        EXPECT_FALSE(found.error);
+        EXPECT_NE(found.message, "");
+        EXPECT_THROW((void)image(right, wrong), std::invalid_argument);
+        EXPECT_THROW((void)image(wrong, wrong), std::invalid_argument);
+    }
+}
+
+TEST(Image, OtherSizesTypesAndPresenceAreWrong)
+{
+    EXPECT_EQ(image(balls(64), balls(128)).right, 0);
+    EXPECT_NE(image(balls(64), balls(128)).message.find("64 x 64"), std::string::npos);
+    Tensor three = balls();
+    three.components = 3;
+    three.bytes.resize(three.count());
+    EXPECT_EQ(image(three, balls()).right, 0);
+    Tensor holes = balls();
+    holes.present.assign(holes.cells(), 1);
+    EXPECT_EQ(image(holes, balls()).right, 1);
+    holes.present[5] = 0;
+    EXPECT_EQ(image(holes, balls()).right, 0);
+    EXPECT_THROW((void)image(grid(2, 1, {1, 2}), grid(2, 1, {1, 2})), std::invalid_argument);
+}
+
+TEST(Image, SmallestPicturesAreJudged)
+{
+    const auto one = [](std::uint8_t v) { return picture(1, 1, [v](int, int) { return Colour{v, v, v, 255}; }); };
+    EXPECT_EQ(image(one(9), one(9)).right, 1);
+    EXPECT_EQ(image(one(200), one(9)).right, 0);
+    const auto line = [](std::uint8_t v) { return picture(7, 1, [v](int x, int) { return Colour{byte(x * v), v, v, 255}; }); };
+    EXPECT_EQ(image(line(30), line(9)).right, 0);
+}
+
+TEST(Image, TheFirstDifferenceIsAPixelOfTheWorstPlace)
+{
+    const Tensor off = repaint(balls(), [](int x, int y) {
+        return x >= 90 && y >= 90 && x < 110 && y < 110 ? Colour{255, 10, 40, 255} : pixel(scene(), x, y);
+    });
+    const Judgement found = image(off, balls());
+    ASSERT_TRUE(found.first_difference);
+    EXPECT_EQ(found.first_difference->yours, "(255, 10, 40, 255)");
+    for (const auto& [name, value] : found.metrics) EXPECT_TRUE(std::isfinite(value)) << name;
+}
+
+}
+}

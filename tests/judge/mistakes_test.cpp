@@ -1,0 +1,79 @@
+#include <limits>
+
+#include "explaining.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+bool same(const Check& check, const Tensor& student, const Tensor& expected, const Tensor& mistake)
+{
+    return matches_mistake(FailingCheck{&check, &student, &expected, nullptr, nullptr}, mistake);
+}
+
+TEST(Mistakes, MatchIfTheyDeviateInTheSameWay)
+{
+    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const Tensor right = floats({1, 2, 3, 4});
+    const Tensor mistake = floats({1, 2, 5, 6});
+    EXPECT_TRUE(same(check, floats({1, 2, 5, std::nextafter(6.0F, 7.0F)}), right, mistake));
+    EXPECT_FALSE(same(check, floats({1, 2, 5, 7}), right, mistake));
+    EXPECT_FALSE(same(check, floats({1, 2, 5, 4}), right, mistake)) << "only half of it";
+    EXPECT_FALSE(same(check, right, right, mistake)) << "the student is right";
+    EXPECT_FALSE(same(check, mistake, right, right)) << "the mistake is right here";
+    EXPECT_FALSE(same(check, floats({1, 2, 5}), right, mistake)) << "another shape";
+    EXPECT_FALSE(same(check, mistake, right, floats({1, 2})));
+}
+
+TEST(Mistakes, ManyRightRowsDoNotMakeTwoErrorsTheSame)
+{
+    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    std::vector<float> right(100, 1);
+    auto student = right;
+    auto mistake = right;
+    student[3] = 7;
+    mistake[90] = 8;
+    EXPECT_FALSE(same(check, floats(student), floats(right), floats(mistake)));
+}
+
+TEST(Mistakes, WhatIsNotFiniteOrAbsentOnBothSidesAgrees)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    EXPECT_TRUE(same(check, floats({nan, 2}), floats({1, 2}), floats({nan, 2})));
+    EXPECT_FALSE(same(check, floats({nan, 2}), floats({1, 2}), floats({9, 2})));
+    const Tensor right = optional_floats({1, 0}, {1, 0});
+    EXPECT_TRUE(same(check, optional_floats({0, 0}, {0, 0}), right, optional_floats({0, 0}, {0, 0})));
+    EXPECT_FALSE(same(check, optional_floats({0, 0}, {0, 0}), right, optional_floats({1, 5}, {1, 1})));
+}
+
+TEST(Mistakes, OfMatricesBuffersAndPictures)
+{
+    const std::vector<float> unit{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::vector<float> twice{2, 0, 0, 0, 2, 0, 0, 0, 2};
+    const std::vector<float> flat{1, 0, 0, 0, 1, 0, 0, 0, 0};
+    const Check matrices = check_of(JudgeKind::matrices, relative(1e-6));
+    EXPECT_TRUE(same(matrices, floats(twice, 9), floats(unit, 9), floats(twice, 9)));
+    EXPECT_FALSE(same(matrices, floats(twice, 9), floats(unit, 9), floats(flat, 9)));
+
+    const Check buffer = check_of(JudgeKind::buffer);
+    EXPECT_TRUE(same(buffer, grid(2, 2, {1, 1, 1, 3}), grid(2, 2, {1, 1, 1, 2}), grid(2, 2, {1, 1, 1, 3})));
+    EXPECT_FALSE(same(buffer, grid(2, 2, {1, 1, 1, 3}), grid(2, 2, {1, 1, 1, 2}), grid(2, 2, {1, 1, 1, 4})));
+    const float infinity = std::numeric_limits<float>::infinity();
+    EXPECT_TRUE(same(buffer, depth(3, 1, {infinity, 1, 2}), depth(3, 1, {infinity, 1, 1}), depth(3, 1, {infinity, 1, 2})));
+
+    const Check image = check_of(JudgeKind::image);
+    const auto tinted = [](int by) {
+        return repaint(balls(), [by](int x, int y) {
+            Colour colour = pixel(scene(), x, y);
+            colour.g = byte(colour.g + by);
+            return colour;
+        });
+    };
+    EXPECT_TRUE(same(image, tinted(60), balls(), tinted(60)));
+    EXPECT_TRUE(same(image, tinted(61), balls(), tinted(60)));
+    EXPECT_FALSE(same(image, tinted(60), balls(), tinted(90)));
+    EXPECT_FALSE(same(image, tinted(1), balls(), tinted(60)));
+}
+
+}
+}

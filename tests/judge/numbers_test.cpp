@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "make.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+constexpr float nan_f = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity_f = std::numeric_limits<float>::infinity();
+
+float up(float value, int steps)
+{
+    for (int i = 0; i < steps; ++i) value = std::nextafter(value, infinity_f);
+    return value;
+}
+
+Judgement numbers(const Tensor& student, const Tensor& expected, Tolerance tolerance, const Tensor* margin = nullptr)
+{
+    return judge(check_of(JudgeKind::numbers, tolerance), student, expected, margin);
+}
+
+TEST(Numbers, EqualOnesAreRightAndSayNothing)
+{
+    const Judgement found = numbers(floats({1, 2, 3}), floats({1, 2, 3}), ulps(0));
+    EXPECT_EQ(found.right, 1);
+    EXPECT_EQ(found.error, 0);
+    EXPECT_EQ(found.message, "");
+    EXPECT_FALSE(found.first_difference);
+    EXPECT_EQ(found.metrics.at("rows"), 3);
+    EXPECT_EQ(found.metrics.at("wrong"), 0);
+}
+
+TEST(Numbers, UlpsAreCountedAsFloatsOfTheExpected)
+{
+    for (const float value : {1.0F, -3.7F, 1e-20F, 6e30F, 1e-42F}) {
+        const Tensor off = floats({value > 0 ? up(value, 3) : -up(-value, 3)});
+        EXPECT_EQ(numbers(off, floats({value}), ulps(3)).right, 1) << value;
+        EXPECT_EQ(numbers(off, floats({value}), ulps(2.5)).right, 0) << value;
+        EXPECT_NEAR(*numbers(off, floats({value}), ulps(2.5)).error, 3, 1e-9) << value;
+    }
+    // Doubles beside the expected one lie a fraction of a float's ulp away: 2^-23 at 1.
+    EXPECT_NEAR(*numbers(doubles({1 + 0x1p-24}), doubles({1}), ulps(1)).error, 0.5, 1e-12);
+    EXPECT_EQ(numbers(doubles({1e300}), doubles({1.1e300}), ulps(1)).right, 0);
+}
+
+TEST(Numbers, RelativeIsOfTheLargestComponentOfTheRow)
+{
+    const Tensor expected = floats({100, 0, 1}, 3);
+    EXPECT_EQ(numbers(floats({100, 0.5F, 1.5F}, 3), expected, relative(0.006)).right, 1);
+    EXPECT_EQ(numbers(floats({100, 0.5F, 1.5F}, 3), expected, relative(0.004)).right, 0);
+    EXPECT_NEAR(*numbers(floats({100, 0.5F, 1.25F}, 3), expected, relative(0.1)).error, 0.005, 1e-9);
+}
+
+TEST(Numbers, AnyGivenBoundIsEnough)
+{
+    const Tolerance both{1e-3, {}, 1, {}};
+    EXPECT_EQ(numbers(floats({1e-4F, 1e9F}, 2), floats({0, 1e9F}, 2), both).right, 1);
+    EXPECT_EQ(numbers(floats({1e-2F, 1e9F}, 2), floats({0, 1e9F}, 2), both).right, 0);
+    // What only the absolute bound excuses does not become an error of 1e41 ulp.
+    EXPECT_EQ(numbers(floats({1e-4F, up(1e9F, 1)}, 2), floats({0, 1e9F}, 2), both).error, 1);
+}
+
+TEST(Numbers, OneWrongComponentMakesTheRowWrong)
+{
+    for (std::size_t wrong = 0; wrong < 3; ++wrong) {
+        std::vector<float> values{1, 2, 3, 4, 5, 6};
+        values[3 + wrong] += 1;
+        const Judgement found = numbers(floats(values, 3), floats({1, 2, 3, 4, 5, 6}, 3), absolute(0.5));
+        EXPECT_EQ(found.right, 0.5);
+        EXPECT_EQ(found.first_difference->where, "row 1");
+    }
+}
+
+TEST(Numbers, WhatIsNotFiniteIsWrongWithoutAFiniteError)
+{
+    for (const float bad : {nan_f, infinity_f, -infinity_f}) {
+        const Judgement found = numbers(floats({1, bad, 3, 4}), floats({1, 2, 3, 4}), absolute(1e30));
+        EXPECT_EQ(found.right, 0.75);
+        EXPECT_FALSE(found.error);
+        EXPECT_NE(found.message.find("row 1"), std::string::npos) << found.message;
+        for (const auto& [name, value] : found.metrics) EXPECT_TRUE(std::isfinite(value)) << name;
+    }
+    EXPECT_THROW((void)numbers(floats({1}), floats({nan_f}), absolute(1)), std::invalid_argument);
+    EXPECT_THROW((void)numbers(floats({infinity_f}), floats({infinity_f}), absolute(1)), std::invalid_argument);
+}
+
+TEST(Numbers, PresenceMustAgree)
+{
+    const Tensor expected = optional_floats({1, 0, 3, 0}, {1, 0, 1, 0});
+    EXPECT_EQ(numbers(expected, expected, ulps(1)).right, 1);
+    const Judgement found = numbers(optional_floats({0, 2, 3, 0}, {0, 1, 1, 0}), expected, ulps(1));
+    EXPECT_EQ(found.right, 0.5);
+    EXPECT_EQ(found.metrics.at("missing_hits"), 1);
+    EXPECT_EQ(found.metrics.at("false_hits"), 1);
+    EXPECT_EQ(found.first_difference->yours, "nothing");
+    EXPECT_EQ(found.first_difference->expected, "1");
+    // A hit at 0 is not a miss.
+    EXPECT_EQ(numbers(optional_floats({0}, {1}), optional_floats({0}, {0}), absolute(1)).right, 0);
+    // All present, said in two ways.
+    EXPECT_EQ(numbers(optional_floats({5}, {1}), floats({5}), ulps(1)).right, 1);
+}
+
+TEST(Numbers, RowsInTheBandDoNotCount)
+{
+    const Tolerance tolerance{{}, {}, 1, 2};
+    const Tensor expected = floats({1, 2, 3, 4});
+    const Tensor margin = floats({5, 1, 2, -1});
+    EXPECT_EQ(numbers(floats({1, 9, 3, 9}), expected, tolerance, &margin).right, 1);
+    EXPECT_EQ(numbers(floats({1, 9, 9, 9}), expected, tolerance, &margin).right, 0.5);
+    EXPECT_EQ(numbers(floats({1, 9, 3, 9}), expected, ulps(1), &margin).right, 0.5) << "without a band every row counts";
+    EXPECT_EQ(numbers(floats({1, nan_f, 3, 4}), expected, tolerance, &margin).error, 0) << "what does not count has no error";
+    const Tensor all_close = floats({0, 0, 0, nan_f});
+    EXPECT_THROW((void)numbers(expected, expected, tolerance, &all_close), std::invalid_argument);
+    const Tensor short_margin = floats({1});
+    EXPECT_THROW((void)numbers(expected, expected, tolerance, &short_margin), std::invalid_argument);
+}
+
+TEST(Numbers, PairsCountOnlyTogether)
+{
+    Check check = check_of(JudgeKind::numbers, ulps(1));
+    check.pairs = true;
+    const Tensor expected = optional_floats({1, 0, 3, 0, 5, 0}, {1, 0, 1, 0, 1, 0});
+    EXPECT_EQ(judge(check, expected, expected, nullptr).right, 1);
+    // Always absent: half of the rows are right, no pair is.
+    const Judgement found = judge(check, optional_floats({0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}), expected, nullptr);
+    EXPECT_EQ(found.right, 0);
+    EXPECT_EQ(found.metrics.at("wrong"), 3);
+    EXPECT_EQ(found.metrics.at("wrong_pairs"), 3);
+    EXPECT_THROW((void)judge(check, floats({1}), floats({1}), nullptr), std::invalid_argument);
+    // A row in the band takes its partner along.
+    check.tolerance.band_ulps = 2;
+    const Tensor margin = floats({9, 1, 9, 9, 9, 9});
+    EXPECT_EQ(judge(check, optional_floats({7, 7, 3, 0, 5, 0}, {1, 1, 1, 0, 1, 0}), expected, &margin).right, 1);
+}
+
+TEST(Numbers, AnotherShapeTypeOrDamageIsWrongAndSaysSo)
+{
+    const Tensor expected = floats({1, 2, 3, 4});
+    Tensor damaged = expected;
+    damaged.bytes.pop_back();
+    Tensor bad_presence = expected;
+    bad_presence.present = {1};
+    Tensor bad_element = expected;
+    bad_element.element = static_cast<Element>(77);
+    for (const Tensor& student :
+         {floats({1, 2, 3}), floats({1, 2, 3, 4}, 2), doubles({1, 2, 3, 4}), floats({}), Tensor{}, damaged, bad_presence, bad_element}) {
+        const Judgement found = numbers(student, expected, absolute(1e9));
+        EXPECT_EQ(found.right, 0);
+        EXPECT_FALSE(found.error);
+        EXPECT_NE(found.message, "");
+    }
+    EXPECT_EQ(numbers(floats({1, 2, 3}), expected, absolute(1)).message, "Yours has 3 rows of 1 float; expected 4 rows of 1 float.");
+}
+
+TEST(Numbers, WhatCannotBeJudgedIsAGraderFault)
+{
+    EXPECT_THROW((void)numbers(floats({}), floats({}), absolute(1)), std::invalid_argument);
+    EXPECT_THROW((void)numbers(floats({1}), floats({1}), Tolerance{}), std::invalid_argument);
+    Tensor damaged = floats({1, 2});
+    damaged.rows = 3;
+    EXPECT_THROW((void)numbers(damaged, damaged, absolute(1)), std::invalid_argument);
+    EXPECT_THROW((void)judge(check_of(static_cast<JudgeKind>(9)), floats({1}), floats({1}), nullptr), std::invalid_argument);
+}
+
+TEST(Numbers, TheMessageNamesTheWorstRow)
+{
+    const Judgement found = numbers(floats({1, 2.5F, 3.25F, 4}), floats({1, 2, 4, 4}), absolute(0.1));
+    EXPECT_EQ(found.message, "2 of 4 rows are wrong; the worst is row 2: yours 3.25, expected 4 (error 0.75)");
+    EXPECT_EQ(found.first_difference->where, "row 1");
+    EXPECT_EQ(numbers(floats({2}), floats({1}), relative(0.1)).message, "The only row is wrong: row 0: yours 2, expected 1 (relative error 1)");
+}
+
+TEST(Numbers, QuantilesAreOfTheErrors)
+{
+    std::vector<float> yours;
+    for (int i = 1; i <= 100; ++i) yours.push_back(static_cast<float>(i));
+    const Judgement found = numbers(floats(yours), floats(std::vector<float>(100, 0.0F)), absolute(1000));
+    EXPECT_EQ(found.metrics.at("median_error"), 50);
+    EXPECT_EQ(found.metrics.at("p95_error"), 95);
+    EXPECT_EQ(found.metrics.at("max_error"), 100);
+}
+
+}
+}

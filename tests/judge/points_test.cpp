@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "make.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+Check worth(Millipoints points, double zero, double full)
+{
+    Check check = check_of(JudgeKind::numbers, absolute(1));
+    check.points = points;
+    check.zero = zero;
+    check.full = full;
+    return check;
+}
+
+TEST(Points, AreLinearBetweenTheThresholds)
+{
+    EXPECT_EQ(points_for(worth(2000, 0, 1), 0.5, 0), 1000);
+    EXPECT_EQ(points_for(worth(2000, 0.5, 0.9), 0.7, 0), 1000);
+    EXPECT_EQ(points_for(worth(2000, 0.5, 0.9), 0.9, 0), 2000);
+    EXPECT_EQ(points_for(worth(2000, 0.5, 0.9), 0.5, 0), 0);
+    EXPECT_EQ(points_for(worth(2000, 0, 1), 0.6, 0.2), 1000) << "the best control earns nothing";
+    EXPECT_EQ(points_for(worth(2000, 0, 1), 0.2, 0.2), 0);
+    EXPECT_EQ(points_for(worth(1000, 0, 1), 1.0 / 3, 0), 333);
+    EXPECT_EQ(points_for(worth(1000, 0, 1), 2.0 / 3, 0), 667) << "rounded once, to the nearest";
+}
+
+TEST(Points, AControlAtTheFullMarkLeavesNothingToEarnButMore)
+{
+    EXPECT_EQ(points_for(worth(2000, 0, 1), 1, 1), 0);
+    EXPECT_EQ(points_for(worth(2000, 0, 0.9), 0.95, 0.95), 0);
+    EXPECT_EQ(points_for(worth(2000, 0, 0.9), 1, 0.95), 2000);
+    EXPECT_EQ(points_for(worth(2000, 0, 1), std::numeric_limits<double>::quiet_NaN(), 0), 0);
+}
+
+TEST(Points, NeverFallWithMoreRightAndStayInTheirRange)
+{
+    const std::uint64_t seed = 20240517;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    for (int round = 0; round < 20000; ++round) {
+        const double zero = random.uniform_double();
+        const Check check = worth(random.below(20000), zero, zero + (1 - zero) * random.uniform_double() + 1e-9);
+        const double control = random.uniform_double();
+        const double low = random.uniform_double();
+        const double high = std::min(1.0, low + random.uniform_double() * (round % 2 == 0 ? 1 : 1e-6));
+        const Millipoints less = points_for(check, low, control);
+        const Millipoints more = points_for(check, high, control);
+        ASSERT_LE(less, more) << "right " << low << " and " << high;
+        ASSERT_GE(less, 0);
+        ASSERT_LE(more, check.points);
+        ASSERT_EQ(points_for(check, std::max(check.zero, control), control), 0);
+        ASSERT_LE(points_for(check, low, std::min(1.0, control + 0.1)), less) << "a better control never gives points";
+        ASSERT_EQ(points_for(check, check.full, std::min(control, zero)), check.points);
+    }
+}
+
+}
+}
