@@ -1,15 +1,15 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <optional>
 #include <umbral/core/grid.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/core/ray.hpp>
 #include <umbral/raytracing/intersect.hpp>
-#include <utility>
 #include <vector>
 
 /// What the drivers of ray tracing share: rays aimed so that the answer is known, and a small camera.
@@ -30,12 +30,18 @@ inline double miss_distance(const BallShot& shot)
     return length(cross(to_origin, direction)) / length(direction);
 }
 
-/// How far the ray passes the silhouette, in units in the last place (float) of its origin's distance from the centre.
+/// One unit in the last place (float) of a positive number.
+inline double ulp_of(double value)
+{
+    const auto rounded = static_cast<float>(value);
+    return double{std::nextafter(rounded, std::numeric_limits<float>::infinity()) - rounded};
+}
+
+/// How far the ray passes the silhouette, in ulps of its origin's distance from the centre.
 inline double silhouette_margin(const BallShot& shot)
 {
-    const auto distance = static_cast<float>(length(glm::dvec3(shot.ray.origin) - glm::dvec3(shot.ball.centre)));
-    const float ulp = std::nextafter(distance, std::numeric_limits<float>::infinity()) - distance;
-    return std::abs(miss_distance(shot) - double{shot.ball.radius}) / double{ulp};
+    const double distance = length(glm::dvec3(shot.ray.origin) - glm::dvec3(shot.ball.centre));
+    return std::abs(miss_distance(shot) - double{shot.ball.radius}) / ulp_of(distance);
 }
 
 /// A unit vector perpendicular to the unit vector `axis`, uniform in the angle round it.
@@ -60,16 +66,6 @@ inline BallShot aimed(const Sphere& ball, double distance, double offset, Random
     const double sine = offset * radius / length(to_origin);
     const glm::dvec3 direction = -std::sqrt(1 - sine * sine) * axis + sine * perpendicular_to(axis, random);
     return {Ray{origin, glm::vec3(direction)}, ball};
-}
-
-/// As `aimed`, with offsets drawn by `offset()` until the ray, as rounded, hits (or misses) by at least `margin` ulps of the distance.
-template <class Offset>
-BallShot aimed_clear(const Sphere& ball, double distance, bool hit, double margin, Random& random, Offset offset)
-{
-    for (;;) {
-        const BallShot shot = aimed(ball, distance, offset(), random);
-        if ((miss_distance(shot) < double{ball.radius}) == hit && silhouette_margin(shot) >= margin) return shot;
-    }
 }
 
 /// Adds one ray that hits and one that misses, in random order.
@@ -100,14 +96,16 @@ inline std::vector<BallShot> random_pairs(Random& random, int count)
     return shots;
 }
 
-/// `count` pairs from `distance` radii away: hits uniform over the disc of 0.99 radii, misses within 1.3 radii, both at least `margin` ulps clear.
+/// `count` pairs from `distance` radii away: hits uniform over a disc of at most 0.99 radii, misses up to 0.3 radii outside. Both pass
+/// the silhouette at `margin` ulps of the distance at least: they are aimed two ulps farther off, and rounding the direction moves them by one.
 inline std::vector<BallShot> silhouette_pairs(Random& random, double distance, int count, double margin)
 {
     std::vector<BallShot> shots;
     for (int i = 0; i < count; ++i) {
         const Sphere ball{random.in_cube(), random.uniform(0.5F, 2)};
-        const BallShot hit = aimed_clear(ball, distance, true, margin, random, [&] { return 0.99 * std::sqrt(random.uniform_double()); });
-        const BallShot miss = aimed_clear(ball, distance, false, margin, random, [&] { return 1 + 0.3 * random.uniform_double(); });
+        const double band = (margin + 2) * ulp_of(distance * double{ball.radius}) / double{ball.radius};
+        const BallShot hit = aimed(ball, distance, std::min(0.99, 1 - band) * std::sqrt(random.uniform_double()), random);
+        const BallShot miss = aimed(ball, distance, 1 + band + 0.3 * random.uniform_double(), random);
         add_pair(shots, hit, miss, random);
     }
     return shots;

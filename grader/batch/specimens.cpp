@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -56,6 +58,13 @@ const std::string& need(const std::map<std::string, std::string>& header, const 
     return found->second;
 }
 
+double number_or_nan(const std::string& text)
+{
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    return text.empty() || *end != 0 ? std::nan("") : number;
+}
+
 Specimen read_mistake(const fs::path& file)
 {
     const auto header = header_of(file);
@@ -63,7 +72,12 @@ Specimen read_mistake(const fs::path& file)
     specimen.what = need(header, "mistake", file);
     specimen.hint = need(header, "hint", file);
     const std::string& credit = need(header, "credit", file);
-    if (std::sscanf(credit.c_str(), "%lf..%lf", &specimen.least_credit, &specimen.most_credit) != 2 || specimen.least_credit > specimen.most_credit)
+    const std::size_t dots = credit.find("..");
+    if (dots != std::string::npos) {
+        specimen.least_credit = number_or_nan(credit.substr(0, dots));
+        specimen.most_credit = number_or_nan(credit.substr(dots + 2));
+    }
+    if (dots == std::string::npos || !(specimen.least_credit <= specimen.most_credit))
         throw std::runtime_error(fmt::format("{}: expected '// credit: LOW..HIGH' in percent, got '{}'", file.string(), credit));
     if (header.contains("verdict")) specimen.verdict = verdict_from(header.at("verdict"));
     return specimen;

@@ -1,5 +1,5 @@
 // mistake: takes the world's y for up
-// credit: 20..45
+// credit: 15..45
 // hint: The camera may be tilted: use the up vector that you are given.
 #include <cmath>
 #include <umbral/projections/view.hpp>
