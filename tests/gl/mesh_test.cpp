@@ -41,6 +41,21 @@ TEST_F(Meshes, FollowTheProgramsOwnPlaces)
     EXPECT_NO_THROW(check_errors("drawing"));
 }
 
+TEST_F(Meshes, DrawTheirCornersAsPoints)
+{
+    const Program program(vertex_source(plain_vertex), fragment_source(plain_fragment));
+    program.set("color", glm::vec4(1));
+    // Centres of pixels (0, 3) and (2, 1) of 4 x 4, top row first.
+    const std::array corners = {glm::vec3(-0.75F, -0.75F, 0), glm::vec3(0.25F, 0.25F, 0), glm::vec3(0.25F, 0.25F, 0)};
+    const Mesh mesh(corners, {}, std::array<std::uint32_t, 3>{0, 1, 2});
+    const Framebuffer target(4, 4);
+    target.clear();
+    mesh.draw_points(program);
+    const Image picture = target.read_pixels();
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x) EXPECT_EQ(picture.at(x, y).r, (x == 0 && y == 3) || (x == 2 && y == 1) ? 255 : 0) << x << ", " << y;
+}
+
 TEST_F(Meshes, OutliveTheirContextWithoutHarm)
 {
     auto second = std::make_unique<OffscreenContext>();

@@ -50,13 +50,17 @@ Mesh::~Mesh()
     for (const GLuint buffer : {positions_, normals_, indices_}) glDeleteBuffers(1, &buffer);
 }
 
-void Mesh::draw(const Program& program) const
+void Mesh::draw(const Program& program) const { draw_as(GL_TRIANGLES, program); }
+
+void Mesh::draw_points(const Program& program) const { draw_as(GL_POINTS, program); }
+
+void Mesh::draw_as(unsigned primitive, const Program& program) const
 {
     program.use();
     glBindVertexArray(vertex_array_);
     const int position = feed(program, "position", positions_);
     const int normal = feed(program, "normal", normals_);
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    glDrawElements(primitive, index_count_, GL_UNSIGNED_INT, nullptr);
     // Another program may have other places: leave none behind.
     for (const int place : {position, normal})
         if (place >= 0) glDisableVertexAttribArray(static_cast<GLuint>(place));

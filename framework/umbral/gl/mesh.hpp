@@ -21,7 +21,11 @@ public:
     /// the mesh lacks, is not fed. Their places are asked for at every draw, so that a shader may choose them by itself.
     void draw(const Program& program) const;
 
+    /// The same, but draws each index as a point of glPointSize pixels: no interpolation, and every point counts as front-facing.
+    void draw_points(const Program& program) const;
+
 private:
+    void draw_as(unsigned primitive, const Program& program) const;
     /// The attribute's place, or -1 if it is not fed.
     static int feed(const Program& program, const char* name, unsigned buffer);
 

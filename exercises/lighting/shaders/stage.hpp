@@ -1,0 +1,162 @@
+#pragma once
+
+#include <cstdio>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <umbral/core/grid.hpp>
+#include <umbral/gl/framebuffer.hpp>
+#include <umbral/gl/mesh.hpp>
+#include <umbral/gl/opengl.hpp>
+#include <umbral/gl/program.hpp>
+#include <umbral/record/case.hpp>
+#include <vector>
+
+#include "../support.hpp"
+
+/// Where the student's shaders meet OpenGL: the interface they must have, and how a scene goes through it.
+namespace umbral::lighting {
+
+inline constexpr std::size_t maximum_lights = 8;
+
+/// What phong.vert and phong.frag are fed with, as the comment in the stubs says.
+inline gl::Interface shader_interface()
+{
+    return {{{"position", GL_FLOAT_VEC3, 1}, {"normal", GL_FLOAT_VEC3, 1}},
+            {{"model", GL_FLOAT_MAT4, 1},
+             {"view", GL_FLOAT_MAT4, 1},
+             {"projection", GL_FLOAT_MAT4, 1},
+             {"light_count", GL_INT, 1},
+             {"light_position", GL_FLOAT_VEC4, maximum_lights},
+             {"light_color", GL_FLOAT_VEC3, maximum_lights},
+             {"global_ambient", GL_FLOAT_VEC3, 1},
+             {"emission", GL_FLOAT_VEC3, 1},
+             {"ambient", GL_FLOAT_VEC3, 1},
+             {"diffuse", GL_FLOAT_VEC3, 1},
+             {"specular", GL_FLOAT_VEC3, 1},
+             {"shininess", GL_FLOAT, 1},
+             {"flat_shading", GL_INT, 1}}};
+}
+
+/// The case's shaders, compiled. Throws StudentError if they do not compile or are fed with something else.
+inline std::unique_ptr<gl::Program> compile(const Case& what)
+{
+    auto program =
+        std::make_unique<gl::Program>(gl::ShaderSource{"phong.vert", what.source("phong.vert")}, gl::ShaderSource{"phong.frag", what.source("phong.frag")});
+    program->require_interface(shader_interface());
+    return program;
+}
+
+/// One thing in a scene.
+struct Thing {
+    Shape shape;
+    glm::mat4 model{1};
+    Material material;
+};
+
+struct Scene {
+    glm::mat4 view{1};
+    glm::mat4 projection{1};
+    glm::vec3 global_ambient{0};
+    std::vector<Light> lights;
+    std::vector<Thing> things;
+    bool flat = false;
+};
+
+/// Sets the lights. Entries beyond the last one hold a glaring light, since nothing may read them.
+inline void set_lights(const gl::Program& program, const std::vector<Light>& lights, const glm::vec3& global_ambient)
+{
+    std::vector<glm::vec4> positions(maximum_lights, glm::vec4(0.3F, -0.4F, 1, 0));
+    std::vector<glm::vec3> colors(maximum_lights, glm::vec3(0.9F, 0, 0.9F));
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        positions[i] = lights[i].position;
+        colors[i] = lights[i].color;
+    }
+    program.set("light_count", static_cast<int>(lights.size()));
+    program.set("light_position", positions);
+    program.set("light_color", colors);
+    program.set("global_ambient", global_ambient);
+}
+
+inline void set_material(const gl::Program& program, const Material& material)
+{
+    program.set("emission", material.emission);
+    program.set("ambient", material.ambient);
+    program.set("diffuse", material.diffuse);
+    program.set("specular", material.specular);
+    program.set("shininess", material.shininess);
+}
+
+/// Says on the standard output what may be the cause of an empty picture: it is shown beside the result.
+inline void comment_on(const Image& picture, const gl::Program& program)
+{
+    for (const glm::u8vec4& pixel : picture.cells)
+        if (pixel != picture.cells.front()) return;
+    std::string names;
+    for (const std::string& name : gl::missing_names(shader_interface(), program.interface())) names += (names.empty() ? "" : ", ") + name;
+    if (!names.empty()) std::printf("Nothing was drawn. Your shaders do not use: %s\n", names.c_str());
+}
+
+/// A scene as the shaders draw it, 256 x 256.
+inline Image draw(const Scene& scene, const gl::Program& program)
+{
+    const gl::Framebuffer frame(256, 256);
+    frame.clear({0.09F, 0.10F, 0.13F, 1});
+    glEnable(GL_DEPTH_TEST);
+    program.set("view", scene.view);
+    program.set("projection", scene.projection);
+    program.set("flat_shading", scene.flat ? 1 : 0);
+    set_lights(program, scene.lights, scene.global_ambient);
+    for (const Thing& thing : scene.things) {
+        program.set("model", thing.model);
+        set_material(program, thing.material);
+        gl::Mesh(thing.shape.positions, thing.shape.normals, thing.shape.indices).draw(program);
+    }
+    Image picture = frame.read_pixels();
+    comment_on(picture, program);
+    return picture;
+}
+
+/// One point of a surface: its place and unit normal in eye coordinates, what it is made of and what lights it.
+struct Probe {
+    glm::vec3 position;
+    glm::vec3 normal;
+    Material material;
+    std::vector<Light> lights;
+    glm::vec3 global_ambient{0};
+    glm::mat4 model{1};
+    glm::mat4 view{1};
+};
+
+/// The colours (0 to 1) of single points, each drawn as one pixel: no triangle, no interpolation, smooth shading.
+inline std::vector<glm::vec3> colors_of(const std::vector<Probe>& probes, const gl::Program& program)
+{
+    const auto size = static_cast<int>(probes.size());
+    const gl::Framebuffer frame(size, 1);
+    frame.clear();
+    glDisable(GL_DEPTH_TEST);
+    glPointSize(1);
+    // Every point goes to the middle of its own pixel, wherever it lies.
+    glm::mat4 to_centre(0);
+    to_centre[3] = {0, 0, 0, 1};
+    program.set("projection", to_centre);
+    program.set("flat_shading", 0);
+    for (int i = 0; i < size; ++i) {
+        const Probe& probe = probes[static_cast<std::size_t>(i)];
+        glViewport(i, 0, 1, 1);
+        program.set("model", probe.model);
+        program.set("view", probe.view);
+        set_material(program, probe.material);
+        set_lights(program, probe.lights, probe.global_ambient);
+        // Back to the coordinates of the object; normals through the transpose, since the shader's way is the inverse transpose.
+        const glm::mat4 modelview = probe.view * probe.model;
+        const std::vector positions(3, glm::vec3(inverse(modelview) * glm::vec4(probe.position, 1)));
+        const std::vector normals(3, normalize(transpose(glm::mat3(modelview)) * probe.normal));
+        gl::Mesh(positions, normals, std::vector<std::uint32_t>{0, 1, 2}).draw_points(program);
+    }
+    std::vector<glm::vec3> colors;
+    for (const glm::u8vec4& pixel : frame.read_pixels().cells) colors.push_back(glm::vec3(pixel) / 255.0F);
+    return colors;
+}
+
+}
