@@ -115,3 +115,19 @@ TEST(SphereAccuracy, SchoolFormulaFailsFarAway)
     }
     EXPECT_LT(right, 100) << "of 1000 hits";
 }
+
+// The hard rays keep the distance from the silhouette that their band promises, at every distance the driver uses.
+TEST(SphereInputs, SilhouettePairsKeepTheirMargin)
+{
+    constexpr std::uint64_t seed = 20268;
+    Random random(seed);
+    for (const double distance : {1e2, 1e4, 1e6}) {
+        const std::vector<BallShot> shots = silhouette_pairs(random, distance, 5000, 3);
+        for (std::size_t i = 0; i < shots.size(); i += 2) {
+            EXPECT_NE(miss_distance(shots[i]) < double{shots[i].ball.radius}, miss_distance(shots[i + 1]) < double{shots[i + 1].ball.radius});
+            EXPECT_GE(silhouette_margin(shots[i]), 3) << "seed " << seed << ", ray " << i;
+            EXPECT_GE(silhouette_margin(shots[i + 1]), 3) << "seed " << seed << ", ray " << i + 1;
+        }
+        if (HasFailure()) return;
+    }
+}
