@@ -74,7 +74,8 @@ struct Exercise {
     [[nodiscard]] std::vector<std::string> cases() const;
 };
 
-/// Reads `folder/exercise.json`; the folder's last two names must be the unit's id, and driver and stubs must lie in it. Throws std::runtime_error that names the file, the field, what was expected and what came.
+/// Reads `folder/exercise.json`; the folder's last two names must be the unit's id, and driver and stubs must lie in it.
+/// Throws std::runtime_error that names the file, the field, what was expected and what came.
 [[nodiscard]] Exercise load_exercise(const std::filesystem::path& folder);
 
 /// The same from parsed JSON (`where` names it in messages); reads no other file, so `digest` stays empty.
