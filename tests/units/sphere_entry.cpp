@@ -1,3 +1,3 @@
 #include <umbral/raytracing/intersect.hpp>
 
-extern "C" auto unit_entry() { return &umbral::raytracing::intersect; }
+extern "C" void* unit_entry() { return reinterpret_cast<void*>(&umbral::raytracing::intersect); }

@@ -16,7 +16,7 @@ Function* tenant(const std::string& path)
     if (module == nullptr) throw std::runtime_error("tenant: expected a module at " + path + ": " + dlerror());
     void* entry = dlsym(module, "unit_entry");
     if (entry == nullptr) throw std::runtime_error("tenant: " + path + " does not export unit_entry");
-    return reinterpret_cast<Function* (*)()>(entry)();
+    return reinterpret_cast<Function*>(reinterpret_cast<void* (*)()>(entry)());
 }
 
 }

@@ -1,3 +1,3 @@
 #include <umbral/projections/view.hpp>
 
-extern "C" auto unit_entry() { return &umbral::projections::view_matrix; }
+extern "C" void* unit_entry() { return reinterpret_cast<void*>(&umbral::projections::view_matrix); }
