@@ -93,7 +93,7 @@ TEST(SphereAccuracy, ReferenceKeepsItsGuarantee)
             ASSERT_EQ(got.has_value(), exact.has_value()) << "seed " << seed << ", " << distance << " radii, ray " << i;
             const double sine = miss_distance(shot) / double{ball.radius};
             if (!got || sine * sine > 0.99) continue;
-            ASSERT_LE(tests::ulps_between(*got, *exact), 16) << "seed " << seed << ", " << distance << " radii, ray " << i;
+            ASSERT_LE(tests::ulps_between(*got, *exact), 24) << "seed " << seed << ", " << distance << " radii, ray " << i;
         }
     }
 }
