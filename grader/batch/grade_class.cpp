@@ -93,7 +93,8 @@ std::vector<std::string> submission_ids(const fs::path& folder)
         const std::string name = entry.path().filename().string();
         if (!fs::is_directory(entry.symlink_status()) || name.starts_with('.')) continue;
         if (!is_submission_id(name))
-            throw std::runtime_error(fmt::format("{}: a submission's folder is named with letters, digits, '.', '_' and '-' only; rename it", entry.path().string()));
+            throw std::runtime_error(
+                fmt::format("{}: a submission's folder is named with letters, digits, '.', '_' and '-' only; rename it", entry.path().string()));
         ids.push_back(name);
     }
     if (ids.empty()) throw std::runtime_error(fmt::format("{}: no submission in it; expected one folder each", folder.string()));

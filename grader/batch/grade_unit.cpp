@@ -53,9 +53,11 @@ Verdict verdict_of(const UnitResult& result, const CaseResults& cases)
     if (result.score > 0) return Verdict::partial;
     const bool all_stubs = std::all_of(cases.begin(), cases.end(), [](const auto& entry) { return entry.second.is_stub(); });
     if (all_stubs) return Verdict::not_implemented;
-    for (const auto& [name, one] : cases)
-        if (one.student.verdict != Verdict::ok) return one.student.verdict;
-    return Verdict::wrong;
+    // Of several kinds of trouble, what was refused says most about the submission.
+    const auto refused = [](const auto& entry) { return !entry.second.student.refused.empty(); };
+    if (std::any_of(cases.begin(), cases.end(), refused)) return Verdict::blocked;
+    const auto stopped = std::find_if(cases.begin(), cases.end(), [](const auto& entry) { return entry.second.student.verdict != Verdict::ok; });
+    return stopped == cases.end() ? Verdict::wrong : stopped->second.student.verdict;
 }
 
 /// One line a kind of trouble: which cases it stopped, and what it was.
@@ -63,8 +65,12 @@ std::string troubles(const CaseResults& cases)
 {
     std::map<std::string, std::vector<std::string>> by_text;
     for (const auto& [name, one] : cases) {
-        if (!one.trouble().empty()) by_text[one.trouble()].push_back(name);
-        else if (!one.student.refused.empty()) by_text[fmt::format("the sandbox refused {}", fmt::join(one.student.refused, ", "))].push_back(name);
+        // What a hidden case printed or threw may hold its inputs: the kind of trouble must do.
+        const std::string trouble = one.hidden && one.student.verdict != Verdict::ok ? std::string(in_words(one.student.verdict)) : one.trouble();
+        if (!trouble.empty())
+            by_text[trouble].push_back(name);
+        else if (!one.student.refused.empty())
+            by_text[fmt::format("the sandbox refused {}", fmt::join(one.student.refused, ", "))].push_back(name);
     }
     std::string lines;
     for (const auto& [text, names] : by_text) lines += fmt::format("{}: {}\n", fmt::join(names, ", "), text);

@@ -26,8 +26,8 @@ struct SeedPlan {
 struct GradeOptions {
     SeedPlan seeds;
     bool explain = true;
-    std::filesystem::path artefacts;   ///< where pictures go; empty for none
-    std::filesystem::path relative_to; ///< pictures are named relative to this in the report
+    std::filesystem::path artefacts;    ///< where pictures go; empty for none
+    std::filesystem::path relative_to;  ///< pictures are named relative to this in the report
 };
 
 /// Grades what was handed in for one unit. Never throws for what a student did; what goes wrong on our side becomes the verdict

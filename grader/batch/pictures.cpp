@@ -13,7 +13,8 @@ bool is_picture(const Check& check) { return check.judge == JudgeKind::image || 
 std::string file_name(const Exercise& exercise, const Check& check)
 {
     std::string name = exercise.id + "-" + check.name + ".png";
-    std::replace_if(name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
     return name;
 }
 

@@ -13,9 +13,9 @@ namespace umbral::grader {
 
 /// A solution that comes with a unit: a known mistake, or another right way to write it.
 struct Specimen {
-    std::string name;  ///< the file's name without suffix
-    std::string what;  ///< what is wrong, or how it differs
-    std::string hint;  ///< a mistake's, for the student
+    std::string name;           ///< the file's name without suffix
+    std::string what;           ///< what is wrong, or how it differs
+    std::string hint;           ///< a mistake's, for the student
     double least_credit = 100;  ///< percent of the unit's points
     double most_credit = 100;
     std::optional<Verdict> verdict;  ///< expected one, if not decided by the credit

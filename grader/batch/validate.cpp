@@ -13,7 +13,10 @@ namespace {
 
 using Report = std::function<void(const Finding&)>;
 
-double percent(const UnitResult& result) { return result.max_score == 0 ? 0 : 100.0 * static_cast<double>(result.score) / static_cast<double>(result.max_score); }
+double percent(const UnitResult& result)
+{
+    return result.max_score == 0 ? 0 : 100.0 * static_cast<double>(result.score) / static_cast<double>(result.max_score);
+}
 
 GradeOptions options_for(unsigned seed)
 {
@@ -53,9 +56,12 @@ Finding expect_mistake(Workshop& workshop, const Exercise& exercise, const Speci
     const bool in_range = finding.credit >= mistake.least_credit && finding.credit <= mistake.most_credit && result.score < result.max_score;
     const bool explained = !result.explanations.empty() && result.explanations.front().name == "mistake: " + mistake.name;
     finding.holds = in_range && explained;
-    if (!in_range) finding.message = "credit out of range; " + complaint(result);
-    else if (!explained) finding.message = result.explanations.empty() ? "not explained" : "explained as " + result.explanations.front().name;
-    else finding.message = fmt::format("explained, confidence {:.2f}", result.explanations.front().confidence);
+    if (!in_range)
+        finding.message = "credit out of range; " + complaint(result);
+    else if (!explained)
+        finding.message = result.explanations.empty() ? "not explained" : "explained as " + result.explanations.front().name;
+    else
+        finding.message = fmt::format("explained, confidence {:.2f}", result.explanations.front().confidence);
     return finding;
 }
 
@@ -114,7 +120,8 @@ void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seeds,
         });
         guarded("stub", seed, [&] {
             const UnitResult stub = grade_unit(workshop, exercise, {stub_sources(exercise), {}, ""}, options_for(seed));
-            report({exercise.id, "stub", seed, stub.verdict == Verdict::not_implemented && stub.score == 0, percent(stub), "not_implemented", std::string(to_string(stub.verdict))});
+            report({exercise.id, "stub", seed, stub.verdict == Verdict::not_implemented && stub.score == 0, percent(stub), "not_implemented",
+                    std::string(to_string(stub.verdict))});
         });
     }
 }

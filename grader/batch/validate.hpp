@@ -14,9 +14,9 @@ struct Finding {
     std::string subject;  ///< "reference", "alternative: double_precision", "mistake: far_root", "control: zeros", "stub"
     unsigned seed = 0;
     bool holds = false;
-    double credit = 0;    ///< percent of the unit's points
-    std::string expected; ///< "100", "75..85", "forbidden"
-    std::string message;  ///< what is wrong; the explanation found, for a mistake
+    double credit = 0;     ///< percent of the unit's points
+    std::string expected;  ///< "100", "75..85", "forbidden"
+    std::string message;   ///< what is wrong; the explanation found, for a mistake
 };
 
 /// Proves that a unit's checks discriminate, with `seeds` different sets of inputs: the reference and every alternative get all

@@ -51,7 +51,8 @@ const RunOutcome& Workshop::trusted(const Exercise& exercise, Tenant tenant, con
     wanted.sources = only_texts(exercise.is_cpp() ? Sources{} : reference_sources(tools_.reference, exercise));
     RunOutcome outcome = spawner(exercise.gl).run(wanted);
     if (outcome.verdict != Verdict::ok)
-        throw std::runtime_error(fmt::format("{}: the {} did not finish case '{}' ({}): {}", exercise.id, name, case_name, to_string(outcome.verdict), outcome.message));
+        throw std::runtime_error(
+            fmt::format("{}: the {} did not finish case '{}' ({}): {}", exercise.id, name, case_name, to_string(outcome.verdict), outcome.message));
     if (trusted_.size() >= most_kept) trusted_.clear();
     return trusted_.emplace(key, std::move(outcome)).first->second;
 }

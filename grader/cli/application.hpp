@@ -19,10 +19,10 @@ namespace umbral::grader {
 
 /// What a command ends with; documented in --help and in docs.
 enum Exit : int {
-    exit_ok = 0,        ///< all is right
-    exit_not_right = 1, ///< the work (or the unit, or the machine) falls short
-    exit_usage = 2,     ///< the command cannot be carried out as given
-    exit_fault = 3,     ///< a fault of the grader's
+    exit_ok = 0,         ///< all is right
+    exit_not_right = 1,  ///< the work (or the unit, or the machine) falls short
+    exit_usage = 2,      ///< the command cannot be carried out as given
+    exit_fault = 3,      ///< a fault of the grader's
 };
 
 /// A mistake in how a command was called. Its text says what was expected, what came and what to do.

@@ -31,7 +31,8 @@ std::vector<Exercise> units_to_check(const Application& application, const Optio
     if (!options.units.empty()) return chosen;
     std::erase_if(chosen, [&](const Exercise& exercise) { return collect(options.folder, exercise).files.empty(); });
     if (chosen.empty())
-        throw UsageError(fmt::format("{} holds no unit's files; `umbral new DIR` makes a workspace, then check there or with --dir DIR", fs::absolute(options.folder).string()));
+        throw UsageError(fmt::format("{} holds no unit's files; `umbral new DIR` makes a workspace, then check there or with --dir DIR",
+                                     fs::absolute(options.folder).string()));
     return chosen;
 }
 
@@ -46,12 +47,16 @@ void check(Application& application, const Options& options)
     grading.relative_to = fs::absolute(options.folder);
     grading.artefacts = grading.relative_to / "umbral-pictures";
     const SubmissionResult result = without_hidden_values(grade_submission(workshop, exercises, options.folder, grading));
-    if (options.json) fmt::print("{}\n", to_json(result, fingerprint(workshop, exercises)).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-    else fmt::print("{}", terminal_report(result, application.style));
+    if (options.json)
+        fmt::print("{}\n", to_json(result, fingerprint(workshop, exercises)).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    else
+        fmt::print("{}", terminal_report(result, application.style));
 
     const auto is = [](Verdict verdict) { return [verdict](const UnitResult& unit) { return unit.verdict == verdict; }; };
-    if (std::any_of(result.units.begin(), result.units.end(), is(Verdict::grader_fault))) application.exit_status = exit_fault;
-    else if (!std::all_of(result.units.begin(), result.units.end(), is(Verdict::ok))) application.exit_status = exit_not_right;
+    if (std::any_of(result.units.begin(), result.units.end(), is(Verdict::grader_fault)))
+        application.exit_status = exit_fault;
+    else if (!std::all_of(result.units.begin(), result.units.end(), is(Verdict::ok)))
+        application.exit_status = exit_not_right;
 }
 
 }

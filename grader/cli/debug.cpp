@@ -47,7 +47,8 @@ void debug(const Application& application, const Options& options)
     const fs::path own = fs::path(options.folder) / exercise.id;
     const fs::path sources = fs::is_directory(own) ? own : fs::path(options.folder);
     std::vector<std::string> words;
-    if (!options.no_debugger) words = {"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "directory " + fs::absolute(sources).string(), "-ex", "run", "--args"};
+    if (!options.no_debugger)
+        words = {"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "directory " + fs::absolute(sources).string(), "-ex", "run", "--args"};
     words.push_back((application.tools.programs / (exercise.gl ? "umbral-debug-gl" : "umbral-debug")).string());
     for (const std::string& word : {(unit_folder(application.tools, exercise.id) / "driver.so").string(), built.library.string(), chosen,
                                     std::to_string(SeedPlan{}.seed_of(exercise, chosen)), fs::absolute(sources).string()})

@@ -40,8 +40,10 @@ void examine_spawners(const Application& application, std::vector<Symptom>& symp
     Workshop workshop(application.tools);
     try {
         const auto& active = workshop.spawner(false).protections();
-        symptoms.push_back(protection(active, "seccomp", false, "grade only work that you trust: this kernel does not filter system calls (CONFIG_SECCOMP_FILTER)"));
-        symptoms.push_back(protection(active, "landlock", false, "grade only work that you trust: use Linux 5.13 or newer, with landlock in the kernel's lsm= list"));
+        symptoms.push_back(
+            protection(active, "seccomp", false, "grade only work that you trust: this kernel does not filter system calls (CONFIG_SECCOMP_FILTER)"));
+        symptoms.push_back(
+            protection(active, "landlock", false, "grade only work that you trust: use Linux 5.13 or newer, with landlock in the kernel's lsm= list"));
         for (const char* name : {"user namespace", "network namespace", "process namespace"})
             symptoms.push_back(protection(active, name, false, "optional: allow unprivileged user namespaces (sysctl kernel.unprivileged_userns_clone=1)"));
     } catch (const std::exception& error) {
@@ -66,7 +68,8 @@ std::vector<Symptom> examine(const Application& application)
     const fs::path& cache = application.tools.cache;
     std::error_code error;
     fs::create_directories(cache, error);
-    symptoms.push_back({"cache", !error && access(cache.c_str(), W_OK) == 0, true, cache.string(), "make this folder writable, or set UMBRAL_CACHE to one that is"});
+    symptoms.push_back(
+        {"cache", !error && access(cache.c_str(), W_OK) == 0, true, cache.string(), "make this folder writable, or set UMBRAL_CACHE to one that is"});
     examine_spawners(application, symptoms);
     return symptoms;
 }
@@ -84,7 +87,10 @@ void add_doctor(CLI::App& parser, Application& application)
         nlohmann::json rows = nlohmann::json::array();
         for (const Symptom& symptom : symptoms) {
             if (!symptom.present && symptom.needed) application.exit_status = exit_not_right;
-            rows.push_back({{"name", symptom.name}, {"present", symptom.present}, {"needed", symptom.needed}, {"detail", symptom.detail},
+            rows.push_back({{"name", symptom.name},
+                            {"present", symptom.present},
+                            {"needed", symptom.needed},
+                            {"detail", symptom.detail},
                             {"remedy", symptom.present ? "" : symptom.remedy}});
             if (*json) continue;
             const std::string mark = symptom.present  ? paint(Tone::good, paint.symbol("✓", "ok"))

@@ -56,8 +56,9 @@ void refuse_weak_sandbox(const Application& application, const std::vector<Exerc
         return std::any_of(active.begin(), active.end(), [&](const std::string& one) { return one.starts_with(name); });
     };
     if (allowed || (has("seccomp") && has("landlock"))) return;
-    throw UsageError("this machine lacks seccomp or Landlock, so that submissions could read your files (`umbral doctor` says more); grade on a Linux 5.13 or "
-                     "newer with both, or add --allow-weak-sandbox if you trust every submission");
+    throw UsageError(
+        "this machine lacks seccomp or Landlock, so that submissions could read your files (`umbral doctor` says more); grade on a Linux 5.13 or "
+        "newer with both, or add --allow-weak-sandbox if you trust every submission");
 }
 
 }
@@ -82,13 +83,19 @@ void grade_and_print(Application& application, const GradeCommand& command)
     const ClassResult result = grade_class(application.tools, exercises, options, [&](const SubmissionResult& submission) {
         ++finished;
         const Paint paint(application.style);
-        if (live) fmt::print("\r\x1b[K{} {}/{}  {}", paint.bar(static_cast<Millipoints>(finished), static_cast<Millipoints>(total), 24, Tone::good), finished, total, submission.id);
-        else if (!command.json) fmt::print("graded {} ({}/{})\n", submission.id, finished, total);
+        if (live)
+            fmt::print("\r\x1b[K{} {}/{}  {}", paint.bar(static_cast<Millipoints>(finished), static_cast<Millipoints>(total), 24, Tone::good), finished, total,
+                       submission.id);
+        else if (!command.json)
+            fmt::print("graded {} ({}/{})\n", submission.id, finished, total);
         (void)std::fflush(stdout);
     });
     if (live) fmt::print("\r\x1b[K");
-    if (command.json) fmt::print("{}\n", to_json(result).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-    else fmt::print("\n{}\nReports: {}\n         {}\n", class_table(result, application.style), (options.out / "class.json").string(), (options.out / "ID" / "report.json").string());
+    if (command.json)
+        fmt::print("{}\n", to_json(result).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    else
+        fmt::print("\n{}\nReports: {}\n         {}\n", class_table(result, application.style), (options.out / "class.json").string(),
+                   (options.out / "ID" / "report.json").string());
     for (const SubmissionResult& submission : result.submissions)
         for (const UnitResult& unit : submission.units)
             if (unit.verdict == Verdict::grader_fault) application.exit_status = exit_fault;
@@ -104,7 +111,8 @@ void add_grade(CLI::App& parser, Application& application)
     command->add_option("--unit", options->units, "Only these units");
     command->add_option("--course", options->course, "Part of what hidden seeds follow from")->capture_default_str();
     command->add_option("--attempt", options->attempt, "Another number gives other random inputs")->capture_default_str();
-    command->add_option("--secret-file", options->secret_file, "The secret that hidden seeds follow from; made if missing. Default: umbral/secret in your configuration folder");
+    command->add_option("--secret-file", options->secret_file,
+                        "The secret that hidden seeds follow from; made if missing. Default: umbral/secret in your configuration folder");
     command->add_flag("--allow-weak-sandbox", options->allow_weak_sandbox, "Grade even where the sandbox is incomplete");
     command->add_flag("--json", options->json, "Print class.json instead of a table");
     command->callback([&application, options] { grade_and_print(application, *options); });

@@ -25,8 +25,13 @@ nlohmann::json as_json(const std::vector<Exercise>& exercises)
 {
     nlohmann::json units = nlohmann::json::array();
     for (const Exercise& exercise : exercises)
-        units.push_back({{"id", exercise.id}, {"title", exercise.title}, {"files", exercise.files}, {"points", exercise.points}, {"course", exercise.course},
-                         {"uses", exercise.uses}, {"digest", exercise.digest}});
+        units.push_back({{"id", exercise.id},
+                         {"title", exercise.title},
+                         {"files", exercise.files},
+                         {"points", exercise.points},
+                         {"course", exercise.course},
+                         {"uses", exercise.uses},
+                         {"digest", exercise.digest}});
     return {{"format", "umbral-list"}, {"version", 1}, {"score_unit", "millipoints"}, {"units", units}};
 }
 
@@ -43,8 +48,10 @@ void add_list(CLI::App& parser, Application& application)
     command->add_flag("--json", options->json, "As JSON");
     command->add_option("--language", options->language, "Of the titles")->check(CLI::IsMember({"en", "es"}))->capture_default_str();
     command->callback([&application, options] {
-        if (options->json) fmt::print("{}\n", as_json(application.exercises).dump(2));
-        else print_table(application.exercises, options->language, application.style);
+        if (options->json)
+            fmt::print("{}\n", as_json(application.exercises).dump(2));
+        else
+            print_table(application.exercises, options->language, application.style);
     });
 }
 

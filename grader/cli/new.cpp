@@ -34,7 +34,8 @@ void make_workspace(const Application& application, const Options& options)
     Workshop workshop(application.tools);
     const std::vector<Exercise> exercises = application.chosen(options.units);
     for (const Exercise& exercise : exercises) make_unit(workshop, exercise, root / exercise.id);
-    fmt::print("Made {} with {} unit{}. Each has a README, the goal picture and a stub to fill in.\n\n", root.string(), exercises.size(), exercises.size() == 1 ? "" : "s");
+    fmt::print("Made {} with {} unit{}. Each has a README, the goal picture and a stub to fill in.\n\n", root.string(), exercises.size(),
+               exercises.size() == 1 ? "" : "s");
     const Exercise& first = exercises.front();
     fmt::print("Begin with {}, then, in that folder:\n  umbral check {}\n", (root / first.id / first.files.front()).string(), first.name);
 }

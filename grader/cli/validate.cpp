@@ -39,12 +39,21 @@ void validate(Application& application, const Options& options)
             ++findings;
             failing += finding.holds ? 0 : 1;
             if (options.json)
-                rows.push_back({{"unit", finding.unit}, {"subject", finding.subject}, {"seed", finding.seed}, {"holds", finding.holds}, {"credit", finding.credit},
-                                {"expected", finding.expected}, {"message", finding.message}});
-            else if (!options.quiet || !finding.holds) print(finding, paint);
+                rows.push_back({{"unit", finding.unit},
+                                {"subject", finding.subject},
+                                {"seed", finding.seed},
+                                {"holds", finding.holds},
+                                {"credit", finding.credit},
+                                {"expected", finding.expected},
+                                {"message", finding.message}});
+            else if (!options.quiet || !finding.holds)
+                print(finding, paint);
         });
-    if (options.json) fmt::print("{}\n", nlohmann::json{{"format", "umbral-validation"}, {"version", 1}, {"findings", rows}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-    else fmt::print("{} findings with {} seeds, {} of them not as they should be\n", findings, options.seeds, failing);
+    if (options.json)
+        fmt::print("{}\n", nlohmann::json{{"format", "umbral-validation"}, {"version", 1}, {"findings", rows}}.dump(2, ' ', false,
+                                                                                                                    nlohmann::json::error_handler_t::replace));
+    else
+        fmt::print("{} findings with {} seeds, {} of them not as they should be\n", findings, options.seeds, failing);
     if (failing != 0 || findings == 0) application.exit_status = exit_not_right;
 }
 

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <initializer_list>
 #include <new>
 #include <umbral/core/student_error.hpp>
 
@@ -27,10 +28,10 @@ wire::Header* noted = nullptr;
 constexpr int exit_after_crash = 70;
 constexpr std::uintptr_t stack_guard = std::uintptr_t{256} << 10U;
 
-void set_text(wire::Header& header, const char* kind, const char* text) noexcept
+void set_text(wire::Header& header, std::initializer_list<const char*> parts) noexcept
 {
     std::size_t used = 0;
-    for (const char* part : {kind, text}) {
+    for (const char* part : parts) {
         const std::size_t size = std::min(std::strlen(part), sizeof header.text - 1 - used);
         std::memcpy(header.text + used, part, size);
         used += size;
@@ -144,29 +145,24 @@ void set_library(wire::Header& header, const void* handle)
 
 void note_exception(wire::Header& header) noexcept
 {
-    const auto note = [&](wire::Note kind, const char* name, const char* text) {
+    const auto note = [&](wire::Note kind, std::initializer_list<const char*> parts) {
         header.note = static_cast<std::uint32_t>(kind);
-        set_text(header, name, text);
+        set_text(header, parts);
     };
-    if (!std::current_exception()) return note(wire::Note::uncaught_exception, "std::terminate was called", "");
+    if (!std::current_exception()) return note(wire::Note::uncaught_exception, {"std::terminate was called"});
     try {
         throw;
     } catch (const StudentError& error) {
-        note(error.kind() == StudentError::Kind::compile_error ? wire::Note::compile_error : wire::Note::interface_mismatch, "", error.what());
+        note(error.kind() == StudentError::Kind::compile_error ? wire::Note::compile_error : wire::Note::interface_mismatch, {error.what()});
     } catch (const std::bad_alloc&) {
-        note(wire::Note::out_of_memory, "", "std::bad_alloc: no more memory");
+        note(wire::Note::out_of_memory, {"std::bad_alloc: no more memory"});
     } catch (const std::exception& error) {
         int status = 0;
         char* name = abi::__cxa_demangle(typeid(error).name(), nullptr, nullptr, &status);
-        note(wire::Note::uncaught_exception, "uncaught exception ", name != nullptr ? name : "of an unknown type");
+        note(wire::Note::uncaught_exception, {"uncaught exception ", name != nullptr ? name : "of an unknown type", ": ", error.what()});
         std::free(name);
-        const std::size_t used = std::strlen(header.text);
-        const std::size_t size = std::min(std::strlen(error.what()), sizeof header.text - used - 3);
-        std::memcpy(header.text + used, ": ", 2);
-        std::memcpy(header.text + used + 2, error.what(), size);
-        header.text[used + 2 + size] = 0;
     } catch (...) {
-        note(wire::Note::uncaught_exception, "uncaught exception that is not a std::exception", "");
+        note(wire::Note::uncaught_exception, {"uncaught exception that is not a std::exception"});
     }
 }
 
