@@ -49,6 +49,8 @@ struct Application {
 void add_list(CLI::App& parser, Application& application);
 void add_new(CLI::App& parser, Application& application);
 void add_check(CLI::App& parser, Application& application);
+void add_hint(CLI::App& parser, Application& application);
+void add_reset(CLI::App& parser, Application& application);
 void add_debug(CLI::App& parser, Application& application);
 void add_grade(CLI::App& parser, Application& application);
 void add_demo(CLI::App& parser, Application& application);

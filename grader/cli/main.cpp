@@ -16,6 +16,8 @@ int main(int count, char** words)
         add_list(parser, application);
         add_new(parser, application);
         add_check(parser, application);
+        add_hint(parser, application);
+        add_reset(parser, application);
         add_debug(parser, application);
         add_grade(parser, application);
         add_demo(parser, application);

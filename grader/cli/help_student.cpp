@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+#include "build/submission.hpp"
+#include "cli/application.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The numbered entries of a statement's section "## Hints"; an entry may go over several lines.
+std::vector<std::string> hints_in(const std::string& statement)
+{
+    std::vector<std::string> hints;
+    std::istringstream text(statement);
+    bool inside = false;
+    for (std::string line; std::getline(text, line);) {
+        if (line.starts_with("## "))
+            inside = line == "## Hints";
+        else if (inside && !line.empty() && line[0] >= '0' && line[0] <= '9')
+            hints.push_back(line.substr(line.find_first_not_of("0123456789. ")));
+        else if (inside && !line.empty() && !hints.empty())
+            hints.back() += " " + line.substr(line.find_first_not_of(' '));
+    }
+    return hints;
+}
+
+void print_hint(const Application& application, const std::string& unit, std::size_t step, const std::string& language)
+{
+    const Exercise exercise = application.chosen({unit}).front();
+    const std::vector<std::string> hints = hints_in(read_text(exercise.folder / (language == "es" ? "README.es.md" : "README.md")));
+    if (hints.empty()) throw UsageError(fmt::format("{} has no hints", exercise.id));
+    if (step == 0 || step > hints.size()) throw UsageError(fmt::format("{} has hints 1 to {}, each a step more; got {}", exercise.id, hints.size(), step));
+    fmt::print("Hint {} of {}: {}\n", step, hints.size(), hints[step - 1]);
+    if (step < hints.size()) fmt::print("\nOne step more: umbral hint {} {}\n", exercise.name, step + 1);
+}
+
+/// The stub comes back; what was there is kept beside it, under a name that no check reads.
+void reset_unit(const Application& application, const std::string& unit, const std::string& folder)
+{
+    const Exercise exercise = application.chosen({unit}).front();
+    const fs::path place = fs::path(folder) / exercise.id;
+    fs::create_directories(place);
+    for (const std::string& file : exercise.files) {
+        if (fs::exists(place / file)) {
+            int number = 1;
+            while (fs::exists(place / fmt::format("{}.{}.bak", file, number))) ++number;
+            const fs::path kept = place / fmt::format("{}.{}.bak", file, number);
+            fs::rename(place / file, kept);
+            fmt::print("kept yours as {}\n", kept.string());
+        }
+        fs::copy_file(exercise.folder / file, place / file);
+        fmt::print("put the stub back as {}\n", (place / file).string());
+    }
+}
+
+}
+
+void add_hint(CLI::App& parser, Application& application)
+{
+    struct Options {
+        std::string unit;
+        std::size_t step = 1;
+        std::string language = "en";
+    };
+    auto options = std::make_shared<Options>();
+    CLI::App* command = parser.add_subcommand("hint", "Shows a hint for a unit, each a step more than the one before");
+    command->add_option("UNIT", options->unit, "Which unit")->required();
+    command->add_option("STEP", options->step, "Which hint")->capture_default_str();
+    command->add_option("--language", options->language, "Of the hint")->check(CLI::IsMember({"en", "es"}))->capture_default_str();
+    command->callback([&application, options] { print_hint(application, options->unit, options->step, options->language); });
+}
+
+void add_reset(CLI::App& parser, Application& application)
+{
+    struct Options {
+        std::string unit;
+        std::string folder = ".";
+    };
+    auto options = std::make_shared<Options>();
+    CLI::App* command = parser.add_subcommand("reset", "Puts a unit's stub back; your file is kept beside it");
+    command->add_option("UNIT", options->unit, "Which unit")->required();
+    command->add_option("--dir", options->folder, "The workspace")->capture_default_str();
+    command->callback([&application, options] { reset_unit(application, options->unit, options->folder); });
+}
+
+}
