@@ -1,6 +1,6 @@
 #include <cxxabi.h>
-#include <elfutils/libdw.h>
 #include <dwarf.h>
+#include <elfutils/libdw.h>
 #include <fcntl.h>
 #include <gelf.h>
 #include <libelf.h>
@@ -43,7 +43,7 @@ void add_symbols(Elf* elf, Names& exported, Names& undefined)
             if (gelf_getsym(data, i, &symbol) == nullptr || (name = elf_strptr(elf, header.sh_link, symbol.st_name)) == nullptr) continue;
             const auto binding = GELF_ST_BIND(symbol.st_info);
             if (symbol.st_shndx == SHN_UNDEF) {
-                if (binding != STB_WEAK || std::string_view(name).starts_with("_Z")) undefined.insert(name);
+                undefined.insert(name);
             } else if (binding != STB_LOCAL) {
                 exported.insert(name);
             }
@@ -76,13 +76,16 @@ void walk(Dwarf_Die* parent, int depth, Names& functions)
     } while (dwarf_siblingof(&die, &die) == 0);
 }
 
+/// False if the debug information is damaged: what lies behind the damage was not seen.
 template <class Visit>
-void for_each_unit(Dwarf* dwarf, Visit visit)
+bool for_each_unit(Dwarf* dwarf, Visit visit)
 {
     Dwarf_CU* unit = nullptr;
     Dwarf_Die die;
-    while (dwarf_get_units(dwarf, unit, &unit, nullptr, nullptr, &die, nullptr) == 0)
-        if (visit(&die)) return;
+    int end = 0;
+    while ((end = dwarf_get_units(dwarf, unit, &unit, nullptr, nullptr, &die, nullptr)) == 0)
+        if (visit(&die)) return true;
+    return end > 0;
 }
 
 int print_names(Elf* elf, Dwarf* dwarf)
@@ -91,29 +94,69 @@ int print_names(Elf* elf, Dwarf* dwarf)
     Names undefined;
     Names functions;
     add_symbols(elf, exported, undefined);
-    for_each_unit(dwarf, [&](Dwarf_Die* unit) {
+    const bool whole = for_each_unit(dwarf, [&](Dwarf_Die* unit) {
         walk(unit, 0, functions);
         return false;
     });
+    if (!whole || functions.empty()) return 1;
     const nlohmann::json json = {{"exported", exported}, {"undefined", undefined}, {"functions", functions}};
     std::puts(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     return 0;
+}
+
+/// A file of the student's own: those lie where the compiler worked, and no other does.
+bool is_own(Dwarf_Die* unit, const char* file)
+{
+    Dwarf_Attribute attribute;
+    const char* const folder = dwarf_formstring(dwarf_attr(unit, DW_AT_comp_dir, &attribute));
+    const std::string_view path(file);
+    const std::size_t slash = path.rfind('/');
+    if (slash == std::string_view::npos || path.substr(0, slash) == ".") return true;
+    return folder != nullptr && path.substr(0, slash) == folder;
+}
+
+void print_place(const char* file, std::uint64_t line)
+{
+    const std::string_view path(file);
+    const std::size_t slash = path.rfind('/');
+    const std::string name(slash == std::string_view::npos ? path : path.substr(slash + 1));
+    std::printf("%s:%llu\n", name.c_str(), static_cast<unsigned long long>(line));
+}
+
+/// Where a function that was inlined at `address`, as one of a library's header, was called by the student's own code.
+bool print_call(Dwarf_Die* unit, Dwarf_Addr address)
+{
+    Dwarf_Die* scopes = nullptr;
+    const int count = dwarf_getscopes(unit, address, &scopes);
+    const std::unique_ptr<Dwarf_Die, decltype(&std::free)> owner(scopes, &std::free);
+    Dwarf_Files* files = nullptr;
+    if (count <= 0 || dwarf_getsrcfiles(unit, &files, nullptr) != 0) return false;
+    for (int i = 0; i < count; ++i) {
+        Dwarf_Attribute attribute;
+        Dwarf_Word file = 0;
+        Dwarf_Word line = 0;
+        if (dwarf_tag(&scopes[i]) != DW_TAG_inlined_subroutine) continue;
+        if (dwarf_attr(&scopes[i], DW_AT_call_file, &attribute) == nullptr || dwarf_formudata(&attribute, &file) != 0) continue;
+        if (dwarf_attr(&scopes[i], DW_AT_call_line, &attribute) == nullptr || dwarf_formudata(&attribute, &line) != 0) continue;
+        const char* name = dwarf_filesrc(files, file, nullptr, nullptr);
+        if (name == nullptr || !is_own(unit, name)) continue;
+        print_place(name, line);
+        return true;
+    }
+    return false;
 }
 
 /// Prints where `address` comes from, if that is a file of the student's own: those are compiled by their bare names.
 bool print_line(Dwarf* dwarf, Dwarf_Addr address)
 {
     bool found = false;
-    for_each_unit(dwarf, [&](Dwarf_Die* unit) {
+    (void)for_each_unit(dwarf, [&](Dwarf_Die* unit) {
         Dwarf_Line* line = dwarf_getsrc_die(unit, address);
         int number = 0;
         const char* file = line == nullptr ? nullptr : dwarf_linesrc(line, nullptr, nullptr);
         if (file == nullptr || dwarf_lineno(line, &number) != 0) return false;
-        const std::string_view path(file);
-        const std::size_t slash = path.rfind('/');
-        if (path.starts_with("/usr/") || path.find("/umbral/") != std::string_view::npos) return false;
-        const std::string name(slash == std::string_view::npos ? path : path.substr(slash + 1));
-        std::printf("%s:%d\n", name.c_str(), number);
+        if (!is_own(unit, file)) return found = print_call(unit, address);
+        print_place(file, static_cast<std::uint64_t>(number));
         return found = true;
     });
     return found;

@@ -12,7 +12,8 @@ struct ChildSetup {
 };
 
 /// The life of a run, in a fresh fork of the spawner: takes its job from `run_socket`, closes everything else, enters the sandbox,
-/// loads the libraries, runs one case, writes the recording. Never returns.
-[[noreturn]] void live(const ChildSetup& setup, int run_socket);
+/// loads the libraries, runs one case, writes the recording. Never returns, and lets no
+/// exception out: those of static initialisers come through dlopen.
+[[noreturn]] void live(const ChildSetup& setup, int run_socket) noexcept;
 
 }

@@ -86,7 +86,8 @@ ConfinedResult run_confined(const ConfinedCommand& command)
     }
     if (result.timed_out) kill(-process, SIGKILL);
     int status = 0;
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
     kill(-process, SIGKILL);
     if (WIFEXITED(status)) result.exit_status = WEXITSTATUS(status);
     return result;

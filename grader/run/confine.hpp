@@ -13,12 +13,15 @@ namespace umbral::grader {
 struct ConfinedCommand {
     std::filesystem::path confine;  ///< the umbral-confine program
     std::vector<std::string> arguments;
-    std::filesystem::path directory;           ///< working directory; the one tree it may write
-    std::vector<std::filesystem::path> read;   ///< trees it may read and execute, beside /usr
+    std::filesystem::path directory;          ///< working directory; the one tree it may write
+    std::vector<std::filesystem::path> read;  ///< trees it may read and execute, beside /usr
     double wall_seconds = 30;
     int memory_mib = 2048;
     std::size_t output_limit = std::size_t{256} << 10U;
 };
+
+/// The status with which umbral-confine says that it could not run the program.
+inline constexpr int confinement_failed = 126;
 
 struct ConfinedResult {
     int exit_status = -1;  ///< of the program; -1 if a signal ended it

@@ -17,31 +17,47 @@ struct End {
     std::string message;
 };
 
-std::string refused_text(const std::vector<std::string>& names)
+std::string refused_text(const std::vector<std::string>& names) { return fmt::format("the sandbox refused: {}", fmt::join(names, ", ")); }
+
+/// A library that a student's sources were made into may be one that cannot be loaded, or claim so. A driver that cannot be loaded shows
+/// in the reference's run of the same case.
+End load_failure(const std::string& text, const Limits& limits)
 {
-    return fmt::format("the sandbox refused: {}", fmt::join(names, ", "));
+    for (const char* const sign : {"Cannot allocate memory", "cannot map zero-fill pages", "failed to map segment", "cannot allocate memory"})
+        if (text.find(sign) != std::string::npos)
+            return {Verdict::out_of_memory, fmt::format("your variables outside functions take more than {} MiB of memory", limits.memory_mib)};
+    return {Verdict::crashed, "your code could not be loaded: " + text};
 }
 
 /// What the run noted about itself before it ended.
 End from_note(const Recording& recording, const Limits& limits)
 {
     switch (recording.note) {
-        case wire::Note::out_of_memory: return {Verdict::out_of_memory, fmt::format("your code asked for more than {} MiB of memory ({})", limits.memory_mib, recording.text)};
+        case wire::Note::out_of_memory:
+            return {Verdict::out_of_memory, fmt::format("your code asked for more than {} MiB of memory ({})", limits.memory_mib, recording.text)};
         case wire::Note::compile_error: return {Verdict::compile_error, recording.text};
         case wire::Note::interface_mismatch: return {Verdict::interface_mismatch, recording.text};
         case wire::Note::stack_overflow: return {Verdict::crashed, "the stack overflowed: does a function call itself without end?"};
         case wire::Note::uncaught_exception: return {Verdict::crashed, recording.text};
         case wire::Note::signal: return {Verdict::crashed, fmt::format("signal {} ({})", recording.signal, strsignal(static_cast<int>(recording.signal)))};
+        case wire::Note::load_failure: return load_failure(recording.text, limits);
         case wire::Note::driver_fault:
-        case wire::Note::load_failure: return {Verdict::grader_fault, recording.text};
         case wire::Note::none: break;
     }
     return {Verdict::crashed, "the run ended early: does your code call exit?"};
 }
 
+RunOutcome not_confined(const protocol::Ended& ended, const std::string& text)
+{
+    RunOutcome outcome;
+    outcome.verdict = Verdict::grader_fault;
+    outcome.message = ended.could_not_start != 0 ? "the operating system could not start another process" : "the run did not reach its sandbox";
+    if (!text.empty()) outcome.message += ": " + text;
+    return outcome;
+}
+
 End ended_early(const protocol::Ended& ended, const Recording& recording, const Limits& limits)
 {
-    if (ended.could_not_start != 0) return {Verdict::grader_fault, "the operating system could not start another process"};
     if (ended.timed_out != 0) return {Verdict::timeout, fmt::format("stopped after {:g} s: is there a loop that never ends?", limits.wall_seconds)};
     if (WIFSIGNALED(ended.wait_status)) {
         const int signal = WTERMSIG(ended.wait_status);
@@ -50,13 +66,12 @@ End ended_early(const protocol::Ended& ended, const Recording& recording, const 
         if (signal == SIGSYS) return {Verdict::blocked, "the sandbox stopped a system call"};
         if (recording.note == wire::Note::none) return {Verdict::crashed, fmt::format("signal {} ({})", signal, strsignal(signal))};
     }
-    if (recording.stage < wire::Stage::confined) return {Verdict::grader_fault, recording.text.empty() ? "the run did not reach its sandbox" : recording.text};
     return from_note(recording, limits);
 }
 
 }
 
-RunOutcome judge_end(const protocol::Ended& ended, std::span<const std::byte> bytes, std::string_view printed, const Limits& limits)
+RunOutcome judge_end(const protocol::Ended& ended, bool confined, std::span<const std::byte> bytes, std::string_view printed, const Limits& limits)
 {
     RunOutcome outcome;
     outcome.wall_seconds = ended.wall_seconds;
@@ -67,8 +82,10 @@ RunOutcome judge_end(const protocol::Ended& ended, std::span<const std::byte> by
     } catch (const DamagedRecording& damage) {
         outcome.verdict = ended.timed_out != 0 ? Verdict::timeout : Verdict::crashed;
         outcome.message = fmt::format("the recording of this run was overwritten by your code ({})", damage.what());
+        if (!confined) outcome = not_confined(ended, "");
         return outcome;
     }
+    if (!confined) return not_confined(ended, outcome.recording.text);
     std::set<std::string> names;
     for (const unsigned call : outcome.recording.refused) names.insert(sandbox::call_name(call));
     outcome.refused.assign(names.begin(), names.end());

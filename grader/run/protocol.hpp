@@ -8,7 +8,7 @@
 /// own, whose other end only the grader holds, so that the spawner never sees a seed, a recording or a path.
 namespace umbral::grader::protocol {
 
-inline constexpr int control_descriptor = 3;  ///< in the spawner: its end of the control socket
+inline constexpr int control_descriptor = 3;                        ///< in the spawner: its end of the control socket
 inline constexpr std::size_t output_size = std::size_t{64} << 10U;  ///< what a run can print
 
 /// Spawner to grader, once, when it is ready. `protections` and `gl` are zero-terminated; protections are separated by '\n'.
@@ -35,5 +35,9 @@ struct Ended {
 
 /// Grader to run: one byte with three descriptors as ancillary data: the recording, the output, and the job as JSON.
 inline constexpr int job_descriptors = 3;
+
+/// Run to grader, on the run's socket: it is in its sandbox and loads the student's library next. A run that never says so failed by
+/// our fault; one that does answers for all that follows.
+inline constexpr std::uint8_t confined = 1;
 
 }

@@ -36,7 +36,7 @@ std::vector<std::string> enter_namespaces(bool processes);
 struct ResourceLimits {
     std::uint64_t address_space = 0;  ///< bytes
     std::uint64_t cpu_seconds = 0;
-    std::uint64_t file_size = 0;      ///< bytes
+    std::uint64_t file_size = 0;  ///< bytes
     std::uint64_t descriptors = 0;
     bool no_children = false;
 };

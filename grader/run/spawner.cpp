@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -63,6 +64,21 @@ std::string printed(int file)
     return text;
 }
 
+/// Did a run that is over say that it reached its sandbox?
+bool said_confined(int socket)
+{
+    std::uint8_t said = 0;
+    return recv(socket, &said, sizeof said, MSG_DONTWAIT) == sizeof said && said == protocol::confined;
+}
+
+/// The libraries of a run that are not there: our fault, not the student's.
+std::string missing_libraries(const RunRequest& request)
+{
+    for (const std::filesystem::path& library : {request.driver, request.tenant})
+        if (!library.empty() && access(library.c_str(), R_OK) != 0) return library.string() + " cannot be read; is the project built?";
+    return "";
+}
+
 }
 
 Spawner::Spawner(std::filesystem::path program) : program_(std::move(program)) { start(); }
@@ -104,12 +120,18 @@ void Spawner::stop() noexcept
     control_.reset();
     if (process_ <= 0) return;
     kill(process_, SIGKILL);
-    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {}
+    while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+    }
     process_ = -1;
 }
 
 RunOutcome Spawner::run(const RunRequest& request)
 {
+    if (std::string missing = missing_libraries(request); !missing.empty()) {
+        RunOutcome outcome;
+        outcome.message = std::move(missing);
+        return outcome;
+    }
     const Descriptor recording = sealed_memory("recording", wire::maximum_size);
     const Descriptor output = sealed_memory("output", protocol::output_size);
     const Descriptor job = job_file(request);
@@ -126,7 +148,7 @@ RunOutcome Spawner::run(const RunRequest& request)
             const Packet packet = receive_packet(control_.get(), writable_bytes_of(ended));
             if (packet.size == sizeof ended) {
                 const ReadOnlyMap map(recording.get(), wire::maximum_size);
-                return judge_end(ended, map.bytes(), printed(output.get()), request.limits);
+                return judge_end(ended, said_confined(ours.get()), map.bytes(), printed(output.get()), request.limits);
             }
         } catch (const std::system_error&) {
             if (attempt == 1) throw;

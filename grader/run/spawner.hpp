@@ -17,8 +17,8 @@ namespace umbral::grader {
 
 /// One case to run: which driver, whose library, which seed.
 struct RunRequest {
-    std::filesystem::path driver;  ///< absolute
-    std::filesystem::path tenant;  ///< the student's (or another tenant's) library, absolute; empty for a unit without C++
+    std::filesystem::path driver;                ///< absolute
+    std::filesystem::path tenant;                ///< the student's (or another tenant's) library, absolute; empty for a unit without C++
     std::map<std::string, std::string> sources;  ///< texts of files that are not C++, by name
     std::string case_name;
     std::uint64_t seed = 0;

@@ -64,7 +64,8 @@ protocol::Ended supervise(pid_t run, double wall_seconds)
     }
     rusage used{};
     int status = 0;
-    while (wait4(run, &status, 0, &used) < 0 && errno == EINTR) {}
+    while (wait4(run, &status, 0, &used) < 0 && errno == EINTR) {
+    }
     ended.wait_status = status;
     ended.peak_memory_kib = used.ru_maxrss;
     ended.cpu_seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
@@ -137,8 +138,10 @@ int serve(const std::string& namespaces)
         if (run == 0) live(setup, packet.descriptors[0].get());
         packet.descriptors.clear();
         protocol::Ended ended;
-        if (run < 0) ended.could_not_start = 1;
-        else ended = supervise(run, start.wall_seconds);
+        if (run < 0)
+            ended.could_not_start = 1;
+        else
+            ended = supervise(run, start.wall_seconds);
         send_packet(protocol::control_descriptor, bytes_of(ended), {});
     }
 }
@@ -159,7 +162,8 @@ int start()
     if (first < 0) throw std::system_error(errno, std::generic_category(), "fork");
     close(protocol::control_descriptor);
     int status = 0;
-    while (waitpid(first, &status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(first, &status, 0) < 0 && errno == EINTR) {
+    }
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
