@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+// The sample class, graded by the real program: every kind of submission gets the verdict a teacher would give.
+namespace umbral::test {
+namespace {
+
+using nlohmann::json;
+
+const std::string sample = UMBRAL_SOURCE "/tests/class";
+
+Printed grade(const std::string& folder, const Folder& out, const std::string& before = "")
+{
+    return umbral("grade " + folder + " --jobs 2 --out " + (out / "out").string() + " --secret-file " + (out / "secret").string(), before);
+}
+
+json without_times(json value)
+{
+    if (value.is_object()) {
+        value.erase("seconds");
+        value.erase("reference_seconds");
+    }
+    if (value.is_structured())
+        for (auto& child : value) child = without_times(child);
+    return value;
+}
+
+/// Graded once for all tests of this file.
+const json& graded()
+{
+    static const json result = [] {
+        const Folder out;
+        const Printed printed = grade(sample, out);
+        EXPECT_EQ(printed.status, 0) << printed.text;
+        json all = json::parse(read(out / "out/class.json"));
+        for (const auto& submission : all.at("submissions"))
+            EXPECT_TRUE(std::filesystem::exists(out / ("out/" + submission.at("id").get<std::string>() + "/report.json")));
+        return all;
+    }();
+    return result;
+}
+
+const json& unit_of(const std::string& submission, const std::string& unit)
+{
+    for (const auto& one : graded().at("submissions"))
+        if (one.at("id") == submission)
+            for (const auto& candidate : one.at("units"))
+                if (candidate.at("id") == unit) return candidate;
+    throw std::runtime_error("no " + unit + " of " + submission);
+}
+
+struct Expected {
+    const char* submission;
+    const char* sphere;
+    const char* view_matrix;
+    const char* shaders;
+};
+
+class SampleClass : public testing::TestWithParam<Expected> {};
+
+TEST_P(SampleClass, GetsItsVerdicts)
+{
+    const Expected& expected = GetParam();
+    EXPECT_EQ(unit_of(expected.submission, "raytracing/sphere").at("verdict"), expected.sphere);
+    EXPECT_EQ(unit_of(expected.submission, "projections/view-matrix").at("verdict"), expected.view_matrix);
+    EXPECT_EQ(unit_of(expected.submission, "lighting/shaders").at("verdict"), expected.shaders);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Everyone, SampleClass,
+    testing::Values(Expected{"ana-all-right", "ok", "ok", "ok"}, Expected{"bruno-untouched", "not_implemented", "not_implemented", "not_implemented"},
+                    Expected{"carla-typical-mistakes", "partial", "partial", "partial"}, Expected{"diego-different", "ok", "ok", "ok"},
+                    Expected{"elena-does-not-compile", "compile_error", "interface_mismatch", "compile_error"},
+                    Expected{"fede-endless-loop", "partial", "partial", "partial"}, Expected{"gema-crash", "crashed", "crashed", "interface_mismatch"},
+                    Expected{"hugo-eats-memory", "out_of_memory", "out_of_memory", "partial"}, Expected{"irene-half-finished", "partial", "partial", "missing"},
+                    Expected{"mallory-hostile", "blocked", "forbidden", "timeout"}),
+    [](const auto& instance) {
+        std::string name = instance.param.submission;
+        for (char& c : name) c = c == '-' ? '_' : c;
+        return name;
+    });
+
+TEST(Class, TypicalMistakesAreExplained)
+{
+    for (const char* unit : {"raytracing/sphere", "projections/view-matrix", "lighting/shaders"}) {
+        const json& why = unit_of("carla-typical-mistakes", unit).at("explanation");
+        ASSERT_FALSE(why.empty()) << unit;
+        EXPECT_TRUE(why.at(0).at("name").get<std::string>().starts_with("mistake: ")) << why;
+    }
+}
+
+TEST(Class, AnEndlessLoopCostsOnlyItsCase)
+{
+    const json& unit = unit_of("fede-endless-loop", "raytracing/sphere");
+    EXPECT_GT(unit.at("score"), 6000);
+    for (const auto& check : unit.at("checks"))
+        EXPECT_EQ(check.at("message").get<std::string>().find("never ends") != std::string::npos, check.at("name") == "long direction/t") << check;
+}
+
+TEST(Class, ACrashNamesItsTextAndPlace)
+{
+    const std::string message = unit_of("gema-crash", "raytracing/sphere").at("message");
+    EXPECT_NE(message.find("sphere.cpp:9"), std::string::npos) << message;
+    EXPECT_NE(message.find("direction must be shorter than 1"), std::string::npos) << message;
+}
+
+TEST(Class, NoAttackOfTheHostileOneWorked)
+{
+    const json& unit = unit_of("mallory-hostile", "raytracing/sphere");
+    const std::string printed = unit.at("stdout");
+    EXPECT_EQ(unit.at("score"), 0);
+    EXPECT_EQ(printed.find("WORKED"), std::string::npos) << printed;
+    EXPECT_EQ(printed.find("REPLACED"), std::string::npos) << printed;
+    for (const char* attack : {"read /etc/passwd", "read the reference", "read /proc/self/maps", "write through /proc/self/mem", "write a report of its own",
+                               "open a socket", "fork", "run a shell", "kill its parent", "trace its parent", "read its parent's memory"})
+        EXPECT_NE(printed.find(attack), std::string::npos) << attack << " was not even tried";
+    for (const char* word : {"ana-", "secret", "expected", "oracle", "carla-"})
+        EXPECT_NE(printed.find("heap: the word '" + std::string(word) + "' occurs 0 times"), std::string::npos) << printed;
+    EXPECT_NE(unit_of("mallory-hostile", "projections/view-matrix").at("message").get<std::string>().find("lookAt"), std::string::npos);
+}
+
+TEST(Class, TwoGradingsAgreeButForTimes)
+{
+    const Folder out;
+    ASSERT_EQ(grade(sample, out).status, 0);
+    const json first = json::parse(read(out / "out/class.json"));
+    ASSERT_EQ(grade(sample, out).status, 0);
+    EXPECT_EQ(without_times(json::parse(read(out / "out/class.json"))), without_times(first));
+}
+
+TEST(Grade, BadInputIsAUsageErrorThatSaysWhatToDo)
+{
+    const Folder folder;
+    EXPECT_EQ(grade((folder / "nowhere").string(), folder).status, 2);
+    std::filesystem::create_directories(folder / "class/José Pérez");
+    const Printed odd = grade((folder / "class").string(), folder);
+    EXPECT_NE(odd.status, 0);
+    EXPECT_NE(odd.text.find("rename"), std::string::npos) << odd.text;
+    std::filesystem::create_directories(folder / "empty");
+    EXPECT_NE(grade((folder / "empty").string(), folder).text.find("no submission"), std::string::npos);
+    write(folder / "short", "abc");
+    std::filesystem::create_directories(folder / "one/a");
+    EXPECT_EQ(umbral("grade " + (folder / "one").string() + " --out " + (folder / "out").string() + " --secret-file " + (folder / "short").string()).status, 2);
+}
+
+TEST(Grade, AFullDiskIsAFaultThatLeavesNoHalfReport)
+{
+    const Folder folder;
+    write(folder / "class/a/sphere.cpp", read(UMBRAL_SOURCE "/exercises/raytracing/sphere/sphere.cpp"));
+    // No file may grow beyond 1 KiB: a report does not fit. SIGXFSZ is ignored, so that writing fails as on a full disk.
+    const Printed printed = grade((folder / "class").string(), folder, "trap '' XFSZ; ulimit -f 1;");
+    EXPECT_EQ(printed.status, 3) << printed.text;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/class.json"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/a/report.json"));
+}
+
+}
+}

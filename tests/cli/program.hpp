@@ -1,0 +1,70 @@
+#pragma once
+
+#include <sys/wait.h>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace umbral::test {
+
+/// What a command line of the real program printed (both streams), and its exit status.
+struct Printed {
+    int status = -1;
+    std::string text;
+};
+
+/// Runs `umbral ARGUMENTS` through the shell; `before` may set limits or variables.
+inline Printed umbral(const std::string& arguments, const std::string& before = "")
+{
+    const std::string command = before + " exec " UMBRAL_PROGRAM " " + arguments + " 2>&1";
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "re"), [](FILE*) { return 0; });
+    if (!pipe) throw std::runtime_error("popen failed");
+    Printed printed;
+    std::array<char, 4096> buffer{};
+    for (std::size_t got = 0; (got = fread(buffer.data(), 1, buffer.size(), pipe.get())) > 0;) printed.text.append(buffer.data(), got);
+    const int status = pclose(pipe.get());
+    printed.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return printed;
+}
+
+/// A folder for one test, removed at its end.
+class Folder {
+public:
+    Folder()
+    {
+        std::string name = (std::filesystem::temp_directory_path() / "umbral-cli-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
+        path_ = name;
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    [[nodiscard]] std::string text() const { return path_.string(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+inline void write(const std::filesystem::path& file, const std::string& text)
+{
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+inline std::string read(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}

@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+// What a student types, with the real program.
+namespace umbral::test {
+namespace {
+
+const std::filesystem::path source = UMBRAL_SOURCE;
+
+TEST(Commands, WithoutOneThereIsHelpAndAUsageError)
+{
+    const Printed printed = umbral("");
+    EXPECT_EQ(printed.status, 2);
+    EXPECT_NE(printed.text.find("--help"), std::string::npos) << printed.text;
+}
+
+TEST(Commands, HelpNamesEveryCommandAndTheExitStatuses)
+{
+    const Printed printed = umbral("--help");
+    EXPECT_EQ(printed.status, 0);
+    for (const char* word : {"list", "new", "check", "debug", "grade", "validate", "doctor", "demo", "hint", "reset", "Exit status"})
+        EXPECT_NE(printed.text.find(word), std::string::npos) << word;
+}
+
+TEST(List, ShowsTheUnitsInBothLanguagesAndAsJson)
+{
+    EXPECT_NE(umbral("list").text.find("Where a ray meets a sphere"), std::string::npos);
+    EXPECT_NE(umbral("list --language es").text.find("Dónde corta un rayo a una esfera"), std::string::npos);
+    const auto json = nlohmann::json::parse(umbral("list --json").text);
+    EXPECT_EQ(json.at("format"), "umbral-list");
+    EXPECT_GE(json.at("units").size(), 3U);
+}
+
+TEST(New, MakesAWorkspaceAndNeverOverwritesWork)
+{
+    const Folder folder;
+    ASSERT_EQ(umbral("new " + folder.text() + " sphere").status, 0);
+    for (const char* file : {"sphere.cpp", "README.md", "README.es.md", "goal.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder / "raytracing/sphere" / file)) << file;
+    write(folder / "raytracing/sphere/sphere.cpp", "// mine");
+    ASSERT_EQ(umbral("new " + folder.text() + " sphere").status, 0);
+    EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp"), "// mine");
+}
+
+TEST(New, RefusesAFileInTheWay)
+{
+    const Folder folder;
+    write(folder / "taken", "");
+    const Printed printed = umbral("new " + (folder / "taken").string());
+    EXPECT_EQ(printed.status, 2);
+    EXPECT_NE(printed.text.find("not a folder"), std::string::npos) << printed.text;
+}
+
+TEST(Check, StatusSaysRightShortOrMisused)
+{
+    const Folder folder;
+    ASSERT_EQ(umbral("new " + folder.text() + " sphere").status, 0);
+    EXPECT_EQ(umbral("check sphere --dir " + folder.text()).status, 1) << "the stub falls short";
+    std::filesystem::copy_file(source / "reference/raytracing/sphere.cpp", folder / "raytracing/sphere/sphere.cpp",
+                               std::filesystem::copy_options::overwrite_existing);
+    const Printed right = umbral("check sphere --dir " + folder.text());
+    EXPECT_EQ(right.status, 0) << right.text;
+    EXPECT_NE(right.text.find("10/10"), std::string::npos) << right.text;
+    EXPECT_EQ(umbral("check no-such-unit --dir " + folder.text()).status, 2);
+    EXPECT_EQ(umbral("check --dir " + folder.text() + "/nowhere").status, 2);
+    EXPECT_EQ(umbral("check --no-such-option").status, 2);
+}
+
+TEST(Check, AnEmptyFolderSaysHowToBegin)
+{
+    const Folder folder;
+    const Printed printed = umbral("check --dir " + folder.text());
+    EXPECT_EQ(printed.status, 2);
+    EXPECT_NE(printed.text.find("umbral new"), std::string::npos) << printed.text;
+}
+
+TEST(Check, ShowsTheFirstFailureWhyAndWhatWasPrinted)
+{
+    const Folder folder;
+    const std::string mistake = read(source / "exercises/raytracing/sphere/mistakes/far_root.cpp");
+    const std::size_t body = mistake.find("    const glm");
+    ASSERT_NE(body, std::string::npos);
+    write(folder / "raytracing/sphere/sphere.cpp", mistake.substr(0, body) + "    std::puts(\"my debugging line\");\n" + mistake.substr(body));
+    const Printed printed = umbral("check --dir " + folder.text());
+    EXPECT_EQ(printed.status, 1);
+    for (const char* word : {"yours", "expected", "why", "you return where it comes out", "my debugging line", "umbral debug raytracing/sphere head-on"})
+        EXPECT_NE(printed.text.find(word), std::string::npos) << word << "\n" << printed.text;
+    EXPECT_TRUE(std::filesystem::exists(folder / "umbral-pictures")) << "pictures of what is wrong";
+}
+
+TEST(Check, JsonIsAReport)
+{
+    const Folder folder;
+    write(folder / "sphere.cpp", "");
+    const Printed printed = umbral("check --json --dir " + folder.text());
+    const auto json = nlohmann::json::parse(printed.text, nullptr, false);
+    ASSERT_TRUE(json.is_object()) << printed.text;
+    EXPECT_EQ(json.at("format"), "umbral-report");
+    EXPECT_EQ(json.at("submission").at("units").at(0).at("verdict"), "interface_mismatch") << "an empty file defines nothing";
+}
+
+TEST(Hint, GoesStepByStep)
+{
+    EXPECT_NE(umbral("hint sphere").text.find("Hint 1 of 3"), std::string::npos);
+    EXPECT_NE(umbral("hint sphere 3").text.find("Hint 3 of 3"), std::string::npos);
+    EXPECT_EQ(umbral("hint sphere 4").status, 2);
+}
+
+TEST(Reset, KeepsWhatWasWritten)
+{
+    const Folder folder;
+    write(folder / "raytracing/sphere/sphere.cpp", "// mine");
+    ASSERT_EQ(umbral("reset sphere --dir " + folder.text()).status, 0);
+    EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp"), read(source / "exercises/raytracing/sphere/sphere.cpp"));
+    EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp.1.bak"), "// mine");
+}
+
+TEST(Debug, RunsOneCaseAsAnOrdinaryProgram)
+{
+    const Folder folder;
+    std::filesystem::create_directories(folder / "raytracing/sphere");
+    std::filesystem::copy_file(source / "reference/raytracing/sphere.cpp", folder / "raytracing/sphere/sphere.cpp");
+    const Printed printed = umbral("debug sphere random --no-debugger --dir " + folder.text());
+    EXPECT_EQ(printed.status, 0) << printed.text;
+    EXPECT_NE(printed.text.find("recorded t: 4000"), std::string::npos) << printed.text;
+    EXPECT_EQ(umbral("debug sphere no-such-case --dir " + folder.text()).status, 2);
+}
+
+TEST(Doctor, FindsWhatAGradedRunNeeds)
+{
+    const Printed printed = umbral("doctor --json");
+    const auto json = nlohmann::json::parse(printed.text, nullptr, false);
+    ASSERT_TRUE(json.is_object()) << printed.text;
+    EXPECT_EQ(printed.status, 0) << printed.text;
+    EXPECT_GE(json.at("symptoms").size(), 8U);
+    for (const auto& symptom : json.at("symptoms")) EXPECT_TRUE(symptom.at("present").get<bool>() || !symptom.at("remedy").get<std::string>().empty());
+}
+
+}
+}
