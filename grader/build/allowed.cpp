@@ -39,6 +39,8 @@ constexpr Name functions[] = {"__assert_fail",
                               "__errno_location",
                               "__gmon_start__",
                               "__gxx_personality_v0",
+                              "__libc_single_threaded",
+                              "__pthread_key_create",
                               "__stack_chk_fail",
                               "__tls_get_addr",
                               "_ITM_deregisterTMCloneTable",
@@ -119,6 +121,16 @@ constexpr Name mathematics[] = {"acos",  "acosh",   "asin",   "asinh", "atan",  
 
 bool contains(std::span<const Name> names, Name name) { return std::find(names.begin(), names.end(), name) != names.end(); }
 
+/// Type information of a fundamental type or a pointer to one, as `throw "text"` needs.
+bool is_fundamental_type_information(Name name)
+{
+    if (!name.starts_with("_ZTI")) return false;
+    name.remove_prefix(4);
+    for (const Name prefix : {"P", "K"})
+        if (name.starts_with(prefix)) name.remove_prefix(1);
+    return name.size() == 1 && name.front() >= 'a' && name.front() <= 'z';
+}
+
 }
 
 bool is_allowed_symbol(std::string_view name, bool with_gl)
@@ -126,6 +138,7 @@ bool is_allowed_symbol(std::string_view name, bool with_gl)
     if (contains(functions, name) || contains(mathematics, name) || name == "trunc" || name == "truncf" || name == "truncl") return true;
     if (!name.empty() && (name.back() == 'f' || name.back() == 'l') && contains(mathematics, name.substr(0, name.size() - 1))) return true;
     if (std::any_of(std::begin(prefixes), std::end(prefixes), [&](Name prefix) { return name.starts_with(prefix); })) return true;
+    if (is_fundamental_type_information(name)) return true;
     return with_gl && name.starts_with("gl") && name.size() > 2 && name[2] >= 'A' && name[2] <= 'Z';
 }
 

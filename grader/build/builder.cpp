@@ -31,9 +31,11 @@ std::vector<std::string> lines_of(const fs::path& file)
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("1\n{}\n{}\n{}\n{}\n", exercise.id, tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
+    std::string all =
+        fmt::format("2\n{}\n{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
-    all += read_text(unit_folder(tools, exercise.id) / "exports.txt");
+    all += read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");
+    for (const std::string& used : exercise.uses) all += fmt::format("{}\n{}", used, read_text(unit_folder(tools, used) / "exports.txt"));
     for (const auto& [name, text] : files) all += fmt::format("{} {}\n{}\n", name, text.size(), text);
     return sha256_hex(std::as_bytes(std::span(all)));
 }
@@ -45,11 +47,17 @@ std::optional<Built> kept(const fs::path& folder)
     const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
     if (!json.is_object()) return std::nullopt;
     Built built;
-    built.verdict = verdict_from(json.value("verdict", "grader_fault"));
-    built.message = json.value("message", "");
-    if (built.verdict == Verdict::ok) built.library = folder / "student.so";
-    if (built.verdict == Verdict::ok && !fs::exists(built.library)) return std::nullopt;
-    return built;
+    try {
+        built.verdict = verdict_from(json.at("verdict").get<std::string>());
+        built.message = json.at("message").get<std::string>();
+        if (built.verdict != Verdict::ok) return built;
+        built.library = folder / "student.so";
+        std::error_code missing;
+        if (fs::file_size(built.library, missing) == json.at("bytes").get<std::uintmax_t>() && !missing) return built;
+    } catch (const nlohmann::json::exception&) {
+    } catch (const std::invalid_argument&) {
+    }
+    return std::nullopt;
 }
 
 /// Puts a finished build in its place by renaming its directory: others see all of it or nothing.
@@ -57,10 +65,17 @@ Built keep(const Built& built, const fs::path& work, const fs::path& folder)
 {
     for (const auto& entry : fs::directory_iterator(work))
         if (entry.path().filename() != "student.so") fs::remove_all(entry.path());
-    std::ofstream(work / "result.json") << nlohmann::json{{"verdict", to_string(built.verdict)}, {"message", built.message}}.dump(
-        1, ' ', false, nlohmann::json::error_handler_t::replace);
+    nlohmann::json json = {{"verdict", to_string(built.verdict)}, {"message", built.message}};
+    if (built.verdict == Verdict::ok) json["bytes"] = fs::file_size(work / "student.so");
+    std::ofstream(work / "result.json") << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
     fs::create_directories(folder.parent_path());
     std::error_code taken;
+    fs::rename(work, folder, taken);
+    if (const auto result = kept(folder)) return *result;
+    // What lies there is damaged: out of the way in one step, for others may be looking.
+    const ScratchFolder damaged(work.parent_path());
+    std::error_code ignored;
+    fs::rename(folder, damaged.path() / "entry", ignored);
     fs::rename(work, folder, taken);
     if (const auto result = kept(folder)) return *result;
     throw std::runtime_error(fmt::format("cannot keep a build in {}: {}; is the disk full?", folder.string(), taken.message()));
@@ -79,7 +94,13 @@ Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sour
     for (std::string& name : lines_of(tools.units / "framework-exports.txt")) offered.insert(std::move(name));
     for (const std::string& used : exercise.uses)
         for (std::string& name : lines_of(unit_folder(tools, used) / "exports.txt")) offered.insert(std::move(name));
-    const auto objection = object_to(inspect(tools, *compilation.library), lines_of(unit_folder(tools, exercise.id) / "exports.txt"), offered, exercise);
+    const std::optional<Inspection> inspection = inspect(tools, *compilation.library);
+    if (!inspection) {
+        built.verdict = Verdict::forbidden;
+        built.message = "what your code compiles to cannot be read: assembler that writes debug information is not allowed";
+        return built;
+    }
+    const auto objection = object_to(*inspection, lines_of(unit_folder(tools, exercise.id) / "exports.txt"), offered, exercise);
     built.verdict = objection ? objection->verdict : Verdict::ok;
     if (objection) built.message = objection->message;
     return built;

@@ -26,12 +26,14 @@ ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path
 
 }
 
-Inspection inspect(const Toolchain& tools, const std::filesystem::path& library)
+std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library)
 {
     const ConfinedResult result = run_inspector(tools, library, {"names", library.string()});
-    if (result.exit_status != 0) throw std::runtime_error(fmt::format("umbral-inspect failed on {} (status {}): {}", library.string(), result.exit_status, result.output));
-    const nlohmann::json json = nlohmann::json::parse(result.output);
-    return {json.at("exported"), json.at("undefined"), json.at("functions")};
+    if (result.exit_status == confinement_failed) throw std::runtime_error(fmt::format("umbral-inspect cannot be run: {}", result.output));
+    if (result.exit_status != 0) return std::nullopt;
+    const nlohmann::json json = nlohmann::json::parse(result.output, nullptr, false);
+    if (!json.is_object()) return std::nullopt;
+    return Inspection{json.at("exported"), json.at("undefined"), json.at("functions")};
 }
 
 std::string place_of(const Toolchain& tools, const std::filesystem::path& library, const std::vector<std::uint64_t>& frames)

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +18,9 @@ struct Inspection {
     std::vector<std::string> functions;  ///< demangled names of all functions in the debug information that left code, inlined ones too
 };
 
-/// Throws std::runtime_error if the file cannot be inspected.
-[[nodiscard]] Inspection inspect(const Toolchain& tools, const std::filesystem::path& library);
+/// Nothing if the file cannot be read, by its own fault: a compiler's output always can. Throws std::runtime_error if the inspector
+/// cannot be run.
+[[nodiscard]] std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library);
 
 /// The first of `frames` (addresses in the library, return addresses but for the first) that lies in a file of `folder`'s own:
 /// "sphere.cpp:17"; empty if there is none.

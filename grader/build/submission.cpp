@@ -93,8 +93,10 @@ Handed collect(const fs::path& folder, const Exercise& exercise)
     const fs::path place = workspace ? own : folder;
     std::set<fs::path> paths;
     for (const std::string& name : exercise.files)
-        if (fs::exists(fs::symlink_status(place / name))) paths.insert(place / name);
-        else handed.missing.push_back(name);
+        if (fs::exists(fs::symlink_status(place / name)))
+            paths.insert(place / name);
+        else
+            handed.missing.push_back(name);
     // A student's own helpers: in a flat submission they could belong to any unit, so only C++ headers and sources beside the unit count.
     if (workspace) {
         std::error_code ignored;

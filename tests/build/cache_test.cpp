@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <thread>
+
+#include "support/workbench.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Cache : public testing::Test {
+protected:
+    Workbench bench;
+    std::string text = sphere_with("", "");
+
+    [[nodiscard]] Built built() const { return bench.build_sphere(text); }
+    [[nodiscard]] std::size_t entries() const
+    {
+        std::size_t count = 0;
+        for (const auto& entry : fs::recursive_directory_iterator(bench.tools().cache)) count += entry.path().filename() == "result.json" ? 1 : 0;
+        return count;
+    }
+    [[nodiscard]] bool runs(const Built& result) const
+    {
+        Spawner spawner(bench.spawner());
+        return spawner.run(bench.sphere_run(result.library)).verdict == Verdict::ok;
+    }
+};
+
+TEST_F(Cache, the_second_build_is_the_first)
+{
+    const Built first = built();
+    ASSERT_EQ(to_string(first.verdict), "ok") << first.message;
+    const auto when = fs::last_write_time(first.library);
+    // Without a compiler only a kept result can come.
+    Toolchain tools = bench.tools();
+    tools.programs = "/nowhere";
+    const Built second = build(tools, bench.exercise("raytracing/sphere"), {{"sphere.cpp", text}});
+    EXPECT_EQ(second.library, first.library);
+    EXPECT_EQ(fs::last_write_time(second.library), when);
+    EXPECT_EQ(entries(), 1U);
+    for (const auto& entry : fs::directory_iterator(bench.tools().cache)) EXPECT_EQ(entry.path().filename(), "builds") << "left behind: " << entry.path();
+}
+
+TEST_F(Cache, errors_are_kept_as_well)
+{
+    text = "nonsense\n";
+    const Built first = built();
+    Toolchain tools = bench.tools();
+    tools.programs = "/nowhere";
+    const Built second = build(tools, bench.exercise("raytracing/sphere"), {{"sphere.cpp", text}});
+    EXPECT_EQ(to_string(second.verdict), "compile_error");
+    EXPECT_EQ(second.message, first.message);
+}
+
+TEST_F(Cache, another_text_flag_or_name_is_another_build)
+{
+    const Built first = built();
+    const Exercise exercise = bench.exercise("raytracing/sphere");
+    EXPECT_NE(build(bench.tools(), exercise, {{"sphere.cpp", text + "\n"}}).library, first.library);
+    EXPECT_NE(build(bench.tools(), exercise, {{"sphere.cpp", text}, {"empty.hpp", ""}}).library, first.library);
+    Exercise stricter = exercise;
+    stricter.forbid = {"glm::cross"};
+    EXPECT_NE(build(bench.tools(), stricter, {{"sphere.cpp", text}}).library, first.library);
+}
+
+TEST_F(Cache, the_same_files_at_the_same_time)
+{
+    std::vector<Built> results(4);
+    std::vector<std::jthread> threads;
+    for (Built& result : results) threads.emplace_back([&] { result = built(); });
+    threads.clear();
+    for (const Built& result : results) {
+        EXPECT_EQ(to_string(result.verdict), "ok") << result.message;
+        EXPECT_EQ(result.library, results.front().library);
+    }
+    EXPECT_EQ(entries(), 1U);
+    EXPECT_TRUE(runs(results.front()));
+}
+
+TEST_F(Cache, damage_is_repaired)
+{
+    const Built first = built();
+    ASSERT_EQ(to_string(first.verdict), "ok") << first.message;
+    const fs::path folder = first.library.parent_path();
+    const std::vector<std::function<void()>> damages = {
+        [&] { fs::resize_file(folder / "result.json", 5); },
+        [&] { fs::resize_file(folder / "result.json", 0); },
+        [&] { fs::remove(folder / "result.json"); },
+        [&] { fs::remove(folder / "student.so"); },
+        [&] { fs::resize_file(folder / "student.so", 100); },
+        [&] { std::ofstream(folder / "result.json") << R"({"verdict": "splendid", "message": ""})"; },
+        [&] { std::ofstream(folder / "result.json") << R"({"verdict": 7})"; },
+        [&] { std::ofstream(folder / "result.json") << "[]"; },
+    };
+    for (std::size_t i = 0; i < damages.size(); ++i) {
+        damages[i]();
+        const Built again = built();
+        EXPECT_EQ(to_string(again.verdict), "ok") << "damage " << i << ": " << again.message;
+        EXPECT_EQ(again.library, first.library);
+        EXPECT_TRUE(runs(again)) << "damage " << i;
+    }
+    for (const auto& entry : fs::directory_iterator(bench.tools().cache)) EXPECT_EQ(entry.path().filename(), "builds") << "left behind: " << entry.path();
+}
+
+// What cannot be compiled because of us is nobody's compile error.
+TEST_F(Cache, a_compiler_that_is_not_there_is_our_fault)
+{
+    Toolchain tools = bench.tools();
+    tools.compiler = "/usr/bin/no-such-compiler";
+    EXPECT_THROW((void)build(tools, bench.exercise("raytracing/sphere"), {{"sphere.cpp", text}}), std::runtime_error);
+}
+
+}
+}

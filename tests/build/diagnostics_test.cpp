@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/workbench.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+/// Sources that a compiler chokes on, or that want to read what they must not.
+struct Bomb {
+    const char* name;
+    std::string text;
+    bool builds = false;  ///< may also end well
+};
+
+class Bombs : public testing::TestWithParam<Bomb> {};
+
+TEST_P(Bombs, end_within_limits)
+{
+    const Workbench bench;
+    const Built built = bench.build_sphere(GetParam().text);
+    if (!GetParam().builds) {
+        EXPECT_EQ(to_string(built.verdict), "compile_error");
+    }
+    EXPECT_NE(to_string(built.verdict), "grader_fault");
+    if (built.verdict != Verdict::ok) {
+        EXPECT_FALSE(built.message.empty());
+    }
+    EXPECT_LE(built.message.size(), 8300U);
+    // The next student's build works.
+    EXPECT_EQ(to_string(bench.build_sphere(sphere_with("", "")).verdict), "ok");
+}
+
+const std::vector<Bomb> bombs = {
+    {"dev_zero", "#include \"/dev/zero\"\n"},
+    {"dev_random", "#include \"/dev/urandom\"\n"},
+    {"itself", "#include \"sphere.cpp\"\n"},
+    {"deep_templates", "template <int n> struct Deep { static constexpr int value = Deep<n + 1>::value; };\nint x = Deep<0>::value;\n"},
+    {"wide_templates",
+     "template <int n> struct W { W<n - 1> a; W<n - 2> b; static constexpr int v = W<n - 1>::v + W<n - 2>::v; };\ntemplate <class A, class B> struct P {};\n"
+     "template <int n, class T> struct G { using type = typename G<n - 1, P<T, P<T, T>>>::type; };\ntemplate <class T> struct G<0, T> { using type = T; };\n"
+     "G<60, int>::type x = 7;\n"},
+    {"constexpr_loop", "constexpr int loop() { int n = 0; for (;;) ++n; return n; }\nconstexpr int x = loop();\n"},
+    {"large_array", sphere_with("char hundred[100 << 20] = {1};\n", "    hundred[5] = 1;"), true},
+    {"macro_laughter", "#define A(x) x x x x x x x x x x\n#define B(x) A(A(A(x)))\n#define C(x) B(B(B(x)))\nint y[] = {C(1,)};\n"},
+    {"deep_brackets", "int x = " + std::string(200000, '(') + "1" + std::string(200000, ')') + ";\n"},
+    {"fill_the_disk", "asm(\".fill 0x7fffffff, 8, 7\");\n"},
+    {"empty", ""},
+};
+INSTANTIATE_TEST_SUITE_P(All, Bombs, testing::ValuesIn([] {
+                             std::vector<Bomb> all = bombs;
+                             std::erase_if(all, [](const Bomb& bomb) { return std::string(bomb.name) == "empty"; });
+                             return all;
+                         }()),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST(Diagnostics, name_the_students_file_and_line_and_nothing_of_ours)
+{
+    const Workbench bench;
+    std::string text = "namespace umbral::raytracing {\n";
+    for (int i = 0; i < 100; ++i) text += "int f" + std::to_string(i) + "() { return unknown_" + std::to_string(i) + "; }\n";
+    const Built built = bench.build_sphere(text + "}\n");
+    ASSERT_EQ(to_string(built.verdict), "compile_error");
+    EXPECT_TRUE(built.message.starts_with("sphere.cpp:")) << built.message;
+    EXPECT_NE(built.message.find("sphere.cpp:2:"), std::string::npos) << built.message;
+    EXPECT_LE(std::count(built.message.begin(), built.message.end(), '\n'), 25);
+}
+
+TEST(Diagnostics, hold_no_path_of_this_machine)
+{
+    const Workbench bench;
+    for (const std::string text :
+         {"namespace umbral { struct Ray {}; }\n", "int x = glm::vec3(1);\n", "#include <umbral/record/wire.hpp>\nint x = umbral::wire::padded();\n",
+          "#include \"nothing.hpp\"\n", "int twice() { return 1; }\nint twice() { return 2; }\n",
+          "namespace umbral::raytracing { int intersect(const Ray&, const Sphere&); }\n"}) {
+        const Built built = bench.build_sphere(text);
+        ASSERT_EQ(to_string(built.verdict), "compile_error") << text;
+        EXPECT_EQ(built.message.find(bench.folder()), std::string::npos) << built.message;
+        EXPECT_EQ(built.message.find(bench.tools().framework), std::string::npos) << built.message;
+        EXPECT_EQ(built.message.find(bench.tools().units.parent_path()), std::string::npos) << built.message;
+    }
+}
+
+TEST(Diagnostics, of_two_files_that_define_the_same)
+{
+    const Workbench bench;
+    const Built built = build(bench.tools(), bench.exercise("raytracing/sphere"),
+                              {{"sphere.cpp", sphere_with("int same() { return 1; }\n", "")}, {"other.cpp", "int same() { return 2; }\n"}});
+    ASSERT_EQ(to_string(built.verdict), "compile_error");
+    EXPECT_NE(built.message.find("same"), std::string::npos) << built.message;
+    EXPECT_EQ(built.message.find(bench.folder()), std::string::npos) << built.message;
+}
+
+TEST(Secrets, cannot_be_included)
+{
+    const Workbench bench;
+    const std::filesystem::path secret = bench.write("cache/builds/aa/other/sphere.cpp", "int secret_of_another = nonsense_of_another;\n");
+    for (const std::filesystem::path& path : {std::filesystem::path("/etc/passwd"), std::filesystem::path("/proc/self/environ"), secret,
+                                              bench.tools().reference / "raytracing/sphere.cpp", bench.tools().exercises / "raytracing/sphere/driver.cpp"}) {
+        const Built built = bench.build_sphere("#include \"" + path.string() + "\"\n");
+        EXPECT_EQ(to_string(built.verdict), "compile_error") << path;
+        EXPECT_NE(built.message.find("ermission denied"), std::string::npos) << built.message;
+        EXPECT_EQ(built.message.find("root:"), std::string::npos) << built.message;
+        EXPECT_EQ(built.message.find("nonsense_of_another"), std::string::npos) << built.message;
+    }
+}
+
+// The assembler can put any file into a library: none may hold answers.
+TEST(Secrets, cannot_be_assembled_in)
+{
+    const Workbench bench;
+    const std::filesystem::path unit = unit_folder(bench.tools(), "raytracing/sphere");
+    for (const std::filesystem::path& path : {unit / "reference.so", unit / "oracle.so", unit / "driver.so", bench.tools().reference / "raytracing/sphere.cpp",
+                                              std::filesystem::path("/etc/passwd")}) {
+        ASSERT_TRUE(std::filesystem::exists(path)) << path;
+        const Built built = bench.build_sphere(sphere_with("asm(\".data\\nstolen: .incbin \\\"" + path.string() + "\\\"\\n.text\");\n", ""));
+        EXPECT_EQ(to_string(built.verdict), "compile_error") << path;
+    }
+}
+
+}
+}

@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include "support/workbench.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+/// A view_matrix.cpp that gets the matrix from somewhere.
+std::string view(const std::string& before, const std::string& answer)
+{
+    return before + "\nnamespace umbral::projections {\n\nglm::mat4 view_matrix(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up)\n{\n    " +
+           answer + "\n}\n\n}\n";
+}
+
+struct Case {
+    const char* name;
+    Sources files;
+};
+
+class ForbiddenNames : public testing::TestWithParam<Case> {};
+
+TEST_P(ForbiddenNames, are_found)
+{
+    const Workbench bench;
+    const Built built = build(bench.tools(), bench.exercise("projections/view-matrix"), GetParam().files);
+    EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
+    EXPECT_NE(built.message.find("glm::lookAt"), std::string::npos) << built.message;
+    EXPECT_TRUE(built.library.empty());
+}
+
+const std::vector<Case> looks = {
+    {"called", {{"view_matrix.cpp", view("", "return glm::lookAt(eye, target, up);")}}},
+    {"right_handed", {{"view_matrix.cpp", view("", "return glm::lookAtRH(eye, target, up);")}}},
+    {"in_double", {{"view_matrix.cpp", view("", "return glm::mat4(glm::lookAt(glm::dvec3(eye), glm::dvec3(target), glm::dvec3(up)));")}}},
+    {"using_declaration", {{"view_matrix.cpp", view("using glm::lookAt;", "return lookAt(eye, target, up);")}}},
+    {"argument_dependent", {{"view_matrix.cpp", view("", "return lookAt(eye, target, up);")}}},
+    {"namespace_alias", {{"view_matrix.cpp", view("namespace g = glm;", "return g::lookAt(eye, target, up);")}}},
+    {"macro", {{"view_matrix.cpp", view("#define GLUE(a, b) a##b", "return glm::GLUE(look, At)(eye, target, up);")}}},
+    {"template_wrapper",
+     {{"view_matrix.cpp", view("template <class V> auto camera(V e, V t, V u) { return glm::lookAt(e, t, u); }", "return camera(eye, target, up);")}}},
+    {"function_pointer",
+     {{"view_matrix.cpp",
+       view("static glm::mat4 (*const volatile look)(const glm::vec3&, const glm::vec3&, const glm::vec3&) = &glm::lookAt<float, glm::defaultp>;",
+            "return look(eye, target, up);")}}},
+    {"always_inline",
+     {{"view_matrix.cpp",
+       view("[[gnu::always_inline, gnu::flatten]] static inline glm::mat4 mine(glm::vec3 e, glm::vec3 t, glm::vec3 u) { return glm::lookAt(e, t, u); }",
+            "return mine(eye, target, up);")}}},
+    {"helper_header",
+     {{"view_matrix.cpp", view("#include \"mine.hpp\"", "return mine(eye, target, up);")},
+      {"mine.hpp", "#pragma once\ninline glm::mat4 mine(glm::vec3 e, glm::vec3 t, glm::vec3 u) { return glm::lookAt(e, t, u); }\n"}}},
+    {"helper_source",
+     {{"view_matrix.cpp", view("glm::mat4 mine(glm::vec3 e, glm::vec3 t, glm::vec3 u);", "return mine(eye, target, up);")},
+      {"mine.cpp", "glm::mat4 mine(glm::vec3 e, glm::vec3 t, glm::vec3 u) { return glm::lookAt(e, t, u); }\n"}}},
+    {"other_optimisation", {{"view_matrix.cpp", view("#pragma GCC optimize(\"O3\")", "return glm::lookAt(eye, target, up);")}}},
+};
+INSTANTIATE_TEST_SUITE_P(LookAt, ForbiddenNames, testing::ValuesIn(looks), [](const auto& one) { return std::string(one.param.name); });
+
+class NamesOfTheSystem : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(NamesOfTheSystem, are_forbidden_and_named)
+{
+    const Workbench bench;
+    const auto& [name, code] = GetParam();
+    const std::string includes =
+        "#include <cstdlib>\n#include <dlfcn.h>\n#include <fstream>\n#include <pthread.h>\n#include <sys/mman.h>\n#include <sys/socket.h>\n#include "
+        "<unistd.h>\n";
+    const Built built = bench.build_sphere(sphere_with(includes, std::string("    ") + code));
+    EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
+    EXPECT_NE(built.message.find(name), std::string::npos) << built.message;
+}
+
+using NameAndCode = std::pair<const char*, const char*>;
+INSTANTIATE_TEST_SUITE_P(
+    All, NamesOfTheSystem,
+    testing::Values(NameAndCode{"dlopen", "if (dlopen(\"libm.so.6\", RTLD_LAZY) == nullptr) return std::nullopt;"},
+                    NameAndCode{"dlsym", "if (dlsym(RTLD_DEFAULT, \"system\") == nullptr) return std::nullopt;"},
+                    NameAndCode{"system", "if (std::system(\"id\") != 0) return std::nullopt;"}, NameAndCode{"fork", "if (fork() != 0) return std::nullopt;"},
+                    NameAndCode{"pthread_create", "pthread_t id; if (pthread_create(&id, nullptr, nullptr, nullptr) != 0) return std::nullopt;"},
+                    NameAndCode{"fopen", "if (std::fopen(\"/etc/passwd\", \"r\") == nullptr) return std::nullopt;"},
+                    NameAndCode{"socket", "if (socket(2, 1, 0) < 0) return std::nullopt;"},
+                    NameAndCode{"mmap", "if (mmap(0, 1, 0, 0, 0, 0) == nullptr) return std::nullopt;"},
+                    NameAndCode{"syscall", "if (syscall(57) < 0) return std::nullopt;"}, NameAndCode{"execl", "execl(\"/bin/sh\", \"sh\", nullptr);"},
+                    NameAndCode{"getenv", "if (std::getenv(\"HOME\") == nullptr) return std::nullopt;"}, NameAndCode{"_exit", "_exit(0);"}),
+    [](const auto& one) { return std::string(one.param.first); });
+
+// Names are read from the debug information: what could hide behind damage in it is not run.
+TEST(Names, damaged_debug_information_is_forbidden)
+{
+    const Workbench bench;
+    const std::string damage = "asm(\".pushsection .debug_info\\n.long 0x7fffffff\\n.byte 1,2,3\\n.popsection\");";
+    const Built built =
+        build(bench.tools(), bench.exercise("projections/view-matrix"), {{"view_matrix.cpp", view(damage, "return glm::lookAt(eye, target, up);")}});
+    EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
+    EXPECT_NE(built.message.find("debug information"), std::string::npos) << built.message;
+}
+
+// A weak reference is resolved like any other when the library is loaded.
+TEST(Names, weak_references_are_no_way_round)
+{
+    const Workbench bench;
+    const Built built =
+        bench.build_sphere(sphere_with("extern \"C\" int system(const char*) __attribute__((weak));\n", "    if (system(\"id\") != 0) return std::nullopt;"));
+    EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
+}
+
+TEST(Names, the_standard_library_is_allowed)
+{
+    const Workbench bench;
+    const Built built = bench.build_sphere(sphere_with(
+        "#include <map>\n#include <numeric>\n#include <random>\n#include <regex>\n#include <set>\n#include <sstream>\n#include <unordered_map>\n", R"(
+    static std::map<int, std::string> names{{1, "one"}};
+    std::unordered_map<std::string, double> table{{"pi", std::acos(-1.0)}};
+    std::ostringstream text;
+    text << names[1] << table["pi"] << std::sin(ray.t_min) << std::lround(2.5);
+    std::mt19937 engine(7);
+    std::function<double()> draw = [&] { return std::uniform_real_distribution<double>(0, 1)(engine); };
+    std::vector<double> values(10);
+    std::generate(values.begin(), values.end(), draw);
+    std::sort(values.begin(), values.end());
+    auto shared = std::make_shared<int>(3);
+    try { if (values[0] > 2) throw std::runtime_error("no"); } catch (const std::exception& error) { std::cerr << error.what(); }
+    if (text.str().empty() || *shared == 4 || std::strtol("5", nullptr, 10) == 6 || std::rand() == -1) return std::nullopt;)"));
+    EXPECT_EQ(to_string(built.verdict), "ok") << built.message;
+}
+
+TEST(Names, an_interface_mismatch_names_both)
+{
+    const Workbench bench;
+    Built built =
+        bench.build_sphere("namespace umbral::raytracing {\nstd::optional<float> intersect(Ray ray, Sphere sphere) { return ray.t_min + sphere.radius; }\n}\n");
+    EXPECT_EQ(to_string(built.verdict), "interface_mismatch");
+    EXPECT_NE(built.message.find("umbral::raytracing::intersect(umbral::Ray, umbral::raytracing::Sphere)"), std::string::npos) << built.message;
+    EXPECT_NE(built.message.find("umbral::raytracing::intersect(umbral::Ray const&, umbral::raytracing::Sphere const&)"), std::string::npos) << built.message;
+    built = bench.build_sphere("std::optional<float> intersect(const umbral::Ray& ray, const umbral::raytracing::Sphere&) { return ray.t_min; }\n");
+    EXPECT_EQ(to_string(built.verdict), "interface_mismatch");
+    EXPECT_NE(built.message.find("you wrote intersect("), std::string::npos) << built.message;
+    built = bench.build_sphere("static int nothing = 0;\n");
+    EXPECT_EQ(to_string(built.verdict), "interface_mismatch");
+    EXPECT_NE(built.message.find("does not define"), std::string::npos) << built.message;
+}
+
+}
+}

@@ -1,0 +1,22 @@
+# Tests that build and run students' files: they know where this build lies, and depend on all that a grading needs.
+if(NOT TARGET umbral-workbench)
+  list(JOIN UMBRAL_STUDENT_FLAGS " " flags)
+  add_library(umbral-workbench STATIC ${CMAKE_CURRENT_LIST_DIR}/workbench.cpp)
+  target_include_directories(umbral-workbench PUBLIC ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(umbral-workbench PUBLIC UMBRAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}" UMBRAL_BUILD_DIR="${PROJECT_BINARY_DIR}"
+    UMBRAL_COMPILER="${CMAKE_CXX_COMPILER}" "UMBRAL_TEST_STUDENT_FLAGS=\"${flags}\"")
+  target_link_libraries(umbral-workbench PUBLIC umbral-batch PRIVATE umbral-warnings)
+  add_dependencies(umbral-workbench umbral-spawner umbral-spawner-gl umbral-confine umbral-inspect student-header framework-exports)
+  foreach(unit raytracing-sphere projections-view-matrix)
+    add_dependencies(umbral-workbench driver-${unit} reference-library-${unit} oracle-library-${unit} exports-${unit})
+  endforeach()
+  # The mistakes explain a failing result.
+  foreach(unit raytracing/sphere projections/view-matrix)
+    string(REPLACE "/" "-" id ${unit})
+    file(GLOB mistakes CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/exercises/${unit}/mistakes/*.cpp)
+    foreach(mistake IN LISTS mistakes)
+      get_filename_component(name ${mistake} NAME_WE)
+      add_dependencies(umbral-workbench mistake-${id}-${name})
+    endforeach()
+  endforeach()
+endif()

@@ -1,0 +1,86 @@
+#include "support/workbench.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace umbral::grader::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> words(const std::string& text)
+{
+    std::vector<std::string> result;
+    std::istringstream stream(text);
+    for (std::string word; stream >> word;) result.push_back(word);
+    return result;
+}
+
+}
+
+Workbench::Workbench()
+{
+    std::string name = (fs::temp_directory_path() / "umbral-test-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a directory for the test: " + name);
+    folder_ = fs::canonical(name);
+    const fs::path source = UMBRAL_SOURCE_DIR;
+    const fs::path build = UMBRAL_BUILD_DIR;
+    tools_ = {.exercises = source / "exercises",
+              .reference = source / "reference",
+              .units = build / "units",
+              .programs = build / "bin",
+              .framework = source / "framework",
+              .student_header = build / "student" / "umbral_student.hpp",
+              .cache = folder_ / "cache",
+              .scratch = folder_ / "cache",
+              .compiler = UMBRAL_COMPILER,
+              .flags = words(UMBRAL_TEST_STUDENT_FLAGS)};
+}
+
+Workbench::~Workbench()
+{
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
+
+RunRequest Workbench::sphere_run(const fs::path& library, const std::string& case_name) const
+{
+    return {unit_folder(tools_, "raytracing/sphere") / "driver.so", library, {}, case_name, 1, {.wall_seconds = 5, .memory_mib = 512}};
+}
+
+fs::path Workbench::write(const fs::path& name, const std::string& text) const
+{
+    const fs::path path = folder_ / name;
+    fs::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+}
+
+std::string project_file(const std::string& path) { return read_text(fs::path(UMBRAL_SOURCE_DIR) / path); }
+
+std::string sphere_with(const std::string& before, const std::string& first)
+{
+    return before + R"(
+namespace umbral::raytracing {
+
+std::optional<float> intersect(const Ray& ray, const Sphere& sphere)
+{
+)" + first +
+           R"(
+    const glm::vec3 o = ray.origin - sphere.centre;
+    const float a = dot(ray.direction, ray.direction);
+    const float b = dot(o, ray.direction);
+    const float d = b * b - a * (dot(o, o) - sphere.radius * sphere.radius);
+    if (d < 0) return std::nullopt;
+    for (const float t : {(-b - std::sqrt(d)) / a, (-b + std::sqrt(d)) / a})
+        if (ray.t_min < t && t < ray.t_max) return t;
+    return std::nullopt;
+}
+
+}
+)";
+}
+
+}
