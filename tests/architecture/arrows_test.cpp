@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+#include <set>
+
+#include "sources.hpp"
+
+namespace umbral::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+    Line line;
+    std::string target;
+    bool system;  ///< in <>
+};
+
+std::vector<Include> includes_of(const fs::path& file)
+{
+    static const std::regex form(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)re");
+    std::vector<Include> includes;
+    for (const Line& line : lines_of(file)) {
+        std::smatch found;
+        if (std::regex_match(line.text, found, form)) includes.push_back({line, found[2], found[1] == "<"});
+    }
+    return includes;
+}
+
+std::vector<Include> includes_below(const std::string& folder)
+{
+    std::vector<Include> all;
+    for (const fs::path& file : files_below(folder)) {
+        if (!is_cpp(file)) continue;
+        const std::vector<Include> some = includes_of(file);
+        all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
+}
+
+/// The n-th part of a path: part("grader/run/x.hpp", 1) is "run".
+std::string part(const fs::path& path, int n)
+{
+    auto at = path.begin();
+    for (; n > 0 && at != path.end(); --n) ++at;
+    return at == path.end() ? "" : at->string();
+}
+
+using Rooms = std::map<std::string, std::set<std::string>>;
+
+// "mesh.hpp" beside the file belongs to the file's own room; "../x.hpp" would hide where it goes.
+TEST(Arrows, of_the_grader)
+{
+    const Rooms may_include = {{"model", {}},
+                               {"run", {"model"}},
+                               {"build", {"model", "run"}},
+                               {"judge", {"model"}},
+                               {"report", {"model", "judge"}},
+                               {"batch", {"model", "run", "build", "judge", "report"}},
+                               {"cli", {"model", "run", "build", "judge", "report", "batch"}}};
+    std::size_t seen = 0;
+    for (const Include& include : includes_below("grader")) {
+        const std::string room = part(include.line.file, 1);
+        ASSERT_TRUE(may_include.contains(room)) << "a room nobody declared: " << include.line.where();
+        if (include.system) continue;
+        const std::string target = part(include.target, 0);
+        ++seen;
+        EXPECT_TRUE(target == room || may_include.at(room).contains(target)) << include.line.where();
+    }
+    EXPECT_GT(seen, 100U);
+}
+
+TEST(Arrows, the_grader_knows_no_answers)
+{
+    for (const Include& include : includes_below("grader")) {
+        for (const char* const forbidden : {"reference/", "exercises/", "../"})
+            EXPECT_EQ(include.target.find(forbidden), std::string::npos) << include.line.where();
+        // Of the framework only what describes a run, and in programs that run students' code what they link.
+        if (!include.target.starts_with("umbral/")) continue;
+        const std::string room = part(include.target, 1);
+        EXPECT_TRUE(room == "core" || room == "record" || room == "gl") << include.line.where();
+    }
+}
+
+TEST(Arrows, of_the_framework)
+{
+    const std::set<std::string> below_topics = {"core", "gl", "input", "scene", "record"};
+    const Rooms may_include = {{"core", {}}, {"gl", {"core", "record"}}, {"input", {"core"}}, {"scene", {"core"}}, {"record", {"core"}}};
+    std::size_t seen = 0;
+    for (const Include& include : includes_below("framework")) {
+        if (!include.target.starts_with("umbral/")) {
+            EXPECT_TRUE(include.system || include.target.find('/') == std::string::npos) << include.line.where();
+            continue;
+        }
+        const std::string room = part(include.line.file, 2);
+        const std::string target = part(include.target, 1);
+        ++seen;
+        // What every student's file sees: interfaces and what they need.
+        if (room == "student.hpp" || room == target) continue;
+        const bool is_topic = !below_topics.contains(room);
+        // Topics are data and interfaces of their own: they meet in the reference only.
+        EXPECT_TRUE(is_topic ? below_topics.contains(target) : may_include.at(room).contains(target)) << include.line.where();
+    }
+    EXPECT_GT(seen, 20U);
+}
+
+TEST(Arrows, nobody_below_includes_reference_exercises_or_grader)
+{
+    for (const char* const folder : {"framework", "reference"}) {
+        for (const Include& include : includes_below(folder))
+            for (const char* const forbidden : {"grader/", "exercises/", "model/", "run/", "build/", "batch/", "reference/"})
+                EXPECT_FALSE(include.target.starts_with(forbidden)) << include.line.where();
+    }
+}
+
+// Stubs, mistakes and alternatives are students' files: the framework is all they see. Drivers may share a topic's files.
+TEST(Arrows, of_the_exercises)
+{
+    std::size_t seen = 0;
+    for (const Include& include : includes_below("exercises")) {
+        ++seen;
+        for (const char* const forbidden : {"grader/", "reference/", "model/", "run/", "batch/"})
+            EXPECT_EQ(include.target.find(forbidden), std::string::npos) << include.line.where();
+        const bool shared = part(include.line.file, 2).ends_with(".hpp") || fs::path(include.line.file).filename() == "driver.cpp" ||
+                            fs::path(include.line.file).extension() == ".hpp";
+        EXPECT_TRUE(shared || include.system) << include.line.where();
+    }
+    EXPECT_GT(seen, 10U);
+}
+
+}
+}

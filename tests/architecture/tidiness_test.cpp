@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <regex>
+
+#include "sources.hpp"
+
+namespace umbral::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Work of students, real or as if: not ours to tidy.
+bool is_submission(const fs::path& file) { return file.string().starts_with("tests/class/"); }
+
+std::vector<fs::path> our_cpp_files()
+{
+    std::vector<fs::path> all;
+    for (const char* const folder : {"framework", "reference", "exercises", "grader", "tests"})
+        for (const fs::path& file : files_below(folder))
+            if (is_cpp(file) && !is_submission(file)) all.push_back(file);
+    return all;
+}
+
+/// A stub is a file of exercises/<topic>/<unit>/ itself, but the driver.
+bool is_stub(const fs::path& file)
+{
+    return std::distance(file.begin(), file.end()) == 4 && *file.begin() == "exercises" && file.filename() != "driver.cpp" && file.extension() != ".hpp" &&
+           file.extension() != ".md";
+}
+
+// Spelled in two parts, or this file would be found as well.
+TEST(Tidiness, only_stubs_leave_something_to_do)
+{
+    // As a comment: a test may hold the word in a text.
+    const std::regex left(R"re((^|[^"])(//|/\*|#).*\b(TO)re"
+                          R"re(DO|FIX)re"
+                          R"re(ME|X)re"
+                          R"re(XX)\b)re");
+    for (const char* const folder : {"framework", "reference", "exercises", "grader", "tests", "cmake"}) {
+        for (const fs::path& file : files_below(folder)) {
+            if (is_stub(file) || is_submission(file)) continue;
+            for (const Line& line : lines_of(file)) EXPECT_FALSE(std::regex_search(line.text, left)) << line.where();
+        }
+    }
+}
+
+TEST(Tidiness, files_fit_one_sitting)
+{
+    const std::vector<fs::path> files = our_cpp_files();
+    EXPECT_GT(files.size(), 100U);
+    for (const fs::path& file : files) EXPECT_LT(lines_of(file).size(), 300U) << file;
+}
+
+// One library reaches OpenGL's back end, and that one at run time: any other way would bypass the traces.
+TEST(Tidiness, only_umbral_gl_knows_the_back_end)
+{
+    const std::regex back_end("OSMesa|OpenGL::|GLESv|GL::GL|PkgConfig::(GL|EGL)|-lGL\\b|find_package\\((OpenGL|GLEW)", std::regex::icase);
+    std::vector<fs::path> files = {"CMakeLists.txt"};
+    for (const char* const folder : {"framework", "exercises", "reference", "grader", "tests", "cmake"})
+        for (const fs::path& file : files_below(folder))
+            if (file.filename() == "CMakeLists.txt" || file.extension() == ".cmake") files.push_back(file);
+    for (const fs::path& file : files) {
+        if (file == "framework/umbral/gl/CMakeLists.txt") continue;
+        for (const Line& line : lines_of(file)) {
+            const std::string code = line.text.substr(0, line.text.find('#'));
+            EXPECT_FALSE(std::regex_search(code, back_end)) << line.where();
+        }
+    }
+}
+
+TEST(Tidiness, the_format_is_kept)
+{
+    if (std::system("clang-format --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "clang-format is not installed: THE FORMAT OF NO FILE WAS CHECKED";
+    for (const fs::path& file : our_cpp_files()) {
+        const std::string command = "cd '" UMBRAL_SOURCE_DIR "' && clang-format --dry-run -Werror '" + file.string() + "' > /dev/null 2>&1";
+        EXPECT_EQ(std::system(command.c_str()), 0) << file << ": run clang-format -i on it";
+    }
+}
+
+}
+}
