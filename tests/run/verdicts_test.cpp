@@ -110,6 +110,17 @@ TEST(VerdictsOfOthers, an_assertion_is_shown_with_its_text)
     EXPECT_NE(result.output.find("the ball is inside out"), std::string::npos) << result.output;
 }
 
+// A cache in ~/.cache/umbral has the project's name in its path, as the framework's headers have.
+TEST(VerdictsOfOthers, a_place_is_told_wherever_the_cache_lies)
+{
+    const Workbench bench;
+    Toolchain tools = bench.tools();
+    tools.cache = bench.folder() / "umbral";
+    const std::string text = sphere_with("", "    volatile float* nowhere = nullptr;\n    *nowhere = 1;");
+    const UnitResult result = grade(tools, bench.exercise("raytracing/sphere"), {{{"sphere.cpp", text}}, {}, ""});
+    EXPECT_NE(result.message.find("at sphere.cpp:7"), std::string::npos) << result.message;
+}
+
 TEST(VerdictsOfOthers, missing_and_refused_files_are_missing)
 {
     const Workbench bench;
