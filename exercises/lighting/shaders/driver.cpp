@@ -1,5 +1,6 @@
 #include <umbral/record/driver.hpp>
 
+#include "probes.hpp"
 #include "scenes.hpp"
 
 namespace umbral {
@@ -7,88 +8,40 @@ namespace {
 
 using namespace lighting;
 
-void record(const Case& what, Recorder& out, std::string_view name, const Scene& scene) { out.image(name, draw(scene, *compile(what))); }
-
-void record(const Case& what, Recorder& out, const std::vector<Probe>& probes)
+void record_points(Recorder& out, std::string_view name, const std::vector<Probe>& probes, const gl::Program& program)
 {
-    for (const glm::vec3& color : colors_of(probes, *compile(what))) out.append("colors", color);
+    for (const glm::vec3& color : colors_of(probes, program)) out.append(name, color);
 }
 
-// Single points with everything at random: what the formula gives, without a mesh.
-std::vector<Probe> random_points(Random& random)
+// One case for many pictures: most of a run's time goes into compiling the shaders.
+void record_pictures(Case& what, Recorder& out)
 {
-    std::vector<Probe> probes;
-    while (probes.size() < 256) {
-        Probe probe{3.0F * random.in_cube() + glm::vec3(0, 0, -6), random.unit_vector(), random_material(random), {}, random_color(random, 0, 0.5F)};
-        if (dot(probe.normal, normalize(-probe.position)) < 0.1F) continue;
-        probe.lights = random_lights(random, placed(probe.position));
-        probe.view = placed(4.0F * random.in_cube(), glm::vec3(1), random.uniform(0, turn), random.unit_vector());
-        probe.model = placed(4.0F * random.in_cube(), {random.uniform(0.5F, 2), random.uniform(0.5F, 2), random.uniform(0.5F, 2)}, random.uniform(0, turn),
-                             random.unit_vector());
-        probes.push_back(probe);
-    }
-    return probes;
-}
-
-// Points straight ahead of the viewer (v = (0, 0, 1)) where a term vanishes, is undefined or changes its formula.
-std::vector<Probe> edges()
-{
-    std::vector<Probe> probes;
-    const auto add = [&](const glm::vec3& normal, float shininess, const std::vector<glm::vec4>& places) {
-        for (const glm::vec3& tint : {glm::vec3(0.5F, 0.3F, 0.2F), glm::vec3(0.2F, 0.4F, 0.5F)}) {
-            Probe probe{{0, 0, -4}, normal, {0.1F * tint, 0.3F * tint, tint, glm::vec3(0.75F) - tint, shininess}, {}, glm::vec3(0.5F)};
-            for (const glm::vec4& place : places) probe.lights.push_back({place, 0.7F * (glm::vec3(1.1F) - tint)});
-            probes.push_back(probe);
-        }
-    };
-    const glm::vec3 ahead(0, 0, 1);
-    const glm::vec3 away(0.6F, 0, -0.8F);  // n·v < 0: an interpolated normal on a silhouette
-    const float half = std::sqrt(0.5F);
-    // Exponent 0, with the cosine positive, zero and negative: x^0 = 1.
-    add(ahead, 0, {{0.6F, 0, 0.8F, 0}});
-    add({half, 0, -half}, 0, {{1, 0, 0, 0}});
-    add(away, 0, {{1, 0, 0, 0}});
-    // A negative cosine under other exponents: no highlight, and no power of a negative number.
-    for (const float shininess : {1.0F, 2.0F, 2.5F, 5.0F, 128.0F}) add(away, shininess, {{1, 0, 0, 0}});
-    add(away, 5, {{4, 0, -4, 1}});
-    // The light exactly opposite to the viewer: l + v = 0 in any arithmetic, since both have the length 4 before they are normalised.
-    add(away, 8, {{0, 0, -4, 0}});
-    add(away, 8, {{0, 0, -8, 1}});
-    // Grazing exactly, and from behind where n·h is still positive: neither diffuse nor specular.
-    add(ahead, 4, {{1, 0, 0, 0}});
-    add(ahead, 4, {{0, 3, -4, 1}});
-    add(ahead, 4, {{0.6F, 0, -0.8F, 0}});
-    // Directions have any length, and light_count may be 0 or 8.
-    add(ahead, 4, {{0, 30, 40, 0}});
-    add(ahead, 4, {{0.003F, 0, 0.004F, 0}});
-    add(ahead, 4, {});
-    add(ahead, 128, std::vector(8, glm::vec4(0, 0.2F, 1, 0)));
-    return probes;
+    const auto program = compile(what);
+    const auto record = [&](const char* name, const Scene& scene) { out.image(name, draw(scene, *program)); };
+    record("still life", still_life());
+    record("diffuse sphere", diffuse_sphere());
+    record("exponents", exponents());
+    record("near lamps", near_lamps());
+    record("eight lights", eight_lights());
+    record("scaled", scaled_things());
+    record("coarse smooth", coarse_sphere(false));
+    record("coarse flat", coarse_sphere(true));
+    record("bowls smooth", bowls(false));
+    record("bowls flat", bowls(true));
 }
 
 }
 
 const Driver driver = {
-    {"still life", [](Case& c, Recorder& out) { record(c, out, "picture", still_life()); }},
-    {"diffuse sphere", [](Case& c, Recorder& out) { record(c, out, "picture", diffuse_sphere()); }},
-    {"exponents", [](Case& c, Recorder& out) { record(c, out, "picture", exponents()); }},
-    {"near lamps", [](Case& c, Recorder& out) { record(c, out, "picture", near_lamps()); }},
-    {"coarse sphere",
+    {"pictures", record_pictures},
+    {"edges", [](Case& c, Recorder& out) { record_points(out, "colors", edges(), *compile(c)); }},
+    {"random",
      [](Case& c, Recorder& out) {
-         record(c, out, "smooth", coarse_sphere(false));
-         record(c, out, "flat", coarse_sphere(true));
+         const auto program = compile(c);
+         record_points(out, "points", random_points(c.random), *program);
+         out.image("smooth", draw(random_scene(c.random, false), *program));
+         out.image("flat", draw(random_scene(c.random, true), *program));
      }},
-    {"scaled", [](Case& c, Recorder& out) { record(c, out, "picture", scaled_things()); }},
-    {"bowls",
-     [](Case& c, Recorder& out) {
-         record(c, out, "smooth", bowls(false));
-         record(c, out, "flat", bowls(true));
-     }},
-    {"eight lights", [](Case& c, Recorder& out) { record(c, out, "picture", eight_lights()); }},
-    {"edges", [](Case& c, Recorder& out) { record(c, out, edges()); }},
-    {"random points", [](Case& c, Recorder& out) { record(c, out, random_points(c.random)); }},
-    {"random smooth", [](Case& c, Recorder& out) { record(c, out, "picture", random_scene(c.random, false)); }},
-    {"random flat", [](Case& c, Recorder& out) { record(c, out, "picture", random_scene(c.random, true)); }},
 };
 
 }

@@ -62,9 +62,9 @@ inline Scene exponents()
     constexpr std::array steps = {1.0F, 2.0F, 3.0F, 4.0F, 6.0F, 8.0F, 11.0F, 16.0F, 22.0F, 30.0F, 40.0F, 52.0F, 68.0F, 86.0F, 106.0F, 128.0F};
     Scene scene = scene_from({0, 0, 11}, {0, 0, 0}, 41);
     add_sun(scene, {-0.9F, 1.1F, 0.9F}, {1.0F, 0.96F, 0.90F});
-    add_lamp(scene, {6, -3, 2}, {0.18F, 0.32F, 0.55F});
+    add_sun(scene, {1.2F, -0.6F, 0.8F}, {0.18F, 0.32F, 0.55F});
     for (int i = 0; i < 16; ++i) {
-        Material material = plastic({0.30F, 0.10F, 0.14F}, 0.65F, steps[static_cast<std::size_t>(i)]);
+        Material material = plastic({0.30F, 0.10F, 0.14F}, 0.58F, steps[static_cast<std::size_t>(i)]);
         scene.things.push_back({sphere(48, 24), placed({2 * (i % 4) - 3, 3 - 2 * (i / 4), 0}, glm::vec3(0.92F)), material});
     }
     return scene;
@@ -88,7 +88,7 @@ inline Scene coarse_sphere(bool flat)
     Scene scene = scene_from({0, 0, 3.4F}, {0, 0, 0}, 40);
     scene.flat = flat;
     scene.global_ambient = glm::vec3(0.3F);
-    add_sun(scene, {-0.5F, 0.7F, 0.8F}, {0.72F, 0.70F, 0.66F});
+    add_lamp(scene, {-1.7F, 2.0F, 2.6F}, {0.72F, 0.70F, 0.66F});
     add_lamp(scene, {2.0F, 0.5F, 1.6F}, {0.22F, 0.30F, 0.50F});
     scene.things = {{icosphere(1), placed({0, 0, 0}, glm::vec3(1), 0.4F, {0.3F, 1, 0.2F}), plastic({0.26F, 0.52F, 0.36F}, 0.8F, 40)}};
     return scene;
@@ -100,7 +100,7 @@ inline Scene scaled_things()
     Scene scene = scene_from({0, 0.9F, 4.4F}, {0, 0, 0}, 38);
     scene.global_ambient = glm::vec3(0.3F);
     add_sun(scene, {-0.5F, 0.9F, 0.6F}, {0.72F, 0.69F, 0.62F});
-    add_lamp(scene, {2, -0.6F, 1.8F}, {0.25F, 0.22F, 0.45F});
+    add_sun(scene, {0.9F, -0.3F, 0.6F}, {0.25F, 0.22F, 0.45F});
     scene.things = {{sphere(96, 48), placed({-0.72F, 0.42F, 0}, {0.62F, 0.16F, 0.5F}, 0.7F, {0.3F, 0.2F, 1}), plastic({0.75F, 0.42F, 0.22F}, 0.6F, 30)},
                     {torus(128, 48, 0.33F), placed({0.62F, 0.08F, 0}, {0.26F, 0.92F, 0.55F}, -0.35F, {0, 0.4F, 1}), plastic({0.25F, 0.48F, 0.66F}, 0.6F, 40)},
                     {sphere(96, 48), placed({-0.45F, -0.62F, 0.4F}, {0.85F, 0.30F, 0.12F}, -0.3F, {1, 1, 0}), plastic({0.48F, 0.58F, 0.24F}, 0.5F, 20)}};
@@ -113,7 +113,7 @@ inline Scene bowls(bool flat)
     Scene scene = scene_from({0, 1.6F, 3.3F}, {0.02F, -0.08F, 0}, 38);
     scene.flat = flat;
     scene.global_ambient = glm::vec3(0.3F);
-    add_sun(scene, {-0.6F, 1, 0.7F}, {0.70F, 0.67F, 0.60F});
+    add_lamp(scene, {-1.6F, 2.4F, 1.9F}, {0.70F, 0.67F, 0.60F});
     add_lamp(scene, {0.9F, 0.9F, 0.9F}, {0.20F, 0.26F, 0.42F});
     const Shape bowl = sphere(16, 6, 0.1F);
     scene.things = {{bowl, placed({-0.56F, -0.05F, 0.2F}, glm::vec3(0.60F), 0.5F, {1, 0, -0.3F}), plastic({0.72F, 0.34F, 0.26F}, 0.6F, 24)},
@@ -171,23 +171,33 @@ inline std::vector<Light> random_lights(Random& random, const glm::mat4& view)
     return lights;
 }
 
-/// Four things of all kinds, stretched where their meshes are fine, under random lights.
+/// Turns the y axis into `direction`, and then places.
+inline glm::mat4 open_towards(const glm::vec3& direction, const glm::vec3& place, const glm::vec3& scale)
+{
+    const glm::vec3 up(0, 1, 0);
+    return placed(place, scale, std::acos(dot(up, normalize(direction))), cross(up, direction));
+}
+
+/// Four things of all kinds, stretched where their meshes are fine, under random lights. The last one is a bowl that shows its inside.
 inline Scene random_scene(Random& random, bool flat)
 {
     const float angle = random.uniform(0, turn);
-    Scene scene = scene_from({3.6F * std::sin(angle), random.uniform(0.5F, 1.6F), 3.6F * std::cos(angle)}, {0, 0, 0}, 40);
+    Scene scene = scene_from({4.1F * std::sin(angle), random.uniform(0.5F, 1.6F), 4.1F * std::cos(angle)}, {0, 0, 0}, 40);
     scene.flat = flat;
+    scene.unused_light = glaring;
     scene.global_ambient = random_color(random, 0.1F, 0.5F);
     scene.lights = random_lights(random, scene.view);
     const std::array shapes = {flat ? icosphere(1) : sphere(96, 48), torus(flat ? 16 : 128, flat ? 10 : 48, 0.33F), flat ? icosphere(0) : icosphere(1),
-                               sphere(20, 8, 0.0F)};
-    for (int i = 0; i < 4; ++i) {
+                               sphere(20, 8, 0)};
+    const glm::vec3 eye(inverse(scene.view)[3]);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
         const float corner = angle + turn * (static_cast<float>(i) + random.uniform(0.3F, 0.7F)) / 4;
-        const glm::vec3 place(0.8F * std::sin(corner), random.uniform(-0.35F, 0.35F), 0.8F * std::cos(corner));
-        glm::vec3 scale(random.uniform(0.5F, 0.62F));
+        const glm::vec3 place(0.85F * std::sin(corner), random.uniform(-0.35F, 0.35F), 0.85F * std::cos(corner));
+        glm::vec3 scale(random.uniform(0.54F, 0.66F));
         if (i < 2) scale *= glm::vec3(random.uniform(0.6F, 1.1F), random.uniform(0.3F, 0.6F), random.uniform(0.8F, 1.2F));
-        scene.things.push_back(
-            {shapes[static_cast<std::size_t>(i)], placed(place, scale, random.uniform(0, turn), random.unit_vector()), random_material(random)});
+        const glm::mat4 model = i == 3 ? open_towards(normalize(eye - place) + 0.7F * random.unit_vector(), place, scale)
+                                       : placed(place, scale, random.uniform(0, turn), random.unit_vector());
+        scene.things.push_back({shapes[i], model, random_material(random)});
     }
     return scene;
 }

@@ -61,13 +61,17 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<Thing> things;
     bool flat = false;
+    glm::vec3 unused_light{0};  ///< what stands in the entries of light_color beyond the last light
 };
 
-/// Sets the lights. Entries beyond the last one hold a glaring light, since nothing may read them.
-inline void set_lights(const gl::Program& program, const std::vector<Light>& lights, const glm::vec3& global_ambient)
+/// A glaring colour for entries that nothing may read.
+inline constexpr glm::vec3 glaring(0.9F, 0, 0.9F);
+
+/// Sets the lights; entries beyond the last one hold a light of the colour `unused`.
+inline void set_lights(const gl::Program& program, const std::vector<Light>& lights, const glm::vec3& global_ambient, const glm::vec3& unused)
 {
     std::vector<glm::vec4> positions(maximum_lights, glm::vec4(0.3F, -0.4F, 1, 0));
-    std::vector<glm::vec3> colors(maximum_lights, glm::vec3(0.9F, 0, 0.9F));
+    std::vector<glm::vec3> colors(maximum_lights, unused);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         positions[i] = lights[i].position;
         colors[i] = lights[i].color;
@@ -106,7 +110,7 @@ inline Image draw(const Scene& scene, const gl::Program& program)
     program.set("view", scene.view);
     program.set("projection", scene.projection);
     program.set("flat_shading", scene.flat ? 1 : 0);
-    set_lights(program, scene.lights, scene.global_ambient);
+    set_lights(program, scene.lights, scene.global_ambient, scene.unused_light);
     for (const Thing& thing : scene.things) {
         program.set("model", thing.model);
         set_material(program, thing.material);
@@ -134,7 +138,7 @@ inline std::vector<glm::vec3> colors_of(const std::vector<Probe>& probes, const 
     const auto size = static_cast<int>(probes.size());
     const gl::Framebuffer frame(size, 1);
     frame.clear();
-    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_DEPTH_TEST);
     glPointSize(1);
     // Every point goes to the middle of its own pixel, wherever it lies.
     glm::mat4 to_centre(0);
@@ -147,7 +151,7 @@ inline std::vector<glm::vec3> colors_of(const std::vector<Probe>& probes, const 
         program.set("model", probe.model);
         program.set("view", probe.view);
         set_material(program, probe.material);
-        set_lights(program, probe.lights, probe.global_ambient);
+        set_lights(program, probe.lights, probe.global_ambient, glaring);
         // Back to the coordinates of the object; normals through the transpose, since the shader's way is the inverse transpose.
         const glm::mat4 modelview = probe.view * probe.model;
         const std::vector positions(3, glm::vec3(inverse(modelview) * glm::vec4(probe.position, 1)));
