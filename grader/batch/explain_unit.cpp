@@ -32,12 +32,11 @@ std::vector<Explanation> by_mistakes(Workshop& workshop, const Exercise& exercis
     std::vector<Explanation> found;
     for (const Specimen& mistake : mistakes_of(workshop.tools().reference, exercise)) {
         if (mistake.verdict && *mistake.verdict != Verdict::wrong && *mistake.verdict != Verdict::partial) continue;
-        std::map<std::string, RunOutcome> runs;
         std::size_t matching = 0;
         for (const FailingCheck& one : failing) {
             const std::string& name = one.check->case_name;
-            if (!runs.contains(name)) runs[name] = workshop.run_mistake(exercise, mistake.name, mistake.sources, name, cases.at(name).seed);
-            const Tensor* tensor = tensor_of(runs[name], one.check->value);
+            const RunOutcome& run = workshop.run_mistake(exercise, mistake.name, mistake.sources, name, cases.at(name).seed);
+            const Tensor* tensor = tensor_of(run, one.check->value);
             if (tensor != nullptr && matches_mistake(one, *tensor)) ++matching;
         }
         if (matching == 0) continue;

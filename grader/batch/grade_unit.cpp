@@ -142,6 +142,7 @@ UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed
 {
     UnitResult result;
     try {
+        workshop.forget_if_full();
         if (!handed.missing.empty()) {
             result = without_points(exercise, Verdict::missing, fmt::format("not handed in: {}", fmt::join(handed.missing, ", ")));
         } else if (!handed.refused.empty()) {

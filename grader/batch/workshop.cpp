@@ -7,8 +7,13 @@
 namespace umbral::grader {
 namespace {
 
-/// Enough for all cases of a whole course with one set of visible seeds; hidden seeds differ by student and push old ones out.
-constexpr std::size_t most_kept = 512;
+/// Enough for the visible cases of a good part of a course; hidden seeds differ by student and push old runs out.
+constexpr std::size_t most_remembered = std::size_t{384} << 20U;
+
+std::string key_of(const Exercise& exercise, const std::string& who, const std::string& case_name, std::uint64_t seed)
+{
+    return fmt::format("{}\n{}\n{}\n{}", exercise.id, who, case_name, seed);
+}
 
 Sources only_texts(const Sources& sources)
 {
@@ -43,8 +48,8 @@ RunOutcome Workshop::run(const Exercise& exercise, const Built& built, const std
 const RunOutcome& Workshop::trusted(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed)
 {
     const char* name = tenant == Tenant::reference ? "reference" : "oracle";
-    const std::string key = fmt::format("{}\n{}\n{}\n{}", exercise.id, name, case_name, seed);
-    if (const auto found = trusted_.find(key); found != trusted_.end()) return found->second;
+    const std::string key = key_of(exercise, name, case_name, seed);
+    if (const auto found = remembered_.find(key); found != remembered_.end()) return found->second;
 
     RunRequest wanted = request(exercise, case_name, seed);
     if (exercise.is_cpp()) wanted.tenant = unit_folder(tools_, exercise.id) / fmt::format("{}.so", name);
@@ -53,16 +58,33 @@ const RunOutcome& Workshop::trusted(const Exercise& exercise, Tenant tenant, con
     if (outcome.verdict != Verdict::ok)
         throw std::runtime_error(
             fmt::format("{}: the {} did not finish case '{}' ({}): {}", exercise.id, name, case_name, to_string(outcome.verdict), outcome.message));
-    if (trusted_.size() >= most_kept) trusted_.clear();
-    return trusted_.emplace(key, std::move(outcome)).first->second;
+    return remember(key, std::move(outcome));
 }
 
-RunOutcome Workshop::run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources, const std::string& case_name, std::uint64_t seed)
+const RunOutcome& Workshop::run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources, const std::string& case_name,
+                                        std::uint64_t seed)
 {
+    const std::string key = key_of(exercise, "mistake " + name, case_name, seed);
+    if (const auto found = remembered_.find(key); found != remembered_.end()) return found->second;
     RunRequest wanted = request(exercise, case_name, seed);
     if (exercise.is_cpp()) wanted.tenant = unit_folder(tools_, exercise.id) / "mistakes" / (name + ".so");
     wanted.sources = only_texts(sources);
-    return spawner(exercise.gl).run(wanted);
+    return remember(key, spawner(exercise.gl).run(wanted));
+}
+
+const RunOutcome& Workshop::remember(const std::string& key, RunOutcome outcome)
+{
+    std::size_t bytes = sizeof outcome;
+    for (const auto& [name, tensor] : outcome.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
+    remembered_bytes_ += bytes;
+    return remembered_.emplace(key, std::move(outcome)).first->second;
+}
+
+void Workshop::forget_if_full()
+{
+    if (remembered_bytes_ <= most_remembered) return;
+    remembered_.clear();
+    remembered_bytes_ = 0;
 }
 
 }

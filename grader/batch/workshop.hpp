@@ -24,6 +24,9 @@ public:
     /// The spawner for a unit: with a warm OpenGL context if it draws.
     [[nodiscard]] Spawner& spawner(bool gl);
 
+    /// Lets go of remembered runs if they take too much memory; references to them end. Called between units.
+    void forget_if_full();
+
     /// Runs one case with a student's (or a specimen's) build.
     [[nodiscard]] RunOutcome run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed);
 
@@ -31,17 +34,19 @@ public:
     /// a grader fault.
     [[nodiscard]] const RunOutcome& trusted(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed);
 
-    /// The recording of one of the unit's mistakes, compiled when the project was built.
-    [[nodiscard]] RunOutcome run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources, const std::string& case_name,
-                                         std::uint64_t seed);
+    /// The recording of one of the unit's mistakes, compiled when the project was built; kept as well.
+    [[nodiscard]] const RunOutcome& run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources, const std::string& case_name,
+                                                std::uint64_t seed);
 
 private:
     [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
+    const RunOutcome& remember(const std::string& key, RunOutcome outcome);
 
     Toolchain tools_;
     std::unique_ptr<Spawner> plain_;
     std::unique_ptr<Spawner> gl_;
-    std::map<std::string, RunOutcome> trusted_;
+    std::map<std::string, RunOutcome> remembered_;
+    std::size_t remembered_bytes_ = 0;
 };
 
 }

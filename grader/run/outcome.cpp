@@ -47,6 +47,13 @@ End from_note(const Recording& recording, const Limits& limits)
     return {Verdict::crashed, "the run ended early: does your code call exit?"};
 }
 
+/// What assert() or the C++ library printed before it aborted: "Assertion `length(d) < 1' failed."; empty if there is no such line.
+std::string assertion_in(const std::string& output)
+{
+    const std::size_t at = output.rfind("Assertion ");
+    return at == std::string::npos ? "" : output.substr(at, output.find('\n', at) - at);
+}
+
 RunOutcome not_confined(const protocol::Ended& ended, const std::string& text)
 {
     RunOutcome outcome;
@@ -96,6 +103,9 @@ RunOutcome judge_end(const protocol::Ended& ended, bool confined, std::span<cons
         return outcome;
     }
     End end = ended_early(ended, outcome.recording, limits);
+    if (const std::string assertion = assertion_in(outcome.output);
+        end.verdict == Verdict::crashed && outcome.recording.signal == SIGABRT && !assertion.empty())
+        end.message = assertion;
     // A crash after a refused call is the refusal's consequence: naming it helps more than the signal does.
     if (end.verdict == Verdict::crashed && !outcome.refused.empty()) end = {Verdict::blocked, refused_text(outcome.refused) + "; then " + end.message};
     outcome.verdict = end.verdict;

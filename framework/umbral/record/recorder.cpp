@@ -68,9 +68,6 @@ void Recorder::buffer(std::string_view name, const Grid<std::uint32_t>& cells)
 {
     whole(name, Element::uint32, cells.width, cells.height, 1, cells.cells.data());
 }
-void Recorder::buffer(std::string_view name, const Grid<float>& cells)
-{
-    whole(name, Element::float32, cells.width, cells.height, 1, cells.cells.data());
-}
+void Recorder::buffer(std::string_view name, const Grid<float>& cells) { whole(name, Element::float32, cells.width, cells.height, 1, cells.cells.data()); }
 
 }

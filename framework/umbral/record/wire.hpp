@@ -21,7 +21,17 @@ inline constexpr std::size_t maximum_tensors = 256;
 enum class Stage : std::uint32_t { started = 0, confined = 1, loaded = 2, running = 3, finished = 4 };
 
 /// What the run itself could say about its end.
-enum class Note : std::uint32_t { none = 0, uncaught_exception = 1, out_of_memory = 2, signal = 3, stack_overflow = 4, compile_error = 5, interface_mismatch = 6, driver_fault = 7, load_failure = 8 };
+enum class Note : std::uint32_t {
+    none = 0,
+    uncaught_exception = 1,
+    out_of_memory = 2,
+    signal = 3,
+    stack_overflow = 4,
+    compile_error = 5,
+    interface_mismatch = 6,
+    driver_fault = 7,
+    load_failure = 8
+};
 
 struct Header {
     std::uint64_t magic;
@@ -31,12 +41,12 @@ struct Header {
     std::uint32_t not_implemented;  ///< how often a stub was reached
     std::uint64_t tensors_size;     ///< bytes of the tensors, valid when finished
     std::uint64_t tensor_count;
-    std::uint64_t library_base;     ///< where the student's library was loaded
-    std::uint32_t refused_count;    ///< system calls refused by the sandbox
-    std::uint32_t refused[32];      ///< their numbers, the first of them
+    std::uint64_t library_base;   ///< where the student's library was loaded
+    std::uint32_t refused_count;  ///< system calls refused by the sandbox
+    std::uint32_t refused[32];    ///< their numbers, the first of them
     std::uint32_t frame_count;
-    std::uint64_t frames[32];       ///< return addresses at a crash, innermost first, relative to library_base
-    char text[4096];                ///< text of an exception or of a StudentError, zero-terminated
+    std::uint64_t frames[32];  ///< return addresses at a crash, innermost first, relative to library_base
+    char text[4096];           ///< text of an exception or of a StudentError, zero-terminated
 };
 static_assert(sizeof(Header) <= tensors_offset && std::is_trivially_copyable_v<Header>);
 
