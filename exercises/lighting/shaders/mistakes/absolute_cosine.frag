@@ -1,5 +1,5 @@
 // mistake: takes |n·l|: light from behind counts like light from the front
-// credit: 0..100
+// credit: 5..18
 // hint: A surface that faces away from the light (n·l < 0) gets none of its diffuse light: max(0, n·l), not |n·l|.
 #version 330
 

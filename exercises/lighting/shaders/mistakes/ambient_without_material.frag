@@ -1,5 +1,5 @@
 // mistake: adds the global ambient light without the material
-// credit: 0..100
+// credit: 5..16
 // hint: The global ambient light is reflected like any other: multiply it by the material's ambient reflectivity.
 #version 330
 

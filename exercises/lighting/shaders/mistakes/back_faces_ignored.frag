@@ -1,5 +1,5 @@
 // mistake: uses the mesh's normal on back faces too
-// credit: 0..100
+// credit: 76..88
 // hint: The mesh's normals point out of the front side. Where gl_FrontFacing is false you see the other side: turn the interpolated normal round.
 #version 330
 

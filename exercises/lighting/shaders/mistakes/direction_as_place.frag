@@ -1,5 +1,5 @@
 // mistake: takes directions towards a light for places
-// credit: 0..100
+// credit: 33..48
 // hint: A light with w = 0 is infinitely far away: its xyz is the direction itself, the same for every point. Only with w = 1 do you subtract the position.
 #version 330
 

@@ -1,5 +1,5 @@
 // mistake: takes (0, 0, 1) for the vector to the viewer everywhere
-// credit: 0..100
+// credit: 14..28
 // hint: In perspective every point sees the viewer, at the origin of eye space, in another direction: v = normalize(-position).
 #version 330
 

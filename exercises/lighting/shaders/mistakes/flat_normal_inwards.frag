@@ -1,5 +1,5 @@
 // mistake: multiplies the derivatives in the wrong order
-// credit: 0..100
+// credit: 75..86
 // hint: Your facets are lit from behind: x × y points towards the viewer, y × x away. Exchange the derivatives.
 #version 330
 

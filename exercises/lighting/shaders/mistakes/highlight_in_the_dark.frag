@@ -1,5 +1,5 @@
 // mistake: adds the highlight also where n·l is negative
-// credit: 0..100
+// credit: 74..92
 // hint: The highlight has a factor d: 1 where n·l > 0 and 0 elsewhere. Without it, light shines through the edge of the shadow side.
 #version 330
 

@@ -1,5 +1,5 @@
 // mistake: raises n·h to the exponent as it is: NaN for negative values, nothing for 0⁰
-// credit: 0..100
+// credit: 90..97
 // hint: pow is undefined in GLSL for negative numbers and for 0⁰. Take max(0, n·h), and treat an exponent of 0 by itself.
 #version 330
 

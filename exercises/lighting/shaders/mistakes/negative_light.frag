@@ -1,5 +1,5 @@
 // mistake: adds n·l where it is negative
-// credit: 0..100
+// credit: 4..16
 // hint: Where n·l is negative your light takes colour away. Neither the diffuse nor the specular term exists there.
 #version 330
 

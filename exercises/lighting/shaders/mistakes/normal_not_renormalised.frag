@@ -1,6 +1,7 @@
 // mistake: uses the interpolated normal as it comes
-// credit: 0..100
-// hint: Between two unit vectors interpolation gives shorter ones: on coarse meshes your surfaces are too dark inside the facets. Normalise the normal again in phong.frag.
+// credit: 70..88
+// hint: Between two unit vectors interpolation gives shorter ones: on coarse meshes your facets are too dark inside.
+// Normalise the normal again in phong.frag.
 #version 330
 
 const int maximum_lights = 8;

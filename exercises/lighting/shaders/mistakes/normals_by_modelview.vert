@@ -1,5 +1,5 @@
 // mistake: moves normals with the matrix that moves points
-// credit: 0..100
+// credit: 73..88
 // hint: On stretched things your light lies wrong: where a surface is pressed flat, normals must tilt the other way. Use the inverse of the transpose.
 #version 330
 

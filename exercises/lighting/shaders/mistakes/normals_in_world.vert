@@ -1,5 +1,5 @@
 // mistake: leaves the normals in world coordinates
-// credit: 0..100
+// credit: 50..66
 // hint: Lights and viewer are in eye coordinates, so the normals must be too: the view matrix turns them as well.
 #version 330
 

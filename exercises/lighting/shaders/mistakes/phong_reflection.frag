@@ -1,5 +1,5 @@
 // mistake: Phong's mirrored vector instead of Blinn's vector halfway
-// credit: 0..100
+// credit: 8..22
 // hint: Your highlights are too narrow: the model asks for n·h with h halfway between l and v, not for r·v with the mirrored vector r.
 #version 330
 

@@ -1,5 +1,5 @@
 // mistake: takes places of lights for directions
-// credit: 0..100
+// credit: 26..42
 // hint: A light with w = 1 stands somewhere: every point sees it in another direction, from the point's position to the light's.
 #version 330
 
