@@ -1,6 +1,7 @@
 #include "batch/explain_unit.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "batch/specimens.hpp"
@@ -27,21 +28,49 @@ std::vector<FailingCheck> failing_checks(Workshop& workshop, const Exercise& exe
     return failing;
 }
 
+struct Candidate {
+    Specimen mistake;
+    std::size_t matching = 0;  ///< failing checks with the same wrong result
+    bool fits_here = false;    ///< one of them belongs to the case looked at
+};
+
+/// The failing checks by case, the quickest case first: most mistakes are told apart by one case.
+std::vector<std::vector<FailingCheck>> by_case(const std::vector<FailingCheck>& failing, const CaseResults& cases)
+{
+    std::map<std::pair<double, std::string>, std::vector<FailingCheck>> sorted;
+    for (const FailingCheck& one : failing) sorted[{cases.at(one.check->case_name).student.wall_seconds, one.check->case_name}].push_back(one);
+    std::vector<std::vector<FailingCheck>> groups;
+    for (auto& [key, group] : sorted) groups.push_back(std::move(group));
+    return groups;
+}
+
 std::vector<Explanation> by_mistakes(Workshop& workshop, const Exercise& exercise, const std::vector<FailingCheck>& failing, const CaseResults& cases)
 {
-    std::vector<Explanation> found;
-    for (const Specimen& mistake : mistakes_of(workshop.tools().reference, exercise)) {
-        if (mistake.verdict && *mistake.verdict != Verdict::wrong && *mistake.verdict != Verdict::partial) continue;
-        std::size_t matching = 0;
-        for (const FailingCheck& one : failing) {
-            const std::string& name = one.check->case_name;
-            const RunOutcome& run = workshop.run_mistake(exercise, mistake.name, mistake.sources, name, cases.at(name).seed);
-            const Tensor* tensor = tensor_of(run, one.check->value);
-            if (tensor != nullptr && matches_mistake(one, *tensor)) ++matching;
+    std::vector<Candidate> candidates;
+    for (Specimen& mistake : mistakes_of(workshop.tools().reference, exercise))
+        if (!mistake.verdict || *mistake.verdict == Verdict::wrong || *mistake.verdict == Verdict::partial) candidates.push_back({std::move(mistake)});
+
+    // A mistake that fits no check of a failing case is out, as long as another fits there: a unit's mistakes may be many and slow.
+    for (const std::vector<FailingCheck>& group : by_case(failing, cases)) {
+        for (Candidate& candidate : candidates) {
+            candidate.fits_here = false;
+            const std::string& name = group.front().check->case_name;
+            const RunOutcome& run = workshop.run_mistake(exercise, candidate.mistake.name, candidate.mistake.sources, name, cases.at(name).seed);
+            for (const FailingCheck& one : group) {
+                const Tensor* tensor = tensor_of(run, one.check->value);
+                if (tensor == nullptr || !matches_mistake(one, *tensor)) continue;
+                ++candidate.matching;
+                candidate.fits_here = true;
+            }
         }
-        if (matching == 0) continue;
-        found.push_back({"mistake: " + mistake.name, mistake.hint, static_cast<double>(matching) / static_cast<double>(failing.size())});
+        const auto fits = [](const Candidate& candidate) { return candidate.fits_here; };
+        if (std::any_of(candidates.begin(), candidates.end(), fits)) std::erase_if(candidates, std::not_fn(fits));
     }
+    std::vector<Explanation> found;
+    for (const Candidate& candidate : candidates)
+        if (candidate.matching > 0)
+            found.push_back(
+                {"mistake: " + candidate.mistake.name, candidate.mistake.hint, static_cast<double>(candidate.matching) / static_cast<double>(failing.size())});
     return found;
 }
 

@@ -37,7 +37,7 @@ std::map<std::string, std::string, std::less<>> texts_in(const std::filesystem::
 void run(char** words)
 {
 #ifdef UMBRAL_WITH_GL
-    setenv("LP_NUM_THREADS", "0", 1);
+    gl::forbid_driver_threads();
     const gl::OffscreenContext context;
 #endif
     if (*words[2] != 0) load(words[2]);

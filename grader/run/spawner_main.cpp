@@ -1,4 +1,5 @@
 #include <poll.h>
+#include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -146,6 +147,15 @@ int serve(const std::string& namespaces)
     }
 }
 
+/// The same addresses in every run: code that reads what it never wrote, or sorts by pointer, gives the same answer twice. The kernel
+/// takes this up at exec, so the program starts itself once more. Whoever attacks a run owns it already; hiding addresses gains nothing.
+void fix_addresses(char** words)
+{
+    const int current = personality(0xffffffff);
+    if (current < 0 || (current & ADDR_NO_RANDOMIZE) != 0 || personality(static_cast<unsigned>(current) | ADDR_NO_RANDOMIZE) < 0) return;
+    execv("/proc/self/exe", words);
+}
+
 /// In a process namespace of its own the serving process is number 1: when it ends, the kernel ends every run with it.
 int start()
 {
@@ -170,9 +180,10 @@ int start()
 }
 }
 
-int main()
+int main(int, char** words)
 {
     try {
+        umbral::grader::fix_addresses(words);
         return umbral::grader::start();
     } catch (const std::exception& error) {
         (void)std::fprintf(stderr, "umbral-spawner: %s\n", error.what());
