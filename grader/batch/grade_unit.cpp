@@ -37,12 +37,12 @@ UnitResult grader_fault(const Exercise& exercise, const std::string& what)
     return result;
 }
 
-/// Cases in an order that differs from run to run of a class but not between two gradings of the same submission: code that waits
-/// for one special case cannot know which comes next.
+/// Cases in an order that differs from student to student but not between two gradings of the same submission: code that waits for
+/// one special case cannot know which comes next.
 std::vector<std::string> shuffled_cases(const Exercise& exercise, const SeedPlan& seeds)
 {
     std::vector<std::string> cases = exercise.cases();
-    Random random(seeds.seed_of(exercise, "order of cases"));
+    Random random(case_seed(seeds.secret, seeds.course, seeds.student, exercise.id, "order of cases", seeds.attempt));
     for (std::size_t i = cases.size(); i > 1; --i) std::swap(cases[i - 1], cases[random.below(static_cast<std::uint32_t>(i))]);
     return cases;
 }

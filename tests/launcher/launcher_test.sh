@@ -1,0 +1,45 @@
+#!/bin/sh
+# The launcher on a machine without anything: every outside program is a fake that notes how it was called.
+# usage: launcher_test.sh SOURCE_FOLDER
+set -eu
+source=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failed=0
+expect() { # expect DESCRIPTION COMMAND…
+    description=$1
+    shift
+    if "$@"; then echo "ok: $description"; else
+        echo "FAILED: $description"
+        failed=1
+    fi
+}
+
+mkdir -p "$work/project/cmake" "$work/fakes"
+cp "$source/umbral" "$work/project/"
+cp "$source/cmake/debian-packages.txt" "$work/project/cmake/"
+for name in apt-get sudo cmake; do
+    printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n' "$name" "$work" >"$work/fakes/$name"
+done
+printf 'exit 1\n' >>"$work/fakes/cmake"
+printf '#!/bin/sh\necho "g++ installed"\nexit 1\n' >"$work/fakes/dpkg-query"
+chmod +x "$work/fakes"/*
+PATH=$work/fakes:$PATH
+
+status=0
+(cd "$work/project" && ./umbral --no-install list) >"$work/printed" 2>&1 || status=$?
+expect "--no-install ends with status 2" [ "$status" -eq 2 ]
+expect "--no-install names what is missing" grep -q 'libglm-dev' "$work/printed"
+expect "--no-install does not name what is there" sh -c "! grep -qE '(^| )g\+\+ ' '$work/printed'"
+expect "--no-install calls no apt" [ ! -e "$work/calls" ]
+
+status=0
+(cd "$work/project" && ./umbral list) >"$work/printed" 2>&1 || status=$?
+expect "a build that fails ends with status 3" [ "$status" -eq 3 ]
+expect "it says so" grep -q 'the build failed' "$work/printed"
+expect "it says what it installs" grep -q 'installing what is missing: .*libglm-dev' "$work/printed"
+expect "apt installs only what is missing" grep -qE '^(sudo )?apt-get install .*libglm-dev' "$work/calls"
+expect "apt gets no comment lines" sh -c "! grep -q '#' '$work/calls'"
+expect "it builds from the folder of the launcher" grep -q 'cmake --preset release' "$work/calls"
+expect "a failed build leaves no stamp" [ ! -e "$work/project/build/release/stamp" ]
+exit $failed
