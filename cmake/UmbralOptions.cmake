@@ -30,7 +30,7 @@ if(UMBRAL_FP_CONTRACT STREQUAL "fast")
   add_compile_options(-mfma)
 endif()
 # Template statics marked unique would be shared between libraries that must not see each other.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_CLANG_TIDY)  # clang-tidy reads g++'s command line, and does not know this
   add_compile_options(-fno-gnu-unique)
 endif()
 if(UMBRAL_SANITIZERS)
@@ -41,6 +41,6 @@ endif()
 add_library(umbral-warnings INTERFACE)
 target_compile_options(umbral-warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
 # g++ 12 warns of overlapping copies inside std::string at -O3 where there are none (GCC bug 105651).
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 AND NOT CMAKE_CXX_CLANG_TIDY)
   target_compile_options(umbral-warnings INTERFACE -Wno-restrict)
 endif()

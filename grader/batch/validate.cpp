@@ -79,16 +79,25 @@ std::vector<Finding> expect_controls(Workshop& workshop, const Exercise& exercis
         if (expected == nullptr) throw std::runtime_error(fmt::format("{}: nothing recorded for check '{}'", exercise.id, check.name));
         const Tensor* margin = tensor_of(run, check.value + ".margin");
         const BestControl best = best_control(check, *expected, margin, case_seed);
+        // The forger cannot know a value, so it writes zeros or ones under every name, whichever pays better.
+        Millipoints forged = 0;
+        double forged_right = 0;
         for (const auto& [name, tensor] : controls(check, *expected, case_seed)) {
             const double right = judge(check, tensor, *expected, margin).right;
-            earned[name] += points_for(check, right, best.right);
+            const Millipoints points = points_for(check, right, best.right);
+            earned[name] += points;
             raw[name] += right * static_cast<double>(check.points);
+            if (name != "zeros" && name != "ones") continue;
+            forged = std::max(forged, points);
+            forged_right = std::max(forged_right, right);
         }
+        earned["forger"] += forged;
+        raw["forger"] += forged_right * static_cast<double>(check.points);
     }
     std::vector<Finding> findings;
     for (const auto& [name, points] : earned) {
         const double credit = 100.0 * static_cast<double>(points) / static_cast<double>(exercise.points);
-        findings.push_back({exercise.id, "control: " + name, seed, points == 0, credit, "0",
+        findings.push_back({exercise.id, (name == "forger" ? name : "control: " + name), seed, points == 0, credit, "0",
                             fmt::format("{:.1f} % before rescaling", 100 * raw[name] / static_cast<double>(exercise.points))});
     }
     return findings;

@@ -120,7 +120,7 @@ TEST(Class, NoAttackOfTheHostileOneWorked)
     for (const char* attack : {"read /etc/passwd", "read the reference", "read /proc/self/maps", "write through /proc/self/mem", "write a report of its own",
                                "open a socket", "fork", "run a shell", "kill its parent", "trace its parent", "read its parent's memory"})
         EXPECT_NE(printed.find(attack), std::string::npos) << attack << " was not even tried";
-    for (const char* word : {"ana-", "secret", "expected", "oracle", "carla-"})
+    for (const char* word : {"ana-", "secret", "millipoints", "oracle", "carla-"})
         EXPECT_NE(printed.find("heap: the word '" + std::string(word) + "' occurs 0 times"), std::string::npos) << printed;
     EXPECT_NE(unit_of("mallory-hostile", "projections/view-matrix").at("message").get<std::string>().find("lookAt"), std::string::npos);
 }

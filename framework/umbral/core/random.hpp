@@ -12,7 +12,7 @@ namespace umbral {
 /// Based on: M. O'Neill. PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms. 2014 (pcg32).
 class Random {
 public:
-    explicit Random(std::uint64_t seed) : state_(0), increment_((seed << 1U) | 1U)
+    explicit Random(std::uint64_t seed) : increment_((seed << 1U) | 1U)
     {
         (void)bits();
         state_ += seed * 0x9E3779B97F4A7C15U + 0xBF58476D1CE4E5B9U;
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    std::uint64_t state_;
+    std::uint64_t state_ = 0;
     std::uint64_t increment_;
 };
 

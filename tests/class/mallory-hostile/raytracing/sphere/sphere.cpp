@@ -63,7 +63,7 @@ void walk_the_heap()
     const long pages = 2048;
     const char* begin = reinterpret_cast<const char*>(end) - pages * page_size;
     // Spelt in pieces, so that the words are not found in this very program.
-    const char words[5][16] = {{'a', 'n', 'a', '-'}, {'s', 'e', 'c', 'r', 'e', 't'}, {'e', 'x', 'p', 'e', 'c', 't', 'e', 'd'}, {'o', 'r', 'a', 'c', 'l', 'e'}, {'c', 'a', 'r', 'l', 'a', '-'}};
+    const char words[5][16] = {{'a', 'n', 'a', '-'}, {'s', 'e', 'c', 'r', 'e', 't'}, {'m', 'i', 'l', 'l', 'i', 'p', 'o', 'i', 'n', 't', 's'}, {'o', 'r', 'a', 'c', 'l', 'e'}, {'c', 'a', 'r', 'l', 'a', '-'}};
     for (const auto& word : words) std::printf("heap: the word '%s' occurs %d times\n", word, occurrences(begin, pages, word));
 }
 
