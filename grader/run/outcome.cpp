@@ -70,7 +70,9 @@ End ended_early(const protocol::Ended& ended, const Recording& recording, const 
         const int signal = WTERMSIG(ended.wait_status);
         if (signal == SIGXCPU || (signal == SIGKILL && ended.cpu_seconds >= limits.wall_seconds))
             return {Verdict::timeout, fmt::format("stopped after {:.1f} s of computing", ended.cpu_seconds)};
-        if (signal == SIGSYS) return {Verdict::blocked, "the sandbox stopped a system call that was made with all signals blocked, as starting a thread does: a unit runs in one thread"};
+        if (signal == SIGSYS)
+            return {Verdict::blocked,
+                    "the sandbox stopped a system call that was made with all signals blocked, as starting a thread does: a unit runs in one thread"};
         if (recording.note == wire::Note::none) return {Verdict::crashed, fmt::format("signal {} ({})", signal, strsignal(signal))};
     }
     return from_note(recording, limits);
