@@ -15,7 +15,6 @@ struct Toolchain {
     std::filesystem::path framework;       ///< include folder
     std::filesystem::path student_header;  ///< force-included, with its precompiled form beside it
     std::filesystem::path cache;           ///< built submissions, by content
-    std::filesystem::path scratch;         ///< where fresh directories are made
     std::string compiler;
     std::vector<std::string> flags;
 };

@@ -80,7 +80,6 @@ Application make_application()
                          .framework = source / "framework",
                          .student_header = build / "student" / "umbral_student.hpp",
                          .cache = cache_folder(),
-                         .scratch = cache_folder(),
                          .compiler = config::compiler,
                          .flags = words(config::student_flags)};
     application.exercises = load_exercises(application.tools.exercises);

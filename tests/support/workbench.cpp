@@ -34,7 +34,6 @@ Workbench::Workbench()
               .framework = source / "framework",
               .student_header = build / "student" / "umbral_student.hpp",
               .cache = folder_ / "cache",
-              .scratch = folder_ / "cache",
               .compiler = UMBRAL_COMPILER,
               .flags = words(UMBRAL_TEST_STUDENT_FLAGS)};
 }
