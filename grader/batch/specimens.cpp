@@ -6,13 +6,18 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <sstream>
 #include <stdexcept>
+
+#include "model/change.hpp"
 
 namespace umbral::grader {
 namespace {
 
 namespace fs = std::filesystem;
+
+using Header = std::map<std::string, std::string>;
+
+constexpr const char* change_suffix = ".change";
 
 std::string with_underscores(std::string text)
 {
@@ -20,41 +25,23 @@ std::string with_underscores(std::string text)
     return text;
 }
 
-/// The unit's file that a specimen stands for: the only one, or the one with its suffix.
-std::string replaced_file(const Exercise& exercise, const fs::path& specimen)
+/// The unit's file that a specimen stands for: the one it names, the only one with its suffix, or the only one.
+std::string replaced_file(const Exercise& exercise, const fs::path& specimen, const Header& header)
 {
+    const bool change = specimen.extension() == change_suffix;
     std::vector<std::string> fitting;
     for (const std::string& file : exercise.files)
-        if (fs::path(file).extension() == specimen.extension()) fitting.push_back(file);
+        if (header.contains("file") ? header.at("file") == file : change || fs::path(file).extension() == specimen.extension()) fitting.push_back(file);
     if (fitting.size() != 1)
-        throw std::runtime_error(fmt::format("{}: expected exactly one file of {} with this suffix, found {}", specimen.string(), exercise.id, fitting.size()));
+        throw std::runtime_error(fmt::format("{}: expected exactly one file of {} that it stands for, found {}; name it as 'file: NAME'", specimen.string(),
+                                             exercise.id, fitting.size()));
     return fitting.front();
 }
 
-/// The lines "// key: value" that a specimen begins with; a line without a key goes on with the value before it.
-std::map<std::string, std::string> header_of(const fs::path& file)
-{
-    std::map<std::string, std::string> header;
-    std::istringstream text(read_text(file));
-    std::string key;
-    for (std::string line; std::getline(text, line) && line.starts_with("//");) {
-        const std::string content = line.substr(line.find_first_not_of("/ ", 0) == std::string::npos ? line.size() : line.find_first_not_of("/ ", 0));
-        const std::size_t colon = content.find(": ");
-        const std::string before = content.substr(0, colon);
-        if (colon != std::string::npos && (before == "mistake" || before == "alternative" || before == "credit" || before == "hint" || before == "verdict")) {
-            key = before;
-            header[key] = content.substr(colon + 2);
-        } else if (!key.empty() && !content.empty()) {
-            header[key] += " " + content;
-        }
-    }
-    return header;
-}
-
-const std::string& need(const std::map<std::string, std::string>& header, const std::string& key, const fs::path& file)
+const std::string& need(const Header& header, const std::string& key, const fs::path& file)
 {
     const auto found = header.find(key);
-    if (found == header.end()) throw std::runtime_error(fmt::format("{}: expected a line '// {}: …' at its beginning", file.string(), key));
+    if (found == header.end()) throw std::runtime_error(fmt::format("{}: expected a line '{}: …' at its beginning", file.string(), key));
     return found->second;
 }
 
@@ -65,9 +52,8 @@ double number_or_nan(const std::string& text)
     return text.empty() || *end != 0 ? std::nan("") : number;
 }
 
-Specimen read_mistake(const fs::path& file)
+Specimen read_mistake(const fs::path& file, const Header& header)
 {
-    const auto header = header_of(file);
     Specimen specimen;
     specimen.what = need(header, "mistake", file);
     specimen.hint = need(header, "hint", file);
@@ -78,9 +64,15 @@ Specimen read_mistake(const fs::path& file)
         specimen.most_credit = number_or_nan(credit.substr(dots + 2));
     }
     if (dots == std::string::npos || !(specimen.least_credit <= specimen.most_credit))
-        throw std::runtime_error(fmt::format("{}: expected '// credit: LOW..HIGH' in percent, got '{}'", file.string(), credit));
+        throw std::runtime_error(fmt::format("{}: expected 'credit: LOW..HIGH' in percent, got '{}'", file.string(), credit));
     if (header.contains("verdict")) specimen.verdict = verdict_from(header.at("verdict"));
     return specimen;
+}
+
+std::string changed(const std::string& text, const Header& header, const std::string& reference, const Exercise& exercise, const fs::path& file)
+{
+    const auto from = header.find("from");
+    return apply_change(parse_change(text, file.string()), from == header.end() ? reference : read_text(exercise.folder / from->second), file.string());
 }
 
 template <class Read>
@@ -89,11 +81,14 @@ std::vector<Specimen> read_folder(const fs::path& reference, const Exercise& exe
     std::vector<Specimen> specimens;
     if (!fs::is_directory(exercise.folder / folder)) return specimens;
     for (const auto& entry : fs::directory_iterator(exercise.folder / folder)) {
-        Specimen specimen = read(entry.path());
+        const std::string text = read_text(entry.path());
+        const Header header = specimen_header(text);
+        Specimen specimen = read(entry.path(), header);
         specimen.name = entry.path().stem().string();
         specimen.file = entry.path();
         specimen.sources = reference_sources(reference, exercise);
-        specimen.sources[replaced_file(exercise, entry.path())] = read_text(entry.path());
+        std::string& replaced = specimen.sources.at(replaced_file(exercise, entry.path(), header));
+        replaced = entry.path().extension() == change_suffix ? changed(text, header, replaced, exercise, entry.path()) : text;
         specimens.push_back(std::move(specimen));
     }
     std::sort(specimens.begin(), specimens.end(), [](const Specimen& a, const Specimen& b) { return a.name < b.name; });
@@ -122,9 +117,9 @@ std::vector<Specimen> mistakes_of(const fs::path& reference, const Exercise& exe
 
 std::vector<Specimen> alternatives_of(const fs::path& reference, const Exercise& exercise)
 {
-    return read_folder(reference, exercise, "alternatives", [](const fs::path& file) {
+    return read_folder(reference, exercise, "alternatives", [](const fs::path& file, const Header& header) {
         Specimen specimen;
-        specimen.what = need(header_of(file), "alternative", file);
+        specimen.what = need(header, "alternative", file);
         return specimen;
     });
 }

@@ -32,7 +32,7 @@ std::string content_key(const Toolchain& tools, const Exercise& exercise, const 
 {
     const fs::path header = tools.student_header.string() + ".gch";
     std::string all =
-        fmt::format("2\n{}\n{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
+        fmt::format("3\n{}\n{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.glfw, exercise.counts_cost(), tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
     all += read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");
     for (const std::string& used : exercise.uses) all += fmt::format("{}\n{}", used, read_text(unit_folder(tools, used) / "exports.txt"));

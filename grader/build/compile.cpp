@@ -23,6 +23,7 @@ ConfinedCommand command_for(const Toolchain& tools, const Exercise& exercise, co
     command.read = {tools.framework, tools.student_header.parent_path(), unit / "exports.map"};
     command.arguments = {tools.compiler};
     command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
+    if (exercise.counts_cost()) command.arguments.emplace_back("-fsanitize-coverage=trace-pc");
     for (const std::string& word :
          {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"), "-I" + tools.framework.string(), "-ffile-prefix-map=" + work.string() + "=.",
           std::string("-include"), tools.student_header.string(), std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,-z,lazy"),

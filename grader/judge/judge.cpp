@@ -22,6 +22,10 @@ Judgement dispatch(const Check& check, const Tensor& student, const Tensor& expe
         case JudgeKind::matrices: return judge_matrices(check, student, expected, margin);
         case JudgeKind::buffer: return judge_buffer(check, student, expected);
         case JudgeKind::image: return judge_image(check, student, expected, with_metrics);
+        case JudgeKind::fragments:
+        case JudgeKind::trace:
+        case JudgeKind::events:
+        case JudgeKind::cost: break;
     }
     throw std::invalid_argument("check '" + check.name + "': expected the judge numbers, matrices, buffer or image");
 }

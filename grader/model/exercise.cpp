@@ -49,6 +49,11 @@ bool Exercise::is_cpp() const
     return std::any_of(files.begin(), files.end(), [](const std::string& file) { return file.ends_with(".cpp") || file.ends_with(".hpp"); });
 }
 
+bool Exercise::counts_cost() const
+{
+    return std::any_of(checks.begin(), checks.end(), [](const Check& check) { return check.judge == JudgeKind::cost; });
+}
+
 bool Exercise::has_oracle() const
 {
     return std::any_of(checks.begin(), checks.end(), [](const Check& check) { return check.hard; });
@@ -93,6 +98,10 @@ const char* to_string(JudgeKind kind)
         case JudgeKind::matrices: return "matrices";
         case JudgeKind::buffer: return "buffer";
         case JudgeKind::image: return "image";
+        case JudgeKind::fragments: return "fragments";
+        case JudgeKind::trace: return "trace";
+        case JudgeKind::events: return "events";
+        case JudgeKind::cost: return "cost";
     }
     throw std::invalid_argument("judge: expected one of the declared ones, got number " + std::to_string(static_cast<int>(kind)));
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace umbral::grader {
@@ -22,7 +24,15 @@ struct Tolerance {
 };
 
 /// What a check compares with what.
-enum class JudgeKind { numbers, matrices, buffer, image };
+enum class JudgeKind { numbers, matrices, buffer, image, fragments, trace, events, cost };
+
+/// All of them, in the order in which messages list them.
+inline constexpr std::array all_judges{JudgeKind::numbers,   JudgeKind::matrices, JudgeKind::buffer, JudgeKind::image,
+                                       JudgeKind::fragments, JudgeKind::trace,    JudgeKind::events, JudgeKind::cost};
+
+/// What a trace of OpenGL calls can be held to; grader/judge/trace.cpp says how each is counted.
+inline constexpr std::array<std::string_view, 7> trace_rules{"draw calls",      "vertices",         "uploaded bytes", "objects created",
+                                                             "objects deleted", "deprecated calls", "state changes"};
 
 /// One observation of one case, and what it is worth.
 struct Check {
@@ -35,11 +45,13 @@ struct Check {
     bool hidden = false;  ///< its seed is secret; details are shown after the due date
     bool pairs = false;   ///< rows 2k and 2k+1 count only together
     Tolerance tolerance;
-    double full = 1.0;      ///< the fraction right that earns all points
-    double zero = 0.0;      ///< the fraction right that earns none; raised to the best control's
-    double range_low = 0;   ///< images of floats: the value shown black …
-    double range_high = 1;  ///< … and the value shown white
-    std::string why;        ///< where the tolerance comes from
+    double full = 1.0;               ///< the fraction right that earns all points
+    double zero = 0.0;               ///< the fraction right that earns none; raised to the best control's
+    double range_low = 0;            ///< images of floats: the value shown black …
+    double range_high = 1;           ///< … and the value shown white
+    std::vector<std::string> rules;  ///< traces: what is counted against the reference, as "draw calls"
+    double growth = 1;               ///< costs: the largest exponent of the size with which the count may grow
+    std::string why;                 ///< where the tolerance comes from
 };
 
 /// Limits of one case.
@@ -62,12 +74,15 @@ struct Exercise {
     std::vector<std::string> course;
     std::optional<double> order;  ///< place within the topic; units without one come last
     bool gl = false;              ///< its cases need an OpenGL context
+    bool glfw = false;            ///< its cases are driven through GLFW's functions, without a window
     Limits limits;
     std::vector<Check> checks;
     std::string digest;  ///< SHA-256 of what decides the score in the unit's folder: manifest, driver, support.hpp of its topic, stubs
 
     /// Is the unit written in C++ (and not in GLSL only)?
     [[nodiscard]] bool is_cpp() const;
+    /// Is a check about how the work grows? Then all tenants are built so that their basic blocks are counted.
+    [[nodiscard]] bool counts_cost() const;
     /// Is a check judged against an oracle?
     [[nodiscard]] bool has_oracle() const;
     /// Names of the cases that the checks need, in the manifest's order, each once.

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -108,9 +109,22 @@ Tolerance read_tolerance(const Field& field)
 JudgeKind read_judge(const Field& field)
 {
     const std::string name = field.text(40);
-    for (const JudgeKind kind : {JudgeKind::numbers, JudgeKind::matrices, JudgeKind::buffer, JudgeKind::image})
+    std::string known;
+    for (const JudgeKind kind : all_judges) {
         if (name == to_string(kind)) return kind;
-    field.refuse("\"numbers\", \"matrices\", \"buffer\" or \"image\"");
+        known += fmt::format("{}\"{}\"", known.empty() ? "" : kind == all_judges.back() ? " or " : ", ", to_string(kind));
+    }
+    field.refuse(known);
+}
+
+std::vector<std::string> read_rules(const Field& field)
+{
+    std::vector<std::string> rules = field.texts(1, trace_rules.size(), 40);
+    std::set<std::string> seen;
+    for (const std::string& rule : rules)
+        if (std::find(trace_rules.begin(), trace_rules.end(), rule) == trace_rules.end() || !seen.insert(rule).second)
+            field.refuse(fmt::format("each once, some of \"{}\" (not '{}')", fmt::join(trace_rules, "\", \""), rule));
+    return rules;
 }
 
 bool read_flag(const Field& field) { return field.given() && field.boolean(); }
@@ -122,14 +136,19 @@ void check_together(const Field& field, const Check& check)
     const Field tolerance = field.member("tolerance");
     if (by_tolerance && !tolerance.given()) tolerance.refuse("a tolerance, since the judge is \"numbers\" or \"matrices\"");
     if (tolerance.given() && check.why.empty()) field.member("why").refuse("where the tolerance comes from");
-    if (check.pairs && check.judge == JudgeKind::image) field.member("pairs").refuse("no pairs in an image, which has no rows");
+    const bool in_rows = by_tolerance || check.judge == JudgeKind::buffer;
+    if (check.pairs && !in_rows) field.member("pairs").refuse(fmt::format("no pairs: what \"{}\" judges has no rows that pair", to_string(check.judge)));
+    const Field rules = field.member("rules");
+    if ((check.judge == JudgeKind::trace) != rules.given()) rules.refuse("rules if, and only if, the judge is \"trace\"");
+    const Field growth = field.member("growth");
+    if ((check.judge == JudgeKind::cost) != growth.given()) growth.refuse("a growth if, and only if, the judge is \"cost\"");
     if (!(check.zero < check.full)) field.member("zero").refuse(fmt::format("less than \"full\" ({})", check.full));
     if (!(check.range_low < check.range_high)) field.member("range").refuse("[low, high] with low < high");
 }
 
 Check read_check(const Field& field)
 {
-    field.allow_only({"case", "value", "judge", "points", "hard", "hidden", "pairs", "tolerance", "full", "zero", "range", "why"});
+    field.allow_only({"case", "value", "judge", "points", "hard", "hidden", "pairs", "tolerance", "full", "zero", "range", "rules", "growth", "why"});
     Check check;
     check.case_name = field.member("case").text(64);
     if (check.case_name.find('/') != std::string::npos) field.member("case").refuse("a case's name without '/'");
@@ -152,6 +171,8 @@ Check read_check(const Field& field)
         check.range_low = ends[0].number(-1e9, 1e9);
         check.range_high = ends[1].number(-1e9, 1e9);
     }
+    if (const Field rules = field.member("rules"); rules.given()) check.rules = read_rules(rules);
+    if (const Field growth = field.member("growth"); growth.given()) check.growth = growth.number(0, 8);
     if (const Field why = field.member("why"); why.given()) check.why = why.text(1000);
     check_together(field, check);
     return check;
@@ -173,7 +194,7 @@ std::vector<Check> read_checks(const Field& field)
 Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
 {
     const Field root(json, where);
-    root.allow_only({"format", "version", "id", "files", "points", "uses", "forbid", "gl", "title", "course", "order", "limits", "checks"});
+    root.allow_only({"format", "version", "id", "files", "points", "uses", "forbid", "gl", "glfw", "title", "course", "order", "limits", "checks"});
     if (root.member("format").text(40) != "umbral-exercise") root.member("format").refuse("\"umbral-exercise\"");
     (void)root.member("version").integer(1, 1);
 
@@ -186,6 +207,7 @@ Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
     if (const Field uses = root.member("uses"); uses.given()) exercise.uses = read_uses(uses, exercise.id);
     if (const Field forbid = root.member("forbid"); forbid.given()) exercise.forbid = forbid.texts(0, 256, 128);
     exercise.gl = read_flag(root.member("gl"));
+    exercise.glfw = read_flag(root.member("glfw"));
     exercise.title = read_title(root.member("title"));
     if (const Field course = root.member("course"); course.given()) exercise.course = course.texts(0, 64, 200);
     if (const Field order = root.member("order"); order.given()) exercise.order = order.number(-1e6, 1e6);

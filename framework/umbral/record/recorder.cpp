@@ -37,6 +37,7 @@ void Recorder::append(std::string_view name, std::uint32_t value) { add_bytes(ro
 void Recorder::append(std::string_view name, glm::vec2 value) { add_bytes(row(name, Element::float32, 2, false), value); }
 void Recorder::append(std::string_view name, glm::vec3 value) { add_bytes(row(name, Element::float32, 3, false), value); }
 void Recorder::append(std::string_view name, glm::vec4 value) { add_bytes(row(name, Element::float32, 4, false), value); }
+void Recorder::append(std::string_view name, glm::dvec2 value) { add_bytes(row(name, Element::float64, 2, false), value); }
 void Recorder::append(std::string_view name, const glm::mat3& value) { add_bytes(row(name, Element::float32, 9, false), value); }
 void Recorder::append(std::string_view name, const glm::mat4& value) { add_bytes(row(name, Element::float32, 16, false), value); }
 
@@ -46,6 +47,15 @@ void Recorder::append(std::string_view name, std::optional<float> value)
     add_bytes(tensor, value.value_or(0.0F));
     tensor.present.push_back(value.has_value() ? 1 : 0);
 }
+
+void Recorder::append(std::string_view name, std::span<const float> values)
+{
+    if (values.empty()) throw std::logic_error("Recorder: '" + std::string(name) + "': expected a row of at least one number, got an empty one");
+    Tensor& tensor = row(name, Element::float32, static_cast<std::uint32_t>(values.size()), false);
+    for (const float value : values) add_bytes(tensor, value);
+}
+
+void Recorder::text(std::string_view name, std::string_view text) { whole(name, Element::uint8, 1, static_cast<int>(text.size()), 1, text.data()); }
 
 void Recorder::whole(std::string_view name, Element element, int width, int height, std::uint32_t components, const void* data)
 {

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <umbral/core/grid.hpp>
@@ -27,10 +28,17 @@ public:
     void append(std::string_view name, glm::vec2 value);
     void append(std::string_view name, glm::vec3 value);
     void append(std::string_view name, glm::vec4 value);
+    void append(std::string_view name, glm::dvec2 value);
     void append(std::string_view name, const glm::mat3& value);
     void append(std::string_view name, const glm::mat4& value);
     /// A row that may have no value; that is another observation than any number.
     void append(std::string_view name, std::optional<float> value);
+
+    /// A row of as many numbers as the table's first one, at least one: a fragment or an event, say.
+    void append(std::string_view name, std::span<const float> row);
+
+    /// Records a text, byte by byte, under a name not used before: a trace of calls, say, one a line.
+    void text(std::string_view name, std::string_view text);
 
     /// Records a whole picture or buffer under a name not used before.
     void image(std::string_view name, const Grid<glm::u8vec4>& picture);
