@@ -21,6 +21,8 @@
 #include <umbral/core/not_implemented.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/core/ray.hpp>
+#include <umbral/pipeline/rasterize.hpp>
 #include <umbral/projections/view.hpp>
 #include <umbral/raytracing/intersect.hpp>
+#include <umbral/texturing/lookup.hpp>
 #include <vector>
