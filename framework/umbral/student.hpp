@@ -21,8 +21,11 @@
 #include <umbral/core/not_implemented.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/core/ray.hpp>
+#include <umbral/meshes/mesh.hpp>
+#include <umbral/meshes/normals.hpp>
 #include <umbral/pipeline/rasterize.hpp>
 #include <umbral/projections/view.hpp>
 #include <umbral/raytracing/intersect.hpp>
+#include <umbral/transforms/rotation.hpp>
 #include <umbral/texturing/lookup.hpp>
 #include <vector>
