@@ -26,9 +26,9 @@ struct Fragment {
 /// Positions are rounded to the nearest 1/256 pixel first (ties to even, as Mesa's llvmpipe does), and everything follows from the rounded ones.
 /// A pixel is covered if its centre lies inside the triangle, or on a top edge (horizontal, the inside below it) or a left edge (not
 /// horizontal, the inside to its right). So triangles that share an edge share no pixel and leave none out.
-/// Both orientations are drawn. Triangles without area give nothing; neither do those with a NaN in any number, or with a position beyond
-/// the guard band: positions lie in [-16384, 16384], and so do the picture's sides.
-/// Guarantee of the reference: coverage is exact, in integers; each weight and the depth have a relative error below 8 ulp.
+/// Both orientations are drawn. Triangles without area give nothing; neither do those with a NaN in any number, with an inverse_w that is
+/// not positive, or with a position beyond the guard band [-16384, 16384]. `width` and `height` are at most 16384, too.
+/// Guarantee of the reference: coverage is exact, in integers; weights and depth are off by less than one ulp.
 /// Course: rasterisation, S2 ("pixels whose centre the primitive covers"; it leaves ties open), interpolation of attributes.
 void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height, std::vector<Fragment>& fragments);
 

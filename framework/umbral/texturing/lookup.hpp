@@ -25,7 +25,8 @@ struct Sampler {
 /// With n columns, texel i owns i/n <= u < (i+1)/n and has its centre at (i + ½)/n; rows likewise, counted from the bottom.
 /// Blends wrap each neighbour for itself: with repeat, the last texel's neighbour is the first one.
 /// NaN counts as 0, and so does an infinite coordinate with repeat, which has no fraction.
-/// Guarantee of the reference: which texels it reads is exact for every float u and v, and so are the fractions up to half an ulp.
+/// Guarantee of the reference, for textures of up to 16384 x 16384: which texels it reads is exact for every float u and v; the fractions
+/// between them are off by half an ulp at most. It throws std::invalid_argument if the texture has no texel.
 /// Course: section C 1.8, "consulta de texels: más cercano, interpolación bilineal"; "replicado, truncamiento".
 [[nodiscard]] glm::vec4 lookup(const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv);
 
