@@ -4,6 +4,8 @@
 #   mistakes/*.so   known wrong solutions, loaded only to explain a failing result
 #   exports.map, exports.txt   the names that a student's library may define: those of the reference object, no other
 #
+# The target unit-<topic>-<unit> makes all of it.
+#
 # A unit's tenants are built alike and loaded alike, so that nothing can depend on who lives there.
 
 set(UMBRAL_UNITS_DIR ${CMAKE_BINARY_DIR}/units)
@@ -76,6 +78,7 @@ function(umbral_add_unit unit)
     umbral_reference_objects(${other} objects)
     target_link_libraries(driver-${id} PRIVATE ${objects})
   endforeach()
+  add_custom_target(unit-${id} DEPENDS driver-${id})
   string(JSON gl ERROR_VARIABLE no_gl GET "${json}" gl)
   if(gl STREQUAL "ON")
     target_link_libraries(driver-${id} PRIVATE umbral-gl)
@@ -99,10 +102,12 @@ function(umbral_add_unit unit)
     COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=$<TARGET_OBJECTS:${objects}>" -DFOLDER=${folder} -P ${PROJECT_SOURCE_DIR}/cmake/exports.cmake
     DEPENDS $<TARGET_OBJECTS:${objects}> ${PROJECT_SOURCE_DIR}/cmake/exports.cmake COMMAND_EXPAND_LISTS VERBATIM)
   add_custom_target(exports-${id} ALL DEPENDS ${folder}/exports.map)
+  add_dependencies(unit-${id} reference-library-${id} exports-${id})
 
   if(EXISTS ${reference}_oracle.cpp)
     umbral_unit_library(oracle-library-${id} ${folder} oracle ${reference}_oracle.cpp)
     target_link_libraries(oracle-library-${id} PRIVATE umbral-warnings)
+    add_dependencies(unit-${id} oracle-library-${id})
   endif()
 
   file(GLOB mistakes CONFIGURE_DEPENDS ${source}/mistakes/*.cpp ${source}/mistakes/*.change)
@@ -117,6 +122,7 @@ function(umbral_add_unit unit)
       set(mistake ${derived})
     endif()
     umbral_unit_library(mistake-${id}-${name} ${folder}/mistakes ${name} ${mistake})
+    add_dependencies(unit-${id} mistake-${id}-${name})
     set_target_properties(mistake-${id}-${name} PROPERTIES CXX_CLANG_TIDY "")  # wrong on purpose
     target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} ${counted} -include umbral/student.hpp)
   endforeach()

@@ -20,7 +20,7 @@ std::vector<FailingCheck> failing_checks(Workshop& workshop, const Exercise& exe
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
         if (result.checks[i].score == check.points || !one.trouble().empty()) continue;
-        const RunOutcome& expected = workshop.trusted(exercise, check.hard ? Tenant::oracle : Tenant::reference, check.case_name, one.seed);
+        const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
         const Tensor* student = tensor_of(one.student, check.value);
         if (student == nullptr) continue;
         failing.push_back({&check, student, tensor_of(expected, check.value), tensor_of(expected, check.value + ".margin"), nullptr});

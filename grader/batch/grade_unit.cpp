@@ -107,7 +107,7 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         CaseResult& one = cases.at(check.case_name);
-        const RunOutcome& expected = workshop.trusted(exercise, check.hard ? Tenant::oracle : Tenant::reference, check.case_name, one.seed);
+        const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
         const RunOutcome& reference = workshop.trusted(exercise, Tenant::reference, check.case_name, one.seed);
         result.checks[i] = judge_check(check, one, expected, reference);
         one.reference_seconds = reference.wall_seconds;

@@ -29,7 +29,7 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
         const bool failing = result.checks[i].score < check.points;
         if (!is_picture(check) || check.hidden || !one.trouble().empty() || (!failing && (one_saved || result.verdict != Verdict::ok))) continue;
         const Tensor* student = tensor_of(one.student, check.value);
-        const Tensor* expected = tensor_of(workshop.trusted(exercise, check.hard ? Tenant::oracle : Tenant::reference, check.case_name, one.seed), check.value);
+        const Tensor* expected = tensor_of(workshop.trusted(exercise, judged_against(check), check.case_name, one.seed), check.value);
         if (student == nullptr || expected == nullptr) continue;
         try {
             std::filesystem::create_directories(options.artefacts);

@@ -74,7 +74,7 @@ std::vector<Finding> expect_controls(Workshop& workshop, const Exercise& exercis
     std::map<std::string, double> raw;
     for (const Check& check : exercise.checks) {
         const std::uint64_t case_seed = options.seeds.seed_of(exercise, check.case_name);
-        const RunOutcome& run = workshop.trusted(exercise, check.hard ? Tenant::oracle : Tenant::reference, check.case_name, case_seed);
+        const RunOutcome& run = workshop.trusted(exercise, judged_against(check), check.case_name, case_seed);
         const Tensor* expected = tensor_of(run, check.value);
         if (expected == nullptr) throw std::runtime_error(fmt::format("{}: nothing recorded for check '{}'", exercise.id, check.name));
         const Tensor* margin = tensor_of(run, check.value + ".margin");

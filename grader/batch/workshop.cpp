@@ -15,14 +15,6 @@ std::string key_of(const Exercise& exercise, const std::string& who, const std::
     return fmt::format("{}\n{}\n{}\n{}", exercise.id, who, case_name, seed);
 }
 
-Sources only_texts(const Sources& sources)
-{
-    Sources texts;
-    for (const auto& [name, text] : sources)
-        if (!name.ends_with(".cpp") && !name.ends_with(".hpp")) texts[name] = text;
-    return texts;
-}
-
 }
 
 Spawner& Workshop::spawner(bool gl)
@@ -53,7 +45,7 @@ const RunOutcome& Workshop::trusted(const Exercise& exercise, Tenant tenant, con
 
     RunRequest wanted = request(exercise, case_name, seed);
     if (exercise.is_cpp()) wanted.tenant = unit_folder(tools_, exercise.id) / fmt::format("{}.so", name);
-    wanted.sources = only_texts(exercise.is_cpp() ? Sources{} : reference_sources(tools_.reference, exercise));
+    wanted.sources = texts_of(exercise.is_cpp() ? Sources{} : reference_sources(tools_.reference, exercise));
     RunOutcome outcome = spawner(exercise.gl).run(wanted);
     if (outcome.verdict != Verdict::ok)
         throw std::runtime_error(
@@ -68,7 +60,7 @@ const RunOutcome& Workshop::run_mistake(const Exercise& exercise, const std::str
     if (const auto found = remembered_.find(key); found != remembered_.end()) return found->second;
     RunRequest wanted = request(exercise, case_name, seed);
     if (exercise.is_cpp()) wanted.tenant = unit_folder(tools_, exercise.id) / "mistakes" / (name + ".so");
-    wanted.sources = only_texts(sources);
+    wanted.sources = texts_of(sources);
     return remember(key, spawner(exercise.gl).run(wanted));
 }
 

@@ -13,6 +13,9 @@ namespace umbral::grader {
 /// Whose answers a run gives.
 enum class Tenant { reference, oracle };
 
+/// The tenant that a check is judged against.
+[[nodiscard]] inline Tenant judged_against(const Check& check) { return check.hard ? Tenant::oracle : Tenant::reference; }
+
 /// What one worker needs to grade: the tools, its own spawners (started when first needed), and the trusted runs it has seen.
 /// Not for use by several threads at once.
 class Workshop {

@@ -11,8 +11,8 @@
 #include "build/check_names.hpp"
 #include "build/compile.hpp"
 #include "build/inspection.hpp"
-#include "build/scratch.hpp"
 #include "model/digest.hpp"
+#include "model/scratch.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -31,8 +31,8 @@ std::vector<std::string> lines_of(const fs::path& file)
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all =
-        fmt::format("3\n{}\n{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.glfw, exercise.counts_cost(), tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
+    std::string all = fmt::format("3\n{}\n{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.glfw, exercise.counts_cost(), tools.compiler,
+                                  fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
     all += read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");
     for (const std::string& used : exercise.uses) all += fmt::format("{}\n{}", used, read_text(unit_folder(tools, used) / "exports.txt"));
@@ -126,8 +126,7 @@ Built build(const Toolchain& tools, const Exercise& exercise, const Sources& fil
         const ScratchFolder work(tools.cache);
         built = keep(compile_fresh(tools, exercise, files, work.path()), work.path(), folder);
     }
-    for (const auto& [name, text] : files)
-        if (!name.ends_with(".cpp") && !name.ends_with(".hpp")) built.sources[name] = text;
+    built.sources = texts_of(files);
     return built;
 }
 

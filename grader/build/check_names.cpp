@@ -1,25 +1,16 @@
 #include "build/check_names.hpp"
 
-#include <cxxabi.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <memory>
 #include <regex>
 
 #include "build/allowed.hpp"
+#include "build/demangle.hpp"
 
 namespace umbral::grader {
 namespace {
-
-std::string demangled(const std::string& name)
-{
-    int status = 0;
-    const std::unique_ptr<char, decltype(&std::free)> text(abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free);
-    return status == 0 ? std::string(text.get()) : name;
-}
 
 /// A signature as a student would write it: glm::vec3 for glm::vec<3, float, (glm::qualifier)0>, and so on.
 std::string as_written(std::string signature)
@@ -62,7 +53,7 @@ std::optional<Objection> missing_interface(const Inspection& inspection, const s
 {
     for (const std::string& wanted : interface_names) {
         if (std::find(inspection.exported.begin(), inspection.exported.end(), wanted) != inspection.exported.end()) continue;
-        const std::string declared = demangled(wanted);
+        const std::string declared = demangled(wanted.c_str());
         const std::string bare = last_part(without_arguments(declared));
         std::vector<std::string> written;
         for (const std::string& function : inspection.functions)
@@ -88,7 +79,7 @@ std::optional<Objection> object_to(const Inspection& inspection, const std::vect
     if (auto missing = missing_interface(inspection, interface_names)) return missing;
     std::vector<std::string> wanted;
     for (const std::string& name : inspection.undefined)
-        if (!is_allowed_symbol(name, exercise.gl) && !offered.contains(name)) wanted.push_back(demangled(name));
+        if (!is_allowed_symbol(name, exercise.gl) && !offered.contains(name)) wanted.push_back(demangled(name.c_str()));
     if (wanted.empty()) return std::nullopt;
     return Objection{Verdict::forbidden,
                      fmt::format("{}: no unit may call {}; allowed are the C++ library, mathematics, the framework and the units this one uses",

@@ -1,4 +1,3 @@
-#include <cxxabi.h>
 #include <dwarf.h>
 #include <elfutils/libdw.h>
 #include <fcntl.h>
@@ -16,19 +15,14 @@
 #include <string>
 #include <string_view>
 
+#include "build/demangle.hpp"
+
 // umbral-inspect names FILE: its dynamic symbols and the functions that left code in it, as JSON.
 // umbral-inspect lines FILE ADDRESS…: the first address that a file without a directory produced, as "sphere.cpp:17".
 // It reads files made by hostile sources, so it runs in umbral-confine and holds nothing worth stealing.
 namespace {
 
 using Names = std::set<std::string>;
-
-std::string demangled(const char* name)
-{
-    int status = 0;
-    const std::unique_ptr<char, decltype(&std::free)> text(abi::__cxa_demangle(name, nullptr, nullptr, &status), &std::free);
-    return status == 0 ? std::string(text.get()) : std::string(name);
-}
 
 void add_symbols(Elf* elf, Names& exported, Names& undefined)
 {
@@ -58,7 +52,7 @@ void add_function(Dwarf_Die* die, Names& functions)
     if (dwarf_hasattr(die, DW_AT_low_pc) == 0 && dwarf_hasattr(die, DW_AT_inline) == 0) return;
     for (const unsigned kind : {DW_AT_linkage_name, DW_AT_MIPS_linkage_name, DW_AT_name}) {
         if (dwarf_attr_integrate(die, kind, &attribute) == nullptr) continue;
-        if (const char* name = dwarf_formstring(&attribute)) functions.insert(demangled(name));
+        if (const char* name = dwarf_formstring(&attribute)) functions.insert(umbral::grader::demangled(name));
         return;
     }
 }

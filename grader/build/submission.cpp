@@ -107,6 +107,14 @@ Handed collect(const fs::path& folder, const Exercise& exercise)
     return handed;
 }
 
+Sources texts_of(const Sources& files)
+{
+    Sources texts;
+    for (const auto& [name, text] : files)
+        if (!name.ends_with(".cpp") && !name.ends_with(".hpp")) texts[name] = text;
+    return texts;
+}
+
 bool equals_stub(const Sources& files, const Exercise& exercise)
 {
     return std::all_of(exercise.files.begin(), exercise.files.end(), [&](const std::string& name) {

@@ -34,6 +34,9 @@ inline constexpr std::size_t most_files = 32;
 /// Reads a whole text file that is not hostile. Throws std::runtime_error with the path.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
+/// The files that no compiler turned into a library: what the driver gets as text, such as shaders.
+[[nodiscard]] Sources texts_of(const Sources& files);
+
 /// Are these the stubs of the unit, but for white space and comments?
 [[nodiscard]] bool equals_stub(const Sources& files, const Exercise& exercise);
 

@@ -1,14 +1,19 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "batch/fingerprint.hpp"
 #include "batch/grade_class.hpp"
 #include "cli/application.hpp"
+#include "cli/watch.hpp"
 #include "report/hidden.hpp"
 
 namespace umbral::grader {
@@ -21,6 +26,7 @@ struct Options {
     std::string folder = ".";
     bool json = false;
     bool no_explanation = false;
+    bool watch = false;
     unsigned attempt = 0;
 };
 
@@ -36,27 +42,79 @@ std::vector<Exercise> units_to_check(const Application& application, const Optio
     return chosen;
 }
 
-void check(Application& application, const Options& options)
+/// One pass over some units, printed. Says how it went by an exit status.
+int check_once(Application& application, Workshop& workshop, const std::vector<Exercise>& exercises, const Options& options)
 {
-    if (!fs::is_directory(options.folder)) throw UsageError(fmt::format("{}: expected a workspace folder; there is none", options.folder));
-    Workshop workshop(application.tools);
-    const std::vector<Exercise> exercises = units_to_check(application, options);
     GradeOptions grading;
     grading.seeds.attempt = options.attempt;
     grading.explain = !options.no_explanation;
     grading.relative_to = fs::absolute(options.folder);
     grading.artefacts = grading.relative_to / "umbral-pictures";
     const SubmissionResult result = without_hidden_values(grade_submission(workshop, exercises, options.folder, grading));
+    // While watching, a line is a document, so that a program can read them one by one.
+    const int indentation = options.watch ? -1 : 2;
     if (options.json)
-        fmt::print("{}\n", to_json(result, fingerprint(workshop, exercises)).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n", to_json(result, fingerprint(workshop, exercises)).dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
     else
         fmt::print("{}", terminal_report(result, application.style));
 
     const auto is = [](Verdict verdict) { return [verdict](const UnitResult& unit) { return unit.verdict == verdict; }; };
-    if (std::any_of(result.units.begin(), result.units.end(), is(Verdict::grader_fault)))
-        application.exit_status = exit_fault;
-    else if (!std::all_of(result.units.begin(), result.units.end(), is(Verdict::ok)))
-        application.exit_status = exit_not_right;
+    if (std::any_of(result.units.begin(), result.units.end(), is(Verdict::grader_fault))) return exit_fault;
+    return std::all_of(result.units.begin(), result.units.end(), is(Verdict::ok)) ? exit_ok : exit_not_right;
+}
+
+/// What the student has written for each unit, by the unit's id.
+std::map<std::string, Sources> texts_of_units(const std::vector<Exercise>& exercises, const fs::path& folder)
+{
+    std::map<std::string, Sources> texts;
+    for (const Exercise& exercise : exercises) texts[exercise.id] = collect(folder, exercise).files;
+    return texts;
+}
+
+std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const fs::path& root)
+{
+    std::vector<fs::path> folders{root};
+    for (const Exercise& exercise : exercises) folders.insert(folders.end(), {root / exercise.topic, root / exercise.topic / exercise.name});
+    return folders;
+}
+
+/// Checks again what is saved, until the program is stopped. The spawners stay warm and the reference's runs are remembered, so that
+/// little more than the compiler's time lies between a save and its verdict.
+[[noreturn]] void watch(Application& application, Workshop& workshop, const std::vector<Exercise>& exercises, const Options& options)
+{
+    constexpr std::chrono::milliseconds quiet{15};
+    FolderWatch saves;
+    saves.watch(folders_of(exercises, options.folder));
+    // A save during the first pass is seen too: watching began before the texts are read.
+    std::map<std::string, Sources> known = texts_of_units(exercises, options.folder);
+    (void)check_once(application, workshop, exercises, options);
+    const auto say = [&](const std::string& text) {
+        if (!options.json) fmt::print("\n  {}\n", text);
+        (void)std::fflush(stdout);
+    };
+    say("Watching: save a file to check it again; Ctrl+C ends.");
+    while (true) {
+        const auto saved = saves.wait(quiet);
+        saves.watch(folders_of(exercises, options.folder));
+        std::map<std::string, Sources> now = texts_of_units(exercises, options.folder);
+        std::vector<Exercise> changed;
+        for (const Exercise& exercise : exercises)
+            if (now.at(exercise.id) != known.at(exercise.id)) changed.push_back(exercise);
+        known = std::move(now);
+        if (changed.empty()) continue;
+        if (!options.json && isatty(STDOUT_FILENO) != 0) fmt::print("\x1b[2J\x1b[H");
+        (void)check_once(application, workshop, changed, options);
+        say(fmt::format("{:.2f} s after the save. Watching; Ctrl+C ends.", std::chrono::duration<double>(std::chrono::steady_clock::now() - saved).count()));
+    }
+}
+
+void check(Application& application, const Options& options)
+{
+    if (!fs::is_directory(options.folder)) throw UsageError(fmt::format("{}: expected a workspace folder; there is none", options.folder));
+    Workshop workshop(application.tools);
+    const std::vector<Exercise> exercises = units_to_check(application, options);
+    if (options.watch) watch(application, workshop, exercises, options);
+    application.exit_status = check_once(application, workshop, exercises, options);
 }
 
 }
@@ -69,6 +127,7 @@ void add_check(CLI::App& parser, Application& application)
     command->add_option("--dir", options->folder, "The workspace")->capture_default_str();
     command->add_option("--attempt", options->attempt, "Another number gives other random inputs")->capture_default_str();
     command->add_flag("--json", options->json, "As JSON (docs/schemas/report.schema.json)");
+    command->add_flag("--watch", options->watch, "Checks again whatever you save, until you press Ctrl+C; with --json, one line a check");
     command->add_flag("--no-explanation", options->no_explanation, "Only points");
     command->callback([&application, options] { check(application, *options); });
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "support/temporary_folder.hpp"
 
 // The sample class, graded by the real program: every kind of submission gets the verdict a teacher would give.
 namespace umbral::test {
@@ -14,9 +15,9 @@ using nlohmann::json;
 
 const std::string sample = UMBRAL_SOURCE "/tests/class";
 
-Printed grade(const std::string& folder, const Folder& out, const std::string& before = "")
+Printed grade(const std::string& folder, const TemporaryFolder& out, const std::string& before = "")
 {
-    write(out / "secret", "the same secret gives the same hidden cases");
+    out.write("secret", "the same secret gives the same hidden cases");
     return umbral("grade " + folder + " --jobs 2 --out " + (out / "out").string() + " --secret-file " + (out / "secret").string(), before);
 }
 
@@ -35,7 +36,7 @@ json without_times(json value)
 const json& graded()
 {
     static const json result = [] {
-        const Folder out;
+        const TemporaryFolder out;
         const Printed printed = grade(sample, out);
         EXPECT_EQ(printed.status, 0) << printed.text;
         json all = json::parse(read(out / "out/class.json"));
@@ -127,14 +128,14 @@ TEST(Class, NoAttackOfTheHostileOneWorked)
 
 TEST(Class, ASecondGradingAgreesButForTimes)
 {
-    const Folder out;
+    const TemporaryFolder out;
     ASSERT_EQ(grade(sample, out).status, 0);
     EXPECT_EQ(without_times(json::parse(read(out / "out/class.json"))), without_times(graded()));
 }
 
 TEST(Grade, BadInputIsAUsageErrorThatSaysWhatToDo)
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     EXPECT_EQ(grade((folder / "nowhere").string(), folder).status, 2);
     std::filesystem::create_directories(folder / "class/José Pérez");
     const Printed odd = grade((folder / "class").string(), folder);
@@ -142,15 +143,15 @@ TEST(Grade, BadInputIsAUsageErrorThatSaysWhatToDo)
     EXPECT_NE(odd.text.find("rename"), std::string::npos) << odd.text;
     std::filesystem::create_directories(folder / "empty");
     EXPECT_NE(grade((folder / "empty").string(), folder).text.find("no submission"), std::string::npos);
-    write(folder / "short", "abc");
+    folder.write("short", "abc");
     std::filesystem::create_directories(folder / "one/a");
     EXPECT_EQ(umbral("grade " + (folder / "one").string() + " --out " + (folder / "out").string() + " --secret-file " + (folder / "short").string()).status, 2);
 }
 
 TEST(Grade, AFullDiskIsAFaultThatLeavesNoHalfReport)
 {
-    const Folder folder;
-    write(folder / "class/a/sphere.cpp", read(UMBRAL_SOURCE "/exercises/raytracing/sphere/sphere.cpp"));
+    const TemporaryFolder folder;
+    folder.write("class/a/sphere.cpp", read(UMBRAL_SOURCE "/exercises/raytracing/sphere/sphere.cpp"));
     // No file may grow beyond 1 KiB: a report does not fit. SIGXFSZ is ignored, so that writing fails as on a full disk.
     const Printed printed = grade((folder / "class").string(), folder, "trap '' XFSZ; ulimit -f 1;");
     EXPECT_EQ(printed.status, 3) << printed.text;

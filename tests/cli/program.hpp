@@ -32,35 +32,6 @@ inline Printed umbral(const std::string& arguments, const std::string& before = 
     return printed;
 }
 
-/// A folder for one test, removed at its end.
-class Folder {
-public:
-    Folder()
-    {
-        std::string name = (std::filesystem::temp_directory_path() / "umbral-cli-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
-        path_ = name;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    [[nodiscard]] std::string text() const { return path_.string(); }
-
-private:
-    std::filesystem::path path_;
-};
-
-inline void write(const std::filesystem::path& file, const std::string& text)
-{
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << text;
-}
-
 inline std::string read(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "support/temporary_folder.hpp"
 
 // What a student types, with the real program.
 namespace umbral::test {
@@ -37,19 +38,19 @@ TEST(List, ShowsTheUnitsInBothLanguagesAndAsJson)
 
 TEST(New, MakesAWorkspaceAndNeverOverwritesWork)
 {
-    const Folder folder;
-    ASSERT_EQ(umbral("new " + folder.text() + " sphere").status, 0);
+    const TemporaryFolder folder;
+    ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
     for (const char* file : {"sphere.cpp", "README.md", "README.es.md", "goal.png"})
         EXPECT_TRUE(std::filesystem::exists(folder / "raytracing/sphere" / file)) << file;
-    write(folder / "raytracing/sphere/sphere.cpp", "// mine");
-    ASSERT_EQ(umbral("new " + folder.text() + " sphere").status, 0);
+    folder.write("raytracing/sphere/sphere.cpp", "// mine");
+    ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
     EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp"), "// mine");
 }
 
 TEST(New, RefusesAFileInTheWay)
 {
-    const Folder folder;
-    write(folder / "taken", "");
+    const TemporaryFolder folder;
+    folder.write("taken", "");
     const Printed printed = umbral("new " + (folder / "taken").string());
     EXPECT_EQ(printed.status, 2);
     EXPECT_NE(printed.text.find("not a folder"), std::string::npos) << printed.text;
@@ -57,35 +58,35 @@ TEST(New, RefusesAFileInTheWay)
 
 TEST(Check, StatusSaysRightShortOrMisused)
 {
-    const Folder folder;
-    ASSERT_EQ(umbral("new " + folder.text() + " sphere").status, 0);
-    EXPECT_EQ(umbral("check sphere --dir " + folder.text()).status, 1) << "the stub falls short";
+    const TemporaryFolder folder;
+    ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
+    EXPECT_EQ(umbral("check sphere --dir " + folder.path().string()).status, 1) << "the stub falls short";
     std::filesystem::copy_file(source / "reference/raytracing/sphere.cpp", folder / "raytracing/sphere/sphere.cpp",
                                std::filesystem::copy_options::overwrite_existing);
-    const Printed right = umbral("check sphere --dir " + folder.text());
+    const Printed right = umbral("check sphere --dir " + folder.path().string());
     EXPECT_EQ(right.status, 0) << right.text;
     EXPECT_NE(right.text.find("10/10"), std::string::npos) << right.text;
-    EXPECT_EQ(umbral("check no-such-unit --dir " + folder.text()).status, 2);
-    EXPECT_EQ(umbral("check --dir " + folder.text() + "/nowhere").status, 2);
+    EXPECT_EQ(umbral("check no-such-unit --dir " + folder.path().string()).status, 2);
+    EXPECT_EQ(umbral("check --dir " + folder.path().string() + "/nowhere").status, 2);
     EXPECT_EQ(umbral("check --no-such-option").status, 2);
 }
 
 TEST(Check, AnEmptyFolderSaysHowToBegin)
 {
-    const Folder folder;
-    const Printed printed = umbral("check --dir " + folder.text());
+    const TemporaryFolder folder;
+    const Printed printed = umbral("check --dir " + folder.path().string());
     EXPECT_EQ(printed.status, 2);
     EXPECT_NE(printed.text.find("umbral new"), std::string::npos) << printed.text;
 }
 
 TEST(Check, ShowsTheFirstFailureWhyAndWhatWasPrinted)
 {
-    const Folder folder;
-    const std::string mistake = read(source / "exercises/raytracing/sphere/mistakes/far_root.cpp");
+    const TemporaryFolder folder;
+    const std::string mistake = read(source / "tests/class/carla-typical-mistakes/raytracing/sphere/sphere.cpp");
     const std::size_t body = mistake.find("    const glm");
     ASSERT_NE(body, std::string::npos);
-    write(folder / "raytracing/sphere/sphere.cpp", mistake.substr(0, body) + "    std::puts(\"my debugging line\");\n" + mistake.substr(body));
-    const Printed printed = umbral("check --dir " + folder.text());
+    folder.write("raytracing/sphere/sphere.cpp", mistake.substr(0, body) + "    std::puts(\"my debugging line\");\n" + mistake.substr(body));
+    const Printed printed = umbral("check --dir " + folder.path().string());
     EXPECT_EQ(printed.status, 1);
     for (const char* word : {"yours", "expected", "why", "you return where it comes out", "my debugging line", "umbral debug raytracing/sphere head-on"})
         EXPECT_NE(printed.text.find(word), std::string::npos) << word << "\n" << printed.text;
@@ -94,9 +95,9 @@ TEST(Check, ShowsTheFirstFailureWhyAndWhatWasPrinted)
 
 TEST(Check, JsonIsAReport)
 {
-    const Folder folder;
-    write(folder / "sphere.cpp", "");
-    const Printed printed = umbral("check --json --dir " + folder.text());
+    const TemporaryFolder folder;
+    folder.write("sphere.cpp", "");
+    const Printed printed = umbral("check --json --dir " + folder.path().string());
     const auto json = nlohmann::json::parse(printed.text, nullptr, false);
     ASSERT_TRUE(json.is_object()) << printed.text;
     EXPECT_EQ(json.at("format"), "umbral-report");
@@ -112,22 +113,22 @@ TEST(Hint, GoesStepByStep)
 
 TEST(Reset, KeepsWhatWasWritten)
 {
-    const Folder folder;
-    write(folder / "raytracing/sphere/sphere.cpp", "// mine");
-    ASSERT_EQ(umbral("reset sphere --dir " + folder.text()).status, 0);
+    const TemporaryFolder folder;
+    folder.write("raytracing/sphere/sphere.cpp", "// mine");
+    ASSERT_EQ(umbral("reset sphere --dir " + folder.path().string()).status, 0);
     EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp"), read(source / "exercises/raytracing/sphere/sphere.cpp"));
     EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp.1.bak"), "// mine");
 }
 
 TEST(Debug, RunsOneCaseAsAnOrdinaryProgram)
 {
-    const Folder folder;
+    const TemporaryFolder folder;
     std::filesystem::create_directories(folder / "raytracing/sphere");
     std::filesystem::copy_file(source / "reference/raytracing/sphere.cpp", folder / "raytracing/sphere/sphere.cpp");
-    const Printed printed = umbral("debug sphere random --no-debugger --dir " + folder.text());
+    const Printed printed = umbral("debug sphere random --no-debugger --dir " + folder.path().string());
     EXPECT_EQ(printed.status, 0) << printed.text;
     EXPECT_NE(printed.text.find("recorded t: 4000"), std::string::npos) << printed.text;
-    EXPECT_EQ(umbral("debug sphere no-such-case --dir " + folder.text()).status, 2);
+    EXPECT_EQ(umbral("debug sphere no-such-case --dir " + folder.path().string()).status, 2);
 }
 
 TEST(Doctor, FindsWhatAGradedRunNeeds)

@@ -18,6 +18,7 @@ expect() { # expect DESCRIPTION COMMAND…
 mkdir -p "$work/project/cmake" "$work/fakes"
 cp "$source/umbral" "$work/project/"
 cp "$source/cmake/debian-packages.txt" "$work/project/cmake/"
+printf 'absent no-such-command-anywhere  # a comment\npresent sh\n' >"$work/project/cmake/debian-packages-test.txt"
 for name in apt-get sudo cmake; do
     printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n' "$name" "$work" >"$work/fakes/$name"
 done
@@ -42,4 +43,10 @@ expect "apt installs only what is missing" grep -qE '^(sudo )?apt-get install .*
 expect "apt gets no comment lines" sh -c "! grep -q '#' '$work/calls'"
 expect "it builds from the folder of the launcher" grep -q 'cmake --preset release' "$work/calls"
 expect "a failed build leaves no stamp" [ ! -e "$work/project/build/release/stamp" ]
+
+# A command of that name will do instead of its package; without one the package is installed.
+: >"$work/calls"
+(cd "$work/project" && ./umbral test) >"$work/printed" 2>&1 || true
+expect "tests need more packages" grep -qE 'apt-get install .*libglm-dev .*absent' "$work/calls"
+expect "a command that is there needs no package" sh -c "! grep -qE ' present( |$)' '$work/calls'"
 exit $failed

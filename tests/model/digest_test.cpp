@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -31,7 +31,7 @@ TEST(Sha256, does_not_care_how_bytes_arrive_and_begins_anew)
 // The expected values below come from Python's hashlib and hmac.
 TEST(Sha256, reads_files_longer_than_one_piece)
 {
-    const test::TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     folder.write("zeros", std::string(1000003, '\0'));
     EXPECT_EQ(sha256_of_file(folder.path() / "zeros"), "9e3c25400146ab5a01345705a1916a2e76a43c45789e38e14420f4eb47d5e384");
     EXPECT_THROW((void)sha256_of_file(folder.path() / "none"), std::runtime_error);
@@ -40,7 +40,7 @@ TEST(Sha256, reads_files_longer_than_one_piece)
 
 TEST(Sha256, of_files_takes_names_lengths_and_contents_in_the_order_of_names)
 {
-    const test::TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     folder.write("exercise.json", "{}");
     folder.write("driver.cpp", "");
     folder.write("a.cpp", "int x;\n");

@@ -6,7 +6,7 @@
 
 #include "manifest_json.hpp"
 #include "message_of.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 
 /// Writes a unit with every file that it needs.
-void write_unit(const test::TemporaryFolder& folder, const std::string& id, std::optional<double> order = {})
+void write_unit(const umbral::test::TemporaryFolder& folder, const std::string& id, std::optional<double> order = {})
 {
     json manifest = test::manifest();
     manifest["id"] = id;
@@ -29,7 +29,7 @@ void write_unit(const test::TemporaryFolder& folder, const std::string& id, std:
 
 TEST(LoadExercise, finds_the_unit_and_its_folder)
 {
-    const test::TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     write_unit(folder, "meshes/normals", 3);
     const Exercise unit = load_exercise(folder.path() / "meshes/normals");
     EXPECT_EQ(unit.id, "meshes/normals");
@@ -39,7 +39,7 @@ TEST(LoadExercise, finds_the_unit_and_its_folder)
 
 TEST(LoadExercise, refuses_a_unit_that_is_not_whole)
 {
-    const test::TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     const auto message = [&] { return test::message_of([&] { (void)load_exercise(folder.path() / "meshes/normals"); }); };
     EXPECT_NE(message().find("exercise.json: expected a readable regular file"), std::string::npos) << message();
     write_unit(folder, "meshes/normals");
@@ -57,7 +57,7 @@ TEST(LoadExercise, refuses_a_unit_that_is_not_whole)
 
 TEST(LoadExercise, the_digest_changes_with_what_decides_the_score_and_nothing_else)
 {
-    const test::TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     write_unit(folder, "meshes/normals");
     const auto digest = [&] { return load_exercise(folder.path() / "meshes/normals").digest; };
     const std::string first = digest();
@@ -80,7 +80,7 @@ TEST(LoadExercise, the_digest_changes_with_what_decides_the_score_and_nothing_el
 
 TEST(LoadExercises, come_in_the_order_of_the_course)
 {
-    const test::TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     for (const char* topic : {"zoo", "raytracing", "interaction", "texturing", "lighting", "projections", "transforms", "meshes", "pipeline", "animals"})
         write_unit(folder, std::string(topic) + "/unit");
     write_unit(folder, "lighting/a", 20);
@@ -99,7 +99,7 @@ TEST(LoadExercises, come_in_the_order_of_the_course)
 
 TEST(LoadExercises, says_where_there_are_none)
 {
-    const test::TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     EXPECT_TRUE(load_exercises(folder.path()).empty());
     EXPECT_NE(test::message_of([&] { (void)load_exercises(folder.path() / "nowhere"); }).find("nowhere: expected a directory"), std::string::npos);
 }

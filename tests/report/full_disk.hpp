@@ -9,7 +9,8 @@
 #include <csignal>
 #include <string>
 
-#include "temporary_folder.hpp"
+#include "complaint.hpp"
+#include "support/temporary_folder.hpp"
 
 /// While it lives, no file of this process may grow beyond `bytes`: writing fails with EFBIG, as on a full disk.
 class SmallFiles {
@@ -39,7 +40,7 @@ enum class FullDisk { held, failed, cannot_mount };
 /// Runs `action(folder)` in a child whose `folder` is a disk of 64 KiB, in a mount namespace of its own (root only).
 /// `held`: the action failed naming ENOSPC and left nothing in the folder.
 template <class Action>
-FullDisk on_full_disk(const TemporaryFolder& folder, Action action)
+FullDisk on_full_disk(const umbral::test::TemporaryFolder& folder, Action action)
 {
     const pid_t child = ::fork();
     if (child == 0) {

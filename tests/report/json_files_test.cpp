@@ -4,11 +4,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "complaint.hpp"
 #include "full_disk.hpp"
 #include "report/hidden.hpp"
 #include "report/json_files.hpp"
 #include "results.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -30,7 +31,7 @@ SubmissionResult hostile()
 
 TEST(JsonFiles, HoldWhatTheModelSays)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     const SubmissionResult submission = hostile();
     const Fingerprint fingerprint{"1", "c", "cpu", "cc", "gl", "libm", {"landlock 4"}};
     write_report_json(folder / "report.json", submission, fingerprint);
@@ -51,7 +52,7 @@ TEST(JsonFiles, HoldWhatTheModelSays)
 
 TEST(JsonFiles, AFullDiskIsAnExceptionAndLeavesTheOldFile)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     std::ofstream(folder / "report.json") << "old";
     SubmissionResult submission = hostile();
     submission.units[0].output = std::string(200000, 'x');
@@ -64,7 +65,7 @@ TEST(JsonFiles, AFullDiskIsAnExceptionAndLeavesTheOldFile)
     EXPECT_EQ(text_of(folder / "report.json"), "old");
     EXPECT_EQ(folder.count(), 1);
 
-    const FullDisk outcome = on_full_disk(folder, [&](const TemporaryFolder& disk) { write_report_json(disk / "b.json", submission, {}); });
+    const FullDisk outcome = on_full_disk(folder, [&](const umbral::test::TemporaryFolder& disk) { write_report_json(disk / "b.json", submission, {}); });
     EXPECT_NE(outcome, FullDisk::failed);
     if (outcome == FullDisk::cannot_mount) GTEST_SKIP() << "a real full disk needs root";
 }

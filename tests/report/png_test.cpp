@@ -5,8 +5,9 @@
 #include <umbral/core/png.hpp>
 #include <umbral/core/random.hpp>
 
+#include "complaint.hpp"
 #include "full_disk.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace umbral {
 namespace {
@@ -39,7 +40,7 @@ glm::u8vec4 rgba(const cv::Mat& picture, int x, int y)
 TEST(Png, IsReadByOpenCvPixelForPixel)
 {
     SCOPED_TRACE(seed);
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     for (const auto& [width, height] : {std::pair{1, 1}, {7, 3}, {256, 1}, {1, 300}, {123, 77}}) {
         const Image image = noise(width, height);
         write_png(folder / "a.png", image);
@@ -56,7 +57,7 @@ TEST(Png, IsReadByOpenCvPixelForPixel)
 
 TEST(Png, ReadsWhatOpenCvWrites)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     cv::Mat colour(2, 3, CV_8UC3);
     cv::Mat grey(2, 3, CV_8UC1);
     cv::Mat deep(2, 3, CV_16UC3);
@@ -89,7 +90,7 @@ TEST(Png, ReadsWhatOpenCvWrites)
 
 TEST(Png, EveryTruncationIsRefused)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     write_png(folder / "whole.png", noise(9, 5));
     const std::string whole = bytes_of(folder / "whole.png");
     for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -102,7 +103,7 @@ TEST(Png, EveryTruncationIsRefused)
 
 TEST(Png, EveryDamagedByteOfThePixelsIsRefused)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     write_png(folder / "whole.png", noise(9, 5));
     const std::string whole = bytes_of(folder / "whole.png");
     const std::size_t pixels = whole.find("IDAT") + 4;
@@ -117,7 +118,7 @@ TEST(Png, EveryDamagedByteOfThePixelsIsRefused)
 
 TEST(Png, HugeDimensionsAreRefusedBeforeMemoryIsTaken)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     // 60000 x 60000, grey, from an encoder of our own: IHDR with a right checksum, and no pixels worth the name.
     const std::string signature("\x89PNG\r\n\x1a\n", 8);
     std::string header("IHDR\0\0\xEA\x60\0\0\xEA\x60\x08\0\0\0\0", 17);
@@ -141,7 +142,7 @@ TEST(Png, HugeDimensionsAreRefusedBeforeMemoryIsTaken)
 
 TEST(Png, WhatIsNoPngIsRefusedWithItsName)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     put(folder / "text.png", "hello, I am a text");
     EXPECT_NE(complaint([&] { (void)read_png(folder / "text.png"); }).find("text.png: not a PNG file"), std::string::npos);
     EXPECT_NE(complaint([&] { (void)read_png(folder / "none.png"); }).find("none.png: no such file"), std::string::npos);
@@ -153,7 +154,7 @@ TEST(Png, WhatIsNoPngIsRefusedWithItsName)
 
 TEST(Png, AFullDiskIsAnExceptionAndLeavesTheOldFile)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     write_png(folder / "a.png", noise(2, 2));
     const std::string old = bytes_of(folder / "a.png");
     {
@@ -164,14 +165,14 @@ TEST(Png, AFullDiskIsAnExceptionAndLeavesTheOldFile)
     EXPECT_EQ(bytes_of(folder / "a.png"), old);
     EXPECT_EQ(folder.count(), 1);
 
-    const FullDisk outcome = on_full_disk(folder, [](const TemporaryFolder& disk) { write_png(disk / "b.png", noise(300, 300)); });
+    const FullDisk outcome = on_full_disk(folder, [](const umbral::test::TemporaryFolder& disk) { write_png(disk / "b.png", noise(300, 300)); });
     EXPECT_NE(outcome, FullDisk::failed);
     if (outcome == FullDisk::cannot_mount) GTEST_SKIP() << "a real full disk needs root";
 }
 
 TEST(Png, AMissingFolderIsAnExceptionWithThePath)
 {
-    const TemporaryFolder folder;
+    const umbral::test::TemporaryFolder folder;
     const std::string said = complaint([&] { write_png(folder / "no/such/a.png", noise(2, 2)); });
     EXPECT_NE(said.find("no/such/a.png: "), std::string::npos);
     EXPECT_NE(said.find("No such file or directory"), std::string::npos);

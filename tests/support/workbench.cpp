@@ -22,9 +22,6 @@ std::vector<std::string> words(const std::string& text)
 
 Workbench::Workbench()
 {
-    std::string name = (fs::temp_directory_path() / "umbral-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a directory for the test: " + name);
-    folder_ = fs::canonical(name);
     const fs::path source = UMBRAL_SOURCE_DIR;
     const fs::path build = UMBRAL_BUILD_DIR;
     tools_ = {.exercises = source / "exercises",
@@ -33,15 +30,9 @@ Workbench::Workbench()
               .programs = build / "bin",
               .framework = source / "framework",
               .student_header = build / "student" / "umbral_student.hpp",
-              .cache = folder_ / "cache",
+              .cache = folder() / "cache",
               .compiler = UMBRAL_COMPILER,
               .flags = words(UMBRAL_TEST_STUDENT_FLAGS)};
-}
-
-Workbench::~Workbench()
-{
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
 }
 
 RunRequest Workbench::sphere_run(const fs::path& library, const std::string& case_name) const

@@ -7,6 +7,7 @@
 #include "build/builder.hpp"
 #include "model/exercise.hpp"
 #include "run/spawner.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace umbral::grader::test {
 
@@ -14,13 +15,10 @@ namespace umbral::grader::test {
 class Workbench {
 public:
     Workbench();
-    ~Workbench();
-    Workbench(const Workbench&) = delete;
-    Workbench& operator=(const Workbench&) = delete;
 
     [[nodiscard]] const Toolchain& tools() const { return tools_; }
     /// A fresh folder for the test's own files.
-    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
     [[nodiscard]] Exercise exercise(const std::string& id) const { return load_exercise(tools_.exercises / id); }
     [[nodiscard]] Built build_sphere(const std::string& text) const { return build(tools_, exercise("raytracing/sphere"), {{"sphere.cpp", text}}); }
     /// A run of one case of raytracing/sphere with a built library.
@@ -31,7 +29,7 @@ public:
     std::filesystem::path write(const std::filesystem::path& name, const std::string& text) const;
 
 private:
-    std::filesystem::path folder_;
+    umbral::test::TemporaryFolder folder_;
     Toolchain tools_;
 };
 
