@@ -1,0 +1,174 @@
+#include <limits>
+#include <umbral/meshes/normals.hpp>
+#include <umbral/record/cost.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+#include "stage.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace meshes;
+
+void record(Recorder& out, const IndexedMesh& mesh)
+{
+    for (const glm::vec3& normal : face_normals(mesh)) out.append("faces", normal);
+    for (const glm::vec3& normal : vertex_normals(mesh)) out.append("vertices", normal);
+}
+
+// Meshes whose normals a student can work out by hand.
+void record_known(Recorder& out)
+{
+    record(out, {{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}});
+    record(out, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+    // The pyramid of the statement: the four sides are unlike in size and meet the base at unlike angles.
+    IndexedMesh pyramid{{{0, 0, 0}, {4, 0, 0}, {4, 0, -3}, {0, 0, -3}, {0, 2, 0}}, {}};
+    add_quad(pyramid, {0, 3, 2, 1});
+    pyramid.triangles.insert(pyramid.triangles.end(), {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+    record(out, pyramid);
+    // The sides of a cube are cut into triangles along a diagonal: its corners see three, four, five or six of them.
+    IndexedMesh cube;
+    for (const float z : {0.0F, 1.0F})
+        for (const float y : {0.0F, 1.0F})
+            for (const float x : {0.0F, 1.0F}) cube.positions.emplace_back(x, y, z);
+    for (const glm::uvec4& side : {glm::uvec4(4, 5, 7, 6), {1, 0, 2, 3}, {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}}) add_quad(cube, side);
+    record(out, cube);
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 5; ++i) {
+        IndexedMesh mesh = hills(12, 9, random);
+        turn(mesh, random);
+        record(out, mesh);
+    }
+    record(out, trefoil(40, 7, 0.4));
+}
+
+// The places of a sheet's vertices are multiples of 1/64, so that degenerate triangles are exactly degenerate in any arithmetic.
+IndexedMesh sheet_on_grid(Random& random)
+{
+    return mapped(hills(6, 6, random), [](const glm::vec3& position) { return round(64.0F * position) / 64.0F; });
+}
+
+void record_degenerate(Random& random, Recorder& out)
+{
+    constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+
+    record(out, {{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {1, 0, 0}}, {{0, 1, 2}, {0, 3, 2}}});  // corners on one line
+    record(out, {{{1, 2, 3}, {1, 2, 3}, {4, 5, 7}, {0, 0, 1}}, {{0, 1, 2}, {1, 3, 2}}});  // two corners in one place
+    record(out, {{{1, 2, 3}, {4, 5, 7}, {0, 0, 1}}, {{0, 0, 1}, {1, 1, 1}, {2, 0, 1}}});  // one corner twice
+    record(out, {{{1, 2, 3}, {4, 5, 6}}, {}});                                            // no triangles
+
+    for (int i = 0; i < 4; ++i) {
+        IndexedMesh mesh = sheet_on_grid(random);
+        const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+        const auto some = [&] { return random.below(count); };
+        for (int k = 0; k < 12; ++k) {
+            const std::uint32_t repeated = some();
+            mesh.triangles.emplace_back(repeated, some(), repeated);
+        }
+        // Vertices of no triangle, a vertex in the place of another one, and a needle along an edge.
+        mesh.positions.insert(mesh.positions.end(), {{9, 9, 9}, {-1, 2, 0}, mesh.positions[7], 2.0F * mesh.positions[1] - mesh.positions[0]});
+        mesh.triangles.insert(mesh.triangles.end(), {{7, count + 2, 20}, {0, 1, count + 3}});
+        // A sheet with a front and a back: all normals of a vertex cancel.
+        const IndexedMesh front = sheet_on_grid(random);
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), front.positions.begin(), front.positions.end());
+        for (const glm::uvec3& t : front.triangles)
+            mesh.triangles.insert(mesh.triangles.end(), {{first + t.x, first + t.y, first + t.z}, {first + t.y, first + t.x, first + t.z}});
+        record(out, mesh);
+
+        // A broken vertex spoils its triangles, and no others.
+        IndexedMesh broken = sheet_on_grid(random);
+        broken.positions[random.below(count)].y = not_a_number;
+        broken.positions[random.below(count)].x = i % 2 == 0 ? infinity : -infinity;
+        record(out, broken);
+    }
+}
+
+// Triangles with corners within 2 of the origin whose edges are nearly parallel: the sine of the angle at the first corner goes from 1e-2 to 1e-6.
+void record_slivers(Random& random, Recorder& out)
+{
+    IndexedMesh mesh;
+    for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+        for (int i = 0; i < 100; ++i) {
+            const glm::dvec3 along(random.unit_vector());
+            const glm::dvec3 other(random.unit_vector());
+            const glm::dvec3 aside = cross(along, std::abs(dot(along, other)) < 0.9 ? other : glm::dvec3(along.y, along.z, -along.x));
+            const glm::dvec3 corner(random.in_cube());
+            const double stretch = 0.5 + random.uniform_double();
+            add_triangle(mesh, glm::vec3(corner), glm::vec3(corner + along), glm::vec3(corner + stretch * (along + sine * normalize(aside))));
+        }
+    }
+    for (const glm::vec3& normal : face_normals(mesh)) out.append("faces", normal);
+}
+
+// Folds of two triangles that are nearly closed: their normals nearly cancel, and the normal of the fold's edge is what is left.
+void record_folds(Random& random, Recorder& out)
+{
+    IndexedMesh mesh;
+    for (const double angle : {1e-1, 1e-2, 1e-3, 1e-4, 2e-5}) {
+        for (int i = 0; i < 50; ++i) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            IndexedMesh fold{{{0, 0, 0}, {0, 0, 1}, {1, 0, random.uniform()}, {std::cos(angle), std::sin(angle), random.uniform()}}, {}};
+            turn(fold, random);
+            mesh.positions.insert(mesh.positions.end(), fold.positions.begin(), fold.positions.end());
+            mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2}, {first, first + 3, first + 1}});
+        }
+    }
+    for (const glm::vec3& normal : vertex_normals(mesh)) out.append("vertices", normal);
+}
+
+void record_scales(Random& random, Recorder& out)
+{
+    for (const float scale : {1e-35F, 1e-30F, 1e-20F, 1e-12F, 1e10F, 1e18F, 1e25F, 1e36F}) {
+        IndexedMesh mesh = hills(5, 5, random);
+        turn(mesh, random);
+        record(out, mapped(mesh, [&](const glm::vec3& position) { return scale * position; }));
+    }
+}
+
+// Cells of about 10 units, a million units from the origin, where floats lie 1/16 apart.
+void record_far(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 4; ++i) {
+        IndexedMesh mesh = hills(8, 8, random);
+        turn(mesh, random);
+        const glm::vec3 away = 1e6F * random.unit_vector();
+        record(out, mapped(mesh, [&](const glm::vec3& position) { return away + 10.0F * position; }));
+    }
+}
+
+void record_work(Random& random, Recorder& out)
+{
+    for (const std::uint32_t side : {16U, 22U, 32U, 45U, 64U, 90U}) {
+        const IndexedMesh mesh = hills(side, side, random);
+        record_cost(out, "blocks", mesh.triangles.size(), [&] {
+            (void)face_normals(mesh);
+            (void)vertex_normals(mesh);
+        });
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"degenerate", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
+    {"slivers", [](Case& c, Recorder& out) { record_slivers(c.random, out); }},
+    {"sharp folds", [](Case& c, Recorder& out) { record_folds(c.random, out); }},
+    {"tiny and huge", [](Case& c, Recorder& out) { record_scales(c.random, out); }},
+    {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
+    {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
+    {"picture",
+     [](Case&, Recorder& out) {
+         const IndexedMesh knot = trefoil(72, 8, 0.55);
+         out.image("colours", draw_side_by_side(flat(knot, face_normals(knot)), smooth(knot, vertex_normals(knot))));
+     }},
+};
+
+}

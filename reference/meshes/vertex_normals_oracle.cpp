@@ -1,0 +1,83 @@
+#include <cmath>
+#include <umbral/meshes/normals.hpp>
+
+// The definition with 113 bits, rounded to float once: sums, products and normals alike. Where the compiler has no __float128 (arm64),
+// long double is as wide. Each vertex collects the normals of its triangles from a list, instead of triangles giving theirs away: another
+// way to the same sums.
+
+namespace umbral::meshes {
+namespace {
+
+#ifdef __SIZEOF_FLOAT128__
+using Wide = __float128;
+#else
+using Wide = long double;
+#endif
+
+struct WideVector {
+    Wide x, y, z;
+};
+
+WideVector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+WideVector operator+(const WideVector& a, const WideVector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+WideVector operator-(const WideVector& a, const WideVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+WideVector operator/(const WideVector& v, Wide divisor) { return {v.x / divisor, v.y / divisor, v.z / divisor}; }
+Wide dot(const WideVector& a, const WideVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+glm::vec3 rounded(const WideVector& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+
+// One step of Newton's method doubles the right digits of the estimate (from 64 to all 113 bits). Squares of lengths of floats' cross
+// products lie between 1e-180 and 1e155.
+Wide length(const WideVector& v)
+{
+    const Wide square = dot(v, v);
+    if (!(square > 0)) return 0;
+    const Wide estimate = std::sqrt(static_cast<long double>(square));
+    return (estimate + square / estimate) / 2;
+}
+
+bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+WideVector unit_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+{
+    if (!finite(a) || !finite(b) || !finite(c)) return {0, 0, 0};
+    const WideVector u = widened(b) - widened(a);
+    const WideVector v = widened(c) - widened(a);
+    const WideVector normal{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    const Wide size = length(normal);
+    return size > 0 ? normal / size : WideVector{0, 0, 0};
+}
+
+std::vector<WideVector> wide_normals(const IndexedMesh& mesh)
+{
+    std::vector<WideVector> normals;
+    for (const glm::uvec3& t : mesh.triangles) normals.push_back(unit_normal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+    return normals;
+}
+
+}
+
+std::vector<glm::vec3> face_normals(const IndexedMesh& mesh)
+{
+    std::vector<glm::vec3> normals;
+    for (const WideVector& normal : wide_normals(mesh)) normals.push_back(rounded(normal));
+    return normals;
+}
+
+std::vector<glm::vec3> vertex_normals(const IndexedMesh& mesh)
+{
+    const std::vector<WideVector> faces = wide_normals(mesh);
+    std::vector<std::vector<std::size_t>> faces_of(mesh.positions.size());
+    for (std::size_t face = 0; face < faces.size(); ++face)
+        for (int corner = 0; corner < 3; ++corner) faces_of[mesh.triangles[face][corner]].push_back(face);
+
+    std::vector<glm::vec3> normals;
+    for (const std::vector<std::size_t>& adjacent : faces_of) {
+        WideVector sum{0, 0, 0};
+        for (const std::size_t face : adjacent) sum = sum + faces[face];
+        const Wide size = length(sum);
+        normals.push_back(size < Wide(1e-6) ? glm::vec3(0) : rounded(sum / size));
+    }
+    return normals;
+}
+
+}
