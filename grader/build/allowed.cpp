@@ -133,13 +133,16 @@ bool is_fundamental_type_information(Name name)
 
 }
 
-bool is_allowed_symbol(std::string_view name, bool with_gl)
+bool is_allowed_symbol(std::string_view name, bool with_gl, bool with_glfw)
 {
     if (contains(functions, name) || contains(mathematics, name) || name == "trunc" || name == "truncf" || name == "truncl") return true;
     if (!name.empty() && (name.back() == 'f' || name.back() == 'l') && contains(mathematics, name.substr(0, name.size() - 1))) return true;
     if (std::any_of(std::begin(prefixes), std::end(prefixes), [&](Name prefix) { return name.starts_with(prefix); })) return true;
     if (is_fundamental_type_information(name)) return true;
-    return with_gl && name.starts_with("gl") && name.size() > 2 && name[2] >= 'A' && name[2] <= 'Z';
+    const auto has_prefix = [&](Name prefix) {
+        return name.starts_with(prefix) && name.size() > prefix.size() && name[prefix.size()] >= 'A' && name[prefix.size()] <= 'Z';
+    };
+    return (with_gl && has_prefix("gl")) || (with_glfw && has_prefix("glfw"));
 }
 
 }

@@ -79,7 +79,7 @@ std::optional<Objection> object_to(const Inspection& inspection, const std::vect
     if (auto missing = missing_interface(inspection, interface_names)) return missing;
     std::vector<std::string> wanted;
     for (const std::string& name : inspection.undefined)
-        if (!is_allowed_symbol(name, exercise.gl) && !offered.contains(name)) wanted.push_back(demangled(name.c_str()));
+        if (!is_allowed_symbol(name, exercise.gl, exercise.glfw) && !offered.contains(name)) wanted.push_back(demangled(name.c_str()));
     if (wanted.empty()) return std::nullopt;
     return Objection{Verdict::forbidden,
                      fmt::format("{}: no unit may call {}; allowed are the C++ library, mathematics, the framework and the units this one uses",
