@@ -48,13 +48,18 @@ inline IndexedMesh hills(std::uint32_t columns, std::uint32_t rows, Random& rand
     });
 }
 
+/// A unit vector perpendicular to the unit vector `axis`.
+inline glm::dvec3 aside_of(const glm::dvec3& axis, Random& random)
+{
+    const glm::dvec3 other(random.unit_vector());
+    return normalize(cross(axis, std::abs(dot(axis, other)) < 0.9 ? other : glm::dvec3(axis.y, axis.z, -axis.x)));
+}
+
 /// Turns every vertex by the same random rotation about the origin, computed in double and rounded once.
 inline void turn(IndexedMesh& mesh, Random& random)
 {
     const glm::dvec3 z(random.unit_vector());
-    const glm::dvec3 other(random.unit_vector());
-    const glm::dvec3 aside = std::abs(dot(z, other)) < 0.9 ? other : glm::dvec3(z.y, z.z, -z.x);
-    const glm::dvec3 x = normalize(cross(aside, z));
+    const glm::dvec3 x = aside_of(z, random);
     const glm::dmat3 rotation(x, cross(z, x), z);
     for (glm::vec3& position : mesh.positions) position = glm::vec3(rotation * glm::dvec3(position));
 }
@@ -73,6 +78,34 @@ inline void add_triangle(IndexedMesh& mesh, const glm::vec3& a, const glm::vec3&
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), {a, b, c});
     mesh.triangles.emplace_back(first, first + 1, first + 2);
+}
+
+/// `count` triangles with corners within 3 of the origin; the angle at their first corner has this sine, but for the rounding of the corners.
+inline IndexedMesh sliver_triangles(double sine, int count, Random& random)
+{
+    IndexedMesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 along(random.unit_vector());
+        const glm::dvec3 aside = aside_of(along, random);
+        const glm::dvec3 corner(random.in_cube());
+        const double stretch = 0.5 + random.uniform_double();
+        add_triangle(mesh, glm::vec3(corner), glm::vec3(corner + along), glm::vec3(corner + stretch * (along + sine * aside)));
+    }
+    return mesh;
+}
+
+/// `count` folds of two triangles each: the two enclose this angle (radians), so that their normals all but cancel along the edge they share.
+inline IndexedMesh sharp_folds(double angle, int count, Random& random)
+{
+    IndexedMesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        IndexedMesh fold{{{0, 0, 0}, {0, 0, 1}, {1, 0, random.uniform()}, {std::cos(angle), std::sin(angle), random.uniform()}}, {}};
+        turn(fold, random);
+        mesh.positions.insert(mesh.positions.end(), fold.positions.begin(), fold.positions.end());
+        mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2}, {first, first + 3, first + 1}});
+    }
+    return mesh;
 }
 
 /// A closed tube along a trefoil knot, outward: `along` rings of `around` vertices.

@@ -89,37 +89,18 @@ void record_degenerate(Random& random, Recorder& out)
     }
 }
 
-// Triangles with corners within 2 of the origin whose edges are nearly parallel: the sine of the angle at the first corner goes from 1e-2 to 1e-6.
+// Edges that are nearly parallel.
 void record_slivers(Random& random, Recorder& out)
 {
-    IndexedMesh mesh;
-    for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
-        for (int i = 0; i < 100; ++i) {
-            const glm::dvec3 along(random.unit_vector());
-            const glm::dvec3 other(random.unit_vector());
-            const glm::dvec3 aside = cross(along, std::abs(dot(along, other)) < 0.9 ? other : glm::dvec3(along.y, along.z, -along.x));
-            const glm::dvec3 corner(random.in_cube());
-            const double stretch = 0.5 + random.uniform_double();
-            add_triangle(mesh, glm::vec3(corner), glm::vec3(corner + along), glm::vec3(corner + stretch * (along + sine * normalize(aside))));
-        }
-    }
-    for (const glm::vec3& normal : face_normals(mesh)) out.append("faces", normal);
+    for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
+        for (const glm::vec3& normal : face_normals(sliver_triangles(sine, 100, random))) out.append("faces", normal);
 }
 
-// Folds of two triangles that are nearly closed: their normals nearly cancel, and the normal of the fold's edge is what is left.
+// Folds that are nearly closed: the normal of the edge is what is left when two normals nearly cancel.
 void record_folds(Random& random, Recorder& out)
 {
-    IndexedMesh mesh;
-    for (const double angle : {1e-1, 1e-2, 1e-3, 1e-4, 2e-5}) {
-        for (int i = 0; i < 50; ++i) {
-            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-            IndexedMesh fold{{{0, 0, 0}, {0, 0, 1}, {1, 0, random.uniform()}, {std::cos(angle), std::sin(angle), random.uniform()}}, {}};
-            turn(fold, random);
-            mesh.positions.insert(mesh.positions.end(), fold.positions.begin(), fold.positions.end());
-            mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2}, {first, first + 3, first + 1}});
-        }
-    }
-    for (const glm::vec3& normal : vertex_normals(mesh)) out.append("vertices", normal);
+    for (const double angle : {1e-1, 1e-2, 1e-3, 1e-4, 2e-5})
+        for (const glm::vec3& normal : vertex_normals(sharp_folds(angle, 50, random))) out.append("vertices", normal);
 }
 
 void record_scales(Random& random, Recorder& out)

@@ -18,7 +18,7 @@ namespace umbral::meshes {
 ///
 /// Every triangle counts alike, whatever its area or angle; degenerate ones count as zero. A triangle that names a vertex twice is
 /// degenerate. One entry a vertex, in the order of `mesh.positions`. Zero where the sum is shorter than 10⁻⁶: no triangle has the vertex,
-/// or their normals cancel. Takes time in proportion to vertices plus triangles.
+/// or their normals cancel. The reference's guarantee is that of its faces, also where only 1e-5 is left of the sum. Takes time in proportion to vertices plus triangles.
 /// Course: lab 1, "normales de vértices".
 [[nodiscard]] std::vector<glm::vec3> vertex_normals(const IndexedMesh& mesh);
 
