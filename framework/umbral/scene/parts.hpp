@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <umbral/scene/node.hpp>
+#include <umbral/scene/scene.hpp>
+
+/// Pieces of the parser of scenes.
+namespace umbral::scene {
+
+using Shape = decltype(Geometry::shape);
+
+/// A geometry's shape, generated or written out.
+[[nodiscard]] Shape parse_shape(const Node& node);
+
+/// How many triangles it has at most (some that are generated are left out at a sphere's poles).
+[[nodiscard]] std::size_t triangle_count(const Shape& shape);
+
+/// Can it be textured? Only triangles that are written out may have no texture coordinates.
+[[nodiscard]] inline bool has_uvs(const Geometry& geometry)
+{
+    const auto* triangles = std::get_if<Triangles>(&geometry.shape);
+    return triangles == nullptr || !triangles->uvs.empty();
+}
+
+}

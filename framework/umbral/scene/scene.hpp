@@ -1,0 +1,138 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// What a picture is of: plain data, without answers, for every renderer alike.
+///
+/// World coordinates are right-handed. All colours are linear (light, not sRGB); 1 is white. Angles are in degrees where a name says so.
+namespace umbral::scene {
+
+/// Where the picture is taken from.
+struct Camera {
+    glm::vec3 eye{0, 0, 5};
+    glm::vec3 target{0, 0, 0};
+    glm::vec3 up{0, 1, 0};
+    float fovy_degrees = 45;  ///< the whole vertical angle of view, in (0, 180)
+    float near = 0.1F;        ///< distances along the view, 0 < near < far
+    float far = 100;
+};
+
+/// A light that is far away in one direction, or near at one place. Its strength does not fall off with distance.
+struct Light {
+    std::string name;
+    bool positional = false;
+    glm::vec3 where{0, 1, 0};  ///< its place, or the direction towards it (of any length but 0)
+    glm::vec3 color{1, 1, 1};
+};
+
+enum class TextureKind { checker, stripes, uv_grid };
+
+/// A texture that is computed when the scene is prepared.
+struct Texture {
+    std::string name;
+    TextureKind kind = TextureKind::checker;
+    int size = 512;        ///< texels a side
+    int cells = 8;         ///< cells (or pairs of stripes) a side
+    glm::vec3 first{1};    ///< colour of the lower left cell; not for uv_grid
+    glm::vec3 second{0};   ///< colour of its neighbours; not for uv_grid
+    bool bilinear = true;  ///< or the nearest texel
+    bool repeat = true;    ///< or clamped to the edge
+};
+
+/// The terms of Blinn's model. A texture multiplies `ambient` and `diffuse`.
+struct Material {
+    std::string name;
+    glm::vec3 emission{0};
+    glm::vec3 ambient{0};
+    glm::vec3 diffuse{1};
+    glm::vec3 specular{0};
+    float exponent = 1;                  ///< of the highlight, ≥ 0
+    std::optional<std::size_t> texture;  ///< place in Scene::textures
+    glm::vec2 texture_scale{1};          ///< what (u, v) are multiplied by
+};
+
+/// The unit sphere, poles on the y axis; u goes round once, v from the south pole to the north pole.
+struct Sphere {
+    int rings = 32;    ///< between the poles
+    int sectors = 64;  ///< round the axis
+};
+
+/// A ring of radius 1 round the y axis; u goes along it, v round the tube.
+struct Torus {
+    int rings = 96;      ///< along the ring
+    int sectors = 48;    ///< round the tube
+    float tube = 0.35F;  ///< the tube's radius
+};
+
+/// The square from (-1, 0, -1) to (1, 0, 1), facing +y; u goes along x, v along -z.
+struct Plane {
+    int rows = 1;
+    int columns = 1;
+};
+
+/// The same square, lifted to y = amplitude · sin(2π waves.x u) · cos(2π waves.y v).
+struct Wave {
+    int rows = 96;
+    int columns = 96;
+    float amplitude = 0.1F;
+    glm::vec2 waves{2};  ///< periods along u and v
+};
+
+/// A triangle mesh written out in the scene. Triangles may be degenerate; counter-clockwise is their front.
+struct Triangles {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> triangles;  ///< every index is less than positions.size()
+    std::vector<glm::vec2> uvs;         ///< one for each position, or none
+};
+
+struct Geometry {
+    std::string name;
+    std::variant<Sphere, Torus, Plane, Wave, Triangles> shape;
+};
+
+struct Translate {
+    glm::vec3 by{0};
+};
+struct Rotate {
+    glm::vec3 axis{0, 1, 0};  ///< of any length but 0; counter-clockwise as it points at you
+    float degrees = 0;
+};
+struct Scale {
+    glm::vec3 by{1};  ///< no factor is 0
+};
+using Transform = std::variant<Translate, Rotate, Scale>;
+
+enum class Sides {
+    front,  ///< triangles seen from behind are not drawn
+    both    ///< they are, with their normal turned towards the viewer
+};
+
+/// One thing in the picture.
+struct Instance {
+    std::string name;
+    std::size_t geometry = 0;           ///< place in Scene::geometries
+    std::size_t material = 0;           ///< place in Scene::materials
+    std::vector<Transform> transforms;  ///< the first one acts first
+    bool smooth = true;                 ///< normals interpolated between vertices, or one for each triangle
+    Sides sides = Sides::front;
+};
+
+struct Scene {
+    std::string title;
+    Camera camera;
+    glm::vec3 background_top{0};     ///< colour where there is nothing: from the top row's …
+    glm::vec3 background_bottom{0};  ///< … linearly to the bottom row's
+    glm::vec3 ambient{0};            ///< light from everywhere
+    std::vector<Light> lights;
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Geometry> geometries;
+    std::vector<Instance> instances;
+};
+
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "render/compare.hpp"
+#include "render/counters.hpp"
+#include "render/effects.hpp"
+
+namespace umbral::render {
+
+/// What umbral-render says about a picture; what is not given is left out.
+struct Report {
+    std::string scene;
+    std::string title;
+    std::string renderer;  ///< "software", "gl", or "software against gl"
+    int width = 0;
+    int height = 0;
+    int samples = 1;
+    std::string out;  ///< the picture's file, empty if none was written
+    Derived derived;
+    bool all_effects = false;  ///< the kernel with all effects was used, not the derived one
+    std::optional<Counters> counters;
+    std::optional<Comparison> comparison;
+    Agreement agreement;
+};
+
+/// The set of effects with its reasons, and all counters.
+[[nodiscard]] std::string explanation(const Report& report);
+
+/// The table "software against gl".
+[[nodiscard]] std::string comparison_table(const Report& report);
+
+/// Everything, as JSON.
+[[nodiscard]] nlohmann::json to_json(const Report& report);
+
+}
