@@ -49,10 +49,33 @@ void examine_spawners(const Application& application, std::vector<Symptom>& symp
     } catch (const std::exception& error) {
         symptoms.push_back({"sandbox", false, true, error.what(), "build again: ./umbral test says what fails"});
     }
+}
+
+/// One back end draws all there is to draw; the other is there for systems that lack the first.
+void examine_back_ends(const Application& application, std::vector<Symptom>& symptoms)
+{
+    struct BackEnd {
+        const char* choice;
+        const char* name;
+        const char* remedy;
+    };
+    std::vector<Symptom> found;
+    for (const BackEnd& one : {BackEnd{"osmesa", "OpenGL by OSMesa", "apt install libosmesa6 (not in Mesa 25.1 and later: EGL draws the same there)"},
+                               BackEnd{"egl", "OpenGL by EGL", "apt install libegl1 libegl-mesa0 libgl1-mesa-dri"}}) {
+        try {
+            found.push_back({one.name, true, false, Spawner(application.tools.programs / "umbral-spawner-gl", one.choice).gl(), ""});
+        } catch (const std::exception&) {
+            found.push_back({one.name, false, false, "", one.remedy});
+        }
+    }
+    const bool none = std::none_of(found.begin(), found.end(), [](const Symptom& one) { return one.present; });
+    for (Symptom& one : found) one.needed = none;
+    symptoms.insert(symptoms.end(), found.begin(), found.end());
     try {
-        symptoms.push_back({"OpenGL offscreen", true, true, workshop.spawner(true).gl(), ""});
-    } catch (const std::exception& error) {
-        symptoms.push_back({"OpenGL offscreen", false, true, error.what(), "install Mesa's off-screen library: apt install libosmesa6"});
+        symptoms.push_back({"OpenGL offscreen", true, true, Spawner(application.tools.programs / "umbral-spawner-gl").gl(), ""});
+    } catch (const std::exception&) {
+        symptoms.push_back(
+            {"OpenGL offscreen", false, true, "", none ? "install one of the two above" : "UMBRAL_GL must be osmesa or egl, and name one that is installed"});
     }
 }
 
@@ -71,6 +94,7 @@ std::vector<Symptom> examine(const Application& application)
     symptoms.push_back(
         {"cache", !error && access(cache.c_str(), W_OK) == 0, true, cache.string(), "make this folder writable, or set UMBRAL_CACHE to one that is"});
     examine_spawners(application, symptoms);
+    examine_back_ends(application, symptoms);
     return symptoms;
 }
 

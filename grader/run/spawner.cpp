@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -81,7 +82,12 @@ std::string missing_libraries(const RunRequest& request)
 
 }
 
-Spawner::Spawner(std::filesystem::path program) : program_(std::move(program)) { start(); }
+Spawner::Spawner(std::filesystem::path program, const std::string& gl_backend) : program_(std::move(program))
+{
+    const char* const environment = std::getenv("UMBRAL_GL");
+    gl_choice_ = "UMBRAL_GL=" + (gl_backend.empty() && environment != nullptr ? environment : gl_backend);
+    start();
+}
 Spawner::~Spawner() { stop(); }
 
 void Spawner::start()
@@ -92,10 +98,14 @@ void Spawner::start()
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, theirs.get(), protocol::control_descriptor);
     posix_spawn_file_actions_addclosefrom_np(&actions, protocol::control_descriptor + 1);
-    // One thread in llvmpipe: fork after its threads have started hangs, and the sandbox forbids them. No disk cache of shaders: it
+    // No thread beside the first: fork after others have started hangs, and the sandbox forbids them. No disk cache of shaders: it
     // would be shared between students.
-    std::array environment{const_cast<char*>("LP_NUM_THREADS=0"), const_cast<char*>("MESA_SHADER_CACHE_DISABLE=true"),
-                           const_cast<char*>("GALLIUM_DRIVER=llvmpipe"), const_cast<char*>("LC_ALL=C.UTF-8"), static_cast<char*>(nullptr)};
+    std::array environment{gl_choice_.data(),
+                           const_cast<char*>("LP_NUM_THREADS=0"),
+                           const_cast<char*>("MESA_SHADER_CACHE_DISABLE=true"),
+                           const_cast<char*>("GALLIUM_DRIVER=llvmpipe"),
+                           const_cast<char*>("LC_ALL=C.UTF-8"),
+                           static_cast<char*>(nullptr)};
     std::array arguments{const_cast<char*>(program_.c_str()), static_cast<char*>(nullptr)};
     const int failed = posix_spawn(&process_, program_.c_str(), &actions, nullptr, arguments.data(), environment.data());
     posix_spawn_file_actions_destroy(&actions);

@@ -39,8 +39,9 @@ struct RunOutcome {
 /// A spawner process and the talk with it. Serves one run at a time; for parallel work, have one for each thread.
 class Spawner {
 public:
-    /// Starts `program` with an empty environment but for what OSMesa needs. Throws std::runtime_error if it does not get ready.
-    explicit Spawner(std::filesystem::path program);
+    /// Starts `program` with an empty environment but for what OpenGL's back ends need, and which of them is to draw: `gl_backend`
+    /// ("osmesa" or "egl"), else what UMBRAL_GL holds. Throws std::runtime_error if it does not get ready.
+    explicit Spawner(std::filesystem::path program, const std::string& gl_backend = {});
     Spawner(const Spawner&) = delete;
     Spawner& operator=(const Spawner&) = delete;
     ~Spawner();
@@ -50,7 +51,7 @@ public:
 
     /// Protections that were seen to work, as "landlock 4"; complete after the constructor.
     [[nodiscard]] const std::vector<std::string>& protections() const noexcept { return protections_; }
-    /// What draws, as "llvmpipe (LLVM 15.0.6), 4.5 (Compatibility Profile) Mesa 22.3.6"; empty for a spawner without GL.
+    /// What draws, as "OSMesa: 4.5 (Compatibility Profile) Mesa 22.3.6; llvmpipe (LLVM 15.0.6, 256 bits)"; empty for a spawner without GL.
     [[nodiscard]] const std::string& gl() const noexcept { return gl_; }
 
 private:
@@ -58,6 +59,7 @@ private:
     void stop() noexcept;
 
     std::filesystem::path program_;
+    std::string gl_choice_;  ///< "UMBRAL_GL=…"
     Descriptor control_;
     pid_t process_ = -1;
     std::vector<std::string> protections_;

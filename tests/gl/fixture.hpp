@@ -6,7 +6,7 @@
 
 namespace umbral::gl {
 
-/// A context for one test, drawn without threads as the runs are.
+/// A context for one test, drawn without threads as the runs are, by the back end that UMBRAL_GL names.
 class GlTest : public testing::Test {
 protected:
     GlTest() : context_(without_threads()) {}
@@ -17,7 +17,7 @@ private:
     static BackendKind without_threads()
     {
         forbid_driver_threads();
-        return BackendKind::osmesa;
+        return default_backend();
     }
 
     OffscreenContext context_;

@@ -8,14 +8,7 @@ namespace umbral::gl {
 namespace {
 
 OffscreenContext* current = nullptr;
-
-const Backend& backend_of(BackendKind kind)
-{
-    switch (kind) {
-        case BackendKind::osmesa: return osmesa_backend();
-    }
-    throw std::invalid_argument("OffscreenContext: unknown back end " + std::to_string(static_cast<int>(kind)));
-}
+const Backend* current_backend = nullptr;
 
 std::string text_of(GLenum name)
 {
@@ -62,9 +55,12 @@ OffscreenContext::~OffscreenContext()
 
 void OffscreenContext::make_current()
 {
+    // Each back end only knows of its own contexts: the other's has to be let go of by itself.
+    if (current != nullptr && current_backend != backend_) current_backend->make_current(nullptr);
     backend_->make_current(handle_);
     connect(backend_->address_of);
     current = this;
+    current_backend = backend_;
 }
 
 bool OffscreenContext::is_current() const noexcept { return current == this; }
@@ -74,7 +70,7 @@ bool has_context() noexcept { return current != nullptr; }
 std::string backend_description()
 {
     if (!has_context()) throw std::logic_error("gl::backend_description: no context is current; make a gl::OffscreenContext first");
-    return text_of(GL_VERSION) + "; " + text_of(GL_RENDERER);
+    return std::string(current_backend->name) + ": " + text_of(GL_VERSION) + "; " + text_of(GL_RENDERER);
 }
 
 void check_errors(const std::string& where)

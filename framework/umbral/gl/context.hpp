@@ -5,7 +5,15 @@
 namespace umbral::gl {
 
 /// Who draws when there is no window.
-enum class BackendKind { osmesa };
+/// Both are Mesa's, drawn by the processor (llvmpipe), and give the same pixels bit by bit.
+enum class BackendKind {
+    osmesa,  ///< Mesa's off-screen library; gone from Mesa 25.1 on
+    egl,     ///< EGL without display and surface: such a context has no framebuffer of its own
+};
+
+/// What the environment variable UMBRAL_GL names ("osmesa" or "egl"); where it is not set, OSMesa if it can be loaded, else EGL.
+/// Throws std::runtime_error if the variable holds something else, or if neither can be loaded.
+[[nodiscard]] BackendKind default_backend();
 
 /// Sets what keeps Mesa from starting threads: LP_NUM_THREADS=0 (raster threads) and MESA_SHADER_CACHE_DISABLE=true (the thread that
 /// writes compiled shaders to disk; drawing after a fork waits for it for ever, but only where the cache is still empty).
@@ -16,12 +24,12 @@ void forbid_driver_threads();
 /// An OpenGL 4.5 context, compatibility profile, without a window.
 ///
 /// One context is current at a time, for the whole process; OpenGL is called from one thread only. Draw into a gl::Framebuffer: the
-/// context's own framebuffer is a stub of 64 x 64 pixels. A process may make a context, fork, and draw in the children, each for itself,
+/// context's own framebuffer is a stub of 64 x 64 pixels, or missing. A process may make a context, fork, and draw in the children, each for itself,
 /// if it called forbid_driver_threads before.
 class OffscreenContext {
 public:
     /// Loads the back end and makes a context, current from now on. Throws std::runtime_error that says what could not be loaded.
-    explicit OffscreenContext(BackendKind kind = BackendKind::osmesa);
+    explicit OffscreenContext(BackendKind kind = default_backend());
     OffscreenContext(const OffscreenContext&) = delete;
     OffscreenContext& operator=(const OffscreenContext&) = delete;
     /// Finishes what was drawn; if this context was current, none is afterwards.
@@ -38,7 +46,7 @@ private:
 /// Is any context current? Where it is not, every call of OpenGL aborts.
 [[nodiscard]] bool has_context() noexcept;
 
-/// Version and renderer of the current context, as "4.5 (Compatibility Profile) Mesa …; llvmpipe (…)", for fingerprints.
+/// Back end, version and renderer of the current context, as "OSMesa: 4.5 (Compatibility Profile) Mesa …; llvmpipe (…)", for fingerprints.
 /// Throws std::logic_error if no context is current.
 [[nodiscard]] std::string backend_description();
 

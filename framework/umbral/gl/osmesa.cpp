@@ -1,11 +1,8 @@
-#include <dlfcn.h>
-
-#include <GL/osmesa.h>
 #include <array>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <umbral/gl/backend.hpp>
+#include <umbral/gl/opengl.hpp>
 #include <vector>
 
 namespace umbral::gl {
@@ -14,43 +11,37 @@ namespace {
 // The default framebuffer that OSMesa insists on; drawing goes to a gl::Framebuffer.
 constexpr int default_size = 64;
 
+// OSMesa's interface, as far as it is used: systems with Mesa 25.1 have no header of it, and still build this file.
+using Handle = struct osmesa_context*;
+constexpr int attribute_format = 0x22;
+constexpr int attribute_depth_bits = 0x30;
+constexpr int attribute_stencil_bits = 0x31;
+constexpr int attribute_profile = 0x33;
+constexpr int attribute_major_version = 0x36;
+constexpr int attribute_minor_version = 0x37;
+constexpr int compatibility_profile = 0x35;
+
 struct Library {
-    decltype(&OSMesaCreateContextAttribs) create = nullptr;
-    decltype(&OSMesaMakeCurrent) make_current = nullptr;
-    decltype(&OSMesaDestroyContext) destroy = nullptr;
-    decltype(&OSMesaGetProcAddress) address_of = nullptr;
+    Handle (*create)(const int* attributes, Handle shared) = nullptr;
+    GLboolean (*make_current)(Handle, void* pixels, GLenum type, GLsizei width, GLsizei height) = nullptr;
+    void (*destroy)(Handle) = nullptr;
+    EntryAddress (*address_of)(const char* name) = nullptr;
 };
 
 struct Context {
-    OSMesaContext handle = nullptr;
+    Handle handle = nullptr;
     std::vector<unsigned char> pixels;
 };
 
-template <class Function>
-void find(void* library, const char* name, Function& function)
-{
-    function = reinterpret_cast<Function>(dlsym(library, name));
-    if (function == nullptr) throw std::runtime_error(std::string("OSMesa was loaded but has no function ") + name + ": install Mesa 17 or later");
-}
-
-/// Loads the library privately: its own gl functions stay out of the process's symbols. It is never unloaded.
 Library load_library()
 {
-    std::string errors;
-    for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6"}) {
-        void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-        if (library == nullptr) {
-            errors += std::string("\n  ") + dlerror();
-            continue;
-        }
-        Library found;
-        find(library, "OSMesaCreateContextAttribs", found.create);
-        find(library, "OSMesaMakeCurrent", found.make_current);
-        find(library, "OSMesaDestroyContext", found.destroy);
-        find(library, "OSMesaGetProcAddress", found.address_of);
-        return found;
-    }
-    throw std::runtime_error("OSMesa, which draws off screen, could not be loaded (Debian package libosmesa6):" + errors);
+    const PrivateLibrary library("OSMesa, which draws off screen (Debian package libosmesa6; gone from Mesa 25.1 on),", {"libOSMesa.so.8", "libOSMesa.so.6"});
+    Library found;
+    library.find("OSMesaCreateContextAttribs", found.create);
+    library.find("OSMesaMakeCurrent", found.make_current);
+    library.find("OSMesaDestroyContext", found.destroy);
+    library.find("OSMesaGetProcAddress", found.address_of);
+    return found;
 }
 
 const Library& library()
@@ -59,19 +50,21 @@ const Library& library()
     return loaded;
 }
 
+void load() { (void)library(); }
+
 void* create()
 {
-    constexpr std::array attributes = {OSMESA_FORMAT,
-                                       int{OSMESA_RGBA},
-                                       OSMESA_DEPTH_BITS,
+    constexpr std::array attributes = {attribute_format,
+                                       GL_RGBA,
+                                       attribute_depth_bits,
                                        24,
-                                       OSMESA_STENCIL_BITS,
+                                       attribute_stencil_bits,
                                        8,
-                                       OSMESA_PROFILE,
-                                       OSMESA_COMPAT_PROFILE,
-                                       OSMESA_CONTEXT_MAJOR_VERSION,
+                                       attribute_profile,
+                                       compatibility_profile,
+                                       attribute_major_version,
                                        4,
-                                       OSMESA_CONTEXT_MINOR_VERSION,
+                                       attribute_minor_version,
                                        5,
                                        0};
     auto context = std::make_unique<Context>();
@@ -100,7 +93,7 @@ void destroy(void* handle)
 
 EntryAddress address_of(const char* name) { return library().address_of(name); }
 
-constexpr Backend backend{create, make_current, destroy, address_of};
+constexpr Backend backend{"OSMesa", load, create, make_current, destroy, address_of};
 
 }
 
