@@ -52,6 +52,7 @@ void add_check(CLI::App& parser, Application& application);
 void add_hint(CLI::App& parser, Application& application);
 void add_reset(CLI::App& parser, Application& application);
 void add_debug(CLI::App& parser, Application& application);
+void add_render(CLI::App& parser, Application& application);
 void add_grade(CLI::App& parser, Application& application);
 void add_demo(CLI::App& parser, Application& application);
 void add_validate(CLI::App& parser, Application& application);

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "batch/grade_unit.hpp"
 #include "build/builder.hpp"
 #include "cli/application.hpp"
+#include "cli/become.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -22,15 +22,6 @@ struct Options {
     std::string folder = ".";
     bool no_debugger = false;
 };
-
-[[noreturn]] void become(std::vector<std::string> words)
-{
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    execvp(arguments.front(), arguments.data());
-    throw std::runtime_error(fmt::format("cannot run {}: is it installed? --no-debugger does without", words.front()));
-}
 
 void debug(const Application& application, const Options& options)
 {
@@ -53,8 +44,7 @@ void debug(const Application& application, const Options& options)
     for (const std::string& word : {(unit_folder(application.tools, exercise.id) / "driver.so").string(), built.library.string(), chosen,
                                     std::to_string(SeedPlan{}.seed_of(exercise, chosen)), fs::absolute(sources).string()})
         words.push_back(word);
-    (void)std::fflush(stdout);
-    become(std::move(words));
+    become(std::move(words), "is it installed? --no-debugger does without");
 }
 
 }

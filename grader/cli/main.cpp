@@ -19,6 +19,7 @@ int main(int count, char** words)
         add_hint(parser, application);
         add_reset(parser, application);
         add_debug(parser, application);
+        add_render(parser, application);
         add_grade(parser, application);
         add_demo(parser, application);
         add_validate(parser, application);
