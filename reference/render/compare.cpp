@@ -26,7 +26,7 @@ double srgb_steps(float linear)
 
 }
 
-Comparison compare(const Frame& first, const Frame& second)
+Comparison compare(const Frame& first, const Frame& second, const Agreement& agreement)
 {
     if (first.width() != second.width() || first.height() != second.height()) throw std::invalid_argument("compare: expected frames of one size");
     Comparison result;
@@ -53,8 +53,10 @@ Comparison compare(const Frame& first, const Frame& second)
             if (!interior) continue;
             ++result.interior;
             result.color_max = std::max(result.color_max, largest);
-            result.color_beyond += largest > 1 ? 1 : 0;
-            result.depth_max = std::max(result.depth_max, std::abs(double{first.depth.at(x, y)} - double{second.depth.at(x, y)}));
+            result.color_beyond += largest > agreement.color ? 1 : 0;
+            const double depth = std::abs(double{first.depth.at(x, y)} - double{second.depth.at(x, y)});
+            result.depth_max = std::max(result.depth_max, depth);
+            result.depth_beyond += depth > agreement.depth ? 1 : 0;
         }
     }
     result.color_mean = result.interior > 0 ? sum / (3 * static_cast<double>(result.interior)) : 0;
@@ -67,7 +69,8 @@ bool agrees(const Comparison& comparison, const Agreement& agreement)
     const auto at_most = [](std::size_t count, double fraction, std::size_t of) {
         return static_cast<double>(count) <= std::ceil(fraction * static_cast<double>(of));
     };
-    return at_most(comparison.ids_differ, agreement.edge_fraction, comparison.pixels) && comparison.depth_max <= agreement.depth &&
+    return at_most(comparison.ids_differ, agreement.edge_fraction, comparison.pixels) && comparison.depth_max <= agreement.depth_most &&
+           at_most(comparison.depth_beyond, agreement.depth_fraction, comparison.interior) &&
            at_most(comparison.color_beyond, agreement.color_fraction, comparison.interior);
 }
 

@@ -18,23 +18,31 @@ struct Comparison {
     std::size_t ids_differ = 0;        ///< pixels with another instance, those above included
     std::size_t interior = 0;
     double depth_max = 0;          ///< over interior pixels
+    std::size_t depth_beyond = 0;  ///< interior pixels further apart than Agreement::depth
     double color_max = 0;          ///< of a channel over interior pixels, in steps of 1/255 of the sRGB value before it is rounded
     double color_mean = 0;         ///< the mean of the same
-    std::size_t color_beyond = 0;  ///< interior pixels with a channel further apart than one step
+    std::size_t color_beyond = 0;  ///< interior pixels with a channel further apart than Agreement::color
     double color_rmse = 0;         ///< of all pixels and channels, in the same steps
 };
 
-/// Throws std::invalid_argument if the sizes differ.
-[[nodiscard]] Comparison compare(const Frame& first, const Frame& second);
-
 /// What two right renderers may differ by.
+///
+/// Coverage and ids: positions are rounded to 1/256 pixel after a division that may differ in its last bit, so now and then an edge moves.
+/// Depth: llvmpipe adds up a plane equation from the window's corner, in float. Its error grows with the triangle's slope, which is without
+/// bound for slivers near a silhouette; the other side is within 8 ulp. Colour: texture coordinates have the same error, which counts
+/// where it meets the edge of a texel.
 struct Agreement {
-    double edge_fraction = 1e-4;   ///< of all pixels: how many may show another instance. Positions are rounded to 1/256 pixel after a division
-                                   ///< that may differ in its last bit, so an edge moves by 1/256 where that bit decides.
-    double depth = 0x1p-20;        ///< floats near 1 are 2^-24 apart, and a plane equation of four terms is evaluated in two ways
-    double color = 1;              ///< steps of 1/255
-    double color_fraction = 1e-3;  ///< of interior pixels: how many may be further apart, where a texel's edge or the end of a highlight is hit
+    double edge_fraction = 1e-4;   ///< of all pixels: how many may show another instance
+    double depth = 0x1p-19;        ///< of interior pixels, all but …
+    double depth_fraction = 2e-3;  ///< … these may differ by this much
+    double depth_most = 0x1p-14;   ///< and none by more
+    double color = 1;              ///< steps of 1/255, of all interior pixels but …
+    double color_fraction = 5e-3;  ///< … these
 };
+
+/// Throws std::invalid_argument if the sizes differ.
+[[nodiscard]] Comparison compare(const Frame& first, const Frame& second, const Agreement& agreement = {});
+
 [[nodiscard]] bool agrees(const Comparison& comparison, const Agreement& agreement = {});
 
 }

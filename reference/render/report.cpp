@@ -41,9 +41,10 @@ json comparison_json(const Comparison& c)
             {"ids_differ", c.ids_differ},
             {"interior_pixels", c.interior},
             {"depth_max", c.depth_max},
+            {"depth_beyond", c.depth_beyond},
             {"color_max", c.color_max},
             {"color_mean", c.color_mean},
-            {"color_beyond_one_step", c.color_beyond},
+            {"color_beyond", c.color_beyond},
             {"color_rmse", c.color_rmse}};
 }
 
@@ -66,18 +67,20 @@ std::string comparison_table(const Report& report)
 {
     const Comparison& c = *report.comparison;
     std::string text = fmt::format("software against gl: {} at {} x {}\n", report.title.empty() ? report.scene : report.title, report.width, report.height);
-    const auto row = [&](const char* what, const std::string& value, const std::string& allowed) {
+    const auto row = [&](const std::string& what, const std::string& value, const std::string& allowed) {
         text += fmt::format("  {:<38} {:>16}   {}\n", what, value, allowed);
     };
     row("", "measured", "allowed");
     row("pixels", fmt::format("{}", c.pixels), "");
     row("covered: software", fmt::format("{}", c.covered_first), "");
     row("covered: gl", fmt::format("{}", c.covered_second), "");
-    row("pixels differing in coverage", fmt::format("{}", c.coverage_differs), "counted below too");
+    row("pixels differing in coverage", fmt::format("{}", c.coverage_differs), "");
     row("pixels differing in id", fmt::format("{}", c.ids_differ), fmt::format("{:g} % of the pixels", 100 * report.agreement.edge_fraction));
     row("interior pixels", fmt::format("{} ({:.1f} %)", c.interior, percent(c.interior, c.pixels)), "");
-    row("depth: largest difference, interior", fmt::format("{:.3g}", c.depth_max), fmt::format("{:.3g}", report.agreement.depth));
-    row("colour: largest, interior, in 1/255", fmt::format("{:.3g}", c.color_max), "see the next but one");
+    row("depth: largest, interior", fmt::format("{:.3g}", c.depth_max), fmt::format("{:.3g}", report.agreement.depth_most));
+    row(fmt::format("depth: interior pixels beyond {:.3g}", report.agreement.depth), fmt::format("{}", c.depth_beyond),
+        fmt::format("{:g} % of them", 100 * report.agreement.depth_fraction));
+    row("colour: largest, interior, in 1/255", fmt::format("{:.3g}", c.color_max), "");
     row("colour: mean, interior, in 1/255", fmt::format("{:.3g}", c.color_mean), "");
     row("colour: interior pixels beyond 1/255", fmt::format("{}", c.color_beyond), fmt::format("{:g} % of them", 100 * report.agreement.color_fraction));
     row("colour: RMSE, all pixels, in 1/255", fmt::format("{:.3g}", c.color_rmse), "");
