@@ -1,0 +1,189 @@
+#include <limits>
+#include <umbral/record/driver.hpp>
+
+#include "scene.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace texturing;
+
+using Textures = std::vector<Grid<glm::vec4>>;
+
+void record(Recorder& out, const Textures& textures, const std::vector<Query>& queries)
+{
+    for (const Query& query : queries) out.append("colours", lookup(textures[query.texture], query.sampler, query.uv));
+}
+
+// Red, green / blue, white as one sees it: row 0 is the top one. Beside it, four greys in a row.
+Textures small_textures()
+{
+    Grid<glm::vec4> four(2, 2);
+    four.cells = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
+    Grid<glm::vec4> row(4, 1);
+    row.cells = {glm::vec4(0), glm::vec4(0.25F), glm::vec4(0.5F), glm::vec4(1)};
+    return {four, row};
+}
+
+// Numbers that a student can work out by hand: each corner's texel, the centres, the middle, points between centres.
+void by_hand(Recorder& out)
+{
+    std::vector<Query> queries;
+    for (const Filter filter : both_filters) {
+        const Sampler clamped{filter, Wrap::clamp_to_edge, Wrap::clamp_to_edge};
+        for (const glm::vec2 uv :
+             {glm::vec2(0.25F, 0.25F), {0.75F, 0.25F}, {0.25F, 0.75F}, {0.75F, 0.75F}, {0.375F, 0.25F}, {0.25F, 0.625F}, {0.625F, 0.4375F}})
+            queries.push_back({0, clamped, uv});
+        for (const float u : {0.125F, 0.375F, 0.625F, 0.875F, 0.4375F, 0.3125F, 0.8125F}) queries.push_back({1, clamped, {u, 0.5F}});
+    }
+    record(out, small_textures(), queries);
+}
+
+// Away from borders by 2 % of a texel, so that no rounding decides; far enough inside for no neighbour to be wrapped.
+void random_inside(Random& random, Recorder& out, Filter filter)
+{
+    const Textures textures = {random_texture(random, 8, 8), random_texture(random, 16, 4), random_texture(random, 5, 7)};
+    std::vector<Query> queries;
+    for (int i = 0; i < 600; ++i) {
+        const std::size_t texture = random.below(3);
+        const auto [width, height] = std::pair(textures[texture].width, textures[texture].height);
+        const Sampler sampler{filter, random_wrap(random), random_wrap(random)};
+        const auto coordinate = [&](int count) {
+            const int kept = filter == Filter::nearest ? count : count - 1;
+            const double shift = filter == Filter::nearest ? 0 : 0.5;
+            const std::uint32_t texel = random.below(static_cast<std::uint32_t>(kept));
+            return static_cast<float>((texel + shift + 0.02 + 0.96 * random.uniform_double()) / count);
+        };
+        const float u = coordinate(width);
+        queries.push_back({texture, sampler, {u, coordinate(height)}});
+    }
+    record(out, textures, queries);
+}
+
+// Up to three times round in both directions.
+void outside(Random& random, Recorder& out, Wrap wrap)
+{
+    const Textures textures = {random_texture(random, 8, 8), random_texture(random, 6, 10)};
+    std::vector<Query> queries;
+    for (int i = 0; i < 300; ++i) {
+        const std::size_t texture = random.below(2);
+        const Sampler sampler{both_filters[random.below(2)], wrap, wrap};
+        const auto coordinate = [&](int count) { return inside_texel(random, count, 3); };
+        const float u = coordinate(textures[texture].width);
+        queries.push_back({texture, sampler, {u, coordinate(textures[texture].height)}});
+    }
+    record(out, textures, queries);
+}
+
+// Exactly on borders between texels, and on those of the texture: sizes are powers of two, so that these are floats.
+void on_borders(Random& random, Recorder& out)
+{
+    const Textures textures = {random_texture(random, 8, 4)};
+    std::vector<Query> queries;
+    for (int i = 0; i <= 8; ++i)
+        for (int j = 0; j <= 4; ++j)
+            for (const Wrap wrap : both_wraps)
+                queries.push_back({0, {both_filters[random.below(2)], wrap, wrap}, {static_cast<float>(i) / 8, static_cast<float>(j) / 4}});
+    record(out, textures, queries);
+}
+
+// Half a texel to both sides of the seams, with each pair of wraps: a blend of the last texel and the first, or of the last one with itself.
+void across_seams(Random& random, Recorder& out)
+{
+    const Textures textures = {random_texture(random, 8, 8), random_texture(random, 3, 5)};
+    std::vector<Query> queries;
+    for (int i = 0; i < 400; ++i) {
+        const std::size_t texture = random.below(2);
+        const Sampler sampler{Filter::bilinear, random_wrap(random), random_wrap(random)};
+        const auto count = glm::vec2(textures[texture].width, textures[texture].height);
+        glm::vec2 uv(random.uniform(), random.uniform());
+        const auto across = static_cast<int>(random.below(3));  // u, v, or a corner
+        for (int axis = 0; axis < 2; ++axis) {
+            const float seam = static_cast<float>(random.below(2)) + random.uniform(-0.48F, 0.48F) / count[axis];
+            if (across == axis || across == 2) uv[axis] = seam;
+        }
+        queries.push_back({texture, sampler, uv});
+    }
+    record(out, textures, queries);
+}
+
+// One texel, one row, one column: everything is its own neighbour.
+void thin(Random& random, Recorder& out)
+{
+    const Textures textures = {random_texture(random, 1, 1), random_texture(random, 7, 1), random_texture(random, 1, 3)};
+    std::vector<Query> queries;
+    for (int i = 0; i < 150; ++i) {
+        const Sampler sampler{both_filters[random.below(2)], random_wrap(random), random_wrap(random)};
+        const std::size_t texture = random.below(3);
+        const auto coordinate = [&](int count) { return inside_texel(random, count, 2); };
+        const float u = coordinate(textures[texture].width);
+        queries.push_back({texture, sampler, {u, coordinate(textures[texture].height)}});
+    }
+    record(out, textures, queries);
+}
+
+// NaN is 0, in either coordinate; infinity too with repeat, and the edge otherwise.
+void not_numbers(Random& random, Recorder& out)
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const Textures textures = {random_texture(random, 4, 4)};
+    std::vector<Query> queries;
+    for (const float strange : {nan, infinity, -infinity})
+        for (const Filter filter : both_filters)
+            for (const Wrap wrap : both_wraps) {
+                queries.push_back({0, {filter, wrap, wrap}, {strange, 0.65F}});
+                queries.push_back({0, {filter, wrap, wrap}, {0.65F, strange}});
+            }
+    record(out, textures, queries);
+}
+
+// A long way from 0 the fraction has few bits left, and a product with the size has none to spare; just below 0 it rounds up to 1.
+void far_out(Random& random, Recorder& out)
+{
+    const Textures textures = {random_texture(random, 256, 256), random_texture(random, 300, 77)};
+    std::vector<Query> queries;
+    for (int i = 0; i < 600; ++i) {
+        const Sampler sampler{both_filters[random.below(2)], Wrap::repeat, Wrap::repeat};
+        glm::vec2 uv(0);
+        for (int axis = 0; axis < 2; ++axis) {
+            const float size = std::pow(10.0F, i % 6 == 0 ? random.uniform(-30, -9) : random.uniform(2, 6));
+            uv[axis] = (random.below(2) == 0 ? -size : size);
+        }
+        queries.push_back({random.below(2), sampler, uv});
+    }
+    record(out, textures, queries);
+}
+
+// The floats on both sides of each border between texels, where the sizes are no powers of two: u * n rounds onto the border.
+void beside_borders(Random& random, Recorder& out)
+{
+    const Textures textures = {random_texture(random, 100, 100)};
+    std::vector<Query> queries;
+    for (int i = 1; i < 100; ++i) {
+        const auto above = static_cast<float>(i / 100.0);
+        const float below = std::nextafter(above, 0.0F);
+        queries.push_back({0, {Filter::nearest, random_wrap(random), random_wrap(random)}, {above, below}});
+        queries.push_back({0, {Filter::nearest, random_wrap(random), random_wrap(random)}, {below, above}});
+    }
+    record(out, textures, queries);
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"nearest", [](Case& c, Recorder& out) { random_inside(c.random, out, Filter::nearest); }},
+    {"bilinear", [](Case& c, Recorder& out) { random_inside(c.random, out, Filter::bilinear); }},
+    {"repeat", [](Case& c, Recorder& out) { outside(c.random, out, Wrap::repeat); }},
+    {"clamp", [](Case& c, Recorder& out) { outside(c.random, out, Wrap::clamp_to_edge); }},
+    {"on borders", [](Case& c, Recorder& out) { on_borders(c.random, out); }},
+    {"seams", [](Case& c, Recorder& out) { across_seams(c.random, out); }},
+    {"thin", [](Case& c, Recorder& out) { thin(c.random, out); }},
+    {"not numbers", [](Case& c, Recorder& out) { not_numbers(c.random, out); }},
+    {"far out", [](Case& c, Recorder& out) { far_out(c.random, out); }},
+    {"beside borders", [](Case& c, Recorder& out) { beside_borders(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(480, 320)); }},
+};
+
+}
