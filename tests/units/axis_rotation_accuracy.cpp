@@ -50,7 +50,7 @@ double worst_difference(const glm::mat4& got, const glm::mat4& exact)
 int main(int count, char** arguments)
 {
     const std::uint64_t seed = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1;
-    const int turns = count > 2 ? std::atoi(arguments[2]) : 100'000;
+    const int turns = count > 2 ? std::atoi(arguments[2]) : 20'000;
     const tests::Rotations oracle = *tests::tenant<const tests::Rotations>(ORACLE_MODULE);
     std::printf("seed %llu, %d tiny turns a line\n", static_cast<unsigned long long>(seed), turns);
     for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"in float", NAIVE_MODULE}}) {

@@ -127,8 +127,8 @@ TEST_P(RotationTenant, FirstTurnIsTheFirst)
 {
     const AxisAngle turns[] = {{{1, 0, 0}, pi / 2}, {{0, 1, 0}, pi / 2}};
     // (0,1,0) becomes (0,0,1), which becomes (1,0,0).
-    expect_near(glm::vec3(rotate.chain(turns) * glm::vec4(0, 1, 0, 0)), {1, 0, 0});
-    expect_near(glm::vec3(rotate.chain(turns) * glm::vec4(0, 0, 1, 0)), {0, -1, 0});
+    expect_near(glm::vec3(rotate.chain(std::span(turns)) * glm::vec4(0, 1, 0, 0)), {1, 0, 0});
+    expect_near(glm::vec3(rotate.chain(std::span(turns)) * glm::vec4(0, 0, 1, 0)), {0, -1, 0});
 }
 
 // A chain about one axis is one turn by the sum of the angles, which is computed here from the float that the angle really is.
