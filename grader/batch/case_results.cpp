@@ -32,6 +32,14 @@ const Tensor* tensor_of(const RunOutcome& run, const std::string& name)
     return found == run.recording.tensors.end() ? nullptr : &found->second;
 }
 
+const Tensor* observed(const Check& check, const RunOutcome& run)
+{
+    static const Tensor nothing;
+    const Tensor* tensor = tensor_of(run, check.value);
+    const bool by_rows = check.judge == JudgeKind::fragments || check.judge == JudgeKind::events;
+    return tensor == nullptr && by_rows ? &nothing : tensor;
+}
+
 CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run, const RunOutcome& reference_run)
 {
     CheckResult result = blank_result(check);
@@ -44,12 +52,12 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
 
     result.message = one.trouble();
     if (!result.message.empty()) return result;
-    const Tensor* student = tensor_of(one.student, check.value);
+    const Tensor* student = observed(check, one.student);
     if (student == nullptr) {
         result.message = "nothing was recorded: the run was disturbed";
         return result;
     }
-    const Judgement judgement = judge(check, *student, *expected, margin);
+    const Judgement judgement = judge(check, *student, *expected, margin, tensor_of(expected_run, check.value + ".names"));
     const BestControl control = best_control(check, *expected, margin, one.seed);
     result.score = points_for(check, judgement.right, control.right);
     result.error = judgement.error;
@@ -57,6 +65,7 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
     result.metrics = judgement.metrics;
     result.metrics["right"] = judgement.right;
     result.first_difference = judgement.first_difference;
+    result.sketch = judgement.sketch;
     return result;
 }
 

@@ -31,6 +31,9 @@ using CaseResults = std::map<std::string, CaseResult>;
 /// Throws std::runtime_error if the expected run lacks the value: a grader fault.
 [[nodiscard]] CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected, const RunOutcome& reference);
 
+/// What a run recorded for this check, or null. Fragments and events come row by row: none at all is an empty table.
+[[nodiscard]] const Tensor* observed(const Check& check, const RunOutcome& run);
+
 /// The recorded tensor of that name, or null.
 [[nodiscard]] const Tensor* tensor_of(const RunOutcome& run, const std::string& name);
 

@@ -21,7 +21,7 @@ std::vector<FailingCheck> failing_checks(Workshop& workshop, const Exercise& exe
         const CaseResult& one = cases.at(check.case_name);
         if (result.checks[i].score == check.points || !one.trouble().empty()) continue;
         const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
-        const Tensor* student = tensor_of(one.student, check.value);
+        const Tensor* student = observed(check, one.student);
         if (student == nullptr) continue;
         failing.push_back({&check, student, tensor_of(expected, check.value), tensor_of(expected, check.value + ".margin"), nullptr});
     }
@@ -57,7 +57,7 @@ std::vector<Explanation> by_mistakes(Workshop& workshop, const Exercise& exercis
             const std::string& name = group.front().check->case_name;
             const RunOutcome& run = workshop.run_mistake(exercise, candidate.mistake.name, candidate.mistake.sources, name, cases.at(name).seed);
             for (const FailingCheck& one : group) {
-                const Tensor* tensor = tensor_of(run, one.check->value);
+                const Tensor* tensor = observed(*one.check, run);
                 if (tensor == nullptr || !matches_mistake(one, *tensor)) continue;
                 ++candidate.matching;
                 candidate.fits_here = true;

@@ -4,6 +4,7 @@
 #include <map>
 #include <umbral/core/random.hpp>
 
+#include "judge/fragments.hpp"
 #include "judge/rules.hpp"
 #include "judge/tensor_view.hpp"
 
@@ -92,6 +93,24 @@ Tensor noise(const Tensor& expected, const Statistics& statistics, std::uint64_t
     return with_values(tensor, values);
 }
 
+Tensor without_rows(const Tensor& expected)
+{
+    Tensor tensor = expected;
+    tensor.rows = 0;
+    tensor.bytes.clear();
+    tensor.present.clear();
+    return tensor;
+}
+
+// A function that does nothing, whatever the size: one block.
+Tensor at_once(const Tensor& expected)
+{
+    std::vector<double> values = to_doubles(expected);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (i % expected.components > 0) values[i] = 1;
+    return with_values(expected, values);
+}
+
 Row identity(std::size_t components)
 {
     const std::size_t side = components == 9 ? 3 : 4;
@@ -104,6 +123,8 @@ Row identity(std::size_t components)
 
 std::vector<std::pair<std::string, Tensor>> controls(const Check& check, const Tensor& expected, std::uint64_t seed)
 {
+    if (check.judge == JudgeKind::trace) return {{"no call", without_rows(expected)}};
+    if (check.judge == JudgeKind::cost) return {{"zeros", filled(expected, Row(expected.components, 0))}, {"returns at once", at_once(expected)}};
     const TensorView view(expected);
     const Statistics statistics = statistics_of(view);
     const std::size_t components = expected.components;
@@ -123,6 +144,8 @@ std::vector<std::pair<std::string, Tensor>> controls(const Check& check, const T
         };
         result.emplace_back("blank", filled(expected, most_frequent(view, border)));
     }
+    if (check.judge == JudgeKind::fragments && components >= 3)
+        if (auto boxes = bounding_boxes(expected, statistics.mean)) result.emplace_back("bounding boxes", std::move(*boxes));
     if (picture) {
         const bool bytes = expected.element == Element::uint8;
         result.emplace_back("black", filled(expected, Row(components, bytes ? 0 : check.range_low)));

@@ -5,6 +5,7 @@
 
 #include "judge/rows.hpp"
 #include "judge/rules.hpp"
+#include "judge/same_mistake.hpp"
 #include "judge/tensor_view.hpp"
 #include "judge/thresholds.hpp"
 #include "judge/transforms.hpp"
@@ -15,7 +16,7 @@ namespace {
 bool comparable(const FailingCheck& failing)
 {
     return failing.check != nullptr && failing.student != nullptr && failing.expected != nullptr && well_formed(*failing.expected) &&
-           failing.expected->cells() > 0 && !shape_error(*failing.student, *failing.expected);
+           failing.expected->cells() > 0 && !shape_error(*failing.check, *failing.student, *failing.expected);
 }
 
 // Undoing rounds again, so bounds are widened to what a few float operations lose; the result as it came must fail these too.
@@ -55,7 +56,7 @@ std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& f
     std::vector<Explanation> explanations;
     for (const NamedTransform& transform : named_transforms()) explanations.push_back({transform.name, transform.sentence, 0});
     for (const FailingCheck& one : failing) {
-        if (!comparable(one)) continue;
+        if (!comparable(one) || has_free_rows(one.check->judge)) continue;
         const Check check = widened(*one.check);
         const double before = fraction_right(check, *one.student, *one.expected, one.margin);
         if (before >= check.full) continue;
@@ -126,7 +127,8 @@ bool same_picture(const Check& check, const FailingCheck& failing, const Tensor&
 
 bool matches_mistake(const FailingCheck& failing, const Tensor& mistake)
 {
-    if (!comparable(failing) || shape_error(mistake, *failing.expected)) return false;
+    if (!comparable(failing) || shape_error(*failing.check, mistake, *failing.expected)) return false;
+    if (has_free_rows(failing.check->judge)) return same_deviations(failing, mistake);
     if (failing.check->judge == JudgeKind::image) return same_picture(*failing.check, failing, mistake);
     return same_rows(*failing.check, failing, mistake);
 }

@@ -33,7 +33,7 @@ struct NamedTransform {
 
 /// Explanations by named transforms, best first. One is given only if it makes a failing check right (or raises it to at least 0.9
 /// from at most half of that), and if the transform changes the student's result at all; `confidence` is the share of the failing checks.
-/// Since undoing rounds once more, tolerances are widened a little for this, but for no points.
+/// Since undoing rounds once more, tolerances are widened a little for this, but for no points. No transform fits what has_free_rows.
 [[nodiscard]] std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& failing);
 
 /// How well one recorded tensor matches a mistake's: both must deviate from `expected`, and in the same way (within the check's

@@ -19,16 +19,20 @@ struct Judgement {
     std::string message;          ///< one line: what is wrong, where; empty if all is right
     std::map<std::string, double> metrics;
     std::optional<Difference> first_difference;
+    std::string sketch{};  ///< fragments: a picture in ASCII of the first bad place; else empty
 };
 
 /// Compares what the student recorded with what was expected, by the check's rule. Trusts `expected` and `margin` only: a
 /// non-finite value, another shape, type or presence is wrong, never an exception. `margin` (may be null) is the expected
-/// recording's column "<value>.margin": rows where it is under the check's band_ulps do not count.
+/// recording's column "<value>.margin": rows where it is under the check's band_ulps do not count. `names` (may be null) is the expected
+/// recording's text "<value>.names": for events lines such as "3 zoom" that name the codes, for fragments the word for a primitive
+/// ("triangle" without it), for costs what there are `size` of ("items" without it).
 /// Throws std::invalid_argument if the check cannot be judged at all (no row counts, unknown rule): a grader fault.
-[[nodiscard]] Judgement judge(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin);
+[[nodiscard]] Judgement judge(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin, const Tensor* names = nullptr);
 
 /// Recordings that know nothing of the problem, of the shape of `expected`: zeros, ones (the forger's "true"), identity matrices,
-/// the most frequent row, the mean row, noise in the range of `expected`, the blank picture, all absent. By name.
+/// the most frequent row, the mean row, noise in the range of `expected`, the blank picture, all absent; for fragments also each
+/// primitive's whole bounding box, for traces no call at all, for costs a function that returns at once. By name.
 [[nodiscard]] std::vector<std::pair<std::string, Tensor>> controls(const Check& check, const Tensor& expected, std::uint64_t seed);
 
 /// The best that a control gets for this check (its `right`), and which one it is.

@@ -4,7 +4,8 @@
 
 namespace umbral::grader {
 
-// The rules behind judge(). Both tensors are well formed and of one shape and type when they are called.
+// The rules behind judge(). Both tensors are well formed and of one type when they are called; of one shape too, but for the kinds of
+// which has_free_rows is true: their numbers of rows may differ.
 
 [[nodiscard]] Judgement judge_numbers(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin);
 
@@ -19,6 +20,28 @@ namespace umbral::grader {
 
 /// The combined rule of image_rule.hpp; `with_metrics` adds SSIM, PSNR, RMSE and Lab differences, which do not decide.
 [[nodiscard]] Judgement judge_image(const Check& check, const Tensor& student, const Tensor& expected, bool with_metrics);
+
+/// Rows [primitive, x, y, attributes...], matched by their place. The fraction is matched / (expected + extra + duplicated); what lies
+/// one pixel aside with its whole primitive is in the wrong place, and neither missing nor extra. Without a tolerance attributes are
+/// equal or wrong. `with_sketch` draws the first bad place.
+[[nodiscard]] Judgement judge_fragments(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* names, bool with_sketch);
+
+/// Rows [code, numbers...], aligned in order so that what is lost or too much costs itself only: 2 matches / (yours + expected).
+[[nodiscard]] Judgement judge_events(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* names);
+
+/// Calls of OpenGL, counted by the check's rules against the expected ones; the fraction of the rules that hold. Worth nothing if nothing
+/// is drawn where the expected trace draws.
+[[nodiscard]] Judgement judge_trace(const Check& check, const Tensor& student, const Tensor& expected);
+
+/// Rows (size, blocks): the exponent with which the student's count grows. Right up to check.growth + 0.15, falling to 0 at + 0.6; worth
+/// nothing where next to no work was done, since a function that returns at once grows with nothing.
+[[nodiscard]] Judgement judge_cost(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* names);
+
+/// Does this kind compare tables whose numbers of rows may differ?
+[[nodiscard]] bool has_free_rows(JudgeKind kind);
+
+/// What is wrong with the student's type or shape for this kind of check, as a sentence; nothing if it can be judged.
+[[nodiscard]] std::optional<std::string> shape_error(const Check& check, const Tensor& student, const Tensor& expected);
 
 /// The fraction right only, by the quickest way there is.
 [[nodiscard]] double fraction_right(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin);

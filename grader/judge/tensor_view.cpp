@@ -100,12 +100,34 @@ std::optional<std::string> shape_error(const Tensor& student, const Tensor& expe
     return fmt::format("Yours has {}; expected {}.", shape_text(student), shape_text(expected));
 }
 
+std::optional<std::string> row_shape_error(const Tensor& student, const Tensor& expected)
+{
+    if (!well_formed(student)) return "What was recorded is damaged: its size does not fit its shape.";
+    if (student.cells() == 0 || (student.element == expected.element && student.columns == expected.columns && student.components == expected.components))
+        return std::nullopt;
+    return fmt::format("Yours has rows of {} {}; expected rows of {} {}.", student.columns * std::size_t{student.components}, element_text(student.element),
+                       expected.components, element_text(expected.element));
+}
+
+std::string_view text_of(const Tensor* tensor)
+{
+    if (tensor == nullptr || tensor->element != Element::uint8 || tensor->bytes.empty()) return {};
+    return {reinterpret_cast<const char*>(tensor->bytes.data()), tensor->bytes.size()};
+}
+
 bool all_finite(std::span<const double> values)
 {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
 std::string number_text(double value) { return fmt::format("{:.6g}", value); }
+
+std::string count_text(double count)
+{
+    std::string digits = fmt::format("{:.0f}", count);
+    for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');
+    return digits;
+}
 
 std::string cell_text(const TensorView& view, std::size_t cell)
 {

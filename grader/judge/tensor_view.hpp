@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <umbral/record/tensor.hpp>
 #include <vector>
 
@@ -41,10 +42,19 @@ private:
 /// What is wrong with the student's type or shape, as a sentence; nothing if it is the expected one.
 [[nodiscard]] std::optional<std::string> shape_error(const Tensor& student, const Tensor& expected);
 
+/// The same where the number of rows is free: type and components must be the expected ones, and an empty table fits any.
+[[nodiscard]] std::optional<std::string> row_shape_error(const Tensor& student, const Tensor& expected);
+
+/// A recorded text (bytes); empty for a null pointer and for what is no text.
+[[nodiscard]] std::string_view text_of(const Tensor* tensor);
+
 [[nodiscard]] bool all_finite(std::span<const double> values);
 
 /// "3.25", "1.6e+06", "nan": six digits, which tell two floats apart in what people read.
 [[nodiscard]] std::string number_text(double value);
+
+/// "1,536": a count of things, not negative, rounded.
+[[nodiscard]] std::string count_text(double count);
 
 /// One number, or "(1, 2, 3)"; "nothing" for an absent cell.
 [[nodiscard]] std::string cell_text(const TensorView& view, std::size_t cell);

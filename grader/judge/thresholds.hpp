@@ -42,6 +42,15 @@ constexpr double zero_ratio = 100.0;
 /// Side of the window that worst_region looks for.
 constexpr int worst_window = 32;
 
+// Growth of counted work. Sizes a factor of 16 apart and n log n make an exponent of 1.12: what admits n admits n log n, and nothing near n^2.
+constexpr double growth_full = 0.15;  ///< above the declared exponent: still all right
+constexpr double growth_zero = 0.6;   ///< worth nothing
+/// Share of the reference's work, and count, below which a function cannot have done its task: it returned at once.
+constexpr double least_work = 0.02;
+constexpr double least_blocks = 4;
+/// Exponents of a student and of a mistake that did the same.
+constexpr double same_growth = 0.2;
+
 /// An explanation must raise a failing check to this (or make it right) …
 constexpr double explained = 0.9;
 /// … from at most this share of it.

@@ -32,6 +32,7 @@ struct CheckResult {
     std::string message;                    ///< one line; empty if nothing is to say
     std::map<std::string, double> metrics;  ///< finite numbers only
     std::optional<Difference> first_difference;
+    std::string sketch{};                          ///< lines of ASCII: what the first bad place looks like; empty where there is nothing to draw
     std::map<std::string, std::string> artefacts;  ///< "triptych" to a path below the report; not in class.json
 };
 

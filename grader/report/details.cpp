@@ -70,6 +70,7 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
         block.sentence("first", check.first_difference->where);
         block.labelled("", side_by_side(*check.first_difference, block.room(), paint));
     }
+    block.labelled("there", wrap(paint.safe_lines(check.sketch), block.room()));
     for (const auto& [kind, path] : check.artefacts) block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
 }
 

@@ -21,6 +21,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .message = {},
                          .metrics = {},
                          .first_difference = {},
+                         .sketch = {},
                          .artefacts = {}};
     return submission;
 }

@@ -111,13 +111,28 @@ TEST(ResultSchemas, accept_every_verdict_and_kind)
         result.units[0].verdict = static_cast<Verdict>(i);
         EXPECT_EQ(schema.complaints(to_json(result, test::fingerprint())), "");
     }
-    for (const JudgeKind kind : {JudgeKind::numbers, JudgeKind::matrices, JudgeKind::buffer, JudgeKind::image}) {
+    for (const JudgeKind kind : all_judges) {
         result.units[0].checks[0].kind = kind;
         EXPECT_EQ(schema.complaints(to_json(result, test::fingerprint())), "");
     }
     json root = report_json();
     root["submission"]["units"][0]["verdict"] = "passed";
     EXPECT_NE(schema.complaints(root), "");
+}
+
+TEST(ResultSchemas, hold_a_sketch_where_there_is_one)
+{
+    SubmissionResult result = test::submission();
+    EXPECT_FALSE(to_json(result, test::fingerprint())["submission"]["units"][0]["checks"][0].contains("sketch"));
+    result.units[0].checks[0].sketch = "#-\n\x1b#\xFF";
+    const json report = to_json(result, test::fingerprint());
+    EXPECT_EQ(Schema("report").complaints(report), "");
+    EXPECT_EQ(Schema("class").complaints(to_json(ClassResult{test::fingerprint(), {result}})), "");
+    EXPECT_EQ(report["submission"]["units"][0]["checks"][0]["sketch"].get<std::string>().substr(0, 3), "#-\n");
+    EXPECT_NO_THROW((void)report.dump()) << "valid UTF-8";
+    json wrong = report;
+    wrong["submission"]["units"][0]["checks"][0]["sketch"] = nullptr;
+    EXPECT_NE(Schema("report").complaints(wrong), "");
 }
 
 TEST(ResultSchemas, are_strict_in_every_field)

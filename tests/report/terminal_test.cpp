@@ -51,6 +51,26 @@ TEST(Terminal, SaysWhatAStudentNeeds)
     EXPECT_TRUE(contains(report, "1 of 1 unit is not right yet."));
 }
 
+TEST(Terminal, ASketchStandsLineByLine)
+{
+    UnitResult unit = transposed();
+    unit.checks[1].first_difference = Difference{"pixel (1, 0) of triangle 3", "no fragment", "(0.5)"};
+    unit.checks[1].sketch = "#-..\n##..\nx 0..3, y 0..1; # right - missing . empty";
+    const std::string report = terminal_report(submission_result("ana", {unit}), {});
+    EXPECT_TRUE(contains(report, " #-..\n              ##..\n              x 0..3, y 0..1; # right - missing . empty\n")) << report;
+    EXPECT_TRUE(contains(report, "pixel (1, 0) of triangle 3"));
+    EXPECT_TRUE(contains(report, "no fragment"));
+}
+
+TEST(Terminal, ADifferenceOfCallsStandsSideBySide)
+{
+    UnitResult unit = transposed();
+    unit.checks[1].first_difference = Difference{"draw call 2", "glDrawArrays(GL_TRIANGLES, 3, 3)", "nothing"};
+    const std::string report = terminal_report(submission_result("ana", {unit}), {.width = 100});
+    EXPECT_TRUE(contains(report, "yours                               expected\n")) << report;
+    EXPECT_TRUE(contains(report, "glDrawArrays(GL_TRIANGLES, 3, 3)    nothing\n")) << report;
+}
+
 TEST(Terminal, EqualResultsGiveEqualReportsAndAsciiIsAscii)
 {
     const SubmissionResult submission = submission_result("ñandú", {transposed()});
@@ -93,6 +113,7 @@ TEST(Terminal, HiddenChecksShowNoValue)
     hidden.metrics = {{"LEAK-metric", 77773}};
     hidden.first_difference = Difference{"LEAK-where", "LEAK-yours", "LEAK-expected"};
     hidden.artefacts = {{"triptych", "LEAK-path"}};
+    hidden.sketch = "LEAK-sketch";
     UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("open/t", 1000, 1000), hidden});
     unit.explanations = {{"sign", "The sign is wrong.", 1}};
     const SubmissionResult submission = submission_result("ana", {unit});
@@ -140,6 +161,7 @@ TEST(Terminal, HostileTextsAreShownAndDoNothing)
     unit.checks[1].name = attack + "/" + attack;
     unit.checks[1].first_difference = Difference{attack, attack, "[1 " + attack + "; 2 3]"};
     unit.checks[1].artefacts = {{attack, attack}};
+    unit.checks[1].sketch = attack;
     for (const bool color : {false, true}) {
         const SubmissionResult submission = submission_result(attack, {unit, unit});
         for (const std::string& report : {terminal_report(submission, {.color = color}), class_table({{}, {submission}}, {.color = color})}) {

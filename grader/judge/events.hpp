@@ -1,0 +1,20 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "judge/alignment.hpp"
+#include "judge/tensor_view.hpp"
+#include "model/exercise.hpp"
+
+namespace umbral::grader {
+
+/// Names of event codes from lines such as "3 zoom"; other lines are passed over.
+[[nodiscard]] std::map<double, std::string> event_names(std::string_view lines);
+
+/// The events of two tables aligned: equal codes, and numbers within the check's tolerance (none: equal). Where `a` is far longer than
+/// `b`, its end is left out, so that the time is bounded by what was expected.
+[[nodiscard]] Alignment align_events(const Check& check, const TensorView& a, const TensorView& b);
+
+}

@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "explaining.hpp"
+#include "judge/cost.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+const std::vector<double> sizes{1000, 2000, 4000, 8000, 16000};
+
+/// Rows (size, blocks of that size).
+Tensor cost(const std::function<double(double)>& blocks)
+{
+    std::vector<double> values;
+    for (const double size : sizes) values.insert(values.end(), {size, blocks(size)});
+    return doubles(values, 2);
+}
+
+Tensor power(double exponent, double factor = 3)
+{
+    return cost([=](double n) { return factor * std::pow(n, exponent); });
+}
+
+Judgement judged(const Tensor& yours, double growth = 1, const Tensor* names = nullptr)
+{
+    Check check = check_of(JudgeKind::cost);
+    check.growth = growth;
+    return judge(check, yours, power(1), nullptr, names);
+}
+
+TEST(Costs, TheExponentIsTheSlope)
+{
+    EXPECT_NEAR(judged(power(1)).metrics.at("exponent"), 1, 1e-12);
+    EXPECT_NEAR(judged(power(2)).metrics.at("exponent"), 2, 1e-12);
+    EXPECT_NEAR(judged(power(1.5)).metrics.at("reference_exponent"), 1, 1e-12);
+    // By hand: (1, 1), (2, 2), (4, 8) has in log2 the points (0, 0), (1, 1), (2, 3): slope ((-1)(-4/3) + 0 + (1)(5/3)) / 2 = 3/2.
+    EXPECT_NEAR(growth_of({{1, 1}, {2, 2}, {4, 8}}), 1.5, 1e-12);
+}
+
+TEST(Costs, CreditFallsBetweenTheTwoExponents)
+{
+    EXPECT_EQ(judged(power(1)).right, 1);
+    EXPECT_EQ(judged(power(1.14)).right, 1);
+    EXPECT_NEAR(judged(power(1.375)).right, 0.5, 1e-9);
+    EXPECT_EQ(judged(power(1.61)).right, 0);
+    EXPECT_EQ(judged(power(2)).right, 0);
+    EXPECT_EQ(judged(power(0.5, 30)).right, 1) << "less growth is no fault";
+    EXPECT_EQ(judged(power(2), 2).right, 1);
+    EXPECT_EQ(judged(cost([](double n) { return n * std::log2(n); })).right, 1) << "n log n passes for linear";
+}
+
+TEST(Costs, TheMessageSaysHowTheWorkGrows)
+{
+    // 3 n^2 + 100000: 2.1 and 768.1 million... a quotient of 768100000 / 3100000 = 247.8.
+    const Tensor noun = table(Element::uint8, 1, std::vector<char>{'f', 'a', 'c', 'e', 's'});
+    const Judgement found = judged(cost([](double n) { return 3 * n * n + 100000; }), 1, &noun);
+    EXPECT_EQ(found.message, "from 1,000 to 16,000 faces your work grows 248-fold (like n^2.0); linear is possible (the reference: 16-fold)");
+    EXPECT_EQ(found.first_difference->where, "16,000 faces");
+    EXPECT_EQ(found.first_difference->yours, "768,100,000 steps");
+    EXPECT_EQ(found.first_difference->expected, "48,000 steps");
+    EXPECT_DOUBLE_EQ(found.metrics.at("blocks_per_item"), 768100000.0 / 16000);
+    EXPECT_NE(judged(power(2)).message.find("16,000 items"), std::string::npos);
+}
+
+TEST(Costs, DoingNothingIsNotQuick)
+{
+    for (const double blocks : {0.0, 1.0, 2.0, 900.0}) {
+        const Judgement found = judged(cost([=](double) { return blocks; }));
+        EXPECT_EQ(found.right, 0) << blocks;
+        EXPECT_NE(found.message.find("next to nothing is done"), std::string::npos) << found.message;
+    }
+    EXPECT_EQ(judged(power(1, 0.5)).right, 1) << "a sixth of the reference's work is fine";
+}
+
+TEST(Costs, HostileOnesEarnNothing)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double bad : {nan, infinity, -infinity, -5.0}) {
+        EXPECT_EQ(judged(cost([=](double n) { return n == 4000 ? bad : n; })).right, 0) << bad;
+        std::vector<double> other{bad, 1000};
+        EXPECT_EQ(judged(doubles(other, 2)).right, 0);
+    }
+    EXPECT_EQ(judged(cost([=](double n) { return n == 4000 ? 0 : n; })).right, 0);
+    EXPECT_EQ(judged(Tensor{}).message, "no work was counted for the size 1,000");
+    EXPECT_EQ(judged(doubles({1000, 3000, 2000, 6000}, 2)).message, "no work was counted for the size 4,000");
+    EXPECT_EQ(judged(doubles(std::vector<double>(4'000'000, 1.0), 2)).right, 0);
+    EXPECT_EQ(judged(floats({1, 2}, 2)).right, 0);
+    for (const auto& [name, value] : judged(cost([](double) { return 1e308; })).metrics) EXPECT_TRUE(std::isfinite(value)) << name;
+}
+
+TEST(Costs, WhatCannotBeJudgedIsAGraderFault)
+{
+    Check check = check_of(JudgeKind::cost);
+    for (const Tensor& bad : {doubles({1000, 5}, 2), doubles({1000, 5, 1000, 6}, 2), doubles({1000, 0, 2000, 5}, 2), doubles({0, 1, 2000, 5}, 2),
+                              floats({1000, 5, 2000, 6}, 2), doubles({1000, 2000}, 1)})
+        EXPECT_THROW((void)judge(check, bad, bad, nullptr), std::invalid_argument);
+}
+
+TEST(Costs, ControlsAndMistakes)
+{
+    Check check = check_of(JudgeKind::cost);
+    EXPECT_EQ(best_control(check, power(1), nullptr, 1).right, 0);
+    const auto same = [&](const Tensor& yours, const Tensor& mistake) {
+        const Tensor expected = power(1);
+        return matches_mistake(FailingCheck{&check, &yours, &expected, nullptr, nullptr}, mistake);
+    };
+    EXPECT_TRUE(same(power(2), power(1.9, 50)));
+    EXPECT_FALSE(same(power(2), power(1.7)));
+    EXPECT_FALSE(same(power(1), power(1)));
+    EXPECT_FALSE(same(power(2), power(1)));
+    EXPECT_TRUE(same(power(0, 1), power(0, 2))) << "both return at once";
+    EXPECT_FALSE(same(power(0, 1), power(2)));
+}
+
+}
+}

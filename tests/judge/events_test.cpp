@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "explaining.hpp"
+#include "judge/alignment.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+constexpr float nan_f = std::numeric_limits<float>::quiet_NaN();
+
+Tensor text(const std::string& value) { return table(Element::uint8, 1, std::vector<char>(value.begin(), value.end())); }
+const Tensor& names()
+{
+    static const Tensor lines = text("1 press\n2 pan\n3 zoom in\nno line of these\n4\n");
+    return lines;
+}
+
+Judgement judged(const std::vector<float>& yours, const std::vector<float>& expected, Tolerance tolerance = {})
+{
+    return judge(check_of(JudgeKind::events, tolerance), floats(yours, 3), floats(expected, 3), nullptr, &names());
+}
+
+const std::vector<float> session{1, 0, 0, 2, 3, 0, 2, 4, 5, 3, 1.1F, 0, 1, 0, 0};
+
+TEST(Events, EqualSequencesAreRight)
+{
+    const Judgement found = judged(session, session);
+    EXPECT_EQ(found.right, 1);
+    EXPECT_EQ(found.message, "");
+    EXPECT_FALSE(found.first_difference);
+    EXPECT_EQ(found.metrics.at("matched"), 5);
+}
+
+TEST(Events, ALostEventCostsItselfOnly)
+{
+    std::vector<float> yours = session;
+    yours.erase(yours.begin() + 9, yours.begin() + 12);
+    const Judgement found = judged(yours, session);
+    EXPECT_DOUBLE_EQ(found.right, 2.0 * 4 / (4 + 5));
+    EXPECT_EQ(found.metrics.at("lost"), 1);
+    EXPECT_EQ(found.message, "event 4: expected zoom in (1.1), nothing came (4 of 5 expected events are right, 0 of yours are too much)");
+    EXPECT_EQ(found.first_difference->where, "event 4 of 5");
+    EXPECT_EQ(found.first_difference->yours, "nothing");
+    EXPECT_EQ(found.first_difference->expected, "zoom in (1.1)");
+}
+
+TEST(Events, ADuplicateOrAnotherEventIsNamed)
+{
+    std::vector<float> twice = session;
+    twice.insert(twice.begin() + 3, {1, 0, 0});
+    const Judgement again = judged(twice, session);
+    EXPECT_DOUBLE_EQ(again.right, 2.0 * 5 / (6 + 5));
+    EXPECT_EQ(again.message.substr(0, again.message.find(" (5")), "event 2: press came once more");
+
+    std::vector<float> other = session;
+    other[9] = 2;
+    other[10] = 3;
+    EXPECT_EQ(judged(other, session).message.substr(0, 59), "event 4: expected zoom in (1.1), pan (3, 0) came instead (4");
+    std::vector<float> behind = session;
+    behind.insert(behind.end(), {9, 0, 7});
+    EXPECT_NE(judged(behind, session).message.find("event 6: event of code 9 (0, 7) came, nothing was expected"), std::string::npos);
+    EXPECT_NE(judged({}, session).message.find("event 1: expected press, nothing came"), std::string::npos);
+}
+
+TEST(Events, TheToleranceHoldsForNumbersNotForCodes)
+{
+    EXPECT_EQ(judged({3, 1.14F, 0}, {3, 1.1F, 0}, absolute(0.05)).right, 1);
+    EXPECT_EQ(judged({3, 1.16F, 0}, {3, 1.1F, 0}, absolute(0.05)).right, 0);
+    EXPECT_EQ(judged({3.01F, 1.1F, 0}, {3, 1.1F, 0}, absolute(0.05)).right, 0);
+    EXPECT_EQ(judged({3, 1.1F, 0}, {3, std::nextafter(1.1F, 2.0F), 0}).right, 0);
+}
+
+TEST(Events, HostileOnesMatchNothing)
+{
+    const Judgement found = judged({nan_f, 0, 0, 2, nan_f, 0, 1, std::numeric_limits<float>::infinity(), 0}, {1, 0, 0, 2, 3, 0}, absolute(1e9));
+    EXPECT_EQ(found.right, 0);
+    EXPECT_NE(found.message.find("an event whose code is no number"), std::string::npos) << found.message;
+    EXPECT_THROW((void)judged({1, 0, 0}, {1, nan_f, 0}), std::invalid_argument);
+    EXPECT_EQ(judge(check_of(JudgeKind::events), floats({1, 2}, 2), floats({1, 2, 3}, 3), nullptr).right, 0);
+    EXPECT_EQ(judge(check_of(JudgeKind::events), Tensor{}, floats({1, 2, 3}, 3), nullptr).right, 0);
+}
+
+TEST(Events, AFullRecordingTakesBoundedTime)
+{
+    std::vector<float> expected;
+    std::vector<float> yours;
+    Random random(4);
+    for (int i = 0; i < 3000; ++i) expected.insert(expected.end(), {static_cast<float>(random.below(3)), 0, 0});
+    for (int i = 0; i < 5'000'000; ++i) yours.insert(yours.end(), {static_cast<float>(random.below(3)), 0, 0});
+    EXPECT_LT(judged(yours, expected).right, 0.01);
+    // Two long sequences without a single match: every diagonal has to be tried.
+    std::vector<float> other;
+    for (int i = 0; i < 30000; ++i) other.insert(other.end(), {7, 0, 0});
+    EXPECT_EQ(judged(other, expected).right, 0);
+}
+
+/// The length of a longest common subsequence by the textbook's table.
+std::size_t longest(const std::string& a, const std::string& b)
+{
+    std::vector<std::vector<std::size_t>> table(a.size() + 1, std::vector<std::size_t>(b.size() + 1, 0));
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j) table[i + 1][j + 1] = a[i] == b[j] ? table[i][j] + 1 : std::max(table[i][j + 1], table[i + 1][j]);
+    return table[a.size()][b.size()];
+}
+
+Alignment aligned(const std::string& a, const std::string& b)
+{
+    return align(a.size(), b.size(), [&](std::size_t i, std::size_t j) { return a[i] == b[j]; });
+}
+
+TEST(Alignment, IsALongestOne)
+{
+    Random random(11);
+    for (int round = 0; round < 2000; ++round) {
+        const auto word = [&] {
+            std::string letters;
+            for (auto size = random.below(20); size > 0; --size) letters += static_cast<char>('a' + random.below(3));
+            return letters;
+        };
+        const std::string a = word();
+        const std::string b = word();
+        const Alignment found = aligned(a, b);
+        EXPECT_TRUE(found.best);
+        EXPECT_EQ(found.matches.size(), longest(a, b)) << a << " " << b;
+        for (std::size_t i = 0; i < found.matches.size(); ++i) {
+            EXPECT_EQ(a[found.matches[i].first], b[found.matches[i].second]);
+            if (i == 0) continue;
+            EXPECT_LT(found.matches[i - 1].first, found.matches[i].first);
+            EXPECT_LT(found.matches[i - 1].second, found.matches[i].second);
+        }
+    }
+    EXPECT_EQ(aligned("abcabba", "cbabac").matches.size(), 4U) << "Myers's own example";
+}
+
+TEST(Alignment, OfLongDifferentSequencesIsValidAndSaysSo)
+{
+    std::string a(20000, 'a');
+    std::string b(20000, 'b');
+    for (std::size_t i = 0; i < a.size(); i += 5) a[i] = b[i] = 'c';
+    const Alignment found = aligned(a, b);
+    EXPECT_FALSE(found.best);
+    EXPECT_GT(found.matches.size(), 3000U) << "of 4000";
+    for (const auto& [i, j] : found.matches) EXPECT_EQ(a[i], b[j]);
+}
+
+TEST(Events, ControlsEarnWhatTheMostFrequentEventDoes)
+{
+    const Check check = check_of(JudgeKind::events);
+    const Tensor expected = floats({2, 1, 2, 1, 2, 1, 5, 0, 7, 3, 9, 4}, 2);
+    const BestControl best = best_control(check, expected, nullptr, 1);
+    EXPECT_EQ(best.name, "most frequent row");
+    EXPECT_DOUBLE_EQ(best.right, 0.5);
+    EXPECT_EQ(points_for(check, best.right, best.right), 0);
+}
+
+TEST(Events, MistakesMatchIfTheSequencesDo)
+{
+    const Check check = check_of(JudgeKind::events);
+    const auto same = [&](const std::vector<float>& yours, const std::vector<float>& mistake) {
+        const Tensor a = floats(yours, 3);
+        const Tensor b = floats(session, 3);
+        return matches_mistake(FailingCheck{&check, &a, &b, nullptr, nullptr}, floats(mistake, 3));
+    };
+    std::vector<float> fewer(session.begin(), session.end() - 3);
+    std::vector<float> broken = session;
+    broken[4] = nan_f;
+    EXPECT_TRUE(same(fewer, fewer));
+    EXPECT_TRUE(same(broken, broken));
+    EXPECT_TRUE(same({}, {}));
+    EXPECT_FALSE(same(fewer, broken));
+    EXPECT_FALSE(same(session, fewer));
+    EXPECT_FALSE(same(fewer, session));
+    EXPECT_FALSE(same(fewer, {}));
+}
+
+}
+}

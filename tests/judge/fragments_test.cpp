@@ -1,0 +1,259 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "explaining.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+constexpr float nan_f = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity_f = std::numeric_limits<float>::infinity();
+
+/// A fragment with one attribute.
+struct Spot {
+    float primitive;
+    float x;
+    float y;
+    float value = 0;
+};
+
+Tensor fragments(const std::vector<Spot>& spots)
+{
+    std::vector<float> values;
+    for (const Spot& spot : spots) values.insert(values.end(), {spot.primitive, spot.x, spot.y, spot.value});
+    return floats(values, 4);
+}
+
+/// Pixels of `rows` where the character is not '.', for primitive `primitive`, the first at (left, top).
+std::vector<Spot> drawn(float primitive, const std::vector<std::string>& rows, float left = 0, float top = 0)
+{
+    std::vector<Spot> spots;
+    for (std::size_t y = 0; y < rows.size(); ++y)
+        for (std::size_t x = 0; x < rows[y].size(); ++x)
+            if (rows[y][x] != '.') spots.push_back({primitive, left + static_cast<float>(x), top + static_cast<float>(y), 0.5F});
+    return spots;
+}
+
+const std::vector<std::string> triangle{"#....", "##...", "###..", "####."};
+
+Judgement judged(const std::vector<Spot>& yours, const std::vector<Spot>& expected, Tolerance tolerance = {}, const Tensor* names = nullptr)
+{
+    return judge(check_of(JudgeKind::fragments, tolerance), fragments(yours), fragments(expected), nullptr, names);
+}
+
+TEST(Fragments, EqualOnesInAnyOrderAreRight)
+{
+    std::vector<Spot> expected = drawn(3, triangle);
+    std::vector<Spot> yours(expected.rbegin(), expected.rend());
+    const Judgement found = judged(yours, expected);
+    EXPECT_EQ(found.right, 1);
+    EXPECT_EQ(found.error, 0);
+    EXPECT_EQ(found.message, "");
+    EXPECT_EQ(found.sketch, "");
+    EXPECT_FALSE(found.first_difference);
+    EXPECT_EQ(found.metrics.at("fragments"), 10);
+}
+
+TEST(Fragments, EachClassIsCounted)
+{
+    std::vector<Spot> expected = drawn(3, triangle);
+    std::vector<Spot> yours = expected;
+    yours.erase(yours.begin());          // (0, 0) is missing
+    yours.push_back({3, 20, 20, 0.5F});  // too much, far away
+    yours.push_back({3, 1, 3, 0.5F});    // drawn again
+    yours.push_back({3, 1, 3, 0.5F});    // and again
+    yours[1].value = 0.75F;              // (1, 1): another value
+    const Judgement found = judged(yours, expected);
+    EXPECT_EQ(found.metrics.at("missing"), 1);
+    EXPECT_EQ(found.metrics.at("extra"), 1);
+    EXPECT_EQ(found.metrics.at("duplicated"), 2);
+    EXPECT_EQ(found.metrics.at("wrong_value"), 1);
+    EXPECT_EQ(found.metrics.at("wrong_place"), 0);
+    EXPECT_DOUBLE_EQ(found.right, 8.0 / (10 + 1 + 2));
+    EXPECT_EQ(found.error, 0.25);
+    EXPECT_EQ(found.message, "8 of 10 fragments are right; 1 missing, 1 extra, 2 drawn again, 1 with a wrong value; the first is pixel (0, 0) of triangle 3");
+    ASSERT_TRUE(found.first_difference);
+    EXPECT_EQ(found.first_difference->where, "pixel (0, 0) of triangle 3");
+    EXPECT_EQ(found.first_difference->yours, "no fragment");
+    EXPECT_EQ(found.first_difference->expected, "(0.5)");
+    EXPECT_EQ(found.sketch, "-...\n#~..\n###.\n#2##\nx 0..3, y 0..3; # right - missing 2 drawn again ~ wrong value . empty");
+}
+
+TEST(Fragments, TheToleranceHoldsForAttributesOnly)
+{
+    const std::vector<Spot> expected{{0, 5, 6, 1.0F}};
+    EXPECT_EQ(judged({{0, 5, 6, 1.05F}}, expected, absolute(0.1)).right, 1);
+    EXPECT_EQ(judged({{0, 5, 6, 1.05F}}, expected, absolute(0.01)).right, 0);
+    EXPECT_EQ(judged({{0, 5, 6, std::nextafter(1.0F, 2.0F)}}, expected).right, 0) << "without a tolerance values are equal or wrong";
+    EXPECT_EQ(judged({{0, 5.05F, 6, 1.0F}}, expected, absolute(0.1)).right, 0);
+    EXPECT_EQ(judged({{1, 5, 6, 1.0F}}, expected, absolute(10)).right, 0) << "another primitive";
+}
+
+TEST(Fragments, TheWordForAPrimitiveIsTheDriversChoice)
+{
+    Tensor names = table(Element::uint8, 1, std::vector<char>{'l', 'i', 'n', 'e'});
+    EXPECT_NE(judged({}, {{2, 5, 6, 1.0F}}, {}, &names).message.find("pixel (5, 6) of line 2"), std::string::npos);
+}
+
+TEST(Fragments, AMovedPrimitiveIsOneErrorWithAName)
+{
+    const std::vector<Spot> expected = drawn(7, triangle, 10, 10);
+    const auto moved = [&](float dx, float dy) {
+        std::vector<Spot> yours = expected;
+        for (Spot& spot : yours) spot.x += dx, spot.y += dy;
+        return judged(yours, expected);
+    };
+    // To the right, the first pixel of each of the 4 rows is missing and one behind the last is extra.
+    const Judgement right = moved(1, 0);
+    EXPECT_EQ(right.metrics.at("wrong_place"), 4);
+    EXPECT_EQ(right.metrics.at("missing"), 0);
+    EXPECT_EQ(right.metrics.at("extra"), 0);
+    EXPECT_DOUBLE_EQ(right.right, 0.6);
+    EXPECT_NE(right.message.find("all fragments of triangle 7 lie one pixel to the right"), std::string::npos) << right.message;
+    EXPECT_NE(moved(-1, 0).message.find("lie one pixel to the left"), std::string::npos);
+    EXPECT_NE(moved(0, 1).message.find("lie one pixel too far down"), std::string::npos);
+    EXPECT_NE(moved(1, -1).message.find("lie one pixel to the right and one up"), std::string::npos);
+    const Judgement two = moved(2, 0);
+    EXPECT_EQ(two.metrics.at("wrong_place"), 0) << "two pixels are no neighbours";
+    EXPECT_EQ(two.metrics.at("missing"), two.metrics.at("extra"));
+}
+
+TEST(Fragments, OnlyOneStepForTheWholePrimitiveCounts)
+{
+    const std::vector<Spot> expected = drawn(0, {"#.#.#.#.#.#"});
+    std::vector<Spot> yours = expected;
+    for (std::size_t i = 0; i < yours.size(); ++i) yours[i].y += i % 2 == 0 ? 1.0F : -1.0F;
+    const Judgement found = judged(yours, expected);
+    EXPECT_EQ(found.metrics.at("wrong_place"), 0);
+    EXPECT_EQ(found.metrics.at("missing"), 6);
+    EXPECT_EQ(found.right, 0);
+}
+
+TEST(Fragments, SeveralMovedPrimitivesShareASentence)
+{
+    std::vector<Spot> expected = drawn(1, triangle);
+    for (const Spot& spot : drawn(2, triangle, 30, 3)) expected.push_back(spot);
+    std::vector<Spot> yours = expected;
+    for (Spot& spot : yours) spot.x -= 1;
+    EXPECT_NE(judged(yours, expected).message.find("all fragments of triangle 1 (and of 1 other) lie one pixel to the left"), std::string::npos);
+}
+
+TEST(Fragments, TheSketchStaysSmallAndRoundTheFirstBadPlace)
+{
+    const std::vector<Spot> expected = drawn(0, std::vector<std::string>(60, std::string(60, '#')));
+    std::vector<Spot> yours = expected;
+    std::erase_if(yours, [](const Spot& spot) { return spot.x == 30 && spot.y == 20; });
+    const std::string sketch = judged(yours, expected).sketch;
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at <= sketch.size();) {
+        const std::size_t end = std::min(sketch.find('\n', at), sketch.size());
+        lines.push_back(sketch.substr(at, end - at));
+        at = end + 1;
+    }
+    ASSERT_EQ(lines.size(), 16U) << sketch;
+    for (std::size_t i = 0; i < 15; ++i) EXPECT_EQ(lines[i], i == 7 ? "#######-#######" : "###############");
+    EXPECT_EQ(lines[15], "x 23..37, y 13..27; # right - missing");
+}
+
+TEST(Fragments, ExpectedDuplicatesMustComeAsOften)
+{
+    const std::vector<Spot> expected{{0, 1, 1, 0.1F}, {0, 1, 1, 0.2F}};
+    EXPECT_EQ(judged(expected, expected).right, 1);
+    const Judgement one = judged({{0, 1, 1, 0.1F}}, expected);
+    EXPECT_EQ(one.right, 0.5);
+    EXPECT_EQ(one.metrics.at("missing"), 1);
+}
+
+TEST(Fragments, HostileRowsAreExtraAndDoNoHarm)
+{
+    const std::vector<Spot> expected{{0, 1, 1, 0.5F}, {0, 2, 1, 0.5F}};
+    const Judgement found = judged({{nan_f, 1, 1, 0.5F}, {0, infinity_f, 1}, {0, 1, -infinity_f}, {0, 1.5F, 1}, {0, 3e38F, 1}, {0, 1, 1, nan_f}}, expected);
+    EXPECT_EQ(found.right, 0);
+    EXPECT_FALSE(found.error);
+    EXPECT_EQ(found.metrics.at("extra"), 5);
+    EXPECT_EQ(found.metrics.at("missing"), 1);
+    EXPECT_EQ(found.metrics.at("wrong_value"), 1);
+    EXPECT_NE(found.message.find("5 of yours lie at no pixel"), std::string::npos) << found.message;
+    for (const auto& [name, value] : found.metrics) EXPECT_TRUE(std::isfinite(value)) << name;
+    // Only unplaced ones beside all that was expected: no place to show, but not right.
+    const Judgement more = judged({{0, 1, 1, 0.5F}, {0, 2, 1, 0.5F}, {nan_f, 1, 1}}, expected);
+    EXPECT_DOUBLE_EQ(more.right, 2.0 / 3);
+    EXPECT_NE(more.message, "");
+    // Coordinates at the ends of what is counted: neither a sketch nor a step overflows.
+    const float far = 1073741824.0F;
+    EXPECT_EQ(judged({{far, far, far}, {-far, -far, -far}}, expected).right, 0);
+    EXPECT_EQ(judged({{0, far, -far, 0.5F}}, {{0, far, far, 0.5F}}).right, 0);
+}
+
+TEST(Fragments, NothingOrAnotherShape)
+{
+    const Check check = check_of(JudgeKind::fragments);
+    const Tensor expected = fragments({{0, 1, 1}});
+    EXPECT_EQ(judge(check, Tensor{}, expected, nullptr).right, 0);
+    EXPECT_EQ(judge(check, floats({}, 4), expected, nullptr).metrics.at("missing"), 1);
+    EXPECT_EQ(judge(check, floats({0, 1, 1}, 3), expected, nullptr).message, "Yours has rows of 3 float; expected rows of 4 float.");
+    EXPECT_EQ(judge(check, doubles({0, 1, 1, 0}, 4), expected, nullptr).right, 0);
+    Tensor damaged = expected;
+    damaged.bytes.pop_back();
+    EXPECT_EQ(judge(check, damaged, expected, nullptr).right, 0);
+    EXPECT_THROW((void)judge(check, expected, floats({}, 4), nullptr), std::invalid_argument);
+    EXPECT_THROW((void)judge(check, floats({1, 2}, 2), floats({1, 2}, 2), nullptr), std::invalid_argument);
+    EXPECT_THROW((void)judge(check, expected, fragments({{0, nan_f, 1}}), nullptr), std::invalid_argument);
+    EXPECT_THROW((void)judge(check, expected, fragments({{0, 0.5F, 1}}), nullptr), std::invalid_argument);
+}
+
+TEST(Fragments, AFullRecordingTakesBoundedTime)
+{
+    // 24 MB of rows in one place, then all over the plane; quadratic work would take hours.
+    const std::vector<Spot> expected = drawn(0, std::vector<std::string>(40, std::string(40, '#')));
+    std::vector<Spot> same(1'500'000, Spot{0, 3, 3, nan_f});
+    EXPECT_LT(judged(same, expected).right, 1e-3);
+    Random random(1);
+    for (Spot& spot : same) spot = {static_cast<float>(random.below(9)), static_cast<float>(random.below(4000)), static_cast<float>(random.below(4000))};
+    EXPECT_LT(judged(same, expected).right, 1e-3);
+}
+
+TEST(Fragments, ControlsEarnWhatABoundingBoxDoes)
+{
+    const Tensor expected = fragments(drawn(0, triangle));
+    const Check check = check_of(JudgeKind::fragments);
+    const BestControl best = best_control(check, expected, nullptr, 1);
+    EXPECT_EQ(best.name, "bounding boxes");
+    EXPECT_DOUBLE_EQ(best.right, 10.0 / 16);
+    EXPECT_EQ(points_for(check, best.right, best.right), 0);
+    // A diagonal of 100 pixels has a box of 10000: it is left out, as it would earn next to nothing.
+    std::vector<Spot> diagonal;
+    for (int i = 0; i < 100; ++i) diagonal.push_back({0, static_cast<float>(i), static_cast<float>(i), static_cast<float>(i)});
+    EXPECT_LT(best_control(check, fragments(diagonal), nullptr, 1).right, 0.05);
+}
+
+TEST(Fragments, MistakesMatchByTheirSetOfDeviations)
+{
+    const Check check = check_of(JudgeKind::fragments, absolute(0.01));
+    const std::vector<Spot> expected = drawn(0, triangle);
+    std::vector<Spot> fewer = expected;
+    fewer.pop_back();
+    std::vector<Spot> darker = expected;
+    for (Spot& spot : darker) spot.value = 0.25F;
+    const auto same = [&](const std::vector<Spot>& yours, const std::vector<Spot>& mistake) {
+        const Tensor a = fragments(yours);
+        const Tensor b = fragments(expected);
+        return matches_mistake(FailingCheck{&check, &a, &b, nullptr, nullptr}, fragments(mistake));
+    };
+    EXPECT_TRUE(same(fewer, fewer));
+    EXPECT_TRUE(same(darker, darker));
+    EXPECT_TRUE(same({}, {}));
+    EXPECT_FALSE(same(fewer, darker));
+    EXPECT_FALSE(same(expected, fewer));
+    EXPECT_FALSE(same(fewer, expected));
+    EXPECT_FALSE(same(fewer, {}));
+    std::vector<Spot> nothing_known = expected;
+    for (Spot& spot : nothing_known) spot.value = nan_f;
+    EXPECT_TRUE(same(nothing_known, nothing_known));
+    EXPECT_FALSE(same(nothing_known, darker));
+    EXPECT_TRUE(explain(check, fragments(darker), fragments(expected)).empty()) << "no named transform fits";
+}
+
+}
+}
