@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "batch/fingerprint.hpp"
+#include "report/hidden.hpp"
+#include "report/html/pages.hpp"
 #include "report/json_files.hpp"
 
 namespace umbral::grader {
@@ -38,6 +40,10 @@ public:
         workers.clear();
         if (fault_) std::rethrow_exception(fault_);
         write_class_json(options_.out / "class.json", result_);
+        html::ClassPageOptions page{{}, options_.instructor_edition};
+        for (const Exercise& exercise : exercises_)
+            if (const auto english = exercise.title.find("en"); english != exercise.title.end()) page.titles[exercise.id] = english->second;
+        html::write_page(options_.out / "index.html", html::class_html(result_, page));
         return std::move(result_);
     }
 
@@ -61,14 +67,28 @@ private:
         options.explain = options_.explain;
         options.relative_to = options_.out / ids_[index];
         options.artefacts = options.relative_to / "pictures";
+        html::Gallery gallery;
+        options.gallery = &gallery;
+        options.show_hidden = options_.instructor_edition;
         fs::remove_all(options.relative_to);
         fs::create_directories(options.relative_to);
         SubmissionResult submission = grade_submission(workshop, exercises_, options_.submissions / ids_[index], options);
         submission.id = ids_[index];
         write_report_json(options.relative_to / "report.json", submission, result_.fingerprint);
+        write_pages(options.relative_to, submission, gallery);
         const std::lock_guard lock(mutex_);
         done_(submission);
         result_.submissions[index] = std::move(submission);
+    }
+
+    /// What the student may see, and for instructors who ask for it what they may not.
+    void write_pages(const fs::path& folder, const SubmissionResult& submission, const html::Gallery& gallery) const
+    {
+        write_report_json(folder / "report.student.json", without_hidden_values(submission), result_.fingerprint);
+        html::write_page(folder / "report.html", html::report_html(submission, result_.fingerprint, gallery));
+        if (options_.instructor_edition)
+            html::write_page(folder / "report.instructor.html",
+                             html::report_html(submission, result_.fingerprint, gallery, {html::Edition::instructor, "../index.html"}));
     }
 
     const Toolchain& tools_;

@@ -8,6 +8,7 @@
 #include <umbral/core/random.hpp>
 
 #include "batch/case_results.hpp"
+#include "batch/evidence.hpp"
 #include "batch/explain_unit.hpp"
 #include "batch/pictures.hpp"
 #include "build/inspection.hpp"
@@ -122,6 +123,7 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
     result.output = printed_text(exercise, cases);
     if (options.explain && result.verdict != Verdict::ok) result.explanations = explain_unit(workshop, exercise, result, cases);
     if (!options.artefacts.empty()) save_pictures(workshop, exercise, cases, options, result);
+    collect_evidence(workshop, exercise, cases, options, result);
     return result;
 }
 
@@ -143,6 +145,7 @@ UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed
     UnitResult result;
     try {
         workshop.forget_if_full();
+        describe_unit(exercise, options);
         if (!handed.missing.empty()) {
             result = without_points(exercise, Verdict::missing, fmt::format("not handed in: {}", fmt::join(handed.missing, ", ")));
         } else if (!handed.refused.empty()) {

@@ -8,6 +8,7 @@
 #include "build/submission.hpp"
 #include "model/exercise.hpp"
 #include "model/scorecard.hpp"
+#include "report/html/evidence.hpp"
 
 namespace umbral::grader {
 
@@ -28,6 +29,8 @@ struct GradeOptions {
     bool explain = true;
     std::filesystem::path artefacts;    ///< where pictures go; empty for none
     std::filesystem::path relative_to;  ///< pictures are named relative to this in the report
+    html::Gallery* gallery = nullptr;   ///< receives what pages show of the unit beside its result; null for nothing
+    bool show_hidden = false;           ///< of hidden checks too: for instructors only
 };
 
 /// Grades what was handed in for one unit. Never throws for what a student did; what goes wrong on our side becomes the verdict

@@ -1,0 +1,105 @@
+#include "batch/evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "batch/evidence_kinds.hpp"
+#include "judge/tolerance.hpp"
+
+namespace umbral::grader {
+namespace {
+
+bool is_picture(const Check& check) { return check.judge == JudgeKind::image || check.judge == JudgeKind::buffer; }
+
+/// "4 ulp, or 1e-06 relative": every bound, since a value is right within any of them.
+std::string bounds_in_words(const Tolerance& tolerance)
+{
+    std::string text;
+    const auto add = [&](const std::optional<double>& bound, const char* unit) {
+        if (bound) text += fmt::format("{}{:.6g}{}", text.empty() ? "" : ", or ", *bound, unit);
+    };
+    add(tolerance.ulps, " ulp");
+    add(tolerance.relative, " relative");
+    add(tolerance.absolute, " absolute");
+    return text;
+}
+
+}
+
+NumberPair telling_apart(double yours, double expected)
+{
+    for (int digits = 6;; ++digits) {
+        NumberPair pair{fmt::format("{:.{}g}", yours, digits), fmt::format("{:.{}g}", expected, digits)};
+        if (digits >= 17 || yours == expected || pair.yours != pair.expected) return pair;
+    }
+}
+
+std::string_view bytes_as_text(const Tensor* tensor)
+{
+    if (tensor == nullptr || tensor->element != Element::uint8) return {};
+    return {reinterpret_cast<const char*>(tensor->bytes.data()), tensor->bytes.size()};
+}
+
+html::Evidence evidence_of(const Check& check, const Observation& observation, const CheckResult& result, bool right)
+{
+    if (observation.yours == nullptr || observation.expected == nullptr) return {};
+    const Tensor& yours = *observation.yours;
+    const Tensor& expected = *observation.expected;
+    if (!well_formed(yours) || !well_formed(expected)) return {};
+    if (is_picture(check)) return picture_evidence(check, yours, expected, right);
+    if (right) return {};
+    switch (check.judge) {
+        case JudgeKind::numbers:
+        case JudgeKind::matrices: return rows_evidence(check, observation);
+        case JudgeKind::trace: return trace_evidence(yours, expected);
+        case JudgeKind::events: return events_evidence(check, observation);
+        case JudgeKind::fragments: return fragments_evidence(check, observation, result);
+        case JudgeKind::cost: return cost_evidence(check, yours, expected);
+        default: return {};
+    }
+}
+
+html::CheckDetail describe(const Check& check)
+{
+    html::CheckDetail detail;
+    detail.why = check.why;
+    detail.bound = bounds_in_words(check.tolerance);
+    if (!has_bound(check.tolerance)) return detail;
+    switch (unit_of(check.tolerance)) {
+        case Unit::ulps: detail.limit = check.tolerance.ulps, detail.unit = "ulp"; break;
+        case Unit::relative: detail.limit = check.tolerance.relative, detail.unit = "relative"; break;
+        case Unit::absolute: detail.limit = check.tolerance.absolute; break;
+    }
+    return detail;
+}
+
+void describe_unit(const Exercise& exercise, const GradeOptions& options)
+{
+    if (options.gallery == nullptr) return;
+    html::UnitDetail& unit = (*options.gallery)[exercise.id];
+    if (const auto english = exercise.title.find("en"); english != exercise.title.end()) unit.title = english->second;
+    for (const Check& check : exercise.checks) unit.checks[check.name] = describe(check);
+}
+
+void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, const UnitResult& result)
+{
+    if (options.gallery == nullptr) return;
+    html::UnitDetail& unit = (*options.gallery)[exercise.id];
+    bool one_shown = false;
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        const Check& check = exercise.checks[i];
+        const CaseResult& one = cases.at(check.case_name);
+        const bool right = result.checks[i].score >= check.points;
+        const bool of_interest = !right || (is_picture(check) && !one_shown && result.verdict == Verdict::ok);
+        if (!of_interest || (check.hidden && !options.show_hidden) || !one.trouble().empty()) continue;
+        const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
+        const Observation observation{observed(check, one.student), tensor_of(expected, check.value), tensor_of(expected, check.value + ".margin"),
+                                      tensor_of(expected, check.value + ".names")};
+        html::Evidence evidence = evidence_of(check, observation, result.checks[i], right);
+        one_shown = one_shown || (right && !std::holds_alternative<std::monostate>(evidence));
+        unit.checks[check.name].evidence = std::move(evidence);
+    }
+}
+
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "batch/case_results.hpp"
+#include "batch/grade_unit.hpp"
+#include "report/html/evidence.hpp"
+
+namespace umbral::grader {
+
+/// What was recorded for one check. `margin` and `names` may be null.
+struct Observation {
+    const Tensor* yours = nullptr;
+    const Tensor* expected = nullptr;
+    const Tensor* margin = nullptr;
+    const Tensor* names = nullptr;
+};
+
+/// What a page shows of a check, from the recordings of both sides. Nothing where there is nothing to show (another shape, a kind that
+/// cannot be drawn). `right`: the check earned all its points; then only a picture is of interest. Never throws for what a student
+/// recorded.
+[[nodiscard]] html::Evidence evidence_of(const Check& check, const Observation& observation, const CheckResult& result, bool right);
+
+/// What the manifest says of a check: bounds in words, and where they come from.
+[[nodiscard]] html::CheckDetail describe(const Check& check);
+
+/// Puts what the manifest says of this unit into the options' gallery.
+void describe_unit(const Exercise& exercise, const GradeOptions& options);
+
+/// Puts evidence into the options' gallery: for every check that fails, and for one picture of a unit that is right. Hidden checks are
+/// left out unless the options ask for them.
+void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, const UnitResult& result);
+
+}

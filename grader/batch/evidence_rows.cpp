@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "batch/evidence_kinds.hpp"
+#include "judge/rows.hpp"
+#include "judge/tolerance.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t most_rows = 8;
+constexpr std::size_t most_matrices = 2;
+
+struct Candidate {
+    std::size_t row = 0;
+    double error = 0;  ///< infinite where it cannot be measured
+};
+
+/// Draws rows of two tables beside each other.
+class RowWriter {
+public:
+    RowWriter(const Check& check, const TensorView& yours, const TensorView& expected, const RowKind& kind)
+        : check_(check), yours_(yours), expected_(expected), kind_(kind)
+    {
+    }
+
+    [[nodiscard]] double error(std::size_t row) const
+    {
+        if (!yours_.present(row) || !expected_.present(row)) return INFINITY;
+        double worst = 0;
+        for (std::size_t i = 0; i < expected_.components(); ++i) worst = std::max(worst, component(row, i).error);
+        return worst;
+    }
+
+    [[nodiscard]] html::RowPair operator()(std::size_t row) const
+    {
+        html::RowPair pair;
+        pair.name = fmt::format("{} {}", kind_.one, row);
+        const bool both = yours_.present(row) && expected_.present(row);
+        for (std::size_t i = 0; both && i < expected_.components(); ++i) {
+            const NumberPair texts = telling_apart(yours_.cell(row)[i], expected_.cell(row)[i]);
+            pair.yours.push_back(texts.yours);
+            pair.expected.push_back(texts.expected);
+            pair.differs.push_back(!component(row, i).right);
+        }
+        if (!both) {
+            pair.yours = texts_of(yours_, row);
+            pair.expected = texts_of(expected_, row);
+            pair.differs.assign(expected_.components(), true);
+            pair.note = yours_.present(row) ? "nothing is expected" : "missing";
+            return pair;
+        }
+        const double worst = error(row);
+        pair.note = std::isfinite(worst) ? error_text(unit_of(check_.tolerance), worst) : "not comparable";
+        return pair;
+    }
+
+private:
+    [[nodiscard]] Deviation component(std::size_t row, std::size_t index) const
+    {
+        const auto target = expected_.cell(row);
+        return deviation(check_.tolerance, yours_.cell(row)[index], target[index], kind_.scale(target, index));
+    }
+
+    static std::vector<std::string> texts_of(const TensorView& view, std::size_t row)
+    {
+        if (!view.present(row)) return {"nothing"};
+        std::vector<std::string> texts;
+        for (const double value : view.cell(row)) texts.push_back(number_text(value));
+        return texts;
+    }
+
+    const Check& check_;
+    const TensorView& yours_;
+    const TensorView& expected_;
+    const RowKind& kind_;
+};
+
+}
+
+html::Evidence rows_evidence(const Check& check, const Observation& observation)
+{
+    if (shape_error(*observation.yours, *observation.expected)) return {};
+    const bool matrices = check.judge == JudgeKind::matrices;
+    const RowKind& kind = matrices ? matrix_rows() : number_rows();
+    const TensorView yours(*observation.yours);
+    const TensorView expected(*observation.expected);
+    const RowWriter write(check, yours, expected, kind);
+
+    html::RowsEvidence result;
+    if (matrices) result.side = expected.components() == 9 ? 3 : expected.components() == 16 ? 4 : 0;
+    std::vector<Candidate> wrong;
+    const std::vector<RowState> states = row_states(check, *observation.yours, *observation.expected, observation.margin, kind);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        if (states[i] != RowState::left_out) ++result.rows;
+        if (states[i] == RowState::wrong) wrong.push_back({i, write.error(i)});
+    }
+    result.wrong = wrong.size();
+    const std::size_t most = matrices ? most_matrices : most_rows;
+    const std::size_t shown = std::min(wrong.size(), wrong.size() <= 2 * most && !matrices ? 2 * most : most);
+    for (std::size_t i = 0; i < shown; ++i) result.first.push_back(write(wrong[i].row));
+    wrong.erase(wrong.begin(), wrong.begin() + static_cast<std::ptrdiff_t>(shown));
+    std::stable_sort(wrong.begin(), wrong.end(), [](const Candidate& a, const Candidate& b) { return a.error > b.error; });
+    for (std::size_t i = 0; i < std::min(wrong.size(), most); ++i) result.worst.push_back(write(wrong[i].row));
+    return result;
+}
+
+}

@@ -1,0 +1,86 @@
+#include <array>
+#include <utility>
+
+#include "report/html/bars.hpp"
+#include "report/html/sections.hpp"
+#include "report/paint.hpp"
+
+namespace umbral::grader::html {
+namespace {
+
+struct MetricName {
+    const char* key;
+    const char* name;
+    const char* unit;
+};
+
+/// What people know about pictures; the other figures of a judge stand in report.json.
+constexpr std::array picture_metrics = {MetricName{"ssim", "SSIM", ""}, MetricName{"psnr", "PSNR", " dB"}, MetricName{"rmse", "RMSE", " levels"},
+                                        MetricName{"mean_delta_e", "mean ΔE", ""}, MetricName{"max_delta_e", "largest ΔE", ""}};
+
+Markup metrics(const CheckResult& check)
+{
+    Markup list;
+    for (const MetricName& metric : picture_metrics)
+        if (const auto found = check.metrics.find(metric.key); found != check.metrics.end())
+            list += markup("<div><dt>{}</dt><dd>{:.4g}{}</dd></div>", metric.name, found->second, metric.unit);
+    return list.empty() ? Markup() : markup("<dl class=\"metrics\">{}</dl>\n", list);
+}
+
+Markup first_difference(const CheckResult& check)
+{
+    if (!check.first_difference) return {};
+    const Difference& first = *check.first_difference;
+    return markup(
+        "<dl class=\"first\"><div><dt>first at</dt><dd>{}</dd></div><div class=\"of-yours\"><dt>yours</dt><dd>{}</dd></div><div "
+        "class=\"of-reference\"><dt>expected</dt>"
+        "<dd>{}</dd></div></dl>\n",
+        first.where, first.yours, first.expected);
+}
+
+struct Show {
+    const std::string& anchor;
+
+    Markup operator()(const std::monostate&) const { return {}; }
+    Markup operator()(const PictureEvidence& evidence) const { return picture_evidence(evidence, anchor); }
+    Markup operator()(const RowsEvidence& evidence) const { return rows_evidence(evidence); }
+    Markup operator()(const LinesEvidence& evidence) const { return lines_evidence(evidence); }
+    Markup operator()(const FragmentsEvidence& evidence) const { return fragments_evidence(evidence); }
+    Markup operator()(const CostEvidence& evidence) const { return cost_evidence(evidence); }
+};
+
+/// What stands before "yours … expected …" where the evidence shows both anyway.
+std::string_view short_message(const CheckResult& check, const CheckDetail& detail)
+{
+    const std::string_view message = check.message;
+    return std::holds_alternative<RowsEvidence>(detail.evidence) ? message.substr(0, message.find(": yours ")) : message;
+}
+
+}
+
+Markup check_article(const CheckResult& check, const CheckDetail& detail, const std::string& anchor)
+{
+    const bool right = check.score >= check.max_score;
+    const char* kind = right ? "ok" : check.score > 0 ? "partial" : "bad";
+    const char* words = right ? "right" : check.score > 0 ? "partly right" : "wrong";
+    Markup result =
+        markup("<article class=\"check {0}\" id=\"{1}\" tabindex=\"-1\" aria-labelledby=\"{1}-name\" data-check>\n<header><h3 id=\"{1}-name\">{2}</h3>\n<p>",
+               kind, anchor, check.name);
+    if (check.hidden) result += "<span class=\"tag\">hidden</span> ";
+    if (check.hard) result += "<span class=\"tag\">hard case</span> ";
+    result += markup("<span class=\"tag\">{}</span> <span class=\"points\">{}, {}<span class=\"of\"> / {} points</span></span></p></header>\n",
+                     to_string(check.kind), words, points_text(check.score), points_text(check.max_score));
+    if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", short_message(check, detail));
+    if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
+    result += std::visit(Show{anchor}, detail.evidence);
+    const bool is_picture = check.kind == JudgeKind::image || check.kind == JudgeKind::buffer;
+    if (is_picture)
+        result += metrics(check);
+    else
+        result += error_scale(check.error, check.reference_error, detail);
+    if (!detail.why.empty()) result += markup("<p class=\"tolerance\"><span>Where the tolerance comes from:</span> {}</p>\n", detail.why);
+    result += "</article>\n";
+    return result;
+}
+
+}

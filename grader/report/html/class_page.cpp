@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cmath>
+
+#include "report/hidden.hpp"
+#include "report/html/bars.hpp"
+#include "report/html/class_statistics.hpp"
+#include "report/html/document.hpp"
+#include "report/html/sections.hpp"
+#include "report/paint.hpp"
+
+namespace umbral::grader::html {
+namespace {
+
+/// Relative links to a submission's files. Ids are letters, digits, '.', '_' and '-' (is_submission_id), so that no name needs encoding;
+/// anything else gets no link.
+std::string link_to(const std::string& id, const char* file)
+{
+    const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-'; };
+    return !id.empty() && std::ranges::all_of(id, plain) ? fmt::format("{}/{}", id, file) : "#";
+}
+
+std::string title_of(const std::string& id, const ClassPageOptions& options)
+{
+    const auto found = options.titles.find(id);
+    return found == options.titles.end() || found->second.empty() ? id : found->second;
+}
+
+double share_of(Millipoints score, Millipoints max_score) { return max_score > 0 ? static_cast<double>(score) / static_cast<double>(max_score) : 0; }
+
+Markup unit_cell(const SubmissionResult& submission, const std::string& id)
+{
+    for (std::size_t i = 0; i < submission.units.size(); ++i) {
+        const UnitResult& unit = submission.units[i];
+        if (unit.id != id) continue;
+        const Verdict verdict = shown_verdict(unit);
+        const double share = share_of(unit.score, unit.max_score);
+        // Five steps of one colour: more credit is more of it.
+        const char* depth = verdict == Verdict::grader_fault ? "fault"
+                            : share >= 1                     ? "c4"
+                            : share >= 0.67                  ? "c3"
+                            : share >= 0.34                  ? "c2"
+                            : share > 0                      ? "c1"
+                                                             : "c0";
+        return markup("<td class=\"credit {}\" data-sort=\"{}\"><a href=\"{}#u{}\">{}<span class=\"words\">{}</span></a></td>", depth,
+                      verdict == Verdict::grader_fault ? -1 : unit.score, link_to(submission.id, "report.html"), i + 1,
+                      verdict == Verdict::grader_fault ? "–" : points_text(unit.score), in_words(verdict));
+    }
+    return "<td class=\"credit\" data-sort=\"-2\">·</td>";
+}
+
+Markup header_button(std::string_view name, std::string_view hint)
+{
+    return markup("<button type=\"button\" data-sort-by title=\"{}\">{}</button>", hint, name);
+}
+
+Markup class_table(const ClassResult& result, const std::vector<UnitStatistics>& units, const ClassPageOptions& options)
+{
+    Markup head = markup("<th scope=\"col\" aria-sort=\"ascending\">{}</th><th scope=\"col\" class=\"number\">{}</th>",
+                         header_button("Submission", "Sort by name"), header_button("Total", "Sort by total"));
+    for (const UnitStatistics& unit : units) head += markup("<th scope=\"col\">{}</th>", header_button(title_of(unit.id, options), "Sort by " + unit.id));
+    head += "<th scope=\"col\">Data</th>";
+    Markup body;
+    for (const SubmissionResult& submission : result.submissions) {
+        const Markup instructor =
+            options.instructor_reports ? markup(" <a href=\"{}\">hidden too</a>", link_to(submission.id, "report.instructor.html")) : Markup();
+        body += markup(
+            "<tr><th scope=\"row\" data-sort=\"{0}\"><a href=\"{1}\">{0}</a>{2}</th><td class=\"number total\" data-sort=\"{3}\">{4}<span class=\"of\"> / "
+            "{5}</span></td>",
+            submission.id, link_to(submission.id, "report.html"), instructor, submission.score, points_text(submission.score),
+            points_text(submission.max_score));
+        for (const UnitStatistics& unit : units) body += unit_cell(submission, unit.id);
+        body += markup("<td class=\"data\"><a href=\"{}\" download>JSON</a> <a href=\"{}\" download>student’s</a></td></tr>\n",
+                       link_to(submission.id, "report.json"), link_to(submission.id, "report.student.json"));
+    }
+    return scrolling("Submissions", markup("<table class=\"class\" data-sortable><thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table>", head, body));
+}
+
+Markup distribution(const UnitStatistics& unit)
+{
+    const std::size_t most = std::max<std::size_t>(1, *std::max_element(unit.by_share.begin(), unit.by_share.end()));
+    Markup bars;
+    for (std::size_t i = 0; i < unit.by_share.size(); ++i) {
+        const double height = unit.by_share[i] == 0 ? 0 : std::max(2.0, 26.0 * static_cast<double>(unit.by_share[i]) / static_cast<double>(most));
+        bars += markup("<rect class=\"{}\" x=\"{}\" y=\"{:.1f}\" width=\"10\" height=\"{:.1f}\"/>",
+                       i == 0    ? "none"
+                       : i == 10 ? "all"
+                                 : "some",
+                       12 * i, 28 - height, height);
+    }
+    return markup(
+        "<svg class=\"distribution\" viewBox=\"0 0 130 30\" width=\"130\" height=\"30\" role=\"img\" aria-label=\"{} with nothing, {} between, {} with "
+        "everything\">{}<path d=\"M0 "
+        "28.5H130\"/></svg>",
+        unit.by_share.front(), unit.graded - unit.by_share.front() - unit.by_share.back(), unit.by_share.back(), bars);
+}
+
+Markup statistics(const std::vector<UnitStatistics>& units, const ClassPageOptions& options)
+{
+    Markup rows;
+    for (const UnitStatistics& unit : units)
+        rows += markup(
+            "<tr><th scope=\"row\">{} <span class=\"id\">{}</span></th><td class=\"number\">{} of {}</td><td class=\"number\">{:.0f} %</td><td>{}</td></tr>\n",
+            title_of(unit.id, options), unit.id, unit.right, unit.graded, 100 * unit.median, distribution(unit));
+    return markup(
+        "<section aria-labelledby=\"by-unit\"><h2 id=\"by-unit\">Unit by unit</h2>\n{}</section>\n",
+        scrolling("Units",
+                  markup("<table class=\"statistics\"><thead><tr><th scope=\"col\">Unit</th><th scope=\"col\" class=\"number\">All right</th><th scope=\"col\" "
+                         "class=\"number\">Median credit</th><th scope=\"col\">From nothing to everything</th></tr></thead>\n<tbody>\n{}</tbody></table>",
+                         rows)));
+}
+
+Markup cluster_list(const ClassResult& result, const ClassPageOptions& options)
+{
+    const std::vector<Cluster> all = clusters(result);
+    if (all.empty()) return {};
+    Markup items;
+    for (const Cluster& cluster : all) {
+        Markup who;
+        for (const std::size_t s : cluster.who)
+            who += markup("{}<a href=\"{}\">{}</a>", who.empty() ? "" : ", ", link_to(result.submissions[s].id, "report.html"), result.submissions[s].id);
+        items += markup(
+            "<li><p class=\"count\" aria-hidden=\"true\">{0}×</p><div><h3>{1}</h3><p class=\"id\">{2}</p><p>{3}</p><p class=\"whose\">{0} {4}: "
+            "{5}</p></div></li>\n",
+            cluster.who.size(), cluster.name, title_of(cluster.unit, options), cluster.sentence, cluster.who.size() == 1 ? "submission" : "submissions", who);
+    }
+    return markup(
+        "<section aria-labelledby=\"why\"><h2 id=\"why\">Why, and who</h2>\n<p class=\"note\">Failing units by what explains them best.</p>\n<ul "
+        "class=\"clusters\">\n{}</ul></section>\n",
+        items);
+}
+
+}
+
+std::string class_html(const ClassResult& result, const ClassPageOptions& options)
+{
+    const std::vector<UnitStatistics> units = unit_statistics(result);
+    std::vector<double> shares;
+    for (const SubmissionResult& submission : result.submissions) shares.push_back(share_of(submission.score, submission.max_score));
+    std::sort(shares.begin(), shares.end());
+    const double median = shares.empty() ? 0 : (shares[(shares.size() - 1) / 2] + shares[shares.size() / 2]) / 2;
+
+    Document document;
+    document.title = "Class – Umbral";
+    document.bar = markup("<span class=\"brand\">Umbral</span><span class=\"who\">class</span>{}", theme_button());
+    document.main = markup(
+        "<section class=\"summary\" aria-labelledby=\"title\"><h1 id=\"title\">The class</h1>\n<p class=\"headline\">{} {}, {} {}; median credit {:.0f} %. <a "
+        "href=\"class.json\" "
+        "download>class.json</a></p>\n<p class=\"filter\" data-script hidden><label for=\"filter\">Show only</label> <input id=\"filter\" type=\"search\" "
+        "placeholder=\"name or verdict\" autocomplete=\"off\"> <span id=\"shown\" aria-live=\"polite\"></span></p>\n",
+        result.submissions.size(), result.submissions.size() == 1 ? "submission" : "submissions", units.size(), units.size() == 1 ? "unit" : "units",
+        100 * median);
+    document.main += class_table(result, units, options);
+    document.main += "</section>\n";
+    document.main += cluster_list(result, options);
+    document.main += statistics(units, options);
+    document.footer = fingerprint_footer(result.fingerprint);
+    return document_html(document);
+}
+
+}

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "model/scorecard.hpp"
+#include "report/html/evidence.hpp"
+
+namespace umbral::grader::html {
+
+/// Writes a page whole or not at all. Throws std::runtime_error with path and reason.
+void write_page(const std::filesystem::path& path, std::string_view page);
+
+/// Who reads a page: before the due date a student's shows no more of hidden checks than without_hidden_values leaves.
+enum class Edition { student, instructor };
+
+struct ReportOptions {
+    Edition edition = Edition::student;
+    std::string class_page;  ///< relative link to the class's page; empty for none
+};
+
+/// The report of one submission as one HTML file that needs nothing else: styles, scripts and pictures are in it, and its policy forbids
+/// the browser to load anything. Readable without scripts, on paper, by keyboard and by a screen reader.
+///
+/// A pure function of its arguments; all text in them is escaped. What `gallery` lacks is left out.
+[[nodiscard]] std::string report_html(const SubmissionResult& submission, const Fingerprint& fingerprint, const Gallery& gallery,
+                                      const ReportOptions& options = {});
+
+struct ClassPageOptions {
+    std::map<std::string, std::string> titles;  ///< of units, by id
+    bool instructor_reports = false;            ///< link ID/report.instructor.html as well
+};
+
+/// The class at a glance: submissions by units, statistics of each unit, and who shares which explanation. Links ID/report.html,
+/// ID/report.json and class.json, relative to itself.
+[[nodiscard]] std::string class_html(const ClassResult& result, const ClassPageOptions& options = {});
+
+/// What `umbral compare` found, as a page of one check.
+struct Comparison {
+    std::string yours;  ///< names of the two files
+    std::string reference;
+    CheckResult check;
+    CheckDetail detail;
+    bool agree = false;
+    std::string version;
+};
+[[nodiscard]] std::string comparison_html(const Comparison& comparison);
+
+}

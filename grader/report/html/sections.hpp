@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "report/html/pages.hpp"
+
+namespace umbral::grader::html {
+
+/// One unit of a report: verdict, why, what was printed, time, and its checks. `number` (from 1) makes the anchors "u1", "u1-c1" ….
+[[nodiscard]] Markup unit_section(const UnitResult& unit, const UnitDetail& detail, std::size_t number, Edition edition);
+
+/// One check that is not right, or is worth a look: its words, its error and its evidence.
+[[nodiscard]] Markup check_article(const CheckResult& check, const CheckDetail& detail, const std::string& anchor);
+
+/// Evidence of each kind.
+[[nodiscard]] Markup picture_evidence(const PictureEvidence& evidence, const std::string& anchor);
+[[nodiscard]] Markup rows_evidence(const RowsEvidence& evidence);
+[[nodiscard]] Markup lines_evidence(const LinesEvidence& evidence);
+[[nodiscard]] Markup fragments_evidence(const FragmentsEvidence& evidence);
+[[nodiscard]] Markup cost_evidence(const CostEvidence& evidence);
+
+/// A table that may be wider than the window: it scrolls by itself, by keyboard too.
+[[nodiscard]] Markup scrolling(std::string_view label, const Markup& table);
+
+/// "ok", "partial", "bad", "none" or "fault": the class that colours a verdict; its words are always there too.
+[[nodiscard]] const char* kind_of(Verdict verdict);
+/// The verdict's sign in front of its words.
+[[nodiscard]] Markup verdict_chip(Verdict verdict);
+
+/// Does the unit's verdict mean that no case ran?
+[[nodiscard]] bool never_ran(Verdict verdict);
+
+/// What the result depends on, for the foot of a page.
+[[nodiscard]] Markup fingerprint_footer(const Fingerprint& fingerprint);
+
+}
