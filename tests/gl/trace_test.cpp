@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <umbral/gl/opengl.hpp>
+#include <umbral/gl/record_trace.hpp>
 #include <umbral/gl/trace.hpp>
 
 #include "fixture.hpp"
@@ -68,6 +69,33 @@ TEST_F(Traces, CountUploadedBytes)
     EXPECT_EQ(trace.calls[1].bytes, 0U);
     EXPECT_EQ(trace.calls[3].bytes, 60U);
     EXPECT_EQ(trace.uploaded_bytes, 180U);
+}
+
+TEST_F(Traces, AreRecordedAsText)
+{
+    const std::array<float, 30> numbers = {};
+    GLuint buffer = 0;
+    begin_trace();
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, sizeof numbers, numbers.data(), GL_STATIC_DRAW);
+    glClearColor(0.1F, -0.5F, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glSampleMaski(0, 0xFFFFFFFFU);
+    glFlush();
+    Trace trace = end_trace();
+    Recorder out;
+    record_trace(out, "calls", trace);
+    const Tensor& tensor = out.tensors().at("calls");
+    const std::string text(reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size());
+    EXPECT_EQ(text, "glGenBuffers 1 1\nglBindBuffer 34962 " + std::to_string(buffer) +
+                        "\nglBufferData 34962 120 1 35044 | 120\nglClearColor 0.100000001 -0.5 0 1\nglClear 16384\nglSampleMaski 0 4294967295\nglFlush\n");
+    trace.calls.resize(1);
+    trace.truncated = true;
+    record_trace(out, "cut", trace);
+    const Tensor& cut = out.tensors().at("cut");
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(cut.bytes.data()), cut.bytes.size()), "glGenBuffers 1 1\n...\n");
+    EXPECT_THROW(record_trace(out, "cut", trace), std::logic_error);
 }
 
 TEST_F(Traces, RefuseUnpairedMarks)

@@ -21,7 +21,7 @@ TEST(Manifest, reads_every_field)
     EXPECT_EQ(unit.topic, "lighting");
     EXPECT_EQ(unit.name, "phong-2");
     EXPECT_EQ(unit.files, (std::vector<std::string>{"phong.vert", "phong_2.cpp"}));
-    EXPECT_EQ(unit.points, 4125);
+    EXPECT_EQ(unit.points, 4875);
     EXPECT_EQ(unit.uses, (std::vector<std::string>{"transforms/rotation", "lighting/lambert"}));
     EXPECT_EQ(unit.forbid, (std::vector<std::string>{"glm::lookAt", "operator new"}));
     EXPECT_TRUE(unit.gl);
@@ -33,9 +33,9 @@ TEST(Manifest, reads_every_field)
     EXPECT_TRUE(unit.digest.empty());
     EXPECT_TRUE(unit.is_cpp());
     EXPECT_TRUE(unit.has_oracle());
-    EXPECT_EQ(unit.cases(), (std::vector<std::string>{"head-on", "views", "picture"}));
+    EXPECT_EQ(unit.cases(), (std::vector<std::string>{"head-on", "views", "picture", "frames", "growth"}));
 
-    ASSERT_EQ(unit.checks.size(), 4U);
+    ASSERT_EQ(unit.checks.size(), 6U);
     const Check& first = unit.checks[0];
     EXPECT_EQ(first.name, "head-on/t");
     EXPECT_EQ(first.judge, JudgeKind::numbers);
@@ -54,6 +54,11 @@ TEST(Manifest, reads_every_field)
     EXPECT_TRUE(unit.checks[2].hidden);
     EXPECT_EQ(unit.checks[3].range_low, -1);
     EXPECT_EQ(unit.checks[3].range_high, 1);
+    EXPECT_EQ(unit.checks[4].judge, JudgeKind::trace);
+    EXPECT_EQ(unit.checks[4].rules, (std::vector<std::string>{"draw calls", "uploaded bytes"}));
+    EXPECT_EQ(unit.checks[5].judge, JudgeKind::cost);
+    EXPECT_EQ(unit.checks[5].growth, 1.5);
+    EXPECT_TRUE(unit.counts_cost());
 }
 
 TEST(Manifest, fills_in_what_may_be_left_out)
@@ -119,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"/id", "\"../b\"", "id: "}, Wrong{"/id", "\"a/b_c\"", "id: "}, Wrong{"/id", "7", "id: "}, Wrong{"/files", "[]", "files: "},
         Wrong{"/files/0", "\"../x.cpp\"", "'../x.cpp'"}, Wrong{"/files/0", "\".cpp\"", "files: "}, Wrong{"/files/0", "\"-o.cpp\"", "files: "},
         Wrong{"/files/0", "\"a.so\"", "'a.so'"}, Wrong{"/files/0", "\"driver.cpp\"", "'driver.cpp'"}, Wrong{"/files/0", "\"phong_2.cpp\"", "files[1]: "},
-        Wrong{"/files/0", "\"a\\u0000.cpp\"", "files[0]: "}, Wrong{"/points", "\"10\"", "points: "}, Wrong{"/points", "5", "sum of the checks' points, 4.125"},
+        Wrong{"/files/0", "\"a\\u0000.cpp\"", "files[0]: "}, Wrong{"/points", "\"10\"", "points: "}, Wrong{"/points", "5", "sum of the checks' points, 4.875"},
         Wrong{"/points", "-4.125", "points: "}, Wrong{"/points", "1e300", "points: "}, Wrong{"/uses/0", "\"lighting/phong-2\"", "uses[0]: "},
         Wrong{"/uses/0", "\"lighting/lambert\"", "uses[1]: "}, Wrong{"/uses", "\"lighting/lambert\"", "uses: "}, Wrong{"/forbid/1", "\"\"", "forbid[1]: "},
         Wrong{"/gl", "1", "gl: expected true or false, got 1"}, Wrong{"/title", "\"Phong\"", "title: "}, Wrong{"/title/en", nullptr, "title.en: "},
@@ -131,23 +136,29 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Checks, WrongManifest,
-    testing::Values(Wrong{"/checks/0", "[]", "checks[0]: expected an object"}, Wrong{"/checks/0/tolerence", "{}", "checks[0].tolerence: expected no field"},
-                    Wrong{"/checks/0/case", "\"a/b\"", "checks[0].case: "}, Wrong{"/checks/0/case", "\" a\"", "checks[0].case: "},
-                    Wrong{"/checks/0/case", nullptr, "got nothing"}, Wrong{"/checks/0/value", "\"t.margin\"", "checks[0].value: "},
-                    Wrong{"/checks/0/value", "\"a/b\"", "checks[0].value: "}, Wrong{"/checks/0/judge", "\"ssim\"", "checks[0].judge: expected \"numbers\""},
-                    Wrong{"/checks/0/points", "0", "checks[0].points: expected points above 0"}, Wrong{"/checks/0/points", "2.0005", "checks[0].points: "},
-                    Wrong{"/checks/0/points", "null", "checks[0].points: "}, Wrong{"/checks/0/hard", "\"yes\"", "checks[0].hard: "},
-                    Wrong{"/checks/0/tolerance", nullptr, "checks[0].tolerance: expected a tolerance"},
-                    Wrong{"/checks/1/tolerance", nullptr, "checks[1].tolerance: "},
-                    Wrong{"/checks/0/tolerance", "{}", "checks[0].tolerance: expected at least one"},
-                    Wrong{"/checks/0/tolerance", "{\"band_ulps\": 1}", "checks[0].tolerance: "},
-                    Wrong{"/checks/0/tolerance/ulp", "4", "checks[0].tolerance.ulp: "}, Wrong{"/checks/0/tolerance/ulps", "-1", "checks[0].tolerance.ulps: "},
-                    Wrong{"/checks/0/why", nullptr, "checks[0].why: expected where the tolerance comes from"},
-                    Wrong{"/checks/0/why", "\"\"", "checks[0].why: "}, Wrong{"/checks/0/full", "1.5", "checks[0].full: "},
-                    Wrong{"/checks/0/zero", "0.9", "checks[0].zero: expected less than"}, Wrong{"/checks/0/zero", "-0.1", "checks[0].zero: "},
-                    Wrong{"/checks/0/range", "[0, 1]", "checks[0].range: expected no range"}, Wrong{"/checks/3/range", "[1, 1]", "checks[3].range: "},
-                    Wrong{"/checks/3/range", "[0, 1, 2]", "checks[3].range: "}, Wrong{"/checks/3/range", "[0, \"1\"]", "checks[3].range[1]: "},
-                    Wrong{"/checks/3/pairs", "true", "checks[3].pairs: "}, Wrong{"/checks/2/value", "\"t\"", "'head-on/t' is"}));
+    testing::Values(
+        Wrong{"/checks/0", "[]", "checks[0]: expected an object"}, Wrong{"/checks/0/tolerence", "{}", "checks[0].tolerence: expected no field"},
+        Wrong{"/checks/0/case", "\"a/b\"", "checks[0].case: "}, Wrong{"/checks/0/case", "\" a\"", "checks[0].case: "},
+        Wrong{"/checks/0/case", nullptr, "got nothing"}, Wrong{"/checks/0/value", "\"t.margin\"", "checks[0].value: "},
+        Wrong{"/checks/0/value", "\"a/b\"", "checks[0].value: "}, Wrong{"/checks/0/judge", "\"ssim\"", "checks[0].judge: expected \"numbers\""},
+        Wrong{"/checks/0/points", "0", "checks[0].points: expected points above 0"}, Wrong{"/checks/0/points", "2.0005", "checks[0].points: "},
+        Wrong{"/checks/0/points", "null", "checks[0].points: "}, Wrong{"/checks/0/hard", "\"yes\"", "checks[0].hard: "},
+        Wrong{"/checks/0/tolerance", nullptr, "checks[0].tolerance: expected a tolerance"}, Wrong{"/checks/1/tolerance", nullptr, "checks[1].tolerance: "},
+        Wrong{"/checks/0/tolerance", "{}", "checks[0].tolerance: expected at least one"},
+        Wrong{"/checks/0/tolerance", "{\"band_ulps\": 1}", "checks[0].tolerance: "}, Wrong{"/checks/0/tolerance/ulp", "4", "checks[0].tolerance.ulp: "},
+        Wrong{"/checks/0/tolerance/ulps", "-1", "checks[0].tolerance.ulps: "},
+        Wrong{"/checks/0/why", nullptr, "checks[0].why: expected where the tolerance comes from"}, Wrong{"/checks/0/why", "\"\"", "checks[0].why: "},
+        Wrong{"/checks/0/full", "1.5", "checks[0].full: "}, Wrong{"/checks/0/zero", "0.9", "checks[0].zero: expected less than"},
+        Wrong{"/checks/0/zero", "-0.1", "checks[0].zero: "}, Wrong{"/checks/0/range", "[0, 1]", "checks[0].range: expected no range"},
+        Wrong{"/checks/3/range", "[1, 1]", "checks[3].range: "}, Wrong{"/checks/3/range", "[0, 1, 2]", "checks[3].range: "},
+        Wrong{"/checks/3/range", "[0, \"1\"]", "checks[3].range[1]: "}, Wrong{"/checks/3/pairs", "true", "checks[3].pairs: "},
+        Wrong{"/checks/4/rules", nullptr, "checks[4].rules: expected rules if"}, Wrong{"/checks/4/rules", "[]", "checks[4].rules: "},
+        Wrong{"/checks/4/rules/1", "\"draw calls\"", "checks[4].rules[1]: expected an item not in the list before"},
+        Wrong{"/checks/4/rules/1", "\"colours\"", "not 'colours'"}, Wrong{"/checks/0/rules", "[\"vertices\"]", "checks[0].rules: expected rules if"},
+        Wrong{"/checks/4/pairs", "true", "checks[4].pairs: expected no pairs"}, Wrong{"/checks/5/growth", nullptr, "checks[5].growth: "},
+        Wrong{"/checks/5/growth", "-1", "checks[5].growth: "}, Wrong{"/checks/4/growth", "1", "checks[4].growth: expected a growth if"},
+        Wrong{"/checks/4/judge", "\"events\"", "checks[4].rules: "}, Wrong{"/checks/3/judge", "\"fragments\"", "checks[3].range: "},
+        Wrong{"/checks/2/value", "\"t\"", "'head-on/t' is"}));
 
 TEST(Manifest, refuses_numbers_that_are_none)
 {
