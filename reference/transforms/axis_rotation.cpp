@@ -1,6 +1,6 @@
 // Based on: O. Rodrigues. Des lois géométriques qui régissent les déplacements d'un système solide dans l'espace. 1840, as the
-// course gives it: s' = cosθ s + (1 - cosθ)(s·e) e + sinθ e × s; and W. R. Hamilton's quaternions for chains, whose product of n turns
-// is off by n roundings at most, and is made a rotation again by one division.
+// course gives it: s' = cosθ s + (1 - cosθ)(s·e) e + sinθ e × s; and, for chains,
+// W. R. Hamilton. On Quaternions. 1844: of a product of quaternions only the length can stray from a rotation's.
 
 #include <cmath>
 #include <umbral/transforms/rotation.hpp>

@@ -63,7 +63,14 @@ glm::mat4 rotation_matrix(const AxisAngle& turn) { return rounded(wide_matrix(tu
 glm::mat4 compose_rotations(std::span<const AxisAngle> turns)
 {
     WideMatrix all(1);
-    for (const AxisAngle& turn : turns) all = wide_matrix(turn) * all;
+    WideMatrix next(1);
+    AxisAngle known{{0, 0, 0}, 0};
+    for (const AxisAngle& turn : turns) {
+        // Steady chains repeat one turn millions of times.
+        if (turn.axis != known.axis || turn.angle != known.angle) next = wide_matrix(turn);
+        known = turn;
+        all = next * all;
+    }
     return rounded(all);
 }
 
