@@ -32,7 +32,8 @@ Comparison compare(const Frame& first, const Frame& second, const Agreement& agr
     Comparison result;
     result.pixels = first.ids.cells.size();
     double squares = 0;
-    double sum = 0;
+    double color_sum = 0;
+    double depth_sum = 0;
     for (int y = 0; y < first.height(); ++y) {
         for (int x = 0; x < first.width(); ++x) {
             const std::uint32_t a = first.ids.at(x, y);
@@ -47,7 +48,7 @@ Comparison compare(const Frame& first, const Frame& second, const Agreement& agr
                 const double difference = std::abs(srgb_steps(first.color.at(x, y)[channel]) - srgb_steps(second.color.at(x, y)[channel]));
                 squares += difference * difference;
                 if (!interior) continue;
-                sum += difference;
+                color_sum += difference;
                 largest = std::max(largest, difference);
             }
             if (!interior) continue;
@@ -56,10 +57,12 @@ Comparison compare(const Frame& first, const Frame& second, const Agreement& agr
             result.color_beyond += largest > agreement.color ? 1 : 0;
             const double depth = std::abs(double{first.depth.at(x, y)} - double{second.depth.at(x, y)});
             result.depth_max = std::max(result.depth_max, depth);
-            result.depth_beyond += depth > agreement.depth ? 1 : 0;
+            depth_sum += depth;
         }
     }
-    result.color_mean = result.interior > 0 ? sum / (3 * static_cast<double>(result.interior)) : 0;
+    const double interior = std::max<double>(1, static_cast<double>(result.interior));
+    result.color_mean = color_sum / (3 * interior);
+    result.depth_mean = depth_sum / interior;
     result.color_rmse = result.pixels > 0 ? std::sqrt(squares / (3 * static_cast<double>(result.pixels))) : 0;
     return result;
 }
@@ -70,8 +73,7 @@ bool agrees(const Comparison& comparison, const Agreement& agreement)
         return static_cast<double>(count) <= std::ceil(fraction * static_cast<double>(of));
     };
     return at_most(comparison.ids_differ, agreement.edge_fraction, comparison.pixels) && comparison.depth_max <= agreement.depth_most &&
-           at_most(comparison.depth_beyond, agreement.depth_fraction, comparison.interior) &&
-           at_most(comparison.color_beyond, agreement.color_fraction, comparison.interior);
+           comparison.depth_mean <= agreement.depth_mean && at_most(comparison.color_beyond, agreement.color_fraction, comparison.interior);
 }
 
 }

@@ -41,7 +41,7 @@ json comparison_json(const Comparison& c)
             {"ids_differ", c.ids_differ},
             {"interior_pixels", c.interior},
             {"depth_max", c.depth_max},
-            {"depth_beyond", c.depth_beyond},
+            {"depth_mean", c.depth_mean},
             {"color_max", c.color_max},
             {"color_mean", c.color_mean},
             {"color_beyond", c.color_beyond},
@@ -78,8 +78,7 @@ std::string comparison_table(const Report& report)
     row("pixels differing in id", fmt::format("{}", c.ids_differ), fmt::format("{:g} % of the pixels", 100 * report.agreement.edge_fraction));
     row("interior pixels", fmt::format("{} ({:.1f} %)", c.interior, percent(c.interior, c.pixels)), "");
     row("depth: largest, interior", fmt::format("{:.3g}", c.depth_max), fmt::format("{:.3g}", report.agreement.depth_most));
-    row(fmt::format("depth: interior pixels beyond {:.3g}", report.agreement.depth), fmt::format("{}", c.depth_beyond),
-        fmt::format("{:g} % of them", 100 * report.agreement.depth_fraction));
+    row("depth: mean, interior", fmt::format("{:.3g}", c.depth_mean), fmt::format("{:.3g}", report.agreement.depth_mean));
     row("colour: largest, interior, in 1/255", fmt::format("{:.3g}", c.color_max), "");
     row("colour: mean, interior, in 1/255", fmt::format("{:.3g}", c.color_mean), "");
     row("colour: interior pixels beyond 1/255", fmt::format("{}", c.color_beyond), fmt::format("{:g} % of them", 100 * report.agreement.color_fraction));

@@ -1,5 +1,6 @@
 #include "render/textures.hpp"
 
+#include <cmath>
 #include <cstdint>
 
 namespace umbral::render {
@@ -20,13 +21,16 @@ Place place_of(const scene::Texture& texture, int x, int y_from_below)
     return {cell(x), cell(y_from_below), uv, glm::fract(uv * static_cast<float>(texture.cells))};
 }
 
-// Red grows with u and green with v; cells are alternately lighter and darker, and their borders white.
+// The hue goes once round with u, and the colour gets darker and lighter again with v, so that copies join without a seam; cells are
+// alternately lighter and darker, and their borders white.
 glm::vec3 uv_grid(const Place& place)
 {
-    constexpr float border = 0.04F;
-    if (place.in_cell.x < border || place.in_cell.y < border) return glm::vec3(0.9F);
-    const float shade = (place.column + place.row) % 2 == 0 ? 1.0F : 0.6F;
-    return shade * glm::vec3(0.08F + 0.8F * place.uv.x, 0.08F + 0.6F * place.uv.y, 0.55F - 0.35F * place.uv.x);
+    constexpr float turn = 6.2831853F;
+    constexpr float border = 0.03F;
+    const glm::vec2 from_border = glm::min(place.in_cell, 1.0F - place.in_cell);
+    if (from_border.x < border || from_border.y < border) return glm::vec3(0.9F);
+    const float shade = ((place.column + place.row) % 2 == 0 ? 1.0F : 0.6F) * (0.8F - 0.2F * std::cos(turn * place.uv.y));
+    return shade * (0.36F + 0.34F * glm::cos(turn * (place.uv.x + glm::vec3(0, 0.36F, 0.68F))));
 }
 
 glm::vec3 color_at(const scene::Texture& texture, const Place& place)

@@ -51,9 +51,9 @@ struct Material {
     glm::vec3 ambient{0};
     glm::vec3 diffuse{1};
     glm::vec3 specular{0};
-    float exponent = 1;                  ///< of the highlight, ≥ 0
-    std::optional<std::size_t> texture;  ///< place in Scene::textures
-    glm::vec2 texture_scale{1};          ///< what (u, v) are multiplied by
+    float exponent = 1;                                 ///< of the highlight, ≥ 0
+    std::optional<std::size_t> texture = std::nullopt;  ///< place in Scene::textures
+    glm::vec2 texture_scale{1};                         ///< what (u, v) are multiplied by
 };
 
 /// The unit sphere, poles on the y axis; u goes round once, v from the south pole to the north pole.
