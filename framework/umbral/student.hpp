@@ -21,6 +21,8 @@
 #include <umbral/core/not_implemented.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/core/ray.hpp>
+#include <umbral/interaction/callbacks.hpp>
+#include <umbral/interaction/orbit_camera.hpp>
 #include <umbral/meshes/mesh.hpp>
 #include <umbral/meshes/normals.hpp>
 #include <umbral/pipeline/rasterize.hpp>

@@ -1,0 +1,156 @@
+#include <numbers>
+#include <projections/scene.hpp>
+#include <umbral/interaction/orbit_camera.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace interaction;
+
+constexpr double pi = std::numbers::pi;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The view at the beginning and after each event. A factory that gives no camera leaves nothing to record.
+void record(Recorder& out, const OrbitCameraSettings& settings, const std::vector<CameraEvent>& events)
+{
+    const std::unique_ptr<OrbitCamera> camera = make_orbit_camera(settings);
+    if (!camera) return;
+    out.append("view", camera->view());
+    for (const CameraEvent& event : events) {
+        apply(*camera, event);
+        out.append("view", camera->view());
+    }
+}
+
+// Cameras as they are made, with matrices that a student can work out by hand.
+std::vector<OrbitCameraSettings> beginnings()
+{
+    return {{},
+            {.distance = 3, .yaw = pi / 2},
+            {.distance = 3, .yaw = -pi / 2},
+            {.distance = 2, .yaw = pi},
+            {.distance = 4, .pitch = pi / 6},
+            {.target = {1, 2, 3}, .distance = 7},
+            {.target = {-4, 0.5, 2}, .distance = 10, .yaw = pi / 4, .pitch = -pi / 4},
+            {.target = {0, 1, 0}, .distance = 2.5, .yaw = 2.5, .pitch = 1.2}};
+}
+
+// A viewport of 400 pixels: 200 of them are a right angle.
+const OrbitCameraSettings small = {.distance = 4, .viewport_height = 400};
+
+// The pitch at its limit, and at once back from it.
+std::vector<CameraEvent> up_and_down()
+{
+    return {drag(0, -150), drag(0, -150), drag(0, -5000), drag(0, 100),   drag(30, 0),  drag(0, 250),
+            drag(0, 1e9),  drag(0, -40),  drag(-500, -2), drag(3, 1e300), drag(0, -200)};
+}
+
+// Steps, fractions of steps, and both limits (0.1 and 1000).
+std::vector<CameraEvent> wheel()
+{
+    return {scroll(1),  scroll(1),    scroll(-1),   scroll(-3), scroll(0.5),   scroll(-0.0625), scroll(0),   scroll(20), scroll(200), scroll(0.25), scroll(-1),
+            scroll(-5), scroll(-500), scroll(-1e9), scroll(1),  scroll(1e300), drag(40, 10),    scroll(-10), scroll(3),  reset(),     scroll(2)};
+}
+
+// The same drags in windows of other sizes; one that is minimised keeps the last good size.
+std::vector<CameraEvent> windows()
+{
+    return {drag(100, 50), resize(640, 800), drag(100, 50),  resize(1600, 200), drag(20, 10),     resize(0, 0),     drag(20, 10), resize(300, 0), drag(20, 10),
+            resize(0, 77), drag(20, 10),     resize(-5, -5), drag(5, -5),       resize(333, 555), drag(-60, -12.5), reset(),      drag(30, 30)};
+}
+
+std::vector<CameraEvent> nonsense()
+{
+    return {drag(50, 20),      drag(0, 0),         drag(not_a_number, 10), drag(10, not_a_number),
+            drag(infinity, 0), drag(0, -infinity), scroll(not_a_number),   scroll(infinity),
+            scroll(-infinity), scroll(0),          drag(-0.0, 0.0),        drag(10, 20)};
+}
+
+/// Two cameras that are moved in turns; what one is told must not reach the other.
+void record_two(Recorder& out, Random& random)
+{
+    const std::unique_ptr<OrbitCamera> first = make_orbit_camera(random_settings(random));
+    const std::vector<CameraEvent> events = random_session(random, 80);
+    const OrbitCameraSettings second_settings = random_settings(random);
+    if (!first) return;
+    first->drag(30, 20);
+    const std::unique_ptr<OrbitCamera> second = make_orbit_camera(second_settings);
+    if (!second) return;
+    for (const CameraEvent& event : events) {
+        OrbitCamera& moved = random.below(2) == 0 ? *first : *second;
+        apply(moved, event);
+        out.append("view", first->view());
+        out.append("view", second->view());
+    }
+}
+
+// A million turns in the same direction, 200,000 drags of 0 to 10 turns, while the wheel goes to and fro.
+void record_long_session(Recorder& out, Random& random)
+{
+    const std::unique_ptr<OrbitCamera> camera = make_orbit_camera({.target = {0.5, -0.25, 1}, .distance = 3, .yaw = 0.3});
+    if (!camera) return;
+    for (int i = 1; i <= 200'000; ++i) {
+        const double right = 4800 + random_pixels(random, 4800);
+        camera->drag(right, random_pixels(random, 60));
+        camera->scroll(i % 2 == 0 ? 2.5 : -2.5);
+        if (i % 1000 == 0) out.append("view", camera->view());
+    }
+}
+
+// Targets far from the world's origin: where the camera stands cannot be told in float any more, what it sees can.
+void record_far_targets(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 40; ++i) {
+        OrbitCameraSettings settings = random_settings(random);
+        settings.target = glm::dvec3(std::pow(10.0F, random.uniform(4, 6)) * random.unit_vector());
+        const std::vector<CameraEvent> events = random_session(random, 6);
+        record(out, settings, events);
+    }
+}
+
+Image picture_after(const std::vector<CameraEvent>& events)
+{
+    const std::unique_ptr<OrbitCamera> camera = make_orbit_camera({.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256});
+    if (!camera) return Image(256, 256);
+    for (const CameraEvent& event : events) apply(*camera, event);
+    return projections::draw_scene(camera->view());
+}
+
+}
+
+const Driver driver = {
+    {"beginning",
+     [](Case&, Recorder& out) {
+         for (const OrbitCameraSettings& settings : beginnings()) record(out, settings, {});
+     }},
+    {"drag",
+     [](Case&, Recorder& out) {
+         record(out, small,
+                {drag(200, 0), drag(-400, 0), drag(0, -100), drag(50, 0), drag(0, 100), drag(25.5, 12.25), drag(1600, 0), drag(-0.5, -0.125), drag(-1e6, 60)});
+     }},
+    {"limits of pitch", [](Case&, Recorder& out) { record(out, small, up_and_down()); }},
+    {"wheel", [](Case&, Recorder& out) { record(out, {.distance = 4, .pitch = 0.3}, wheel()); }},
+    {"window", [](Case&, Recorder& out) { record(out, small, windows()); }},
+    {"nonsense", [](Case&, Recorder& out) { record(out, small, nonsense()); }},
+    {"two cameras", [](Case& c, Recorder& out) { record_two(out, c.random); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 8; ++i) {
+             const OrbitCameraSettings settings = random_settings(c.random);
+             record(out, settings, random_session(c.random, 100));
+         }
+     }},
+    {"far targets", [](Case& c, Recorder& out) { record_far_targets(out, c.random); }},
+    {"a million turns", [](Case& c, Recorder& out) { record_long_session(out, c.random); }},
+    {"picture",
+     [](Case&, Recorder& out) {
+         out.image("from the side", picture_after({drag(-60, -30), drag(10, -4), scroll(2.5)}));
+         out.image("from above", picture_after({drag(80, -60), scroll(-1), drag(10, -500), scroll(2.5), drag(0, 12)}));
+     }},
+};
+
+}
