@@ -27,10 +27,13 @@ struct Comparison {
 
 /// What two right renderers may differ by.
 ///
-/// Coverage and ids: positions are rounded to 1/256 pixel after a division that may differ in its last bit, so now and then an edge moves.
+/// Coverage and ids: positions are rounded to 1/256 pixel after a division that may differ in its last bit, so now and then an edge may move.
+/// (In the course's scenes none does.)
 /// Depth: llvmpipe adds up a plane equation from the window's corner, in float: about 2^-24 times the window's width over the triangle's
-/// thickness, so slivers (near a silhouette, or in a small picture of a fine mesh) have the largest errors; allowed is what a width of 512 and
-/// a sixteenth of a pixel give. The software side has the exact depth, rounded (tests/render/oracle_test.cpp). Colour: texture coordinates have the same error, and it shows where it meets the edge of a texel.
+/// thickness, so slivers (near a silhouette, or in a small picture of a fine mesh) have the largest errors; allowed is what a width of 512
+/// and a sixteenth of a pixel give. The software side has the exact depth, rounded (tests/render/oracle_test.cpp).
+/// Colour: texture coordinates have the same error, and it shows where it meets the edge of a texel. Without textures, colours agree to
+/// a hundredth of a step.
 struct Agreement {
     double edge_fraction = 1e-4;   ///< of all pixels: how many may show another instance
     double depth_most = 0x1p-11;   ///< at any interior pixel

@@ -135,7 +135,7 @@ void draw_all(const DrawList& list, const gl::Program& program)
         if (draw.visibility == Visibility::outside) continue;
         set_for(program, draw);
         if (draw.texture) textures[*draw.texture].bind();
-        glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
+        glFrontFace(draw.mirrored ? GL_CCW : GL_CW);  // the shader turns pictures upside down
         (draw.both_sides ? glDisable : glEnable)(GL_CULL_FACE);
         meshes[draw.mesh].draw(program);
     }

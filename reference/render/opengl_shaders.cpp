@@ -6,6 +6,8 @@
 namespace umbral::render {
 namespace {
 
+// Upside down: OpenGL's first row is then the top one, and a pixel whose centre lies on a horizontal edge belongs to the triangle below it, as
+// rasterize_triangle has it. (Mesa gives it to the one above; glClipControl(GL_UPPER_LEFT) does not change that.)
 // `precise`: the sums keep their order, which is place_vertex's, so positions are the same bit by bit.
 constexpr const char* vertex_text = R"(
 in vec3 position;
@@ -28,7 +30,7 @@ void main()
 {
     precise vec3 eye = (model_view[0] * position.x + model_view[1] * position.y + model_view[2] * position.z + model_view[3]).xyz;
     precise vec4 clip = projection[0] * eye.x + projection[1] * eye.y + projection[2] * eye.z + projection[3];
-    gl_Position = clip;
+    gl_Position = vec4(clip.x, -clip.y, clip.zw);
     eye_position = eye;
     flat_normal = normalize(normal_matrix * normal);
 #ifdef SMOOTH

@@ -1,6 +1,5 @@
 #include "render/opengl_target.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <umbral/gl/opengl.hpp>
@@ -15,14 +14,12 @@ void attach(GLuint renderbuffer, GLenum format, GLenum attachment, int width, in
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, renderbuffer);
 }
 
-/// Turns OpenGL's bottom row first into top row first.
 template <class Cell>
 void read_cells(Grid<Cell>& cells, GLenum attachment, GLenum format, GLenum type)
 {
     glReadBuffer(attachment);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, cells.width, cells.height, format, type, cells.cells.data());
-    for (int y = 0; y < cells.height / 2; ++y) std::swap_ranges(&cells.at(0, y), &cells.at(0, y) + cells.width, &cells.at(0, cells.height - 1 - y));
 }
 
 }

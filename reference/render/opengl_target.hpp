@@ -15,7 +15,7 @@ public:
     OpenGlTarget& operator=(const OpenGlTarget&) = delete;
     ~OpenGlTarget();
 
-    /// What was drawn, top row first.
+    /// What was drawn; row 0 is OpenGL's first, the top one if drawn upside down.
     [[nodiscard]] Frame read() const;
 
 private:

@@ -21,13 +21,12 @@ namespace umbral::render {
     return {transform(list.projection, eye), eye, normalize(normal), vertex.uv};
 }
 
-/// Division by w and viewport transform, as OpenGL's but for y, which goes down here. It is turned last: so both round alike.
+/// Division by w and viewport transform, as OpenGL's, but y goes down.
 [[nodiscard]] inline pipeline::WindowVertex to_window(const glm::vec4& clip, int width, int height)
 {
     const float inverse_w = 1 / clip.w;
     const glm::vec2 half = glm::vec2(width, height) * 0.5F;
-    const glm::vec2 up = glm::vec2(clip) * inverse_w * half + half;
-    return {{up.x, static_cast<float>(height) - up.y}, clip.z * inverse_w * 0.5F + 0.5F, inverse_w};
+    return {{clip.x * inverse_w * half.x + half.x, clip.y * inverse_w * -half.y + half.y}, clip.z * inverse_w * 0.5F + 0.5F, inverse_w};
 }
 
 /// Is it seen from its front: are its corners counter-clockwise (clockwise if mirrored)? y goes down.

@@ -99,7 +99,7 @@ TEST(Effects, name_who_asked)
     const Derived derived = derive_effects(make_draw_list(scene, 64, 64), scene);
     EXPECT_NE(derived.why[0].find("\"ring\""), std::string::npos) << derived.why[0];
     EXPECT_NE(derived.why[3].find("\"lamp\""), std::string::npos) << derived.why[3];
-    EXPECT_NE(derived.why[4].find("\"floor\""), std::string::npos) << derived.why[4];
+    EXPECT_NE(derived.why[5].find("\"floor\""), std::string::npos) << derived.why[5];
 }
 
 TEST(Effects, are_not_asked_for_by_what_cannot_be_seen)

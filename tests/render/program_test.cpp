@@ -38,7 +38,7 @@ TEST(RenderProgram, explains_and_compares)
     const Printed explained = umbral(scene + " --size 64x64 --explain");
     EXPECT_EQ(explained.status, 0);
     EXPECT_NE(explained.text.find("yes textured"), std::string::npos) << explained.text;
-    EXPECT_NE(explained.text.find("no clipped"), std::string::npos) << explained.text;
+    EXPECT_NE(explained.text.find("no two_sided"), std::string::npos) << explained.text;
     const Printed compared = umbral(scene + " --size 64x64 --compare");
     EXPECT_EQ(compared.status, 0) << compared.text;
     EXPECT_NE(compared.text.find("they agree"), std::string::npos);
@@ -49,7 +49,7 @@ TEST(RenderProgram, explains_and_compares)
     EXPECT_TRUE(json["agree"]);
     EXPECT_EQ(json["comparison"]["pixels"], 64 * 64);
     EXPECT_TRUE(json["effects"]["textured"]["called_for"]);
-    EXPECT_EQ(json["counters"]["clip tests"], 0);
+    EXPECT_EQ(json["counters"]["triangles turned"], 0);
 }
 
 TEST(RenderProgram, writes_buffers)

@@ -24,8 +24,8 @@ TEST(SceneFile, is_read_as_it_is_written)
     EXPECT_EQ(scene.lights[1].color, glm::vec3(1));
     ASSERT_EQ(scene.textures.size(), 3U);
     ASSERT_EQ(scene.geometries.size(), 5U);
-    EXPECT_EQ(scene.geometries[3].name, "tri");
-    EXPECT_EQ(std::get<Triangles>(scene.geometries[3].shape).triangles[0], glm::uvec3(0, 1, 2));
+    EXPECT_EQ(scene.geometries[4].name, "tri");
+    EXPECT_EQ(std::get<Triangles>(scene.geometries[4].shape).triangles[0], glm::uvec3(0, 1, 2));
     ASSERT_EQ(scene.instances.size(), 2U);
     EXPECT_EQ(scene.geometries[scene.instances[0].geometry].name, "ball");
     EXPECT_EQ(scene.materials[scene.instances[1].material].name, "shiny");
