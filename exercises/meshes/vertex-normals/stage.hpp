@@ -12,6 +12,8 @@
 #include <umbral/meshes/mesh.hpp>
 #include <vector>
 
+#include "../halved.hpp"
+
 /// Draws one mesh twice, side by side: flat with the normals of its faces, smooth with those of its vertices. A context must be current.
 namespace umbral::meshes {
 
@@ -88,20 +90,6 @@ inline Drawable flat(const IndexedMesh& mesh, std::vector<glm::vec3> face_normal
             result.indices.push_back(static_cast<std::uint32_t>(result.positions.size()));
             result.positions.push_back(mesh.positions[mesh.triangles[face][corner]]);
             result.normals.push_back(face_normals[face]);
-        }
-    }
-    return result;
-}
-
-/// Each pixel is the mean of 2 x 2: edges without steps.
-inline Image halved(const Image& picture)
-{
-    Image result(picture.width / 2, picture.height / 2);
-    for (int y = 0; y < result.height; ++y) {
-        for (int x = 0; x < result.width; ++x) {
-            glm::uvec4 sum(2);
-            for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) sum += glm::uvec4(picture.at(2 * x + dx, 2 * y + dy));
-            result.at(x, y) = glm::u8vec4(sum / 4U);
         }
     }
     return result;

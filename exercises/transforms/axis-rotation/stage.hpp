@@ -10,6 +10,7 @@
 #include <umbral/gl/program.hpp>
 #include <umbral/transforms/rotation.hpp>
 
+#include "../../meshes/halved.hpp"
 #include "../../projections/scene.hpp"
 
 /// A flower whose petals are one petal, turned about the stalk by the student's matrices. A context must be current.
@@ -84,7 +85,7 @@ public:
 
     void draw() const
     {
-        program_.set("view", glm::lookAt(glm::vec3(0.8F, 3.1F, 4.3F), glm::vec3(0.05F, 0.62F, 0), glm::vec3(0, 1, 0)));
+        program_.set("view", glm::lookAt(glm::vec3(0.9F, 3.1F, 4.6F), glm::vec3(0.28F, 0.68F, 0.2F), glm::vec3(0, 1, 0)));
         program_.set("projection", glm::perspective(glm::radians(36.0F), 1.0F, 0.1F, 50.0F));
         program_.set("sun", sun());
         paint({0.58F, 0.60F, 0.62F}, {0.47F, 0.50F, 0.54F}, 1);
@@ -140,11 +141,11 @@ private:
 /// 320 x 320 pixels.
 inline Image draw_flower()
 {
-    const gl::Framebuffer frame(320, 320);
+    const gl::Framebuffer frame(640, 640);
     frame.clear({0.62F, 0.74F, 0.86F, 1});
     glEnable(GL_DEPTH_TEST);
     Flower().draw();
-    return frame.read_pixels();
+    return halved(frame.read_pixels());
 }
 
 }
