@@ -1,0 +1,158 @@
+#include <limits>
+#include <umbral/record/driver.hpp>
+
+#include "scene.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+Triangle triangle(glm::vec2 a, glm::vec2 b, glm::vec2 c) { return {WindowVertex{a, 0, 1}, {b, 0.5F, 0.5F}, {c, 1, 0.25F}}; }
+
+// Eight by eight pixels, corners in quarters: all can be worked out on squared paper.
+std::vector<Triangle> by_hand()
+{
+    return {
+        triangle({1, 1}, {7, 1}, {1, 7}),                         // a side through centres that is neither top nor left
+        triangle({7, 7}, {1, 7}, {7, 1}),                         // … and its other half, which takes them
+        triangle({1.5F, 1.5F}, {5.5F, 1.5F}, {5.5F, 5.5F}),       // corners on centres: a top side and a left one
+        triangle({1.5F, 1.5F}, {1.5F, 5.5F}, {5.5F, 5.5F}),       // … a left side and a bottom one
+        triangle({4, 0.25F}, {7.75F, 7.5F}, {0.25F, 7.5F}),       // clockwise
+        triangle({4, 0.25F}, {0.25F, 7.5F}, {7.75F, 7.5F}),       // the same, counter-clockwise
+        triangle({3.25F, 3.25F}, {3.75F, 3.25F}, {3.5F, 3.75F}),  // round one centre
+        triangle({2.75F, 2.75F}, {3.25F, 2.75F}, {3, 3.25F}),     // between the centres: nothing
+        triangle({-3, 2}, {4, -5}, {12, 11}),                     // clipped on all sides
+        triangle({0.5F, 0}, {0.5F, 8}, {1.5F, 4}),                // a left side on centres
+        triangle({7.5F, 0}, {7.5F, 8}, {6.5F, 4}),                // a right one, which takes none
+        triangle({0, 7.5F}, {8, 7.5F}, {4, 5.5F}),                // a bottom one, neither
+    };
+}
+
+std::vector<Triangle> random_triangles(Random& random, int count, int width, int height)
+{
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < count; ++i) {
+        std::array<glm::vec2, 3> corners{};
+        for (glm::vec2& corner : corners) {
+            corner.x = on_grid(random, -width / 4, width + width / 4, 16);
+            corner.y = on_grid(random, -height / 4, height + height / 4, 16);
+        }
+        triangles.push_back(random_attributes(random, corners));
+    }
+    return triangles;
+}
+
+std::vector<Triangle> with_attributes(Random& random, const std::vector<std::array<glm::vec2, 3>>& corners)
+{
+    std::vector<Triangle> triangles;
+    for (const std::array<glm::vec2, 3>& positions : corners) triangles.push_back(random_attributes(random, positions));
+    return triangles;
+}
+
+// Fans about a centre, a corner and a middle of a side of a pixel; meshes whose corners lie on centres.
+std::vector<Triangle> shared_edges(Random& random)
+{
+    std::vector<std::array<glm::vec2, 3>> all = random_partition(random, 8);
+    for (const glm::vec2 centre : {glm::vec2(16.5F, 16.5F), {16, 16}, {16, 16.5F}, {16.5F, 16}}) {
+        const std::vector<std::array<glm::vec2, 3>> more = fan(random, centre, 12);
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    return with_attributes(random, all);
+}
+
+// Triangles that must leave no trace, between ones that must.
+std::vector<Triangle> nothing(Random& random)
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 12; ++i) {
+        triangles.push_back(triangle({1, 1}, {7, 1.5F}, {2, 7}));
+        Triangle none = triangle({1, 1}, {7, 1}, {1, 7});
+        switch (i) {
+            case 0: none[1].position.x = nan; break;
+            case 1: none[2].position.y = nan; break;
+            case 2: none[0].depth = nan; break;
+            case 3: none[1].inverse_w = nan; break;
+            case 4: none[2].inverse_w = 0; break;
+            case 5: none[0].inverse_w = -1; break;
+            case 6: none[0].position.y = -infinity; break;
+            case 7: none[2].position.x = 16385; break;
+            case 8: none[2].position = {5.5F, 1}; break;
+            case 9: none[1].position = {3.5F, 3.5F}, none[2].position = {6.5F, 6.5F}, none[0].position = {0.5F, 0.5F}; break;
+            case 10: none[0].position = none[1].position = none[2].position = {2.5F, 2.5F}; break;
+            default: none = triangle({-9, -9}, {-1, -9}, {-9, -1});
+        }
+        triangles.push_back(none);
+        const float x = on_grid(random, 2, 6, 4);
+        triangles.push_back(triangle({x, 0.25F}, {7.25F, 7.25F}, {0.25F, 7.25F}));
+    }
+    return triangles;
+}
+
+std::vector<Triangle> unrounded(Random& random)
+{
+    std::vector<std::array<glm::vec2, 3>> corners;
+    for (int i = 0; i < 250; ++i) corners.push_back(unrounded_triangle(random, 24));
+    return with_attributes(random, corners);
+}
+
+void guard_band(Random& random, Recorder& out)
+{
+    std::vector<std::array<glm::vec2, 3>> corners;
+    for (int i = 0; i < 40; ++i) corners.push_back(huge_triangle(random, 40, 24, false));
+    for (int i = 0; i < 160; ++i) corners.push_back(huge_triangle(random, 40, 24, true));
+    record(out, with_attributes(random, corners), 40, 24, false);
+}
+
+// So thin that most cover one pixel or none: each fragment hangs on the last of 47 bits. Twenty-five make a group.
+void needles(Random& random, Recorder& out)
+{
+    std::vector<std::array<glm::vec2, 3>> corners;
+    for (int i = 0; i < 300; ++i) corners.push_back(needle(random, 40, 24, 16000, random.below(2) == 0));
+    record(out, with_attributes(random, corners), 40, 24, false, 25);
+    out.text("coverage.names", "group of needles");
+}
+
+// Ground seen from just above it: w from 1 at corners far outside the picture to 1000 at the horizon inside it.
+void horizon(Random& random, Recorder& out)
+{
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 12; ++i) {
+        const float left = on_grid(random, -16000, -8000, 256);
+        const float right = on_grid(random, 8000, 16000, 256);
+        const float below = on_grid(random, 8000, 16000, 256);
+        const float x = on_grid(random, 4, 36, 256);
+        const glm::vec2 vanishing(x, on_grid(random, 0, 4, 256));
+        const float near = random.uniform(1, 2);
+        const float far = random.uniform(500, 1000);
+        Triangle ground = {WindowVertex{{left, below}, 0, 1 / near}, {{right, below + 3}, 0, 1 / near}, {vanishing, 0.999F, 1 / far}};
+        std::rotate(ground.begin(), ground.begin() + i % 3, ground.end());
+        triangles.push_back(ground);
+    }
+    record(out, triangles, 40, 24, true);
+}
+
+void record_picture(Recorder& out)
+{
+    const Canvas canvas = scene(480, 320);
+    out.image("colours", encoded(canvas.colours));
+    out.buffer("ids", canvas.ids);
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record(out, by_hand(), 8, 8, true); }},
+    {"random", [](Case& c, Recorder& out) { record(out, random_triangles(c.random, 40, 48, 36), 48, 36, true); }},
+    {"shared edges", [](Case& c, Recorder& out) { record(out, shared_edges(c.random), 32, 32, false); }},
+    {"nothing", [](Case& c, Recorder& out) { record(out, nothing(c.random), 8, 8, false); }},
+    {"between grid points", [](Case& c, Recorder& out) { record(out, unrounded(c.random), 24, 24, false); }},
+    {"guard band", [](Case& c, Recorder& out) { guard_band(c.random, out); }},
+    {"needles", [](Case& c, Recorder& out) { needles(c.random, out); }},
+    {"horizon", [](Case& c, Recorder& out) { horizon(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+};
+
+}
