@@ -81,7 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
                     NameAndCode{"socket", "if (socket(2, 1, 0) < 0) return std::nullopt;"},
                     NameAndCode{"mmap", "if (mmap(0, 1, 0, 0, 0, 0) == nullptr) return std::nullopt;"},
                     NameAndCode{"syscall", "if (syscall(57) < 0) return std::nullopt;"}, NameAndCode{"execl", "execl(\"/bin/sh\", \"sh\", nullptr);"},
-                    NameAndCode{"getenv", "if (std::getenv(\"HOME\") == nullptr) return std::nullopt;"}, NameAndCode{"_exit", "_exit(0);"}),
+                    NameAndCode{"getenv", "if (std::getenv(\"HOME\") == nullptr) return std::nullopt;"}, NameAndCode{"_exit", "_exit(0);"},
+                    NameAndCode{"glfwGetTime", "if (glfwGetTime() < 0) return std::nullopt;"}),
     [](const auto& one) { return std::string(one.param.first); });
 
 // Names are read from the debug information: what could hide behind damage in it is not run.

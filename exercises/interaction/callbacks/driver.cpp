@@ -178,12 +178,12 @@ constexpr const char* a_look_around = R"(
 0.1 press left 60 120
 0.2 move 40 125
 0.3 press right
-0.4 move 110 175
+0.4 move 130 140
 0.5 release left
 0.6 release right
-0.7 scroll 0 2
+0.7 scroll 0 3
 0.8 press right 10 10
-0.9 move 200 200
+0.9 move 24 27
 1.0 release right
 1.1 press left 128 100
 1.2 move 108 109

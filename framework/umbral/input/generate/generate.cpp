@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "../../gl/generate/prototypes.hpp"
+#include "prototypes.hpp"
 
 // Writes a weak function for each one that GLFW's header declares: it stops the case and names itself. Where libumbral-glfw defines the
 // function, the linker takes that definition instead. So the library exports the header's functions exactly, whatever version is installed.
