@@ -10,8 +10,8 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t most_rows = 8;
-constexpr std::size_t most_matrices = 2;
+constexpr std::size_t most_rows = 6;
+constexpr std::size_t most_matrices = 1;
 
 struct Candidate {
     std::size_t row = 0;
@@ -53,7 +53,7 @@ public:
             return pair;
         }
         const double worst = error(row);
-        pair.note = std::isfinite(worst) ? error_text(unit_of(check_.tolerance), worst) : "not comparable";
+        pair.note = std::isfinite(worst) ? short_error(worst) : "not comparable";
         return pair;
     }
 
@@ -62,6 +62,16 @@ private:
     {
         const auto target = expected_.cell(row);
         return deviation(check_.tolerance, yours_.cell(row)[index], target[index], kind_.scale(target, index));
+    }
+
+    [[nodiscard]] std::string short_error(double error) const
+    {
+        switch (unit_of(check_.tolerance)) {
+            case Unit::ulps: return fmt::format("{:.3g} ulp", error);
+            case Unit::relative: return fmt::format("{:.3g} of its size", error);
+            case Unit::absolute: return fmt::format("{:.3g}", error);
+        }
+        return {};
     }
 
     static std::vector<std::string> texts_of(const TensorView& view, std::size_t row)

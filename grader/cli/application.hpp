@@ -53,6 +53,7 @@ void add_hint(CLI::App& parser, Application& application);
 void add_reset(CLI::App& parser, Application& application);
 void add_debug(CLI::App& parser, Application& application);
 void add_render(CLI::App& parser, Application& application);
+void add_compare(CLI::App& parser, Application& application);
 void add_grade(CLI::App& parser, Application& application);
 void add_demo(CLI::App& parser, Application& application);
 void add_validate(CLI::App& parser, Application& application);

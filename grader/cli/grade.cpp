@@ -73,6 +73,7 @@ void grade_and_print(Application& application, const GradeCommand& command)
     options.secret = secret_from(command.secret_file.empty() ? default_secret_file() : fs::path(command.secret_file));
     options.course = command.course;
     options.attempt = command.attempt;
+    options.instructor_edition = command.with_hidden;
     options.jobs = command.jobs != 0 ? command.jobs : std::max(1U, std::thread::hardware_concurrency());
     if (!fs::is_directory(options.submissions)) throw UsageError(fmt::format("{}: expected a folder with one folder a submission", command.submissions));
     fs::create_directories(options.out);
@@ -94,8 +95,9 @@ void grade_and_print(Application& application, const GradeCommand& command)
     if (command.json)
         fmt::print("{}\n", to_json(result).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
-        fmt::print("\n{}\nReports: {}\n         {}\n", class_table(result, application.style), (options.out / "class.json").string(),
-                   (options.out / "ID" / "report.json").string());
+        fmt::print("\n{}\nIn a browser: {}\n              {}\nAs data:      {}\n              {} (for students: report.student.json)\n",
+                   class_table(result, application.style), (options.out / "index.html").string(), (options.out / "ID" / "report.html").string(),
+                   (options.out / "class.json").string(), (options.out / "ID" / "report.json").string());
     for (const SubmissionResult& submission : result.submissions)
         for (const UnitResult& unit : submission.units)
             if (unit.verdict == Verdict::grader_fault) application.exit_status = exit_fault;
@@ -115,6 +117,7 @@ void add_grade(CLI::App& parser, Application& application)
                         "The secret that hidden seeds follow from; made if missing. Default: umbral/secret in your configuration folder");
     command->add_flag("--allow-weak-sandbox", options->allow_weak_sandbox, "Grade even where the sandbox is incomplete");
     command->add_flag("--json", options->json, "Print class.json instead of a table");
+    command->add_flag("--with-hidden", options->with_hidden, "Also write report.instructor.html, in which hidden checks show their values: not for students");
     command->callback([&application, options] { grade_and_print(application, *options); });
 }
 

@@ -18,6 +18,7 @@ struct GradeCommand {
     std::string secret_file;
     bool allow_weak_sandbox = false;
     bool json = false;
+    bool with_hidden = false;  ///< write instructors' pages as well
 };
 
 /// Grades the class, prints its table and where the reports lie.

@@ -20,6 +20,7 @@ int main(int count, char** words)
         add_reset(parser, application);
         add_debug(parser, application);
         add_render(parser, application);
+        add_compare(parser, application);
         add_grade(parser, application);
         add_demo(parser, application);
         add_validate(parser, application);

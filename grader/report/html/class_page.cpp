@@ -48,16 +48,14 @@ Markup unit_cell(const SubmissionResult& submission, const std::string& id)
     return "<td class=\"credit\" data-sort=\"-2\">·</td>";
 }
 
-Markup header_button(std::string_view name, std::string_view hint)
-{
-    return markup("<button type=\"button\" data-sort-by title=\"{}\">{}</button>", hint, name);
-}
+/// A column that the script makes sortable: it puts a button round the name.
+Markup sortable(std::string_view name, std::string_view more = {}) { return markup("<th scope=\"col\" data-sort-by class=\"{}\">{}</th>", more, name); }
 
 Markup class_table(const ClassResult& result, const std::vector<UnitStatistics>& units, const ClassPageOptions& options)
 {
-    Markup head = markup("<th scope=\"col\" aria-sort=\"ascending\">{}</th><th scope=\"col\" class=\"number\">{}</th>",
-                         header_button("Submission", "Sort by name"), header_button("Total", "Sort by total"));
-    for (const UnitStatistics& unit : units) head += markup("<th scope=\"col\">{}</th>", header_button(title_of(unit.id, options), "Sort by " + unit.id));
+    Markup head = sortable("Submission", "named");
+    head += sortable("Total", "number");
+    for (const UnitStatistics& unit : units) head += sortable(title_of(unit.id, options));
     head += "<th scope=\"col\">Data</th>";
     Markup body;
     for (const SubmissionResult& submission : result.submissions) {

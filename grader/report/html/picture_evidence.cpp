@@ -6,7 +6,7 @@
 namespace umbral::grader::html {
 namespace {
 
-constexpr int least_width = 256;  // smaller pictures are shown enlarged by a whole factor
+constexpr int least_width = 512;  // smaller pictures are shown enlarged by a whole factor
 constexpr int magnified_width = 320;
 
 int enlargement(const Picture& picture, int least) { return std::max(1, least / std::max({picture.width, picture.height, 1})); }

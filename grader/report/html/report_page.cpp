@@ -46,7 +46,8 @@ Markup summary(const SubmissionResult& submission, const Gallery& gallery, const
     Markup rows;
     for (std::size_t i = 0; i < submission.units.size(); ++i) rows += unit_row(submission.units[i], gallery, i + 1);
     const bool hidden_fails = std::ranges::any_of(submission.units, [](const UnitResult& unit) {
-        return std::ranges::any_of(unit.checks, [](const CheckResult& check) { return check.hidden && check.score < check.max_score; });
+        return !never_ran(unit.verdict) &&
+               std::ranges::any_of(unit.checks, [](const CheckResult& check) { return check.hidden && check.score < check.max_score; });
     });
     Markup result =
         markup("<section class=\"summary\" aria-labelledby=\"title\">\n<h1 id=\"title\">{}</h1>\n", submission.id.empty() ? "Your units" : submission.id);

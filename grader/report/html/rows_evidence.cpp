@@ -39,8 +39,8 @@ Markup table_of(const std::vector<RowPair>& rows, const RowsEvidence& evidence, 
         body += markup("<tr><th scope=\"row\">{}</th>{}{}<td class=\"note\">{}</td></tr>\n", row.name, cells(row, row.yours, columns, "of-yours"),
                        cells(row, row.expected, columns, "of-reference"), row.note);
     return scrolling(caption, markup("<table class=\"rows\"><caption>{0}</caption><thead><tr><th scope=\"col\"><span class=\"aside\">row</span></th><th "
-                                     "scope=\"colgroup\" class=\"of-yours\" "
-                                     "colspan=\"{1}\">yours</th><th scope=\"colgroup\" class=\"of-reference\" colspan=\"{1}\">expected</th><th "
+                                     "scope=\"colgroup\" class=\"number of-yours\" "
+                                     "colspan=\"{1}\">yours</th><th scope=\"colgroup\" class=\"number of-reference\" colspan=\"{1}\">expected</th><th "
                                      "scope=\"col\">off by</th></tr>{2}</thead>\n<tbody>\n{3}</tbody></table>",
                                      caption, columns, names, body));
 }
@@ -80,9 +80,9 @@ Markup rows_evidence(const RowsEvidence& evidence)
         result += matrices_of(evidence.worst, evidence.side, worst);
         return result;
     }
-    Markup result = table_of(evidence.first, evidence, evidence.worst.empty() && evidence.first.size() == evidence.wrong ? "Every wrong row" : first);
-    result += table_of(evidence.worst, evidence, worst);
-    return result;
+    const bool all = evidence.worst.empty() && evidence.first.size() == evidence.wrong;
+    return markup("<div class=\"tables\">{}{}</div>\n", table_of(evidence.first, evidence, all ? "Every wrong row" : first),
+                  table_of(evidence.worst, evidence, worst));
 }
 
 }

@@ -31,10 +31,11 @@ Markup why(const UnitResult& unit)
     return result;
 }
 
-Markup text_block(std::string_view heading, std::string_view text)
+/// `code`: columns matter, as in a compiler's message; otherwise long lines are broken.
+Markup text_block(std::string_view heading, std::string_view text, bool code)
 {
     if (text.empty()) return {};
-    return markup("<h3>{}</h3>\n<pre tabindex=\"0\">{}</pre>\n", heading, text);
+    return markup("<h3>{}</h3>\n<pre tabindex=\"0\"{}>{}</pre>\n", heading, code ? Markup(" class=\"code\"") : Markup(), text);
 }
 
 const char* heading_of_message(Verdict verdict)
@@ -140,8 +141,8 @@ Markup unit_section(const UnitResult& unit, const UnitDetail& detail, std::size_
         kind_of(verdict), number, detail.title.empty() ? unit.id : detail.title, unit.id, verdict_chip(verdict), points_text(unit.score),
         points_text(unit.max_score));
     result += why(unit);
-    result += text_block(heading_of_message(verdict), unit.message);
-    result += text_block("What the program printed", unit.output);
+    result += text_block(heading_of_message(verdict), unit.message, verdict == Verdict::compile_error);
+    result += text_block("What the program printed", unit.output, false);
     if (never_ran(verdict)) {
         result += "</section>\n";
         return result;

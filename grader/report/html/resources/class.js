@@ -17,12 +17,20 @@ for (const table of document.querySelectorAll("[data-sortable]")) {
   }
 
   heads.forEach((head, column) => {
-    head.querySelector("[data-sort-by]")?.addEventListener("click", () => {
+    if (!("sortBy" in head.dataset)) return;
+    const button = document.createElement("button");
+    button.type = "button";
+    button.title = "Sort by this column";
+    button.append(...head.childNodes);
+    head.append(button);
+    button.addEventListener("click", () => {
       const order = head.getAttribute("aria-sort");
       // Points begin with the most, names with the first.
       sort(column, order ? order === "ascending" : column > 0);
     });
   });
+
+  heads[0].setAttribute("aria-sort", "ascending");  // as they come
 
   const filter = document.getElementById("filter");
   const shown = document.getElementById("shown");

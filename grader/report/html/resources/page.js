@@ -23,7 +23,7 @@ let current = -1;
 
 function show_position() {
   const position = document.getElementById("position");
-  if (position) position.textContent = current < 0 ? "" : `${current + 1} / ${stops.length}`;
+  if (position) position.textContent = `${current < 0 ? "–" : current + 1} / ${stops.length}`;
 }
 
 function go(step) {
@@ -34,6 +34,7 @@ function go(step) {
   show_position();
 }
 
+show_position();
 document.getElementById("next")?.addEventListener("click", () => go(1));
 document.getElementById("previous")?.addEventListener("click", () => go(-1));
 document.addEventListener("focusin", (event) => {

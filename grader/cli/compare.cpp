@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <umbral/core/png.hpp>
+
+#include "batch/evidence.hpp"
+#include "cli/application.hpp"
+#include "cli/config.hpp"
+#include "judge/image_difference.hpp"
+#include "judge/image_metrics.hpp"
+#include "judge/judge.hpp"
+#include "judge/stochastic.hpp"
+#include "report/html/pages.hpp"
+#include "report/paint.hpp"
+
+namespace umbral::grader {
+namespace {
+
+struct Options {
+    std::string yours;
+    std::string reference;
+    std::string html;
+    bool stochastic = false;
+    bool json = false;
+};
+
+Tensor as_tensor(const Image& image)
+{
+    Tensor tensor{Element::uint8, static_cast<std::uint32_t>(image.height), static_cast<std::uint32_t>(image.width), 4, {}, {}};
+    tensor.bytes.resize(tensor.count());
+    std::memcpy(tensor.bytes.data(), image.cells.data(), tensor.bytes.size());
+    return tensor;
+}
+
+Image read(const std::string& path)
+{
+    try {
+        return read_png(path);
+    } catch (const std::runtime_error& error) {
+        throw UsageError(error.what());
+    }
+}
+
+/// What both rules give, in the form of a check's result.
+struct Found {
+    bool agree = false;
+    CheckResult result;
+    std::optional<WorstRegion> worst;
+};
+
+CheckResult blank(const Options& options)
+{
+    CheckResult result;
+    result.name = options.stochastic ? "light, tile by tile" : "picture, pixel by pixel";
+    result.kind = JudgeKind::image;
+    result.max_score = 1000;
+    return result;
+}
+
+Found by_pixels(const Check& check, const Tensor& yours, const Tensor& reference, const Options& options)
+{
+    Found found{false, blank(options), {}};
+    const Judgement judgement = judge(check, yours, reference, nullptr);
+    found.agree = judgement.right >= 1;
+    found.result.message = judgement.message;
+    found.result.metrics = judgement.metrics;
+    found.result.error = judgement.error;
+    found.result.first_difference = judgement.first_difference;
+    return found;
+}
+
+Found by_tiles(const Check& check, const Tensor& yours, const Tensor& reference, const Options& options)
+{
+    Found found{false, blank(options), {}};
+    const Picture left = to_picture(check, yours);
+    const Picture right = to_picture(check, reference);
+    const StochasticRule rule = apply_stochastic_rule(left, right);
+    found.agree = rule.agree;
+    found.result.message = rule.message();
+    add_metrics(measure_image(left, right), found.result.metrics);
+    found.result.metrics["worst_z"] = rule.worst_z;
+    found.result.metrics["probability"] = rule.probability;
+    found.result.metrics["tests"] = static_cast<double>(rule.tests);
+    return found;
+}
+
+Found compare(const Check& check, const Tensor& yours, const Tensor& reference, const Options& options)
+{
+    Found found;
+    if (yours.rows != reference.rows || yours.columns != reference.columns) {
+        found.result = blank(options);
+        found.result.message = fmt::format("The sizes differ: {} has {} x {} pixels, {} has {} x {}.", options.yours, yours.columns, yours.rows,
+                                           options.reference, reference.columns, reference.rows);
+        return found;
+    }
+    found = options.stochastic ? by_tiles(check, yours, reference, options) : by_pixels(check, yours, reference, options);
+    found.result.score = found.agree ? found.result.max_score : 0;
+    found.worst = worst_region(check, yours, reference);
+    return found;
+}
+
+void print_json(const Found& found, const Options& options)
+{
+    nlohmann::json json{{"format", "umbral-compare"},
+                        {"version", 1},
+                        {"yours", options.yours},
+                        {"reference", options.reference},
+                        {"rule", options.stochastic ? "stochastic" : "image"},
+                        {"agree", found.agree},
+                        {"message", found.result.message},
+                        {"metrics", found.result.metrics},
+                        {"worst", nullptr}};
+    if (found.worst) {
+        const Window& worst = found.worst->worst;
+        json["worst"] = {{"x", worst.x}, {"y", worst.y}, {"width", worst.width}, {"height", worst.height}};
+    }
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+void print_text(const Application& application, const Found& found, const Options& options)
+{
+    const Paint paint(application.style);
+    fmt::print("\n  {} {}\n", paint.mark(found.agree ? Verdict::ok : Verdict::wrong),
+               paint(Tone::strong, found.agree ? "The pictures agree." : "The pictures do not agree."));
+    if (!found.result.message.empty()) fmt::print("    {}\n", paint.safe(found.result.message));
+    const auto& metrics = found.result.metrics;
+    const auto line = [&](const char* key, const char* words, const char* unit) {
+        if (const auto metric = metrics.find(key); metric != metrics.end()) fmt::print("    {:<28}{:.4g}{}\n", words, metric->second, unit);
+    };
+    if (!metrics.empty()) fmt::print("\n");
+    line("ssim", "SSIM (1: the same)", "");
+    line("psnr", "PSNR", " dB");
+    line("rmse", "RMSE", " of 255 levels");
+    line("mean_delta_e", "colour difference, mean", " (CIE 1976)");
+    line("max_delta_e", "colour difference, largest", "");
+    line("worst_z", "worst tile", " standard deviations");
+    if (found.worst) {
+        const Window& worst = found.worst->worst;
+        fmt::print("    {:<28}{} x {} pixels from ({}, {})\n", "they differ most in", worst.width, worst.height, worst.x, worst.y);
+    }
+    if (!options.html.empty()) fmt::print("\n    {}\n", paint.safe(options.html));
+    fmt::print("\n");
+}
+
+void run(Application& application, const Options& options)
+{
+    Check check;
+    check.name = "compare";
+    check.judge = JudgeKind::image;
+    const Tensor yours = as_tensor(read(options.yours));
+    const Tensor reference = as_tensor(read(options.reference));
+    const Found found = compare(check, yours, reference, options);
+    if (!options.html.empty()) {
+        html::CheckDetail detail;
+        detail.evidence = evidence_of(check, {&yours, &reference}, found.result, found.agree);
+        if (options.stochastic) detail.why = fmt::format("a right picture fails once in {:.0f}: noise explains everything else", 1 / stochastic_alpha);
+        html::write_page(options.html, html::comparison_html({options.yours, options.reference, found.result, detail, found.agree, config::version}));
+    }
+    if (options.json)
+        print_json(found, options);
+    else
+        print_text(application, found, options);
+    if (!found.agree) application.exit_status = exit_not_right;
+}
+
+}
+
+void add_compare(CLI::App& parser, Application& application)
+{
+    auto options = std::make_shared<Options>();
+    CLI::App* command = parser.add_subcommand("compare", "Compares two PNG files as a check of a picture would");
+    command->add_option("YOURS", options->yours, "The picture in question")->required();
+    command->add_option("REFERENCE", options->reference, "The picture that is right")->required();
+    command->add_flag("--stochastic", options->stochastic,
+                      "For Monte Carlo pictures: compares the light of tiles, beyond what noise explains, instead of pixels");
+    command->add_flag("--json", options->json, "As JSON");
+    command->add_option("--html", options->html, "Also writes a page that shows both pictures and where they differ");
+    command->footer("Exit status: 0 the pictures agree; 1 they do not, or differ in size; 2 a file is missing, empty or no PNG.");
+    command->callback([&application, options] { run(application, *options); });
+}
+
+}
