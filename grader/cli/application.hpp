@@ -57,6 +57,7 @@ void add_compare(CLI::App& parser, Application& application);
 void add_grade(CLI::App& parser, Application& application);
 void add_demo(CLI::App& parser, Application& application);
 void add_validate(CLI::App& parser, Application& application);
+void add_bench(CLI::App& parser, Application& application);
 void add_doctor(CLI::App& parser, Application& application);
 
 }

@@ -24,6 +24,7 @@ int main(int count, char** words)
         add_grade(parser, application);
         add_demo(parser, application);
         add_validate(parser, application);
+        add_bench(parser, application);
         add_doctor(parser, application);
         try {
             parser.parse(count, words);

@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
+#include <support/schema.hpp>
 
 #include "manifest_json.hpp"
 #include "message_of.hpp"
@@ -16,37 +13,9 @@ namespace umbral::grader {
 namespace {
 
 using nlohmann::json;
+using umbral::test::read_schema;
+using umbral::test::Schema;
 const std::filesystem::path source = UMBRAL_SOURCE_DIR;
-
-json read_schema(const std::string& name) { return read_json(source / "docs/schemas" / (name + ".schema.json")); }
-
-/// A schema of docs/schemas, ready to judge.
-class Schema {
-public:
-    explicit Schema(const std::string& name)
-    {
-        const json text = read_schema(name);
-        valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema_);
-    }
-
-    /// What is wrong with `document`; empty if nothing is.
-    [[nodiscard]] std::string complaints(const json& document) const
-    {
-        valijson::Validator validator;
-        valijson::ValidationResults results;
-        if (validator.validate(schema_, valijson::adapters::NlohmannJsonAdapter(document), &results)) return {};
-        std::string text;
-        valijson::ValidationResults::Error error;
-        while (results.popError(error)) {
-            for (const std::string& step : error.context) text += step;
-            text += ": " + error.description + "\n";
-        }
-        return text.empty() ? "invalid for no reason given" : text;
-    }
-
-private:
-    valijson::Schema schema_;
-};
 
 json class_json()
 {
@@ -184,7 +153,7 @@ void expect_described(const json& schema, const json::json_pointer& here)
 
 TEST(Schemas, describe_every_field)
 {
-    for (const char* name : {"class", "report", "exercise"}) expect_described(read_schema(name), json::json_pointer("/" + std::string(name)));
+    for (const char* name : {"class", "report", "exercise", "accuracy"}) expect_described(read_schema(name), json::json_pointer("/" + std::string(name)));
 }
 
 TEST(ExerciseSchema, agrees_with_the_program_on_variants_of_a_manifest)

@@ -1,0 +1,21 @@
+#include <CLI/CLI.hpp>
+
+#include "cli/application.hpp"
+#include "cli/become.hpp"
+
+namespace umbral::grader {
+
+// What is measured is the reference, which the grader must not hold: a program of its own, with its own options and its own --help.
+void add_bench(CLI::App& parser, Application& application)
+{
+    CLI::App* command = parser.add_subcommand("bench", "Measures what accuracy costs in time: umbral bench accuracy");
+    command->set_help_flag();
+    command->prefix_command();
+    command->callback([&application, command] {
+        std::vector<std::string> words = {(application.tools.programs / "umbral-bench").string()};
+        for (const std::string& word : command->remaining()) words.push_back(word);
+        become(std::move(words), "build the target umbral-bench");
+    });
+}
+
+}

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What `umbral bench accuracy` measures: plain data, filled by the knobs and written as JSON, HTML and text.
+namespace umbral::bench {
+
+/// A way to be wrong: what is counted, and in what.
+struct Measure {
+    std::string id;    ///< "p95_ulp"
+    std::string name;  ///< "95th percentile of the error of t"
+    std::string unit;  ///< "ulp"
+};
+
+/// One situation in which all settings of a knob are measured.
+struct Situation {
+    std::string id;     ///< "1e4"
+    std::string label;  ///< "from 10 000 radii"
+    double place = 0;   ///< where it lies on the axis of situations; > 0
+};
+
+/// One setting in one situation.
+struct Result {
+    std::string setting;
+    std::string situation;
+    double time = 0;                       ///< in the knob's unit; > 0
+    std::map<std::string, double> errors;  ///< by measure; >= 0
+};
+
+/// Error against time in one situation. Settings are named in the order of their times.
+struct Curve {
+    std::string situation;
+    std::string measure;
+    std::vector<std::string> front;   ///< settings that no other beats in both time and error
+    std::optional<std::string> knee;  ///< the setting of the front beyond which time buys least; none if the front has no bend
+    std::string sentence;             ///< the same in plain words
+};
+
+/// Something that trades accuracy for time, and what it was seen to cost.
+struct Knob {
+    std::string id;         ///< "ray-sphere"
+    std::string title;      ///< "Where a ray meets a sphere"
+    std::string text;       ///< what was measured, and how: one paragraph
+    std::string time_unit;  ///< "ns per ray"
+    std::string axis;       ///< what the situations' places count; empty for a single situation
+    std::vector<Measure> measures;
+    std::vector<Situation> situations;
+    std::vector<std::pair<std::string, std::string>> settings;  ///< name, and what it does
+    std::vector<Result> results;
+    std::vector<Curve> curves;
+};
+
+/// All knobs, and the machine they were measured on.
+struct Accuracy {
+    std::string processor;
+    std::string compiler;
+    std::string gl;  ///< what drew; empty if nothing was drawn
+    bool quick = false;
+    std::vector<Knob> knobs;
+};
+
+/// The results of one situation, in the order of `knob.results`.
+[[nodiscard]] std::vector<Result> results_in(const Knob& knob, const std::string& situation);
+
+/// The entry of a list with this id. Throws std::out_of_range that names it.
+[[nodiscard]] const Measure& measure_of(const Knob& knob, const std::string& id);
+[[nodiscard]] const Situation& situation_of(const Knob& knob, const std::string& id);
+
+}

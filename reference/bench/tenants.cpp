@@ -1,0 +1,20 @@
+#include "tenants.hpp"
+
+#include <dlfcn.h>
+
+#include <stdexcept>
+
+namespace umbral::bench {
+
+Intersect* sphere_tenant(const std::filesystem::path& units, const std::string& tenant)
+{
+    const std::string path = units / "raytracing" / "sphere" / (tenant + ".so");
+    void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) throw std::runtime_error("expected the " + tenant + " of raytracing/sphere at " + path + "; is the project built? " + dlerror());
+    // umbral::raytracing::intersect(umbral::Ray const&, umbral::raytracing::Sphere const&)
+    void* const function = dlsym(library, "_ZN6umbral10raytracing9intersectERKNS_3RayERKNS0_6SphereE");
+    if (function == nullptr) throw std::runtime_error(path + " does not define umbral::raytracing::intersect(const Ray&, const Sphere&)");
+    return reinterpret_cast<Intersect*>(function);
+}
+
+}
