@@ -25,6 +25,7 @@
 #include <umbral/interaction/orbit_camera.hpp>
 #include <umbral/meshes/mesh.hpp>
 #include <umbral/meshes/normals.hpp>
+#include <umbral/pipeline/draw.hpp>
 #include <umbral/pipeline/rasterize.hpp>
 #include <umbral/projections/view.hpp>
 #include <umbral/raytracing/intersect.hpp>

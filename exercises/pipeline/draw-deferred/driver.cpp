@@ -1,0 +1,139 @@
+#include <array>
+#include <umbral/gl/record_trace.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../support_gl.hpp"
+#include "meshes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+/// Draws if there is something to draw with: a factory that gives nothing leaves the picture empty.
+void draw(const std::unique_ptr<IndexedDrawing>& drawing)
+{
+    if (drawing) drawing->draw();
+}
+
+// The mesh is gone when the first draw comes.
+std::unique_ptr<IndexedDrawing> drawing_of(ColoredMesh mesh) { return make_indexed_drawing(mesh); }
+
+void record_picture(Recorder& out, std::string_view name, const ColoredMesh& mesh, int size)
+{
+    const Canvas canvas(size);
+    const auto drawing = drawing_of(mesh);
+    draw(drawing);
+    out.image(name, canvas.picture());
+}
+
+template <class Work>
+void record_calls(Recorder& out, std::string_view name, Work&& work)
+{
+    gl::begin_trace();
+    work();
+    gl::record_trace(out, name, gl::end_trace());
+}
+
+// What is alive is counted beside the trace: deleting the name 0 deletes nothing.
+void frames(Case&, Recorder& out)
+{
+    const Canvas canvas(256);
+    std::unique_ptr<IndexedDrawing> drawing;
+    record_calls(out, "first frame", [&] {
+        drawing = drawing_of(rosette(8, 12));
+        draw(drawing);
+    });
+    record_calls(out, "later frames", [&] {
+        for (int frame = 0; frame < 3; ++frame) draw(drawing);
+    });
+    out.image("fourth frame", canvas.picture());
+    out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
+    record_calls(out, "end", [&] { drawing.reset(); });
+    out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
+}
+
+/// State that has nothing to do with where vertices come from.
+void choose_state(Random& random)
+{
+    for (const GLenum name : {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) random.below(2) == 0 ? glEnable(name) : glDisable(name);
+    glDepthFunc(GL_NEVER + random.below(8));
+    glActiveTexture(GL_TEXTURE0 + random.below(8));
+    glLineWidth(static_cast<float>(1 + random.below(6)));
+    glFrontFace(random.below(2) == 0 ? GL_CW : GL_CCW);
+}
+
+void record_state(Recorder& out)
+{
+    const auto enabled = [](GLuint location) {
+        GLint value = 0;
+        glGetVertexAttribiv(location, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &value);
+        return static_cast<float>(value);
+    };
+    const std::array row{state_of(GL_VERTEX_ARRAY_BINDING),
+                         state_of(GL_ARRAY_BUFFER_BINDING),
+                         state_of(GL_ELEMENT_ARRAY_BUFFER_BINDING),
+                         enabled(0),
+                         enabled(1),
+                         state_of(GL_CURRENT_PROGRAM),
+                         state_of(GL_DEPTH_TEST),
+                         state_of(GL_BLEND),
+                         state_of(GL_CULL_FACE),
+                         state_of(GL_SCISSOR_TEST),
+                         state_of(GL_DEPTH_FUNC),
+                         state_of(GL_ACTIVE_TEXTURE),
+                         state_of(GL_LINE_WIDTH),
+                         state_of(GL_FRONT_FACE),
+                         static_cast<float>(glGetError())};
+    out.append("state", std::span<const float>(row));
+}
+
+void state(Case& c, Recorder& out)
+{
+    const Canvas canvas(64);
+    for (int round = 0; round < 8; ++round) {
+        choose_state(c.random);
+        auto drawing = drawing_of(polygon(5 + round, {0, 0, 0}, 0.8F, 0));
+        record_state(out);
+        for (int frame = 0; frame < 3; ++frame) {
+            choose_state(c.random);
+            draw(drawing);
+            record_state(out);
+        }
+        drawing.reset();
+        record_state(out);
+    }
+}
+
+// Drawings that live at once, one of them empty; the last one is drawn when others have gone.
+void several(Case&, Recorder& out)
+{
+    const Canvas canvas(256);
+    std::array drawings{drawing_of(polygon(3, {-0.45F, 0.4F, 0.3F}, 0.5F, 0.0F)), drawing_of({}), drawing_of(polygon(6, {0.05F, -0.1F, 0}, 0.6F, 0.55F)),
+                        drawing_of(polygon(12, {0.5F, 0.45F, 0.2F}, 0.4F, 0.3F)), drawing_of(polygon(5, {0.4F, -0.5F, -0.1F}, 0.42F, 0.8F))};
+    for (const std::size_t i : {3, 1, 0, 2, 1, 3}) draw(drawings[i]);
+    out.image("first", canvas.picture());
+    for (const std::size_t i : {0, 2, 1}) drawings[i].reset();
+    canvas.clear();
+    draw(drawings[4]);
+    draw(drawings[3]);
+    out.image("after some have gone", canvas.picture());
+}
+
+void random(Case& c, Recorder& out)
+{
+    for (int i = 0; i < 3; ++i) record_picture(out, "picture " + std::to_string(i + 1), random_mesh(c.random, 30, 25), 128);
+}
+
+}
+
+const Driver driver = {
+    {"rosette", [](Case&, Recorder& out) { record_picture(out, "picture", rosette(12, 16), 384); }},
+    {"frames", frames},
+    {"state", state},
+    {"several", several},
+    {"many vertices", [](Case&, Recorder& out) { record_picture(out, "picture", sheet(256, 257), 256); }},
+    {"random", random},
+};
+
+}
