@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include "batch/fingerprint.hpp"
+#include "batch/share_out.hpp"
 #include "report/hidden.hpp"
 #include "report/html/pages.hpp"
 #include "report/json_files.hpp"
@@ -19,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the workers of one class share. Each takes the next submission until none is left; the first fault of ours stops all.
+/// What the workers of one class share.
 class Work {
 public:
     Work(const Toolchain& tools, const std::vector<Exercise>& exercises, const ClassOptions& options, const std::function<void(const SubmissionResult&)>& done)
@@ -34,11 +32,7 @@ public:
             Workshop first(tools_);
             result_.fingerprint = fingerprint(first, exercises_);
         }
-        std::vector<std::jthread> workers;
-        const std::size_t count = std::clamp<std::size_t>(options_.jobs, 1, ids_.size());
-        for (std::size_t i = 0; i < count; ++i) workers.emplace_back([this] { work(); });
-        workers.clear();
-        if (fault_) std::rethrow_exception(fault_);
+        share_out(tools_, ids_.size(), options_.jobs, [this](Workshop& workshop, std::size_t index) { grade(workshop, index); });
         write_class_json(options_.out / "class.json", result_);
         html::ClassPageOptions page{{}, options_.instructor_edition};
         for (const Exercise& exercise : exercises_)
@@ -48,18 +42,6 @@ public:
     }
 
 private:
-    void work()
-    {
-        try {
-            Workshop workshop(tools_);
-            for (std::size_t i = next_++; i < ids_.size() && !stop_; i = next_++) grade(workshop, i);
-        } catch (...) {
-            const std::lock_guard lock(mutex_);
-            if (!fault_) fault_ = std::current_exception();
-            stop_ = true;
-        }
-    }
-
     void grade(Workshop& workshop, std::size_t index)
     {
         GradeOptions options;
@@ -97,10 +79,7 @@ private:
     const std::function<void(const SubmissionResult&)>& done_;
     std::vector<std::string> ids_;
     ClassResult result_;
-    std::atomic<std::size_t> next_ = 0;
-    std::atomic<bool> stop_ = false;
     std::mutex mutex_;
-    std::exception_ptr fault_;
 };
 
 }

@@ -105,9 +105,9 @@ std::vector<Finding> expect_controls(Workshop& workshop, const Exercise& exercis
 
 }
 
-void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seeds, const Report& report)
+void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seed, const Report& report)
 {
-    const auto guarded = [&](const std::string& subject, unsigned seed, const auto& make) {
+    const auto guarded = [&](const std::string& subject, const auto& make) {
         try {
             make();
         } catch (const std::exception& error) {
@@ -115,24 +115,22 @@ void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seeds,
         }
     };
     const std::filesystem::path& reference = workshop.tools().reference;
-    for (unsigned seed = 0; seed < seeds; ++seed) {
-        guarded("reference", seed, [&] { report(expect_all(workshop, exercise, "reference", reference_sources(reference, exercise), seed)); });
-        guarded("alternatives", seed, [&] {
-            for (const Specimen& other : alternatives_of(reference, exercise))
-                report(expect_all(workshop, exercise, "alternative: " + other.name, other.sources, seed));
-        });
-        guarded("mistakes", seed, [&] {
-            for (const Specimen& mistake : mistakes_of(reference, exercise)) report(expect_mistake(workshop, exercise, mistake, seed));
-        });
-        guarded("controls", seed, [&] {
-            for (const Finding& finding : expect_controls(workshop, exercise, seed)) report(finding);
-        });
-        guarded("stub", seed, [&] {
-            const UnitResult stub = grade_unit(workshop, exercise, {stub_sources(exercise), {}, ""}, options_for(seed));
-            report({exercise.id, "stub", seed, stub.verdict == Verdict::not_implemented && stub.score == 0, percent(stub), "not_implemented",
-                    std::string(to_string(stub.verdict))});
-        });
-    }
+    guarded("reference", [&] { report(expect_all(workshop, exercise, "reference", reference_sources(reference, exercise), seed)); });
+    guarded("alternatives", [&] {
+        for (const Specimen& other : alternatives_of(reference, exercise))
+            report(expect_all(workshop, exercise, "alternative: " + other.name, other.sources, seed));
+    });
+    guarded("mistakes", [&] {
+        for (const Specimen& mistake : mistakes_of(reference, exercise)) report(expect_mistake(workshop, exercise, mistake, seed));
+    });
+    guarded("controls", [&] {
+        for (const Finding& finding : expect_controls(workshop, exercise, seed)) report(finding);
+    });
+    guarded("stub", [&] {
+        const UnitResult stub = grade_unit(workshop, exercise, {stub_sources(exercise), {}, ""}, options_for(seed));
+        report({exercise.id, "stub", seed, stub.verdict == Verdict::not_implemented && stub.score == 0, percent(stub), "not_implemented",
+                std::string(to_string(stub.verdict))});
+    });
 }
 
 }

@@ -19,9 +19,9 @@ struct Finding {
     std::string message;   ///< what is wrong; the explanation found, for a mistake
 };
 
-/// Proves that a unit's checks discriminate, with `seeds` different sets of inputs: the reference and every alternative get all
+/// Proves that a unit's checks discriminate, with the inputs of one seed: the reference and every alternative get all
 /// points, the stub, every control and the forger none, every mistake its declared share, told by its own hint; the reference is
 /// within its guarantee of the oracle. Calls `report` with each finding as it is made.
-void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seeds, const std::function<void(const Finding&)>& report);
+void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seed, const std::function<void(const Finding&)>& report);
 
 }

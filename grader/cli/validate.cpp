@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
+#include "batch/share_out.hpp"
 #include "cli/application.hpp"
 #include "report/paint.hpp"
 
@@ -15,6 +19,7 @@ namespace {
 struct Options {
     std::vector<std::string> units;
     unsigned seeds = 2;
+    std::size_t jobs = default_jobs();
     bool json = false;
     bool quiet = false;
 };
@@ -29,32 +34,36 @@ void print(const Finding& finding, const Paint& paint)
 
 void validate(Application& application, const Options& options)
 {
-    Workshop workshop(application.tools);
     const Paint paint(application.style);
-    std::size_t findings = 0;
-    std::size_t failing = 0;
-    nlohmann::json rows = nlohmann::json::array();
-    for (const Exercise& exercise : application.chosen(options.units))
-        validate_unit(workshop, exercise, options.seeds, [&](const Finding& finding) {
-            ++findings;
-            failing += finding.holds ? 0 : 1;
-            if (options.json)
-                rows.push_back({{"unit", finding.unit},
-                                {"subject", finding.subject},
-                                {"seed", finding.seed},
-                                {"holds", finding.holds},
-                                {"credit", finding.credit},
-                                {"expected", finding.expected},
-                                {"message", finding.message}});
-            else if (!options.quiet || !finding.holds)
-                print(finding, paint);
+    const std::vector<Exercise> exercises = application.chosen(options.units);
+    std::mutex mutex;
+    std::vector<Finding> findings;
+    // The slowest units have the most seeds to wait for: seeds are shared out, not units.
+    share_out(application.tools, exercises.size() * options.seeds, options.jobs, [&](Workshop& workshop, std::size_t index) {
+        validate_unit(workshop, exercises[index / options.seeds], static_cast<unsigned>(index % options.seeds), [&](const Finding& finding) {
+            const std::lock_guard lock(mutex);
+            findings.push_back(finding);
+            if (!options.json && (!options.quiet || !finding.holds)) print(finding, paint);
         });
+    });
+    // Workers finish in any order; what other programs read has one.
+    std::ranges::stable_sort(findings, {}, [](const Finding& finding) { return std::tie(finding.unit, finding.seed); });
+    const auto failing = std::ranges::count(findings, false, &Finding::holds);
+    nlohmann::json rows = nlohmann::json::array();
+    for (const Finding& finding : findings)
+        rows.push_back({{"unit", finding.unit},
+                        {"subject", finding.subject},
+                        {"seed", finding.seed},
+                        {"holds", finding.holds},
+                        {"credit", finding.credit},
+                        {"expected", finding.expected},
+                        {"message", finding.message}});
     if (options.json)
         fmt::print("{}\n", nlohmann::json{{"format", "umbral-validation"}, {"version", 1}, {"findings", rows}}.dump(2, ' ', false,
                                                                                                                     nlohmann::json::error_handler_t::replace));
     else
-        fmt::print("{} findings with {} seeds, {} of them not as they should be\n", findings, options.seeds, failing);
-    if (failing != 0 || findings == 0) application.exit_status = exit_not_right;
+        fmt::print("{} findings with {} seeds, {} of them not as they should be\n", findings.size(), options.seeds, failing);
+    if (failing != 0 || findings.empty()) application.exit_status = exit_not_right;
 }
 
 }
@@ -65,6 +74,7 @@ void add_validate(CLI::App& parser, Application& application)
     CLI::App* command = parser.add_subcommand("validate", "For authors and CI: proves that each unit's checks tell right from wrong");
     command->add_option("UNIT", options->units, "Only these units");
     command->add_option("--seeds", options->seeds, "How many sets of random inputs")->check(CLI::PositiveNumber)->capture_default_str();
+    command->add_option("--jobs", options->jobs, "How many at a time")->check(CLI::PositiveNumber)->capture_default_str();
     command->add_flag("--quiet", options->quiet, "Print only what fails");
     command->add_flag("--json", options->json, "As JSON");
     command->callback([&application, options] { validate(application, *options); });
