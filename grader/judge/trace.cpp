@@ -61,7 +61,9 @@ std::optional<Difference> first_difference(std::string_view rule, const GlTrace&
     const std::vector<Looked> b = looked_at(expected, rule);
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
         if (i < a.size() && i < b.size() && same_call(*a[i].call, *b[i].call)) continue;
-        const std::string where = i < a.size() ? fmt::format("call {} of your {}", a[i].index + 1, yours.calls.size()) : "after your last such call";
+        const std::string where = i < a.size() ? fmt::format("call {} of your {}", a[i].index + 1, yours.calls.size())
+                                  : a.empty()  ? "you make no such call"
+                                               : "after your last such call";
         return Difference{fmt::format("{}: {}", rule, where), i < a.size() ? in_cpp(*a[i].call) : "nothing", i < b.size() ? in_cpp(*b[i].call) : "nothing"};
     }
     return std::nullopt;

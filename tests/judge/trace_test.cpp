@@ -103,6 +103,7 @@ TEST(Traces, ObjectsAreCountedByTheNumberGiven)
     EXPECT_EQ(leak.message, "1 object is deleted, expected 4");
     EXPECT_EQ(leak.first_difference->where, "objects deleted: after your last such call");
     EXPECT_EQ(leak.first_difference->expected, "glDeleteBuffers(3, pointer)");
+    EXPECT_EQ(judged("", "glDeleteVertexArrays 1 1\n", check).first_difference->where, "objects deleted: you make no such call");
 }
 
 TEST(Traces, FewerCallsThanTheReferenceAreFine)
