@@ -46,13 +46,19 @@ bool covered(const std::array<Edge, 3>& edges)
     return edges[0].value >= edges[0].least && edges[1].value >= edges[1].least && edges[2].value >= edges[2].least;
 }
 
+// What the corners bring along, in double once for all pixels.
+struct Corners {
+    glm::dvec3 depth, inverse_w;
+    double inverse_area;
+};
+
 // Each edge's value over their sum is the affine weight of the vertex opposite; multiplied by 1/w and normalised, the perspective-correct one.
-Fragment shaded(const std::array<WindowVertex, 3>& triangle, const std::array<Edge, 3>& edges, int x, int y)
+Fragment shaded(const Corners& corners, const std::array<Edge, 3>& edges, int x, int y)
 {
     const glm::dvec3 affine(edges[0].value, edges[1].value, edges[2].value);
-    const glm::dvec3 depth(triangle[0].depth, triangle[1].depth, triangle[2].depth);
-    const glm::dvec3 share = affine * glm::dvec3(triangle[0].inverse_w, triangle[1].inverse_w, triangle[2].inverse_w);
-    return {{x, y}, static_cast<float>(dot(affine, depth) / (affine.x + affine.y + affine.z)), glm::vec3(share / (share.x + share.y + share.z))};
+    const glm::dvec3 share = affine * corners.inverse_w;
+    const double scale = 1 / (share.x + share.y + share.z);
+    return {{x, y}, static_cast<float>(dot(affine, corners.depth) * corners.inverse_area), glm::vec3(share * scale)};
 }
 
 // First and last pixel in 0 … count - 1 whose centre lies between two positions. Shifts round down.
@@ -83,6 +89,9 @@ void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, 
     const Range rows = centres_between(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), height);
     const Point centre{columns.first * subpixels + subpixels / 2, rows.first * subpixels + subpixels / 2};
     const std::int64_t orientation = signed_area > 0 ? 1 : -1;
+    const auto& [first, second, third] = triangle;
+    const Corners corners{
+        {first.depth, second.depth, third.depth}, {first.inverse_w, second.inverse_w, third.inverse_w}, 1 / static_cast<double>(std::abs(signed_area))};
     std::array<Edge, 3> row = {edge(b, c, centre, orientation), edge(c, a, centre, orientation), edge(a, b, centre, orientation)};
 
     for (int y = rows.first; y <= rows.last; ++y) {
@@ -90,7 +99,7 @@ void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, 
         bool entered = false;
         for (int x = columns.first; x <= columns.last; ++x) {
             if (covered(pixel))
-                fragments.push_back(shaded(triangle, pixel, x, y)), entered = true;
+                fragments.push_back(shaded(corners, pixel, x, y)), entered = true;
             else if (entered)
                 break;  // a row of a triangle is one run
             for (Edge& e : pixel) e.value += e.step_x;
