@@ -19,9 +19,11 @@ struct EffectSet {
     friend constexpr bool operator==(const EffectSet&, const EffectSet&) = default;
 };
 
+/// In the order of their bits in a set's number. The first ones are what is done to a fragment, the others to a triangle.
 inline constexpr std::array<bool EffectSet::*, 6> effect_flags = {&EffectSet::textured,   &EffectSet::specular,  &EffectSet::smooth,
                                                                   &EffectSet::positional, &EffectSet::two_sided, &EffectSet::clipped};
 inline constexpr std::array<const char*, 6> effect_names = {"textured", "specular", "smooth", "positional", "two_sided", "clipped"};
+inline constexpr std::size_t fragment_effects = 4;
 inline constexpr std::size_t effect_set_count = std::size_t{1} << effect_flags.size();
 
 /// Sets are numbered from 0 (no effect) to effect_set_count - 1 (all).

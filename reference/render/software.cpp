@@ -17,12 +17,17 @@ namespace {
 
 using Corners = std::array<ClipVertex, 3>;
 
+struct Target;
+using FragmentKernel = void (*)(const DrawList&, const Draw&, const Corners&, const Target&);
+using TriangleKernel = void (*)(const DrawList&, const Draw&, const Target&);
+
 /// What all triangles of a picture share.
 struct Target {
     Frame& frame;
     Counters& counters;
     std::vector<pipeline::Fragment>& fragments;  ///< of one triangle; kept, so that memory is asked for once
     glm::vec2 guard;
+    FragmentKernel draw_fragments;
 };
 
 template <class Attribute>
@@ -44,18 +49,20 @@ SurfacePoint surface_point(const Draw& draw, const Corners& corners, const glm::
 template <EffectSet effects>
 void draw_fragments(const DrawList& list, const Draw& draw, const Corners& corners, const Target& target)
 {
+    Frame& frame = target.frame;
     target.counters.fragments += target.fragments.size();
     for (const pipeline::Fragment& fragment : target.fragments) {
-        const int x = fragment.pixel.x;
-        const int y = fragment.pixel.y;
-        if (!(fragment.depth < target.frame.depth.at(x, y))) {
+        // rasterize_triangle gives pixels of the picture only.
+        const std::size_t pixel =
+            static_cast<std::size_t>(fragment.pixel.y) * static_cast<std::size_t>(frame.width()) + static_cast<std::size_t>(fragment.pixel.x);
+        if (!(fragment.depth < frame.depth.cells[pixel])) {
             ++target.counters.depth_rejects;
             continue;
         }
         ++target.counters.fragments_shaded;
-        target.frame.depth.at(x, y) = fragment.depth;
-        target.frame.ids.at(x, y) = draw.id;
-        target.frame.color.at(x, y) = glm::vec4(shade<effects>(list, draw, surface_point<effects>(draw, corners, fragment.weights), target.counters), 1);
+        frame.depth.cells[pixel] = fragment.depth;
+        frame.ids.cells[pixel] = draw.id;
+        frame.color.cells[pixel] = glm::vec4(shade<effects>(list, draw, surface_point<effects>(draw, corners, fragment.weights), target.counters), 1);
     }
 }
 
@@ -78,7 +85,7 @@ void rasterize(const DrawList& list, const Draw& draw, Corners corners, const Ta
     ++target.counters.triangles_rasterized;
     target.fragments.clear();
     pipeline::rasterize_triangle(window, width, height, target.fragments);
-    draw_fragments<effects>(list, draw, corners, target);
+    target.draw_fragments(list, draw, corners, target);
 }
 
 template <EffectSet effects>
@@ -112,16 +119,23 @@ void draw_instance(const DrawList& list, const Draw& draw, const Target& target)
     for (const glm::uvec3& triangle : mesh.triangles) draw_triangle<effects>(list, draw, {placed[triangle.x], placed[triangle.y], placed[triangle.z]}, target);
 }
 
-using Kernel = void (*)(const DrawList&, const Draw&, const Target&);
+// Effects of fragments and of triangles do not mix: 16 kernels for the ones and 4 for the others serve all 64 sets.
+constexpr std::size_t fragment_sets = std::size_t{1} << fragment_effects;
 
-/// One kernel for each set of effects, at the set's number.
 template <std::size_t... numbers>
-constexpr std::array<Kernel, sizeof...(numbers)> make_kernels(std::index_sequence<numbers...>)
+constexpr std::array<FragmentKernel, sizeof...(numbers)> make_fragment_kernels(std::index_sequence<numbers...>)
 {
-    return {draw_instance<effect_set(numbers)>...};
+    return {draw_fragments<effect_set(numbers)>...};
 }
 
-constexpr std::array<Kernel, effect_set_count> kernels = make_kernels(std::make_index_sequence<effect_set_count>());
+template <std::size_t... numbers>
+constexpr std::array<TriangleKernel, sizeof...(numbers)> make_triangle_kernels(std::index_sequence<numbers...>)
+{
+    return {draw_instance<effect_set(numbers * fragment_sets)>...};
+}
+
+constexpr auto fragment_kernels = make_fragment_kernels(std::make_index_sequence<fragment_sets>());
+constexpr auto triangle_kernels = make_triangle_kernels(std::make_index_sequence<effect_set_count / fragment_sets>());
 
 }
 
@@ -132,11 +146,12 @@ SoftwarePicture draw_in_software(const DrawList& list, const EffectSet& effects,
         throw std::invalid_argument("draw_in_software: expected sides of 1 to 16384 pixels, got " + std::to_string(width) + " x " + std::to_string(height));
     SoftwarePicture picture{Frame(width, height), {}};
     std::vector<pipeline::Fragment> fragments;
-    const Target target{picture.frame, picture.counters, fragments, guard_band(width, height)};
-    const Kernel kernel = kernels[number_of(effects)];
+    const std::size_t number = number_of(effects);
+    const Target target{picture.frame, picture.counters, fragments, guard_band(width, height), fragment_kernels[number % fragment_sets]};
+    const TriangleKernel draw_triangles = triangle_kernels[number / fragment_sets];
     for (const Draw& draw : list.draws) {
         ++(draw.visibility == Visibility::outside ? picture.counters.instances_outside : picture.counters.instances);
-        if (draw.visibility != Visibility::outside) kernel(list, draw, target);
+        if (draw.visibility != Visibility::outside) draw_triangles(list, draw, target);
     }
     return picture;
 }
