@@ -29,6 +29,6 @@
 #include <umbral/pipeline/rasterize.hpp>
 #include <umbral/projections/view.hpp>
 #include <umbral/raytracing/intersect.hpp>
-#include <umbral/transforms/rotation.hpp>
 #include <umbral/texturing/lookup.hpp>
+#include <umbral/transforms/rotation.hpp>
 #include <vector>
