@@ -35,12 +35,6 @@ NumberPair telling_apart(double yours, double expected)
     }
 }
 
-std::string_view bytes_as_text(const Tensor* tensor)
-{
-    if (tensor == nullptr || tensor->element != Element::uint8) return {};
-    return {reinterpret_cast<const char*>(tensor->bytes.data()), tensor->bytes.size()};
-}
-
 html::Evidence evidence_of(const Check& check, const Observation& observation, const CheckResult& result, bool right)
 {
     if (observation.yours == nullptr || observation.expected == nullptr) return {};

@@ -94,7 +94,7 @@ html::Evidence fragments_evidence(const Check& check, const Observation& observa
     const FragmentTable yours(yours_tensor);
     const FragmentTable expected(expected_tensor);
     const FragmentMatcher matcher(check, yours, expected);
-    const std::string_view named = bytes_as_text(observation.names);
+    const std::string_view named = text_of(observation.names);
     const std::string noun(named.empty() ? "triangle" : named.substr(0, named.find('\n')));
 
     Canvas canvas = canvas_for(expected.sorted());

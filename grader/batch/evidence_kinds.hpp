@@ -21,7 +21,4 @@ struct NumberPair {
 };
 [[nodiscard]] NumberPair telling_apart(double yours, double expected);
 
-/// The text of a tensor of bytes; empty for null.
-[[nodiscard]] std::string_view bytes_as_text(const Tensor* tensor);
-
 }

@@ -5,6 +5,7 @@
 #include "batch/evidence_kinds.hpp"
 #include "judge/alignment.hpp"
 #include "judge/events.hpp"
+#include "judge/gl_calls.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -83,17 +84,16 @@ html::LinesEvidence lines_evidence(const Sides& sides, std::string what, bool cu
     return result;
 }
 
-std::vector<std::string> lines_in(std::string_view text, bool& cut)
+/// "glBufferData(GL_ARRAY_BUFFER, …), 128 bytes"
+std::vector<std::string> call_lines(const GlTrace& trace, bool& cut)
 {
     std::vector<std::string> lines;
-    while (!text.empty()) {
+    for (const GlCall& call : trace.calls) {
         if (lines.size() == most_lines) {
             cut = true;
             break;
         }
-        const std::string_view line = text.substr(0, text.find('\n'));
-        lines.emplace_back(line.substr(0, 400));
-        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        lines.push_back(in_cpp(call) + (call.bytes > 0 ? fmt::format(", {} bytes", call.bytes) : ""));
     }
     return lines;
 }
@@ -120,9 +120,15 @@ std::vector<std::string> event_lines(const TensorView& view, const std::map<doub
 
 html::Evidence trace_evidence(const Tensor& yours, const Tensor& expected)
 {
-    bool cut = false;
-    Sides sides{lines_in(bytes_as_text(&yours), cut), lines_in(bytes_as_text(&expected), cut), {}};
-    sides.alignment = align(sides.yours.size(), sides.expected.size(), [&](std::size_t i, std::size_t j) { return sides.yours[i] == sides.expected[j]; });
+    const std::optional<GlTrace> mine = parse_gl_trace(text_of(&yours));
+    const std::optional<GlTrace> theirs = parse_gl_trace(text_of(&expected));
+    if (!mine || !theirs) return {};
+    bool cut = mine->truncated || theirs->truncated;
+    Sides sides{call_lines(*mine, cut), call_lines(*theirs, cut), {}};
+    // Object numbers are each program's own; how much is uploaded is not.
+    sides.alignment = align(sides.yours.size(), sides.expected.size(), [&](std::size_t i, std::size_t j) {
+        return same_call(mine->calls[i], theirs->calls[j]) && mine->calls[i].bytes == theirs->calls[j].bytes;
+    });
     return lines_evidence(sides, "Calls", cut);
 }
 
@@ -131,7 +137,7 @@ html::Evidence events_evidence(const Check& check, const Observation& observatio
     bool cut = false;
     const TensorView yours(*observation.yours);
     const TensorView expected(*observation.expected);
-    const auto names = event_names(bytes_as_text(observation.names));
+    const auto names = event_names(text_of(observation.names));
     Sides sides{event_lines(yours, names, cut), event_lines(expected, names, cut), {}};
     if (yours.cells() > 0 && yours.components() != expected.components()) return {};
     sides.alignment = align_events(check, yours, expected);

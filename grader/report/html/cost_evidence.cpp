@@ -41,7 +41,21 @@ struct Extent {
     }
 };
 
-std::string count_text(double value) { return value < 100000 ? fmt::format("{:.0f}", value) : short_number(value); }
+/// "2,700,055": counts are whole.
+std::string count_text(double value)
+{
+    if (!(std::abs(value) < 1e15)) return short_number(value);
+    std::string text = fmt::format("{:.0f}", value);
+    for (std::size_t at = text.size(); at > 3 && text[at - 4] != '-'; at -= 3) text.insert(at - 3, ",");
+    return text;
+}
+
+/// A power of ten as an axis is labelled.
+Markup power_of_ten(double exponent)
+{
+    if (exponent >= 0 && exponent <= 3) return escaped(count_text(std::pow(10.0, exponent)));
+    return markup("10<tspan dy=\"-4\" font-size=\"8\">{:.0f}</tspan>", exponent);
+}
 
 Markup grid(const Axis& across, const Axis& up)
 {
@@ -49,12 +63,12 @@ Markup grid(const Axis& across, const Axis& up)
     for (double e = across.low; e <= across.high + 0.5; ++e) {
         const double x = across.at(std::pow(10.0, e));
         result += markup("<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>", x, top, bottom,
-                         bottom + 17, count_text(std::pow(10.0, e)));
+                         bottom + 17, power_of_ten(e));
     }
     for (double e = up.low; e <= up.high + 0.5; ++e) {
         const double y = up.at(std::pow(10.0, e));
         result += markup("<path class=\"grid\" d=\"M{1} {0:.1f}H{2}\"/><text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>", y, left, right, left - 7,
-                         y + 4, count_text(std::pow(10.0, e)));
+                         y + 4, power_of_ten(e));
     }
     return result;
 }

@@ -27,7 +27,7 @@ Markup legend(const FragmentsEvidence& evidence)
 
 Markup fragments_evidence(const FragmentsEvidence& evidence)
 {
-    Markup result = "<div class=\"fragments\">\n";
+    Markup result = "<div class=\"fragments\">\n<div class=\"drawn\">\n";
     if (evidence.picture) {
         const Picture& picture = *evidence.picture;
         const int scale = std::clamp(360 / std::max({picture.width, picture.height, 1}), 1, 24);
@@ -41,6 +41,7 @@ Markup fragments_evidence(const FragmentsEvidence& evidence)
     if (!evidence.sketch.empty()) result += markup("<pre class=\"sketch\" tabindex=\"0\" aria-label=\"The same in characters\">{}</pre>\n", evidence.sketch);
     result += "</div>\n";
     result += rows_evidence(evidence.rows);
+    result += "</div>\n";
     return result;
 }
 
