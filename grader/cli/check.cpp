@@ -15,6 +15,7 @@
 #include "cli/application.hpp"
 #include "cli/watch.hpp"
 #include "report/hidden.hpp"
+#include "report/html/pages.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -27,6 +28,7 @@ struct Options {
     bool json = false;
     bool no_explanation = false;
     bool watch = false;
+    std::string html;
     unsigned attempt = 0;
 };
 
@@ -50,7 +52,13 @@ int check_once(Application& application, Workshop& workshop, const std::vector<E
     grading.explain = !options.no_explanation;
     grading.relative_to = fs::absolute(options.folder);
     grading.artefacts = grading.relative_to / "umbral-pictures";
-    const SubmissionResult result = without_hidden_values(grade_submission(workshop, exercises, options.folder, grading));
+    html::Gallery gallery;
+    if (!options.html.empty()) grading.gallery = &gallery;
+    SubmissionResult result = without_hidden_values(grade_submission(workshop, exercises, options.folder, grading));
+    if (!options.html.empty()) {
+        result.id = fs::absolute(options.folder).lexically_normal().filename().string();
+        html::write_page(options.html, html::report_html(result, fingerprint(workshop, exercises), gallery));
+    }
     // While watching, a line is a document, so that a program can read them one by one.
     const int indentation = options.watch ? -1 : 2;
     if (options.json)
@@ -127,6 +135,7 @@ void add_check(CLI::App& parser, Application& application)
     command->add_option("--dir", options->folder, "The workspace")->capture_default_str();
     command->add_option("--attempt", options->attempt, "Another number gives other random inputs")->capture_default_str();
     command->add_flag("--json", options->json, "As JSON (docs/schemas/report.schema.json)");
+    command->add_option("--html", options->html, "Also writes the report as one page that opens in any browser, without a network");
     command->add_flag("--watch", options->watch, "Checks again whatever you save, until you press Ctrl+C; with --json, one line a check");
     command->add_flag("--no-explanation", options->no_explanation, "Only points");
     command->callback([&application, options] { check(application, *options); });
