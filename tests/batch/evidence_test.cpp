@@ -1,0 +1,240 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "batch/evidence.hpp"
+#include "batch/evidence_kinds.hpp"
+
+namespace umbral::grader {
+namespace {
+
+template <class Value>
+Tensor table(Element element, std::uint32_t components, const std::vector<Value>& values)
+{
+    Tensor tensor{element, static_cast<std::uint32_t>(values.size() / components), 1, components, {}, {}};
+    tensor.bytes.resize(values.size() * sizeof(Value));
+    if (!values.empty()) std::memcpy(tensor.bytes.data(), values.data(), tensor.bytes.size());
+    return tensor;
+}
+
+Tensor floats(std::uint32_t components, const std::vector<float>& values) { return table(Element::float32, components, values); }
+
+Tensor text(const std::string& value) { return table(Element::uint8, 1, std::vector<char>(value.begin(), value.end())); }
+
+Tensor grey(std::uint32_t width, std::uint32_t height, const std::vector<std::uint8_t>& values)
+{
+    Tensor tensor = table(Element::uint8, 1, values);
+    tensor.rows = height;
+    tensor.columns = width;
+    return tensor;
+}
+
+Check check(JudgeKind kind, double ulps = 4)
+{
+    Check made;
+    made.name = "case/value";
+    made.judge = kind;
+    if (kind == JudgeKind::numbers || kind == JudgeKind::matrices) made.tolerance.ulps = ulps;
+    return made;
+}
+
+template <class Kind>
+Kind evidence(const Check& of, const Tensor& yours, const Tensor& expected, const Tensor* names = nullptr, bool right = false)
+{
+    const html::Evidence found = evidence_of(of, {&yours, &expected, nullptr, names}, {}, right);
+    EXPECT_TRUE(std::holds_alternative<Kind>(found));
+    return std::holds_alternative<Kind>(found) ? std::get<Kind>(found) : Kind{};
+}
+
+bool is_nothing(const html::Evidence& found) { return std::holds_alternative<std::monostate>(found); }
+
+TEST(Evidence, RowsMarkTheComponentsThatDiffer)
+{
+    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), floats(3, {1, 2, 3, 4, 5, 6}), floats(3, {1, 2, 3, 4, 7, 6}));
+    EXPECT_EQ(rows.rows, 2U);
+    EXPECT_EQ(rows.wrong, 1U);
+    ASSERT_EQ(rows.first.size(), 1U);
+    EXPECT_EQ(rows.first[0].name, "row 1");
+    EXPECT_EQ(rows.first[0].yours, (std::vector<std::string>{"4", "5", "6"}));
+    EXPECT_EQ(rows.first[0].expected, (std::vector<std::string>{"4", "7", "6"}));
+    EXPECT_EQ(rows.first[0].differs, (std::vector<bool>{false, true, false}));
+}
+
+TEST(Evidence, FirstRowsThenTheWorstOfTheOthers)
+{
+    std::vector<float> wrong;
+    std::vector<float> right;
+    for (int i = 0; i < 100; ++i) right.push_back(100), wrong.push_back(101 + static_cast<float>(i));
+    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), floats(1, wrong), floats(1, right));
+    EXPECT_EQ(rows.wrong, 100U);
+    EXPECT_EQ(rows.first.front().name, "row 0");
+    EXPECT_EQ(rows.worst.front().name, "row 99");
+    EXPECT_LE(rows.first.size() + rows.worst.size(), 20U);
+}
+
+TEST(Evidence, DigitsSufficeToTellNumbersApart)
+{
+    EXPECT_EQ(telling_apart(1, 1).yours, "1");
+    const NumberPair pair = telling_apart(1.0000001, 1.0000002);
+    EXPECT_NE(pair.yours, pair.expected);
+    const double next = std::nextafter(0.1, 1);
+    EXPECT_NE(telling_apart(0.1, next).yours, telling_apart(0.1, next).expected);
+    EXPECT_EQ(telling_apart(NAN, 1).yours, "nan");
+    EXPECT_EQ(telling_apart(NAN, NAN).yours, "nan") << "ends though NaN equals nothing";
+}
+
+TEST(Evidence, WhatIsNoNumberOrNotThereIsSaid)
+{
+    Tensor yours = floats(1, {NAN, 2, 3});
+    Tensor expected = floats(1, {1, 2, 3});
+    yours.present = {1, 0, 1};
+    expected.present = {1, 1, 0};
+    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), yours, expected);
+    ASSERT_EQ(rows.first.size(), 3U);
+    EXPECT_EQ(rows.first[0].note, "not comparable");
+    EXPECT_EQ(rows.first[1].yours, (std::vector<std::string>{"nothing"}));
+    EXPECT_EQ(rows.first[1].note, "missing");
+    EXPECT_EQ(rows.first[2].note, "nothing is expected");
+}
+
+TEST(Evidence, AnotherShapeGivesNoRowsButBothPictures)
+{
+    EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind::numbers), {}, {}, false)));
+    const Tensor three = floats(1, {1, 2, 3});
+    const Tensor two = floats(1, {1, 2});
+    EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind::numbers), {&three, &two}, {}, false)));
+    const auto pictures = evidence<html::PictureEvidence>(check(JudgeKind::image), grey(2, 1, {1, 2}), grey(1, 2, {1, 2}));
+    EXPECT_FALSE(pictures.problem.empty());
+    EXPECT_EQ(pictures.yours.width, 2);
+    EXPECT_EQ(pictures.reference->width, 1);
+}
+
+TEST(Evidence, DamagedRecordingsGiveNothing)
+{
+    Tensor damaged = grey(4, 4, std::vector<std::uint8_t>(16, 1));
+    const Tensor expected = damaged;
+    damaged.bytes.resize(7);
+    for (const JudgeKind kind : all_judges) EXPECT_TRUE(is_nothing(evidence_of(check(kind), {&damaged, &expected}, {}, false))) << to_string(kind);
+}
+
+TEST(Evidence, EqualPicturesAreShownOnce)
+{
+    const auto pictures = evidence<html::PictureEvidence>(check(JudgeKind::image), grey(2, 2, {1, 2, 3, 4}), grey(2, 2, {1, 2, 3, 4}), nullptr, true);
+    EXPECT_FALSE(pictures.yours.png.empty());
+    EXPECT_FALSE(pictures.reference.has_value());
+}
+
+TEST(Evidence, TheWorstPixelsComeWithTheirValues)
+{
+    std::vector<std::uint8_t> values(64 * 64, 10);
+    const Tensor expected = grey(64, 64, values);
+    values[40 * 64 + 50] = 200;
+    values[41 * 64 + 51] = 11;
+    const auto pictures = evidence<html::PictureEvidence>(check(JudgeKind::image), grey(64, 64, values), expected);
+    EXPECT_EQ(pictures.differing, 2U);
+    EXPECT_EQ(pictures.largest, 190);
+    ASSERT_TRUE(pictures.worst);
+    ASSERT_EQ(pictures.pixels.size(), 2U);
+    EXPECT_EQ(pictures.pixels[0].x, 50);
+    EXPECT_EQ(pictures.pixels[0].y, 40);
+    EXPECT_EQ(pictures.pixels[0].yours, "200");
+    EXPECT_EQ(pictures.pixels[0].reference, "10");
+    const html::Magnified& worst = *pictures.worst;
+    const std::size_t place = static_cast<std::size_t>((40 - worst.y) * worst.yours.width + 50 - worst.x);
+    EXPECT_EQ(worst.texts[worst.yours_texts[place]], "200");
+    EXPECT_EQ(worst.texts[worst.reference_texts[place]], "10");
+    EXPECT_EQ(worst.levels[place], 190);
+}
+
+TEST(Evidence, TracesAreAlignedAndEqualRunsFold)
+{
+    std::string expected = "glFlush\n";
+    for (int i = 0; i < 30; ++i) expected += "glUniform1i 0 " + std::to_string(i) + "\n";
+    std::string yours = expected;
+    yours.replace(yours.find("glUniform1i 0 12\n"), 17, "");
+    yours.replace(yours.find("glUniform1i 0 25\n"), 17, "glUniform1i 0 99\n");
+    yours += "glFinish\n";
+    const auto lines = evidence<html::LinesEvidence>(check(JudgeKind::trace), text(yours), text(expected));
+    EXPECT_EQ(lines.missing, 1U);
+    EXPECT_EQ(lines.changed, 1U);
+    EXPECT_EQ(lines.extra, 1U);
+    std::size_t covered = 0;
+    std::size_t folds = 0;
+    for (const html::LinePair& line : lines.lines) {
+        covered += line.kind == html::LineKind::omitted ? line.omitted : line.expected_number > 0 ? 1 : 0;
+        folds += line.kind == html::LineKind::omitted ? 1 : 0;
+        if (line.kind == html::LineKind::missing) {
+            EXPECT_EQ(line.expected, "glUniform1i(0, 12)");
+        }
+        if (line.kind == html::LineKind::changed) {
+            EXPECT_EQ(line.yours, "glUniform1i(0, 99)");
+        }
+    }
+    EXPECT_EQ(covered, 31U) << "no expected line is lost";
+    EXPECT_EQ(folds, 2U);
+}
+
+TEST(Evidence, AnEndlessTraceIsCutAndSaysSo)
+{
+    std::string endless;
+    for (int i = 0; i < 60000; ++i) endless += "glFlush\n";
+    const auto lines = evidence<html::LinesEvidence>(check(JudgeKind::trace), text(endless), text("glClear 1\n"));
+    EXPECT_TRUE(lines.cut);
+    EXPECT_LE(lines.lines.size(), 200U);
+}
+
+TEST(Evidence, OneLostEventIsOneLostEvent)
+{
+    const Tensor names = text("1 press\n2 drag\n");
+    const auto lines = evidence<html::LinesEvidence>(check(JudgeKind::events), floats(2, {1, 0, 2, 6, 2, 7}), floats(2, {1, 0, 2, 5, 2, 6, 2, 7}), &names);
+    EXPECT_EQ(lines.missing, 1U);
+    EXPECT_EQ(lines.extra + lines.changed, 0U);
+    EXPECT_EQ(lines.lines[1].expected, "drag (5)");
+    const Tensor none{Element::float32, 0, 0, 1, {}, {}};
+    EXPECT_EQ(evidence<html::LinesEvidence>(check(JudgeKind::events), none, floats(2, {1, 0})).missing, 1U) << "no event at all";
+}
+
+TEST(Evidence, FragmentsAreCountedByWhatBecameOfThem)
+{
+    const auto found = evidence<html::FragmentsEvidence>(check(JudgeKind::fragments), floats(4, {0, 1, 1, 5, 0, 2, 1, 9, 0, 7, 7, 1, 0, 1, 1, 5}),
+                                                         floats(4, {0, 1, 1, 5, 0, 2, 1, 6, 0, 3, 1, 6}));
+    EXPECT_EQ(found.right, 1U);
+    EXPECT_EQ(found.changed, 1U);
+    EXPECT_EQ(found.missing, 1U);
+    EXPECT_EQ(found.extra, 2U) << "one elsewhere, one twice";
+    ASSERT_TRUE(found.picture);
+    EXPECT_EQ(found.x, -1);
+    EXPECT_EQ(found.picture->width, 7);
+}
+
+TEST(Evidence, FragmentsFarAwayTakeNoMemory)
+{
+    const auto found =
+        evidence<html::FragmentsEvidence>(check(JudgeKind::fragments), floats(3, {0, 1e9F, -1e9F, NAN, INFINITY, 1}), floats(3, {0, -1e9F, 1e9F, 0, 1e9F, 0}));
+    ASSERT_TRUE(found.picture);
+    EXPECT_LE(found.picture->width, 256);
+}
+
+TEST(Evidence, CostsPairUpBySize)
+{
+    const auto found = evidence<html::CostEvidence>(check(JudgeKind::cost), table<double>(Element::float64, 2, {10, 100, 20, 400}),
+                                                    table<double>(Element::float64, 2, {10, 90, 20, 180, 40, 360}));
+    ASSERT_EQ(found.points.size(), 3U);
+    EXPECT_EQ(found.points[1].yours, 400);
+    EXPECT_EQ(found.points[1].reference, 180);
+    EXPECT_FALSE(found.points[2].yours);
+}
+
+TEST(Evidence, BoundsAreSaidInWords)
+{
+    Check both = check(JudgeKind::numbers, 16);
+    both.tolerance.relative = 1e-6;
+    EXPECT_EQ(describe(both).bound, "16 ulp, or 1e-06 relative");
+    EXPECT_EQ(describe(both).limit, 16);
+    EXPECT_TRUE(describe(check(JudgeKind::image)).bound.empty());
+}
+
+}
+}

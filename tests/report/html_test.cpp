@@ -1,0 +1,263 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "report/html/base64.hpp"
+#include "report/html/class_statistics.hpp"
+#include "report/html/pages.hpp"
+#include "report/utf8.hpp"
+#include "results.hpp"
+
+namespace umbral::grader::html {
+namespace {
+
+std::size_t count_of(std::string_view text, std::string_view part)
+{
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + part.size())) ++count;
+    return count;
+}
+
+bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+/// The page without its styles and scripts, which are ours.
+std::string body_of(const std::string& page)
+{
+    const std::size_t begin = page.find("<body>");
+    return page.substr(begin, page.rfind("<script>") - begin);
+}
+
+/// A unit with a text from outside wherever one can stand.
+SubmissionResult hostile_submission(const std::string& text)
+{
+    CheckResult check = check_result(text, 0, 1000);
+    check.message = text;
+    check.first_difference = Difference{text, text, text};
+    check.sketch = text;
+    UnitResult unit = unit_result(text, Verdict::partial, {check, check_result(text + "2", 500, 500)});
+    unit.message = text;
+    unit.output = text;
+    unit.explanations = {{text, text, 1}, {text, text, 0.5}};
+    return submission_result(text, {unit});
+}
+
+Gallery hostile_gallery(const std::string& text)
+{
+    CheckDetail detail;
+    detail.why = detail.bound = detail.unit = text;
+    RowsEvidence rows;
+    rows.headings = {text};
+    rows.first = {{text, {text}, {text}, {true}, text}};
+    LinesEvidence lines;
+    lines.what = text;
+    lines.lines = {{LineKind::changed, 1, 1, text, text, 0}, {LineKind::missing, 0, 2, "", text, 0}};
+    PictureEvidence picture;
+    picture.problem = text;
+    picture.pixels = {{1, 2, text, text, 3}};
+    picture.yours = picture.reference.emplace(encode(Image(2, 2)));
+    FragmentsEvidence fragments;
+    fragments.sketch = text;
+    fragments.rows = rows;
+    Gallery gallery;
+    UnitDetail& unit = gallery[text];
+    unit.title = text;
+    unit.checks[text] = detail;
+    int number = 0;
+    for (const Evidence& evidence : {Evidence(rows), Evidence(lines), Evidence(picture), Evidence(fragments)}) {
+        unit.checks[text + std::to_string(++number)] = detail;
+        unit.checks[text + std::to_string(number)].evidence = evidence;
+    }
+    return gallery;
+}
+
+std::string hostile_page(const std::string& text)
+{
+    SubmissionResult submission = hostile_submission(text);
+    for (int i = 1; i <= 4; ++i) submission.units[0].checks.push_back(check_result(text + std::to_string(i), 0, 1000));
+    return report_html(submission, {text, text, text, text, text, text, {text}}, hostile_gallery(text));
+}
+
+TEST(Base64, KnownAnswers)
+{
+    // The test vectors of RFC 4648.
+    for (const auto& [bytes, text] :
+         {std::pair{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}})
+        EXPECT_EQ(base64(bytes), text);
+    EXPECT_EQ(base64(std::string("\xFF\x00\xFE", 3)), "/wD+");
+    EXPECT_EQ(source_hash(""), "sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=") << "of the empty text";
+}
+
+TEST(Report, NothingFromOutsideBecomesMarkup)
+{
+    const std::string harmless = body_of(hostile_page("x"));
+    for (const char* text : {"</script><script>alert(1)</script>", "<img src=x onerror=alert(1)>", "\"><b>", "' onmouseover='alert(1)", "<!--", "]]>",
+                             "{{script}}", "&lt;", "</style>"}) {
+        const std::string body = body_of(hostile_page(text));
+        EXPECT_EQ(count_of(body, "<"), count_of(harmless, "<")) << "no element more than with a harmless text: " << text;
+        EXPECT_EQ(count_of(body, "\""), count_of(harmless, "\"")) << text;
+        EXPECT_FALSE(has(body, "<script")) << text;
+        EXPECT_FALSE(has(body, "<img src=x")) << text;
+    }
+}
+
+TEST(Report, AnyBytesGiveAValidPage)
+{
+    const unsigned seed = 11;
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    for (int round = 0; round < 60; ++round) {
+        std::string bytes(1 + random() % 30, '\0');
+        for (char& byte : bytes) byte = static_cast<char>(random());
+        const std::string page = hostile_page(bytes);
+        for (std::string_view rest = page; !rest.empty(); rest.remove_prefix(first_character(rest).size)) {
+            const Character character = first_character(rest);
+            ASSERT_TRUE(character.valid);
+            ASSERT_TRUE(character.code == '\n' || (character.code >= 0x20 && character.code != 0x7F && !(character.code >= 0x80 && character.code < 0xA0)));
+        }
+        ASSERT_EQ(count_of(body_of(page), "<"), count_of(body_of(hostile_page("x")), "<"));
+    }
+}
+
+TEST(Report, ThePolicyAllowsItsOwnStyleAndScriptAndNothingElse)
+{
+    const std::string page = hostile_page("x");
+    EXPECT_TRUE(has(page, "default-src 'none'; img-src data:; style-src 'sha256-"));
+    for (const char* element : {"style", "script"}) {
+        const std::string open = std::string("<") + element + ">";
+        const std::size_t begin = page.find(open) + open.size();
+        const std::string text = page.substr(begin, page.find(std::string("</") + element, begin) - begin);
+        EXPECT_TRUE(has(page, std::string(element) + "-src '" + source_hash(text) + "'")) << element;
+    }
+    // Inline styles and handlers would be refused by that policy; addresses would not be fetched.
+    EXPECT_FALSE(has(body_of(page), " style="));
+    EXPECT_FALSE(has(body_of(page), " onclick="));
+    for (const char* scheme : {"http:", "https:", "//www", "url(", "@import"}) EXPECT_FALSE(has(page.substr(0, page.rfind("<script>")), scheme)) << scheme;
+}
+
+TEST(Report, AStudentsEditionHoldsNothingOfHiddenChecks)
+{
+    CheckResult hidden = check_result("random/t", 0, 2000, true);
+    hidden.message = "secret-message";
+    hidden.error = 12345.678;
+    hidden.first_difference = Difference{"secret-where", "secret-yours", "secret-expected"};
+    UnitResult unit = unit_result("raytracing/sphere", Verdict::partial, {check_result("head-on/t", 1000, 1000), hidden});
+    unit.explanations = {{"far", "You return the far root.", 1}};
+    Gallery gallery;
+    gallery[unit.id].checks["random/t"].why = "as measured";
+    RowsEvidence rows;
+    rows.first = {{"row 1", {"secret-value"}, {"secret-truth"}, {true}, ""}};
+    gallery[unit.id].checks["random/t"].evidence = rows;
+
+    const std::string student = report_html(submission_result("ana", {unit}), {}, gallery);
+    EXPECT_FALSE(has(student, "secret-"));
+    EXPECT_FALSE(has(student, "12345"));
+    EXPECT_FALSE(has(student, "1.23e+04"));
+    EXPECT_TRUE(has(student, "random/t")) << "its name is shown";
+    EXPECT_TRUE(has(student, "You return the far root."));
+    EXPECT_FALSE(has(student, "All 1 units"));
+
+    const std::string instructor = report_html(submission_result("ana", {unit}), {}, gallery, {Edition::instructor, ""});
+    for (const char* text : {"secret-message", "secret-value", "secret-truth", "instructor"}) EXPECT_TRUE(has(instructor, text)) << text;
+}
+
+TEST(Report, WhyComesFirstThenWhatWasPrintedThenChecks)
+{
+    UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("one/x", 0, 1000)});
+    unit.explanations = {{"e", "EXPLAINED", 1}};
+    unit.message = "DIAGNOSED";
+    unit.output = "PRINTED";
+    const std::string page = report_html(submission_result("s", {unit}), {}, {});
+    const std::size_t section = page.find("id=\"u1\"");
+    const std::size_t why = page.find("EXPLAINED", section);
+    EXPECT_LT(why, page.find("DIAGNOSED", section));
+    EXPECT_LT(page.find("PRINTED", section), page.find("one/x", section));
+    EXPECT_LT(why, page.find("PRINTED", section));
+}
+
+TEST(Report, AUnitThatNeverRanListsNoChecks)
+{
+    UnitResult unit = unit_result("a/b", Verdict::compile_error, {check_result("one/x", 0, 1000)});
+    unit.message = "b.cpp:3: error: expected ';'";
+    const std::string page = report_html(submission_result("s", {unit}), {}, {});
+    EXPECT_TRUE(has(page, "What the compiler says"));
+    EXPECT_TRUE(has(page, "expected &#39;;&#39;"));
+    EXPECT_FALSE(has(page, "one/x"));
+}
+
+TEST(Report, EmptyAndHugeSubmissionsGivePages)
+{
+    EXPECT_TRUE(has(report_html({}, {}, {}), "No unit was graded."));
+    std::vector<UnitResult> units(200, unit_result("topic/unit", Verdict::wrong, {check_result("c/v", 0, 1)}));
+    for (UnitResult& unit : units) unit.output = std::string(10000, '<');
+    EXPECT_TRUE(has(report_html(submission_result(std::string(10000, 'x'), units), {}, {}), "id=\"u200\""));
+    UnitResult odd = unit_result("a/b", Verdict::partial, {check_result("c/v", 0, 0)});
+    odd.seconds = odd.reference_seconds = std::numeric_limits<double>::quiet_NaN();
+    odd.checks[0].error = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(has(report_html(submission_result("x", {odd}), {}, {}), "width=\"nan"));
+}
+
+TEST(Report, EqualResultsGiveEqualPages) { EXPECT_EQ(hostile_page("same"), hostile_page("same")); }
+
+ClassResult small_class()
+{
+    ClassResult result;
+    const auto unit = [](Millipoints score, const char* why) {
+        UnitResult one = unit_result("raytracing/sphere",
+                                     score == 1000 ? Verdict::ok
+                                     : score > 0   ? Verdict::partial
+                                                   : Verdict::wrong,
+                                     {check_result("a/b", score, 1000)});
+        if (*why != '\0') one.explanations = {{why, "the sentence", 1}};
+        return one;
+    };
+    result.submissions = {submission_result("ana", {unit(1000, "")}), submission_result("bruno", {unit(300, "mistake: far_root")}),
+                          submission_result("carla", {unit(500, "mistake: far_root")}), submission_result("diego", {unit(0, "scaled")})};
+    UnitResult fault = unit_result("raytracing/sphere", Verdict::grader_fault, {});
+    result.submissions.push_back(submission_result("elena", {fault}));
+    return result;
+}
+
+TEST(Class, StatisticsLeaveOutOurFaults)
+{
+    const std::vector<UnitStatistics> units = unit_statistics(small_class());
+    ASSERT_EQ(units.size(), 1U);
+    EXPECT_EQ(units[0].graded, 4U);
+    EXPECT_EQ(units[0].right, 1U);
+    EXPECT_DOUBLE_EQ(units[0].median, 0.4);
+    EXPECT_EQ(units[0].by_share, (std::array<std::size_t, 11>{1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1}));
+}
+
+TEST(Class, AlmostNothingIsNotNothingAndAlmostAllIsNotAll)
+{
+    ClassResult result;
+    for (const Millipoints score : {1, 999999})
+        result.submissions.push_back(submission_result("x", {unit_result("a/b", Verdict::partial, {check_result("c/d", score, 1000000)})}));
+    EXPECT_EQ(unit_statistics(result)[0].by_share, (std::array<std::size_t, 11>{0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0}));
+}
+
+TEST(Class, ClustersSayWhoSharesAReason)
+{
+    const std::vector<Cluster> found = clusters(small_class());
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].name, "far root");
+    EXPECT_EQ(found[0].who, (std::vector<std::size_t>{1, 2}));
+    const std::string page = class_html(small_class(), {{{"raytracing/sphere", "The sphere"}}, false});
+    for (const char* text : {"2×", "far root", "bruno/report.html", "carla/report.html", "class.json", "ana/report.student.json", "The sphere"})
+        EXPECT_TRUE(has(page, text)) << text;
+    EXPECT_FALSE(has(page, "report.instructor.html"));
+    EXPECT_TRUE(has(class_html(small_class(), {{}, true}), "elena/report.instructor.html"));
+}
+
+TEST(Class, NamesFromOutsideBecomeNoLinks)
+{
+    ClassResult result;
+    result.submissions = {hostile_submission("javascript:alert(1)//<script>"), hostile_submission("../../etc/passwd")};
+    const std::string page = class_html(result);
+    EXPECT_FALSE(has(page, "href=\"javascript"));
+    EXPECT_FALSE(has(page, "href=\"../"));
+    EXPECT_TRUE(has(class_html({}), "0 submissions"));
+}
+
+}
+}
