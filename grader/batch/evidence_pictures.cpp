@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -37,6 +39,15 @@ private:
     std::map<std::string, std::uint16_t> numbers_;
 };
 
+/// A pixel's value in words. Pictures are judged in steps of a 255th of their range: four digits say more than that.
+std::string pixel_text(const Check& check, const TensorView& view, std::size_t cell)
+{
+    if (check.judge != JudgeKind::image || !view.present(cell)) return cell_text(view, cell);
+    std::string text;
+    for (const double value : view.cell(cell)) text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", value);
+    return view.components() == 1 ? text : "(" + text + ")";
+}
+
 /// Two recordings of one shape, and what a page shows of them.
 struct Pair {
     const Tensor& yours;
@@ -48,7 +59,7 @@ struct Pair {
     int largest = 0;
 };
 
-html::Magnified magnify(const Pair& pair, const Window& window, std::vector<html::PixelPair>& worst_pixels)
+html::Magnified magnify(const Check& check, const Pair& pair, const Window& window, std::vector<html::PixelPair>& worst_pixels)
 {
     html::Magnified result;
     result.x = window.x;
@@ -63,8 +74,8 @@ html::Magnified magnify(const Pair& pair, const Window& window, std::vector<html
         for (int x = window.x; x < window.x + window.width; ++x) {
             const std::size_t cell = static_cast<std::size_t>(y) * pair.expected.columns + static_cast<std::size_t>(x);
             const int level = pair.map.at(x, y);
-            const std::string of_yours = cell_text(yours, cell);
-            const std::string of_expected = cell_text(expected, cell);
+            const std::string of_yours = pixel_text(check, yours, cell);
+            const std::string of_expected = pixel_text(check, expected, cell);
             result.yours_texts.push_back(words.number_of(of_yours));
             result.reference_texts.push_back(words.number_of(of_expected));
             result.levels.push_back(static_cast<std::uint8_t>(level));
@@ -116,7 +127,7 @@ html::Evidence picture_evidence(const Check& check, const Tensor& yours, const T
         for (std::size_t i = 0; i < pair.map.cells.size(); ++i) pair.difference.cells[i] = magma(static_cast<double>(pair.map.cells[i]) / pair.largest);
         result.difference = html::encode(pair.difference);
         const std::optional<WorstRegion> worst = worst_region(check, yours, expected);
-        if (worst && !right) result.worst = magnify(pair, worst->worst, result.pixels);
+        if (worst && !right) result.worst = magnify(check, pair, worst->worst, result.pixels);
         return result;
     } catch (const std::invalid_argument&) {
         // A buffer of another kind than pictures are (two channels, say): the judge's words must do.

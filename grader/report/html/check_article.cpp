@@ -58,7 +58,7 @@ std::string_view short_message(const CheckResult& check, const CheckDetail& deta
 
 }
 
-Markup check_article(const CheckResult& check, const CheckDetail& detail, const std::string& anchor)
+Markup check_article(const CheckResult& check, const CheckDetail& detail, const std::string& anchor, bool with_points)
 {
     const bool right = check.score >= check.max_score;
     const char* kind = right ? "ok" : check.score > 0 ? "partial" : "bad";
@@ -68,8 +68,11 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
                kind, anchor, check.name);
     if (check.hidden) result += "<span class=\"tag\">hidden</span> ";
     if (check.hard) result += "<span class=\"tag\">hard case</span> ";
-    result += markup("<span class=\"tag\">{}</span> <span class=\"points\">{}, {}<span class=\"of\"> / {} points</span></span></p></header>\n",
-                     to_string(check.kind), words, points_text(check.score), points_text(check.max_score));
+    result += markup("<span class=\"tag\">{}</span>", to_string(check.kind));
+    if (with_points)
+        result += markup(" <span class=\"points\">{}, {}<span class=\"of\"> / {} points</span></span>", words, points_text(check.score),
+                         points_text(check.max_score));
+    result += "</p></header>\n";
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", short_message(check, detail));
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
     result += std::visit(Show{anchor}, detail.evidence);

@@ -14,7 +14,7 @@ std::string comparison_html(const Comparison& comparison)
         "class=\"of-reference\"><dt>reference</dt><dd>{}</dd></div></dl>\n</section>\n",
         comparison.agree ? "The pictures agree" : "The pictures do not agree", comparison.yours, comparison.reference);
     document.main += "<section class=\"unit\" aria-label=\"Comparison\">\n<h2 class=\"aside\">Comparison</h2>\n";
-    document.main += check_article(comparison.check, comparison.detail, "c1");
+    document.main += check_article(comparison.check, comparison.detail, "c1", false);
     document.main += "</section>\n";
     document.footer = markup("<dl class=\"fingerprint\"><div><dt>Umbral</dt><dd>{}</dd></div></dl>\n", comparison.version);
     return document_html(document);

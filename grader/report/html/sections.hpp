@@ -10,7 +10,7 @@ namespace umbral::grader::html {
 [[nodiscard]] Markup unit_section(const UnitResult& unit, const UnitDetail& detail, std::size_t number, Edition edition);
 
 /// One check that is not right, or is worth a look: its words, its error and its evidence.
-[[nodiscard]] Markup check_article(const CheckResult& check, const CheckDetail& detail, const std::string& anchor);
+[[nodiscard]] Markup check_article(const CheckResult& check, const CheckDetail& detail, const std::string& anchor, bool with_points = true);
 
 /// Evidence of each kind.
 [[nodiscard]] Markup picture_evidence(const PictureEvidence& evidence, const std::string& anchor);
