@@ -51,7 +51,7 @@ TEST_F(DrawDeferred, ShowsWhatImmediateModeShows)
 
 TEST_F(DrawDeferred, NumbersMoreVerticesThan16BitsCan)
 {
-    const ColoredMesh mesh = sheet(256, 257);
+    const ColoredMesh mesh = sheet(257, 257, 8);
     ASSERT_GT(mesh.positions.size(), 65536U);
     expect_same_pixels(mesh, 64);
     // Cut to 16 bits, the picture is another one: that is what the unit's case looks for.

@@ -130,7 +130,7 @@ const Driver driver = {
     {"frames", frames},
     {"state", state},
     {"several", several},
-    {"many vertices", [](Case&, Recorder& out) { record_picture(out, "picture", sheet(256, 257), 256); }},
+    {"many vertices", [](Case&, Recorder& out) { record_picture(out, "picture", sheet(257, 257, 8), 192); }},
     {"random", random},
 };
 

@@ -48,8 +48,9 @@ inline ColoredMesh rosette(int petals, int rings)
 }
 
 /// A sheet of columns x rows vertices over the square [-0.95, 0.95]², in soft bands of colour. It is bent away from the viewer between its
-/// first row and its last, so that a triangle that wrongly joins the two is in front of it.
-inline ColoredMesh sheet(int columns, int rows)
+/// first row and its last, so that a triangle that wrongly joins the two is in front of it. Triangles join every `step`-th vertex only: there
+/// are many vertices, and little to draw.
+inline ColoredMesh sheet(int columns, int rows, int step)
 {
     ColoredMesh mesh;
     for (int row = 0; row < rows; ++row)
@@ -59,11 +60,10 @@ inline ColoredMesh sheet(int columns, int rows)
             const float wave = std::sin(9 * place.x + 4 * std::sin(5 * place.y)) * std::cos(7 * place.y);
             mesh.colors.push_back(rainbow(0.5F + 0.2F * wave, 0.6F, 0.6F + 0.4F * place.y));
         }
-    for (int row = 0; row + 1 < rows; ++row)
-        for (int column = 0; column + 1 < columns; ++column) {
-            const auto corner = static_cast<std::uint32_t>(row * columns + column);
-            const auto above = corner + static_cast<std::uint32_t>(columns);
-            for (const std::uint32_t index : {corner, corner + 1, above + 1, corner, above + 1, above}) mesh.indices.push_back(index);
+    for (int row = 0; row + step < rows; row += step)
+        for (int column = 0; column + step < columns; column += step) {
+            const auto at = [&](int right, int up) { return static_cast<std::uint32_t>((row + up * step) * columns + column + right * step); };
+            for (const std::uint32_t index : {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)}) mesh.indices.push_back(index);
         }
     return mesh;
 }
