@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <raytracing/support.hpp>
 
-#include "tenant.hpp"
-#include "ulps.hpp"
+#include "../tenant.hpp"
+#include "../ulps.hpp"
 
 using namespace umbral;
 using namespace umbral::raytracing;

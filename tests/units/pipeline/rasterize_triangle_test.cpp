@@ -3,9 +3,9 @@
 #include <numeric>
 #include <pipeline/support.hpp>
 
+#include "../tenant.hpp"
+#include "../ulps.hpp"
 #include "scan_conversion.hpp"
-#include "tenant.hpp"
-#include "ulps.hpp"
 
 using namespace umbral;
 using namespace umbral::pipeline;

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <interaction/support.hpp>
 
-#include "tenant.hpp"
-#include "view_errors.hpp"
+#include "../tenant.hpp"
+#include "../view_errors.hpp"
 
 using namespace umbral;
 using namespace umbral::interaction;

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <meshes/support.hpp>
 
-#include "tenant.hpp"
+#include "../tenant.hpp"
 #include "vertex_normals_table.hpp"
 
 using namespace umbral;

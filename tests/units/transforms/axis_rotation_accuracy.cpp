@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <transforms/support.hpp>
 
+#include "../tenant.hpp"
+#include "../ulps.hpp"
 #include "axis_rotation_table.hpp"
-#include "tenant.hpp"
-#include "ulps.hpp"
 
 using namespace umbral;
 using namespace umbral::transforms;

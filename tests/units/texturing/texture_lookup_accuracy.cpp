@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <texturing/support.hpp>
 
-#include "tenant.hpp"
+#include "../tenant.hpp"
 
 using namespace umbral;
 using namespace umbral::texturing;

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <projections/support.hpp>
 
-#include "tenant.hpp"
-#include "view_errors.hpp"
+#include "../tenant.hpp"
+#include "../view_errors.hpp"
 
 using namespace umbral;
 using namespace umbral::projections;

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <pipeline/support.hpp>
 
-#include "tenant.hpp"
+#include "../tenant.hpp"
 
 using namespace umbral;
 using namespace umbral::pipeline;

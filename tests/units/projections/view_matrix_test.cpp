@@ -2,8 +2,8 @@
 
 #include <projections/support.hpp>
 
-#include "tenant.hpp"
-#include "view_errors.hpp"
+#include "../tenant.hpp"
+#include "../view_errors.hpp"
 
 using namespace umbral;
 using namespace umbral::projections;

@@ -3,7 +3,7 @@
 #include <limits>
 #include <meshes/support.hpp>
 
-#include "tenant.hpp"
+#include "../tenant.hpp"
 #include "vertex_normals_table.hpp"
 
 using namespace umbral;

@@ -2,7 +2,7 @@
 
 #include <texturing/support.hpp>
 
-#include "tenant.hpp"
+#include "../tenant.hpp"
 
 using namespace umbral;
 using namespace umbral::texturing;

@@ -2,8 +2,8 @@
 
 #include <raytracing/support.hpp>
 
-#include "tenant.hpp"
-#include "ulps.hpp"
+#include "../tenant.hpp"
+#include "../ulps.hpp"
 
 using namespace umbral;
 using namespace umbral::raytracing;

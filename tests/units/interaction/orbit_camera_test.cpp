@@ -3,8 +3,8 @@
 #include <interaction/support.hpp>
 #include <numbers>
 
-#include "tenant.hpp"
-#include "view_errors.hpp"
+#include "../tenant.hpp"
+#include "../view_errors.hpp"
 
 using namespace umbral;
 using namespace umbral::interaction;
