@@ -1,0 +1,166 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <umbral/core/grid.hpp>
+#include <utility>
+#include <vector>
+
+/// Diagrams for the goal pictures of units whose answers are numbers: smooth lines, discs, arrows and areas over a grid.
+namespace umbral {
+
+/// Colours of diagrams, sRGB in [0, 1]: they go with the pages of the reports, and can be told apart by the colour-blind.
+namespace ink {
+inline constexpr glm::vec3 night(0.055F, 0.06F, 0.09F);
+inline constexpr glm::vec3 slate(0.20F, 0.23F, 0.31F);
+inline constexpr glm::vec3 mist(0.55F, 0.60F, 0.70F);
+inline constexpr glm::vec3 white(0.95F, 0.96F, 0.98F);
+inline constexpr glm::vec3 blue(0.34F, 0.71F, 0.91F);
+inline constexpr glm::vec3 orange(0.90F, 0.62F, 0.10F);
+inline constexpr glm::vec3 green(0.15F, 0.75F, 0.55F);
+inline constexpr glm::vec3 red(0.90F, 0.40F, 0.25F);
+inline constexpr glm::vec3 pink(0.85F, 0.52F, 0.72F);
+}
+
+/// A picture of a rectangle of the plane, y up. Places are in the plane's units; widths and radii are in pixels.
+///
+/// What is drawn later lies on top. Places that are not finite draw nothing: a student's NaN must not stop a picture.
+class Drawing {
+public:
+    /// `low` and `high` are opposite corners of the rectangle; one that is narrower or flatter than the picture is centred in it.
+    Drawing(int width, int height, glm::dvec2 low, glm::dvec2 high, glm::vec3 background = ink::night)
+        : pixels_(width, height, to_linear(background)), middle_(0.5 * (low + high)), scale_(std::min(width / (high.x - low.x), height / (high.y - low.y)))
+    {
+    }
+
+    void line(glm::dvec2 from, glm::dvec2 to, glm::vec3 color, double width = 2, double alpha = 1)
+    {
+        const glm::dvec2 a = to_pixels(from);
+        const glm::dvec2 along = to_pixels(to) - a;
+        if (!is_drawable(a) || !is_drawable(a + along)) return;
+        const double length_squared = glm::dot(along, along);
+        paint(glm::min(a, a + along) - 0.5 * width, glm::max(a, a + along) + 0.5 * width, color, alpha, [&](glm::dvec2 p) {
+            const double t = length_squared > 0 ? std::clamp(glm::dot(p - a, along) / length_squared, 0.0, 1.0) : 0.0;
+            return smooth(0.5 * width - glm::length(p - a - t * along));
+        });
+    }
+
+    /// A line with a head at `to`.
+    void arrow(glm::dvec2 from, glm::dvec2 to, glm::vec3 color, double width = 2.5)
+    {
+        const double length = scale_ * glm::length(to - from);
+        if (!(length > 0)) return;
+        const glm::dvec2 back = (from - to) / length * std::min(length, 5 * width);
+        const glm::dvec2 aside = 0.45 * glm::dvec2(-back.y, back.x);
+        line(from, to + 0.8 * back, color, width);
+        area(std::vector<glm::dvec2>{to, to + back + aside, to + back - aside}, color);
+    }
+
+    /// The closed line through these places.
+    void outline(std::span<const glm::dvec2> places, glm::vec3 color, double width = 2)
+    {
+        for (std::size_t i = 0; i < places.size(); ++i) line(places[i], places[(i + 1) % places.size()], color, width);
+    }
+
+    void disc(glm::dvec2 place, double radius, glm::vec3 color, double alpha = 1)
+    {
+        const glm::dvec2 middle = to_pixels(place);
+        paint(middle - radius, middle + radius, color, alpha, [&](glm::dvec2 p) { return smooth(radius - glm::length(p - middle)); });
+    }
+
+    void ring(glm::dvec2 place, double radius, glm::vec3 color, double width = 2)
+    {
+        const glm::dvec2 middle = to_pixels(place);
+        const double outside = radius + 0.5 * width;
+        paint(middle - outside, middle + outside, color, 1, [&](glm::dvec2 p) { return smooth(0.5 * width - std::abs(glm::length(p - middle) - radius)); });
+    }
+
+    /// The inside of a polygon of any shape, by the even-odd rule.
+    void area(std::span<const glm::dvec2> places, glm::vec3 color, double alpha = 1)
+    {
+        std::vector<glm::dvec2> corners;
+        for (const glm::dvec2& place : places) corners.push_back(to_pixels(place));
+        if (corners.empty() || !std::all_of(corners.begin(), corners.end(), is_drawable)) return;
+        glm::dvec2 low = corners.front();
+        glm::dvec2 high = low;
+        for (const glm::dvec2& corner : corners) {
+            low = glm::min(low, corner);
+            high = glm::max(high, corner);
+        }
+        constexpr int samples = 4;
+        paint(low, high, color, alpha, [&](glm::dvec2 p) {
+            int inside = 0;
+            for (int i = 0; i < samples * samples; ++i)
+                if (is_inside(corners, p + glm::dvec2(i % samples, i / samples) / double(samples) - 0.375)) ++inside;
+            return inside / double(samples * samples);
+        });
+    }
+
+    /// Faint lines at the multiples of `step`, and brighter ones through the origin.
+    void grid(double step, glm::vec3 color = ink::slate)
+    {
+        const glm::dvec2 half = 0.5 * glm::dvec2(pixels_.width, pixels_.height) / scale_;
+        const glm::dvec2 low = middle_ - half;
+        const glm::dvec2 high = middle_ + half;
+        const auto lines = [&](double first, double last, auto draw) {
+            for (double k = std::ceil(first / step); k <= last / step; ++k) draw(k * step, k == 0 ? 2.0 : 1.0);
+        };
+        lines(low.x, high.x, [&](double x, double width) { line({x, low.y}, {x, high.y}, color, width); });
+        lines(low.y, high.y, [&](double y, double width) { line({low.x, y}, {high.x, y}, color, width); });
+    }
+
+    [[nodiscard]] Image picture() const
+    {
+        Image result(pixels_.width, pixels_.height);
+        std::transform(pixels_.cells.begin(), pixels_.cells.end(), result.cells.begin(), [](glm::dvec3 linear) {
+            const glm::dvec3 curve = glm::pow(glm::clamp(linear, 0.0, 1.0), glm::dvec3(1 / 2.2));
+            return glm::u8vec4(glm::u8vec3(255.0 * curve + 0.5), 255);
+        });
+        return result;
+    }
+
+private:
+    static glm::dvec3 to_linear(glm::vec3 color) { return glm::pow(glm::dvec3(color), glm::dvec3(2.2)); }
+    static bool is_drawable(glm::dvec2 p) { return std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6; }
+    static double smooth(double depth) { return std::clamp(depth + 0.5, 0.0, 1.0); }
+
+    [[nodiscard]] glm::dvec2 to_pixels(glm::dvec2 place) const
+    {
+        const glm::dvec2 shift = scale_ * (place - middle_);
+        return {0.5 * pixels_.width + shift.x, 0.5 * pixels_.height - shift.y};
+    }
+
+    static bool is_inside(const std::vector<glm::dvec2>& corners, glm::dvec2 p)
+    {
+        bool inside = false;
+        for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+            const glm::dvec2& a = corners[i];
+            const glm::dvec2& b = corners[j];
+            if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+        }
+        return inside;
+    }
+
+    // Mixes `color` into the pixels of a box; `cover` gives how much of the pixel round a place is covered.
+    template <class Cover>
+    void paint(glm::dvec2 low, glm::dvec2 high, glm::vec3 color, double alpha, Cover cover)
+    {
+        if (!is_drawable(low) || !is_drawable(high)) return;
+        const glm::dvec3 paint = to_linear(color);
+        const int right = std::min(pixels_.width - 1, static_cast<int>(std::ceil(high.x)));
+        const int bottom = std::min(pixels_.height - 1, static_cast<int>(std::ceil(high.y)));
+        for (int y = std::max(0, static_cast<int>(std::floor(low.y)) - 1); y <= bottom; ++y)
+            for (int x = std::max(0, static_cast<int>(std::floor(low.x)) - 1); x <= right; ++x)
+                pixels_.at(x, y) = glm::mix(pixels_.at(x, y), paint, alpha * cover(glm::dvec2(x + 0.5, y + 0.5)));
+    }
+
+    Grid<glm::dvec3> pixels_;
+    glm::dvec2 middle_;
+    double scale_;
+};
+
+}
