@@ -1,0 +1,192 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <umbral/core/random.hpp>
+#include <umbral/meshes/mesh.hpp>
+#include <utility>
+#include <vector>
+
+#include "bodies.hpp"
+#include "support.hpp"
+
+/// A zoo of meshes for questions about topology: what each of them is stands beside it. All have a size of about 2 round the origin.
+namespace umbral::meshes {
+
+/// A strip of `cells` (3 or more) quadrilaterals with half a twist: one side, one boundary loop of 2 `cells` edges, characteristic 0. Not orientable.
+inline IndexedMesh moebius(std::uint32_t cells, std::uint32_t across = 1)
+{
+    IndexedMesh mesh;
+    for (std::uint32_t cell = 0; cell < cells; ++cell) {
+        for (std::uint32_t row = 0; row <= across; ++row) {
+            const double u = 6.283185307179586 * cell / cells;
+            const double shift = 0.45 * (2.0 * row / across - 1);
+            const double distance = 1 + shift * std::cos(u / 2);
+            mesh.positions.emplace_back(distance * std::sin(u), shift * std::sin(u / 2), distance * std::cos(u));
+        }
+    }
+    const auto at = [&](std::uint32_t cell, std::uint32_t row) { return cell < cells ? cell * (across + 1) + row : across - row; };
+    for (std::uint32_t cell = 0; cell < cells; ++cell)
+        for (std::uint32_t row = 0; row < across; ++row) add_quad(mesh, {at(cell, row), at(cell + 1, row), at(cell + 1, row + 1), at(cell, row + 1)});
+    return mesh;
+}
+
+/// A torus whose last join is turned over: closed, not orientable, characteristic 0. Its positions are a torus's, so that it cuts itself.
+inline IndexedMesh klein_bottle(std::uint32_t columns, std::uint32_t rows)
+{
+    IndexedMesh mesh = torus(columns, rows);
+    mesh.triangles.clear();
+    const auto at = [&](std::uint32_t column, std::uint32_t row) { return column < columns ? column * rows + row % rows : (2 * rows - row) % rows; };
+    for (std::uint32_t column = 0; column < columns; ++column)
+        for (std::uint32_t row = 0; row < rows; ++row) add_quad(mesh, {at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)});
+    return mesh;
+}
+
+/// The projective plane with the fewest triangles: V 6, E 15, F 10; closed, not orientable, characteristic 1. Its positions are any.
+inline IndexedMesh projective_plane()
+{
+    return {{{1, 0, 0}, {-1, 0, 0.1F}, {0, 1, 0}, {0, -1, 0.2F}, {0, 0, 1}, {0.1F, 0, -1}},
+            {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}}};
+}
+
+/// `pages` triangles that share one edge: a manifold for one and two, none from three on.
+inline IndexedMesh book(std::uint32_t pages)
+{
+    IndexedMesh mesh{{{0, -1, 0}, {0, 1, 0}}, {}};
+    for (std::uint32_t page = 0; page < pages; ++page) {
+        const double angle = 6.283185307179586 * page / pages;
+        mesh.positions.emplace_back(std::cos(angle), 0, std::sin(angle));
+        mesh.triangles.emplace_back(0, 1, page + 2);
+    }
+    return mesh;
+}
+
+/// Two triangles that share one vertex and no edge: a bow-tie vertex on the boundary.
+inline IndexedMesh bow_tie() { return {{{0, 0, 0}, {1, 0.6F, 0}, {1, -0.6F, 0}, {-1, 0.6F, 0}, {-1, -0.6F, 0}}, {{0, 2, 1}, {0, 3, 4}}}; }
+
+/// A disc of `slices` (3 or more) triangles round one vertex, whose degree grows with it.
+inline IndexedMesh disc(std::uint32_t slices)
+{
+    IndexedMesh mesh{{{0, 0.3F, 0}}, {}};
+    for (std::uint32_t slice = 0; slice < slices; ++slice) {
+        const double angle = 6.283185307179586 * slice / slices;
+        mesh.positions.emplace_back(std::sin(angle), 0, std::cos(angle));
+        mesh.triangles.emplace_back(0, 1 + slice, 1 + (slice + 1) % slices);
+    }
+    return mesh;
+}
+
+/// A tube without ends: two boundary loops of `columns` (3 or more) edges, characteristic 0.
+inline IndexedMesh tube(std::uint32_t columns, std::uint32_t rows)
+{
+    IndexedMesh mesh;
+    for (std::uint32_t row = 0; row <= rows; ++row) {
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            const double angle = 6.283185307179586 * column / columns;
+            mesh.positions.emplace_back(std::sin(angle), 1.6 * row / rows - 0.8, std::cos(angle));
+        }
+    }
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            const std::uint32_t next = (column + 1) % columns;
+            add_quad(mesh, {row * columns + column, row * columns + next, (row + 1) * columns + next, (row + 1) * columns + column});
+        }
+    }
+    return mesh;
+}
+
+/// A flat sheet of `columns` x `rows` cells over the xz-plane, up +y, each side 2 long.
+inline IndexedMesh flat_sheet(std::uint32_t columns, std::uint32_t rows)
+{
+    return sheet(columns, rows, [&](std::uint32_t column, std::uint32_t row) {
+        return glm::vec3(2.0F * static_cast<float>(column) / static_cast<float>(columns) - 1, 0, 2.0F * static_cast<float>(row) / static_cast<float>(rows) - 1);
+    });
+}
+
+/// Both meshes, the second one's vertices after the first one's; they share none.
+inline IndexedMesh joined(IndexedMesh first, const IndexedMesh& second, const glm::vec3& shift = glm::vec3(0))
+{
+    const auto count = static_cast<std::uint32_t>(first.positions.size());
+    for (const glm::vec3& position : second.positions) first.positions.push_back(position + shift);
+    for (const glm::uvec3& triangle : second.triangles) first.triangles.push_back(triangle + count);
+    return first;
+}
+
+/// The same mesh in another order: vertices and triangles are permuted, and triangles start at any of their corners. Winding stays.
+inline IndexedMesh shuffled(const IndexedMesh& mesh, Random& random)
+{
+    const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+    std::vector<std::uint32_t> place(count);
+    for (std::uint32_t i = 0; i < count; ++i) place[i] = i;
+    for (std::uint32_t i = count; i > 1; --i) std::swap(place[i - 1], place[random.below(i)]);
+    IndexedMesh result{std::vector<glm::vec3>(count), mesh.triangles};
+    for (std::uint32_t i = 0; i < count; ++i) result.positions[place[i]] = mesh.positions[i];
+    for (auto i = static_cast<std::uint32_t>(result.triangles.size()); i > 1; --i) std::swap(result.triangles[i - 1], result.triangles[random.below(i)]);
+    for (glm::uvec3& t : result.triangles) {
+        t = {place[t.x], place[t.y], place[t.z]};
+        for (std::uint32_t turns = random.below(3); turns > 0; --turns) t = {t.y, t.z, t.x};
+    }
+    return result;
+}
+
+/// About half of the triangles wound the other way round.
+inline IndexedMesh with_mixed_winding(IndexedMesh mesh, Random& random)
+{
+    for (glm::uvec3& triangle : mesh.triangles)
+        if (random.below(2) == 1) std::swap(triangle.y, triangle.z);
+    return mesh;
+}
+
+/// `count` vertices that no triangle has, at the end of the list.
+inline IndexedMesh with_lonely_vertices(IndexedMesh mesh, int count)
+{
+    for (int i = 0; i < count; ++i) mesh.positions.emplace_back(0.3F * static_cast<float>(i), 1.5F, 0);
+    return mesh;
+}
+
+/// A mesh of the zoo, and its name for reports and tests.
+struct Specimen {
+    const char* name;
+    IndexedMesh mesh;
+};
+
+/// One of each kind that is coherently wound and a 2-manifold (every edge has one or two triangles, the triangles round a vertex form one fan).
+inline std::vector<Specimen> tame_meshes()
+{
+    return {{"tetrahedron", tetrahedron()},
+            {"octahedron", octahedron()},
+            {"cube", cube()},
+            {"ball", ball(8, 5)},
+            {"torus", torus(7, 5)},
+            {"plate with two holes", plate_with_holes(2)},
+            {"plate with three holes", plate_with_holes(3)},
+            {"two balls", joined(ball(5, 3), ball(4, 4), {3, 0, 0})},
+            {"sheet", flat_sheet(4, 3)},
+            {"disc", disc(7)},
+            {"tube", tube(6, 2)},
+            {"triangle", book(1)},
+            {"two sheets", joined(flat_sheet(2, 2), flat_sheet(1, 3), {0, 1, 0})}};
+}
+
+/// One of each kind that is not orientable, not a manifold, or not what one expects of a mesh.
+inline std::vector<Specimen> wild_meshes()
+{
+    IndexedMesh doubled = flat_sheet(2, 2);
+    doubled.triangles.push_back(doubled.triangles[3]);
+    return {{"Moebius strip", moebius(9)},
+            {"wide Moebius strip", moebius(8, 3)},
+            {"Klein bottle", klein_bottle(6, 5)},
+            {"projective plane", projective_plane()},
+            {"three triangles at an edge", book(3)},
+            {"five triangles at an edge", book(5)},
+            {"bow tie", bow_tie()},
+            {"cubes at an edge", cubes_at_an_edge()},
+            {"cubes at a corner", cubes_at_a_corner()},
+            {"a triangle twice", doubled},
+            {"lonely vertices", with_lonely_vertices(octahedron(), 3)},
+            {"no triangles", with_lonely_vertices({}, 4)},
+            {"nothing", {}}};
+}
+
+}
