@@ -1,0 +1,107 @@
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+#include "rosette.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+struct Couple {
+    glm::vec3 a;
+    glm::vec3 b;
+};
+
+void record(const Couple& couple, Recorder& out)
+{
+    const auto& [a, b] = couple;
+    out.append("dot", dot_product(a, b));
+    out.append("cross", cross_product(a, b));
+    out.append("length", length_of(a));
+    out.append("unit", normalised(a));
+    out.append("angle", angle_between(a, b));
+    out.append("parallel", parallel_part(a, b));
+    out.append("perpendicular", perpendicular_part(a, b));
+}
+
+// Vectors whose answers a student can work out by hand.
+void record_known(Recorder& out)
+{
+    const Couple couples[] = {{{1, 0, 0}, {0, 1, 0}},  {{0, 1, 0}, {0, 0, 1}},  {{0, 0, 1}, {1, 0, 0}}, {{1, 2, 2}, {3, 0, 4}},    {{3, 4, 0}, {2, 0, 0}},
+                              {{2, 3, 6}, {0, 0, -5}}, {{1, 1, 0}, {-1, 0, 0}}, {{1, 2, 3}, {2, 4, 6}}, {{1, -2, 2}, {-2, 4, -4}}, {{0, -4, 3}, {0, 6, 8}}};
+    for (const Couple& couple : couples) record(couple, out);
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec3 a = random.uniform(0.5F, 8) * random.unit_vector();
+        const glm::vec3 b = random.uniform(0.5F, 8) * random.unit_vector();
+        record({a, b}, out);
+    }
+}
+
+// Pairs of one question about a null vector and one about others, in random order.
+void record_null(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 12; ++i) {
+        const glm::vec3 a = 3.0F * random.unit_vector();
+        const glm::vec3 b = 2.0F * random.unit_vector();
+        const glm::vec3 c = random.unit_vector();
+        const Couple null = i % 3 == 0 ? Couple{{0, 0, 0}, b} : i % 3 == 1 ? Couple{a, {0, -0.0F, 0}} : Couple{{-0.0F, 0, 0}, {0, 0, 0}};
+        const bool swapped = random.below(2) == 1;
+        for (const bool is_null : {swapped, !swapped}) {
+            const Couple& couple = is_null ? null : Couple{a, c};
+            out.append("unit", normalised(is_null ? glm::vec3(0) : a));
+            out.append("angle", angle_between(couple.a, couple.b));
+            out.append("parallel", parallel_part(a, is_null ? glm::vec3(0) : b));
+            out.append("perpendicular", perpendicular_part(a, is_null ? glm::vec3(0) : b));
+        }
+    }
+}
+
+// Squares of these lengths are no floats, or have lost digits.
+void record_sizes(Random& random, Recorder& out)
+{
+    for (const float size : {1e-40F, 1e-37F, 1e-30F, 1e-23F, 1e-20F, 1e20F, 1e25F, 1e30F, 1e38F}) {
+        for (int i = 0; i < 12; ++i) {
+            const glm::vec3 a = size * random.unit_vector();
+            const glm::vec3 b = size * random.uniform(0.1F, 1) * random.unit_vector();
+            out.append("length", length_of(a));
+            out.append("unit", normalised(a));
+            out.append("angle", angle_between(a, b));
+            out.append("parallel", parallel_part(random.unit_vector(), b));
+        }
+    }
+}
+
+// Angles of 0.1 to 1e-7, or as far from π: what the long way round computes is the difference of nearly equal numbers.
+void record_nearly_parallel(Random& random, Recorder& out)
+{
+    for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F, 3e-7F}) {
+        for (int i = 0; i < 24; ++i) {
+            // None of its components is so small that the other's rounding would turn it by less than the angle.
+            const glm::vec3 a = random.uniform(1, 8) * clear_axis(false, random);
+            const glm::vec3 aside = normalize(cross(a, random.unit_vector()));
+            const float factor = random.uniform(0.5F, 2) * (i % 4 == 3 ? -1.0F : 1.0F);
+            const glm::vec3 b = factor * (a + angle * length(a) * aside);
+            out.append("cross", cross_product(a, b));
+            if (factor > 0) out.append("angle", angle_between(a, b));
+            out.append("perpendicular", perpendicular_part(a, b));
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"null vectors", [](Case& c, Recorder& out) { record_null(c.random, out); }},
+    {"tiny and huge", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
+    {"nearly parallel", [](Case& c, Recorder& out) { record_nearly_parallel(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("rosette", draw_rosette()); }},
+};
+
+}
