@@ -1,0 +1,139 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <meshes/halved.hpp>
+#include <numbers>
+#include <umbral/core/random.hpp>
+#include <umbral/gl/framebuffer.hpp>
+#include <umbral/gl/opengl.hpp>
+#include <umbral/pipeline/immediate.hpp>
+
+/// Where the cases draw, and what: the tables of problems 1.1 and 1.2.
+namespace umbral::pipeline {
+
+/// A picture of twice the size, drawn by the fixed functionality in clip coordinates, and how it is brought down to its own size.
+class Stage {
+public:
+    explicit Stage(int size) : frame_(2 * size, 2 * size)
+    {
+        glUseProgram(0);
+        glLineWidth(5);
+        clear();
+    }
+
+    void clear() const { frame_.clear({0.055F, 0.06F, 0.09F, 1}); }
+    [[nodiscard]] Image pixels() const { return frame_.read_pixels(); }
+    [[nodiscard]] Image picture() const { return halved(pixels()); }
+
+private:
+    gl::Framebuffer frame_;
+};
+
+/// Problem 1.1: the corners of a regular polygon of radius 1.
+inline std::vector<glm::vec2> polygon(int corners)
+{
+    std::vector<glm::vec2> table;
+    for (int i = 0; i < corners; ++i) {
+        const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(corners);
+        table.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    return table;
+}
+
+/// Problem 1.2: its centre, and triangles round it.
+struct Fan {
+    std::vector<glm::vec2> positions;
+    std::vector<std::uint32_t> indices;
+};
+
+/// Triangles come `stride` after each other round the centre, each begun at another of its corners; without a common divisor with `corners`,
+/// each comes once.
+inline Fan fan(int corners, int stride)
+{
+    Fan result{polygon(corners), {}};
+    result.positions.emplace_back(0, 0);
+    for (int i = 0; i < corners; ++i) {
+        const int k = i * stride % corners;
+        const std::array<int, 3> triangle = {k, (k + 1) % corners, corners};
+        for (int corner = 0; corner < 3; ++corner)
+            result.indices.push_back(static_cast<std::uint32_t>(triangle[static_cast<std::size_t>((i + 1 + corner) % 3)]));
+    }
+    return result;
+}
+
+/// One use of the unit: a regular polygon somewhere.
+struct Piece {
+    int corners = 3;
+    bool cut = false;  ///< into triangles
+    glm::vec3 place{0};
+    float radius = 1;
+    float turn = 0;
+    glm::vec3 fill{1};
+    glm::vec3 edges{0};
+};
+
+/// Where a point of the polygon of radius 1 goes. All of a piece has one depth.
+inline glm::mat4 model_of(const Piece& piece)
+{
+    const glm::mat4 turned = rotate(translate(glm::mat4(1), piece.place), piece.turn, glm::vec3(0, 0, 1));
+    return scale(turned, glm::vec3(piece.radius, piece.radius, 1));
+}
+
+inline void draw(const Piece& piece)
+{
+    glMatrixMode(GL_MODELVIEW);
+    glLoadMatrixf(value_ptr(model_of(piece)));
+    if (piece.cut) {
+        const Fan tables = fan(piece.corners, piece.corners % 2 == 1 ? 2 : 1);
+        draw_triangles(tables.positions, tables.indices, piece.fill, piece.edges);
+    } else {
+        draw_polygon(polygon(piece.corners), piece.fill, piece.edges);
+    }
+}
+
+/// A colour of the rainbow: hue in turns, any number.
+inline glm::vec3 rainbow(float hue, float saturation, float value)
+{
+    const glm::vec3 phase = glm::fract(glm::vec3(hue) + glm::vec3(0, 2.0F / 3, 1.0F / 3)) * 6.0F;
+    return value * glm::mix(glm::vec3(1), glm::clamp(glm::abs(phase - 3.0F) - 1.0F, 0.0F, 1.0F), saturation);
+}
+
+/// A sunflower's head: polygons along Fermat's spiral, each turned by the golden angle against the one before.
+inline std::vector<Piece> sunflower(int count)
+{
+    constexpr float golden_angle = 2.3999632F;
+    std::vector<Piece> pieces;
+    for (int i = 0; i < count; ++i) {
+        const float outwards = std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(count));
+        const float angle = golden_angle * static_cast<float>(i);
+        const float reach = 0.9F * std::pow(outwards, 1.2F);
+        const glm::vec3 fill = rainbow(0.12F + 0.62F * outwards, 0.85F - 0.3F * static_cast<float>(i % 2), 0.62F + 0.3F * static_cast<float>(i % 2));
+        pieces.push_back({3 + i % 6,
+                          i % 2 == 0,
+                          {reach * std::cos(angle), reach * std::sin(angle), 0},
+                          0.045F + 0.042F * outwards,
+                          angle,
+                          fill,
+                          glm::mix(fill, glm::vec3(1), 0.65F)});
+    }
+    return pieces;
+}
+
+inline Piece random_piece(Random& random, float depth)
+{
+    Piece piece;
+    piece.corners = 3 + static_cast<int>(random.below(9));
+    piece.cut = random.below(2) == 0;
+    const float x = random.uniform(-0.6F, 0.6F);
+    piece.place = {x, random.uniform(-0.6F, 0.6F), depth};
+    piece.radius = random.uniform(0.2F, 0.38F);
+    piece.turn = random.uniform(0, 6.28F);
+    piece.fill = rainbow(random.uniform(), 0.8F, 0.8F);
+    piece.edges = rainbow(random.uniform(), 0.25F, 1);
+    return piece;
+}
+
+}
