@@ -77,6 +77,23 @@ inline IndexedMesh disc(std::uint32_t slices)
     return mesh;
 }
 
+/// Cones that share their apex, a bow tie; the apex is the last of 131,072 vertices, and their rims begin at 0, 32,768 and 65,536.
+///
+/// Two vertices packed into 32 bits, as a * V + b or as a << 16 | b, are the same number for edges of different cones.
+inline IndexedMesh cones_with_large_indices(std::uint32_t slices)
+{
+    constexpr std::uint32_t apex = 131'071;
+    IndexedMesh mesh{std::vector<glm::vec3>(apex + 1), {}};
+    for (const std::uint32_t first : {0U, 32'768U, 65'536U}) {
+        for (std::uint32_t slice = 0; slice < slices; ++slice) {
+            const double angle = 6.283185307179586 * slice / slices;
+            mesh.positions[first + slice] = glm::vec3(glm::dvec3(std::sin(angle), first / 32'768.0 - 1.5, std::cos(angle)));
+            mesh.triangles.emplace_back(apex, first + slice, first + (slice + 1) % slices);
+        }
+    }
+    return mesh;
+}
+
 /// A tube without ends: two boundary loops of `columns` (3 or more) edges, characteristic 0.
 inline IndexedMesh tube(std::uint32_t columns, std::uint32_t rows)
 {

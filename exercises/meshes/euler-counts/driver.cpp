@@ -1,0 +1,138 @@
+#include <umbral/meshes/euler.hpp>
+#include <umbral/record/cost.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../zoo.hpp"
+#include "gallery.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace meshes;
+
+void append(Recorder& out, std::string_view name, std::initializer_list<int> numbers)
+{
+    std::vector<float> row;
+    for (const int number : numbers) row.push_back(static_cast<float>(number));
+    out.append(name, row);
+}
+
+void record_counts(Recorder& out, const IndexedMesh& mesh)
+{
+    const TopologyCounts counts = count_topology(mesh);
+    append(out, "elements", {counts.vertices, counts.isolated_vertices, counts.edges, counts.faces});
+    append(out, "boundary", {counts.boundary_edges, counts.boundary_loops});
+    append(out, "pieces", {counts.components, counts.non_manifold_edges});
+}
+
+void record_genus(Recorder& out, const IndexedMesh& mesh)
+{
+    const std::optional<int> handles = genus(mesh);
+    out.append("genus", handles ? std::optional<float>(static_cast<float>(*handles)) : std::nullopt);
+}
+
+// Two or three meshes side by side, in an order that says nothing.
+IndexedMesh mixture(const std::vector<Specimen>& meshes, Random& random)
+{
+    IndexedMesh mesh;
+    for (std::uint32_t parts = 2 + random.below(2); parts > 0; --parts)
+        mesh = joined(mesh, meshes[random.below(static_cast<std::uint32_t>(meshes.size()))].mesh);
+    return shuffled(with_lonely_vertices(mesh, static_cast<int>(random.below(4))), random);
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    const std::vector<Specimen> tame = tame_meshes();
+    const std::vector<Specimen> wild = wild_meshes();
+    for (int i = 0; i < 40; ++i) {
+        const IndexedMesh mesh = mixture(i % 2 == 0 ? tame : wild, random);
+        record_counts(out, with_mixed_winding(mesh, random));
+    }
+}
+
+// In pairs: a surface that has a genus, and one that has none for a single reason.
+void record_genera(Random& random, Recorder& out)
+{
+    const std::vector<Specimen> tame = tame_meshes();
+    for (std::uint32_t round = 0; round < 4; ++round) {
+        const std::vector<IndexedMesh> without = {
+            moebius(5 + round), klein_bottle(4 + round, 5), projective_plane(),  book(3 + round),
+            bow_tie(),          cubes_at_an_edge(),         cubes_at_a_corner(), with_mixed_winding(torus(6 + round, 5), random)};
+        for (const IndexedMesh& mesh : without) {
+            const IndexedMesh other = mixture(tame, random);
+            const bool first = random.below(2) == 1;
+            record_genus(out, first ? other : shuffled(mesh, random));
+            record_genus(out, first ? shuffled(mesh, random) : other);
+        }
+    }
+}
+
+void record_degenerate(Random& random, Recorder& out)
+{
+    // A vertex that only a triangle that is no face has is isolated; whoever counts its edges finds some that are not there.
+    for (const Specimen& specimen : tame_meshes()) {
+        IndexedMesh mesh = with_lonely_vertices(specimen.mesh, 2);
+        const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
+        mesh.triangles.insert(mesh.triangles.begin(), {{0, last, last}, {1, 0, 1}, {2, 2, 2}});
+        mesh = shuffled(mesh, random);
+        record_counts(out, mesh);
+        record_genus(out, mesh);
+    }
+}
+
+void record_sphere(Recorder& out, const std::optional<ElementCounts>& counts)
+{
+    for (const auto member : {&ElementCounts::vertices, &ElementCounts::edges, &ElementCounts::faces})
+        out.append("counts", counts ? std::optional<float>(static_cast<float>((*counts).*member)) : std::nullopt);
+}
+
+void record_spheres(Recorder& out)
+{
+    for (const std::int64_t number : {-6, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 20, 30, 36, 41, 999, 30'000}) {
+        record_sphere(out, sphere_from_vertices(number));
+        record_sphere(out, sphere_from_edges(number));
+        record_sphere(out, sphere_from_faces(number));
+    }
+    // Powers of two and their like are exact in float; in 32 bits three times as many do not fit.
+    record_sphere(out, sphere_from_vertices((std::int64_t{1} << 40) + 2));
+    record_sphere(out, sphere_from_edges(std::int64_t{3} << 40));
+    record_sphere(out, sphere_from_faces(std::int64_t{1} << 41));
+}
+
+void record_work(Recorder& out)
+{
+    out.text("blocks.names", "triangles");
+    for (const std::uint32_t side : {9U, 13U, 18U, 26U, 36U}) {
+        const IndexedMesh mesh = torus(side, side);
+        record_cost(out, "blocks", mesh.triangles.size(), [&] {
+            (void)count_topology(mesh);
+            (void)genus(mesh);
+        });
+    }
+}
+
+void record_known(Recorder& out)
+{
+    for (const Specimen& specimen : tame_meshes()) {
+        record_counts(out, specimen.mesh);
+        record_genus(out, specimen.mesh);
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"sphere", [](Case&, Recorder& out) { record_spheres(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"genus", [](Case& c, Recorder& out) { record_genera(c.random, out); }},
+    {"no faces", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
+    {"large indices",
+     [](Case&, Recorder& out) {
+         for (const std::uint32_t slices : {3U, 8U, 60U}) record_counts(out, cones_with_large_indices(slices));
+     }},
+    {"work", [](Case&, Recorder& out) { record_work(out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_gallery()); }},
+};
+
+}
