@@ -28,8 +28,8 @@ struct ClipVertex {
 /// triangle does. There are 3 to 9 of them, or none where the triangle lies outside.
 ///
 /// Clips before the division by w, so that corners may lie behind the camera (w < 0) or in its plane (w = 0). The volume is closed: a corner
-/// on a plane stays. A triangle that only touches the volume, in a corner or a side, gives nothing; neither does one that contains the eye
-/// (0, 0, 0, 0), which is seen from its edge; nor one with a number that is NaN or infinite. No corner comes twice in a row.
+/// on a plane stays, and so does a triangle in a plane. A triangle that only touches the volume, in a corner or a side, gives nothing;
+/// neither does one with a corner in the eye (0, 0, 0, 0), nor one with a number that is NaN or infinite. No corner comes twice in a row.
 /// Guarantee of the reference: all of |x|, |y|, |z| <= w and w > 0 hold exactly; a new corner lies exactly on its plane; positions and weights
 /// are within 2 ulp of their largest component; and two triangles that share a side get the same new corners on it, bit by bit.
 /// To clip at a guard band instead, divide x and y by its factor, a power of two, and multiply the results: both are exact.

@@ -1,0 +1,208 @@
+#include <bit>
+#include <limits>
+#include <map>
+#include <umbral/record/driver.hpp>
+
+#include "landscape.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+// Polygons are the same whatever corner they begin with. Recorded, they begin where a linear function is largest: in one corner only,
+// unless a side happens to lie along its level lines. `value` gives what it is a function of.
+template <class Value>
+std::vector<ClipVertex> from_extreme(std::vector<ClipVertex> polygon, Value value)
+{
+    polygon.resize(std::min<std::size_t>(polygon.size(), 16));
+    const auto less = [&](const ClipVertex& a, const ClipVertex& b) { return value(a) < value(b); };
+    std::rotate(polygon.begin(), std::max_element(polygon.begin(), polygon.end(), less), polygon.end());
+    return polygon;
+}
+
+double level(const glm::vec4& p) { return 0.83 * double{p.x} + 0.61 * double{p.y} + 0.37 * double{p.z} + 0.19 * double{p.w}; }
+
+std::vector<ClipVertex> by_position(const std::vector<ClipVertex>& polygon)
+{
+    return from_extreme(polygon, [](const ClipVertex& vertex) { return level(vertex.position); });
+}
+
+std::vector<ClipVertex> by_weights(const std::vector<ClipVertex>& polygon)
+{
+    return from_extreme(polygon, [](const ClipVertex& vertex) { return level(glm::vec4(vertex.weights, 0)); });
+}
+
+// Rows [triangle, corner, 0, numbers...].
+template <std::size_t Count>
+void append(Recorder& out, const char* name, std::size_t triangle, std::size_t corner, const std::array<float, Count>& numbers)
+{
+    std::array<float, Count + 3> row{static_cast<float>(triangle), static_cast<float>(corner), 0};
+    std::copy(numbers.begin(), numbers.end(), row.begin() + 3);
+    out.append(name, std::span<const float>(row));
+}
+
+void record(Recorder& out, const std::vector<ClipTriangle>& triangles)
+{
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const std::vector<ClipVertex> polygon = clipped(triangles[i]);
+        const std::vector<ClipVertex> positions = by_position(polygon);
+        for (std::size_t k = 0; k < positions.size(); ++k) {
+            const glm::vec4 p = positions[k].position;
+            append(out, "positions", i, k, std::array{p.x, p.y, p.z, p.w});
+        }
+        const std::vector<ClipVertex> weights = by_weights(polygon);
+        for (std::size_t k = 0; k < weights.size(); ++k)
+            append(out, "weights", i, k, std::array{weights[k].weights.x, weights[k].weights.y, weights[k].weights.z});
+    }
+}
+
+ClipTriangle reversed(const ClipTriangle& triangle) { return {triangle[2], triangle[1], triangle[0]}; }
+
+// Numbers that can be worked out on paper.
+std::vector<ClipTriangle> by_hand()
+{
+    std::vector<ClipTriangle> triangles = {
+        {glm::vec4(-0.5F, -0.5F, 0, 1), {0.5F, -0.5F, 0, 1}, {0, 0.5F, 0.5F, 1}},  // inside
+        {glm::vec4(1.5F, 0, 0, 1), {2, 0, 0, 1}, {1.5F, 0.5F, 0, 1}},              // beyond the right side
+        {glm::vec4(0, 3, 0, 1), {-3, 0, 0, 1}, {-3, 3, 0, 1}},                     // beyond no side alone, yet outside
+        {glm::vec4(-0.5F, -0.5F, 0, 1), {2, -0.25F, 0, 1}, {-0.5F, 0.5F, 0, 1}},   // one corner to the right
+        {glm::vec4(-3, -0.5F, 0, 1), {0.5F, 0, 0, 1}, {-2, 0.75F, 0, 1}},          // two to the left
+        {glm::vec4(0, 0, -3, 2), {0.5F, 0.25F, 1, 2}, {-1, 1, 1.5F, 2}},           // before the near plane
+        {glm::vec4(0, 0, 3, 1), {0.5F, 0.25F, 0, 1}, {-1, 0.75F, 0.25F, 1}},       // beyond the far one
+        {glm::vec4(-8, -8, 0.25F, 1), {8, -8, 0.25F, 1}, {0, 16, 0.25F, 1}},       // all round
+        {glm::vec4(0, 0.25F, 0, 1), {6, 1, 2, 4}, {-2, 1, -1, 4}},                 // w differs: nothing to clip at x = 1
+        {glm::vec4(0, 0.25F, 0, 1), {12, 1, 2, 4}, {-2, 1, -1, 4}},                // … and here there is
+        {glm::vec4(0.5F, 0, 0, 1), {1.5F, 0, 0, -1}, {0, 0.25F, 0, 1}},            // behind the camera: not to the right
+        {glm::vec4(0, 0, 0, 2), {1, 0, 0, 2}, {0, 4, 0, -1}},
+    };
+    triangles.push_back(reversed(triangles[3]));
+    triangles.push_back(reversed(triangles[11]));
+    return triangles;
+}
+
+// Corners and sides exactly on planes. Those that leave nothing stand between some that do.
+std::vector<ClipTriangle> limits()
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    return {
+        {glm::vec4(1, 0, 0, 1), {-0.5F, 0.5F, 0, 1}, {-0.25F, -0.5F, 0, 1}},  // a corner on the right side, the rest inside
+        {glm::vec4(1, 0, 0, 1), {-0.5F, 3, 0, 1}, {-0.25F, -0.5F, 0, 1}},     // … and another above
+        {glm::vec4(1, 0, 0, 1), {1.5F, 0.5F, 0, 1}, {1.25F, -0.5F, 0, 1}},    // … the rest outside: nothing
+        {glm::vec4(1, 0, 0, 1), {1, 0.5F, 0, 1}, {2, 0, 0, 1}},               // a side on it, the rest outside: nothing
+        {glm::vec4(1, 0, 0, 1), {1, 0.5F, 0, 1}, {0, 0, 0, 1}},               // … inside
+        {glm::vec4(1, 0.25F, 0, 1), {3, 0.5F, 0, 1}, {0, -0.5F, 0, 1}},       // a corner on it, one inside, one outside
+        {glm::vec4(-3, -1, 5, 5), {5, -2, 5, 5}, {1, 4, 5, 5}},               // in the far plane: a sky
+        {glm::vec4(-1, -1, -1, 1), {3, -1, -1, 1}, {-1, 3, -1, 1}},           // in the near one, over the whole picture
+        {glm::vec4(2, 2, 2, 2), {2, -2, 2, 2}, {-2, 2, 2, 2}},                // three corners of the volume
+        {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, 0, 1}, {nan, 0, 0, 1}},          // nonsense
+        {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, 0, 1}, {0, 0, 0, infinity}},
+        {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},                                             // a corner in the eye
+        {glm::vec4(0.5F, 0, 0, -1), {0, 0.5F, 0, -1}, {-0.5F, -0.5F, 0, -1}},                                  // all behind
+        {glm::vec4(0, 0.5F, -2, 0), {0.5F, 0, 0, 1}, {-0.5F, 0.125F, 0, 1}},                                   // a corner in the camera's plane
+        {glm::vec4(-1.875F, 1.8125F, 0.0625F, 1), {0, -1.875F, 1.8125F, 1}, {1.8125F, 0.03125F, -1.875F, 1}},  // as many corners as there can be
+    };
+}
+
+glm::vec4 random_corner(Random& random, float reach)
+{
+    const float w = std::exp2(random.uniform(-1, 2));
+    return {reach * w * random.in_cube(), w};
+}
+
+std::vector<ClipTriangle> random_triangles(Random& random, int count)
+{
+    std::vector<ClipTriangle> triangles;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec4 a = random_corner(random, 1);
+        const glm::vec4 b = random_corner(random, 2);
+        triangles.push_back({a, b, random_corner(random, i % 3 == 0 ? 3.0F : 1.5F)});
+        std::rotate(triangles.back().begin(), triangles.back().begin() + random.below(3), triangles.back().end());
+    }
+    return triangles;
+}
+
+// One corner before the camera, others behind it or, one time in four, exactly in its plane.
+std::vector<ClipTriangle> behind(Random& random, int count)
+{
+    std::vector<ClipTriangle> triangles;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec4 front = random_corner(random, i % 4 == 0 ? 1.5F : 0.9F);
+        const glm::vec3 far_side = 3.0F * random.in_cube();
+        const glm::vec4 back(far_side, i % 4 == 1 ? 0 : random.uniform(-3, -0.1F));
+        const glm::vec3 third = 3.0F * random.in_cube();
+        triangles.push_back({front, back, glm::vec4(third, random.uniform(-3, 3))});
+        std::rotate(triangles.back().begin(), triangles.back().begin() + random.below(3), triangles.back().end());
+    }
+    return triangles;
+}
+
+// Triangles that cross one plane only. Along its axis each corner is recorded after the division: what was cut is at 1 or -1, not beside it.
+void record_on_planes(Random& random, Recorder& out)
+{
+    for (std::size_t i = 0; i < 200; ++i) {
+        const int axis = static_cast<int>(random.below(3));
+        const float side = random.below(2) == 0 ? 1 : -1;
+        ClipTriangle triangle = {random_corner(random, 0.9F), random_corner(random, 0.9F), random_corner(random, 0.9F)};
+        const float beyond = side * random.uniform(1.1F, 4);
+        triangle[random.below(3)][axis] = beyond * 4;
+        const std::vector<ClipVertex> polygon = by_position(clipped(triangle));
+        for (std::size_t k = 0; k < polygon.size(); ++k) append(out, "along", i, k, std::array{polygon[k].position[axis] / polygon[k].position.w});
+    }
+}
+
+// Which corner of the whole mesh is the first with exactly these bits: triangles at one side refer to the same ones.
+void record_seams(Recorder& out)
+{
+    const Landscape land = hills(14);
+    std::map<std::array<std::uint32_t, 4>, std::array<float, 2>> first;
+    for (std::size_t i = 0; i < land.triangles.size(); ++i) {
+        const ClipTriangle triangle = land.projected(i);
+        if ((outside_planes(triangle[0]) | outside_planes(triangle[1]) | outside_planes(triangle[2])) == 0) continue;
+        const std::vector<ClipVertex> polygon = by_position(clipped(triangle));
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const glm::vec4 p = polygon[k].position + 0.0F;  // no -0
+            const std::array bits = {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y), std::bit_cast<std::uint32_t>(p.z),
+                                     std::bit_cast<std::uint32_t>(p.w)};
+            append(out, "first", i, k, first.try_emplace(bits, std::array{static_cast<float>(i), static_cast<float>(k)}).first->second);
+        }
+    }
+}
+
+// A plain that reaches to the horizon, with one corner or two behind the camera: sides a million times as long as the near plane is far.
+void record_plain(Random& random, Recorder& out)
+{
+    const glm::dmat4 projection(perspective(1.5F, 1, 1, 3e6F));
+    for (std::size_t i = 0; i < 150; ++i) {
+        ClipTriangle triangle{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double size = std::exp2(double{random.uniform(0, 20)});
+            const double x = size * double{random.uniform(-1, 1)};
+            const double forward = k == 0   ? 1e6 * double{random.uniform(0.2F, 1)}
+                                   : k == 1 ? -5 * double{random.uniform(0.1F, 1)}
+                                            : size * double{random.uniform(-1, 1)};
+            triangle[k] = glm::vec4(projection * glm::dvec4(x, -1 - 0.5 * double{random.uniform()}, -forward, 1));
+        }
+        const std::vector<ClipVertex> polygon = by_position(clipped(triangle));
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const glm::vec3 ndc = glm::vec3(polygon[k].position) / polygon[k].position.w;
+            append(out, "ndc", i, k, std::array{ndc.x, ndc.y, ndc.z});
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
+    {"on the border", [](Case&, Recorder& out) { record(out, limits()); }},
+    {"random", [](Case& c, Recorder& out) { record(out, random_triangles(c.random, 300)); }},
+    {"behind the camera", [](Case& c, Recorder& out) { record(out, behind(c.random, 200)); }},
+    {"on the planes", [](Case& c, Recorder& out) { record_on_planes(c.random, out); }},
+    {"seams", [](Case&, Recorder& out) { record_seams(out); }},
+    {"plain", [](Case& c, Recorder& out) { record_plain(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_hills()); }},
+};
+
+}
