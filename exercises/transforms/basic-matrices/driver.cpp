@@ -1,0 +1,88 @@
+#include <numbers>
+#include <umbral/record/driver.hpp>
+
+#include "tower.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+// A matrix that is not the student's, so that a wrong matrix does not hide a wrong product.
+glm::mat4 given_matrix(Random& random)
+{
+    glm::mat4 matrix(1);
+    for (int column = 0; column < 3; ++column) matrix[column] = glm::vec4(2.0F * random.in_cube(), 0);
+    matrix[3] = glm::vec4(5.0F * random.in_cube(), 1);
+    return matrix;
+}
+
+void record_rotations(float angle, Recorder& out)
+{
+    out.append("rotation", rotation_about_x(angle));
+    out.append("rotation", rotation_about_y(angle));
+    out.append("rotation", rotation_about_z(angle));
+}
+
+// The course's examples first: Tra[0,1.2,0], Tra[0.7,0.6,-0.5], Esc[1.5,…], the mirror Esc[1,1,-1], Rot_x[23°], Rot_y[60°], Rot_z[45°].
+void record_known(Recorder& out)
+{
+    for (const glm::vec3& offset : {glm::vec3(0, 1.2F, 0), {0.7F, 0.6F, -0.5F}, {1, 2, 3}, {0, 0, 0}}) out.append("translation", translation_matrix(offset));
+    for (const glm::vec3& factors : {glm::vec3(1.5F), {2.5F, 1, 1}, {1, 3, 1}, {1, 1, -1}, {2, 0, 0.5F}}) out.append("scaling", scaling_matrix(factors));
+    for (int moved = 0; moved < 3; ++moved)
+        for (const int by : {(moved + 1) % 3, (moved + 2) % 3}) out.append("shear", shear_matrix(moved, by, 0.5F + static_cast<float>(moved)));
+    for (const float angle : {pi / 2, 23 * pi / 180, pi / 3, pi / 4, -pi / 2, pi}) record_rotations(angle, out);
+
+    glm::mat4 matrix(0.0F, 2.0F, 0.0F, 0.0F, -1.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 5.0F, 6.0F, 7.0F, 1.0F);
+    for (const glm::vec3& v : {glm::vec3(1, 0, 0), {0, 1, 0}, {0, 0, 0}, {1, 2, 3}}) {
+        out.append("point", transform_point(matrix, v));
+        out.append("vector", transform_vector(matrix, v));
+    }
+    glm::mat4 moved(1);
+    moved[3] = {3, 0, 0, 1};
+    glm::mat4 doubled(2);
+    doubled[3] = {0, 0, 0, 1};
+    for (const auto& steps : {std::vector<glm::mat4>{moved, doubled}, {doubled, moved}, {moved, matrix}, {matrix, moved, doubled}, {matrix}, {}})
+        out.append("composed", compose_matrices(steps));
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const glm::vec3 numbers = 8.0F * random.in_cube();
+        out.append("translation", translation_matrix(numbers));
+        out.append("scaling", scaling_matrix({numbers.y, numbers.z, numbers.x}));
+        out.append("shear", shear_matrix(i % 3, (i + 1 + i / 3 % 2) % 3, numbers.z));
+        record_rotations(random.uniform(-pi, pi), out);
+        const glm::mat4 matrix = given_matrix(random);
+        out.append("point", transform_point(matrix, numbers));
+        out.append("vector", transform_vector(matrix, numbers));
+    }
+    for (std::size_t i = 0; i < 60; ++i) {
+        std::vector<glm::mat4> steps;
+        for (std::size_t k = 0; k < 2 + i % 5; ++k) steps.push_back(given_matrix(random));
+        out.append("composed", compose_matrices(steps));
+    }
+}
+
+void record_many_turns(Random& random, Recorder& out)
+{
+    for (const float angle : {2 * pi, 7.0F, -100.0F, 1e3F, -1e4F, 1e6F})
+        for (int i = 0; i < 5; ++i) record_rotations(angle * random.uniform(0.9F, 1), out);
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
+    {"picture",
+     [](Case&, Recorder& out) {
+         out.image("tower", draw_blocks(tower(), {3.4F, 4.7F, 8.3F}, {0, 2.5F, 0}));
+     }},
+};
+
+}
