@@ -1,0 +1,217 @@
+#include <limits>
+#include <optional>
+#include <umbral/record/driver.hpp>
+
+#include "../../drawing.hpp"
+#include "buffers.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+// Offset and stride of each attribute, and the size of it all.
+void record_layout(Recorder& out, const char* name, const VertexLayout& layout, std::size_t attributes)
+{
+    const auto number = [](std::uint64_t value) { return static_cast<double>(value); };
+    for (std::size_t i = 0; i < attributes; ++i) {
+        const bool there = i < layout.places.size();
+        out.append(name, there ? glm::dvec2(number(layout.places[i].offset), number(layout.places[i].stride)) : glm::dvec2(NAN));
+    }
+    out.append(name, glm::dvec2(number(layout.bytes), number(layout.places.size())));
+}
+
+void record_layouts(Recorder& out, const std::vector<VertexAttribute>& attributes, std::uint64_t vertices)
+{
+    record_layout(out, "interleaved", interleaved_layout(attributes, vertices), attributes.size());
+    record_layout(out, "separate", separate_layout(attributes, vertices), attributes.size());
+}
+
+void record_course(Recorder& out)
+{
+    for (const std::uint64_t vertices : {1U, 8U, 1000U}) {
+        record_layouts(out, course_vertex, vertices);
+        record_layouts(out, {floats(3)}, vertices);
+        record_layouts(out, {floats(2), floats(3)}, vertices);
+        record_layouts(out, {floats(4), floats(1), floats(3)}, vertices);
+    }
+}
+
+// Small numbers beside large ones, as a C++ struct would have them.
+void record_mixed(Recorder& out)
+{
+    using enum ComponentType;
+    const std::vector<std::vector<VertexAttribute>> all = {
+        {{float64, 3}, {unsigned_byte, 4, true}, floats(3)},
+        {floats(3), {unsigned_byte, 1}, {unsigned_short, 2, true}},
+        {{unsigned_byte, 3}, {float64, 2}, {unsigned_byte, 1}},
+        {{float64, 1}, {unsigned_short, 1}},
+        {{unsigned_short, 3}, {unsigned_int, 1}, {unsigned_byte, 2}},
+        {{unsigned_byte, 4, true}, {unsigned_short, 4}},
+        {floats(3), {float64, 2}, floats(1)},
+    };
+    for (const std::vector<VertexAttribute>& attributes : all)
+        for (const std::uint64_t vertices : {3U, 5U}) record_layouts(out, attributes, vertices);
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const std::vector<VertexAttribute> attributes = random_attributes(random, 7);
+        record_layouts(out, attributes, 1 + random.below(5000));
+    }
+}
+
+// More than 4 GiB: sizes still below 2^53, which a double holds exactly.
+void record_large(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 12; ++i) {
+        const std::uint64_t vertices = 200'000'000 + std::uint64_t{4} * random.below(1'000'000'000);
+        record_layouts(out, i % 2 == 0 ? course_vertex : random_attributes(random, 5), vertices);
+    }
+}
+
+void record_repacked(Random& random, Recorder& out, const std::vector<VertexAttribute>& attributes, std::uint64_t vertices, const VertexLayout& from,
+                     const VertexLayout& to)
+{
+    const std::vector<std::byte> source = random_bytes(random, from.bytes);
+    const std::vector<std::byte> result = repack(source, from, to, attributes, vertices);
+    for (std::size_t i = 0; i < to.bytes; ++i)
+        out.append("bytes", i < result.size() ? std::optional<float>(static_cast<float>(std::to_integer<int>(result[i]))) : std::nullopt);
+}
+
+// The course's vertex between the two layouts, written out here.
+void record_conversions(Random& random, Recorder& out)
+{
+    const VertexLayout interleaved{{{0, 44}, {12, 44}, {24, 44}, {36, 44}}, 352};
+    const VertexLayout separate{{{0, 12}, {96, 12}, {192, 12}, {288, 8}}, 352};
+    record_repacked(random, out, course_vertex, 8, interleaved, separate);
+    record_repacked(random, out, course_vertex, 8, separate, interleaved);
+}
+
+void record_any_layout(Random& random, Recorder& out, bool zeros)
+{
+    for (int i = 0; i < 12; ++i) {
+        const std::vector<VertexAttribute> attributes = random_attributes(random, 5);
+        const std::uint64_t vertices = 2 + random.below(5);
+        const VertexLayout from = some_layout(random, attributes, vertices, zeros ? 1 : 6, zeros);
+        const VertexLayout to = some_layout(random, attributes, vertices, zeros ? 1 : 6, false);
+        record_repacked(random, out, attributes, vertices, from, to);
+    }
+}
+
+/// A buffer with a number of this type at each place of a layout, and every vertex fetched from it.
+void record_fetched(Random& random, Recorder& out, const VertexAttribute& attribute, bool zero_stride)
+{
+    constexpr std::uint64_t vertices = 6;
+    const std::uint64_t size = tuple_bytes(attribute) / attribute.components;
+    const std::uint64_t stride = tuple_bytes(attribute) + (zero_stride ? 0 : size * random.below(4));
+    const std::uint64_t offset = size * random.below(5);
+    std::vector<std::byte> buffer = random_bytes(random, offset + stride * vertices);
+    for (std::uint64_t vertex = 0; vertex < vertices; ++vertex)
+        for (std::uint64_t i = 0; i < attribute.components; ++i) {
+            const std::uint64_t place = offset + vertex * stride + i * size;
+            const std::uint32_t whole = vertex == 0 ? std::numeric_limits<std::uint32_t>::max() : random.bits();
+            const double real = 100 * (random.uniform_double() - 0.5);
+            switch (attribute.type) {
+                case ComponentType::unsigned_byte: put(buffer, place, static_cast<std::uint8_t>(whole)); break;
+                case ComponentType::unsigned_short: put(buffer, place, static_cast<std::uint16_t>(whole)); break;
+                case ComponentType::unsigned_int: put(buffer, place, whole); break;
+                case ComponentType::float64: put(buffer, place, real); break;
+                default: put(buffer, place, static_cast<float>(real));
+            }
+        }
+    for (std::uint64_t vertex = 0; vertex < vertices; ++vertex)
+        out.append("values", fetch_attribute(buffer, attribute, {offset, zero_stride ? 0 : stride}, vertex));
+}
+
+void record_fetches(Random& random, Recorder& out, bool whole, bool zero_stride)
+{
+    using enum ComponentType;
+    for (const ComponentType type : {unsigned_byte, unsigned_short, unsigned_int, float32, float64})
+        for (std::uint32_t components = 1; components <= 4; ++components)
+            for (const bool normalized : {false, true}) {
+                const bool real = type == float32 || type == float64;
+                if ((real && (whole || normalized)) || (!real && !whole && !zero_stride)) continue;
+                record_fetched(random, out, {type, components, normalized}, zero_stride);
+            }
+}
+
+// Sixteen vertices of 11 floats: a star, its colours and the rest.
+std::vector<std::byte> star(std::uint64_t vertices)
+{
+    std::vector<std::byte> bytes(44 * vertices);
+    for (std::uint64_t i = 0; i < vertices; ++i) {
+        const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(vertices);
+        const double radius = i % 2 == 0 ? 1 : 0.55;
+        put(bytes, 12 * i, static_cast<float>(radius * std::sin(angle)));
+        put(bytes, 12 * i + 4, static_cast<float>(radius * std::cos(angle)));
+        for (std::uint64_t c = 0; c < 3; ++c)
+            put(bytes, 12 * (vertices + i) + 4 * c, static_cast<float>(0.55 + 0.4 * std::cos(angle - 2.1 * static_cast<double>(c))));
+        put(bytes, 24 * vertices + 12 * i + 8, 1.0F);
+    }
+    return bytes;
+}
+
+// Which attribute a byte belongs to in a layout, and whose vertex: one small square for each float, 22 in a row.
+void draw_memory(Drawing& drawing, const VertexLayout& layout, std::uint64_t vertices, glm::dvec2 corner)
+{
+    const glm::vec3 inks[] = {ink::blue, ink::orange, ink::green, ink::pink};
+    const auto cell = [&](std::uint64_t word) { return corner + glm::dvec2(static_cast<double>(word % 22), -static_cast<double>(word / 22)); };
+    const auto square = [&](std::uint64_t word, glm::vec3 color, double alpha) {
+        const glm::dvec2 p = cell(word);
+        drawing.area(std::vector<glm::dvec2>{p + 0.06, p + glm::dvec2(0.94, 0.06), p + 0.94, p + glm::dvec2(0.06, 0.94)}, color, alpha);
+    };
+    for (std::uint64_t word = 0; word < 11 * vertices; ++word) square(word, ink::slate, 0.5);
+    for (std::size_t i = 0; i < std::min(layout.places.size(), course_vertex.size()); ++i)
+        for (std::uint64_t vertex = 0; vertex < vertices; ++vertex)
+            for (std::uint64_t c = 0; c < course_vertex[i].components; ++c) {
+                const std::uint64_t byte = layout.places[i].offset + vertex * layout.places[i].stride + 4 * c;
+                if (byte < 44 * vertices) square(byte / 4, inks[i], vertex % 2 == 0 ? 1 : 0.62);
+            }
+}
+
+// Left: the two layouts in memory. Right: a star whose vertices were interleaved, and then fetched.
+Image picture()
+{
+    constexpr std::uint64_t vertices = 16;
+    Drawing drawing(660, 340, {-1, -9.5}, {40, 11.6});
+    draw_memory(drawing, interleaved_layout(course_vertex, vertices), vertices, {0, 9.2});
+    draw_memory(drawing, separate_layout(course_vertex, vertices), vertices, {0, -1.2});
+
+    const VertexLayout separate{{{0, 12}, {12 * vertices, 12}, {24 * vertices, 12}, {36 * vertices, 8}}, 44 * vertices};
+    const VertexLayout interleaved{{{0, 44}, {12, 44}, {24, 44}, {36, 44}}, 44 * vertices};
+    std::vector<std::byte> buffer = repack(star(vertices), separate, interleaved, course_vertex, vertices);
+    buffer.resize(44 * vertices);
+    const auto place = [&](std::uint64_t vertex) {
+        return glm::dvec2(31, 1) + 7.8 * glm::dvec2(fetch_attribute(buffer, course_vertex[0], interleaved.places[0], vertex % vertices));
+    };
+    const auto color = [&](std::uint64_t vertex) { return glm::vec3(fetch_attribute(buffer, course_vertex[1], interleaved.places[1], vertex % vertices)); };
+    for (std::uint64_t i = 0; i < vertices; ++i) {
+        drawing.area(std::vector<glm::dvec2>{{31, 1}, place(i), place(i + 1)}, 0.5F * (color(i) + color(i + 1)));
+        drawing.line(place(i), place(i + 1), ink::white, 1.5);
+    }
+    for (std::uint64_t i = 0; i < vertices; ++i) drawing.disc(place(i), 5, color(i));
+    return drawing.picture();
+}
+
+}
+
+const Driver driver = {
+    {"course vertex", [](Case&, Recorder& out) { record_course(out); }},
+    {"mixed types", [](Case&, Recorder& out) { record_mixed(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"large", [](Case& c, Recorder& out) { record_large(c.random, out); }},
+    {"conversions", [](Case& c, Recorder& out) { record_conversions(c.random, out); }},
+    {"any layout", [](Case& c, Recorder& out) { record_any_layout(c.random, out, false); }},
+    {"fetched floats", [](Case& c, Recorder& out) { record_fetches(c.random, out, false, false); }},
+    {"fetched whole numbers", [](Case& c, Recorder& out) { record_fetches(c.random, out, true, false); }},
+    {"stride zero",
+     [](Case& c, Recorder& out) {
+         record_any_layout(c.random, out, true);
+         record_fetches(c.random, out, false, true);
+     }},
+    {"picture", [](Case&, Recorder& out) { out.image("memory", picture()); }},
+};
+
+}
