@@ -1,0 +1,165 @@
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <umbral/input/script.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "windows.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+void record(Recorder& out, const Box& contents, int width, int height)
+{
+    const auto [low, high] = visible_region(contents, width, height);
+    out.append("region", std::span<const float>(std::array{low.x, low.y, low.z, high.x, high.y, high.z}));
+}
+
+constexpr Box cube = {{-1, -1, -1}, {1, 1, 1}};
+
+// Boxes whose matrices can be worked out by hand.
+void known_matrices(Case&, Recorder& out)
+{
+    const Box boxes[] = {
+        cube, {{-2, -1, -1}, {2, 1, 1}}, {{0, 0, 0}, {4, 2, 1}}, {{1, -2, -1}, {4, 0, 1}}, {{-3, 5, 10}, {-1, 13, 12}}, {{0, 0, -8}, {0.5F, 0.25F, -4}}};
+    for (const Box& box : boxes) out.append("projection", projection_of(box));
+}
+
+Box random_box(Random& random, float away)
+{
+    Box box{away * random.in_cube(), {}};
+    const float x = random.uniform(0.5F, 4);
+    const float y = random.uniform(0.5F, 4);
+    box.high = box.low + glm::vec3(x, y, random.uniform(0.5F, 4));
+    return box;
+}
+
+void random_matrices(Case& c, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) out.append("projection", projection_of(random_box(c.random, 5)));
+}
+
+// Mirrored, flat, or both: every second one is ordinary.
+void odd_boxes(Case& c, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        Box box = random_box(c.random, 3);
+        const auto axis = static_cast<glm::vec3::length_type>(c.random.below(3));
+        if (i % 4 == 1) std::swap(box.low[axis], box.high[axis]);
+        if (i % 4 == 3) box.high[axis] = box.low[axis];
+        out.append("projection", projection_of(box));
+        out.append("ndc", ndc_of(box, 0.5F * (box.low + box.high) + 0.3F * c.random.in_cube()));
+    }
+}
+
+void record_points(Random& random, Recorder& out, float away)
+{
+    for (int i = 0; i < 100; ++i) {
+        const Box box = random_box(random, away);
+        const glm::vec3 share = 0.5F * (random.in_cube() + 1.0F);
+        out.append("ndc", ndc_of(box, box.low + share * (box.high - box.low)));
+    }
+}
+
+void known_regions(Case&, Recorder& out)
+{
+    constexpr glm::ivec2 sizes[] = {{512, 512}, {1024, 512}, {512, 1024}, {800, 600}, {600, 800}, {1920, 1080}, {333, 500}, {3, 7}};
+    for (const glm::ivec2& size : sizes)
+        for (const Box& contents : {cube, Box{{-3, -1, -1}, {3, 1, 1}}, tile}) record(out, contents, size.x, size.y);
+}
+
+void random_regions(Case& c, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        const Box contents = random_box(c.random, 4);
+        const int width = 1 + static_cast<int>(c.random.below(2000));
+        record(out, contents, width, 1 + static_cast<int>(c.random.below(2000)));
+    }
+}
+
+// No pixels, hardly any, and far too many; contents that are flat, mirrored, or nothing but a point. Half of the rows are ordinary.
+void odd_windows(Case& c, Recorder& out)
+{
+    constexpr glm::ivec2 sizes[] = {{0, 0}, {640, 0}, {0, 480}, {1, 1}, {1, 1000}, {4096, 1}, {1, 65535}, {32767, 32766}};
+    const Box boxes[] = {
+        cube, {{1, 2, 3}, {2, 4, 3}}, {{1, 2, 3}, {6, 2, 5}}, {{1, 2, 3}, {1, 8, 5}}, {{1, 2, 3}, {1, 2, 3}}, {{4, 0, 1}, {1, 2, -1}}, {{1, 9, 0}, {5, 2, 1}}};
+    for (const glm::ivec2& size : sizes)
+        for (const Box& contents : boxes) {
+            record(out, contents, size.x, size.y);
+            record(out, random_box(c.random, 4), 700, 300 + static_cast<int>(c.random.below(800)));
+        }
+}
+
+void record_commands(Recorder& out, const input::EventScript& script, glm::dvec2 content_scale, const std::vector<Box>& contents)
+{
+    LoggedViewer viewer(contents);
+    play(script, content_scale, viewer);
+    for (const std::vector<float>& row : viewer.rows) out.append("commands", std::span<const float>(row));
+}
+
+constexpr const char* names = "1 show\n";
+
+constexpr const char* resizing = R"(
+0.1 resize 800 600
+0.2 resize 0 0               # minimised
+0.3 resize 800 600
+0.4 resize 300 500
+0.5 resize 0 500
+0.6 resize 1024 500
+0.7 press left 10 10         # not every event is a new size
+0.8 release left
+0.9 resize 1024 0
+1.0 resize 501 333
+1.1 resize 1 400
+1.2 key R press
+1.3 resize 400 400
+)";
+
+// The second window begins with nothing of the first; what is shown changes between events.
+void two_windows(Case&, Recorder& out)
+{
+    out.text("commands.names", names);
+    record_commands(out, input::parse_script("0.1 resize 700 350\n0.2 resize 350 700\n"), {1, 1}, {cube, tile, {{0, 0, 0}, {5, 1, 1}}});
+    record_commands(out, input::parse_script("0.1 refresh\n0.2 resize 900 450\n0.3 resize 450 901\n"), {2, 2}, {{{-2, -1, 0}, {0, 5, 1}}, cube});
+}
+
+void random_windows(Case& c, Recorder& out)
+{
+    out.text("commands.names", names);
+    std::string script;
+    for (int i = 0; i < 40; ++i) {
+        const std::uint32_t width = c.random.below(8) == 0 ? 0 : 1 + c.random.below(2000);
+        script += std::to_string(0.1 * i) + " resize " + std::to_string(width) + " " + std::to_string(1 + c.random.below(1500)) + "\n";
+    }
+    const Box first = random_box(c.random, 3);
+    record_commands(out, input::parse_script(script), {1.5, 1.5}, {first, random_box(c.random, 3)});
+}
+
+}
+
+const Driver driver = {
+    {"known boxes", known_matrices},
+    {"random boxes", random_matrices},
+    {"odd boxes", odd_boxes},
+    {"points", [](Case& c, Recorder& out) { record_points(c.random, out, 4); }},
+    {"far away",
+     [](Case& c, Recorder& out) {
+         for (const float away : {1e3F, 1e4F, 1e5F, 1e6F}) record_points(c.random, out, away);
+     }},
+    {"known windows", known_regions},
+    {"random windows", random_regions},
+    {"odd windows", odd_windows},
+    {"resize",
+     [](Case&, Recorder& out) {
+         out.text("commands.names", names);
+         record_commands(out, input::parse_script(resizing), {2, 2}, {tile});
+     }},
+    {"two windows", two_windows},
+    {"random sessions", random_windows},
+    {"picture", [](Case&, Recorder& out) { out.image("windows", windows_picture()); }},
+};
+
+}

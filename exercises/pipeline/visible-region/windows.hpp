@@ -1,0 +1,121 @@
+#pragma once
+
+#include <numbers>
+#include <umbral/input/headless.hpp>
+#include <umbral/pipeline/region.hpp>
+#include <vector>
+
+#include "../../drawing.hpp"
+
+/// Windows that are played to, and windows that are drawn.
+namespace umbral::pipeline {
+
+/// Takes down what it is told to show. Shows one box after the other, as often as `next` is called.
+class LoggedViewer final : public Viewer {
+public:
+    explicit LoggedViewer(std::vector<Box> boxes) : boxes_(std::move(boxes)) {}
+
+    [[nodiscard]] Box contents() const override { return boxes_[current_ % boxes_.size()]; }
+    void show(const glm::ivec2& pixels, const glm::mat4& projection) override
+    {
+        rows.push_back({1, static_cast<float>(pixels.x), static_cast<float>(pixels.y), projection[0].x, projection[1].y, projection[3].x, projection[3].y});
+    }
+    void next() { ++current_; }
+
+    std::vector<std::vector<float>> rows;
+
+private:
+    std::vector<Box> boxes_;
+    std::size_t current_ = 0;
+};
+
+/// Plays a script to a window of 640 x 480 as its event loop would; the viewer's contents change after each event.
+inline void play(const input::EventScript& script, glm::dvec2 content_scale, LoggedViewer& viewer)
+{
+    const input::Headless session(script, {.content_scale = content_scale});
+    glfwInit();
+    GLFWwindow* window = glfwCreateWindow(640, 480, "Umbral", nullptr, nullptr);
+    glfwSetWindowUserPointer(window, static_cast<Viewer*>(&viewer));
+    keep_proportions(window);
+    while (!session.script_is_over()) {
+        viewer.next();
+        glfwWaitEvents();
+    }
+}
+
+/// A polygon to fill, in the coordinates of what is shown.
+struct Patch {
+    std::vector<glm::dvec2> corners;
+    glm::vec3 color;
+};
+
+/// A star of `points` tips (a circle, if both radii are the same).
+inline Patch star(glm::dvec2 centre, double outer, double inner, int points, glm::vec3 color, double turn = 0)
+{
+    Patch patch{{}, color};
+    for (int i = 0; i < 2 * points; ++i) {
+        const double angle = std::numbers::pi * i / points + turn;
+        patch.corners.push_back(centre + (i % 2 == 0 ? outer : inner) * glm::dvec2(std::cos(angle), std::sin(angle)));
+    }
+    return patch;
+}
+
+/// Three units wide and two high, not about the origin: nothing but right proportions keeps its circles round.
+inline constexpr Box tile = {{1, -2, -1}, {4, 0, 1}};
+
+inline std::vector<Patch> ornament()
+{
+    std::vector<Patch> patches = {{{{1, -2}, {4, -2}, {4, 0}, {1, 0}}, {0.10F, 0.16F, 0.27F}}};
+    const auto rose = [&](glm::dvec2 centre, double radius, int tips, glm::vec3 petals) {
+        patches.push_back(star(centre, radius, radius, 40, ink::mist));
+        patches.push_back(star(centre, 0.93 * radius, 0.93 * radius, 40, ink::night));
+        patches.push_back(star(centre, 0.9 * radius, 0.42 * radius, tips, petals));
+        patches.push_back(star(centre, 0.66 * radius, 0.4 * radius, tips, ink::night, std::numbers::pi / tips));
+        patches.push_back(star(centre, 0.58 * radius, 0.26 * radius, tips, ink::white, std::numbers::pi / tips));
+        patches.push_back(star(centre, 0.2 * radius, 0.2 * radius, 20, petals));
+    };
+    rose({2.5, -1}, 0.9, 12, ink::orange);
+    for (const double x : {1.38, 3.62}) {
+        rose({x, -1.62}, 0.33, 8, ink::blue);
+        rose({x, -0.38}, 0.33, 8, ink::green);
+        rose({x, -1}, 0.22, 6, ink::red);
+    }
+    return patches;
+}
+
+/// A window in the drawing: its lower left corner and size, in pixels of the drawing.
+struct Pane {
+    glm::dvec2 corner;
+    glm::ivec2 size;
+};
+
+/// Draws the ornament as a window of that size shows it.
+inline void draw_pane(Drawing& drawing, const Pane& pane)
+{
+    const glm::dmat4 projection(projection_of(visible_region(tile, pane.size.x, pane.size.y)));
+    const auto on_paper = [&](glm::dvec2 place) {
+        const glm::dvec2 ndc(projection * glm::dvec4(place, 0, 1));
+        return pane.corner + (0.5 * ndc + 0.5) * glm::dvec2(pane.size);
+    };
+    const glm::dvec2 size(pane.size);
+    const std::vector<glm::dvec2> frame = {pane.corner, pane.corner + glm::dvec2(size.x, 0), pane.corner + size, pane.corner + glm::dvec2(0, size.y)};
+    drawing.area(frame, ink::slate);
+    for (const auto& [corners, color] : ornament()) {
+        std::vector<glm::dvec2> moved;
+        for (const glm::dvec2& corner : corners) moved.push_back(on_paper(corner));
+        drawing.area(moved, color);
+    }
+    drawing.outline(frame, ink::white, 2.5);
+}
+
+/// Four windows: wide, square, tall, and one with the contents' own proportions.
+inline Image windows_picture()
+{
+    Drawing drawing(512, 432, {0, 0}, {512, 432});
+    for (const Pane& pane :
+         {Pane{{16, 276}, {480, 140}}, Pane{{16, 16}, {244, 244}}, Pane{{276, 16}, {76, 244}}, Pane{{368, 174}, {129, 86}}, Pane{{368, 16}, {128, 142}}})
+        draw_pane(drawing, pane);
+    return drawing.picture();
+}
+
+}
