@@ -1,5 +1,16 @@
 include(GoogleTest)
 
+# Reading GoogleTest, the standard library and JSON takes most of the time of compiling a test: they are read once.
+# At -O1, which compiles in four fifths of the time of -O2.
+function(umbral_test_headers)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/tests/headers.cpp CONTENT "// Holds the precompiled headers of the tests.\n")
+  add_executable(umbral-test-headers ${CMAKE_BINARY_DIR}/tests/headers.cpp)
+  target_link_libraries(umbral-test-headers PRIVATE umbral-warnings nlohmann_json::nlohmann_json GTest::gtest GTest::gtest_main)
+  target_compile_options(umbral-test-headers PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_precompile_headers(umbral-test-headers PRIVATE <algorithm> <cmath> <filesystem> <fstream> <functional> <glm/glm.hpp> <gtest/gtest.h> <map>
+    <nlohmann/json.hpp> <optional> <random> <set> <span> <sstream> <string> <vector>)
+endfunction()
+
 # umbral_test(NAME SOURCES file... LIBRARIES target... [LABELS label...])
 # One test executable; every case becomes a ctest test.
 function(umbral_test name)
@@ -7,5 +18,7 @@ function(umbral_test name)
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/grader)  # support/, and model/scratch.hpp
   target_link_libraries(${name} PRIVATE umbral-warnings ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_precompile_headers(${name} REUSE_FROM umbral-test-headers)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300)
 endfunction()

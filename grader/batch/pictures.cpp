@@ -43,7 +43,7 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
     }
 }
 
-bool save_goal(Workshop& workshop, const Exercise& exercise, const std::filesystem::path& file)
+std::optional<Image> goal_picture(Workshop& workshop, const Exercise& exercise)
 {
     // The colour picture says most; a buffer serves where there is none.
     const auto of_kind = [&](JudgeKind kind) {
@@ -51,12 +51,18 @@ bool save_goal(Workshop& workshop, const Exercise& exercise, const std::filesyst
     };
     auto chosen = of_kind(JudgeKind::image);
     if (chosen == exercise.checks.end()) chosen = of_kind(JudgeKind::buffer);
-    if (chosen == exercise.checks.end()) return false;
+    if (chosen == exercise.checks.end()) return std::nullopt;
     const RunOutcome& run = workshop.trusted(exercise, Tenant::reference, chosen->case_name, SeedPlan{}.seed_of(exercise, chosen->case_name));
     const Tensor* tensor = tensor_of(run, chosen->value);
-    if (tensor == nullptr) return false;
-    write_png(file, to_image(*tensor, *chosen));
-    return true;
+    if (tensor == nullptr) return std::nullopt;
+    return to_image(*tensor, *chosen);
+}
+
+bool save_goal(Workshop& workshop, const Exercise& exercise, const std::filesystem::path& file)
+{
+    const std::optional<Image> goal = goal_picture(workshop, exercise);
+    if (goal) write_png(file, *goal);
+    return goal.has_value();
 }
 
 }

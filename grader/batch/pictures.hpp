@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <umbral/core/grid.hpp>
+
 #include "batch/case_results.hpp"
 #include "batch/grade_unit.hpp"
 
@@ -9,7 +12,9 @@ namespace umbral::grader {
 /// notes their paths in the result. A picture that cannot be written is left out: points do not depend on it.
 void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, UnitResult& result);
 
-/// The goal picture of a unit (its first picture or buffer, as the reference draws it); false if it has none.
+/// The goal picture of a unit: its first picture or buffer, as the reference draws it. None if it has no such check.
+[[nodiscard]] std::optional<Image> goal_picture(Workshop& workshop, const Exercise& exercise);
+/// Writes it as a PNG; false if there is none.
 bool save_goal(Workshop& workshop, const Exercise& exercise, const std::filesystem::path& file);
 
 }

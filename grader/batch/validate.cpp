@@ -18,6 +18,19 @@ double percent(const UnitResult& result)
     return result.max_score == 0 ? 0 : 100.0 * static_cast<double>(result.score) / static_cast<double>(result.max_score);
 }
 
+std::optional<double> hard_share(const UnitResult& result)
+{
+    Millipoints score = 0;
+    Millipoints max_score = 0;
+    for (const CheckResult& check : result.checks) {
+        if (!check.hard) continue;
+        score += check.score;
+        max_score += check.max_score;
+    }
+    if (max_score == 0) return std::nullopt;
+    return 100.0 * static_cast<double>(score) / static_cast<double>(max_score);
+}
+
 GradeOptions options_for(unsigned seed)
 {
     GradeOptions options;
@@ -38,6 +51,7 @@ Finding expect_all(Workshop& workshop, const Exercise& exercise, const std::stri
 {
     const UnitResult result = grade_unit(workshop, exercise, {sources, {}, ""}, options_for(seed));
     Finding finding{exercise.id, subject, seed, result.verdict == Verdict::ok, percent(result), "100", ""};
+    finding.hard_share = hard_share(result);
     if (!finding.holds) finding.message = complaint(result);
     return finding;
 }
@@ -45,7 +59,7 @@ Finding expect_all(Workshop& workshop, const Exercise& exercise, const std::stri
 Finding expect_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, unsigned seed)
 {
     const UnitResult result = grade_unit(workshop, exercise, {mistake.sources, {}, ""}, options_for(seed));
-    Finding finding{exercise.id, "mistake: " + mistake.name, seed, false, percent(result), "", ""};
+    Finding finding{exercise.id, "mistake: " + mistake.name, seed, false, percent(result), "", "", mistake.what, mistake.hint, hard_share(result)};
     if (mistake.verdict) {
         finding.expected = std::string(to_string(*mistake.verdict));
         finding.holds = result.verdict == *mistake.verdict;
@@ -117,8 +131,11 @@ void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seed, 
     const std::filesystem::path& reference = workshop.tools().reference;
     guarded("reference", [&] { report(expect_all(workshop, exercise, "reference", reference_sources(reference, exercise), seed)); });
     guarded("alternatives", [&] {
-        for (const Specimen& other : alternatives_of(reference, exercise))
-            report(expect_all(workshop, exercise, "alternative: " + other.name, other.sources, seed));
+        for (const Specimen& other : alternatives_of(reference, exercise)) {
+            Finding finding = expect_all(workshop, exercise, "alternative: " + other.name, other.sources, seed);
+            finding.what = other.what;
+            report(finding);
+        }
     });
     guarded("mistakes", [&] {
         for (const Specimen& mistake : mistakes_of(reference, exercise)) report(expect_mistake(workshop, exercise, mistake, seed));

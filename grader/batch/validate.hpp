@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,12 @@ struct Finding {
     std::string subject;  ///< "reference", "alternative: double_precision", "mistake: far_root", "control: zeros", "stub"
     unsigned seed = 0;
     bool holds = false;
-    double credit = 0;     ///< percent of the unit's points
-    std::string expected;  ///< "100", "75..85", "forbidden"
-    std::string message;   ///< what is wrong; the explanation found, for a mistake
+    double credit = 0;                   ///< percent of the unit's points
+    std::string expected;                ///< "100", "75..85", "forbidden"
+    std::string message;                 ///< what is wrong; the explanation found, for a mistake
+    std::string what{};                  ///< a specimen's own words: what is wrong with a mistake, how an alternative differs
+    std::string hint{};                  ///< a mistake's, for the student
+    std::optional<double> hard_share{};  ///< percent of the points of hard checks, where the unit has some and the subject ran
 };
 
 /// Proves that a unit's checks discriminate, with the inputs of one seed: the reference and every alternative get all

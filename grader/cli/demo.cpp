@@ -19,6 +19,7 @@ void add_demo(CLI::App& parser, Application& application)
         GradeCommand grade;
         grade.submissions = (std::filesystem::path(config::source_folder) / "tests" / "class").string();
         grade.out = std::filesystem::absolute(*out).string();
+        grade.handed_in = true;
         grade.course = "demo";
         // A secret of its own: nothing of the user's is touched, and every machine sees the same demo.
         grade.secret_file = (std::filesystem::path(config::build_folder) / "demo-secret").string();

@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -61,11 +63,25 @@ void refuse_weak_sandbox(const Application& application, const std::vector<Exerc
         "newer with both, or add --allow-weak-sandbox if you trust every submission");
 }
 
+/// The units of which some submission has a file.
+std::vector<Exercise> handed_in(const std::vector<Exercise>& exercises, const fs::path& submissions)
+{
+    const std::vector<std::string> ids = submission_ids(submissions);
+    std::vector<Exercise> result;
+    std::ranges::copy_if(exercises, std::back_inserter(result), [&](const Exercise& exercise) {
+        return std::ranges::any_of(ids, [&](const std::string& id) { return !collect(submissions / id, exercise).files.empty(); });
+    });
+    if (result.empty()) throw UsageError(fmt::format("{}: nobody handed in a file of any unit", submissions.string()));
+    return result;
+}
+
 }
 
 void grade_and_print(Application& application, const GradeCommand& command)
 {
-    const std::vector<Exercise> exercises = application.chosen(command.units);
+    if (!fs::is_directory(command.submissions)) throw UsageError(fmt::format("{}: expected a folder with one folder a submission", command.submissions));
+    std::vector<Exercise> exercises = application.chosen(command.units);
+    if (command.handed_in) exercises = handed_in(exercises, command.submissions);
     refuse_weak_sandbox(application, exercises, command.allow_weak_sandbox);
     ClassOptions options;
     options.submissions = command.submissions;
@@ -75,7 +91,6 @@ void grade_and_print(Application& application, const GradeCommand& command)
     options.attempt = command.attempt;
     options.instructor_edition = command.with_hidden;
     options.jobs = command.jobs != 0 ? command.jobs : std::max(1U, std::thread::hardware_concurrency());
-    if (!fs::is_directory(options.submissions)) throw UsageError(fmt::format("{}: expected a folder with one folder a submission", command.submissions));
     fs::create_directories(options.out);
 
     const std::size_t total = submission_ids(options.submissions).size();
@@ -111,6 +126,7 @@ void add_grade(CLI::App& parser, Application& application)
     command->add_option("--out", options->out, "Where reports go")->required();
     command->add_option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor")->capture_default_str();
     command->add_option("--unit", options->units, "Only these units");
+    command->add_flag("--handed-in", options->handed_in, "Only units that somebody handed in");
     command->add_option("--course", options->course, "Part of what hidden seeds follow from")->capture_default_str();
     command->add_option("--attempt", options->attempt, "Another number gives other random inputs")->capture_default_str();
     command->add_option("--secret-file", options->secret_file,

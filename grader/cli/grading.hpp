@@ -13,6 +13,7 @@ struct GradeCommand {
     std::string out;
     unsigned jobs = 0;
     std::vector<std::string> units;
+    bool handed_in = false;  ///< of these, only units that somebody handed in
     std::string course = "course";
     unsigned attempt = 0;
     std::string secret_file;

@@ -1,14 +1,24 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "batch/pictures.hpp"
 #include "cli/application.hpp"
+#include "cli/config.hpp"
+#include "report/html/pages.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {
 namespace {
+
+std::string title_in(const Exercise& exercise, const std::string& language)
+{
+    const auto title = exercise.title.find(language);
+    return title == exercise.title.end() ? "" : title->second;
+}
 
 void print_table(const std::vector<Exercise>& exercises, const std::string& language, const TerminalStyle& style)
 {
@@ -16,9 +26,35 @@ void print_table(const std::vector<Exercise>& exercises, const std::string& lang
     std::string topic;
     for (const Exercise& exercise : exercises) {
         if (exercise.topic != topic) fmt::print("{}{}\n", topic.empty() ? "" : "\n", paint(Tone::strong, topic = exercise.topic));
-        const auto title = exercise.title.find(language);
-        fmt::print("  {:<28}{:>5}  {}\n", exercise.id, points_text(exercise.points), title == exercise.title.end() ? "" : title->second);
+        fmt::print("  {:<28}{:>5}  {}\n", exercise.id, points_text(exercise.points), title_in(exercise, language));
     }
+}
+
+/// "12 checks: numbers, image; 2 hidden, 3 hard".
+std::string checks_in_words(const Exercise& exercise)
+{
+    std::vector<std::string> kinds;
+    for (const Check& check : exercise.checks)
+        if (const std::string kind = to_string(check.judge); std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
+    std::string text = fmt::format("{} checks: {}", exercise.checks.size(), fmt::join(kinds, ", "));
+    const auto hidden = std::ranges::count(exercise.checks, true, &Check::hidden);
+    const auto hard = std::ranges::count(exercise.checks, true, &Check::hard);
+    if (hidden != 0) text += fmt::format("; {} hidden", hidden);
+    if (hard != 0) text += fmt::format("{} {} hard", hidden != 0 ? "," : ";", hard);
+    return text;
+}
+
+void write_catalogue(const Application& application, const std::string& language, const std::string& file)
+{
+    Workshop workshop(application.tools);
+    std::vector<html::CatalogueEntry> entries;
+    for (const Exercise& exercise : application.exercises) {
+        const std::optional<Image> goal = goal_picture(workshop, exercise);
+        entries.push_back({exercise.topic, exercise.id, title_in(exercise, language), exercise.points, exercise.course, checks_in_words(exercise),
+                           goal ? html::encode(*goal) : html::Picture()});
+    }
+    html::write_page(file, html::catalogue_html(entries, language, config::version));
+    fmt::print("{}\n", file);
 }
 
 nlohmann::json as_json(const std::vector<Exercise>& exercises)
@@ -42,13 +78,17 @@ void add_list(CLI::App& parser, Application& application)
     struct Options {
         bool json = false;
         std::string language = "en";
+        std::string html;
     };
     auto options = std::make_shared<Options>();
     CLI::App* command = parser.add_subcommand("list", "Shows all units in an order that a student can follow");
     command->add_flag("--json", options->json, "As JSON");
     command->add_option("--language", options->language, "Of the titles")->check(CLI::IsMember({"en", "es"}))->capture_default_str();
+    command->add_option("--html", options->html, "Write a page with the pictures that the reference draws")->type_name("FILE");
     command->callback([&application, options] {
-        if (options->json)
+        if (!options->html.empty())
+            write_catalogue(application, options->language, options->html);
+        else if (options->json)
             fmt::print("{}\n", as_json(application.exercises).dump(2));
         else
             print_table(application.exercises, options->language, application.style);

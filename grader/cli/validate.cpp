@@ -7,9 +7,12 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <tuple>
+#include <umbral/core/png.hpp>
 
 #include "batch/share_out.hpp"
+#include "batch/validation_table.hpp"
 #include "cli/application.hpp"
 #include "report/paint.hpp"
 
@@ -22,6 +25,7 @@ struct Options {
     std::size_t jobs = default_jobs();
     bool json = false;
     bool quiet = false;
+    std::string table;
 };
 
 void print(const Finding& finding, const Paint& paint)
@@ -57,12 +61,17 @@ void validate(Application& application, const Options& options)
                         {"holds", finding.holds},
                         {"credit", finding.credit},
                         {"expected", finding.expected},
-                        {"message", finding.message}});
+                        {"message", finding.message},
+                        {"hard_share", finding.hard_share ? nlohmann::json(*finding.hard_share) : nlohmann::json()}});
     if (options.json)
         fmt::print("{}\n", nlohmann::json{{"format", "umbral-validation"}, {"version", 1}, {"findings", rows}}.dump(2, ' ', false,
                                                                                                                     nlohmann::json::error_handler_t::replace));
     else
         fmt::print("{} findings with {} seeds, {} of them not as they should be\n", findings.size(), options.seeds, failing);
+    if (!options.table.empty()) {
+        const std::string table = validation_table(findings, exercises);
+        write_file_atomically(options.table, std::as_bytes(std::span(table)));
+    }
     if (failing != 0 || findings.empty()) application.exit_status = exit_not_right;
 }
 
@@ -77,6 +86,7 @@ void add_validate(CLI::App& parser, Application& application)
     command->add_option("--jobs", options->jobs, "How many at a time")->check(CLI::PositiveNumber)->capture_default_str();
     command->add_flag("--quiet", options->quiet, "Print only what fails");
     command->add_flag("--json", options->json, "As JSON");
+    command->add_option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown")->type_name("FILE");
     command->callback([&application, options] { validate(application, *options); });
 }
 

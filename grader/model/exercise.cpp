@@ -23,8 +23,12 @@ std::string digest_of(const Exercise& exercise)
     std::vector<NamedFile> files;
     for (const std::string& name : exercise.files) files.push_back({name, exercise.folder / name});
     for (const char* name : {"exercise.json", "driver.cpp"}) files.push_back({name, exercise.folder / name});
-    const std::filesystem::path support = exercise.folder.parent_path() / "support.hpp";
-    if (std::filesystem::exists(support)) files.push_back({"support.hpp", support});
+    // Headers that the driver may include: its own, its topic's, those of all topics.
+    const std::filesystem::path topic = exercise.folder.parent_path();
+    for (const std::filesystem::path& folder : {exercise.folder, topic, topic.parent_path()})
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            if (entry.path().extension() == ".hpp" && entry.is_regular_file())
+                files.push_back({(std::filesystem::relative(folder, topic.parent_path()) / entry.path().filename()).generic_string(), entry.path()});
     return sha256_of_files(std::move(files));
 }
 

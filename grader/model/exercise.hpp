@@ -77,7 +77,7 @@ struct Exercise {
     bool glfw = false;            ///< its cases are driven through GLFW's functions, without a window
     Limits limits;
     std::vector<Check> checks;
-    std::string digest;  ///< SHA-256 of what decides the score in the unit's folder: manifest, driver, support.hpp of its topic, stubs
+    std::string digest;  ///< SHA-256 of what decides the score in the unit's folder: manifest, driver, headers that it may include, stubs
 
     /// Is the unit written in C++ (and not in GLSL only)?
     [[nodiscard]] bool is_cpp() const;

@@ -6,6 +6,7 @@ import { faults_of_access, faults_of_contrast, made_up, reports, with_page } fro
 
 const pages = {
   "every kind of evidence and the worst of texts": made_up("worst.html"),
+  "the catalogue": made_up("catalogue.html"),
   "nothing at all": made_up("empty.html"),
   "the class": reports("index.html"),
   "all right": reports("ana-all-right/report.html"),

@@ -239,6 +239,12 @@ int main(int count, char** words)
     add_up(submission);
     Fingerprint fingerprint{"0.1.0", "0123456789ab", "a processor", "a compiler", "what draws", "a library", {"landlock 4", "seccomp"}};
     html::write_page(folder / "worst.html", html::report_html(submission, fingerprint, gallery));
+    Image goal(64, 48, glm::u8vec4(40, 120, 200, 255));
+    const std::vector<html::CatalogueEntry> entries = {
+        {"meshes", "meshes/one", "A <b>title</b> & \"more\"", 10000, {"problem 1", "lab <2>"}, "2 checks: numbers, image; 1 hidden", html::encode(goal)},
+        {"meshes", "meshes/" + std::string(80, 'x'), std::string(200, 'w'), 1, {}, "1 check: numbers", {}},
+        {"transforms", "transforms/two", "Two", 2500, {"problem 2"}, "1 check: image", html::encode(goal)}};
+    html::write_page(folder / "catalogue.html", html::catalogue_html(entries, "en", "0.1.0"));
     html::write_page(folder / "empty.html", html::report_html({}, {}, {}));
     std::printf("%s\n", (folder / "worst.html").c_str());
     return 0;

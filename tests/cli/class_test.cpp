@@ -15,10 +15,10 @@ using nlohmann::json;
 
 const std::string sample = UMBRAL_SOURCE "/tests/class";
 
-Printed grade(const std::string& folder, const TemporaryFolder& out, const std::string& before = "")
+Printed grade(const std::string& folder, const TemporaryFolder& out, const std::string& before = "", const std::string& units = "")
 {
     out.write("secret", "the same secret gives the same hidden cases");
-    return umbral("grade " + folder + " --jobs 2 --out " + (out / "out").string() + " --secret-file " + (out / "secret").string(), before);
+    return umbral("grade " + folder + units + " --jobs 2 --out " + (out / "out").string() + " --secret-file " + (out / "secret").string(), before);
 }
 
 json without_times(json value)
@@ -37,7 +37,7 @@ const json& graded()
 {
     static const json result = [] {
         const TemporaryFolder out;
-        const Printed printed = grade(sample, out);
+        const Printed printed = grade(sample, out, "", " --handed-in");
         EXPECT_EQ(printed.status, 0) << printed.text;
         json all = json::parse(read(out / "out/class.json"));
         for (const auto& submission : all.at("submissions"))
@@ -128,9 +128,30 @@ TEST(Class, NoAttackOfTheHostileOneWorked)
 
 TEST(Class, ASecondGradingAgreesButForTimes)
 {
+    // A unit of each kind: numbers, pictures of OpenGL, traces of its calls, counted work, events.
     const TemporaryFolder out;
-    ASSERT_EQ(grade(sample, out).status, 0);
-    EXPECT_EQ(without_times(json::parse(read(out / "out/class.json"))), without_times(graded()));
+    ASSERT_EQ(grade(sample, out, "", " --unit sphere --unit shaders --unit draw-deferred --unit vertex-normals --unit callbacks").status, 0);
+    const json second = json::parse(read(out / "out/class.json"));
+    for (const auto& submission : second.at("submissions")) {
+        ASSERT_EQ(submission.at("units").size(), 5U);
+        for (const auto& unit : submission.at("units")) EXPECT_EQ(without_times(unit), without_times(unit_of(submission.at("id"), unit.at("id"))));
+    }
+}
+
+TEST(Grade, HandedInMeansUnitsOfWhichThereIsAFile)
+{
+    const TemporaryFolder folder;
+    folder.write("class/a/sphere.cpp", "// nothing yet");
+    folder.write("class/b/meshes/vertex-normals/vertex_normals.cpp", "// nothing yet");
+    EXPECT_EQ(grade((folder / "class").string(), folder, "", " --handed-in").status, 0);
+    const json graded = json::parse(read(folder / "out/class.json"));
+    ASSERT_EQ(graded.at("submissions").size(), 2U);
+    ASSERT_EQ(graded.at("submissions").at(0).at("units").size(), 2U);
+    EXPECT_EQ(graded.at("submissions").at(0).at("units").at(0).at("id"), "meshes/vertex-normals");
+    std::filesystem::create_directories(folder / "idle/c");
+    const Printed idle = grade((folder / "idle").string(), folder, "", " --handed-in");
+    EXPECT_EQ(idle.status, 2);
+    EXPECT_NE(idle.text.find("nobody handed in"), std::string::npos) << idle.text;
 }
 
 TEST(Grade, BadInputIsAUsageErrorThatSaysWhatToDo)

@@ -66,7 +66,7 @@ TEST(LoadExercise, the_digest_changes_with_what_decides_the_score_and_nothing_el
     folder.write("meshes/normals/mistakes/one.cpp", "text");
     EXPECT_EQ(digest(), first);
     std::set<std::string> seen{first};
-    for (const char* file : {"meshes/support.hpp", "meshes/normals/stub.cpp", "meshes/normals/driver.cpp"}) {
+    for (const char* file : {"drawing.hpp", "meshes/support.hpp", "meshes/normals/shapes.hpp", "meshes/normals/stub.cpp", "meshes/normals/driver.cpp"}) {
         folder.write(file, "changed");
         EXPECT_TRUE(seen.insert(digest()).second) << file;
     }

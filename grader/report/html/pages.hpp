@@ -2,11 +2,14 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/scorecard.hpp"
 #include "report/html/evidence.hpp"
+#include "report/html/picture.hpp"
 
 namespace umbral::grader::html {
 
@@ -47,5 +50,19 @@ struct Comparison {
     std::string version;
 };
 [[nodiscard]] std::string comparison_html(const Comparison& comparison);
+
+/// A unit as the catalogue shows it.
+struct CatalogueEntry {
+    std::string topic;
+    std::string id;
+    std::string title;
+    Millipoints points = 0;
+    std::vector<std::string> course;  ///< rows of the course
+    std::string checked;              ///< what its checks look at, in words
+    Picture goal;                     ///< empty where the unit has no picture
+};
+
+/// All units with the pictures that the reference draws for them, topic by topic in the order of `entries`.
+[[nodiscard]] std::string catalogue_html(std::span<const CatalogueEntry> entries, const std::string& language, const std::string& version);
 
 }
