@@ -1,0 +1,190 @@
+#include <umbral/core/random.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "rings.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+constexpr int functions = 8;
+constexpr int tile = 6;  // pixels of the small buffers that stand side by side in what is recorded
+
+DepthFunction function(int i) { return static_cast<DepthFunction>(i); }
+
+float last_code(DepthFormat format) { return format == DepthFormat::unorm16 ? 65535.0F : 16777215.0F; }
+
+// A row for each function: less than, equal to, greater than the stored depth.
+void record_functions(Recorder& out)
+{
+    const float next = std::nextafter(0.75F, 1.0F);
+    for (const auto& [low, high] : {std::pair(0.25F, 0.5F), {0.0F, 1.0F}, {0.75F, next}, {0.0F, 1e-40F}})
+        for (int i = 0; i < functions; ++i)
+            out.append("passes", glm::vec3(depth_passes(function(i), low, high), depth_passes(function(i), high, high), depth_passes(function(i), high, low)));
+}
+
+void record_formats(Recorder& out)
+{
+    for (const float depth : {0.0F, 1.0F, 0.5F, 0.25F, 0.1F, 1.0F / 3, 0.71F, 0.999F, 1e-3F, 4e-6F, -0.25F, 1.75F, 0.0099F})
+        for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32}) out.append("depth", stored_depth(format, depth));
+}
+
+// Depths of all sizes; what comes back is recorded as its code, the nearest whole number.
+void record_codes(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 600; ++i) {
+        const float depth = std::exp2(-8 * random.uniform() * random.uniform());
+        const DepthFormat format = i % 4 == 0 ? DepthFormat::unorm16 : DepthFormat::unorm24;
+        out.append("code", std::nearbyint(double{stored_depth(format, depth)} * double{last_code(format)}));
+    }
+}
+
+// The states that matter beside the function.
+std::vector<DepthState> states()
+{
+    return {{true, DepthFunction::less, true, DepthFormat::float32},
+            {true, DepthFunction::less, true, DepthFormat::unorm16},
+            {true, DepthFunction::less, true, DepthFormat::unorm24},
+            {true, DepthFunction::less, false, DepthFormat::float32},
+            {false, DepthFunction::less, true, DepthFormat::float32}};
+}
+
+// Codes and what lies between them. 24 bits are wider than a float's steps only below 1/4.
+struct Levels {
+    DepthFormat format;
+    std::uint32_t first;
+
+    [[nodiscard]] float at(double offset) const
+    {
+        const double last = format == DepthFormat::unorm16 ? 65535 : 16777215;
+        return static_cast<float>((first + offset) / last);
+    }
+};
+
+Levels random_levels(Random& random, DepthFormat format) { return {format, 1000 + random.below(format == DepthFormat::unorm16 ? 60'000 : 1'000'000)}; }
+
+// A depth within two codes of the first one, never halfway between two.
+float random_depth(Random& random, const Levels& levels)
+{
+    constexpr std::array offsets = {-1.3, -1.0, -0.7, -0.3, 0.0, 0.3, 0.7, 1.0, 1.3};
+    return levels.at(offsets[random.below(static_cast<std::uint32_t>(offsets.size()))]);
+}
+
+// A buffer of codes that the format has, all close together, so that ties occur.
+Grid<float> random_depths(Random& random, const Levels& levels)
+{
+    Grid<float> depths(tile, tile);
+    for (float& depth : depths.cells) depth = levels.at(static_cast<double>(random.below(3)) - 1);
+    return depths;
+}
+
+std::vector<Fragment> random_fragments(Random& random, const Levels& levels, int count)
+{
+    std::vector<Fragment> fragments;
+    for (int i = 0; i < count; ++i) {
+        const int x = static_cast<int>(random.below(tile));
+        const int y = static_cast<int>(random.below(tile));
+        const float depth = random_depth(random, levels);
+        const float u = random.uniform();
+        const float v = (1 - u) * random.uniform();
+        fragments.push_back({{x, y}, depth, {u, v, 1 - u - v}});
+    }
+    return fragments;
+}
+
+void put(const Grid<float>& from, Grid<float>& into, int column, int row)
+{
+    for (int y = 0; y < std::min(tile, from.height); ++y)
+        for (int x = 0; x < std::min(tile, from.width); ++x) into.at(column * tile + x, row * tile + y) = from.at(x, y);
+}
+
+// All functions in all states: which fragments are left, and what the buffers hold afterwards.
+void record_tests(Random& random, Recorder& out, int fragments_each)
+{
+    const std::vector<DepthState> all = states();
+    Grid<float> after(functions * tile, static_cast<int>(all.size()) * tile);
+    for (std::size_t row = 0; row < all.size(); ++row)
+        for (int column = 0; column < functions; ++column) {
+            DepthState state = all[row];
+            state.function = function(column);
+            const Levels levels = random_levels(random, state.format);
+            Grid<float> depths = random_depths(random, levels);
+            std::vector<Fragment> fragments = random_fragments(random, levels, fragments_each);
+            test_depth(state, fragments, depths);
+            put(depths, after, column, static_cast<int>(row));
+            fragments.resize(std::min<std::size_t>(fragments.size(), static_cast<std::size_t>(fragments_each)));
+            const auto scenario = static_cast<float>(row * functions + static_cast<std::size_t>(column));
+            for (const auto& [pixel, depth, weights] : fragments)
+                out.append("left", std::span<const float>(std::array{scenario, static_cast<float>(pixel.x), static_cast<float>(pixel.y), depth, weights.x}));
+        }
+    out.buffer("depths", after);
+}
+
+void record_colors(Recorder& out, const char* name, std::size_t scenario, const Layer& layer)
+{
+    for (int y = 0; y < std::min(tile, layer.colors.height); ++y)
+        for (int x = 0; x < std::min(tile, layer.colors.width); ++x) {
+            const glm::vec3 color = layer.colors.at(x, y);
+            if (color == glm::vec3(0)) continue;
+            const std::array row = {static_cast<float>(scenario), static_cast<float>(x), static_cast<float>(y), color.r, color.g, color.b};
+            out.append(name, std::span<const float>(row));
+        }
+}
+
+glm::vec3 random_color(Random& random) { return 0.1F + 0.9F * glm::abs(random.in_cube()); }
+
+void record_drawing(Random& random, Recorder& out)
+{
+    const std::vector<DepthState> all = states();
+    Grid<float> after(2 * tile, static_cast<int>(all.size()) * tile);
+    for (std::size_t row = 0; row < all.size(); ++row)
+        for (const ShadeModel model : {ShadeModel::flat, ShadeModel::smooth}) {
+            const int column = model == ShadeModel::flat ? 0 : 1;
+            const Levels levels = random_levels(random, all[row].format);
+            Layer layer{{tile, tile}, random_depths(random, levels)};
+            for (int triangle = 0; triangle < 3; ++triangle) {
+                const glm::vec3 a = random_color(random);
+                const glm::vec3 b = random_color(random);
+                const std::array colors = {a, b, random_color(random)};
+                draw_fragments(all[row], model, colors, random_fragments(random, levels, 20), layer);
+            }
+            record_colors(out, "colours", 2 * row + static_cast<std::size_t>(column), layer);
+            put(layer.depths, after, column, static_cast<int>(row));
+        }
+    out.buffer("depths", after);
+}
+
+void record_merging(Random& random, Recorder& out)
+{
+    const std::vector<DepthState> all = states();
+    Grid<float> after(functions * tile, static_cast<int>(all.size()) * tile);
+    for (std::size_t row = 0; row < all.size(); ++row)
+        for (int column = 0; column < functions; ++column) {
+            DepthState state = all[row];
+            state.function = function(column);
+            const Levels levels = random_levels(random, state.format);
+            const auto layer = [&] {
+                Layer result{{tile, tile}, random_depths(random, levels)};
+                for (glm::vec3& color : result.colors.cells) color = random_color(random);
+                return result;
+            };
+            const Layer source = layer();
+            Layer target = layer();
+            merge_layers(state, source, target);
+            record_colors(out, "colours", row * functions + static_cast<std::size_t>(column), target);
+            put(target.depths, after, column, static_cast<int>(row));
+        }
+    out.buffer("depths", after);
+}
+
+}
+
+const Driver driver = {
+    {"functions", [](Case&, Recorder& out) { record_functions(out); }},           {"formats", [](Case&, Recorder& out) { record_formats(out); }},
+    {"codes", [](Case& c, Recorder& out) { record_codes(c.random, out); }},       {"tests", [](Case& c, Recorder& out) { record_tests(c.random, out, 24); }},
+    {"crowds", [](Case& c, Recorder& out) { record_tests(c.random, out, 160); }}, {"drawing", [](Case& c, Recorder& out) { record_drawing(c.random, out); }},
+    {"merging", [](Case& c, Recorder& out) { record_merging(c.random, out); }},   {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rings()); }},
+};
+
+}

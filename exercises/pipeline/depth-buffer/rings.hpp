@@ -1,0 +1,94 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <umbral/core/grid.hpp>
+#include <umbral/pipeline/depth.hpp>
+
+#include "../../drawing.hpp"
+
+/// The goal picture of pipeline/depth-buffer: two rings, each drawn into a layer of its own, that are linked once the layers are merged.
+namespace umbral::pipeline {
+
+struct Ring {
+    glm::vec3 centre, along, across;  ///< the ring runs from `along` to `across`, unit vectors
+    glm::vec3 color;
+};
+
+namespace detail {
+
+inline constexpr int panel = 210;
+
+struct RingVertex {
+    WindowVertex window;
+    glm::vec3 color;
+};
+
+/// A parallel projection: x and y in panels, z towards the viewer from -1 to 1.
+inline RingVertex ring_vertex(const Ring& ring, float turn, float tube)
+{
+    const glm::vec3 outwards = std::cos(turn) * ring.along + std::sin(turn) * ring.across;
+    const glm::vec3 normal = std::cos(tube) * outwards + std::sin(tube) * glm::cross(ring.along, ring.across);
+    const glm::vec3 place = ring.centre + 0.5F * outwards + 0.17F * normal;
+    const glm::vec2 window = 0.5F * panel * glm::vec2(1 + place.x, 1 - place.y);
+    const glm::vec3 light = glm::normalize(glm::vec3(-0.5F, 0.7F, 0.75F));
+    const float shine = std::pow(std::max(0.0F, glm::dot(normal, glm::normalize(light + glm::vec3(0, 0, 1)))), 40.0F);
+    const float diffuse = 0.12F + 0.88F * std::max(0.0F, glm::dot(normal, light));
+    return {{window, 0.5F - 0.5F * place.z, 1}, diffuse * ring.color + 0.5F * shine};
+}
+
+inline void draw_ring(const Ring& ring, const DepthState& state, ShadeModel model, Layer& layer)
+{
+    constexpr int steps = 34;
+    constexpr int sides = 14;
+    constexpr float whole = 2 * std::numbers::pi_v<float>;
+    const auto vertex = [&](int i, int k) { return ring_vertex(ring, whole * static_cast<float>(i) / steps, whole * static_cast<float>(k) / sides); };
+    std::vector<Fragment> fragments;
+    for (int i = 0; i < steps; ++i)
+        for (int k = 0; k < sides; ++k)
+            for (const auto& [a, b, c] :
+                 {std::array{vertex(i, k), vertex(i + 1, k), vertex(i + 1, k + 1)}, {vertex(i, k), vertex(i + 1, k + 1), vertex(i, k + 1)}}) {
+                fragments.clear();
+                rasterize_triangle({a.window, b.window, c.window}, panel, panel, fragments);
+                draw_fragments(state, model, {a.color, b.color, c.color}, fragments, layer);
+            }
+}
+
+inline Layer linked_rings(const DepthState& state, ShadeModel model)
+{
+    const Layer empty{{panel, panel, glm::vec3(0.004F, 0.005F, 0.009F)}, {panel, panel, 1.0F}};
+    const glm::vec3 tilt = glm::normalize(glm::vec3(0, 0.55F, 0.84F));
+    Layer left = empty;
+    Layer right = empty;
+    draw_ring({{-0.24F, 0.08F, 0}, {1, 0, 0}, glm::normalize(glm::vec3(0.1F, 0.9F, -0.45F)), {0.09F, 0.42F, 0.8F}}, state, model, left);
+    draw_ring({{0.24F, -0.08F, 0}, {1, 0, 0}, tilt, {0.85F, 0.32F, 0.02F}}, state, model, right);
+    merge_layers(state, right, left);
+    return left;
+}
+
+}
+
+/// Flat, smooth, and the depths themselves, side by side.
+inline Image draw_rings()
+{
+    const DepthState state{true, DepthFunction::less, true, DepthFormat::unorm16};
+    const Layer flat = detail::linked_rings(state, ShadeModel::flat);
+    const Layer smooth = detail::linked_rings(state, ShadeModel::smooth);
+    Image picture(3 * detail::panel, detail::panel);
+    const auto byte = [](const glm::vec3& linear) {
+        const glm::vec3 curve = glm::pow(glm::clamp(linear, 0.0F, 1.0F), glm::vec3(1 / 2.2F));
+        return glm::u8vec4(glm::u8vec3(255.0F * curve + 0.5F), 255);
+    };
+    for (int y = 0; y < detail::panel; ++y)
+        for (int x = 0; x < detail::panel; ++x) {
+            const float depth = smooth.depths.at(x, y);
+            const float near = 1.25F - 1.5F * std::clamp(depth, 0.0F, 1.0F);
+            picture.at(x, y) = byte(flat.colors.at(x, y));
+            picture.at(detail::panel + x, y) = byte(smooth.colors.at(x, y));
+            picture.at(2 * detail::panel + x, y) = byte(depth < 1 ? near * near * glm::vec3(0.95F, 0.96F, 0.98F) : glm::vec3(0.004F, 0.005F, 0.009F));
+        }
+    return picture;
+}
+
+}
