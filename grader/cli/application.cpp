@@ -51,10 +51,19 @@ bool is_meant(const Exercise& exercise, std::string name)
     return name == exercise.id || name == exercise.name || name.ends_with("/" + exercise.id);
 }
 
+/// What the spawner would refuse later, as a fault: the user's own variable is the user's to mend.
+void check_gl_choice()
+{
+    const char* const chosen = std::getenv("UMBRAL_GL");
+    if (chosen == nullptr || *chosen == 0 || std::string_view(chosen) == "osmesa" || std::string_view(chosen) == "egl") return;
+    throw UsageError(fmt::format("UMBRAL_GL is '{}': expected osmesa or egl, or unset the variable", chosen));
+}
+
 }
 
 std::vector<Exercise> Application::chosen(const std::vector<std::string>& names) const
 {
+    check_gl_choice();
     if (names.empty()) return exercises;
     std::vector<Exercise> result;
     for (const std::string& name : names) {

@@ -38,7 +38,8 @@ struct Application {
     TerminalStyle style;
     int exit_status = exit_ok;  ///< set by the command that ran
 
-    /// The exercises named (as "raytracing/sphere", "sphere", or a path that ends so); all if none is. Throws UsageError with near names.
+    /// The exercises named (as "raytracing/sphere", "sphere", or a path that ends so); all if none is. Throws UsageError with near names,
+    /// or if UMBRAL_GL names no back end of OpenGL.
     [[nodiscard]] std::vector<Exercise> chosen(const std::vector<std::string>& names) const;
 };
 

@@ -71,6 +71,13 @@ TEST(Check, StatusSaysRightShortOrMisused)
     EXPECT_EQ(umbral("check --no-such-option").status, 2);
 }
 
+TEST(Check, AnUnknownBackEndIsAUsageErrorThatNamesTheRightOnes)
+{
+    const Printed printed = umbral("validate sphere", "UMBRAL_GL=vulkan");
+    EXPECT_EQ(printed.status, 2) << printed.text;
+    EXPECT_NE(printed.text.find("expected osmesa or egl"), std::string::npos) << printed.text;
+}
+
 TEST(Check, AnEmptyFolderSaysHowToBegin)
 {
     const TemporaryFolder folder;
