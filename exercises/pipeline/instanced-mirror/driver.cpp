@@ -1,0 +1,41 @@
+#include <umbral/record/driver.hpp>
+
+#include "scenes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+// One case for many pictures: most of a run's time goes into compiling the shaders.
+void pictures(Case& what, Recorder& out)
+{
+    const gl::Program program = mirror_program(what);
+    program.require_interface(mirror_interface());
+    out.image("lake", draw(lake(), program, 384, 288));
+    out.image("wall", draw(wall(Look::places), program, 192, 192));
+    out.image("light", draw(wall(Look::light), program, 192, 192));
+    out.image("cut", draw(cut(), program, 192, 192));
+    out.image("bowls", draw(bowls(glm::vec3(1)), program, 192, 192));
+    out.image("mirrored bowls", draw(bowls({1, 1, -1}), program, 192, 192));
+    out.image("long normal", draw(long_normal(), program, 192, 192));
+    out.image("stretched", draw(stretched(), program, 192, 192));
+}
+
+void random(Case& what, Recorder& out)
+{
+    const gl::Program program = mirror_program(what);
+    program.require_interface(mirror_interface());
+    out.image("places", draw(random_scene(what.random, Look::places), program, 160, 160));
+    out.image("first", draw(random_scene(what.random, Look::all), program, 160, 160));
+    out.image("second", draw(random_scene(what.random, Look::all), program, 160, 160));
+}
+
+}
+
+const Driver driver = {
+    {"pictures", pictures},
+    {"random", random},
+};
+
+}

@@ -1,0 +1,125 @@
+#pragma once
+
+#include "stage.hpp"
+
+/// What the cases show.
+namespace umbral::pipeline {
+
+/// Turned, stretched, then moved.
+inline glm::mat4 placed(glm::vec3 place, glm::vec3 stretch = glm::vec3(1), float angle = 0, glm::vec3 axis = {0, 1, 0})
+{
+    return glm::rotate(glm::scale(glm::translate(glm::mat4(1), place), stretch), angle, axis);
+}
+
+inline lighting::Shape bowl() { return lighting::sphere(48, 32, 0.25F); }
+
+/// Dusk on a lake: a knot and rings stand in the water, bowls swim on it.
+inline Scene lake()
+{
+    Scene scene;
+    scene.lake = true;
+    scene.eye = {0, 1.25F, 6.6F};
+    scene.target = {0, 0.12F, 0};
+    scene.light = {5, 7, 6};
+    scene.things = {{lighting::trefoil(180, 24, 0.19F), placed({0, 0.72F, -0.4F}, glm::vec3(1.05F), 0.35F), ink::orange, ink::red},
+                    {lighting::torus(80, 20, 0.16F), placed({-2.3F, 0.25F, -1.2F}, glm::vec3(0.85F), 0.7F), ink::blue, ink::white},
+                    {lighting::torus(80, 20, 0.16F), placed({2.4F, 0.1F, -1.6F}, glm::vec3(1), -0.8F), ink::green, ink::white},
+                    {bowl(), placed({-1.35F, 0.2F, 1.1F}, glm::vec3(0.42F), 0.25F, {0, 0, 1}), ink::pink, ink::white},
+                    {bowl(), placed({1.35F, 0.24F, 1.2F}, glm::vec3(0.38F), -0.35F, {1, 0, 1}), ink::red, ink::white},
+                    {lighting::icosphere(4), placed({0.3F, 0.1F, 2.1F}, glm::vec3(0.2F)), ink::white, ink::blue}};
+    return scene;
+}
+
+/// A mirror that stands aslant behind the things, at some distance from the origin.
+inline Scene wall(Look look)
+{
+    Scene scene;
+    scene.look = look;
+    const glm::vec3 normal = glm::normalize(glm::vec3(0.5F, 0.1F, 1));
+    scene.mirror = glm::vec4(normal, 1.2F);
+    scene.eye = {2.2F, 1.2F, 5.5F};
+    scene.target = {-0.1F, 0, -0.8F};
+    scene.things = {{lighting::trefoil(160, 20, 0.2F), placed({0.1F, 0, 0.2F}, glm::vec3(0.7F), 0.5F), ink::blue, ink::red},
+                    {lighting::icosphere(3), placed({1.1F, -0.5F, 0.4F}, glm::vec3(0.3F)), ink::orange, ink::red}};
+    return scene;
+}
+
+/// Things that the water cuts, seen closer and from above.
+inline Scene cut()
+{
+    Scene scene;
+    scene.look = Look::places;
+    scene.mirror = {0, 1, 0, -0.3F};
+    scene.eye = {0.4F, 2.6F, 4.4F};
+    scene.target = {0, 0.2F, 0};
+    scene.things = {{lighting::icosphere(4), placed({-0.9F, 0.35F, 0}, glm::vec3(0.7F)), ink::green, ink::orange},
+                    {lighting::torus(64, 20, 0.2F), placed({0.9F, 0.4F, -0.1F}, glm::vec3(0.75F), 0.4F, {1, 0, 0}), ink::pink, ink::orange}};
+    return scene;
+}
+
+/// Bowls whose insides show, each another way.
+inline Scene bowls(const glm::vec3& stretch)
+{
+    Scene scene;
+    scene.look = Look::sides;
+    scene.eye = {0, 1.7F, 5.2F};
+    scene.target = {0, 0.1F, 0};
+    for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<float>(i);
+        scene.things.push_back({bowl(), placed({1.5F * k - 1.5F, 0.85F, 0}, 0.62F * stretch, 0.5F + 0.9F * k, {1, 0, 0.4F * k}),
+                                i == 1 ? ink::orange : ink::blue, i == 1 ? ink::white : ink::pink});
+    }
+    return scene;
+}
+
+/// The plane's numbers may be multiplied by anything positive.
+inline Scene long_normal()
+{
+    Scene scene = wall(Look::places);
+    scene.mirror *= 2.5F;
+    return scene;
+}
+
+/// Without their images.
+inline Scene stretched()
+{
+    Scene scene;
+    scene.instances = 1;
+    scene.mirror = {0, 1, 0, 1};
+    scene.eye = {0, 0.9F, 4};
+    scene.target = {0, -0.1F, 0};
+    scene.things = {{lighting::icosphere(4), placed({-1.1F, 0, 0}, {0.9F, 0.25F, 0.7F}), ink::orange, ink::blue},
+                    {lighting::torus(64, 20, 0.3F), placed({1.1F, 0, 0}, {0.35F, 0.7F, 1.2F}, 0.6F, {1, 1, 0}), ink::green, ink::blue}};
+    return scene;
+}
+
+/// A mirror somewhere, and things about it: in front of it, cut by it, and mirrored themselves.
+inline Scene random_scene(Random& random, Look look)
+{
+    Scene scene;
+    scene.look = look;
+    const float aside = random.uniform(-0.6F, 0.6F);
+    const glm::vec3 normal = glm::normalize(glm::vec3(aside, random.uniform(0.4F, 1), random.uniform(0.3F, 1)));
+    scene.mirror = random.uniform(0.3F, 3) * glm::vec4(normal, random.uniform(0.3F, 0.8F));
+    scene.eye = {random.uniform(-1.5F, 1.5F), random.uniform(1, 2), 6};
+    scene.target = {0, -0.3F, 0};
+    scene.light = {random.uniform(-5, 5), 5, random.uniform(2, 6)};
+    for (int i = 0; i < 4; ++i) {
+        const std::uint32_t kind = random.below(3);
+        const float x = random.uniform(0.3F, 0.65F);
+        const float y = random.uniform(0.3F, 0.65F);
+        const float z = random.uniform(0.3F, 0.65F) * (i % 2 == 0 ? 1.0F : -1.0F);
+        const float turn = random.uniform(0, 6.28F);
+        const glm::vec3 axis = random.unit_vector();
+        const glm::vec3 place(1.1F * static_cast<float>(i % 2) - 0.55F + random.uniform(-0.2F, 0.2F), 0.9F * static_cast<float>(i / 2) - 0.45F,
+                              random.uniform(-0.4F, 0.4F));
+        constexpr glm::vec3 colors[] = {ink::blue, ink::orange, ink::green, ink::pink};
+        scene.things.push_back({kind == 0   ? bowl()
+                                : kind == 1 ? lighting::torus(64, 20, 0.3F)
+                                            : lighting::icosphere(3),
+                                placed(place, {x, y, z}, turn, axis), colors[i], ink::white});
+    }
+    return scene;
+}
+
+}
