@@ -2,6 +2,8 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <umbral/pipeline/clip.hpp>
+#include <vector>
 
 namespace umbral::render {
 
@@ -13,25 +15,16 @@ struct ClipVertex {
     glm::vec2 uv;
 };
 
-/// A convex polygon: three corners, and at most one more for each of six planes. Rounding may make a sliver not quite convex; there is room
-/// for that, and no more: add() drops what does not fit.
-struct ClipPolygon {
-    std::array<ClipVertex, 12> corners;
-    std::size_t size = 0;
+/// The planes beyond which a vertex lies, as bits of pipeline::outside_planes, where the sides are those of the guard band:
+/// |x| <= guard.x w, |y| <= guard.y w. `guard` has powers of two.
+[[nodiscard]] inline unsigned outcode(const glm::vec4& clip, const glm::vec2& guard)
+{
+    return pipeline::outside_planes({clip.x / guard.x, clip.y / guard.y, clip.z, clip.w});
+}
 
-    void add(const ClipVertex& corner)
-    {
-        if (size < corners.size()) corners[size++] = corner;
-    }
-};
-
-/// The planes beyond which a vertex lies, as bits: left, right, below, above (of the guard band), near, far.
-[[nodiscard]] unsigned outcode(const glm::vec4& clip, const glm::vec2& guard);
-
-/// The part of a triangle inside |x| <= guard.x w, |y| <= guard.y w, -w <= z <= w. `planes` says which planes to cut at: the union of the
-/// corners' outcodes. Attributes are linear in clip space, so they are cut with it. A cut is computed from the inner end to the outer one,
-/// so that triangles that share an edge get the same new vertex.
-/// Based on: I. Sutherland, G. Hodgman. Reentrant Polygon Clipping. 1974, in homogeneous coordinates.
-[[nodiscard]] ClipPolygon clip_triangle(const std::array<ClipVertex, 3>& triangle, unsigned planes, const glm::vec2& guard);
+/// Appends the part of a triangle inside |x| <= guard.x w, |y| <= guard.y w, -w <= z <= w as a convex polygon: positions by the unit
+/// pipeline/clip-homogeneous, attributes by its weights. `corners` is room to work in.
+void clip_triangle(const std::array<ClipVertex, 3>& triangle, const glm::vec2& guard, std::vector<pipeline::ClipVertex>& corners,
+                   std::vector<ClipVertex>& polygon);
 
 }

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "render/clip.hpp"
+#include "render/raster.hpp"
 #include "render/shading.hpp"
+#include "render/tiles.hpp"
 #include "render/vertex_stage.hpp"
 #include "render/visibility.hpp"
 
@@ -17,18 +19,31 @@ namespace {
 
 using Corners = std::array<ClipVertex, 3>;
 
+/// A triangle that needs no clipping any more.
+struct Item {
+    std::array<pipeline::WindowVertex, 3> window;
+    Corners corners;
+    const Draw* draw;
+};
+
 struct Target;
-using FragmentKernel = void (*)(const DrawList&, const Draw&, const Corners&, const Target&);
-using TriangleKernel = void (*)(const DrawList&, const Draw&, const Target&);
+using FragmentKernel = void (*)(const DrawList&, const Item&, const pipeline::Window&, Target&);
+using TriangleKernel = void (*)(const DrawList&, const Draw&, Target&);
 
 /// What all triangles of a picture share.
 struct Target {
     Frame& frame;
     Counters& counters;
-    std::vector<pipeline::Fragment>& fragments;  ///< of one triangle; kept, so that memory is asked for once
     glm::vec2 guard;
     FragmentKernel draw_fragments;
+    Tiles tiles;
+    std::vector<Item> items;                ///< in the tiles
+    std::vector<pipeline::ClipVertex> cut;  ///< kept from triangle to triangle, so that memory is asked for once
+    std::vector<ClipVertex> polygon;
 };
+
+/// So many triangles are kept before they are drawn: 12 MiB of them.
+constexpr std::size_t most_items = 1U << 16U;
 
 template <class Attribute>
 Attribute interpolate(const glm::vec3& weights, const Corners& corners, Attribute ClipVertex::*attribute)
@@ -47,69 +62,78 @@ SurfacePoint surface_point(const Draw& draw, const Corners& corners, const glm::
 }
 
 template <EffectSet effects>
-void draw_fragments(const DrawList& list, const Draw& draw, const Corners& corners, const Target& target)
+void draw_fragments(const DrawList& list, const Item& item, const pipeline::Window& window, Target& target)
 {
     Frame& frame = target.frame;
-    target.counters.fragments += target.fragments.size();
-    for (const pipeline::Fragment& fragment : target.fragments) {
-        // rasterize_triangle gives pixels of the picture only.
-        const std::size_t pixel =
-            static_cast<std::size_t>(fragment.pixel.y) * static_cast<std::size_t>(frame.width()) + static_cast<std::size_t>(fragment.pixel.x);
-        if (!(fragment.depth < frame.depth.cells[pixel])) {
-            ++target.counters.depth_rejects;
-            continue;
+    Counters& counters = target.counters;
+    const auto covered = [&](int pixels) { counters.fragments += static_cast<std::uint64_t>(pixels); };
+    draw_triangle(item.window, window, frame.width(), frame.depth.cells.data(), covered, [&](const Passed& passed) {
+        for (std::size_t i = 0; i < lane_count; ++i) {
+            if (passed.mask[i] == 0) continue;
+            ++counters.fragments_shaded;
+            const glm::vec3 weights(passed.weights[0][i], passed.weights[1][i], passed.weights[2][i]);
+            const SurfacePoint at = surface_point<effects>(*item.draw, item.corners, weights);
+            frame.ids.cells[passed.at + i] = item.draw->id;
+            frame.color.cells[passed.at + i] = glm::vec4(shade<effects>(list, *item.draw, at, counters), 1);
         }
-        ++target.counters.fragments_shaded;
-        frame.depth.cells[pixel] = fragment.depth;
-        frame.ids.cells[pixel] = draw.id;
-        frame.color.cells[pixel] = glm::vec4(shade<effects>(list, draw, surface_point<effects>(draw, corners, fragment.weights), target.counters), 1);
-    }
+    });
 }
 
-/// A triangle that needs no clipping any more.
+void draw_items(const DrawList& list, Target& target)
+{
+    target.tiles.draw_all([&](int left, int top, int right, int bottom, std::uint32_t item) {
+        target.draw_fragments(list, target.items[item], {{left, right}, {top, bottom}}, target);
+    });
+    target.items.clear();
+}
+
 template <EffectSet effects>
-void rasterize(const DrawList& list, const Draw& draw, Corners corners, const Target& target)
+void add_item(const DrawList& list, const Draw& draw, const Corners& corners, Target& target)
 {
     const int width = target.frame.width();
     const int height = target.frame.height();
-    const std::array<pipeline::WindowVertex, 3> window = {to_window(corners[0].clip, width, height), to_window(corners[1].clip, width, height),
-                                                          to_window(corners[2].clip, width, height)};
-    if (!is_front(window, draw.mirrored)) {
+    Item item{
+        {to_window(corners[0].clip, width, height), to_window(corners[1].clip, width, height), to_window(corners[2].clip, width, height)}, corners, &draw};
+    if (!is_front(item.window, draw.mirrored)) {
         if (!(effects.two_sided && draw.both_sides)) {
             ++target.counters.triangles_from_behind;
             return;
         }
         ++target.counters.triangles_turned;
-        for (ClipVertex& corner : corners) corner.normal = -corner.normal;
+        for (ClipVertex& corner : item.corners) corner.normal = -corner.normal;
     }
     ++target.counters.triangles_rasterized;
-    target.fragments.clear();
-    pipeline::rasterize_triangle(window, width, height, target.fragments);
-    target.draw_fragments(list, draw, corners, target);
+    const auto& [a, b, c] = item.window;
+    target.tiles.add(static_cast<std::uint32_t>(target.items.size()), glm::min(a.position, glm::min(b.position, c.position)),
+                     glm::max(a.position, glm::max(b.position, c.position)));
+    target.items.push_back(item);
+    if (target.items.size() == most_items) draw_items(list, target);
 }
 
 template <EffectSet effects>
-void draw_triangle(const DrawList& list, const Draw& draw, const Corners& corners, const Target& target)
+void draw_triangle(const DrawList& list, const Draw& draw, const Corners& corners, Target& target)
 {
     ++target.counters.triangles;
     if (effects.clipped && draw.visibility == Visibility::crosses) {
         target.counters.clip_tests += 3;
-        const std::array<unsigned, 3> codes = {outcode(corners[0].clip, target.guard), outcode(corners[1].clip, target.guard),
-                                               outcode(corners[2].clip, target.guard)};
-        if ((codes[0] & codes[1] & codes[2]) != 0) return;
-        if (const unsigned planes = codes[0] | codes[1] | codes[2]; planes != 0) {
+        const unsigned a = outcode(corners[0].clip, target.guard);
+        const unsigned b = outcode(corners[1].clip, target.guard);
+        const unsigned c = outcode(corners[2].clip, target.guard);
+        if ((a & b & c) != 0) return;
+        if ((a | b | c) != 0) {
             ++target.counters.triangles_clipped;
-            const ClipPolygon polygon = clip_triangle(corners, planes, target.guard);
-            for (std::size_t i = 2; i < polygon.size; ++i)
-                rasterize<effects>(list, draw, {polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]}, target);
+            target.polygon.clear();
+            clip_triangle(corners, target.guard, target.cut, target.polygon);
+            for (std::size_t i = 2; i < target.polygon.size(); ++i)
+                add_item<effects>(list, draw, {target.polygon[0], target.polygon[i - 1], target.polygon[i]}, target);
             return;
         }
     }
-    rasterize<effects>(list, draw, corners, target);
+    add_item<effects>(list, draw, corners, target);
 }
 
 template <EffectSet effects>
-void draw_instance(const DrawList& list, const Draw& draw, const Target& target)
+void draw_instance(const DrawList& list, const Draw& draw, Target& target)
 {
     const VertexMesh& mesh = list.meshes[draw.mesh];
     std::vector<ClipVertex> placed;
@@ -145,14 +169,19 @@ SoftwarePicture draw_in_software(const DrawList& list, const EffectSet& effects,
     if (width < 1 || height < 1 || width > most || height > most)
         throw std::invalid_argument("draw_in_software: expected sides of 1 to 16384 pixels, got " + std::to_string(width) + " x " + std::to_string(height));
     SoftwarePicture picture{Frame(width, height), {}};
-    std::vector<pipeline::Fragment> fragments;
+    std::vector<float>& depths = picture.frame.depth.cells;
+    const std::size_t cells = depths.size();
+    depths.resize(cells + lane_count);
     const std::size_t number = number_of(effects);
-    const Target target{picture.frame, picture.counters, fragments, guard_band(width, height), fragment_kernels[number % fragment_sets]};
+    Target target{picture.frame, picture.counters, guard_band(width, height), fragment_kernels[number % fragment_sets], Tiles(width, height), {}, {}, {}};
     const TriangleKernel draw_triangles = triangle_kernels[number / fragment_sets];
     for (const Draw& draw : list.draws) {
         ++(draw.visibility == Visibility::outside ? picture.counters.instances_outside : picture.counters.instances);
         if (draw.visibility != Visibility::outside) draw_triangles(list, draw, target);
     }
+    draw_items(list, target);
+    depths.resize(cells);
+    picture.counters.depth_rejects = picture.counters.fragments - picture.counters.fragments_shaded;
     return picture;
 }
 

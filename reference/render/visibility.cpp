@@ -10,7 +10,8 @@ glm::vec2 guard_band(int width, int height)
 {
     // rasterize_triangle takes positions in [-16384, 16384]; a pixel less, for the rounding of the viewport transform.
     constexpr double reach = 16383;
-    return {2 * reach / width - 1, 2 * reach / height - 1};
+    const auto factor = [](int side) { return std::exp2(std::max(0.0, std::floor(std::log2(2 * reach / side - 1)))); };
+    return {factor(width), factor(height)};
 }
 
 Visibility visibility(const VertexMesh& mesh, const glm::mat4& to_clip, const glm::vec2& guard)

@@ -17,7 +17,10 @@ bool equal_bits(const Grid<Cell>& a, const Grid<Cell>& b)
     return a.width == b.width && a.height == b.height && std::memcmp(a.cells.data(), b.cells.data(), a.cells.size() * sizeof(Cell)) == 0;
 }
 
-std::vector<scene::Scene> scenes() { return {plain(), first_light(), through_the_near_plane(), behind_the_camera(), degenerate(), mirrored(), bare()}; }
+std::vector<scene::Scene> scenes()
+{
+    return {plain(), first_light(), through_the_near_plane(), around_the_camera(), behind_the_camera(), degenerate(), mirrored(), bare()};
+}
 
 TEST(Effects, are_numbered_one_to_one)
 {

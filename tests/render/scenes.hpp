@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <umbral/scene/scene.hpp>
 #include <umbral/scene/scene_json.hpp>
 
@@ -54,6 +55,34 @@ inline scene::Scene behind_the_camera()
 {
     scene::Scene scene = bare();
     scene.instances = {instance("behind", 0, {scene::Translate{{0, 0, 9}}}), instance("around", 0, {scene::Scale{glm::vec3(20)}})};
+    return scene;
+}
+
+/// A camera in a ring of large triangles, which leads past it on both sides, over its head and under its feet: most triangles have corners
+/// before and behind the camera's plane, and some lie in it.
+inline scene::Scene around_the_camera()
+{
+    scene::Scene scene = bare();
+    scene.camera.eye = {0.2F, 0.1F, 0.3F};
+    scene.camera.fovy_degrees = 80;
+    scene.camera.near = 0.05F;
+    scene::Triangles mesh;
+    for (unsigned i = 0; i < 12; ++i) {
+        const float angle = 6.2831853F / 12 * static_cast<float>(i);
+        const glm::vec3 around(2 * std::cos(angle), 1.5F * std::sin(angle), 0);
+        mesh.positions.push_back(around + glm::vec3(0.3F, 0, 5));
+        mesh.positions.push_back(around * 0.7F - glm::vec3(0, 0.2F, 6));
+        mesh.triangles.emplace_back(2 * i, 2 * i + 1, (2 * i + 2) % 24);
+        mesh.triangles.emplace_back((2 * i + 2) % 24, 2 * i + 1, (2 * i + 3) % 24);
+    }
+    // One with a corner in the camera's plane, one with an edge in it, one wholly in it.
+    const auto corner = static_cast<unsigned>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {{-0.5F, -0.5F, 0.3F}, {0.9F, -0.5F, 0.3F}, {0.2F, 0.9F, 0.3F}, {-0.4F, -0.8F, -2}, {0.1F, -0.9F, -3}});
+    mesh.triangles.insert(mesh.triangles.end(), {{corner, corner + 3, corner + 4}, {corner, corner + 1, corner + 3}, {corner, corner + 1, corner + 2}});
+    scene.geometries.push_back({"ring", mesh});
+    scene.instances = {instance("ring", 1), instance("inside", 0, {scene::Scale{glm::vec3(3)}, scene::Translate{{1, 0.5F, 0.3F}}})};
+    for (scene::Instance& one : scene.instances) one.sides = scene::Sides::both;
+    scene.instances[0].smooth = false;
     return scene;
 }
 
