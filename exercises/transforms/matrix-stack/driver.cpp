@@ -1,0 +1,156 @@
+#include <umbral/record/driver.hpp>
+
+#include "../drawn_events.hpp"
+#include "rosette.hpp"
+#include "sessions.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+void record(Recorder& out, const MatrixStack& stack)
+{
+    out.append("modelview", stack.modelview());
+    out.append("normals", up_to_scale(stack.normal_matrix()));
+}
+
+void record_session(Recorder& out, const std::vector<Step>& steps)
+{
+    const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+    if (!stack) return;
+    for (const Step& step : steps) {
+        apply(*stack, step);
+        record(out, *stack);
+    }
+}
+
+// Pops that must work and pops that must not, two by two in random order; whatever was thrown, the matrix is looked at afterwards.
+void record_pops(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 40; ++i) {
+        const bool first_works = random.below(2) == 0;
+        for (const bool works : {first_works, !first_works}) {
+            const std::vector<Step> steps = steps_before_a_pop(random, works);
+            const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+            if (!stack) return;
+            for (const Step& step : steps) apply(*stack, step);
+            out.append("thrown", thrown_by_pop(*stack));
+            out.append("modelview", stack->modelview());
+        }
+    }
+}
+
+// Far more than the 32 matrices that OpenGL's own stack can hold.
+void record_deep(Recorder& out)
+{
+    constexpr int depth = 100'000;
+    const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+    if (!stack) return;
+    for (int i = 0; i < depth; ++i) {
+        stack->push();
+        stack->compose(quarter_turn(i % 3));
+    }
+    for (int i = 0; i < depth; ++i) {
+        if (i % 4999 == 0) out.append("modelview", stack->modelview());
+        stack->pop();
+    }
+    out.append("modelview", stack->modelview());
+}
+
+void record_two(Recorder& out, Random& random)
+{
+    const std::unique_ptr<MatrixStack> one = make_matrix_stack();
+    const std::unique_ptr<MatrixStack> other = make_matrix_stack();
+    if (!one || !other) return;
+    const std::vector<Step> first = random_session(random, 30);
+    const std::vector<Step> second = random_session(random, 30);
+    for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) {
+        apply(*one, first[i]);
+        apply(*other, second[i]);
+        out.append("modelview", one->modelview());
+        out.append("modelview", other->modelview());
+    }
+}
+
+void record_long_chains(Recorder& out, Random& random)
+{
+    for (int chain = 0; chain < 3; ++chain) {
+        const glm::vec3 axis = random.unit_vector();
+        const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+        if (!stack) return;
+        for (int i = 1; i <= 30'000; ++i) {
+            stack->compose(glm::rotate(glm::mat4(1), 1e-3F, axis));
+            if (i % 3000 == 0) out.append("modelview", stack->modelview());
+        }
+    }
+}
+
+// Models in other units: a scale of 1e-14 has a determinant of 1e-42.
+void record_scales(Recorder& out, Random& random)
+{
+    for (const float scale : {1e-17F, 1e-14F, 1e-13F, 1e-10F, 1e-6F, 1e6F, 1e10F, 1e12F, 1e14F, 1e17F}) {
+        for (int i = 0; i < 5; ++i) {
+            const glm::mat4 view = rigid(random);
+            const glm::mat4 turn = rigid(random);
+            const glm::vec3 size(scale * random.uniform(1, 3), scale * random.uniform(1, 3), -scale * random.uniform(1, 3));
+            const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+            if (!stack) return;
+            stack->set_view(view);
+            stack->compose(turn);
+            stack->compose(glm::scale(glm::mat4(1), size));
+            out.append("normals", up_to_scale(stack->normal_matrix()));
+        }
+    }
+}
+
+// The figure as it is, and in three places that nobody can have expected. Who fills nothing has left no state either.
+void record_simple(Recorder& out, Random& random)
+{
+    constexpr int size = 96;
+    Grid<std::uint32_t> all(size, 4 * size);
+    for (int i = 0; i < 4; ++i) {
+        const Start start = i == 0 ? Start{.color = {0.2F, 0.6F, 0.9F}, .background = {0.1F, 0.1F, 0.2F}} : random_start(random);
+        RecordingPipeline drawn(start);
+        draw_simple_figure(drawn);
+        const double reach = i == 0 ? 1.25 : 4;
+        const Grid<std::uint32_t> cells = filled_cells(drawn, size, size, glm::dvec2(-reach), glm::dvec2(reach));
+        std::copy(cells.cells.begin(), cells.cells.end(), all.cells.begin() + i * size * size);
+        const auto filled = [](const Call& call) { return call.kind == Call::Kind::triangles && !call.places.empty(); };
+        if (std::none_of(drawn.calls().begin(), drawn.calls().end(), filled)) continue;
+        const EventRow after = matrix_row(9, drawn.modelview(), drawn.color(), drawn.line_width(), drawn.depth());
+        out.append("state", std::span<const float>(after));
+    }
+    out.buffer("cells", all);
+    record_names(out, "state");
+}
+
+void record_complex(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 5; ++i) {
+        RecordingPipeline drawn(i == 0 ? Start{} : random_start(random));
+        draw_complex_figure(drawn, drawn.marker());
+        record_events(out, "drawn", drawn, Stack::left_out);
+    }
+    record_names(out, "drawn");
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record_session(out, known_session()); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 20; ++i) record_session(out, random_session(c.random, 60));
+     }},
+    {"empty stack", [](Case& c, Recorder& out) { record_pops(out, c.random); }},
+    {"deep", [](Case&, Recorder& out) { record_deep(out); }},
+    {"two stacks", [](Case& c, Recorder& out) { record_two(out, c.random); }},
+    {"long chains", [](Case& c, Recorder& out) { record_long_chains(out, c.random); }},
+    {"tiny and huge", [](Case& c, Recorder& out) { record_scales(out, c.random); }},
+    {"simple figure", [](Case& c, Recorder& out) { record_simple(out, c.random); }},
+    {"complex figure", [](Case& c, Recorder& out) { record_complex(out, c.random); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rosette(make_matrix_stack())); }},
+};
+
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <numbers>
+#include <umbral/gl/framebuffer.hpp>
+
+#include "../../meshes/halved.hpp"
+#include "../gl_pipelines.hpp"
+
+namespace umbral::transforms {
+
+/// Three rings of complex figures, turned one inside the other, in the programmable pipeline with `stack` for its matrices: 384 x 384 pixels.
+inline Image draw_rosette(std::unique_ptr<MatrixStack> stack)
+{
+    constexpr int size = 768;
+    constexpr glm::vec3 background(0.055F, 0.06F, 0.09F);
+    const gl::Framebuffer frame(size, size);
+    frame.clear(glm::vec4(background, 1));
+    if (!stack) return halved(frame.read_pixels());
+
+    constexpr glm::vec3 colors[] = {{0.34F, 0.71F, 0.91F}, {0.90F, 0.62F, 0.10F}, {0.85F, 0.52F, 0.72F}};
+    constexpr int counts[] = {20, 14, 8};
+    constexpr float sizes[] = {0.62F, 0.52F, 0.44F};
+    constexpr float radii[] = {6.0F, 3.2F, 0.85F};
+    ProgrammablePipeline pipeline(std::move(stack), glm::ortho(-9.3F, 9.3F, -9.3F, 9.3F), background, 2);
+    pipeline.set_view(glm::mat4(1));
+    for (int ring = 0; ring < 3; ++ring) {
+        pipeline.set_color(colors[ring]);
+        pipeline.push();
+        for (int i = 0; i < counts[ring]; ++i) {
+            pipeline.push();
+            pipeline.compose(glm::translate(glm::mat4(1), {radii[ring], -0.5F * sizes[ring], 0}));
+            pipeline.compose(glm::scale(glm::mat4(1), glm::vec3(sizes[ring])));
+            draw_complex_figure(pipeline, draw_simple_figure);
+            pipeline.pop();
+            pipeline.compose(glm::rotate(glm::mat4(1), 2 * std::numbers::pi_v<float> / static_cast<float>(counts[ring]), {0, 0, 1}));
+        }
+        pipeline.pop();
+    }
+    return halved(frame.read_pixels());
+}
+
+}
