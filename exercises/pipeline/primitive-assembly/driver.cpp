@@ -1,0 +1,208 @@
+#include <umbral/record/driver.hpp>
+
+#include "../../drawing.hpp"
+#include "sequences.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+using enum PrimitiveType;
+
+void record_sequences(Recorder& out, std::initializer_list<PrimitiveType> types, std::initializer_list<std::uint32_t> counts)
+{
+    for (const PrimitiveType type : types)
+        for (const std::uint32_t count : counts) record_assembly(out, type, counted(count));
+    out.text("primitives.names", all_names());
+    out.text("provoking.names", all_names());
+}
+
+// All types, complete and not, with indices that repeat.
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 80; ++i) {
+        const auto type = static_cast<PrimitiveType>(i % 10);
+        const std::uint32_t count = random.below(type == polygon ? 10 : 15);
+        record_assembly(out, type, random_sequence(random, count, 20));
+    }
+    out.text("primitives.names", all_names());
+    out.text("provoking.names", all_names());
+}
+
+void record_side(Recorder& out, const std::vector<glm::vec2>& corners) { out.append("front", is_front_facing(corners) ? 1.0F : 0.0F); }
+
+// A face and the same one backwards, in either order.
+void record_both_sides(Random& random, Recorder& out, std::vector<glm::vec2> corners)
+{
+    if (random.below(2) == 0) std::reverse(corners.begin(), corners.end());
+    record_side(out, corners);
+    std::reverse(corners.begin(), corners.end());
+    record_side(out, corners);
+}
+
+std::vector<glm::vec2> random_face(Random& random, std::size_t count)
+{
+    const auto left = static_cast<float>(random.below(600));
+    const glm::vec2 centre(left, static_cast<float>(random.below(400)));
+    const float radius = random.uniform(5, 200);
+    std::vector<glm::vec2> corners;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float angle = 6.2831853F * (static_cast<float>(i) + random.uniform(0, 0.7F)) / static_cast<float>(count);
+        corners.push_back(centre + radius * glm::vec2(std::cos(angle), std::sin(angle)));
+    }
+    return corners;
+}
+
+// Faces without area show their back: each beside one that shows its front.
+void record_sides(Random& random, Recorder& out)
+{
+    for (std::size_t i = 0; i < 150; ++i) record_both_sides(random, out, random_face(random, 3 + i % 5));
+    for (int i = 0; i < 50; ++i) {
+        const std::vector<glm::vec2> places = random_places(random, 2);
+        const glm::vec2 a = round(places[0]);
+        const glm::vec2 b = round(places[1]);
+        const std::vector<glm::vec2> flat[] = {{a, b, a}, {a, b, 2.0F * b - a}, {a, a, b}, {b, b, b}, {a, b}};
+        std::vector<glm::vec2> front = {a, a + glm::vec2(3, 0), a + glm::vec2(1, 2)};
+        const bool swapped = random.below(2) == 0;
+        record_side(out, swapped ? front : flat[i % 5]);
+        record_side(out, swapped ? flat[i % 5] : front);
+    }
+}
+
+// Needles thousands of pixels long: twice their area is some 1/65536 of a pixel.
+void record_needles(Random& random, Recorder& out)
+{
+    for (const int reach : {30, 200, 1000, 4000, 16000})
+        for (int i = 0; i < 100; ++i) {
+            const auto corners = needle(random, 640, 480, reach, true);
+            record_both_sides(random, out, {corners.begin(), corners.end()});
+        }
+}
+
+constexpr PrimitiveType all_types[] = {points, lines, line_strip, line_loop, triangles, triangle_strip, triangle_fan, quads, quad_strip, polygon};
+
+void record_modes(Random& random, Recorder& out)
+{
+    int draw = 0;
+    for (const PrimitiveType type : all_types)
+        for (const PolygonMode mode : {PolygonMode::point, PolygonMode::line, PolygonMode::fill}) {
+            const std::vector<glm::vec2> places = random_places(random, 9);
+            record_draw(out, draw++, draw_list(type, counted(9), places, Culling::none, mode), 30);
+        }
+    out.text("list.names", draw_names(draw));
+}
+
+void record_culling(Random& random, Recorder& out)
+{
+    int draw = 0;
+    for (int i = 0; i < 6; ++i)
+        for (const PrimitiveType type : all_types) {
+            const std::vector<glm::vec2> places = random_places(random, 12);
+            const auto culling = static_cast<Culling>(1 + random.below(2));
+            const auto mode = static_cast<PolygonMode>(random.below(3));
+            record_draw(out, draw++, draw_list(type, counted(12), places, culling, mode), 40);
+        }
+    out.text("list.names", draw_names(draw));
+}
+
+// Strips of zigzags, joined by repeating vertices: an odd or an even number of triangles without area between them.
+void record_joined(Random& random, Recorder& out)
+{
+    int draw = 0;
+    for (int i = 0; i < 12; ++i) {
+        std::vector<glm::vec2> places;
+        std::vector<std::uint32_t> sequence;
+        for (int strip = 0; strip < 3; ++strip) {
+            const std::uint32_t length = 4 + random.below(4);
+            const auto first = static_cast<std::uint32_t>(places.size());
+            if (strip > 0) sequence.insert(sequence.end(), {sequence.back(), first});
+            if (random.below(2) == 0) sequence.push_back(first);
+            for (std::uint32_t k = 0; k < length; ++k) {
+                places.emplace_back(10 * static_cast<float>(k / 2), 100 * static_cast<float>(strip) + (k % 2 == 0 ? 10.0F : 0.0F));
+                sequence.push_back(first + k);
+            }
+        }
+        const auto mode = i % 3 == 0 ? PolygonMode::line : PolygonMode::fill;
+        record_draw(out, draw++, draw_list(triangle_strip, sequence, places, i % 2 == 0 ? Culling::back : Culling::none, mode), 3 * sequence.size());
+    }
+    out.text("list.names", draw_names(draw));
+}
+
+glm::dvec3 hue(double turns) { return 0.52 + 0.42 * glm::cos(6.283185307179586 * (turns + glm::dvec3(0, 0.66, 0.33))); }
+
+// A triangle whose colours flow from corner to corner, in small pieces.
+void draw_smooth(Drawing& drawing, const std::array<glm::dvec2, 3>& places, const std::array<glm::dvec3, 3>& colors)
+{
+    constexpr int parts = 12;
+    drawing.area(places, glm::vec3((colors[0] + colors[1] + colors[2]) / 3.0));
+    const auto mixed = [](const auto& three, double i, double j) { return three[0] + i / parts * (three[1] - three[0]) + j / parts * (three[2] - three[0]); };
+    for (int i = 0; i < parts; ++i)
+        for (int j = 0; i + j < parts; ++j)
+            for (const bool upper : {false, true}) {
+                if (upper && i + j + 1 >= parts) continue;
+                const std::vector<glm::dvec2> piece = {mixed(places, upper ? i + 1 : i, upper ? j + 1 : j), mixed(places, i + 1, j), mixed(places, i, j + 1)};
+                const double shift = upper ? 2.0 / 3 : 1.0 / 3;
+                drawing.area(piece, glm::vec3(mixed(colors, i + shift, j + shift)));
+            }
+}
+
+// Rows: filled, lines, points. Columns: triangles, quads, polygon. One sequence of eight vertices in all nine.
+Image gallery()
+{
+    constexpr std::uint32_t count = 8;
+    Drawing drawing(480, 480, {-3.3, -3.3}, {3.3, 3.3});
+    const PrimitiveType columns[] = {triangles, quads, polygon};
+    const PolygonMode rows[] = {PolygonMode::fill, PolygonMode::line, PolygonMode::point};
+    std::vector<glm::vec2> window;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const float angle = 6.2831853F * (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
+        window.push_back(240.0F + 80.0F * glm::vec2(std::cos(angle), std::sin(angle)));
+    }
+    const auto color = [](std::uint32_t vertex) { return hue(vertex / 8.0); };
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) {
+            const glm::dvec2 centre(2.2 * (column - 1), 2.2 * (1 - row));
+            const auto place = [&](std::uint32_t vertex) { return vertex < count ? centre + (glm::dvec2(window[vertex]) - 240.0) / 85.0 : glm::dvec2(NAN); };
+            for (std::uint32_t i = 0; i < count; ++i) drawing.ring(place(i), 4, ink::slate, 1.5);
+            const DrawList list = draw_list(columns[column], counted(count), window, Culling::back, rows[row]);
+            for (std::size_t i = 0; i < std::min<std::size_t>(list.triangles.size(), 12); ++i) {
+                const glm::uvec3 t = canonical(list.triangles[i]);
+                draw_smooth(drawing, {place(t.x), place(t.y), place(t.z)}, {color(t.x), color(t.y), color(t.z)});
+            }
+            for (std::size_t i = 0; i < std::min<std::size_t>(list.segments.size(), 24); ++i) {
+                const glm::uvec2 s = list.segments[i];
+                for (int k = 0; k < 16; ++k)
+                    drawing.line(glm::mix(place(s.x), place(s.y), k / 16.0), glm::mix(place(s.x), place(s.y), (k + 1) / 16.0),
+                                 glm::vec3(glm::mix(color(s.x), color(s.y), (k + 0.5) / 16)), 4);
+            }
+            for (std::size_t i = 0; i < std::min<std::size_t>(list.points.size(), 24); ++i)
+                drawing.disc(place(list.points[i]), 7, glm::vec3(color(list.points[i])));
+        }
+    return drawing.picture();
+}
+
+}
+
+const Driver driver = {
+    {"points and lines",
+     [](Case&, Recorder& out) {
+         record_sequences(out, {points, lines, line_strip, line_loop}, {1, 3, 6, 7});
+     }},
+    {"triangles",
+     [](Case&, Recorder& out) {
+         record_sequences(out, {triangles, triangle_strip, triangle_fan}, {3, 4, 7, 9});
+     }},
+    {"quads and polygons",
+     [](Case&, Recorder& out) {
+         record_sequences(out, {quads, quad_strip, polygon}, {3, 4, 6, 8, 9});
+     }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"sides", [](Case& c, Recorder& out) { record_sides(c.random, out); }},
+    {"needles", [](Case& c, Recorder& out) { record_needles(c.random, out); }},
+    {"modes", [](Case& c, Recorder& out) { record_modes(c.random, out); }},
+    {"culling", [](Case& c, Recorder& out) { record_culling(c.random, out); }},
+    {"joined strips", [](Case& c, Recorder& out) { record_joined(c.random, out); }},
+    {"gallery", [](Case&, Recorder& out) { out.image("pictures", gallery()); }},
+};
+
+}

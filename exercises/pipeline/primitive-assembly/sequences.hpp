@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <string>
+#include <umbral/pipeline/assembly.hpp>
+#include <umbral/record/recorder.hpp>
+
+#include "../../canonical.hpp"
+#include "../support.hpp"
+
+/// Sequences of vertices, and how the driver writes down what becomes of them.
+namespace umbral::pipeline {
+
+inline constexpr std::array names = {"point",
+                                     "segment",
+                                     "segment of a strip",
+                                     "segment of a loop",
+                                     "triangle",
+                                     "triangle of a strip",
+                                     "triangle of a fan",
+                                     "quadrilateral",
+                                     "quadrilateral of a strip",
+                                     "polygon"};
+
+inline std::string all_names()
+{
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) text += std::to_string(i) + " " + names[i] + "\n";
+    return text;
+}
+
+inline std::vector<std::uint32_t> counted(std::uint32_t count)
+{
+    std::vector<std::uint32_t> vertices(count);
+    std::iota(vertices.begin(), vertices.end(), 0U);
+    return vertices;
+}
+
+inline std::vector<std::uint32_t> random_sequence(Random& random, std::uint32_t count, std::uint32_t vertices)
+{
+    std::vector<std::uint32_t> sequence(count);
+    for (std::uint32_t& vertex : sequence) vertex = random.below(vertices);
+    return sequence;
+}
+
+/// The same face begun where that gives the smallest sequence; a segment from its smaller end.
+inline std::vector<std::uint32_t> canonical_corners(std::vector<std::uint32_t> corners)
+{
+    if (corners.size() == 2) std::sort(corners.begin(), corners.end());
+    std::vector<std::uint32_t> best = corners;
+    for (std::size_t i = 1; i < std::min<std::size_t>(corners.size(), 16); ++i) {
+        std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+        best = std::min(best, corners);
+    }
+    return best;
+}
+
+/// Events: the type, how many corners, and the corners counted from 1 (nine at most); and the provoking vertices in their order.
+inline void record_assembly(Recorder& out, PrimitiveType type, const std::vector<std::uint32_t>& vertices)
+{
+    const auto code = static_cast<float>(type);
+    const std::vector<Primitive> primitives = assemble(type, vertices);
+    for (std::size_t i = 0; i < std::min(primitives.size(), 2 * vertices.size() + 4); ++i) {
+        const std::vector<std::uint32_t> corners = canonical_corners(primitives[i].corners);
+        std::array<float, 11> row{code, static_cast<float>(corners.size())};
+        for (std::size_t c = 0; c < std::min<std::size_t>(corners.size(), 9); ++c) row[c + 2] = static_cast<float>(corners[c]) + 1;
+        out.append("primitives", std::span<const float>(row));
+        out.append("provoking", glm::vec2(code, static_cast<float>(primitives[i].provoking)));
+    }
+}
+
+/// Events of one draw: points, segments and triangles, each list sorted; numbers counted from 1.
+inline void record_draw(Recorder& out, int draw, const DrawList& list, std::size_t expected)
+{
+    const auto row = [&](float kind, glm::uvec3 vertices) {
+        const std::array<float, 4> numbers{static_cast<float>(4 * draw) + kind, static_cast<float>(vertices.x), static_cast<float>(vertices.y),
+                                           static_cast<float>(vertices.z)};
+        out.append("list", std::span<const float>(numbers));
+    };
+    const std::size_t most = 2 * expected + 16;
+    std::vector<glm::uvec3> points;
+    std::vector<glm::uvec3> segments;
+    std::vector<glm::uvec3> triangles;
+    for (std::size_t i = 0; i < std::min(list.points.size(), most); ++i) points.emplace_back(list.points[i] + 1, 0, 0);
+    for (std::size_t i = 0; i < std::min(list.segments.size(), most); ++i) segments.emplace_back(canonical(list.segments[i] + 1U), 0);
+    for (std::size_t i = 0; i < std::min(list.triangles.size(), most); ++i) triangles.push_back(canonical(list.triangles[i] + 1U));
+    float kind = 0;
+    for (std::vector<glm::uvec3>* rows : {&points, &segments, &triangles}) {
+        std::sort(rows->begin(), rows->end(), [](glm::uvec3 a, glm::uvec3 b) { return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z}; });
+        for (const glm::uvec3& vertices : *rows) row(kind, vertices);
+        ++kind;
+    }
+}
+
+inline std::string draw_names(int draws)
+{
+    std::string text;
+    for (int draw = 0; draw < draws; ++draw)
+        for (const auto& [kind, name] : {std::pair{0, "point"}, {1, "segment"}, {2, "triangle"}})
+            text += std::to_string(4 * draw + kind) + " draw " + std::to_string(draw + 1) + ": " + name + "\n";
+    return text;
+}
+
+inline std::vector<glm::vec2> random_places(Random& random, std::size_t count)
+{
+    std::vector<glm::vec2> places(count);
+    for (glm::vec2& place : places) {
+        place.x = on_grid(random, 0, 640, 16);
+        place.y = on_grid(random, 0, 480, 16);
+    }
+    return places;
+}
+
+}
