@@ -1,0 +1,113 @@
+#include <limits>
+#include <umbral/meshes/area.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../zoo.hpp"
+#include "diagram.hpp"
+#include "large_meshes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace meshes;
+
+void record_triangles(Recorder& out, const IndexedMesh& mesh)
+{
+    for (const glm::uvec3& t : mesh.triangles) out.append("triangles", triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+}
+
+void record(Recorder& out, const IndexedMesh& mesh)
+{
+    record_triangles(out, mesh);
+    out.append("meshes", surface_area(mesh));
+}
+
+// The course's example of a PLY file, each quadrilateral cut from its first corner.
+IndexedMesh course_example()
+{
+    IndexedMesh mesh{{{0, 0, 0}, {0, 0, 2}, {0, 1.3F, 1}, {0, 1.4F, 0}, {1.1F, 0, 0}, {1, 0, 2}, {1, 0.8F, 1.5F}, {0.5F, 1, 0}}, {}};
+    for (const glm::uvec4& side : {glm::uvec4(0, 1, 2, 3), {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}}) add_quad(mesh, side);
+    return mesh;
+}
+
+void record_known(Recorder& out)
+{
+    record(out, {{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}});
+    record(out, {{{1, 1, 1}, {1, 3, 1}, {1, 1, 6}, {9, 9, 9}}, {{0, 1, 2}, {2, 1, 0}}});
+    record(out, cube_surface({{0, 0, 0}}));
+    record(out, tetrahedron());
+    record(out, octahedron());
+    record(out, flat_sheet(4, 3));
+    record(out, course_example());
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 6; ++i) {
+        IndexedMesh mesh = hills(9, 7, random);
+        turn(mesh, random);
+        record(out, shuffled(mesh, random));
+    }
+    record(out, trefoil(30, 7, 0.4));
+}
+
+// Corners are multiples of 1/64, so that what is degenerate is so in any arithmetic.
+void record_degenerate(Random& random, Recorder& out)
+{
+    constexpr float broken[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+    for (int i = 0; i < 12; ++i) {
+        IndexedMesh mesh = mapped(hills(2, 2, random), [](const glm::vec3& position) { return round(64.0F * position) / 64.0F; });
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), {mesh.positions[4], 2.0F * mesh.positions[1] - mesh.positions[0], {9, 9, 9}});
+        mesh.triangles.insert(mesh.triangles.end(), {{3, 3, 5}, {4, first, 7}, {0, 1, first + 1}, {2, 2, 2}});
+        if (i % 2 == 0) mesh.positions[random.below(9)][i / 2 % 3] = broken[i / 2 % 3];
+        record(out, mesh);
+    }
+    out.append("meshes", surface_area({}));
+    out.append("meshes", surface_area({{{1, 2, 3}}, {}}));
+}
+
+void record_slivers(Random& random, Recorder& out)
+{
+    for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) record_triangles(out, sliver_triangles(sine, 100, random));
+}
+
+void record_scales(Random& random, Recorder& out)
+{
+    for (const float scale : {1e-17F, 1e-15F, 1e-12F, 1e-10F, 1e10F, 1e13F, 1e15F, 1e17F}) {
+        IndexedMesh mesh = hills(5, 5, random);
+        turn(mesh, random);
+        record(out, mapped(mesh, [&](const glm::vec3& position) { return scale * position; }));
+    }
+}
+
+// Cells of about 10 units, a million units from the origin, where floats lie 1/16 apart.
+void record_far(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 4; ++i) {
+        IndexedMesh mesh = hills(8, 8, random);
+        turn(mesh, random);
+        const glm::vec3 away = 1e6F * random.unit_vector();
+        record(out, mapped(mesh, [&](const glm::vec3& position) { return away + 10.0F * position; }));
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"degenerate", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
+    {"slivers", [](Case& c, Recorder& out) { record_slivers(c.random, out); }},
+    {"tiny and huge", [](Case& c, Recorder& out) { record_scales(c.random, out); }},
+    {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
+    {"a million triangles",
+     [](Case& c, Recorder& out) {
+         out.append("meshes", surface_area(torus(500, 1000)));
+         out.append("meshes", surface_area(sheet_after_a_square(400)));
+         out.append("meshes", surface_area(sheet_of_all_sizes(400, c.random)));
+     }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_diagram()); }},
+};
+
+}

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <umbral/meshes/area.hpp>
+
+namespace umbral::tests {
+
+/// Both functions of one tenant of meshes/area.
+struct Areas {
+    decltype(meshes::triangle_area)* triangle;
+    decltype(meshes::surface_area)* mesh;
+};
+
+}
