@@ -1,0 +1,132 @@
+#include <glm/gtc/matrix_transform.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../../projections/scene.hpp"
+#include "../support.hpp"
+#include "pebbles.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+// The length of a normal matrix is free: what is recorded is its multiple whose largest entry is 1 or -1.
+void record_matrix(const glm::mat4& model, Recorder& out)
+{
+    const glm::mat3 u = normal_matrix(model);
+    double largest = 0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(double{u[column][row]}));
+    out.append("matrix", largest > 0 && std::isfinite(largest) ? glm::mat3(glm::dmat3(u) / largest) : u);
+}
+
+void record(const glm::mat4& model, const glm::vec3& normal, Recorder& out)
+{
+    record_matrix(model, out);
+    out.append("normal", transformed_normal(model, normal));
+}
+
+glm::mat4 turned(Random& random)
+{
+    const AxisAngle turn = random_turn(random);
+    return glm::rotate(glm::mat4(1), turn.angle, turn.axis);
+}
+
+/// A turn, a scaling by factors whose sizes are from 0.3 to 3, another turn, and a translation.
+glm::mat4 random_model(bool mirror, Random& random)
+{
+    glm::vec3 factors;
+    for (int i = 0; i < 3; ++i) factors[i] = random.uniform(0.3F, 3);
+    if (mirror) factors[static_cast<int>(random.below(3))] *= -1.0F;
+    const glm::mat4 second = glm::translate(glm::mat4(1), 10.0F * random.in_cube()) * turned(random);
+    return glm::scale(second, factors) * turned(random);
+}
+
+void record_known(Recorder& out)
+{
+    glm::mat4 sheared(1);
+    sheared[1][0] = 0.5F;
+    const glm::mat4 stretched = glm::scale(glm::mat4(1), {2, 1, 1});
+    const glm::mat4 moved = glm::translate(glm::mat4(1), {3, -4, 5});
+    for (const glm::mat4& model : {stretched, sheared, moved, glm::mat4(1), moved * stretched, glm::scale(glm::mat4(1), {1, 2, 4}), sheared * stretched})
+        for (const glm::vec3& normal : {glm::vec3(1, 1, 0), {0, 1, 0}, {1, 0, 0}, {0, 3, 4}}) record(model, normalize(normal), out);
+}
+
+// Pairs of a mirror and what is none, in random order.
+void record_mirrors(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const bool first = random.below(2) == 1;
+        for (const bool mirror : {first, !first}) {
+            const glm::mat4 model = random_model(mirror, random);
+            const glm::vec3 normal = random.unit_vector();
+            record(model, normal, out);
+        }
+    }
+}
+
+// Pairs of a matrix without an inverse and one that has one, in random order: factors of 0, shadows, rows that repeat each other, null normals.
+void record_flattened(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        glm::vec3 sizes(2, 3, 0.5F);
+        sizes[i % 3] = 0;
+        glm::mat4 flat = glm::scale(glm::mat4(1), sizes);
+        if (i % 5 == 1) flat = projections::shadow_matrix({random.uniform(-1, 1), 1, random.uniform(-1, 1)}, 0.01F);
+        if (i % 5 == 2 && i % 3 != 0) flat[2] = flat[1] = glm::vec4(random.unit_vector(), 0);
+        if (i % 5 == 3) flat = glm::scale(glm::mat4(1), {0, 0, 2});
+        const glm::mat4 solid = random_model(false, random);
+        const glm::vec3 normal = random.unit_vector();
+        const bool first = random.below(2) == 1;
+        for (const bool flattened : {first, !first}) record(flattened ? flat : solid, flattened && i % 10 == 9 ? glm::vec3(0) : normal, out);
+    }
+}
+
+// The determinant of these is no float, though each entry is.
+void record_sizes(Random& random, Recorder& out)
+{
+    for (const float size : {1e-36F, 1e-25F, 1e-20F, 1e-14F, 1e13F, 1e20F, 1e30F, 1e36F}) {
+        for (int i = 0; i < 20; ++i) {
+            const glm::mat4 model = random_model(i % 4 == 0, random);
+            const glm::vec3 normal = random.unit_vector();
+            record(model * glm::scale(glm::mat4(1), glm::vec3(size)), normal, out);
+        }
+    }
+}
+
+// Turned, pressed to 1e-4 … 1e-8 of the thickness, turned again: what rounding leaves decides on which side the outside is.
+void record_nearly_flat(Random& random, Recorder& out)
+{
+    for (const float thickness : {1e-4F, 1e-6F, 1e-7F, 1e-8F}) {
+        for (int i = 0; i < 20; ++i) {
+            const glm::mat4 after = turned(random);
+            const glm::mat4 model = glm::scale(after, {1, 1, thickness}) * turned(random);
+            const glm::vec3 normal = random.unit_vector();
+            record(model, normal, out);
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 200; ++i) {
+             const glm::mat4 model = random_model(false, c.random);
+             const glm::vec3 normal = c.random.unit_vector();
+             record(model, normal, out);
+         }
+     }},
+    {"mirrors", [](Case& c, Recorder& out) { record_mirrors(c.random, out); }},
+    {"flattened", [](Case& c, Recorder& out) { record_flattened(c.random, out); }},
+    {"tiny and huge", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
+    {"nearly flat", [](Case& c, Recorder& out) { record_nearly_flat(c.random, out); }},
+    {"picture",
+     [](Case&, Recorder& out) {
+         out.image("pebbles", draw_gloss(pebbles(), {2.2F, 2.6F, 5.6F}, {0.1F, 0.9F, 0.1F}));
+     }},
+};
+
+}
