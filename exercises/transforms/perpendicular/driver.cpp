@@ -1,0 +1,113 @@
+#include <numbers>
+#include <umbral/record/driver.hpp>
+
+#include "tree.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+glm::vec2 in_square(Random& random)
+{
+    const float x = random.uniform(-8, 8);
+    return {x, random.uniform(-8, 8)};
+}
+
+/// A Cartesian frame of the plane, or, if it is `left_handed`, its mirror image.
+PlaneFrame random_frame(bool left_handed, Random& random)
+{
+    const double angle = double{random.uniform(-pi, pi)};
+    const glm::vec2 x(std::cos(angle), std::sin(angle));
+    const glm::vec2 y = (left_handed ? -1.0F : 1.0F) * glm::vec2(-x.y, x.x);
+    return {x, y, in_square(random)};
+}
+
+void record_space(const glm::vec3& e, const glm::vec3& u, Recorder& out)
+{
+    out.append("across", across(e, u));
+    out.append("across matrix", across_matrix(e));
+}
+
+void record_known(Recorder& out)
+{
+    const PlaneFrame shifted{{1, 0}, {0, 1}, {2, 1}};
+    const PlaneFrame turned{{0.6F, 0.8F}, {-0.8F, 0.6F}, {0, 5}};
+    const PlaneFrame mirrored{{0, 1}, {1, 0}, {-1, 2}};
+    for (const glm::vec2& u : {glm::vec2(1, 0), {0, 1}, {3, 4}, {-2, 5}, {0, 0}}) {
+        out.append("left", turn_left(u));
+        out.append("right", turn_right(u));
+        for (const PlaneFrame& frame : {shifted, turned, mirrored}) {
+            out.append("in a frame", turn_vector_in(frame, u));
+            out.append("point", turn_point_in(frame, u));
+        }
+        for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F}) out.append("rotated", rotate_in_plane(u, angle));
+    }
+    for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F, 50 * pi / 180}) out.append("matrix", plane_rotation_matrix(angle));
+    record_space({0, 0, 1}, {1, 0, 0}, out);
+    record_space({1, 0, 0}, {0, 2, 0}, out);
+    record_space({1, 2, 3}, {4, 5, 6}, out);
+    record_space({1, 2, 3}, {2, 4, 6}, out);
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const glm::vec2 u = in_square(random);
+        out.append("left", turn_left(u));
+        out.append("right", turn_right(u));
+        out.append("point", turn_point_in(random_frame(i % 3 == 0, random), u));
+        const float angle = random.uniform(-pi, pi);
+        out.append("rotated", rotate_in_plane(u, angle));
+        out.append("matrix", plane_rotation_matrix(angle));
+        const glm::vec3 e = 3.0F * random.in_cube();
+        record_space(e, 3.0F * random.in_cube(), out);
+    }
+}
+
+// Pairs of a right-handed frame, where the frame does not matter, and a left-handed one, where it does; in random order.
+void record_hands(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 80; ++i) {
+        const glm::vec2 u = in_square(random);
+        const bool first = random.below(2) == 1;
+        for (const bool left_handed : {first, !first}) out.append("in a frame", turn_vector_in(random_frame(left_handed, random), u));
+    }
+}
+
+// Both sides of R(a)·R(b) = a·b and |R(a)| = |a| as the student's vectors have them.
+void record_kept(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const float angle = random.uniform(-pi, pi);
+        const glm::dvec2 a(rotate_in_plane(in_square(random), angle));
+        const glm::dvec2 b(rotate_in_plane(in_square(random), angle));
+        out.append("dot", dot(a, b));
+        out.append("length", length(a));
+    }
+}
+
+void record_many_turns(Random& random, Recorder& out)
+{
+    for (const float angle : {2 * pi, 100.0F, -1e3F, 1e4F, -1e6F}) {
+        for (int i = 0; i < 8; ++i) {
+            const glm::vec2 u = in_square(random);
+            out.append("rotated", rotate_in_plane(u, angle * random.uniform(0.9F, 1)));
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"either hand", [](Case& c, Recorder& out) { record_hands(c.random, out); }},
+    {"kept", [](Case& c, Recorder& out) { record_kept(c.random, out); }},
+    {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("tree", draw_tree()); }},
+};
+
+}
