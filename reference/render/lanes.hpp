@@ -40,14 +40,27 @@ inline bool any(const IntLanes mask)
     return (words[0] | words[1]) != 0;
 }
 
-/// first + step * (done, done + 1, …), in double, each rounded once.
-inline FloatLanes affine(double first, double step, int done)
-{
+/// How far four pixels are from the first one of their row.
+struct Distances {
     using Pair = double __attribute__((vector_size(16)));
+
+    Pair low = {0, 1}, high = {2, 3};
+    FloatLanes all = {0, 1, 2, 3};
+
+    void next()
+    {
+        low += 4.0;
+        high += 4.0;
+        all += 4.0F;
+    }
+};
+
+/// first + step * distance, in double, each rounded once.
+inline FloatLanes affine(double first, double step, const Distances& distances)
+{
     using HalfLanes = float __attribute__((vector_size(8)));
-    const Pair from = {static_cast<double>(done), static_cast<double>(done) + 1};
-    const auto low = __builtin_convertvector(first + step * from, HalfLanes);
-    const auto high = __builtin_convertvector(first + step * (from + 2), HalfLanes);
+    const auto low = __builtin_convertvector(first + step * distances.low, HalfLanes);
+    const auto high = __builtin_convertvector(first + step * distances.high, HalfLanes);
     return __builtin_shufflevector(low, high, 0, 1, 2, 3);
 }
 

@@ -42,14 +42,15 @@ template <class Covered, class Shade>
             const double depth_first = dot(edges, depth_of);
             const glm::vec3 shares(edges * share_of);
             const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-            for (int x = first; x <= last; x += lane_count) {
+            Distances distances;
+            for (int x = first; x <= last; x += lane_count, distances.next()) {
                 const std::size_t at = row + static_cast<std::size_t>(x);
-                const FloatLanes depth = affine(depth_first, depth_step, x - first);
+                const FloatLanes depth = affine(depth_first, depth_step, distances);
                 const IntLanes passes = (lane_numbers <= last - x) & (depth < load<FloatLanes>(depths + at));
                 if (!any(passes)) continue;
                 store(depths + at, passes, depth);
-                const FloatLanes done = static_cast<float>(x - first) + FloatLanes{0, 1, 2, 3};
-                const std::array<FloatLanes, 3> share = {shares[0] + share_step[0] * done, shares[1] + share_step[1] * done, shares[2] + share_step[2] * done};
+                const std::array<FloatLanes, 3> share = {shares[0] + share_step[0] * distances.all, shares[1] + share_step[1] * distances.all,
+                                                         shares[2] + share_step[2] * distances.all};
                 const FloatLanes scale = 1.0F / (share[0] + share[1] + share[2]);
                 shade(Passed{at, passes, {share[0] * scale, share[1] * scale, share[2] * scale}});
             }
