@@ -1,0 +1,213 @@
+#include <bit>
+#include <limits>
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+#include "chords.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+struct Task {
+    ClipWindow window;
+    LineSegment segment;
+};
+
+// The four numbers of what is left, or four times nothing.
+std::array<std::optional<float>, 4> ends(const Task& task)
+{
+    const std::optional<LineSegment> left = clip_segment(task.window, task.segment);
+    if (!left) return {};
+    return {left->from.x, left->from.y, left->to.x, left->to.y};
+}
+
+void record(Recorder& out, const std::vector<Task>& tasks)
+{
+    for (const Task& task : tasks)
+        for (const std::optional<float>& number : ends(task)) out.append("ends", number);
+}
+
+// Tasks 2k and 2k + 1 are a pair: each number of one stands beside that of the other.
+void record_pairs(Recorder& out, const std::vector<Task>& tasks)
+{
+    for (std::size_t i = 0; i + 1 < tasks.size(); i += 2) {
+        const auto one = ends(tasks[i]);
+        const auto other = ends(tasks[i + 1]);
+        for (std::size_t k = 0; k < one.size(); ++k) {
+            out.append("ends", one[k]);
+            out.append("ends", other[k]);
+        }
+    }
+}
+
+void add_pair(std::vector<Task>& tasks, const Task& one, const Task& other, Random& random)
+{
+    const bool swapped = random.below(2) == 0;
+    tasks.push_back(swapped ? other : one);
+    tasks.push_back(swapped ? one : other);
+}
+
+// All nine regions, the borders between them, and places one ulp beside those.
+void record_codes(Recorder& out)
+{
+    for (const ClipWindow& window : {ClipWindow{{-1, -1}, {1, 1}}, {{0, 2}, {4, 3}}, {{100, -7}, {101, -5}}}) {
+        const auto places = [](float low, float high) {
+            const float infinity = std::numeric_limits<float>::infinity();
+            return std::array{
+                low - 1, std::nextafter(low, -infinity), low,     std::nextafter(low, infinity), 0.5F * (low + high), std::nextafter(high, -infinity),
+                high,    std::nextafter(high, infinity), high + 5};
+        };
+        for (const float y : places(window.low.y, window.high.y))
+            for (const float x : places(window.low.x, window.high.x)) out.append("codes", std::uint32_t{region_code(window, {x, y})});
+    }
+}
+
+std::vector<Task> by_hand()
+{
+    const ClipWindow window{{0, 0}, {4, 2}};
+    std::vector<Task> tasks;
+    for (const auto& [from, to] : {LineSegment{{1, 1}, {3, 1.5F}},  // inside
+                                   {{-2, 1}, {2, 1}},               // into it
+                                   {{1, 1}, {1, 5}},                // out of it
+                                   {{-4, -1}, {8, 3.5F}},           // through
+                                   {{-1, 3}, {5, 3}},               // above
+                                   {{-1, 1}, {1, 4}},               // past a corner: no common side, yet outside
+                                   {{-1, 1}, {3, 3}},               // … over the corner's side
+                                   {{5, 2}, {3, -2}},               // through a corner region, right to below
+                                   {{6, 4}, {-2, -2}},              // from corner region to corner region
+                                   {{-2, 4}, {6, -2}},
+                                   {{6, -1}, {5, 5}},         // right of it
+                                   {{3, 7}, {2, -6}},         // from above to below
+                                   {{-3, 2.5F}, {2.5F, -3}},  // past the lower left corner
+                                   {{7, 1.5F}, {-5, 0.5F}}})
+        tasks.push_back({window, {from, to}});
+    return tasks;
+}
+
+// Segments on borders, in corners, without length, along the axes, and nonsense.
+std::vector<Task> borders()
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const ClipWindow window{{-1, -1}, {1, 1}};
+    const float beside = std::nextafter(1.0F, 2.0F);
+    std::vector<Task> tasks;
+    for (const auto& [from, to] : {LineSegment{{-3, 1}, {3, 1}},    // on the upper border
+                                   {{-3, beside}, {3, beside}},     // one ulp above it
+                                   {{-1, 3}, {-1, -0.5F}},          // on the left one
+                                   {{1, 0}, {3, 0.5F}},             // begins on the right one
+                                   {{0, 2}, {2, 0}},                // touches a corner
+                                   {{0, 2.5F}, {2, 0.5F}},          // … misses it
+                                   {{-2, 0}, {0, -2}},              // touches another one
+                                   {{-2, -2}, {2, 2}},              // through two corners
+                                   {{0.5F, 0.25F}, {0.5F, 0.25F}},  // a point inside
+                                   {{1, 1}, {1, 1}},                // … in a corner
+                                   {{2, 0}, {2, 0}},                // … outside
+                                   {{0.5F, -4}, {0.5F, 4}},         // vertical
+                                   {{4, 0.25F}, {-4, 0.25F}},       // horizontal
+                                   {{1.5F, -4}, {1.5F, 4}},         // vertical, outside
+                                   {{1, 1}, {2, 2}},                // leaves from a corner
+                                   {{beside, 5}, {1, -5}},          // nearly along a border
+                                   {{nan, 0}, {0, 0}},
+                                   {{0, 0}, {0.5F, nan}},
+                                   {{-infinity, 0}, {0, 0}}})
+        tasks.push_back({window, {from, to}});
+    tasks.push_back({{{2, 2}, {2, 2}}, {{0, 0}, {4, 4}}});  // a window that is a point
+    tasks.push_back({{{2, 0}, {2, 5}}, {{0, 1}, {4, 3}}});  // … a line
+    return tasks;
+}
+
+ClipWindow random_window(Random& random)
+{
+    const glm::vec2 middle(random.in_cube());
+    return {middle - random.uniform(0.25F, 1), middle + random.uniform(0.25F, 1)};
+}
+
+glm::vec2 direction(Random& random)
+{
+    const float turn = random.uniform(0, 6.2831853F);
+    return {std::cos(turn), std::sin(turn)};
+}
+
+// A segment through the inner part of the window, and one with no point in it that no code rejects at once, as long as `reach` windows or less.
+void add_random_pair(std::vector<Task>& tasks, Random& random, float reach)
+{
+    const ClipWindow window = random_window(random);
+    const glm::vec2 half = 0.5F * (window.high - window.low);
+    const glm::vec2 middle = window.low + half;
+    const glm::vec2 through = middle + 0.8F * half * glm::vec2(random.in_cube());
+    const glm::vec2 along = direction(random);
+    const float back = random.below(3) == 0 ? 0 : reach * random.uniform();
+    const LineSegment hit{through - back * along, through + reach * random.uniform() * along};
+
+    const glm::vec2 quadrant(random.below(2) == 0 ? 1 : -1, random.below(2) == 0 ? 1 : -1);
+    const glm::vec2 past = middle + random.uniform(1.15F, 1.6F) * half * quadrant;
+    const float steepness = random.uniform(0.1F, 0.9F);
+    const glm::vec2 aside = quadrant * glm::vec2(steepness, steepness - 1);
+    const float before = reach * random.uniform(0.2F, 1);
+    const LineSegment miss{past - before * aside, past + reach * random.uniform(0.2F, 1) * aside};
+    const bool turned = random.below(2) == 0;
+    add_pair(tasks, {window, hit}, {window, turned ? LineSegment{miss.to, miss.from} : miss}, random);
+}
+
+std::vector<Task> random_pairs(Random& random, int count, float reach)
+{
+    std::vector<Task> tasks;
+    for (int i = 0; i < count; ++i) add_random_pair(tasks, random, reach);
+    return tasks;
+}
+
+// Segments as long as a thousand windows that pass a corner on this side of it or on that one, by less than a ten-thousandth of a pixel.
+std::vector<Task> corner_pairs(Random& random, int count)
+{
+    std::vector<Task> tasks;
+    const ClipWindow window{{-320, -240}, {320, 240}};
+    for (int i = 0; i < count; ++i) {
+        const glm::i64vec2 quadrant(random.below(2) == 0 ? 1 : -1, random.below(2) == 0 ? 1 : -1);
+        const glm::i64vec2 corner = quadrant * glm::i64vec2(320, 240);
+        // Coprime, so that there is a whole vector beside it; from the outside of one border towards the outside of the other one.
+        glm::i64vec2 u(20'000 + random.below(400'000), 20'000 + random.below(400'000));
+        while (std::gcd(u.x, u.y) != 1) ++u.y;
+        u *= quadrant * glm::i64vec2(1, -1);
+        const std::int64_t k = 1 + random.below(3);
+        // The corner lies to one side of the line if the whole vector turns to the other. Inside is towards the middle, at -quadrant.
+        const std::int64_t inwards = quadrant.x * quadrant.y > 0 ? -k : k;
+        const auto task = [&](std::int64_t turn) { return Task{window, {glm::vec2(corner - u), glm::vec2(corner + nearly_along(u, turn))}}; };
+        add_pair(tasks, task(inwards), task(-inwards), random);
+    }
+    return tasks;
+}
+
+// Each segment and its reverse: which of the four ends is the first one with the same bits.
+void record_both_ways(Random& random, Recorder& out)
+{
+    const std::vector<Task> tasks = random_pairs(random, 200, 6);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        const auto& [window, segment] = tasks[i];
+        const std::optional<LineSegment> there = clip_segment(window, segment);
+        const std::optional<LineSegment> back = clip_segment(window, {segment.to, segment.from});
+        if (!there || !back) continue;
+        const std::array four = {there->from, there->to, back->from, back->to};
+        for (std::size_t k = 0; k < four.size(); ++k) {
+            const auto first = std::find(four.begin(), four.end(), four[k]) - four.begin();
+            out.append("first", std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(k), 0.0F, static_cast<float>(first)}));
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"codes", [](Case&, Recorder& out) { record_codes(out); }},
+    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
+    {"borders", [](Case&, Recorder& out) { record(out, borders()); }},
+    {"random", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 400, 6)); }},
+    {"both ways", [](Case& c, Recorder& out) { record_both_ways(c.random, out); }},
+    {"long", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 300, 5e5F)); }},
+    {"corners", [](Case& c, Recorder& out) { record_pairs(out, corner_pairs(c.random, 300)); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_chords()); }},
+};
+
+}
