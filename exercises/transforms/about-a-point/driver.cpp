@@ -1,0 +1,160 @@
+#include <limits>
+#include <numbers>
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+#include "kaleidoscope.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+constexpr float pi = std::numbers::pi_v<float>;
+
+void record_known(Recorder& out)
+{
+    for (const glm::vec3& centre : {glm::vec3(0, 0, 0), {1, 0, 0}, {1, 2, 3}}) {
+        out.append("rotation", rotation_about_point(centre, {{0, 0, 1}, pi / 2}));
+        out.append("rotation", rotation_about_point(centre, {{0, 2, 0}, pi / 4}));
+        out.append("scaling", scaling_about_point(centre, {2, 2, 2}));
+        out.append("scaling", scaling_about_point(centre, {1, -1, 0.5F}));
+        out.append("point", reflection_in_point(centre));
+        out.append("line", reflection_in_line(centre, {0, 3, 0}));
+        out.append("line", reflection_in_line(centre, {1, 1, 0}));
+        out.append("plane", reflection_in_plane(centre, {0, 0, 2}));
+        out.append("plane", reflection_in_plane(centre, {1, 0, 1}));
+        out.append("placed", placed_along(centre, {0, 0, 5}));
+        out.append("placed", placed_along(centre, {3, 0, 0}));
+        out.append("placed", placed_along(centre, {0, 3, 4}));
+    }
+    out.append("alignment", alignment({1, 0, 0}, {0, 1, 0}));
+    out.append("alignment", alignment({0, 0, 2}, {0, 3, 0}));
+    out.append("alignment", alignment({1, 2, 3}, {2, 4, 6}));
+    out.append("alignment", alignment({1, 0, 0}, {1, 1, 0}));
+    out.append("alignment", alignment({1, 2, 2}, {2, 1, -2}));
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 100; ++i) {
+        const glm::vec3 centre = 8.0F * random.in_cube();
+        const glm::vec3 direction = random.uniform(0.5F, 4) * random.unit_vector();
+        out.append("rotation", rotation_about_point(centre, random_turn(random)));
+        out.append("scaling", scaling_about_point(centre, 2.0F * random.in_cube()));
+        out.append("point", reflection_in_point(centre));
+        out.append("line", reflection_in_line(centre, direction));
+        out.append("plane", reflection_in_plane(centre, direction));
+        out.append("placed", placed_along(centre, direction));
+        // From 0.2 to 2.9 radians apart.
+        const glm::vec3 from = random.unit_vector();
+        const glm::vec3 aside = normalize(cross(from, random.unit_vector()));
+        const float angle = random.uniform(0.2F, 2.9F);
+        const float size = random.uniform(0.5F, 4);
+        out.append("alignment", alignment(direction.x > 0 ? 3.0F * from : from, size * (std::cos(angle) * from + std::sin(angle) * aside)));
+    }
+}
+
+// Pairs of a question about a null direction and one about another, in random order.
+void record_null(Random& random, Recorder& out)
+{
+    const glm::vec3 null(0, -0.0F, 0);
+    for (int i = 0; i < 30; ++i) {
+        const glm::vec3 centre = 3.0F * random.in_cube();
+        const glm::vec3 given = random.unit_vector();
+        const glm::vec3 other = random.unit_vector();
+        const bool first = random.below(2) == 1;
+        for (const bool is_null : {first, !first}) {
+            const glm::vec3 direction = is_null ? null : given;
+            if (i % 5 == 0) out.append("matrix", reflection_in_line(centre, direction));
+            if (i % 5 == 1) out.append("matrix", reflection_in_plane(centre, direction));
+            if (i % 5 == 2) out.append("matrix", alignment(direction, other));
+            if (i % 5 == 3) out.append("matrix", placed_along(centre, direction));
+            if (i % 5 == 4) out.append("matrix", rotation_about_point(centre, {direction, 1}));
+        }
+    }
+}
+
+// Small changes about centres that are far away: the translation is the difference of nearly equal points.
+void record_far(Random& random, Recorder& out)
+{
+    for (const float far : {1e2F, 1e4F, 1e6F}) {
+        for (const float change : {1e-1F, 1e-3F, 1e-5F}) {
+            for (int i = 0; i < 8; ++i) {
+                const glm::vec3 centre = far * random.unit_vector();
+                const glm::vec3 axis = clear_axis(false, random);
+                out.append("rotation", rotation_about_point(centre, {axis, change * random.uniform(0.5F, 1)}));
+                out.append("scaling", scaling_about_point(centre, 1.0F + change * random.in_cube()));
+            }
+        }
+    }
+}
+
+/// A vector of whole numbers, the smallest of which is clear, so that multiples of it are exact.
+glm::vec3 whole_vector(Random& random)
+{
+    glm::vec3 v;
+    for (int i = 0; i < 3; ++i) v[i] = static_cast<float>(10 * i + 1 + static_cast<int>(random.below(5))) * (random.below(2) == 0 ? 1.0F : -1.0F);
+    const auto turns = static_cast<int>(random.below(3));
+    return {v[turns], v[(turns + 1) % 3], v[(turns + 2) % 3]};
+}
+
+// Opposite vectors in pairs with equal ones, in random order; and vectors that are nearly either, down to 1e-6.
+void record_opposite(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 24; ++i) {
+        const glm::vec3 from = i < 3 ? glm::vec3(i == 0, i == 1, i == 2) : whole_vector(random);
+        const auto factor = static_cast<float>(1 + random.below(7));
+        const bool first = random.below(2) == 1;
+        for (const bool opposite : {first, !first}) out.append("opposite", alignment(from, (opposite ? -factor : factor) * from));
+    }
+    for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
+        for (int i = 0; i < 16; ++i) {
+            const glm::vec3 from = clear_axis(false, random);
+            const glm::vec3 aside = length(from) * normalize(cross(from, random.unit_vector()));
+            const glm::vec3 to = from + angle * aside;
+            out.append("nearly", alignment(from, i % 4 == 0 ? to : -to));
+        }
+    }
+}
+
+// Directions that are nearly up or down; what is left beside the y is too small for a float's square.
+void record_steep(Random& random, Recorder& out)
+{
+    for (const float aside : {0.0F, 1e-2F, 1e-5F, 1e-10F, 1e-20F, 1e-25F, 1e-35F}) {
+        for (int i = 0; i < 10; ++i) {
+            const float angle = random.uniform(-pi, pi);
+            const float up = i % 2 == 0 ? 1.0F : -2.0F;
+            out.append("placed", placed_along(random.in_cube(), {aside * std::cos(angle), up, aside * std::sin(angle)}));
+        }
+    }
+}
+
+void record_sizes(Random& random, Recorder& out)
+{
+    for (const float size : {1e-37F, 1e-30F, 1e-22F, 1e20F, 1e30F, 1e37F}) {
+        for (int i = 0; i < 8; ++i) {
+            const glm::vec3 direction = size * random.unit_vector();
+            const glm::vec3 centre = random.in_cube();
+            out.append("matrix", reflection_in_line(centre, direction));
+            out.append("matrix", reflection_in_plane(centre, direction));
+            out.append("matrix", placed_along(centre, direction));
+            out.append("matrix", alignment(clear_axis(true, random), direction));
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"null directions", [](Case& c, Recorder& out) { record_null(c.random, out); }},
+    {"far centres", [](Case& c, Recorder& out) { record_far(c.random, out); }},
+    {"opposite", [](Case& c, Recorder& out) { record_opposite(c.random, out); }},
+    {"steep", [](Case& c, Recorder& out) { record_steep(c.random, out); }},
+    {"tiny and huge", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("kaleidoscope", draw_kaleidoscope()); }},
+};
+
+}
