@@ -1,0 +1,164 @@
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+#include "whirl.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+Frame cartesian(const glm::vec3& origin, Random& random)
+{
+    const AxisAngle turn = random_turn(random);
+    const glm::mat4 m = glm::rotate(glm::mat4(1), turn.angle, turn.axis);
+    return {glm::vec3(m[0]), glm::vec3(m[1]), glm::vec3(m[2]), origin};
+}
+
+/// Any lengths from 0.5 to 2, angles far from 0: a Cartesian frame whose vectors are scaled and lean by less than half of it.
+Frame oblique(const glm::vec3& origin, Random& random)
+{
+    Frame frame = cartesian(origin, random);
+    for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) {
+        const glm::vec3 lean = 0.25F * random.in_cube();
+        *axis = random.uniform(0.5F, 2) * (*axis + lean);
+    }
+    return frame;
+}
+
+const Frame world{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+
+// Frames whose inverse a hand can find.
+void record_known(Recorder& out)
+{
+    const Frame doubled{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 2, 3}};
+    const Frame sheared{{1, 0, 0}, {1, 1, 0}, {0, 0, 1}, {0, 5, 0}};
+    const Frame quarter{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {3, 4, 0}};
+    const Frame cyclic{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {-1, -2, -3}};
+    const Frame tilted{{0.6F, 0.8F, 0}, {-0.8F, 0.6F, 0}, {0, 0, 1}, {10, 0, -5}};
+    for (const Frame& frame : {world, doubled, sheared, quarter, cyclic, tilted}) {
+        out.append("matrix", frame_matrix(frame));
+        out.append("inverse", inverse_of_frame(frame));
+        for (const Frame& other : {world, doubled, quarter, sheared}) out.append("between", between_frames(frame, other));
+    }
+    for (const Frame& frame : {quarter, cyclic, tilted}) out.append("cartesian", inverse_of_cartesian(frame));
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const Frame from = oblique(8.0F * random.in_cube(), random);
+        const Frame to = oblique(8.0F * random.in_cube(), random);
+        out.append("matrix", frame_matrix(from));
+        out.append("inverse", inverse_of_frame(from));
+        out.append("between", between_frames(from, to));
+        out.append("cartesian", inverse_of_cartesian(cartesian(8.0F * random.in_cube(), random)));
+    }
+}
+
+// Cartesian frames that have been turned too often: off by a thousandth, so that the transpose is the inverse no more.
+void record_drifted(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        Frame frame = cartesian(8.0F * random.in_cube(), random);
+        for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis += 2e-3F * random.unit_vector();
+        out.append("inverse", inverse_of_frame(frame));
+    }
+}
+
+// Pairs of a right-handed frame and a left-handed one, in random order, of all sizes; the slides' criterion for the plane says 0 = 0 for the first.
+void record_orientation(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        Frame frame = i == 0 ? Frame{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, 0}} : oblique({0, 0, 0}, random);
+        for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis *= i < 20 ? 1.0F : i < 40 ? 1e-10F : 1e10F;
+        Frame other = frame;
+        std::swap(i % 2 == 0 ? other.x : other.z, other.y);
+        const bool swapped = random.below(2) == 1;
+        out.append("sign", orientation(swapped ? other : frame));
+        out.append("sign", orientation(swapped ? frame : other));
+    }
+}
+
+void record_kinds(Random& random, Recorder& out)
+{
+    const glm::vec3 origin(1, 2, 3);
+    for (int i = 0; i < 100; ++i) {
+        Frame frame = cartesian(origin, random);
+        const bool mirrored = random.below(2) == 1;
+        const Frame skew = oblique(origin, random);
+        if (i % 5 == 0) frame = skew;
+        if (i % 5 == 1) frame.x *= 1.5F, frame.z *= 0.01F;
+        if (i % 5 == 2 && i % 2 == 0) frame.z = glm::vec3(0);
+        if (i % 5 == 2 && i % 2 == 1) frame.x.y = frame.y.y = frame.z.y = 0;
+        if (mirrored) frame.y = -frame.y;
+        // As far off as a long chain of turns leaves a frame.
+        if (i % 5 > 2) frame.x *= 1.00001F;
+        out.append("kind", static_cast<std::int32_t>(classify_frame(frame)));
+    }
+}
+
+/// A multiple of 2^-23 between 0.5 and 1 with all its digits, and a sign: the sum of two is a float, their products are no doubles.
+float full_number(Random& random)
+{
+    const float size = 0.5F + 0x1p-23F * static_cast<float>(random.below(1U << 22U));
+    return random.below(2) == 0 ? size : -size;
+}
+
+// z = x + y, exactly, so that the frame is degenerate; and the same a unit in the last place above or below.
+void record_coplanar(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 120; ++i) {
+        Frame frame = world;
+        for (int k = 0; k < 3; ++k) {
+            frame.x[k] = full_number(random);
+            frame.y[k] = full_number(random);
+        }
+        frame.z = frame.x + frame.y;
+        if (i % 2 != 0) frame.z[i / 4 % 3] += i % 4 == 1 ? 0x1p-23F : -0x1p-23F;
+        out.append("sign", orientation(frame));
+    }
+}
+
+// y leans onto x until they are 1e-2 … 1e-6 apart.
+void record_ill_conditioned(Random& random, Recorder& out)
+{
+    for (const float apart : {1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
+        for (int i = 0; i < 12; ++i) {
+            Frame frame = cartesian(random.in_cube(), random);
+            frame.y = frame.x + apart * frame.y;
+            out.append("inverse", inverse_of_frame(frame));
+        }
+    }
+}
+
+// Two frames a few steps from each other, as far from the world's origin as a town, a country or a planet is wide in metres.
+void record_far(Random& random, Recorder& out)
+{
+    for (const float far : {1e4F, 1e5F, 1e6F, 1e7F}) {
+        for (int i = 0; i < 20; ++i) {
+            const glm::vec3 here = far * random.unit_vector();
+            const glm::vec3 there = here + 8.0F * random.unit_vector();
+            const Frame from = oblique(here, random);
+            out.append("between", between_frames(from, i % 2 == 0 ? cartesian(there, random) : oblique(there, random)));
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"drifted", [](Case& c, Recorder& out) { record_drifted(c.random, out); }},
+    {"orientation", [](Case& c, Recorder& out) { record_orientation(c.random, out); }},
+    {"kinds", [](Case& c, Recorder& out) { record_kinds(c.random, out); }},
+    {"nearly in a plane", [](Case& c, Recorder& out) { record_coplanar(c.random, out); }},
+    {"ill-conditioned", [](Case& c, Recorder& out) { record_ill_conditioned(c.random, out); }},
+    {"far away", [](Case& c, Recorder& out) { record_far(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("whirl", draw_whirl()); }},
+};
+
+}
