@@ -1,0 +1,107 @@
+#include <umbral/record/driver.hpp>
+#include <umbral/transforms/tree.hpp>
+
+#include "../drawn_events.hpp"
+#include "grove.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+/// How often the middle of each cell was filled.
+Grid<std::uint32_t> layers(const RecordingPipeline& drawn, int width, int height, glm::dvec2 low, glm::dvec2 high)
+{
+    Grid<std::uint32_t> sum(width, height);
+    std::size_t triangles = 0;
+    for (const Call& call : drawn.calls()) {
+        for (std::size_t i = 0; call.kind == Call::Kind::triangles && i + 2 < call.places.size() && triangles < 100; i += 3, ++triangles) {
+            RecordingPipeline one;
+            one.compose(glm::mat4(call.modelview));
+            one.fill_triangles(std::span(call.places).subspan(i, 3));
+            const Grid<std::uint32_t> cells = filled_cells(one, width, height, low, high);
+            for (std::size_t k = 0; k < cells.cells.size(); ++k) sum.cells[k] += cells.cells[k] != 0 ? 1U : 0U;
+        }
+    }
+    return sum;
+}
+
+void record_trunk(Recorder& out)
+{
+    RecordingPipeline drawn;
+    draw_trunk(drawn);
+    // No middle of a cell lies on a line between two corners.
+    const glm::dvec2 low(-0.8337, -0.3119);
+    const glm::dvec2 high = low + 0.02 * glm::dvec2(160, 184);
+    out.buffer("cells", filled_cells(drawn, 160, 184, low, high));
+    out.buffer("layers", layers(drawn, 160, 184, low, high));
+}
+
+// Lines in any order and sense: sorted by their places in the trunk's own coordinates, which are exact.
+void record_edges(Recorder& out, Random& random)
+{
+    const auto less = [](glm::vec2 a, glm::vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+    for (int i = 0; i < 6; ++i) {
+        RecordingPipeline drawn(i == 0 ? Start{} : random_start(random));
+        draw_trunk(drawn);
+        std::vector<std::array<glm::vec2, 2>> lines;
+        std::vector<EventRow> rows;
+        for (const Call& call : drawn.calls()) {
+            if (call.kind != Call::Kind::polyline) continue;
+            for (std::size_t k = 1; k < call.places.size(); ++k) {
+                glm::vec2 a = call.places[k - 1];
+                glm::vec2 b = call.places[k];
+                if (less(b, a)) std::swap(a, b);
+                const EventRow row = event_row(2, seen_at(call.modelview, a), seen_at(call.modelview, b), {}, call.color, call.line_width);
+                const std::array line{a, b};
+                const auto place = std::find_if(lines.begin(), lines.end(),
+                                                [&](const auto& other) { return less(line[0], other[0]) || (line[0] == other[0] && less(line[1], other[1])); });
+                rows.insert(rows.begin() + (place - lines.begin()), row);
+                lines.insert(place, line);
+            }
+        }
+        for (const EventRow& row : rows) out.append("drawn", std::span<const float>(row));
+        if (rows.empty()) continue;
+        const EventRow after = matrix_row(9, drawn.modelview(), drawn.color(), drawn.line_width(), drawn.depth());
+        out.append("drawn", std::span<const float>(after));
+    }
+    record_names(out, "drawn");
+}
+
+void record_trees(Recorder& out, std::initializer_list<unsigned> levels, Random& random)
+{
+    for (const unsigned level : levels) {
+        RecordingPipeline drawn(random_start(random));
+        draw_tree(drawn, level, drawn.marker());
+        record_events(out, "drawn", drawn, Stack::left_out);
+    }
+    record_names(out, "drawn");
+}
+
+// 2047 trunks: where an error of each level adds up.
+void record_tall(Recorder& out)
+{
+    RecordingPipeline drawn;
+    draw_tree(drawn, 11, drawn.marker());
+    for (const Call& call : drawn.calls())
+        if (call.kind == Call::Kind::figure) out.append("trunks", glm::mat4(call.modelview));
+}
+
+}
+
+const Driver driver = {
+    {"trunk", [](Case&, Recorder& out) { record_trunk(out); }},
+    {"edges", [](Case& c, Recorder& out) { record_edges(out, c.random); }},
+    {"tree",
+     [](Case& c, Recorder& out) {
+         record_trees(out, {1, 2, 3, 0, 6}, c.random);
+     }},
+    {"any tree",
+     [](Case& c, Recorder& out) {
+         record_trees(out, {4 + c.random.below(2), 7 + c.random.below(2)}, c.random);
+     }},
+    {"tall tree", [](Case&, Recorder& out) { record_tall(out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_grove()); }},
+};
+
+}

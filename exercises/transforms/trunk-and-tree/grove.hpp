@@ -1,0 +1,48 @@
+#pragma once
+
+#include <umbral/gl/framebuffer.hpp>
+#include <umbral/transforms/tree.hpp>
+
+#include "../../meshes/halved.hpp"
+#include "../gl_pipelines.hpp"
+
+namespace umbral::transforms {
+
+inline constexpr glm::vec3 grove_background(0.93F, 0.95F, 0.97F);
+
+/// A tree of six levels, as the course's, between smaller ones, some of them mirrored.
+inline void paint_grove(Pipeline& pipeline)
+{
+    struct Place {
+        float x;
+        float width;  ///< < 0: mirrored
+        float height;
+        unsigned levels;
+    };
+    constexpr Place places[] = {{-2.2F, 0.42F, 0.42F, 4}, {8.5F, -0.55F, 0.55F, 5}, {5.0F, 0.24F, 0.24F, 3}, {-0.9F, -0.3F, 0.3F, 2}, {1, 1, 1, 6}};
+    for (const Place& place : places) {
+        pipeline.push();
+        pipeline.compose(glm::translate(glm::mat4(1), {place.x, 0, 0}));
+        pipeline.compose(glm::scale(glm::mat4(1), {place.width, place.height, 1}));
+        draw_tree(pipeline, place.levels, draw_trunk);
+        pipeline.pop();
+    }
+    pipeline.set_color(trunk_edges);
+    pipeline.draw_polyline(std::array<glm::vec2, 2>{{{-10, 0}, {20, 0}}});
+}
+
+inline glm::mat4 grove_window() { return glm::ortho(-2.9F, 9.1F, -0.6F, 6.4F); }
+
+/// 480 x 280 pixels, by the programmable pipeline.
+inline Image draw_grove()
+{
+    const gl::Framebuffer frame(960, 560);
+    frame.clear(glm::vec4(grove_background, 1));
+    ProgrammablePipeline pipeline(make_matrix_stack(), grove_window(), grove_background, 2);
+    pipeline.set_view(glm::mat4(1));
+    pipeline.set_line_width(1.5F);
+    paint_grove(pipeline);
+    return halved(frame.read_pixels());
+}
+
+}
