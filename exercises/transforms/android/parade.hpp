@@ -1,0 +1,62 @@
+#pragma once
+
+#include <umbral/gl/framebuffer.hpp>
+#include <umbral/transforms/android.hpp>
+
+#include "../../meshes/halved.hpp"
+#include "../gl_pipelines.hpp"
+
+namespace umbral::transforms {
+
+inline constexpr glm::vec3 parade_background(0.80F, 0.86F, 0.91F);
+
+inline glm::mat4 parade_view() { return glm::lookAt(glm::vec3(1.0F, 3.8F, 18.0F), glm::vec3(0, 0.5F, 0), glm::vec3(0, 1, 0)); }
+inline glm::mat4 parade_projection() { return glm::perspective(glm::radians(26.0F), 1.75F, 1.0F, 60.0F); }
+
+/// Five poses, each of them set on the same android, on round stands.
+inline void paint_parade(Pipeline& pipeline, Android& android)
+{
+    struct Pose {
+        glm::vec3 place;
+        float turn;
+        glm::vec3 color;
+        double left, right, head;
+    };
+    const Pose poses[] = {{{-5.5F, 0, -1.7F}, 0.45F, {0.15F, 0.62F, 0.55F}, 0.6, -0.6, 0.5},
+                          {{5.5F, 0, -1.7F}, -0.55F, {0.83F, 0.44F, 0.62F}, -1.57, -1.57, -0.2},
+                          {{-2.9F, 0, -0.1F}, 0.25F, {0.25F, 0.58F, 0.85F}, -2.75, 0.3, -0.6},
+                          {{2.9F, 0, -0.1F}, -0.3F, {0.92F, 0.60F, 0.15F}, 0.35, -2.2, 0.7},
+                          {{0, 0, 1.2F}, 0, {0.55F, 0.74F, 0.18F}, 0, 0, 0}};
+    pipeline.set_view(parade_view());
+    for (const Pose& pose : poses) {
+        android.set_left_arm(pose.left);
+        android.set_right_arm(pose.right);
+        android.set_head(pose.head);
+        pipeline.push();
+        pipeline.compose(glm::translate(glm::mat4(1), pose.place));
+        pipeline.push();
+        pipeline.set_color({0.62F, 0.66F, 0.72F});
+        pipeline.compose(glm::translate(glm::mat4(1), {0, -1.65F, 0}));
+        pipeline.compose(glm::scale(glm::mat4(1), {1.7F, 0.24F, 1.7F}));
+        pipeline.draw(Primitive::cylinder);
+        pipeline.pop();
+        pipeline.set_color(pose.color);
+        pipeline.compose(glm::rotate(glm::mat4(1), pose.turn, {0, 1, 0}));
+        android.draw(pipeline);
+        pipeline.pop();
+    }
+}
+
+/// 560 x 320 pixels, by the programmable pipeline.
+inline Image draw_parade()
+{
+    const gl::Framebuffer frame(1120, 640);
+    frame.clear(glm::vec4(parade_background, 1));
+    glEnable(GL_DEPTH_TEST);
+    const std::unique_ptr<Android> android = make_android();
+    ProgrammablePipeline pipeline(make_matrix_stack(), parade_projection(), parade_background, 2);
+    if (android) paint_parade(pipeline, *android);
+    return halved(frame.read_pixels());
+}
+
+}

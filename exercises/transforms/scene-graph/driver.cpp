@@ -1,0 +1,170 @@
+#include <array>
+#include <umbral/record/cost.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "arc_graphs.hpp"
+#include "street.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+constexpr std::size_t plenty = 10'000;
+
+void record_instances(Recorder& out, const std::vector<Instance>& instances)
+{
+    for (std::size_t i = 0; i < std::min(instances.size(), plenty); ++i) {
+        out.append("objects", instances[i].object);
+        out.append("world", instances[i].world);
+    }
+}
+
+// The facade, its window alone, and rules in small: order, scope, an empty node, a transformation that nothing follows.
+void record_known(Recorder& out)
+{
+    SceneGraph graph = facade();
+    record_instances(out, expand(graph, plenty));
+    graph.root = 2;
+    record_instances(out, expand(graph, plenty));
+    GraphBuilder b;
+    const std::uint32_t empty = b.add_node({});
+    const std::uint32_t inner = b.add_node({object(1), b.move(1, 2), object(2), node(empty), b.scale(3, 3)});
+    b.graph.root = b.add_node({b.scale(2, 5), node(inner), object(3), b.move(10, 20), node(inner), object(4)});
+    record_instances(out, expand(b.graph, plenty));
+    b.graph.root = empty;
+    record_instances(out, expand(b.graph, plenty));
+}
+
+/// A cycle begins at its smallest node, and does not come back to it: whoever found it, wherever they began.
+std::vector<std::uint32_t> canonical(std::vector<std::uint32_t> path)
+{
+    if (path.size() > 1 && path.front() == path.back()) path.pop_back();
+    std::rotate(path.begin(), std::min_element(path.begin(), path.end()), path.end());
+    return path;
+}
+
+void record_cycles(Recorder& out, Random& random)
+{
+    out.text("found.names", "1 no cycle; instances\n2 a cycle of these nodes\n");
+    for (int i = 0; i < 60; ++i) {
+        const SceneGraph graph = random_chain(random, random.below(2) == 0);
+        std::array<float, 10> row{1};
+        try {
+            row[1] = static_cast<float>(expand(graph, plenty).size());
+        } catch (const CycleError& error) {
+            const std::vector<std::uint32_t> path = canonical(error.path());
+            row = {2, static_cast<float>(path.size())};
+            for (std::size_t k = 0; k < std::min(path.size(), row.size() - 2); ++k) row[k + 2] = static_cast<float>(path[k] + 1);
+        }
+        out.append("found", std::span<const float>(row));
+    }
+}
+
+/// 0: nothing, 1: a cycle, 2: too many, 3: out of range, 4: something else.
+float thrown_by(const SceneGraph& graph, std::size_t limit)
+{
+    try {
+        (void)expand(graph, limit);
+        return 0;
+    } catch (const CycleError&) {
+        return 1;
+    } catch (const TooManyInstances&) {
+        return 2;
+    } catch (const std::out_of_range&) {
+        return 3;
+    } catch (...) {
+        return 4;
+    }
+}
+
+// In pairs: what is in order, and what is not by one.
+void record_limits(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 30; ++i) {
+        SceneGraph good = random_chain(random, false);
+        SceneGraph bad = good;
+        std::size_t good_limit = plenty;
+        std::size_t bad_limit = plenty;
+        const auto count = static_cast<std::uint32_t>(good.nodes.size());
+        const std::uint32_t what = random.below(5);
+        if (what == 0) bad.root = count;
+        if (what == 1) bad.nodes[bad.root].push_back(node(count + random.below(1000)));
+        if (what == 2) bad.nodes[bad.root].push_back({Entry::Kind::transformation, 2});
+        if (what > 2) {
+            const std::uint32_t levels = 2 + random.below(6);
+            good = bad = doubling(levels, {object(1)});
+            good_limit = std::size_t{1} << (levels - 1);
+            bad_limit = good_limit - 1;
+        }
+        const bool good_first = random.below(2) == 0;
+        for (const bool is_good : {good_first, !good_first}) out.append("thrown", is_good ? thrown_by(good, good_limit) : thrown_by(bad, bad_limit));
+    }
+}
+
+// 2^17 ways that lead to nothing, beside five objects; and 2^59 objects. The work must grow with the nodes, and not with the ways.
+void record_many_ways(Recorder& out)
+{
+    SceneGraph graph = doubling(18, {});
+    graph.root = static_cast<std::uint32_t>(graph.nodes.size());
+    const Entry step{Entry::Kind::transformation, 0};
+    graph.nodes.push_back({object(1), node(1), step, object(2), node(9), object(3), step, object(4), node(17), object(5)});
+    record_instances(out, expand(graph, plenty));
+    out.append("thrown", thrown_by(graph, 4));
+    out.append("thrown", thrown_by(graph, 5));
+    out.append("thrown", thrown_by(doubling(60, {object(1)}), 100'000));
+    out.append("thrown", thrown_by(doubling(10, {node(5)}), plenty));
+    out.text("blocks.names", "nodes");
+    for (const std::uint32_t levels : {6U, 9U, 12U, 15U, 18U}) {
+        const SceneGraph empty = doubling(levels, {});
+        record_cost(out, "blocks", levels, [&] { (void)expand(empty, plenty); });
+    }
+}
+
+void record_conversion(Recorder& out, const std::vector<ArcGraph>& graphs)
+{
+    for (const ArcGraph& graph : graphs) {
+        const SceneGraph result = to_phigs(graph);
+        std::size_t drawn = 0;
+        for (const std::vector<Entry>& entries : result.nodes)
+            for (const Entry& entry : entries) drawn += entry.kind == Entry::Kind::transformation ? 0 : 1;
+        out.append("size", glm::vec2(result.nodes.size(), drawn));
+        const std::optional<std::vector<Way>> all = ways(result);
+        if (!all) {
+            constexpr std::array<float, 17> nothing{-1};
+            out.append("instances", std::span<const float>(nothing));
+            continue;
+        }
+        for (const auto& [object, word] : *all) {
+            const glm::mat4 world = product(result, word);
+            std::array<float, 17> row{static_cast<float>(object)};
+            std::copy_n(&world[0][0], 16, row.begin() + 1);
+            out.append("instances", std::span<const float>(row));
+        }
+    }
+}
+
+std::vector<ArcGraph> random_arc_graphs(Random& random)
+{
+    std::vector<ArcGraph> all;
+    for (int i = 0; i < 40; ++i) all.push_back(random_arc_graph(random));
+    return all;
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 30; ++i) record_instances(out, expand(random_graph(c.random), plenty));
+     }},
+    {"cycles", [](Case& c, Recorder& out) { record_cycles(out, c.random); }},
+    {"limits", [](Case& c, Recorder& out) { record_limits(out, c.random); }},
+    {"many ways", [](Case&, Recorder& out) { record_many_ways(out); }},
+    {"conversion", [](Case& c, Recorder& out) { record_conversion(out, known_arc_graphs(c.random)); }},
+    {"any conversion", [](Case& c, Recorder& out) { record_conversion(out, random_arc_graphs(c.random)); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_street(expand(street(), plenty))); }},
+};
+
+}
