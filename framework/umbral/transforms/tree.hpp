@@ -20,7 +20,7 @@ void draw_trunk(Pipeline& pipeline);
 /// A tree of level 0 is nothing.
 ///
 /// In the order trunk, left tree, right tree. The left tree's corners 0 and 1 lie on the trunk's corners 7 and 6, the right tree's on its corners 4 and 3.
-/// Draws with `trunk` only; neutral. Its stack is no deeper than `levels`. Course: problem 2.23, Arbol.
+/// Draws with `trunk` only; neutral. One push a level is enough: OpenGL's own stack holds 32 matrices. Course: problem 2.23, Arbol.
 void draw_tree(Pipeline& pipeline, unsigned levels, const Figure& trunk);
 
 }
