@@ -1,0 +1,162 @@
+#include <umbral/record/cost.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../zoo.hpp"
+#include "picture.hpp"
+#include "strip_log.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace meshes;
+
+void record_grids(Recorder& out)
+{
+    StripLog log(out, "strips");
+    for (const auto& [columns, rows] : {std::pair{1U, 1U}, {1U, 4U}, {5U, 1U}, {2U, 3U}, {8U, 4U}, {3U, 7U}, {0U, 3U}, {4U, 0U}}) {
+        log.begin("grid of " + std::to_string(columns) + " x " + std::to_string(rows) + ": strip, vertex");
+        const std::vector<Strip> strips = grid_strips(columns, rows);
+        for (std::uint32_t i = 0; i < std::min<std::size_t>(strips.size(), 20); ++i)
+            for (std::size_t k = 0; k < std::min<std::size_t>(strips[i].size(), 40); ++k) log.add({i, strips[i][k]});
+    }
+    log.finish();
+}
+
+void record_decoded(StripLog& log, const std::string& name, const Strip& strip)
+{
+    log.begin(name);
+    std::vector<glm::uvec3> triangles = triangles_of_strip(strip);
+    triangles.resize(std::min(triangles.size(), 2 * strip.size() + 10));
+    std::ranges::transform(triangles, triangles.begin(), turned);
+    log.add(triangles);
+}
+
+void record_known_strips(Recorder& out)
+{
+    constexpr std::uint32_t r = restart_index;
+    StripLog log(out, "triangles");
+    record_decoded(log, "one triangle", {4, 7, 5});
+    record_decoded(log, "zigzag", {0, 1, 2, 3, 4, 5, 6, 7});
+    record_decoded(log, "nothing", {});
+    record_decoded(log, "two indices", {3, 8});
+    record_decoded(log, "repeated index", {0, 1, 2, 2, 3, 4, 5});
+    record_decoded(log, "joined strips", {0, 1, 2, 3, 3, 6, 6, 7, 8, 9});
+    record_decoded(log, "joined strips of odd length", {0, 1, 2, 3, 4, 4, 6, 6, 6, 7, 8, 9});
+    record_decoded(log, "corner and back", {0, 1, 2, 1, 3, 1, 4});
+    record_decoded(log, "restart after an even number", {0, 1, 2, 3, r, 4, 5, 6, 7});
+    record_decoded(log, "restart after an odd number", {0, 1, 2, 3, 4, r, 5, 6, 7, 8});
+    record_decoded(log, "restarts of no use", {r, r, 0, 1, r, 2, r, 3, 4, 5, 6, r});
+    log.finish();
+}
+
+Strip random_strip(Random& random, std::uint32_t length)
+{
+    Strip strip;
+    for (std::uint32_t i = 0; i < length; ++i) strip.push_back(random.below(40));
+    for (std::uint32_t i = 1; i < length; ++i)
+        if (random.below(8) == 0) strip[i] = strip[i - 1];
+    return strip;
+}
+
+void record_random_strips(Random& random, Recorder& out)
+{
+    StripLog log(out, "triangles");
+    for (int i = 0; i < 20; ++i) {
+        Strip strip = random_strip(random, 30);
+        for (std::uint32_t& index : strip)
+            if (random.below(10) == 0) index = restart_index;
+        record_decoded(log, "random strip", strip);
+    }
+    log.finish();
+}
+
+void record_joined(Random& random, Recorder& out)
+{
+    StripLog log(out, "indices");
+    StripLog drawings(out, "triangles");
+    const auto record = [&](const std::string& name, const std::vector<Strip>& strips) {
+        log.begin(name);
+        const Strip joined = join_strips(strips);
+        for (std::size_t i = 0; i < std::min<std::size_t>(joined.size(), 400); ++i) log.add({joined[i]});
+        drawings.begin(name);
+        drawings.add(drawn({joined}, 40));
+    };
+    record("two strips of even length", {{0, 1, 2, 3}, {4, 5, 6, 7}});
+    record("two strips of odd length", {{0, 1, 2}, {4, 5, 6, 7, 8}});
+    record("strips of one to five indices", {{9}, {0, 1, 2, 3}, {4, 5}, {6, 7, 8}, {}, {1, 3, 5, 7, 9}});
+    record("a strip that begins where the last one ended", {{0, 1, 2}, {2, 3, 4}, {4, 5, 6, 7}});
+    record("none", {});
+    for (int i = 0; i < 12; ++i) {
+        std::vector<Strip> strips;
+        for (std::uint32_t count = 1 + random.below(6); count > 0; --count) strips.push_back(random_strip(random, random.below(9)));
+        record("random strips", strips);
+    }
+    log.finish();
+    drawings.finish();
+}
+
+void record_strips_of(Recorder& out, const std::vector<Specimen>& meshes)
+{
+    StripLog log(out, "triangles");
+    for (const auto& [name, mesh] : meshes) {
+        log.begin(name);
+        log.add(drawn(make_strips(mesh), mesh.triangles.size()));
+    }
+    log.finish();
+}
+
+std::vector<Specimen> larger_meshes(Random& random)
+{
+    std::vector<Specimen> meshes = {{"sheet", flat_sheet(9, 5)},    {"torus", torus(15, 10)},         {"ball", ball(12, 14)}, {"knot", trefoil(30, 7, 0.4)},
+                                    {"plate", plate_with_holes(4)}, {"hills", hills(15, 12, random)}, {"fan", disc(30)}};
+    for (auto& [name, mesh] : meshes) mesh = shuffled(mesh, random);
+    return meshes;
+}
+
+// How many indices all strips of a mesh have. One mesh is much larger than the others, so that no one number is near them all.
+void record_index_counts(Random& random, Recorder& out)
+{
+    for (const IndexedMesh& mesh : {torus(10, 7), ball(9, 9), trefoil(16, 5, 0.4), plate_with_holes(4), hills(9, 8, random), tube(8, 5), torus(50, 40)}) {
+        std::size_t count = 0;
+        for (const Strip& strip : make_strips(shuffled(mesh, random))) count += strip.size();
+        out.append("indices", static_cast<float>(count));
+    }
+}
+
+std::vector<Specimen> odd_meshes(Random& random)
+{
+    std::vector<Specimen> meshes = wild_meshes();
+    meshes.push_back({"any winding", with_mixed_winding(torus(7, 5), random)});
+    for (auto& [name, mesh] : meshes) {
+        if (mesh.triangles.empty()) continue;
+        mesh.triangles.insert(mesh.triangles.end(), {{0, 1, 1}, {2, 0, 2}});
+        mesh = shuffled(mesh, random);
+    }
+    return meshes;
+}
+
+void record_work(Random& random, Recorder& out)
+{
+    out.text("blocks.names", "triangles");
+    for (const std::uint32_t side : {9U, 13U, 18U, 26U, 36U}) {
+        const IndexedMesh mesh = shuffled(torus(side, side), random);
+        record_cost(out, "blocks", mesh.triangles.size(), [&] { (void)make_strips(mesh); });
+    }
+}
+
+}
+
+const Driver driver = {
+    {"grid", [](Case&, Recorder& out) { record_grids(out); }},
+    {"decoding", [](Case&, Recorder& out) { record_known_strips(out); }},
+    {"decoding at random", [](Case& c, Recorder& out) { record_random_strips(c.random, out); }},
+    {"joining", [](Case& c, Recorder& out) { record_joined(c.random, out); }},
+    {"known meshes", [](Case&, Recorder& out) { record_strips_of(out, tame_meshes()); }},
+    {"larger meshes", [](Case& c, Recorder& out) { record_strips_of(out, larger_meshes(c.random)); }},
+    {"few strips", [](Case& c, Recorder& out) { record_index_counts(c.random, out); }},
+    {"odd meshes", [](Case& c, Recorder& out) { record_strips_of(out, odd_meshes(c.random)); }},
+    {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_strips()); }},
+};
+
+}

@@ -1,0 +1,149 @@
+#include <map>
+#include <umbral/meshes/weld.hpp>
+#include <umbral/record/cost.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../../drawing.hpp"
+#include "../show.hpp"
+#include "soups.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace meshes;
+
+/// What cannot be compared becomes a number that no position here has: NaN, and the two infinities.
+float comparable(float number) { return std::isnan(number) ? 3e38F : std::isinf(number) ? std::copysign(2e38F, number) : number; }
+
+/// Rows are the soup's number and a position, or three vertices; more rows than corners are never right.
+class MeshLog {
+public:
+    explicit MeshLog(Recorder& out) : out_(&out) {}
+
+    void add(const std::string& name, const Soup& soup)
+    {
+        names_ += std::to_string(++count_) + " " + name + "\n";
+        const IndexedMesh mesh = weld(soup);
+        const auto code = static_cast<float>(count_);
+        for (std::size_t i = 0; i < std::min(mesh.positions.size(), soup.size() + 10); ++i) {
+            const glm::vec3& p = mesh.positions[i];
+            out_->append("vertices", std::array{code, comparable(p.x), comparable(p.y), comparable(p.z)});
+        }
+        for (std::size_t i = 0; i < std::min(mesh.triangles.size(), soup.size() + 10); ++i) {
+            const glm::vec3 t(mesh.triangles[i]);
+            out_->append("triangles", std::array{code, t.x, t.y, t.z});
+        }
+    }
+
+    void finish() const
+    {
+        out_->text("vertices.names", names_);
+        out_->text("triangles.names", names_);
+    }
+
+private:
+    Recorder* out_;
+    std::string names_;
+    int count_ = 0;
+};
+
+void record_known(Recorder& out)
+{
+    MeshLog log(out);
+    log.add("two triangles", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}});
+    log.add("a triangle twice", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}});
+    log.add("triangles whose corners coincide", {{2, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}});
+    log.add("coordinates in another order", {{1, 2, 3}, {3, 2, 1}, {2, 3, 1}, {1, 3, 2}, {3, 1, 2}, {2, 1, 3}});
+    log.add("cube", soup_of(cube()));
+    log.add("octahedron", soup_of(octahedron()));
+    log.add("ball", soup_of(ball(8, 6)));
+    log.finish();
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    MeshLog log(out);
+    for (const Specimen& specimen : tame_meshes()) log.add(specimen.name, soup_of(shuffled(specimen.mesh, random)));
+    log.add("hills", soup_of(shuffled(hills(9, 8, random), random)));
+    log.add("corners at few places", soup_of_few_places(random));
+    log.add("knot", soup_of(shuffled(trefoil(30, 5, 0.4), random)));
+    log.finish();
+}
+
+template <Soup (*make)(Random&)>
+void record_special(Case& c, Recorder& out)
+{
+    MeshLog log(out);
+    for (int i = 0; i < 3; ++i) log.add(c.name, make(c.random));
+    log.finish();
+}
+
+void record_isolated(Random& random, Recorder& out)
+{
+    for (const IndexedMesh& mesh : {cube(), shuffled(torus(5, 4), random), with_lonely_vertices(hills(4, 3, random), 3)}) {
+        const Soup soup = isolated_triangles(mesh);
+        for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) out.append("corners", i < soup.size() ? soup[i] : glm::vec3(0));
+        out.append("sizes", static_cast<float>(soup.size()));
+    }
+}
+
+void record_work(Random& random, Recorder& out)
+{
+    out.text("blocks.names", "corners");
+    out.text("blocks in a diagonal plane.names", "corners");
+    for (const std::uint32_t side : {13U, 19U, 26U, 37U, 52U}) {
+        const Soup soup = soup_of(shuffled(torus(side, side), random));
+        record_cost(out, "blocks", soup.size(), [&] { (void)weld(soup); });
+        // Side² cells, more and more of them in a row: who hashes rows alike takes time n^1.75, and who compares all corners n².
+        const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(side)));
+        const Soup diagonal = diagonal_soup(side * side / rows, rows, random);
+        record_cost(out, "blocks in a diagonal plane", diagonal.size(), [&] { (void)weld(diagonal); });
+    }
+}
+
+// Left: triangles before welding, drawn apart. Right: the welded mesh; the more triangles a vertex has, the larger and the warmer its disc.
+Image draw_before_and_after()
+{
+    const Soup soup = soup_of(ball(12, 8));
+    Show show(2, 1, 300, 300);
+    const Camera camera{{0, 2.3F, 5.2F}, {0, 0, 0}, 31};
+    show.pane(0, 0, camera);
+    IndexedMesh apart;
+    std::vector<glm::vec3> colors;
+    for (std::size_t i = 0; i + 2 < soup.size(); i += 3) {
+        const glm::vec3 middle = (soup[i] + soup[i + 1] + soup[i + 2]) / 3.0F;
+        const auto shifted = [&](const glm::vec3& corner) { return 1.12F * middle + 0.82F * (corner - middle); };
+        add_triangle(apart, shifted(soup[i]), shifted(soup[i + 1]), shifted(soup[i + 2]));
+        colors.push_back(glm::mix(ink::blue, ink::green, 0.5F + 0.5F * middle.y));
+    }
+    show.mesh(apart, colors, {0, ink::slate, 0.8F});
+
+    show.pane(1, 0, camera);
+    const IndexedMesh welded = weld(soup);
+    show.mesh(welded, colors, {1.2F, {}, 0});
+    std::map<int, std::vector<glm::vec3>> places;
+    std::vector<int> uses(std::min(welded.positions.size(), soup.size()), 0);
+    for (const glm::uvec3& t : welded.triangles)
+        for (int corner = 0; corner < 3; ++corner)
+            if (t[corner] < uses.size()) ++uses[t[corner]];
+    for (std::size_t i = 0; i < uses.size(); ++i) places[std::min(uses[i], 12)].push_back(welded.positions[i]);
+    for (const auto& [count, positions] : places)
+        show.points(positions, glm::mix(ink::white, ink::orange, static_cast<float>(count) / 8 > 1 ? 1.0F : static_cast<float>(count) / 8),
+                    1.5F + 0.5F * static_cast<float>(count));
+    return show.picture();
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"two zeros", record_special<soup_of_two_zeros>},
+    {"close places", record_special<soup_of_close_places>},
+    {"not a number", record_special<soup_of_broken_corners>},
+    {"isolated", [](Case& c, Recorder& out) { record_isolated(c.random, out); }},
+    {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_before_and_after()); }},
+};
+
+}
