@@ -1,0 +1,256 @@
+#include <locale>
+#include <umbral/meshes/ply.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "decode.hpp"
+#include "dialect.hpp"
+#include "malformed.hpp"
+#include "models.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace meshes;
+
+constexpr std::uint32_t missing = 4294967295U;
+constexpr PlyFormat formats[] = {PlyFormat::ascii, PlyFormat::little_endian, PlyFormat::big_endian};
+
+PolygonMesh read(const std::string& file) { return read_ply(std::as_bytes(std::span(file))); }
+
+/// What is refused is recorded as missing.
+PolygonMesh read_or_nothing(const std::string& file)
+{
+    try {
+        return read(file);
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+/// So many rows, whatever came: files after this one must not suffer from it.
+template <class Values>
+void append_rows(Recorder& out, const char* name, const Values& values, std::size_t count, auto convert)
+{
+    for (std::size_t i = 0; i < count; ++i) out.append(name, i < values.size() ? convert(values[i]) : missing);
+}
+
+void record_faces(Recorder& out, const std::vector<std::vector<std::uint32_t>>& faces, const PolygonMesh& expected)
+{
+    const auto same = [](std::uint32_t corner) { return corner; };
+    out.append("faces", static_cast<std::uint32_t>(std::min<std::size_t>(faces.size(), missing)));
+    for (std::size_t i = 0; i < expected.faces.size(); ++i) {
+        const std::vector<std::uint32_t> face = i < faces.size() ? faces[i] : std::vector<std::uint32_t>{};
+        out.append("faces", i < faces.size() ? static_cast<std::uint32_t>(face.size()) : missing);
+        append_rows(out, "faces", face, expected.faces[i].size(), same);
+    }
+}
+
+/// The bits of x, y, z, x, …: what was lost shows in any of them, and NaN can be told from infinity.
+void record_bits(Recorder& out, const PolygonMesh& mesh, std::size_t count)
+{
+    std::vector<std::uint32_t> bits;
+    for (std::size_t i = 0; i < std::min(count, mesh.positions.size()); ++i)
+        for (int axis = 0; axis < 3; ++axis) bits.push_back(std::bit_cast<std::uint32_t>(mesh.positions[i][axis]));
+    append_rows(out, "bits", bits, 3 * count, [](std::uint32_t row) { return row; });
+}
+
+/// What came of a file that holds `expected`.
+void record_read(Recorder& out, const std::string& file, const PolygonMesh& expected)
+{
+    const PolygonMesh mesh = read_or_nothing(file);
+    for (std::size_t i = 0; i < expected.positions.size(); ++i)
+        out.append("positions", i < mesh.positions.size() ? mesh.positions[i] : glm::vec3(std::nanf("")));
+    record_faces(out, mesh.faces, expected);
+}
+
+/// Polygons of 3 to 6 corners over vertices anywhere. Places are multiples of 2^-10, so that they have short decimals.
+PolygonMesh some_mesh(Random& random)
+{
+    PolygonMesh mesh;
+    const std::uint32_t count = 4 + random.below(9);
+    for (std::uint32_t i = 0; i < count; ++i) mesh.positions.push_back(round(4096.0F * random.in_cube()) / 1024.0F);
+    for (std::uint32_t i = 2 + random.below(6); i > 0; --i) {
+        std::vector<std::uint32_t> face;
+        for (std::uint32_t corners = 3 + random.below(4); corners > 0; --corners) face.push_back(random.below(count));
+        mesh.faces.push_back(face);
+    }
+    return mesh;
+}
+
+/// The course's example, and what a first file may have that it has not.
+void record_known(Recorder& out)
+{
+    const PolygonMesh course{{{0, 0, 0}, {0, 0, 2}, {0, 1.3F, 1}, {0, 1.4F, 0}, {1.1F, 0, 0}, {1, 0, 2}, {1, 0.8F, 1.5F}, {0.5F, 1, 0}},
+                             {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}}};
+    Random unused(1);
+    Dialect dialect;
+    dialect.corners_name = "vertex_index";
+    record_read(out, written_in(dialect, course, unused), course);
+    dialect.corners_name = "vertex_indices";
+    dialect.line_end = "\r\n";
+    record_read(out, written_in(dialect, course, unused), course);
+    dialect.remarks = true;
+    record_read(out, written_in(dialect, course, unused), course);
+    const PolygonMesh cloud{{{1, 2, 3}, {-4, 5.5F, 6e-3F}}, {}};
+    record_read(out, "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n-4 5.5 6e-3\n", cloud);
+    record_read(out, "ply\nformat ascii 1.0\nelement vertex 0\nproperty int x\nproperty int y\nproperty int z\nend_header", {});
+}
+
+void record_dialects(std::initializer_list<PlyFormat> kinds, Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        for (const PlyFormat format : kinds) {
+            const PolygonMesh mesh = some_mesh(random);
+            const Dialect dialect = some_dialect(format, random);
+            record_read(out, written_in(dialect, mesh, random), mesh);
+        }
+    }
+}
+
+/// Decimals that are hard to read: just beside the middle of two floats, in long and odd forms, or hardly a float at all.
+void record_decimals(Recorder& out)
+{
+    const char* const words[] = {"1.00000005960464477540",
+                                 "1.00000005960464477538",
+                                 "1.00000017881393432618",
+                                 "16777217.0000000001",
+                                 "0.1",
+                                 "0.30000001192092896",
+                                 "+1.5",
+                                 "-.5",
+                                 "5.",
+                                 "1E3",
+                                 "1e+3",
+                                 "-0",
+                                 "1e-40",
+                                 "1.17549435e-38",
+                                 "1.4e-45",
+                                 "7.1e-46",
+                                 "1e-60",
+                                 "-1e-400",
+                                 "3.4028235e38",
+                                 "inf",
+                                 "-inf",
+                                 "0.000000000000000000000000000000000000000000001",
+                                 "100000000000000000000000000000000000000e-38",
+                                 "8.589973e9"};
+    for (const char* type : {"float", "double"}) {
+        for (const char* word : words) {
+            const std::string header =
+                std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty ") + type + " x\nproperty float y\nproperty float z\nend_header\n";
+            record_bits(out, read_or_nothing(header + word + " 0 1\n"), 1);
+        }
+    }
+}
+
+/// 0 for a file that was read, the problem for one that was refused, 99 for another exception.
+std::uint32_t outcome(const std::string& file, std::size_t* place = nullptr)
+{
+    try {
+        (void)read(file);
+        return 0;
+    } catch (const PlyError& error) {
+        if (place != nullptr) *place = error.place();
+        return static_cast<std::uint32_t>(error.problem());
+    } catch (const std::exception&) {
+        return 99;
+    }
+}
+
+/// Each bad file is paired with a good one, so that refusing everything earns nothing.
+void record_problems(Recorder& out, const std::vector<Malformed>& files)
+{
+    for (const Malformed& bad : files) {
+        std::size_t place = missing;
+        out.append("problems", outcome(good_ascii));
+        out.append("problems", outcome(bad.file, &place));
+        if (bad.has_place) out.append("places", static_cast<std::uint32_t>(std::min<std::size_t>(place, missing)));
+    }
+}
+
+/// Files that the unit writes, and what stands in them.
+void record_written(Recorder& out, const PolygonMesh& mesh, PlyFormat format)
+{
+    const Decoded file = decoded(write_ply(mesh, format), format);
+    const auto same = [](std::uint32_t row) { return row; };
+    append_rows(out, "bits", file.position_bits, 3 * mesh.positions.size(), same);
+    if (format == PlyFormat::ascii) append_rows(out, "characters", file.word_lengths, 3 * mesh.positions.size(), same);
+    record_faces(out, file.faces, mesh);
+}
+
+/// Any finite float: sign, exponent and digits at random.
+float some_float(Random& random)
+{
+    const std::uint32_t bits = random.bits();
+    return std::bit_cast<float>((bits & 0x7F800000U) == 0x7F800000U ? bits & 0x807FFFFFU : bits);
+}
+
+void record_writing(Random& random, Recorder& out)
+{
+    PolygonMesh large{{}, {{}, {7}}};
+    for (int i = 0; i < 300; ++i) {
+        const float x = some_float(random);
+        const float y = random.uniform(-1, 1);
+        large.positions.emplace_back(x, y, static_cast<float>(random.below(2000)) / 100.0F);
+    }
+    PolygonMesh small{{{0, -0.0F, 1e-45F}, {0.1F, 1e10F, 3.4028235e38F}, {16777216, 1.0F / 3, -1e-10F}}, {{0, 1, 2}, {2, 1, 0, 1}}};
+    for (const PlyFormat format : formats) {
+        record_written(out, {}, format);
+        record_written(out, small, format);
+        record_written(out, large, format);
+    }
+    // A face of 300 corners does not fit a list whose length is one byte.
+    large.faces.emplace_back();
+    for (std::uint32_t i = 0; i < 300; ++i) large.faces.back().push_back(299 - i);
+    for (const PlyFormat format : formats) record_written(out, large, format);
+}
+
+/// A decimal comma, and dots between thousands, as in many countries.
+class CommaPunctuation : public std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+void record_in_locale(Random& random, Recorder& out)
+{
+    const PolygonMesh mesh{{{0.5F, -1.25F, 12345.5F}, {1e6F, 2e-3F, 1234567}}, {{0, 1, 0}}};
+    const std::string file = written_in({}, mesh, random);
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaPunctuation));
+    const PolygonMesh got = read_or_nothing(file);
+    const std::string written = write_ply(mesh, PlyFormat::ascii);
+    std::locale::global(before);
+    record_bits(out, got, 2);
+    append_rows(out, "bits", decoded(written, PlyFormat::ascii).position_bits, 6, [](std::uint32_t row) { return row; });
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"ascii", [](Case& c, Recorder& out) { record_dialects({PlyFormat::ascii}, c.random, out); }},
+    {"binary",
+     [](Case& c, Recorder& out) {
+         record_dialects({PlyFormat::little_endian, PlyFormat::big_endian}, c.random, out);
+     }},
+    {"decimals", [](Case&, Recorder& out) { record_decimals(out); }},
+    {"headers", [](Case&, Recorder& out) { record_problems(out, bad_headers()); }},
+    {"data", [](Case&, Recorder& out) { record_problems(out, bad_data()); }},
+    {"bytes", [](Case&, Recorder& out) { record_problems(out, bad_binaries()); }},
+    {"counts that lie", [](Case&, Recorder& out) { record_problems(out, lying_counts()); }},
+    {"writing", [](Case& c, Recorder& out) { record_writing(c.random, out); }},
+    {"locale", [](Case& c, Recorder& out) { record_in_locale(c.random, out); }},
+    {"picture",
+     [](Case& c, Recorder& out) {
+         const PolygonMesh models[] = {football(), twisted_ring(), knot()};
+         std::vector<PolygonMesh> got;
+         for (std::size_t i = 0; i < 3; ++i) {
+             Dialect dialect;
+             dialect.format = formats[i];
+             got.push_back(read_or_nothing(written_in(dialect, models[i], c.random)));
+         }
+         out.image("models", picture_of(got));
+     }},
+};
+
+}

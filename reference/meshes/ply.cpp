@@ -1,0 +1,298 @@
+// Based on: G. Turk. The PLY Polygon File Format. Stanford University, 1994.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <umbral/meshes/ply.hpp>
+#include <umbral/meshes/ply_types.hpp>
+
+namespace umbral::meshes {
+namespace {
+
+constexpr std::string_view format_names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+constexpr std::string_view blanks = " \t\r";
+
+enum class Role { x, y, z, corners, none };  ///< what a property is to the mesh
+
+struct Property {
+    std::string_view name;
+    PlyType type;
+    std::optional<PlyType> length_type;  ///< of a list
+    Role role = Role::none;
+};
+
+struct Element {
+    std::string_view name;
+    double count;
+    std::vector<Property> properties;
+};
+
+struct Header {
+    std::optional<PlyFormat> format;
+    std::vector<Element> elements;
+    double vertices = 0;  ///< how many
+};
+
+/// The nearest number of the type, if the whole word is one.
+template <class Number>
+std::optional<double> parsed(std::string_view word)
+{
+    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+    Number number{};
+    const char* const last = word.data() + word.size();
+    const auto [end, error] = std::from_chars(word.data(), last, number);
+    if (end != last || error == std::errc::invalid_argument) return std::nullopt;
+    if (error == std::errc()) return static_cast<double>(number);
+    long double wide = 1;  // out of range: what is too small becomes zero
+    if (std::is_floating_point_v<Number>) std::from_chars(word.data(), last, wide);
+    return std::abs(wide) < 1 ? std::optional<double>(static_cast<Number>(wide)) : std::nullopt;
+}
+
+bool is_in_range(double value, PlyType type)
+{
+    const int bits = 8 << (static_cast<int>(type) / 2);
+    if (type >= PlyType::float32) return true;
+    return static_cast<int>(type) % 2 == 0 ? std::abs(value + 0.5) < std::ldexp(1.0, bits - 1) : value >= 0 && value < std::ldexp(1.0, bits);
+}
+
+/// Whether bytes must change their order.
+bool is_foreign(PlyFormat format) { return (format == PlyFormat::little_endian) != (std::endian::native == std::endian::little); }
+
+/// The file, read from its beginning to its end: lines of words, and from where it is binary, bytes.
+class File {
+public:
+    explicit File(std::string_view text) : text_(text) {}
+
+    [[nodiscard]] std::string_view line() const { return line_; }
+
+    bool next_line()
+    {
+        if (next_ == text_.size()) return false;
+        line_ = words_ = text_.substr(next_, text_.substr(next_).find('\n'));
+        next_ = std::min(next_ + line_.size() + 1, text_.size());
+        ++place_;
+        return true;
+    }
+
+    /// Takes the next word off the line; empty if there is none.
+    std::string_view word()
+    {
+        words_.remove_prefix(std::min(words_.find_first_not_of(blanks), words_.size()));
+        const std::string_view word = words_.substr(0, words_.find_first_of(blanks));
+        words_.remove_prefix(word.size());
+        return word;
+    }
+
+    void begin_data(PlyFormat format) { binary_ = format != PlyFormat::ascii, swap_ = is_foreign(format); }
+    void begin_element()
+    {
+        if (!binary_ && !next_line_with_words()) refuse(PlyProblem::truncated, "as much data as the header promises");
+    }
+    void end_element()
+    {
+        if (!binary_ && !word().empty()) refuse(PlyProblem::line_length, "fewer numbers", line_);
+    }
+
+    /// The next number: a double holds the values of all types exactly.
+    double number(PlyType type) { return binary_ ? bytes(type) : decimal(type); }
+
+    void end_data()
+    {
+        if (binary_) place_ = next_;
+        if (binary_ ? next_ < text_.size() : next_line_with_words()) refuse(PlyProblem::left_over, "the end of the file: its header promises no more");
+    }
+
+    [[noreturn]] void refuse(PlyProblem problem, const char* expected, std::string_view got = {}) const
+    {
+        std::string text = (binary_ ? "byte " : "line ") + std::to_string(place_) + ": expected " + expected;
+        if (!got.empty()) text += ", got '" + std::string(got.substr(0, 40)) + "'";
+        throw PlyError(problem, place_, text);
+    }
+
+private:
+    bool next_line_with_words()
+    {
+        while (next_line())
+            if (line_.find_first_not_of(blanks) != std::string_view::npos) return true;
+        return false;
+    }
+
+    double decimal(PlyType type)
+    {
+        const std::string_view text = word();
+        if (text.empty()) refuse(PlyProblem::line_length, "more numbers", line_);
+        const auto number = type == PlyType::float32 ? parsed<float>(text) : type == PlyType::float64 ? parsed<double>(text) : parsed<std::int64_t>(text);
+        if (!number || !is_in_range(*number, type)) refuse(PlyProblem::number, "a number of the property's type", text);
+        return *number;
+    }
+
+    double bytes(PlyType type)
+    {
+        const std::size_t size = with_ply_type(type, [](auto zero) { return sizeof zero; });
+        place_ = next_;
+        if (text_.size() - next_ < size) refuse(PlyProblem::truncated, "as much data as the header promises");
+        char bytes[8];
+        text_.copy(bytes, size, next_);
+        if (swap_) std::reverse(bytes, bytes + size);
+        next_ += size;
+        return with_ply_type(type, [&](auto number) {
+            std::memcpy(&number, bytes, sizeof number);
+            return static_cast<double>(number);
+        });
+    }
+
+    std::string_view text_, line_, words_;
+    std::size_t next_ = 0;   ///< the byte after the line, or after the last number
+    std::size_t place_ = 0;  ///< for errors: the line, or where the last number begins
+    bool binary_ = false, swap_ = false;
+};
+
+/// Finds what the mesh needs among the properties.
+void assign_roles(Header& header, const File& file)
+{
+    int coordinates = 0;
+    bool has_corners = true;
+    for (Element& element : header.elements) {
+        if (element.name == "vertex") header.vertices = element.count;
+        if (element.name == "face") has_corners = false;
+        for (Property& property : element.properties) {
+            const std::string_view name = property.name;
+            if (element.name == "vertex" && !property.length_type && (name == "x" || name == "y" || name == "z")) {
+                property.role = static_cast<Role>(name[0] - 'x'), ++coordinates;
+            } else if (!has_corners && property.length_type && (name == "vertex_index" || name == "vertex_indices")) {
+                property.role = Role::corners, has_corners = true;
+            }
+        }
+    }
+    if (coordinates < 3) file.refuse(PlyProblem::missing_property, "an element 'vertex' with properties x, y and z");
+    if (!has_corners) file.refuse(PlyProblem::missing_property, "a list 'vertex_index' or 'vertex_indices' of the element 'face'");
+}
+
+Header read_header(File& file)
+{
+    Header header;
+    std::set<std::string_view> elements, properties;  // names
+    const auto require = [&](bool holds, const char* expected) {
+        if (!holds) file.refuse(PlyProblem::header, expected, file.line());
+    };
+    if (!file.next_line() || file.word() != "ply" || !file.word().empty()) file.refuse(PlyProblem::not_ply, "'ply'", file.line());
+    for (std::string_view keyword; keyword != "end_header";) {
+        require(file.next_line(), "'end_header' before the file ends");
+        keyword = file.word();
+        if (keyword == "comment" || keyword == "obj_info") continue;
+        if (keyword == "format") {
+            const auto place = std::find(format_names, format_names + 3, file.word()) - format_names;
+            require(place < 3 && file.word() == "1.0" && !header.format, "once 'format ascii 1.0', or binary_little_endian, or binary_big_endian");
+            header.format = static_cast<PlyFormat>(place);
+        } else if (keyword == "element") {
+            const std::string_view name = file.word();
+            const auto count = parsed<std::int64_t>(file.word());
+            require(count >= 0.0 && elements.insert(name).second, "'element', a new name and a count");
+            header.elements.push_back({name, *count, {}});
+            properties.clear();
+        } else if (keyword == "property") {
+            std::string_view word = file.word();
+            const bool is_list = word == "list";
+            const auto length_type = is_list ? ply_type(file.word()) : std::nullopt;
+            const auto type = ply_type(is_list ? file.word() : word);
+            word = file.word();
+            require(!header.elements.empty(), "an element before its properties");
+            require(type && is_list == length_type.has_value() && !(length_type >= PlyType::float32) && !word.empty() && properties.insert(word).second,
+                    "'property', a type and a new name, or 'property list', an integer type, a type and a new name");
+            header.elements.back().properties.push_back({word, *type, length_type});
+        } else {
+            require(keyword == "end_header", "'format', 'element', 'property', 'comment', 'obj_info' or 'end_header'");
+        }
+        require(file.word().empty(), "a shorter line");
+    }
+    require(header.format.has_value(), "a line 'format' before the header's end");
+    assign_roles(header, file);
+    file.begin_data(*header.format);
+    return header;
+}
+
+void read_list(File& file, const Property& property, double vertices, PolygonMesh& mesh)
+{
+    // The list grows as its numbers come: the length may be a lie.
+    const double length = file.number(*property.length_type);
+    if (length < 0) file.refuse(PlyProblem::number, "a list of length 0 or more");
+    std::vector<std::uint32_t> face;
+    for (double i = 0; i < length; ++i) {
+        const double value = file.number(property.type);
+        if (property.role != Role::corners) continue;
+        if (!(value >= 0 && value < std::min(vertices, 0x1p32)) || value != std::floor(value))
+            file.refuse(PlyProblem::index, "a vertex, counted from 0", std::to_string(value));
+        if (i == 0) face.reserve(static_cast<std::size_t>(std::min(length, 8.0)));
+        face.push_back(static_cast<std::uint32_t>(value));
+    }
+    if (property.role == Role::corners) mesh.faces.push_back(std::move(face));
+}
+
+/// Appends numbers to a file; in ASCII with a character after each.
+struct Writer {
+    PlyFormat format;
+    std::string file;
+
+    template <class Number>
+    void put(Number number, char after)
+    {
+        if (format == PlyFormat::ascii) {
+            char digits[32];
+            file.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr) += after;
+        } else {
+            auto bytes = std::bit_cast<std::array<char, sizeof number>>(number);
+            if (is_foreign(format)) std::reverse(bytes.begin(), bytes.end());
+            file.append(bytes.data(), bytes.size());
+        }
+    }
+};
+
+}
+
+PolygonMesh read_ply(std::span<const std::byte> bytes)
+{
+    File file({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const Header header = read_header(file);
+    PolygonMesh mesh;
+    for (const Element& element : header.elements) {
+        // Without properties an element takes no room, and there may be any number. All others take a byte at least: the file's end ends the loop.
+        const double count = element.properties.empty() ? 0 : element.count;
+        for (double i = 0; i < count; ++i) {
+            std::array<float, 5> by_role{};
+            file.begin_element();
+            for (const Property& property : element.properties) {
+                if (property.length_type)
+                    read_list(file, property, header.vertices, mesh);
+                else
+                    by_role[static_cast<std::size_t>(property.role)] = static_cast<float>(file.number(property.type));
+            }
+            file.end_element();
+            if (element.name == "vertex") mesh.positions.emplace_back(by_role[0], by_role[1], by_role[2]);
+        }
+    }
+    file.end_data();
+    return mesh;
+}
+
+std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
+{
+    const bool is_short = std::all_of(mesh.faces.begin(), mesh.faces.end(), [](const auto& face) { return face.size() < 256; });
+    Writer writer{format, "ply\nformat " + std::string(format_names[static_cast<int>(format)]) + " 1.0\n"};
+    writer.file += "element vertex " + std::to_string(mesh.positions.size()) + "\nproperty float x\nproperty float y\nproperty float z\n";
+    writer.file +=
+        "element face " + std::to_string(mesh.faces.size()) + "\nproperty list " + (is_short ? "uchar" : "uint") + " uint vertex_indices\nend_header\n";
+    for (const glm::vec3& position : mesh.positions)
+        for (int axis = 0; axis < 3; ++axis) writer.put(position[axis], axis < 2 ? ' ' : '\n');
+    for (const std::vector<std::uint32_t>& face : mesh.faces) {
+        const auto after = [&](std::size_t numbers) { return numbers < face.size() ? ' ' : '\n'; };
+        is_short ? writer.put(static_cast<std::uint8_t>(face.size()), after(0)) : writer.put(static_cast<std::uint32_t>(face.size()), after(0));
+        for (std::size_t i = 0; i < face.size(); ++i) writer.put(face[i], after(i + 1));
+    }
+    return std::move(writer.file);
+}
+
+}
