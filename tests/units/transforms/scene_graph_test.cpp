@@ -91,7 +91,9 @@ TEST(Expand, AgreesWithAWalkAlongEveryWay)
             EXPECT_EQ(found[k].object, expected[k].object);
             EXPECT_EQ(found[k].world, expected[k].world);
         }
-        if (!expected.empty()) EXPECT_THROW((void)expand(graph, expected.size() - 1), TooManyInstances);
+        if (!expected.empty()) {
+            EXPECT_THROW((void)expand(graph, expected.size() - 1), TooManyInstances);
+        }
     }
 }
 
