@@ -1,0 +1,190 @@
+#include <limits>
+#include <umbral/record/driver.hpp>
+
+#include "shapes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+double level(const glm::vec2& p) { return 0.83 * double{p.x} + 0.61 * double{p.y}; }
+
+// Whether the polygon, read from corner i, comes before the one read from corner j: the first level in which they differ is larger.
+bool earlier(const Polygon& polygon, std::size_t i, std::size_t j)
+{
+    const std::size_t count = polygon.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const double difference = level(polygon[(i + k) % count]) - level(polygon[(j + k) % count]);
+        if (std::abs(difference) > 1e-4) return difference > 0;
+    }
+    return false;
+}
+
+// A polygon is the same whatever corner it begins with. Bridges may pass a place twice: what follows then decides.
+Polygon from_extreme(Polygon polygon)
+{
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < polygon.size(); ++i)
+        if (earlier(polygon, i, first)) first = i;
+    std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(first), polygon.end());
+    return polygon;
+}
+
+struct Task {
+    Polygon polygon;
+    Polygon window;
+};
+
+// Rows [polygon, corner, 0, x, y].
+void record(Recorder& out, const std::vector<Task>& tasks)
+{
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        const Polygon left = from_extreme(clipped(tasks[i].polygon, tasks[i].window));
+        for (std::size_t k = 0; k < left.size(); ++k)
+            out.append("corners", std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(k), 0.0F, left[k].x, left[k].y}));
+    }
+}
+
+const Polygon square = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+const Polygon triangle = {{0, 0}, {8, 0}, {0, 8}};
+
+Polygon reversed(Polygon polygon)
+{
+    std::reverse(polygon.begin(), polygon.end());
+    return polygon;
+}
+
+std::vector<Task> by_hand()
+{
+    std::vector<Task> tasks = {
+        {{{1, 1}, {6, 2}, {3, 7}}, square},                 // inside
+        {{{9, 1}, {12, 1}, {10, 5}}, square},               // outside
+        {{{-6, 7}, {1, 14}, {-6, 14}}, square},             // past a corner
+        {{{4, 2}, {12, 4}, {4, 6}}, square},                // one corner outside
+        {{{4, 2}, {12, 0.5F}, {12, 6.5F}}, square},         // two outside
+        {{{4, -2}, {10, 5}, {3, 9}}, square},               // all outside, yet seen
+        {{{-9, -9}, {30, -10}, {-10, 30}}, square},         // round the whole window
+        {{{-2, 1}, {10, 1.5F}, {10, 6}, {-2, 5}}, square},  // a band across
+        {{{1, 1}, {5, 1}, {6, 6}, {1, 5}}, triangle},       // a slanted side
+        {{{-3, 3}, {4, -4}, {11, 3}, {4, 10}}, square},     // eight corners
+        {{{2, 2}, {6, 2}, {4, 9}}, {{4, 0}, {8, 4}, {4, 8}, {0, 4}}},
+    };
+    tasks.push_back({reversed(tasks[3].polygon), square});
+    return tasks;
+}
+
+// Concave: a comb whose teeth reach in, a letter whose arms do, one round two corners of the window, a star.
+std::vector<Task> concave()
+{
+    return {
+        {{{10, 1}, {3, 1.5F}, {10, 2}, {10, 3}, {2, 3.5F}, {10, 4}, {10, 5}, {4, 6}, {10, 7}, {12, 7}, {12, 1}}, square},
+        {{{-3, 1}, {5, 1}, {5, 2.5F}, {-1, 2.5F}, {-1, 5}, {6, 5}, {6, 7}, {-3, 7}}, square},
+        {{{4, -4}, {12, -4}, {12, 4.5F}, {6, 4}, {6, 3}, {10, 3}, {10, -2}, {5, -2}, {4.5F, 2}, {3.5F, 2}}, square},
+        {{{4, 11}, {3, 5}, {-3, 5.5F}, {2, 3}, {1, -3}, {4.5F, 2}, {8, -2}, {6, 3.25F}, {11, 5}, {5, 5.25F}}, square},
+        {{{-2, 6}, {-2, -2}, {6, -2}, {3, 3}, {1, -1}, {-1, 1}, {3.5F, 3.5F}}, triangle},
+    };
+}
+
+// Whether samples of the picture lie in what is left, by the even-odd rule: bridges count for nothing, in whatever order they come.
+void record_covered(Recorder& out, const std::vector<Task>& tasks)
+{
+    constexpr int size = 32;
+    Grid<std::uint32_t> covered(size * static_cast<int>(tasks.size()), size);
+    for (std::size_t t = 0; t < tasks.size(); ++t) {
+        const Polygon left = clipped(tasks[t].polygon, tasks[t].window);
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                const glm::dvec2 p(-4 + 0.503 * x, -4 + 0.4973 * y);
+                bool inside = false;
+                for (std::size_t i = 0, j = left.size() - 1; i < left.size(); j = i++) {
+                    const glm::dvec2 a(left[i]);
+                    const glm::dvec2 b(left[j]);
+                    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+                }
+                covered.at(static_cast<int>(t) * size + x, size - 1 - y) = inside ? 1 + static_cast<std::uint32_t>(t) : 0;
+            }
+    }
+    out.buffer("covered", covered);
+}
+
+// Corners and sides on the window's sides. Those that leave nothing stand between some that do.
+std::vector<Task> borders()
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    return {
+        {{{8, 4}, {3, 6}, {2, 1}}, square},    // a corner on the right side
+        {{{8, 4}, {3, 10}, {2, 1}}, square},   // … and another above
+        {{{8, 4}, {11, 6}, {12, 1}}, square},  // … touches from outside: nothing
+        {{{8, 2}, {8, 6}, {4, 3}}, square},    // a side on it
+        {{{8, 2}, {8, 6}, {12, 3}}, square},   // … from outside: nothing
+        {square, square},                      // the window itself
+        {reversed(square), square},
+        {{{8, 8}, {2, 7}, {7, 2}}, square},                   // a corner in a corner
+        {{{4, 4}, {6, 2}, {6, 6}, {2, 6}}, triangle},         // a corner on a slanted side, the others beyond it or below
+        {{{1, 1}, {5, 1}}, square},                           // two corners: nothing
+        {{{1, 1}, {nan, 1}, {4, 5}}, square},                 // nonsense: nothing
+        {{{2, 3}, {8, 3}, {10, 5}, {8, 7}, {2, 6}}, square},  // corners on the side, and beyond it between them
+        {{{-2, 8}, {4, 3}, {10, 8}}, square},                 // a side along the upper border, and beyond it
+    };
+}
+
+std::vector<Task> random_tasks(Random& random, int count, bool with_concave)
+{
+    std::vector<Task> tasks;
+    for (int i = 0; i < count; ++i) {
+        const bool rough = with_concave && i % 2 == 0;
+        Polygon polygon = random_polygon(random, 3 + random.below(rough ? 9 : 5), rough ? 1.0F : 0.0F);
+        tasks.push_back({std::move(polygon), random_window(random, 3 + random.below(5))});
+    }
+    return tasks;
+}
+
+// Triangles with all corners up to half a million windows away, and a side that leads through the window.
+std::vector<Task> far_tasks(Random& random, int count)
+{
+    std::vector<Task> tasks;
+    for (int i = 0; i < count; ++i) {
+        const Polygon window = random_window(random, 3 + random.below(4));
+        glm::vec2 middle(0);
+        for (const glm::vec2& corner : window) middle += corner / static_cast<float>(window.size());
+        const glm::vec2 through = middle + 0.2F * glm::vec2(random.in_cube());
+        const float turn = random.uniform(0, 6.2831853F);
+        const auto away = [&](float angle) { return through + std::exp2(random.uniform(10, 19)) * glm::vec2(std::cos(angle), std::sin(angle)); };
+        const glm::vec2 one = away(turn);
+        const glm::vec2 other = away(turn + 3.1415927F);
+        tasks.push_back({{one, other, away(turn + random.uniform(0.5F, 2.6F))}, window});
+    }
+    return tasks;
+}
+
+// Triangles with a side that crosses a side of the window at an angle of a few millionths.
+std::vector<Task> grazing_tasks(Random& random, int count)
+{
+    std::vector<Task> tasks;
+    for (int i = 0; i < count; ++i) {
+        const Polygon window = random_window(random, 3 + random.below(3));
+        const glm::vec2 a = window[0];
+        const glm::vec2 b = window[1];
+        const glm::vec2 inwards(a.y - b.y, b.x - a.x);
+        const auto beside = [&](float along, float off) { return glm::mix(a, b, along) + off * inwards; };
+        const glm::vec2 inner = beside(random.uniform(0.15F, 0.3F), random.uniform(2e-6F, 1e-5F));
+        const glm::vec2 outer = beside(random.uniform(0.7F, 0.85F), -random.uniform(2e-6F, 1e-5F));
+        tasks.push_back({{inner, outer, beside(random.uniform(0.4F, 0.6F), 0.2F)}, window});
+    }
+    return tasks;
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
+    {"concave", [](Case&, Recorder& out) { record(out, concave()), record_covered(out, concave()); }},
+    {"borders", [](Case&, Recorder& out) { record(out, borders()); }},
+    {"random", [](Case& c, Recorder& out) { record(out, random_tasks(c.random, 200, true)); }},
+    {"far", [](Case& c, Recorder& out) { record(out, far_tasks(c.random, 150)); }},
+    {"grazing", [](Case& c, Recorder& out) { record(out, grazing_tasks(c.random, 150)); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_spiral()); }},
+};
+
+}
