@@ -106,6 +106,12 @@ function(umbral_add_unit unit)
     DEPENDS $<TARGET_OBJECTS:${objects}> ${PROJECT_SOURCE_DIR}/cmake/exports.cmake COMMAND_EXPAND_LISTS VERBATIM)
   add_custom_target(exports-${id} ALL DEPENDS ${folder}/exports.map)
   add_dependencies(unit-${id} reference-library-${id} exports-${id})
+  # What students may call of the units in `uses` is read from their exports.
+  string(REPLACE "/" "-" used_ids "${used}")
+  list(TRANSFORM used_ids PREPEND "exports-")
+  if(used_ids)
+    add_dependencies(unit-${id} ${used_ids})
+  endif()
 
   if(EXISTS ${reference}_oracle.cpp)
     umbral_unit_library(oracle-library-${id} ${folder} oracle ${reference}_oracle.cpp)

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -44,6 +45,20 @@ std::string checks_in_words(const Exercise& exercise)
     return text;
 }
 
+/// docs/units.md: paths are relative to that folder.
+void print_markdown(const std::vector<Exercise>& exercises, const std::string& language)
+{
+    fmt::print("# The units\n\nMade by `umbral list --markdown`; `umbral list --html FILE` shows them with the pictures that the reference draws.\n");
+    std::string topic;
+    for (const Exercise& exercise : exercises) {
+        if (exercise.topic != topic)
+            fmt::print("\n## {0}\n![The goal pictures of {0}](pictures/units-{0}.png)\n\n| unit | | course | checked |\n|---|---|---|---|\n", exercise.topic);
+        topic = exercise.topic;
+        fmt::print("| [{}](../exercises/{}/README.md) | {} | {} | {} |\n", exercise.name, exercise.id, title_in(exercise, language),
+                   fmt::join(exercise.course, ", "), checks_in_words(exercise));
+    }
+}
+
 void write_catalogue(const Application& application, const std::string& language, const std::string& file)
 {
     Workshop workshop(application.tools);
@@ -77,6 +92,7 @@ void add_list(CLI::App& parser, Application& application)
 {
     struct Options {
         bool json = false;
+        bool markdown = false;
         std::string language = "en";
         std::string html;
     };
@@ -84,10 +100,13 @@ void add_list(CLI::App& parser, Application& application)
     CLI::App* command = parser.add_subcommand("list", "Shows all units in an order that a student can follow");
     command->add_flag("--json", options->json, "As JSON");
     command->add_option("--language", options->language, "Of the titles")->check(CLI::IsMember({"en", "es"}))->capture_default_str();
+    command->add_flag("--markdown", options->markdown, "As a page of Markdown, which docs/units.md is");
     command->add_option("--html", options->html, "Write a page with the pictures that the reference draws")->type_name("FILE");
     command->callback([&application, options] {
         if (!options->html.empty())
             write_catalogue(application, options->language, options->html);
+        else if (options->markdown)
+            print_markdown(application.exercises, options->language);
         else if (options->json)
             fmt::print("{}\n", as_json(application.exercises).dump(2));
         else

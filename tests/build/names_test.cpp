@@ -108,14 +108,20 @@ TEST(Names, weak_references_are_no_way_round)
 TEST(Names, the_standard_library_is_allowed)
 {
     const Workbench bench;
-    const Built built = bench.build_sphere(sphere_with(
-        "#include <map>\n#include <numeric>\n#include <random>\n#include <regex>\n#include <set>\n#include <sstream>\n#include <unordered_map>\n", R"(
+    const Built built =
+        bench.build_sphere(sphere_with("#include <complex>\n#include <map>\n#include <numeric>\n#include <random>\n#include <regex>\n#include <set>\n#include "
+                                       "<sstream>\n#include <unordered_map>\n",
+                                       R"(
     static std::map<int, std::string> names{{1, "one"}};
     std::unordered_map<std::string, double> table{{"pi", std::acos(-1.0)}};
     std::ostringstream text;
     text << names[1] << table["pi"] << std::sin(ray.t_min) << std::lround(2.5);
     std::mt19937 engine(7);
     std::function<double()> draw = [&] { return std::uniform_real_distribution<double>(0, 1)(engine); };
+    const std::complex<double> product = std::complex<double>(ray.t_min, 1) * std::complex<double>(1, ray.t_min) / std::complex<float>(2, ray.t_min).real();
+    const __float128 sum = static_cast<__float128>(ray.t_min) * product.real() + 1;
+    const unsigned __int128 big = static_cast<unsigned __int128>(table.size()) * table.size() / names.size();
+    if (sum < 0 && big % 7 == 8) return static_cast<float>(sum);
     std::vector<double> values(10);
     std::generate(values.begin(), values.end(), draw);
     std::sort(values.begin(), values.end());

@@ -36,6 +36,11 @@ TEST(List, ShowsTheUnitsInBothLanguagesAndAsJson)
     EXPECT_GE(json.at("units").size(), 3U);
 }
 
+TEST(List, ThePageOfTheUnitsIsUpToDate)
+{
+    EXPECT_EQ(umbral("list --markdown").text, read(UMBRAL_SOURCE "/docs/units.md")) << "run: umbral list --markdown > docs/units.md";
+}
+
 TEST(New, MakesAWorkspaceAndNeverOverwritesWork)
 {
     const TemporaryFolder folder;
