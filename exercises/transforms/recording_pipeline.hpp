@@ -51,7 +51,7 @@ struct Call {
 class RecordingPipeline final : public Pipeline {
 public:
     static constexpr std::size_t maximum_calls = 20'000;
-    static constexpr std::size_t maximum_places = 10'000;  ///< of one polyline
+    static constexpr std::size_t maximum_places = 100'000;  ///< of all lines and triangles
 
     explicit RecordingPipeline(const Start& start = {})
         : modelview_(start.modelview), stack_(start.depth, modelview_), color_(start.color), line_width_(start.line_width), background_(start.background)
@@ -99,9 +99,11 @@ public:
     [[nodiscard]] std::size_t depth() const { return stack_.size(); }
 
 private:
-    static std::vector<glm::vec2> copy(std::span<const glm::vec2> places)
+    std::vector<glm::vec2> copy(std::span<const glm::vec2> places)
     {
-        if (places.size() > maximum_places) throw std::length_error("more than 10,000 places in one call: is the size of the list right?");
+        if (places.size() > maximum_places - places_)
+            throw std::length_error("more than 100,000 places of lines and triangles: is the size of each list right?");
+        places_ += places.size();
         return {places.begin(), places.end()};
     }
 
@@ -117,6 +119,7 @@ private:
     float line_width_;
     glm::vec3 background_;
     std::vector<Call> calls_;
+    std::size_t places_ = 0;
 };
 
 }
