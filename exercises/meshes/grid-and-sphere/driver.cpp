@@ -1,0 +1,167 @@
+#include <optional>
+#include <umbral/record/cost.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../../canonical.hpp"
+#include "../show.hpp"
+#include "voxels.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace meshes;
+
+struct Shape {
+    bool sphere;
+    std::uint32_t columns, rows;
+
+    [[nodiscard]] IndexedMesh make() const { return sphere ? make_sphere(columns, rows) : make_grid(columns, rows); }
+    [[nodiscard]] std::size_t vertices() const { return sphere ? columns * (rows - 1) + 2 : (columns + 1) * (rows + 1); }
+    [[nodiscard]] std::size_t triangles() const { return 2 * columns * (sphere ? rows - 1 : rows); }
+};
+
+void record_shapes(Recorder& out, const std::vector<Shape>& shapes)
+{
+    std::string names;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const IndexedMesh mesh = shapes[i].make();
+        record_rows(out, "positions", mesh.positions, shapes[i].vertices());
+        record_indices(out, "triangles", static_cast<float>(i), mesh.triangles, shapes[i].triangles());
+        names += std::to_string(i) + (shapes[i].sphere ? " triangle of the sphere " : " triangle of the grid ") + std::to_string(shapes[i].columns) + " x " +
+                 std::to_string(shapes[i].rows) + "\n";
+    }
+    out.text("triangles.names", names);
+}
+
+std::vector<Shape> random_shapes(Random& random)
+{
+    std::vector<Shape> shapes;
+    for (int i = 0; i < 10; ++i) {
+        const std::uint32_t columns = 3 + random.below(12);
+        shapes.push_back({i % 2 == 0, columns, 2 + random.below(9)});
+    }
+    return shapes;
+}
+
+void record_size(Recorder& out, const Shape& shape)
+{
+    const IndexedMesh mesh = shape.make();
+    out.append("tables", glm::vec2(static_cast<float>(mesh.positions.size()), static_cast<float>(mesh.triangles.size())));
+}
+
+// Pairs of a shape that there is and one that there is not.
+void record_sizes(Random& random, Recorder& out)
+{
+    const Shape none[] = {{false, 0, 3}, {false, 4, 0}, {true, 2, 5}, {true, 5, 1}, {true, 0, 0}, {false, 0, 0}, {true, 1, 9}, {true, 7, 0}};
+    for (const Shape& empty : none) {
+        const std::uint32_t columns = 3 + random.below(20);
+        const Shape some{random.below(2) == 0, columns, 2 + random.below(20)};
+        const bool swapped = random.below(2) == 0;
+        record_size(out, swapped ? some : empty);
+        record_size(out, swapped ? empty : some);
+    }
+}
+
+void record_voxels(Recorder& out)
+{
+    for (const std::uint32_t k : {1U, 2U, 3U, 4U, 5U, 8U, 11U, 16U, 20U}) {
+        const std::vector<std::uint8_t> bytes = make_voxel_sphere(k);
+        out.append("sizes", static_cast<float>(bytes.size()));
+        for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i) out.append("bytes", i < bytes.size() ? std::optional<float>(bytes[i]) : std::nullopt);
+    }
+}
+
+void record_border(Random& random, Recorder& out)
+{
+    for (const std::uint32_t k : {200U, 5000U, 65'536U, 1'000'001U, 100'000'000U, 400'000'003U, 900'000'001U, 1'073'741'824U})
+        for (int i = 0; i < 40; ++i) {
+            const auto [inside, outside] = border_voxels(random, k, i % 2 == 0);
+            const bool swapped = random.below(2) == 0;
+            out.append("inside", voxel_is_inside(k, swapped ? outside : inside) ? 1.0F : 0.0F);
+            out.append("inside", voxel_is_inside(k, swapped ? inside : outside) ? 1.0F : 0.0F);
+        }
+}
+
+void record_fine(Random& random, Recorder& out)
+{
+    for (const Shape& shape : {Shape{false, 300'000, 1}, {false, 1, 99'991}, {true, 20'000, 20}, {true, 3, 100'000}, {true, 360, 720}}) {
+        const IndexedMesh mesh = shape.make();
+        for (int i = 0; i < 200; ++i) {
+            const std::size_t place = random.below(static_cast<std::uint32_t>(shape.vertices()));
+            out.append(shape.sphere ? "sphere" : "grid", place < mesh.positions.size() ? mesh.positions[place] : glm::vec3(NAN));
+        }
+    }
+}
+
+void record_work(Recorder& out)
+{
+    out.text("blocks.names", "cells");
+    for (const std::uint32_t side : {8U, 12U, 16U, 24U, 32U})
+        record_cost(out, "blocks", side * side, [&] {
+            (void)make_grid(side, side);
+            (void)make_sphere(side, side);
+        });
+}
+
+glm::vec3 tint(double turns) { return glm::vec3(0.55 + 0.33 * glm::cos(6.283185307179586 * (turns + glm::dvec3(0, 0.62, 0.36)))); }
+
+// Colours by where a triangle's first corner lies; a student's triangles may name anything.
+template <class Hue>
+std::vector<glm::vec3> colored(IndexedMesh& mesh, std::size_t most, Hue hue)
+{
+    mesh.triangles.resize(std::min(mesh.triangles.size(), most));
+    std::vector<glm::vec3> colors;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const std::size_t count = mesh.positions.size();
+        const bool named = t.x < count && t.y < count && t.z < count;
+        colors.push_back(named ? tint(hue((mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0F)) : glm::vec3(0));
+    }
+    return colors;
+}
+
+// The grid, bent into a wave; the sphere by meridians and parallels; the sphere of voxels.
+Image picture()
+{
+    Show show(3, 1, 240, 240);
+    const Look edges{1.2F, {0.3F, 0.05F, 0.05F}, 0.85F};
+
+    IndexedMesh grid = make_grid(14, 14);
+    grid.positions.resize(std::min<std::size_t>(grid.positions.size(), 1000));
+    for (glm::vec3& p : grid.positions) {
+        const glm::vec2 q = 2.0F * glm::vec2(p) - 1.0F;
+        p = {1.1F * q.x, 0.28F * std::cos(4.5F * glm::length(q)) * std::exp(-glm::length(q)), -1.1F * q.y};
+    }
+    show.pane(0, 0, {{1.6F, 2.7F, 3.6F}, {0, -0.1F, 0}, 36});
+    show.mesh(grid, colored(grid, 2000, [](glm::vec3 p) { return 0.5 + 1.4 * p.y; }), edges);
+
+    IndexedMesh sphere = make_sphere(24, 16);
+    show.pane(1, 0, {{1.3F, 1.5F, 3.2F}, {0, 0, 0}, 21});
+    show.mesh(sphere, colored(sphere, 4000, [](glm::vec3 p) { return 0.5 + 0.6 * p.y; }), edges);
+
+    IndexedMesh voxels = surface(make_voxel_sphere(20), 20);
+    show.pane(2, 0, {{1.3F, 1.5F, 3.2F}, {0, 0, 0}, 21});
+    show.mesh(voxels, colored(voxels, 20'000, [](glm::vec3 p) { return 0.5 + 0.6 * p.y; }), {0, {0, 0, 0}, 0});
+    return show.picture();
+}
+
+}
+
+const Driver driver = {
+    {"grid",
+     [](Case&, Recorder& out) {
+         record_shapes(out, {{false, 1, 1}, {false, 2, 1}, {false, 1, 3}, {false, 8, 4}});
+     }},
+    {"sphere",
+     [](Case&, Recorder& out) {
+         record_shapes(out, {{true, 4, 2}, {true, 3, 3}, {true, 6, 4}, {true, 12, 9}});
+     }},
+    {"random", [](Case& c, Recorder& out) { record_shapes(out, random_shapes(c.random)); }},
+    {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
+    {"voxels", [](Case&, Recorder& out) { record_voxels(out); }},
+    {"border", [](Case& c, Recorder& out) { record_border(c.random, out); }},
+    {"fine", [](Case& c, Recorder& out) { record_fine(c.random, out); }},
+    {"work", [](Case&, Recorder& out) { record_work(out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("shapes", picture()); }},
+};
+
+}
