@@ -1,0 +1,99 @@
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "../zoo.hpp"
+
+/// Meshes for questions of orientation.
+namespace umbral::meshes {
+
+/// Two cones that share their apex, and no edge: the course's example.
+inline IndexedMesh hourglass(std::uint32_t sides)
+{
+    IndexedMesh mesh{{{0, 0, 0}, {0, -1, 0}, {0, 1, 0}}, {}};
+    for (const std::uint32_t end : {1U, 2U}) {
+        const float height = end == 1 ? -1.0F : 1.0F;
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const double angle = 6.283185307179586 * i / sides;
+            mesh.positions.emplace_back(0.9 * std::sin(angle), height, 0.9 * std::cos(angle));
+            const std::uint32_t here = first + i;
+            const std::uint32_t next = first + (i + 1) % sides;
+            if (end == 1)
+                mesh.triangles.insert(mesh.triangles.end(), {{0, here, next}, {1, next, here}});
+            else
+                mesh.triangles.insert(mesh.triangles.end(), {{0, next, here}, {2, here, next}});
+        }
+    }
+    return mesh;
+}
+
+/// A staircase of cubes, each of which shares an edge with the next: a vertex can have several crowded edges.
+inline IndexedMesh staircase(int steps)
+{
+    Cubes cubes;
+    for (int i = 0; i < steps; ++i) cubes.insert({i, i, i % 2});
+    return centred(cube_surface(cubes, 1.6F / static_cast<float>(steps)));
+}
+
+/// Three sheets that share one line: a book with several triangles along its spine.
+inline IndexedMesh three_sheets(std::uint32_t length)
+{
+    IndexedMesh mesh;
+    for (std::uint32_t row = 0; row <= length; ++row) mesh.positions.emplace_back(0, 2.0F * static_cast<float>(row) / static_cast<float>(length) - 1, 0);
+    for (int sheet = 0; sheet < 3; ++sheet) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        const double angle = 2.0943951 * sheet;
+        for (std::uint32_t row = 0; row <= length; ++row) mesh.positions.emplace_back(std::sin(angle), mesh.positions[row].y, std::cos(angle));
+        for (std::uint32_t row = 0; row < length; ++row) add_quad(mesh, {row, first + row, first + row + 1, row + 1}, row % 2 == 0);
+    }
+    return mesh;
+}
+
+/// Everything that is no manifold, or looks as if it were none.
+inline std::vector<IndexedMesh> suspects(Random& random)
+{
+    std::vector<IndexedMesh> meshes{hourglass(5), staircase(4), three_sheets(3), joined(hourglass(3), cubes_at_a_corner(), {3, 0, 0})};
+    for (const Specimen& specimen : wild_meshes()) meshes.push_back(specimen.mesh);
+    for (const Specimen& specimen : tame_meshes()) meshes.push_back(specimen.mesh);
+    for (IndexedMesh& mesh : meshes) mesh = with_mixed_winding(shuffled(mesh, random), random);
+    return meshes;
+}
+
+inline IndexedMesh turned_over(IndexedMesh mesh)
+{
+    for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+    return mesh;
+}
+
+/// Bodies one within the other, beside each other, and open sheets among them; about half of the pieces look the wrong way.
+inline IndexedMesh crowd(Random& random)
+{
+    IndexedMesh mesh;
+    const auto add = [&](const IndexedMesh& piece, const glm::vec3& place, float size) {
+        const IndexedMesh scaled = mapped(piece, [&](const glm::vec3& position) { return size * position; });
+        mesh = joined(mesh, random.below(2) == 0 ? turned_over(scaled) : scaled, place);
+    };
+    for (int i = 0; i < 3; ++i) {
+        const glm::vec3 place = 4.0F * glm::vec3(static_cast<float>(i), 0, 0);
+        add(ball(9, 6), place, 1.5F);
+        add(torus(7, 5), place, 0.7F);
+        add(octahedron(), place, 0.2F);
+        add(plate_with_holes(2), place + glm::vec3(0, 4, 0), 1);
+        add(flat_sheet(3, 2), place - glm::vec3(0, 3, 0), 1);
+        add(tube(5, 2), place - glm::vec3(0, 6, 0), 1);
+    }
+    return shuffled(mesh, random);
+}
+
+/// A body of 10 units across, this far from the origin, where its vertices have places of their own: multiples of 2^step.
+inline IndexedMesh far_body(const IndexedMesh& body, double distance, int step, Random& random)
+{
+    const glm::dvec3 away = distance * glm::dvec3(random.unit_vector());
+    const double grid = std::ldexp(1.0, step);
+    IndexedMesh mesh = mapped(body, [&](const glm::vec3& position) { return glm::vec3(grid * round((away + 5.0 * glm::dvec3(position)) / grid)); });
+    return random.below(2) == 0 ? turned_over(mesh) : mesh;
+}
+
+}

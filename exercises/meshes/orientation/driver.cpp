@@ -1,0 +1,123 @@
+#include <umbral/meshes/orientation.hpp>
+#include <umbral/record/cost.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../../canonical.hpp"
+#include "cases.hpp"
+#include "show_sides.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace meshes;
+
+/// Triangles one by one, each begun at its smallest index.
+void record_triangles(Recorder& out, const char* name, const std::vector<glm::uvec3>& triangles, std::size_t count)
+{
+    for (std::size_t i = 0; i < count; ++i) out.append(name, i < triangles.size() ? glm::vec3(canonical(triangles[i])) : glm::vec3(std::nanf("")));
+}
+
+void record_faults(Recorder& out, const IndexedMesh& mesh)
+{
+    const ManifoldFaults faults = manifold_faults(mesh);
+    const auto row = [&](float code, std::uint32_t a, std::uint32_t b) {
+        out.append("faults", std::vector<float>{code, static_cast<float>(a), static_cast<float>(b)});
+    };
+    // Lists that are longer than the mesh are cut: nothing of them can be right.
+    const std::size_t most = 3 * mesh.triangles.size() + mesh.positions.size();
+    const auto first = [&](const auto& list) { return std::span(list).first(std::min(list.size(), most)); };
+    row(0, static_cast<std::uint32_t>(mesh.positions.size()), static_cast<std::uint32_t>(mesh.triangles.size()));  // a mesh begins
+    for (const glm::uvec2& edge : first(faults.crowded_edges)) row(1, edge.x, edge.y);
+    for (const std::uint32_t vertex : first(faults.lonely_vertices)) row(2, vertex, vertex);
+    for (const std::uint32_t vertex : first(faults.torn_vertices)) row(3, vertex, vertex);
+}
+
+/// Wound coherently, or the word that this cannot be: a row of minus one, and nothing for the triangles.
+void record_coherent(Recorder& out, const IndexedMesh& mesh)
+{
+    const auto triangles = coherent_triangles(mesh);
+    out.append("possible", triangles ? 1.0F : 0.0F);
+    if (triangles) out.append("sizes", static_cast<float>(triangles->size()));
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const bool has_row = triangles && i < triangles->size();
+        out.append("triangles", has_row ? glm::vec3(canonical((*triangles)[i])) : glm::vec3(-1));
+    }
+}
+
+/// The corners of the triangles, numbered in the order in which they are first met, and where they lie. Which group got the copy is free.
+void record_separated(Recorder& out, const IndexedMesh& mesh)
+{
+    const IndexedMesh result = separated(mesh);
+    std::map<std::uint32_t, float> numbers;
+    out.append("sizes", glm::vec2(static_cast<float>(result.positions.size()), static_cast<float>(result.triangles.size())));
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        glm::vec3 row(std::nanf(""));
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = i < result.triangles.size() ? result.triangles[i][k] : 4294967295U;
+            const bool exists = vertex < result.positions.size();
+            if (exists) row[k] = numbers.try_emplace(vertex, static_cast<float>(numbers.size())).first->second;
+            out.append("corners", exists ? result.positions[vertex] : glm::vec3(std::nanf("")));
+        }
+        out.append("triangles", row);
+    }
+}
+
+/// Two meshes after each other in random order: one that can be wound coherently, and one that cannot.
+void record_windings(Random& random, Recorder& out)
+{
+    std::vector<IndexedMesh> good{hourglass(5), staircase(3), three_sheets(3)};
+    for (const Specimen& specimen : tame_meshes()) good.push_back(specimen.mesh);
+    const std::vector<IndexedMesh> bad{moebius(9), moebius(8, 3), klein_bottle(6, 5), projective_plane(), joined(octahedron(), moebius(5), {3, 0, 0})};
+    for (std::size_t i = 0; i < good.size(); ++i) {
+        const bool swapped = random.below(2) == 1;
+        for (const bool is_good : {!swapped, swapped}) {
+            const IndexedMesh& mesh = is_good ? good[i] : bad[i % bad.size()];
+            record_coherent(out, with_mixed_winding(shuffled(mesh, random), random));
+        }
+    }
+}
+
+void record_outward(Recorder& out, const IndexedMesh& mesh) { record_triangles(out, "triangles", outward_triangles(mesh), mesh.triangles.size()); }
+
+void record_far(Random& random, Recorder& out)
+{
+    for (const auto& [distance, step] : {std::pair(1e4, -10), {1e5, -7}, {1e6, -4}, {1e7, 0}})
+        for (const IndexedMesh& body : {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()})
+            for (int i = 0; i < 4; ++i) record_outward(out, shuffled(far_body(body, distance, step, random), random));
+}
+
+void record_work(Random& random, Recorder& out)
+{
+    for (const char* name : {"faults", "coherent", "outward", "separated"}) out.text(std::string(name) + ".names", "triangles");
+    for (const std::uint32_t size : {10U, 15U, 22U, 33U}) {
+        const IndexedMesh mesh = shuffled(joined(torus(2 * size, size), disc(2 * size * size), {3, 0, 0}), random);
+        record_cost(out, "faults", mesh.triangles.size(), [&] { (void)manifold_faults(mesh); });
+        record_cost(out, "coherent", mesh.triangles.size(), [&] { (void)coherent_triangles(mesh); });
+        record_cost(out, "outward", mesh.triangles.size(), [&] { (void)outward_triangles(mesh); });
+        record_cost(out, "separated", mesh.triangles.size(), [&] { (void)separated(mesh); });
+    }
+}
+
+}
+
+const Driver driver = {
+    {"manifold",
+     [](Case& c, Recorder& out) {
+         out.text("faults.names", "0 mesh\n1 crowded edge\n2 lonely vertex\n3 torn vertex\n");
+         for (const IndexedMesh& mesh : suspects(c.random)) record_faults(out, mesh);
+     }},
+    {"coherent", [](Case& c, Recorder& out) { record_windings(c.random, out); }},
+    {"outward",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 4; ++i) record_outward(out, crowd(c.random));
+     }},
+    {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
+    {"separated",
+     [](Case& c, Recorder& out) {
+         for (const IndexedMesh& mesh : suspects(c.random)) record_separated(out, mesh);
+     }},
+    {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("sides", picture_of_sides(c.random)); }},
+};
+
+}
