@@ -1,0 +1,220 @@
+#include <array>
+#include <span>
+#include <umbral/gl/record_trace.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../support_gl.hpp"
+#include "stage.hpp"
+#include "texts.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+using Program = std::unique_ptr<ShaderProgram>;
+
+/// What making a program says: the step that fails, and a log as its size and a sum that depends on every byte and its place.
+std::array<float, 3> answer_to(const ShaderTexts& texts)
+{
+    try {
+        const Program program = make_shader_program(texts);
+        return {};
+    } catch (const ShaderError& error) {
+        const std::string_view log = error.what();
+        std::uint32_t sum = 0;
+        for (const char letter : log) sum = (31 * sum + static_cast<unsigned char>(letter)) % 1000003;
+        return {static_cast<float>(error.step()), static_cast<float>(log.size()), static_cast<float>(sum)};
+    }
+}
+
+void record_answer(Recorder& out, const ShaderTexts& texts)
+{
+    const auto [step, size, sum] = answer_to(texts);
+    out.append("step", step);
+    out.append("log", glm::vec2(size, sum));
+}
+
+// Between them programs that are right, so that who always throws is wrong as well.
+void errors(Case&, Recorder& out)
+{
+    for (const ShaderTexts& texts : failing_texts()) {
+        record_answer(out, texts);
+        const auto [step, size, sum] = answer_to(uniforms_of_all_types());
+        out.append("step", step);
+    }
+}
+
+/// Which of the programs is in use: 1, 2, …; 0 for none, -1 for another.
+float place_of(GLuint name, std::span<const GLuint> names)
+{
+    if (name == 0) return 0;
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? -1 : static_cast<float>(found - names.begin() + 1);
+}
+
+GLuint in_use()
+{
+    GLint name = 0;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &name);
+    return static_cast<GLuint>(name);
+}
+
+/// A uniform's numbers as the program has them; zeros if there is no program.
+template <std::size_t count>
+void append_values(std::vector<float>& row, GLuint program, const char* uniform)
+{
+    std::array<GLfloat, count> values{};
+    if (glIsProgram(program) == GL_TRUE) glGetUniformfv(program, glGetUniformLocation(program, uniform), values.data());
+    row.insert(row.end(), values.begin(), values.end());
+}
+
+std::vector<float> values_of(GLuint program)
+{
+    std::vector<float> row;
+    append_values<1>(row, program, "whole");
+    append_values<1>(row, program, "number");
+    append_values<3>(row, program, "vector3");
+    append_values<4>(row, program, "vector4");
+    append_values<9>(row, program, "matrix3");
+    append_values<16>(row, program, "matrix4");
+    return row;
+}
+
+/// Sets a program's uniforms, each by its own name or by one that the program has not; what set() returns.
+std::vector<float> set_all(ShaderProgram& program, Random& random)
+{
+    glm::mat4 matrix(0);
+    for (int i = 0; i < 4; ++i) matrix[i] = glm::vec4(random.in_cube(), random.uniform());
+    const glm::vec3 vector = random.in_cube();
+    const int whole = static_cast<int>(random.below(100)) + 1;
+    const float number = random.uniform(1, 2);
+    std::vector<float> returned;
+    const auto set = [&](const char* name, const auto& value) {
+        const bool absent = random.below(3) == 0;
+        returned.push_back(program.set(absent ? std::string("other_") + name : name, value) ? 1.0F : 0.0F);
+    };
+    set("whole", whole);
+    set("number", number);
+    set("vector3", vector);
+    set("vector4", glm::vec4(vector, number));
+    set("matrix3", glm::mat3(matrix));
+    set("matrix4", matrix);
+    return returned;
+}
+
+// Three programs of the same texts; one is set while another, or none, is in use.
+void uniforms(Case& c, Recorder& out)
+{
+    std::array<Program, 3> programs;
+    std::array<GLuint, 3> names{};
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        programs[i] = make_shader_program(uniforms_of_all_types());
+        if (!programs[i]) return;
+        programs[i]->use();
+        names[i] = in_use();
+    }
+    for (int round = 0; round < 12; ++round) {
+        const std::size_t chosen = c.random.below(3);
+        const std::uint32_t active = c.random.below(4);
+        if (active < 3)
+            programs[active]->use();
+        else
+            glUseProgram(0);
+        out.append("returned", std::span<const float>(set_all(*programs[chosen], c.random)));
+        std::vector<float> state = {static_cast<float>(round), place_of(in_use(), names)};
+        for (int i = 0; i < 16; ++i)  // bounded: each kind of error is noted once
+            if (const GLenum error = glGetError(); error != GL_NO_ERROR) state[0] = static_cast<float>(error);
+        out.append("state", std::span<const float>(state));
+        for (const GLuint name : names) out.append("values", std::span<const float>(values_of(name)));
+    }
+}
+
+/// How many programs and shaders there are.
+glm::vec2 objects() { return {living(glIsProgram), living(glIsShader)}; }
+
+// Shaders of programs that live may stay attached to them; so shaders are only compared across a failure, and at the end.
+void leaks(Case&, Recorder& out)
+{
+    const glm::vec2 at_first = objects();
+    std::vector<Program> programs;
+    for (const ShaderTexts& texts : failing_texts()) {
+        programs.push_back(make_shader_program(uniforms_of_all_types()));
+        const glm::vec2 before(at_first.x, objects().y);
+        (void)answer_to(texts);
+        out.append("alive", objects() - before);
+    }
+    while (programs.size() > 1) {
+        programs.pop_back();
+        out.append("alive", glm::vec2(objects().x - at_first.x, 0));
+    }
+    programs.clear();
+    out.append("alive", objects() - at_first);
+}
+
+void record_life(Case&, Recorder& out)
+{
+    gl::begin_trace();
+    Program program = make_shader_program(uniforms_of_all_types());
+    gl::record_trace(out, "birth", gl::end_trace());
+    gl::begin_trace();
+    if (program) {
+        program->set("number", 2.0F);
+        program->use();
+        program->set("whole", 3);
+    }
+    program.reset();
+    gl::record_trace(out, "life and death", gl::end_trace());
+}
+
+glm::mat4 seen(float turn, glm::vec3 stretch = glm::vec3(1))
+{
+    const glm::mat4 placed = glm::translate(glm::mat4(1), glm::vec3(0, 0, -4.8F));
+    return glm::scale(glm::rotate(placed, turn, glm::vec3(0.35F, 1, 0.1F)), stretch);
+}
+
+const glm::vec3 lamp = glm::normalize(glm::vec3(-0.5F, 0.7F, 0.8F));
+
+void pictures(Case&, Recorder& out)
+{
+    const auto lit = [](const std::vector<Shot>& shots, int size) { return draw(shots, lit_shaders(), lit_interface(), size); };
+    out.image("switches", lit({{seen(0.3F), lamp, false, false, false},
+                               {seen(0.3F), lamp, false, false, true},
+                               {seen(0.3F), lamp, true, true, false},
+                               {seen(0.3F), lamp, true, false, true}},
+                              352));
+    out.image("smooth", lit({{seen(1.1F), lamp, true, false, false}}, 160));
+    out.image("stretched", lit({{seen(0.5F, {1.3F, 0.5F, 1}), lamp, true, false, false}}, 160));
+}
+
+void random(Case& c, Recorder& out)
+{
+    for (const char* name : {"first", "second"}) {
+        Shot shot;
+        const float turn = c.random.uniform(0, 6.28F);
+        const float width = c.random.uniform(0.7F, 1.2F);
+        shot.modelview = seen(turn, {width, c.random.uniform(0.7F, 1.2F), 1});
+        shot.light = glm::normalize(c.random.in_cube() + glm::vec3(0, 0, 1.2F));
+        shot.lighting = true;
+        shot.textured = c.random.below(2) == 0;
+        shot.flat = c.random.below(2) == 0;
+        out.image(name, draw({shot}, lit_shaders(), lit_interface(), 160));
+    }
+}
+
+}
+
+const Driver driver = {
+    {"pictures", pictures},
+    {"minimal", [](Case&, Recorder& out) { out.image("picture", draw({{seen(-0.4F)}}, minimal_shaders(), minimal_interface(), 192)); }},
+    {"errors", errors},
+    {"long log",
+     [](Case&, Recorder& out) {
+         for (const int count : {1, 40, 200, 1000}) record_answer(out, with_many_errors(count));
+     }},
+    {"uniforms", uniforms},
+    {"leaks", leaks},
+    {"calls", record_life},
+    {"random", random},
+};
+
+}

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <array>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <lighting/support.hpp>
+#include <meshes/halved.hpp>
+#include <umbral/gl/framebuffer.hpp>
+#include <umbral/gl/opengl.hpp>
+#include <umbral/gl/program.hpp>
+#include <umbral/pipeline/program.hpp>
+
+#include "../../drawing.hpp"
+
+/// Where the student's shaders draw. They are compiled by gl::Program here, so that pictures do not depend on the student's own class.
+namespace umbral::pipeline {
+
+inline gl::Interface minimal_interface()
+{
+    return {{{"position", GL_FLOAT_VEC3, 1}, {"color", GL_FLOAT_VEC3, 1}}, {{"modelview", GL_FLOAT_MAT4, 1}, {"projection", GL_FLOAT_MAT4, 1}}};
+}
+
+inline gl::Interface lit_interface()
+{
+    return {{{"position", GL_FLOAT_VEC3, 1}, {"normal", GL_FLOAT_VEC3, 1}, {"color", GL_FLOAT_VEC3, 1}, {"tex_coord", GL_FLOAT_VEC2, 1}},
+            {{"modelview", GL_FLOAT_MAT4, 1},
+             {"projection", GL_FLOAT_MAT4, 1},
+             {"normal_matrix", GL_FLOAT_MAT3, 1},
+             {"light", GL_FLOAT_VEC3, 1},
+             {"image", GL_SAMPLER_2D, 1},
+             {"lighting", GL_INT, 1},
+             {"flat_shading", GL_INT, 1},
+             {"textured", GL_INT, 1}}};
+}
+
+/// A shape with colours and texture coordinates, in the memory of the graphics card.
+class Model {
+public:
+    /// The shape's vertices are a grid of `columns` cells.
+    Model(const lighting::Shape& shape, int columns, glm::vec2 repeat, const gl::Program& program) : count_(static_cast<GLsizei>(shape.indices.size()))
+    {
+        std::vector<glm::vec2> tex_coords;
+        std::vector<glm::vec3> colors;
+        const auto width = static_cast<std::size_t>(columns) + 1;
+        const float rows = static_cast<float>(shape.positions.size() / width - 1);
+        for (std::size_t i = 0; i < shape.positions.size(); ++i) {
+            const float u = static_cast<float>(i % width) / static_cast<float>(columns);
+            tex_coords.push_back(repeat * glm::vec2(u, static_cast<float>(i / width) / rows));
+            const glm::vec3 wave = 0.5F + 0.5F * glm::cos(lighting::turn * (2 * u + glm::vec3(0, 0.33F, 0.67F)));
+            colors.push_back(glm::mix(wave, glm::vec3(0.9F, 0.8F, 0.6F), 0.25F));
+        }
+        glGenVertexArrays(1, &array_);
+        glGenBuffers(5, buffers_.data());
+        glBindVertexArray(array_);
+        feed(program.attribute_location("position"), buffers_[0], shape.positions);
+        feed(program.attribute_location("normal"), buffers_[1], shape.normals);
+        feed(program.attribute_location("color"), buffers_[2], colors);
+        feed(program.attribute_location("tex_coord"), buffers_[3], tex_coords);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[4]);
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * shape.indices.size()), shape.indices.data(), GL_STATIC_DRAW);
+    }
+    Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
+    ~Model()
+    {
+        glDeleteVertexArrays(1, &array_);
+        glDeleteBuffers(5, buffers_.data());
+    }
+
+    void draw() const { glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr); }
+
+private:
+    template <class Item>
+    static void feed(int location, GLuint buffer, const std::vector<Item>& items)
+    {
+        if (location < 0) return;
+        glBindBuffer(GL_ARRAY_BUFFER, buffer);
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(), GL_STATIC_DRAW);
+        glVertexAttribPointer(static_cast<GLuint>(location), sizeof(Item) / sizeof(float), GL_FLOAT, GL_FALSE, 0, nullptr);
+        glEnableVertexAttribArray(static_cast<GLuint>(location));
+    }
+
+    GLsizei count_;
+    GLuint array_ = 0;
+    std::array<GLuint, 5> buffers_{};
+};
+
+/// A tile with a star, bound to texture unit `unit` while it lives.
+class Tile {
+public:
+    explicit Tile(GLuint unit)
+    {
+        Drawing drawing(64, 64, {-1, -1}, {1, 1}, ink::blue);
+        const auto star = [&](double outer, double inner, glm::vec3 color) {
+            std::vector<glm::dvec2> corners;
+            for (int i = 0; i < 16; ++i) {
+                const double angle = 3.14159265358979 * i / 8;
+                corners.push_back((i % 2 == 0 ? outer : inner) * glm::dvec2(std::cos(angle), std::sin(angle)));
+            }
+            drawing.area(corners, color);
+        };
+        star(0.98, 0.62, ink::white);
+        star(0.8, 0.5, ink::orange);
+        drawing.disc({0, 0}, 9, ink::white);
+        for (const double x : {-1, 1})
+            for (const double y : {-1, 1}) drawing.disc({x, y}, 14, ink::green);
+        const Image picture = drawing.picture();
+        glGenTextures(1, &texture_);
+        glActiveTexture(GL_TEXTURE0 + unit);
+        glBindTexture(GL_TEXTURE_2D, texture_);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, picture.cells.data());
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    }
+    Tile(const Tile&) = delete;
+    Tile& operator=(const Tile&) = delete;
+    ~Tile() { glDeleteTextures(1, &texture_); }
+
+private:
+    GLuint texture_ = 0;
+};
+
+/// How one picture, or one part of it, is drawn.
+struct Shot {
+    glm::mat4 modelview{1};
+    glm::vec3 light{0, 0, 1};
+    bool lighting = false;
+    bool flat = false;
+    bool textured = false;
+};
+
+inline void draw(const Shot& shot, const Model& model, const gl::Program& program)
+{
+    program.set("modelview", shot.modelview);
+    program.set("normal_matrix", glm::inverseTranspose(glm::mat3(shot.modelview)));
+    program.set("light", shot.light);
+    program.set("image", 2);
+    program.set("lighting", shot.lighting ? 1 : 0);
+    program.set("flat_shading", shot.flat ? 1 : 0);
+    program.set("textured", shot.textured ? 1 : 0);
+    model.draw();
+}
+
+/// Four parts of a square picture, each another shot of the same knot; one shot alone fills the picture. Without texts it stays empty.
+inline Image draw(const std::vector<Shot>& shots, const ShaderTexts& texts, const gl::Interface& interface, int size)
+{
+    const gl::Framebuffer frame(2 * size, 2 * size);
+    frame.clear(glm::vec4(ink::night, 1));
+    if (texts.vertex.empty() && texts.fragment.empty()) return halved(frame.read_pixels());
+    const gl::Program program({"your vertex shader", texts.vertex}, {"your fragment shader", texts.fragment});
+    program.require_interface(interface);
+    const Tile tile(2);
+    const Model knot(lighting::trefoil(72, 12, 0.3F), 72, {24, 4}, program);
+    glEnable(GL_DEPTH_TEST);
+    program.set("projection", glm::perspective(glm::radians(32.0F), 1.0F, 1.0F, 20.0F));
+    const int part = shots.size() > 1 ? size : 2 * size;
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        const int k = static_cast<int>(i);
+        glViewport(part * (k % 2), 2 * size - part * (1 + k / 2), part, part);
+        draw(shots[i], knot, program);
+    }
+    return halved(frame.read_pixels());
+}
+
+}
