@@ -34,7 +34,7 @@ inline Image draw_strips()
     const Look look{1.0F, ink::red, 0.9F};
     Show show(2, 1, 300, 300);
 
-    show.pane(0, 0, {{-0.4F, 3.2F, 5.2F}, {0, -0.1F, 0.1F}, 36});
+    show.pane(0, 0, {{-0.4F, 3.2F, 5.2F}, {0, -0.1F, 0.1F}, 38});
     const std::vector<Strip> strips = grid_strips(columns, rows);
     IndexedMesh ground{hills_over_a_grid(columns, rows), triangles_of_strip(join_strips(strips))};
     ground.triangles.resize(std::min<std::size_t>(ground.triangles.size(), 1000));

@@ -1,5 +1,5 @@
 // mistake: computes and adds in float throughout
-// credit: 50..75
+// credit: 55..82
 // hint: Your formula is right, but float has seven digits: a thin triangle loses them in the cross product, a million triangles lose them in the sum. Compute in double, and round once.
 #include <cmath>
 #include <umbral/meshes/area.hpp>
