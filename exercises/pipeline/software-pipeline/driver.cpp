@@ -1,0 +1,150 @@
+#include <limits>
+#include <umbral/record/driver.hpp>
+
+#include "scenery.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+constexpr std::array<glm::vec3, 6> paints = {glm::vec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
+
+/// Eight by eight pixels, the identity for a matrix: x = -1 is the left border, x = -0.75 one pixel from it.
+Call on_paper(const std::vector<glm::vec3>& places)
+{
+    Call call;
+    call.width = call.height = 8;
+    call.state.viewport = {0, 0, 8, 8, 0, 1};
+    for (std::size_t i = 0; i < places.size(); ++i) call.vertices.push_back({places[i], paints[i % paints.size()]});
+    for (unsigned i = 0; i + 2 < places.size(); i += 3) call.triangles.emplace_back(i, i + 1, i + 2);
+    return call;
+}
+
+std::vector<Call> by_hand()
+{
+    std::vector<Call> calls = {
+        on_paper({{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0.5F}}),
+        on_paper({{-0.75F, 0.75F, -1}, {-0.75F, -0.5F, 0}, {0.75F, 0.75F, 1}}),
+        on_paper({{-1, -1, 0.5F}, {1, -1, 0.5F}, {0, 1, 0.5F}, {-1, 0.5F, 0}, {0, -1, 0}, {1, 0.5F, 0}}),    // the second one in front
+        on_paper({{-1, 0.5F, 0}, {0, -1, 0}, {1, 0.5F, 0}, {-1, -1, 0.5F}, {1, -1, 0.5F}, {0, 1, 0.5F}}),    // … and drawn first
+        on_paper({{-1, -1, -0.5F}, {1, -1, -0.5F}, {0, 1, 0.5F}, {-1, 0.5F, 0}, {0, -1, 0}, {1, 0.5F, 0}}),  // through each other
+        on_paper({{-1.5F, -0.5F, 0}, {1, -1.75F, 0}, {0.5F, 1.5F, 0}}),                                      // beyond the sides
+    };
+    // w in a column: the right corner four times as far as the others.
+    Call far = on_paper({{-1, -1, 0}, {1, 0, 0}, {-1, 1, 0}});
+    far.state.to_clip[0] = {2.5F, 0, 0, 1.5F};
+    far.state.to_clip[3] = {1.5F, 0, 0, 2.5F};
+    calls.push_back(far);
+    // Shared vertices, in any order.
+    Call shared = on_paper({{-1, -1, 0}, {0.75F, -0.75F, 0.25F}, {0.5F, 1, 0}, {-0.5F, 0.75F, 0}});
+    shared.triangles = {{2, 0, 1}, {0, 2, 3}};
+    calls.push_back(shared);
+    return calls;
+}
+
+template <class Make>
+std::vector<Call> several(int count, const Make& make)
+{
+    std::vector<Call> calls;
+    for (int i = 0; i < count; ++i) calls.push_back(make(i));
+    return calls;
+}
+
+// All three ways in turn, in front of the camera and about it; every other call in flat colours.
+std::vector<Call> culling(Random& random)
+{
+    return several(18, [&](int i) {
+        Call call = i < 9 ? in_front(random, 5) : about_the_camera(random, 5);
+        call.state.culling = std::array{Culling::back, Culling::front, Culling::none}.at(static_cast<std::size_t>(i % 3));
+        call.state.shading = i % 2 == 0 ? ShadeModel::flat : ShadeModel::smooth;
+        return call;
+    });
+}
+
+std::vector<Call> nets(Random& random, PolygonMode mode, int count)
+{
+    return several(count, [&](int i) {
+        Call call = i % 4 == 0 ? in_front(random, 4) : about_the_camera(random, 4);
+        call.state.mode = mode;
+        return call;
+    });
+}
+
+// Functions, formats and ranges; a layer of depth to begin with that some fragments pass and others do not.
+std::vector<Call> depths(Random& random)
+{
+    return several(24, [&](int i) {
+        Call call = in_front(random, 6);
+        call.state.depth.function = static_cast<DepthFunction>(i % 8);
+        call.state.depth.format = static_cast<DepthFormat>(i % 3);
+        call.state.depth.writes = i % 5 != 4;
+        call.state.depth.enabled = i % 11 != 10;
+        const bool reversed = i % 2 == 1;
+        call.state.viewport.near_depth = reversed ? 1 : 0.25F;
+        call.state.viewport.far_depth = reversed ? 0 : 0.75F;
+        call.clear_depth = stored_depth(call.state.depth.format, reversed ? 0.1F : 0.7F);
+        return call;
+    });
+}
+
+std::vector<Call> viewports(Random& random)
+{
+    return several(16, [&](int i) {
+        Call call = i % 4 == 3 ? about_the_camera(random, 4) : in_front(random, 4);
+        const auto offset = [&] { return static_cast<int>(random.below(25)) - 12; };
+        call.state.viewport.left = offset();
+        call.state.viewport.top = offset();
+        call.state.viewport.width = 12 + static_cast<int>(random.below(20));
+        call.state.viewport.height = 12 + static_cast<int>(random.below(20));
+        call.state.mode = i % 3 == 2 ? PolygonMode::line : PolygonMode::fill;
+        return call;
+    });
+}
+
+// Meshes that reach beyond the view volume on all sides, each triangle in a colour of its own: along their sides pixels belong to one of two.
+std::vector<Call> seams(Random& random)
+{
+    return several(6, [&](int) {
+        Call call = about_the_camera(random, 0);
+        constexpr unsigned cells = 6;
+        for (unsigned y = 0; y <= cells; ++y)
+            for (unsigned x = 0; x <= cells; ++x) {
+                const glm::vec2 moved(random.uniform(-0.4F, 0.4F), random.uniform(-0.4F, 0.4F));
+                const glm::vec2 at = glm::vec2(x, y) - 0.5F * cells + moved;
+                call.vertices.push_back({{3 * at.x, 1.2F * at.y - 0.3F, 2.5F * at.y - 1}, random_color(random)});
+            }
+        for (unsigned y = 0; y < cells; ++y)
+            for (unsigned x = 0; x < cells; ++x) {
+                const unsigned corner = y * (cells + 1) + x;
+                call.triangles.emplace_back(corner, corner + 1, corner + cells + 2);
+                call.triangles.emplace_back(corner, corner + cells + 2, corner + cells + 1);
+            }
+        call.state.shading = ShadeModel::flat;
+        call.state.depth.function = DepthFunction::always;
+        return call;
+    });
+}
+
+void record_picture(Recorder& out)
+{
+    const Layer layer = scenery(480, 320);
+    out.image("colours", encoded(layer.colors));
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
+    {"random", [](Case& c, Recorder& out) { record(out, several(20, [&](int) { return in_front(c.random, 6); })); }},
+    {"about the camera", [](Case& c, Recorder& out) { record(out, several(20, [&](int) { return about_the_camera(c.random, 5); })); }},
+    {"culling", [](Case& c, Recorder& out) { record(out, culling(c.random)); }},
+    {"lines", [](Case& c, Recorder& out) { record(out, nets(c.random, PolygonMode::line, 16)); }},
+    {"points", [](Case& c, Recorder& out) { record(out, nets(c.random, PolygonMode::point, 40)); }},
+    {"depth", [](Case& c, Recorder& out) { record(out, depths(c.random)); }},
+    {"viewports", [](Case& c, Recorder& out) { record(out, viewports(c.random)); }},
+    {"seams", [](Case& c, Recorder& out) { record(out, seams(c.random)); }},
+    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+};
+
+}

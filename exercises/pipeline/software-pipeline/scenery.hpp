@@ -1,0 +1,109 @@
+#pragma once
+
+#include <glm/gtc/type_precision.hpp>
+
+#include "scenes.hpp"
+
+/// The goal picture: a camera that stands in a hilly country under a knot. The land begins behind it, so that it must be clipped; the right
+/// third of the knot is a net, and a small viewport shows it in points.
+namespace umbral::pipeline {
+
+struct Model {
+    std::vector<ColoredVertex> vertices;
+    std::vector<glm::uvec3> triangles;
+};
+
+/// A grid of `columns` x `rows` cells: `vertex(u, v)` for u, v in [0, 1].
+template <class Vertex>
+Model woven(int columns, int rows, const Vertex& vertex)
+{
+    Model model;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= columns; ++i)
+            model.vertices.push_back(vertex(static_cast<float>(i) / static_cast<float>(columns), static_cast<float>(j) / static_cast<float>(rows)));
+    const auto width = static_cast<unsigned>(columns) + 1;
+    for (unsigned j = 0; j < static_cast<unsigned>(rows); ++j)
+        for (unsigned i = 0; i + 1 < width; ++i) {
+            const unsigned corner = j * width + i;
+            model.triangles.emplace_back(corner, corner + 1, corner + width + 1);
+            model.triangles.emplace_back(corner, corner + width + 1, corner + width);
+        }
+    return model;
+}
+
+inline glm::vec3 sky(float up) { return glm::mix(glm::vec3(0.78F, 0.55F, 0.40F), glm::vec3(0.05F, 0.09F, 0.24F), glm::smoothstep(0.0F, 0.75F, up)); }
+
+inline Model country()
+{
+    const auto height = [](float x, float z) {
+        const float valley = std::min(1.0F, 0.09F * x * x);
+        return -1.35F + valley * (0.75F + 0.5F * std::sin(1.7F * x + 0.4F * z) * std::cos(1.1F * z)) + 0.1F * std::sin(2.3F * z + 1.4F * x);
+    };
+    return woven(70, 90, [&](float u, float v) {
+        const float x = -11 + 22 * u;
+        const float z = 3 - 21 * v;
+        const float y = height(x, z);
+        const glm::vec3 normal = normalize(glm::vec3(height(x - 0.1F, z) - height(x + 0.1F, z), 0.2F, height(x, z - 0.1F) - height(x, z + 0.1F)));
+        const float light = std::max(0.0F, dot(normal, normalize(glm::vec3(-0.6F, 0.45F, 0.5F))));
+        const glm::vec3 ground = glm::mix(glm::vec3(0.05F, 0.16F, 0.07F), glm::vec3(0.42F, 0.24F, 0.13F), glm::smoothstep(-1.25F, -0.1F, y));
+        return ColoredVertex{{x, y, z}, glm::mix(ground * (0.15F + 1.3F * light), sky(0.05F), 1 - std::exp(0.035F * std::min(z, 0.0F)))};
+    });
+}
+
+inline Model knot()
+{
+    constexpr float turn = 6.2831853F;
+    const auto core = [](float t) {
+        return glm::vec3(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -1.1F * std::sin(3 * t)) * 0.5F + glm::vec3(0, 0.52F, -5);
+    };
+    return woven(96, 12, [&](float u, float v) {
+        const glm::vec3 tangent = normalize(core(turn * u + 0.01F) - core(turn * u - 0.01F));
+        const glm::vec3 side = normalize(cross(tangent, glm::vec3(0, 0, 1)));
+        const glm::vec3 normal = std::cos(turn * v) * side + std::sin(turn * v) * cross(tangent, side);
+        const float light = std::max(0.0F, dot(normal, normalize(glm::vec3(-0.6F, 0.5F, 0.6F))));
+        const glm::vec3 hue = 0.5F + 0.5F * cos(turn * u + glm::vec3(0.2F, 2.4F, 4.2F));
+        return ColoredVertex{core(turn * u) + 0.3F * normal, (hue * hue + 0.04F) * (0.2F + 0.8F * light) + 0.3F * std::pow(light, 24.0F)};
+    });
+}
+
+inline Layer scenery(int width, int height)
+{
+    Layer layer{Grid<glm::vec3>(width, height), Grid<float>(width, height, 1)};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) layer.colors.at(x, y) = sky(1 - static_cast<float>(y) / (0.62F * static_cast<float>(height)));
+    const Model land = country();
+    const Model tube = knot();
+
+    PipelineState state;
+    state.viewport = {0, 0, width, height, 0, 1};
+    state.to_clip = perspective(1.9F, static_cast<float>(width) / static_cast<float>(height));
+    draw_triangles(state, land.vertices, land.triangles, layer);
+
+    // Solid to the left of a plane, a net to the right of it.
+    std::vector<glm::uvec3> solid;
+    std::vector<glm::uvec3> net;
+    for (const glm::uvec3& triangle : tube.triangles) (tube.vertices[triangle.x].position.x < 0.3F ? solid : net).push_back(triangle);
+    state.culling = Culling::back;
+    draw_triangles(state, tube.vertices, solid, layer);
+    state.mode = PolygonMode::line;
+    draw_triangles(state, tube.vertices, net, layer);
+
+    // Points, from the side, in a viewport of their own, in front of all.
+    state.mode = PolygonMode::point;
+    state.culling = Culling::none;
+    state.viewport = {width - width / 4 - 10, 10, width / 4, width / 4, 0, 0.1F};
+    state.to_clip = perspective(2.4F, 1);
+    state.to_clip[3] = state.to_clip * glm::vec4(0, -0.52F, 0, 1);
+    draw_triangles(state, tube.vertices, tube.triangles, layer);
+    return layer;
+}
+
+inline Image encoded(const Grid<glm::vec3>& linear)
+{
+    Image image(linear.width, linear.height);
+    for (std::size_t i = 0; i < image.cells.size(); ++i)
+        image.cells[i] = glm::u8vec4(255.0F * glm::pow(glm::clamp(linear.cells[i], 0.0F, 1.0F), glm::vec3(1 / 2.2F)) + 0.5F, 255);
+    return image;
+}
+
+}
