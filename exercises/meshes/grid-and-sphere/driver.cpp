@@ -129,7 +129,7 @@ Image picture()
     grid.positions.resize(std::min<std::size_t>(grid.positions.size(), 1000));
     for (glm::vec3& p : grid.positions) {
         const glm::vec2 q = 2.0F * glm::vec2(p) - 1.0F;
-        p = {1.1F * q.x, 0.28F * std::cos(4.5F * glm::length(q)) * std::exp(-glm::length(q)), -1.1F * q.y};
+        p = {1.02F * q.x, 0.28F * std::cos(4.5F * glm::length(q)) * std::exp(-glm::length(q)), -1.02F * q.y};
     }
     show.pane(0, 0, {{1.6F, 2.7F, 3.6F}, {0, -0.1F, 0}, 36});
     show.mesh(grid, colored(grid, 2000, [](glm::vec3 p) { return 0.5 + 1.4 * p.y; }), edges);

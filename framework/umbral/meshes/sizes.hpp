@@ -16,9 +16,11 @@ struct EntryBytes {
 /// Course: problem 2.1 (a).
 [[nodiscard]] std::uint64_t voxel_bytes(std::uint64_t k);
 
-/// Bytes of the two tables, vertices and triangles, of a sphere with k vertices in each meridian and k in each parallel, poles included (k of at least 2, at most 2^21).
+/// Bytes of the two tables, vertices and triangles, of a sphere with k vertices in each meridian and k in each parallel, poles included (k of at
+/// least 2, at most 2^21).
 ///
-/// k² vertices, also where they coincide at the poles. Between two parallels that follow one another there are k quadrilaterals, all round, of two triangles each.
+/// k² vertices, also where they coincide at the poles. Between two parallels that follow one another there are k quadrilaterals, all round, of two
+/// triangles each.
 /// Course: problem 2.1 (b).
 [[nodiscard]] std::uint64_t sphere_mesh_bytes(std::uint64_t k, const EntryBytes& bytes = {});
 

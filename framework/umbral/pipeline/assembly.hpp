@@ -46,9 +46,10 @@ struct DrawList {
 
 /// Assembles a sequence, leaves out faces by the side that they show, and turns the rest into what the mode asks for. `window[v]` is vertex v's place.
 ///
-/// Points and segments are what they are, in every mode; nothing culls them. A face becomes its corners (`point`), its closed outline (`line`, without
-/// diagonals), or triangles from the corner that is first in the sequence to every other edge (`fill`), which go round as the face does. An edge that two faces share comes twice.
-/// Segments and triangles that name a vertex twice are left out of the lists. The lists' order is free, and so is where a triangle begins.
+/// Points and segments are what they are, in every mode; nothing culls them. A face becomes its corners (`point`), its closed outline (`line`,
+/// without diagonals), or triangles from the corner that is first in the sequence to every other edge (`fill`), which go round as the face does. An
+/// edge that two faces share comes twice. Segments and triangles that name a vertex twice are left out of the lists. The lists' order is free, and so
+/// is where a triangle begins.
 /// Course: "cribado de caras", "modo de visualización de polígonos", "teselado".
 [[nodiscard]] DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, std::span<const glm::vec2> window, Culling culling,
                                  PolygonMode mode);

@@ -56,8 +56,8 @@ struct VertexLayout {
 
 /// What a vertex shader receives as a vec4: the attribute of one vertex, as floats.
 ///
-/// Components that the attribute lacks are taken from (0, 0, 0, 1). Doubles and whole numbers are rounded to float; normalized whole numbers of b bits are divided by
-/// 2^b - 1. The tuple lies inside the buffer.
+/// Components that the attribute lacks are taken from (0, 0, 0, 1). Doubles and whole numbers are rounded to float; normalized whole numbers of b
+/// bits are divided by 2^b - 1. The tuple lies inside the buffer.
 [[nodiscard]] glm::vec4 fetch_attribute(std::span<const std::byte> buffer, const VertexAttribute& attribute, const AttributePlace& place, std::uint64_t vertex);
 
 }

@@ -109,3 +109,42 @@ TEST(GridAndSphere, VoxelsOfTheLargestCube)
     // (2x + 1 - k)² + 1 + 1 <= k² holds for the outermost cell of the middle row, since (k - 1)² + 2 < k².
     EXPECT_TRUE(voxel_is_inside(k, {k - 1, k / 2, k / 2}));
 }
+
+// The statement's tables: what adding up steps costs, and how much of the ball's volume meshes and voxels have.
+TEST(GridAndSphere, ErrorsOfTheStatement)
+{
+    struct Column {
+        int count;
+        double grid, sphere;
+    };
+    for (const auto& [count, grid, sphere] : {Column{10, 1e-7, 3e-7}, {100, 7e-7, 1e-6}, {1000, 9e-6, 3e-5}, {10'000, 5e-5, 2e-4}, {100'000, 1e-3, 4e-3}}) {
+        const float angle_step = 2 * std::numbers::pi_v<float> / static_cast<float>(count);
+        float x = 0;
+        float angle = 0;
+        glm::dvec2 worst(0);
+        for (int i = 0; i <= count; ++i) {
+            const double share = i / static_cast<double>(count);
+            const glm::dvec2 error(double{x} - share, double{0.5F * std::sin(angle)} - 0.5 * std::sin(2 * std::numbers::pi * share));
+            worst = max(worst, abs(error));
+            x += 1 / static_cast<float>(count);
+            angle += angle_step;
+        }
+        EXPECT_NEAR(worst.x, grid, 0.25 * grid) << count;
+        EXPECT_NEAR(worst.y, sphere, 0.25 * sphere) << count;
+    }
+}
+
+TEST(GridAndSphere, VolumesOfTheStatement)
+{
+    struct Column {
+        std::uint32_t k;
+        double voxels, mesh;
+    };
+    for (const auto& [k, voxels, mesh] :
+         {Column{8, 4.4, -13}, {16, 1.5, -3.5}, {32, 0.58, -0.88}, {64, 0.086, -0.22}, {128, 0.097, -0.055}, {256, -0.008, -0.014}}) {
+        const double ball = std::numbers::pi / 6;
+        const double cubes = static_cast<double>(filled(make_voxel_sphere(k))) / (double(k) * k * k);
+        EXPECT_NEAR(100 * (cubes / ball - 1), voxels, std::max(0.0005, 0.06 * std::abs(voxels)));
+        EXPECT_NEAR(100 * (signed_volume(make_sphere(k, k)) / ball - 1), mesh, 0.05 * std::abs(mesh));
+    }
+}

@@ -101,3 +101,32 @@ TEST(PolygonTables, SegmentsJoinExactly)
         }
     }
 }
+
+// The statement's table: what the other ways to the same corners cost. The reference's row is the test of its guarantee above.
+TEST(PolygonTables, TableOfTheStatement)
+{
+    struct Column {
+        std::uint32_t sides;
+        double added_up, turned, anew;
+    };
+    for (const auto& [sides, added_up, turned, anew] :
+         {Column{100, 2e-6, 5e-7, 6e-7}, {1000, 6e-5, 8e-6, 6e-7}, {10'000, 3e-4, 1e-4, 6e-7}, {100'000, 7e-3, 2e-4, 7e-7}}) {
+        const float step = 2 * std::numbers::pi_v<float> / static_cast<float>(sides);
+        const glm::mat2 turn(std::cos(step), std::sin(step), -std::sin(step), std::cos(step));
+        float sum = 0;
+        glm::vec2 place(1, 0);
+        glm::dvec3 worst(0);
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(sides);
+            const glm::vec2 corners[] = {{std::cos(sum), std::sin(sum)}, place, {std::cos(angle), std::sin(angle)}};
+            for (int way = 0; way < 3; ++way)
+                for (int axis = 0; axis < 2; ++axis) worst[way] = std::max(worst[way], std::abs(double{corners[way][axis]} - exact_corner(i, sides)[axis]));
+            sum += step;
+            place = turn * place;
+        }
+        // One digit is printed; libraries' sines differ in the last place.
+        EXPECT_NEAR(worst[0], added_up, 0.3 * added_up) << sides;
+        EXPECT_NEAR(worst[1], turned, 0.4 * turned) << sides;
+        EXPECT_NEAR(worst[2], anew, 0.2 * anew) << sides;
+    }
+}
