@@ -1,0 +1,118 @@
+#include <stdexcept>
+#include <umbral/meshes/revolution.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../../canonical.hpp"
+#include "profiles.hpp"
+#include "stage.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace meshes;
+
+/// Vertices that matter, by their numbers.
+using Places = std::vector<std::size_t>;
+
+Places all_places(const Profile& profile, std::uint32_t copies)
+{
+    Places places(profile.size() * copies);
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
+    return places;
+}
+
+void record_vertices(Recorder& out, const TexturedMesh& surface, const Places& places)
+{
+    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+    for (const std::size_t i : places) {
+        out.append("positions", i < surface.mesh.positions.size() ? surface.mesh.positions[i] : glm::vec3(nothing));
+        out.append("normals", i < surface.normals.size() ? surface.normals[i] : glm::vec3(nothing));
+        out.append("coordinates", i < surface.texture_coordinates.size() ? surface.texture_coordinates[i] : glm::vec2(nothing));
+    }
+}
+
+/// Everything: also how many, and the triangles in any order and begun anywhere.
+void record_whole(Recorder& out, const Profile& profile, std::uint32_t copies)
+{
+    const TexturedMesh surface = revolve(profile, copies);
+    record_vertices(out, surface, all_places(profile, copies));
+    const auto size = [](const auto& list) { return static_cast<float>(list.size()); };
+    out.append("triangles",
+               std::vector<float>{-1, size(surface.mesh.positions), size(surface.mesh.triangles), size(surface.normals) + size(surface.texture_coordinates)});
+    record_indices(out, "triangles", 1, surface.mesh.triangles, 2 * profile.size() * copies);
+}
+
+/// The first and the last copy, which must lie in the same place to the last bit.
+void record_seam(Recorder& out, const Profile& profile, std::uint32_t copies)
+{
+    const TexturedMesh surface = revolve(profile, copies);
+    Places places;
+    for (std::size_t j = 0; j < profile.size(); ++j) places.insert(places.end(), {j, profile.size() * (copies - 1) + j});
+    record_vertices(out, surface, places);
+}
+
+void record_many(Random& random, Recorder& out)
+{
+    // Very many copies, of which some are looked at: where errors that add up are largest, and at the quarters of the turn.
+    for (const std::uint32_t copies : {1001U, 10'001U, 65'537U}) {
+        const TexturedMesh surface = revolve(Profile{{1, 0}, {2, 1}}, copies);
+        Places places;
+        for (std::uint32_t k = 0; k < 200; ++k) places.push_back(2 * std::size_t{copies - 1} * k / 200 + random.below(2 * (copies / 256)));
+        for (const std::uint32_t quarter : {1U, 2U, 3U, 4U}) places.push_back(2 * std::size_t{copies - 1} * quarter / 4 + 1);
+        record_vertices(out, surface, places);
+    }
+    for (const std::uint32_t points : {1000U, 10'000U, 50'000U}) {
+        const Profile profile = long_profile(points, random);
+        const TexturedMesh surface = revolve(profile, 4);
+        Places places;
+        for (std::uint32_t k = 0; k < 200; ++k) places.push_back(points + std::size_t{points - 1} * k / 199);
+        record_vertices(out, surface, places);
+    }
+}
+
+/// 1 where a surface came back, 2 where the attempt was refused, 3 where something else was thrown.
+void record_attempts(Recorder& out)
+{
+    for (const Attempt& attempt : attempts()) {
+        float outcome = 1;
+        try {
+            (void)revolve(attempt.profile, attempt.copies);
+        } catch (const std::invalid_argument&) {
+            outcome = 2;
+        } catch (const std::exception&) {
+            outcome = 3;
+        }
+        out.append("outcomes", outcome);
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known",
+     [](Case&, Recorder& out) {
+         record_whole(out, {{2, 0}, {2, 3}, {1, 3}}, 5);
+         record_whole(out, {{0, -1}, {1, 0}, {0, 1}}, 9);
+         record_whole(out, semicircle(7), 13);
+     }},
+    {"profiles",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 25; ++i) record_whole(out, some_profile(c.random), 4 + c.random.below(12));
+     }},
+    {"creases and poles",
+     [](Case&, Recorder& out) {
+         record_whole(out, {{0, 0}, {1, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}}, 6);
+         record_whole(out, {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 3}, {1, 2}}, 8);
+         record_whole(out, {{1, 0}, {2, 0}, {1, 0}}, 5);
+         record_whole(out, pawn(), 7);
+     }},
+    {"seam",
+     [](Case& c, Recorder& out) {
+         for (const std::uint32_t copies : {4U, 5U, 8U, 13U, 50U, 1000U, 4096U}) record_seam(out, some_profile(c.random), copies);
+     }},
+    {"many", [](Case& c, Recorder& out) { record_many(c.random, out); }},
+    {"refused", [](Case&, Recorder& out) { record_attempts(out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("surfaces", picture()); }},
+};
+
+}
