@@ -113,6 +113,7 @@ inline Facet facet(const Landscape& land, std::size_t i, const Onlooker& onlooke
             result.color += vertex.weights[k] * color_of_height(corners[static_cast<std::size_t>(k)].y) / static_cast<float>(polygon.size());
         result.distance += onlooker.distance(point) / static_cast<double>(polygon.size());
     }
+    if (!std::isfinite(result.distance)) result.distance = 0;  // they are sorted by it
     const glm::vec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     result.color *= 0.55F + 0.45F * std::abs(glm::dot(normal, glm::normalize(glm::vec3(0.75F, 0.65F, 0.1F))));
     return result;

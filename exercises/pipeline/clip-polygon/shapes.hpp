@@ -78,7 +78,8 @@ inline void fill(Drawing& drawing, const Polygon& polygon, glm::vec3 color, doub
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const glm::dvec2 a(polygon[i]);
             const glm::dvec2 b(polygon[(i + 1) % polygon.size()]);
-            if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
+            const double x = a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y);
+            if ((a.y > y) != (b.y > y) && std::isfinite(x)) crossings.push_back(x);
         }
         std::sort(crossings.begin(), crossings.end());
         for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) drawing.line({crossings[k], y}, {crossings[k + 1], y}, color, 1);

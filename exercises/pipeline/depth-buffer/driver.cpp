@@ -93,10 +93,11 @@ std::vector<Fragment> random_fragments(Random& random, const Levels& levels, int
     return fragments;
 }
 
-void put(const Grid<float>& from, Grid<float>& into, int column, int row)
+void put(const Grid<float>& result, Grid<float>& into, int column, int row)
 {
-    for (int y = 0; y < std::min(tile, from.height); ++y)
-        for (int x = 0; x < std::min(tile, from.width); ++x) into.at(column * tile + x, row * tile + y) = from.at(x, y);
+    const Grid<float> from = of_size(result, tile, tile);
+    for (int y = 0; y < tile; ++y)
+        for (int x = 0; x < tile; ++x) into.at(column * tile + x, row * tile + y) = from.at(x, y);
 }
 
 // All functions in all states: which fragments are left, and what the buffers hold afterwards.
@@ -123,9 +124,10 @@ void record_tests(Random& random, Recorder& out, int fragments_each)
 
 void record_colors(Recorder& out, const char* name, std::size_t scenario, const Layer& layer)
 {
-    for (int y = 0; y < std::min(tile, layer.colors.height); ++y)
-        for (int x = 0; x < std::min(tile, layer.colors.width); ++x) {
-            const glm::vec3 color = layer.colors.at(x, y);
+    const Grid<glm::vec3> colors = of_size(layer.colors, tile, tile);
+    for (int y = 0; y < tile; ++y)
+        for (int x = 0; x < tile; ++x) {
+            const glm::vec3 color = colors.at(x, y);
             if (color == glm::vec3(0)) continue;
             const std::array row = {static_cast<float>(scenario), static_cast<float>(x), static_cast<float>(y), color.r, color.g, color.b};
             out.append(name, std::span<const float>(row));

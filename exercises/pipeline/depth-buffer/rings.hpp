@@ -11,6 +11,14 @@
 /// The goal picture of pipeline/depth-buffer: two rings, each drawn into a layer of its own, that are linked once the layers are merged.
 namespace umbral::pipeline {
 
+/// The grid, if it still has the size that it was handed out with; else an empty one of that size.
+template <class Cell>
+Grid<Cell> of_size(const Grid<Cell>& grid, int width, int height)
+{
+    Grid<Cell> blank(width, height);
+    return grid.width == width && grid.height == height && grid.cells.size() == blank.cells.size() ? grid : blank;
+}
+
 struct Ring {
     glm::vec3 centre, along, across;  ///< the ring runs from `along` to `across`, unit vectors
     glm::vec3 color;
@@ -64,7 +72,7 @@ inline Layer linked_rings(const DepthState& state, ShadeModel model)
     draw_ring({{-0.24F, 0.08F, 0}, {1, 0, 0}, glm::normalize(glm::vec3(0.1F, 0.9F, -0.45F)), {0.09F, 0.42F, 0.8F}}, state, model, left);
     draw_ring({{0.24F, -0.08F, 0}, {1, 0, 0}, tilt, {0.85F, 0.32F, 0.02F}}, state, model, right);
     merge_layers(state, right, left);
-    return left;
+    return {of_size(left.colors, panel, panel), of_size(left.depths, panel, panel)};
 }
 
 }
