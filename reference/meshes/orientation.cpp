@@ -145,7 +145,8 @@ std::vector<glm::uvec3> outward_triangles(const IndexedMesh& mesh)
 
 IndexedMesh separated(const IndexedMesh& mesh)
 {
-    // Only edges of two triangles hold a group together. So a group at a vertex is a fan or a ring; of an edge's triangles it holds two at most, and all edges become regular.
+    // Only edges of two triangles hold a group together. So a group at a vertex is a fan or a ring; of an edge's triangles it holds two at most, and
+    // all edges become regular.
     Groups corners(3 * mesh.triangles.size());
     for_each_edge(mesh, [&](const std::vector<Side>& sides) {
         if (sides.size() == 2) join_ends(corners, mesh, sides[0], sides[1]);

@@ -10,8 +10,8 @@ ManifoldFaults manifold_faults(const IndexedMesh& mesh)
 
 std::optional<std::vector<glm::uvec3>> coherent_triangles(const IndexedMesh& mesh)
 {
-    // TODO: for each piece, begin at its first triangle and go from neighbour to neighbour. Turn over those that run along the shared edge in the same direction.
-    // If you come to a triangle again and would have to turn it over, there is no coherent winding: return std::nullopt.
+    // TODO: for each piece, begin at its first triangle and go from neighbour to neighbour. Turn over those that run along the shared edge in the
+    // same direction. If you come to a triangle again and would have to turn it over, there is no coherent winding: return std::nullopt.
     return not_implemented<std::optional<std::vector<glm::uvec3>>>(mesh);
 }
 

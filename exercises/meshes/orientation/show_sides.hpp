@@ -52,7 +52,8 @@ inline IndexedMesh pulled_apart(IndexedMesh mesh)
     return mesh;
 }
 
-/// Left: a torus wound at random. Then the same wound coherently; the same looking outwards, after it came out inside out; cubes that touched in edges and a corner.
+/// A torus wound at random; the same wound coherently, but inside out; two balls, one within the other, turned outwards and cut open; cubes that
+/// shared edges, come apart.
 inline Image picture_of_sides(Random& random)
 {
     Show show(4, 1, 170, 190);

@@ -32,16 +32,17 @@ struct ManifoldFaults {
 
 /// The triangles wound so that closed pieces look outwards: seen from outside they are counter-clockwise, and the volume that the piece encloses is positive.
 ///
-/// Neighbours in `mesh` agree already. A piece is closed if each of its triangles has three neighbours. Each closed piece is a body of its own, also one that lies within another one (not a
-/// hollow of it); it is turned over as a whole, or not at all. Pieces that are open, or enclose no volume, stay as they are. In the order of the mesh.
+/// Neighbours in `mesh` agree already. A piece is closed if each of its triangles has three neighbours. Each closed piece is a body of its own, also
+/// one that lies within another one (not a hollow of it); it is turned over as a whole, or not at all. Pieces that are open, or enclose no volume,
+/// stay as they are. In the order of the mesh.
 /// The reference's sign is right if the volume is more than 10⁻¹³ of its bounding box's, wherever the piece lies.
 /// Course: "una cara vista desde el exterior presenta sus vértices en sentido anti-horario".
 [[nodiscard]] std::vector<glm::uvec3> outward_triangles(const IndexedMesh& mesh);
 
 /// The same surface as a 2-manifold (but for lonely vertices, which stay): vertices are doubled, never moved.
 ///
-/// At each vertex, triangles hang together over neighbours that share an edge with this vertex; one such group keeps the vertex, and each other one gets a copy of its own,
-/// in the same place. Copies come after all old vertices, in any order; triangles keep their order, winding and first corner.
+/// At each vertex, triangles hang together over neighbours that share an edge with this vertex; one such group keeps the vertex, and each other one
+/// gets a copy of its own, in the same place. Copies come after all old vertices, in any order; triangles keep their order, winding and first corner.
 /// Course: "conversión en 2-variedad": two cones with one apex, two cubes with one edge.
 [[nodiscard]] IndexedMesh separated(const IndexedMesh& mesh);
 
