@@ -172,9 +172,10 @@ Fragment shaded(const std::array<WindowVertex, 3>& triangle, double inverse_area
 void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height, std::vector<Fragment>& fragments)
 {
     const Setup setup = set_up(triangle, {{0, width - 1}, {0, height - 1}});
-    const auto& [a, b, c] = setup.edges;
+    const std::array<Edge, 3>& edges = setup.edges;
     for_each_run(setup, [&](int y, int first, int last) {
-        for (int x = first; x <= last; ++x) fragments.push_back(shaded(triangle, setup.inverse_area, glm::dvec3(a.at(x, y), b.at(x, y), c.at(x, y)), x, y));
+        for (int x = first; x <= last; ++x)
+            fragments.push_back(shaded(triangle, setup.inverse_area, glm::dvec3(edges[0].at(x, y), edges[1].at(x, y), edges[2].at(x, y)), x, y));
     });
 }
 

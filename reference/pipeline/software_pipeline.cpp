@@ -60,7 +60,8 @@ void line(const Corner& a, const Corner& b, std::vector<Fragment>& fragments)
     const int minor = 1 - major;
     const double low = std::min(from[major], from[major] + along[major]);
     const double high = std::max(from[major], from[major] + along[major]);
-    for (double centre = std::ceil(low - 0.5) + 0.5; centre < high; ++centre) {
+    for (int i = static_cast<int>(std::ceil(low - 0.5)); i + 0.5 < high; ++i) {
+        const double centre = i + 0.5;
         const double t = (centre - from[major]) / along[major];
         glm::dvec2 place(centre);
         place[minor] = from[minor] + (centre - from[major]) * along[minor] / along[major];
