@@ -2,7 +2,7 @@
 
 // The one rasteriser: what a unit hands in is a single file, so the unit's reference is read here as a header. Exactly one file of a
 // program may include this one, and takes the place of the unit's object file there.
-#include "pipeline/rasterize_triangle.cpp"
+#include "pipeline/rasterize_triangle.cpp"  // NOLINT(bugprone-suspicious-include)
 #include "render/lanes.hpp"
 
 namespace umbral::render {
