@@ -88,6 +88,7 @@ Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sour
     if (!compilation.library) {
         built.verdict = Verdict::compile_error;
         built.message = compilation.diagnostics;
+        built.repeatable = !compilation.out_of_time;
         return built;
     }
     std::set<std::string> offered;
@@ -124,7 +125,8 @@ Built build(const Toolchain& tools, const Exercise& exercise, const Sources& fil
         built = *std::move(result);
     } else {
         const ScratchFolder work(tools.cache);
-        built = keep(compile_fresh(tools, exercise, files, work.path()), work.path(), folder);
+        built = compile_fresh(tools, exercise, files, work.path());
+        if (built.repeatable) built = keep(built, work.path(), folder);
     }
     built.sources = texts_of(files);
     return built;

@@ -16,10 +16,11 @@ struct Built {
     std::string message;                      ///< diagnostics for the student
     std::filesystem::path library;            ///< empty for a unit without C++, or if not ok
     Sources sources;                          ///< the texts that are not C++, for the run
+    bool repeatable = true;                   ///< would it come out so again? Not if the compiler ran out of time
 };
 
 /// Turns a unit's files into a library that defines the unit and can override nothing else. Results, also bad ones, are kept by
-/// content: the same files, flags and headers are compiled once. Several threads and processes may build at the same time.
+/// content, if they are repeatable: the same files, flags and headers are compiled once. Several threads and processes may build at the same time.
 /// Throws std::runtime_error only for faults of the grader's.
 [[nodiscard]] Built build(const Toolchain& tools, const Exercise& exercise, const Sources& files);
 

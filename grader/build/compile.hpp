@@ -13,6 +13,7 @@ namespace umbral::grader {
 struct Compilation {
     std::optional<std::filesystem::path> library;  ///< empty if the compiler or the linker refused
     std::string diagnostics;                       ///< the first errors, with the student's own file names
+    bool out_of_time = false;                      ///< the compiler was stopped: on a less busy machine it might not be
 };
 
 /// Writes `files` into the empty folder `work` and makes `work/student.so` of its .cpp files, in confinement: the compiler sees the

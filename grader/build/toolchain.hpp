@@ -17,6 +17,7 @@ struct Toolchain {
     std::filesystem::path cache;           ///< built submissions, by content
     std::string compiler;
     std::vector<std::string> flags;
+    double compile_seconds = 30;  ///< wall clock; then the compiler is stopped
 };
 
 /// The folder in `units` of a unit's built libraries.

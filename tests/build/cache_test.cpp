@@ -55,6 +55,17 @@ TEST_F(Cache, errors_are_kept_as_well)
     EXPECT_EQ(second.message, first.message);
 }
 
+TEST_F(Cache, a_busy_moment_is_not_kept)
+{
+    Toolchain tools = bench.tools();
+    tools.compile_seconds = 0.02;
+    const Built stopped = build(tools, bench.exercise("raytracing/sphere"), {{"sphere.cpp", text}});
+    EXPECT_EQ(to_string(stopped.verdict), "compile_error");
+    EXPECT_NE(stopped.message.find("was stopped after 0.02 s"), std::string::npos) << stopped.message;
+    EXPECT_EQ(entries(), 0U);
+    EXPECT_EQ(to_string(built().verdict), "ok");
+}
+
 TEST_F(Cache, another_text_flag_or_name_is_another_build)
 {
     const Built first = built();

@@ -26,7 +26,7 @@ struct LineSegment {
 /// that point twice; a point (from = to) is in it or not. Nothing comes of numbers that are NaN or infinite.
 /// Guarantee of the reference: the reversed segment gives the same ends, bit by bit. For coordinates up to 2^20 times the window's, new ends
 /// are within one ulp of its largest coordinate, and hit or miss is right if the line passes every corner by 2^-24 of one ulp or more.
-/// Course: Cohen-Sutherland (S2 818-822).
+/// Course: Cohen-Sutherland.
 [[nodiscard]] std::optional<LineSegment> clip_segment(const ClipWindow& window, const LineSegment& segment);
 
 }

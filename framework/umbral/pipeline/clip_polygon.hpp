@@ -15,7 +15,7 @@ namespace umbral::pipeline {
 /// No corner comes twice in a row. Nothing comes of fewer than three corners, before or after, nor of NaN or infinity.
 /// Guarantee of the reference: corners are within one ulp of the largest coordinate, of the polygon or the window, as long as these are not
 /// more than 2^20 times as large as what is left.
-/// Course: Sutherland-Hodgman (S2 826-835; its "problems with convex polygons" are those with concave ones).
+/// Course: Sutherland-Hodgman (its "problems with convex polygons" are those with concave ones).
 [[nodiscard]] std::vector<glm::vec2> clip_polygon(const std::vector<glm::vec2>& polygon, const std::vector<glm::vec2>& window);
 
 }

@@ -49,12 +49,12 @@ struct Layer {
 void test_depth(const DepthState& state, std::vector<Fragment>& fragments, Grid<float>& depths);
 
 /// Tests the fragments of a triangle whose vertices have these colours, and writes the colour of those that pass; depths as `test_depth` does.
-/// Course: Z-buffer (S2 60-86, S4 241-255, A-140, A-141); glShadeModel.
+/// Course: Z-buffer, glDepthFunc, glShadeModel.
 void draw_fragments(const DepthState& state, ShadeModel model, const std::array<glm::vec3, 3>& colors, const std::vector<Fragment>& fragments, Layer& target);
 
 /// Mixes two pictures by depth: colour and depth of `source` replace those of `target` in each pixel where they pass `state`'s test;
 /// as if all of `source` had been drawn once more. Layers have equal sizes; throws std::invalid_argument if not.
-/// Course: "the Z-buffer can be used to mix images" (S2 58).
+/// Course: "the Z-buffer can be used to mix images".
 void merge_layers(const DepthState& state, const Layer& source, Layer& target);
 
 }

@@ -40,7 +40,7 @@ struct DepthRange {
 /// d + gap differ by no more than a step of b bits, 1 / (2^bits - 1). Nothing if that distance is beyond far_plane - gap. gap > 0.
 ///
 /// Reversed or not is the same for whole-numbered codes. Guarantee of the reference: a relative error below 1e-15.
-/// Course of all of this: S4 260-291; its z_eye lacks the sign, and its codes are cut off instead of rounded.
+/// Course of all of this: precision of the Z-buffer; its z_eye lacks the sign, and its codes are cut off instead of rounded.
 [[nodiscard]] std::optional<double> fighting_distance(const DepthRange& range, int bits, double gap);
 
 }

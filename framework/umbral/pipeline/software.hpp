@@ -54,7 +54,7 @@ struct PipelineState {
 /// Indices are less than the number of vertices; triangles with NaN or infinity draw nothing. The layer's two grids have one size.
 /// Guarantee of the reference: every stage as exact as its unit's; two triangles that share a side leave no pixel out and draw none twice
 /// (`fill`), also where they are clipped.
-/// Course: the pipeline (S2, A-030 … A-032), S0:5971-5978, viewport S0:6744-6800, polygon modes and culling.
+/// Course: the stages of the pipeline, viewport transformation, face culling, polygon modes.
 void draw_triangles(const PipelineState& state, std::span<const ColoredVertex> vertices, std::span<const glm::uvec3> triangles, Layer& target);
 
 }
