@@ -29,7 +29,7 @@ struct Fragment {
 /// Both orientations are drawn. Triangles without area give nothing; neither do those with a NaN in any number, with an inverse_w that is
 /// not positive, or with a position beyond the guard band [-16384, 16384]. `width` and `height` are at most 16384, too.
 /// Guarantee of the reference: coverage is exact, in integers; weights and depth are off by less than one ulp.
-/// Course: rasterisation, ("pixels whose centre the primitive covers"; it leaves ties open), interpolation of attributes.
+/// Course: rasterisation ("pixels whose centre the primitive covers"; it leaves ties open), interpolation of attributes.
 void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height, std::vector<Fragment>& fragments);
 
 }
