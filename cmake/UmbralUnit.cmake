@@ -116,6 +116,7 @@ function(umbral_add_unit unit)
   if(EXISTS ${reference}_oracle.cpp)
     umbral_unit_library(oracle-library-${id} ${folder} oracle ${reference}_oracle.cpp)
     target_link_libraries(oracle-library-${id} PRIVATE umbral-warnings)
+    target_include_directories(oracle-library-${id} PRIVATE ${PROJECT_SOURCE_DIR}/reference)
     add_dependencies(unit-${id} oracle-library-${id})
   endif()
 

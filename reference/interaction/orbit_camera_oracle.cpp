@@ -4,13 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "wide.hpp"
+
 // Angles summed in 113 bits and never wrapped, the matrix with 64 bits and the other way round: first where the camera stands, then its axes
 // by cross products. So an error of the reference shows in how it counts as well as in how it writes the matrix down.
 
 namespace umbral::interaction {
 namespace {
 
-using Wide = __float128;
 using Long = long double;
 using LongVector = glm::vec<3, Long>;
 

@@ -1,17 +1,12 @@
 #include <cmath>
 #include <umbral/meshes/area.hpp>
 
-// Cross products and sums with 113 bits, rounded to float once. Lengths are roots with 64 bits or more: sums of squares cancel nothing. Where the compiler has no
-// __float128 (arm64), long double is as wide.
+#include "wide.hpp"
+
+// Cross products and sums with 113 bits, rounded to float once. Lengths are roots with 64 bits or more: sums of squares cancel nothing.
 
 namespace umbral::meshes {
 namespace {
-
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 
 bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 

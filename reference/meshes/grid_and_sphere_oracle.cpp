@@ -2,19 +2,14 @@
 #include <numbers>
 #include <umbral/meshes/builders.hpp>
 
+#include "wide.hpp"
+
 // Positions with at least 64 bits, rounded to float once; triangles by walking round each vertex's lower left cell; voxels with 113 bits.
 
 namespace umbral::meshes {
 namespace {
 
-using Wide = long double;
-constexpr Wide pi = std::numbers::pi_v<Wide>;
-
-#ifdef __SIZEOF_FLOAT128__
-using Widest = __float128;
-#else
-using Widest = long double;
-#endif
+constexpr long double pi = std::numbers::pi_v<long double>;
 
 }
 
@@ -24,7 +19,8 @@ IndexedMesh make_grid(std::uint32_t columns, std::uint32_t rows)
     if (columns == 0 || rows == 0) return mesh;
     const std::uint32_t across = columns + 1;
     for (std::uint32_t i = 0; i < across * (rows + 1); ++i) {
-        mesh.positions.emplace_back(Wide(i % across) / Wide(columns), Wide(i / across) / Wide(rows), 0);
+        mesh.positions.emplace_back(static_cast<long double>(i % across) / static_cast<long double>(columns),
+                                    static_cast<long double>(i / across) / static_cast<long double>(rows), 0);
         if (i % across == 0 || i < across) continue;
         mesh.triangles.emplace_back(i - across - 1, i - across, i);
         mesh.triangles.emplace_back(i - 1, i - across - 1, i);
@@ -38,10 +34,11 @@ IndexedMesh make_sphere(std::uint32_t slices, std::uint32_t stacks)
     if (slices < 3 || stacks < 2) return mesh;
     const std::uint32_t south = slices * (stacks - 1) + 1;
     for (std::uint32_t i = 0; i <= south; ++i) {
-        const Wide latitude = i == 0 ? 0 : pi * Wide((i - 1) / slices + 1) / Wide(stacks);
-        const Wide longitude = 2 * pi * Wide((i - 1) % slices) / Wide(slices);
-        const Wide width = i == 0 || i == south ? 0 : std::sin(latitude) / 2;
-        mesh.positions.emplace_back(width * std::sin(longitude), i == south ? Wide(-0.5) : std::cos(latitude) / 2, width * std::cos(longitude));
+        const long double latitude = i == 0 ? 0 : pi * static_cast<long double>((i - 1) / slices + 1) / static_cast<long double>(stacks);
+        const long double longitude = 2 * pi * static_cast<long double>((i - 1) % slices) / static_cast<long double>(slices);
+        const long double width = i == 0 || i == south ? 0 : std::sin(latitude) / 2;
+        mesh.positions.emplace_back(width * std::sin(longitude), i == south ? static_cast<long double>(-0.5) : std::cos(latitude) / 2,
+                                    width * std::cos(longitude));
     }
     for (std::uint32_t i = 1; i < south; ++i) {
         const std::uint32_t east = i % slices == 0 ? i + 1 - slices : i + 1;
@@ -58,12 +55,12 @@ IndexedMesh make_sphere(std::uint32_t slices, std::uint32_t stacks)
 
 bool voxel_is_inside(std::uint32_t k, const glm::uvec3& cell)
 {
-    Widest square = 0;
+    Wide square = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const Widest distance = Widest(cell[axis]) + Widest(0.5) - Widest(k) / 2;
+        const Wide distance = Wide(cell[axis]) + Wide(0.5) - Wide(k) / 2;
         square += distance * distance;
     }
-    return square <= Widest(k) * Widest(k) / 4;
+    return square <= Wide(k) * Wide(k) / 4;
 }
 
 std::vector<std::uint8_t> make_voxel_sphere(std::uint32_t k)

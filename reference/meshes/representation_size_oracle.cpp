@@ -1,16 +1,12 @@
 #include <umbral/meshes/sizes.hpp>
 
+#include "wide.hpp"
+
 // The formulas multiplied out, with 113 bits, in which every number of 64 bits and every sum of them is exact; the crossover by halving an interval.
-// Where the compiler has no __float128 (arm64), long double is as wide.
+//
 
 namespace umbral::meshes {
 namespace {
-
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 
 std::uint64_t whole(Wide value) { return static_cast<std::uint64_t>(value); }
 

@@ -2,28 +2,17 @@
 #include <numbers>
 #include <umbral/meshes/revolution.hpp>
 
+#include "wide.hpp"
+
 // The definition with 64 bits and more, rounded to float once. Cosine and sine of a fraction of a turn come from the series of the angle in its octant,
 // in __float128; where the compiler has none (arm64), long double is as wide. Square roots by one step of Newton from long double.
 
 namespace umbral::meshes {
 namespace {
 
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
-
 struct WideVector {
     Wide x, y;
 };
-
-Wide square_root(Wide square)
-{
-    if (!(square > 0)) return 0;
-    const Wide estimate = std::sqrt(static_cast<long double>(square));
-    return (estimate + square / estimate) / 2;
-}
 
 /// π with 113 bits, as the sum of two long doubles.
 Wide pi() { return Wide(3.14159265358979323851280895940618620443274267017841339111328125L) - Wide(5.01655761266833202355732708033075701383156167e-20L); }
@@ -60,7 +49,11 @@ WideVector direction(std::uint64_t i, std::uint64_t n)
 }
 
 WideVector stretch(const glm::vec2& from, const glm::vec2& to) { return {Wide(to.x) - Wide(from.x), Wide(to.y) - Wide(from.y)}; }
-Wide length(const WideVector& v) { return square_root(v.x * v.x + v.y * v.y); }
+Wide length(const WideVector& v)
+{
+    const Wide square = v.x * v.x + v.y * v.y;
+    return square > 0 ? square_root(square) : 0;
+}
 
 WideVector normal_at(std::span<const glm::vec2> profile, std::size_t j)
 {

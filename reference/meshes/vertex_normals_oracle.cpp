@@ -1,18 +1,13 @@
 #include <cmath>
 #include <umbral/meshes/normals.hpp>
 
-// The definition with 113 bits, rounded to float once: sums, products and normals alike. Where the compiler has no __float128 (arm64),
-// long double is as wide. Each vertex collects the normals of its triangles from a list, instead of triangles giving theirs away: another
-// way to the same sums.
+#include "wide.hpp"
+
+// The definition with 113 bits, rounded to float once: sums, products and normals alike. Each vertex collects the normals of its triangles
+// from a list, instead of triangles giving theirs away: another way to the same sums.
 
 namespace umbral::meshes {
 namespace {
-
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 
 struct WideVector {
     Wide x, y, z;
@@ -25,14 +20,11 @@ WideVector operator/(const WideVector& v, Wide divisor) { return {v.x / divisor,
 Wide dot(const WideVector& a, const WideVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 glm::vec3 rounded(const WideVector& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
-// One step of Newton's method doubles the right digits of the estimate (from 64 to all 113 bits). Squares of lengths of floats' cross
-// products lie between 1e-180 and 1e155.
+// Squares of lengths of floats' cross products lie between 1e-180 and 1e155.
 Wide length(const WideVector& v)
 {
     const Wide square = dot(v, v);
-    if (!(square > 0)) return 0;
-    const Wide estimate = std::sqrt(static_cast<long double>(square));
-    return (estimate + square / estimate) / 2;
+    return square > 0 ? square_root(square) : 0;
 }
 
 bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }

@@ -1,17 +1,13 @@
 #include <cmath>
 #include <umbral/pipeline/clip.hpp>
 
+#include "wide.hpp"
+
 // Corners as weights with 113 bits; the distances to all six planes are linear in them. Positions are made from weights at the end, and
-// everything is rounded to float once. Where the compiler has no __float128 (arm64), long double is as wide.
+// everything is rounded to float once.
 
 namespace umbral::pipeline {
 namespace {
-
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 
 // A point of the triangle, and the planes that it was put on.
 struct Point {

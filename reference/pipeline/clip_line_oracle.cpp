@@ -1,17 +1,13 @@
 #include <cmath>
 #include <umbral/pipeline/clip_line.hpp>
 
+#include "wide.hpp"
+
 // Parameters instead of region codes (Liang and Barsky), with 113 bits: coordinates up to a million times the window's are exact, and so are
-// all comparisons, which need no division. New ends are rounded to float once. Where the compiler has no __float128 (arm64), long double is as wide.
+// all comparisons, which need no division. New ends are rounded to float once.
 
 namespace umbral::pipeline {
 namespace {
-
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 
 // A parameter on the segment as a fraction with a positive denominator, and the border that it belongs to.
 struct Place {

@@ -1,17 +1,13 @@
 #include <cmath>
 #include <umbral/pipeline/clip_polygon.hpp>
 
+#include "wide.hpp"
+
 // The polygon passes all sides of the window at once, corner by corner, as in the paper's reentrant form: each stage remembers its first and its
-// last corner only. 113 bits, rounded to float once. Where the compiler has no __float128 (arm64), long double is as wide.
+// last corner only. 113 bits, rounded to float once.
 
 namespace umbral::pipeline {
 namespace {
-
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 
 struct Point {
     Wide x, y;

@@ -1,17 +1,12 @@
 #include <cmath>
 #include <umbral/pipeline/depth_precision.hpp>
 
-// From the entries of the projection matrix, with 113 bits, rounded to double once. Where the compiler has no __float128 (arm64), long double is
-// as wide.
+#include "wide.hpp"
+
+// From the entries of the projection matrix, with 113 bits, rounded to double once.
 
 namespace umbral::pipeline {
 namespace {
-
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 
 // z_clip = scale * z_eye + shift, w = -z_eye; their limits for a far plane at infinity.
 struct Projection {
@@ -44,13 +39,6 @@ Wide depth_of(const DepthRange& range, double z_eye)
 }
 
 Wide last_code(int bits) { return Wide((std::uint64_t{1} << bits) - 1); }
-
-Wide root(Wide square)
-{
-    Wide guess = std::sqrt(static_cast<double>(square));
-    for (int i = 0; i < 3; ++i) guess = (guess + square / guess) / 2;
-    return guess;
-}
 
 }
 
@@ -88,7 +76,7 @@ std::optional<double> fighting_distance(const DepthRange& range, int bits, doubl
 {
     const Wide product = -projection(range).shift / 2 * Wide(gap) * last_code(bits);
     const Wide half = Wide(gap) / 2;
-    const Wide distance = product / (half + root(half * half + product));
+    const Wide distance = product / (half + square_root(half * half + product));
     const double first = distance < Wide(range.near_plane) ? range.near_plane : static_cast<double>(distance);
     if (first > range.far_plane - gap) return std::nullopt;
     return first;

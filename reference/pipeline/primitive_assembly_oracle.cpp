@@ -1,17 +1,13 @@
 #include <array>
 #include <umbral/pipeline/assembly.hpp>
 
+#include "wide.hpp"
+
 // The same by tables: how far it is from a primitive to the next one, and which vertices from there make it. Areas by the shoelace formula with 113 bits,
 // where products and sums of floats of a window's size are exact; long double is as wide where the compiler has no __float128 (arm64).
 
 namespace umbral::pipeline {
 namespace {
-
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 
 struct Recipe {
     std::size_t step;

@@ -1,17 +1,13 @@
 #include <cmath>
 #include <umbral/pipeline/rasterize.hpp>
 
+#include "wide.hpp"
+
 // Every pixel of the bounding box for itself: coverage with 128-bit integers, weights and depth with 113 bits, rounded to float once.
-// Where the compiler has no __float128 (arm64), long double is as wide.
 
 namespace umbral::pipeline {
 namespace {
 
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 __extension__ using Whole = __int128;
 
 // In 1/512 pixel, so that positions and centres are whole.

@@ -2,17 +2,13 @@
 
 #include <cmath>
 
-// The school formula with 113 bits, rounded to float once. Where the compiler has no __float128 (arm64), long double is as wide.
+#include "wide.hpp"
+
+// The school formula with 113 bits, rounded to float once.
 // Products of floats are exact here, and so is the discriminant but for its last few of 113 bits.
 
 namespace umbral::raytracing {
 namespace {
-
-#ifdef __SIZEOF_FLOAT128__
-using Wide = __float128;
-#else
-using Wide = long double;
-#endif
 
 struct WideVector {
     Wide x, y, z;
@@ -21,14 +17,6 @@ struct WideVector {
 WideVector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 WideVector operator-(const WideVector& a, const WideVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Wide dot(const WideVector& a, const WideVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-// One step of Newton's method doubles the right digits of the estimate (from 64 to all 113 bits).
-Wide square_root(Wide value)
-{
-    if (value <= 0) return 0;
-    const Wide estimate = std::sqrt(static_cast<long double>(value));
-    return (estimate + value / estimate) / 2;
-}
 
 }
 

@@ -2,29 +2,22 @@
 #include <cmath>
 #include <umbral/transforms/about_a_point.hpp>
 
+#include "wide.hpp"
+
 // In __float128 but for the sine and the cosine, which have 64 bits; rounded to float once. Images of points instead of products of matrices.
 
 namespace umbral::transforms {
 namespace {
 
-using Quad = __float128;
-using Vector = std::array<Quad, 3>;
+using Vector = std::array<Wide, 3>;
 
 Vector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-Quad dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Wide dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vector cross(const Vector& a, const Vector& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
-Vector sum(const Vector& a, Quad factor, const Vector& b) { return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]}; }
+Vector sum(const Vector& a, Wide factor, const Vector& b) { return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]}; }
 bool is_null(const Vector& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
-// The root in double, and two steps of Newton's method.
-Quad root(Quad square)
-{
-    Quad r = std::sqrt(static_cast<double>(square));
-    for (int i = 0; i < 2; ++i) r = (r + square / r) / 2;
-    return r;
-}
-
-Vector unit(const Vector& v) { return sum({0, 0, 0}, 1 / root(dot(v, v)), v); }
+Vector unit(const Vector& v) { return sum({0, 0, 0}, 1 / square_root(dot(v, v)), v); }
 
 /// `moves(p)` is how far a point at p from the centre goes.
 template <class Moves>
@@ -57,8 +50,8 @@ glm::mat4 rotation_about_point(const glm::vec3& centre, const AxisAngle& turn)
     const bool finite = std::isfinite(turn.axis.x) && std::isfinite(turn.axis.y) && std::isfinite(turn.axis.z) && std::isfinite(turn.angle);
     if (is_null(widened(turn.axis)) || !finite) return glm::mat4(1);
     const Vector e = unit(widened(turn.axis));
-    const Quad sine = std::sin(static_cast<long double>(turn.angle));
-    const Quad half = std::sin(static_cast<long double>(turn.angle) / 2);
+    const Wide sine = std::sin(static_cast<long double>(turn.angle));
+    const Wide half = std::sin(static_cast<long double>(turn.angle) / 2);
     return about(centre, [&](const Vector& p) {
         const Vector aside = cross(e, p);
         return sum(sum({0, 0, 0}, sine, aside), 2 * half * half, cross(e, aside));
@@ -93,7 +86,7 @@ glm::mat4 alignment(const glm::vec3& from, const glm::vec3& to)
     const Vector v = widened(to);
     if (is_null(u) || is_null(v)) return glm::mat4(1);
     const Vector normal = cross(u, v);
-    const Quad size = root(dot(u, u) * dot(v, v));
+    const Wide size = square_root(dot(u, u) * dot(v, v));
     if (is_null(normal)) {
         if (dot(u, v) > 0) return glm::mat4(1);
         std::size_t smallest = 0;
@@ -104,8 +97,8 @@ glm::mat4 alignment(const glm::vec3& from, const glm::vec3& to)
         return about(glm::vec3(0), half_turn(unit(cross(u, axis))));
     }
     const Vector e = unit(normal);
-    const Quad sine = dot(e, normal) / size;
-    const Quad versine = 1 - dot(u, v) / size;
+    const Wide sine = dot(e, normal) / size;
+    const Wide versine = 1 - dot(u, v) / size;
     return about(glm::vec3(0), [&](const Vector& p) {
         const Vector aside = cross(e, p);
         return sum(sum({0, 0, 0}, sine, aside), versine, cross(e, aside));

@@ -1,22 +1,23 @@
 #include <array>
 #include <umbral/transforms/frames.hpp>
 
+#include "wide.hpp"
+
 // In __float128, by Cramer's rule with cofactors; rounded to float once.
 
 namespace umbral::transforms {
 namespace {
 
-using Quad = __float128;
-using Vector = std::array<Quad, 3>;
+using Vector = std::array<Wide, 3>;
 
 Vector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
-Quad determinant(const Vector& a, const Vector& b, const Vector& c)
+Wide determinant(const Vector& a, const Vector& b, const Vector& c)
 {
     return a[0] * b[1] * c[2] + b[0] * c[1] * a[2] + c[0] * a[1] * b[2] - c[0] * b[1] * a[2] - a[0] * c[1] * b[2] - b[0] * a[1] * c[2];
 }
 
-Quad dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Wide dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// The coordinates of a vector of the world: v = a x + b y + c z.
 glm::vec4 coordinates(const Frame& frame, const Vector& v, float w)
@@ -24,18 +25,18 @@ glm::vec4 coordinates(const Frame& frame, const Vector& v, float w)
     const Vector x = widened(frame.x);
     const Vector y = widened(frame.y);
     const Vector z = widened(frame.z);
-    const Quad all = determinant(x, y, z);
+    const Wide all = determinant(x, y, z);
     return {static_cast<float>(determinant(v, y, z) / all), static_cast<float>(determinant(x, v, z) / all), static_cast<float>(determinant(x, y, v) / all), w};
 }
 
-Vector difference(const glm::vec3& a, const glm::vec3& b) { return {Quad(a.x) - Quad(b.x), Quad(a.y) - Quad(b.y), Quad(a.z) - Quad(b.z)}; }
+Vector difference(const glm::vec3& a, const glm::vec3& b) { return {Wide(a.x) - Wide(b.x), Wide(a.y) - Wide(b.y), Wide(a.z) - Wide(b.z)}; }
 
-Quad size(Quad x) { return x < 0 ? -x : x; }
+Wide size(Wide x) { return x < 0 ? -x : x; }
 
-bool perpendicular(const Vector& a, const Vector& b) { return dot(a, b) * dot(a, b) <= Quad(1e-8) * dot(a, a) * dot(b, b); }
+bool perpendicular(const Vector& a, const Vector& b) { return dot(a, b) * dot(a, b) <= Wide(1e-8) * dot(a, a) * dot(b, b); }
 
 // | |v| - 1 | ≤ 1e-4, of squares.
-bool unit(const Vector& v) { return size(dot(v, v) - Quad(1 + 1e-8)) <= Quad(2e-4); }
+bool unit(const Vector& v) { return size(dot(v, v) - Wide(1 + 1e-8)) <= Wide(2e-4); }
 
 }
 
@@ -72,7 +73,7 @@ glm::mat4 inverse_of_cartesian(const Frame& frame)
 
 int orientation(const Frame& frame)
 {
-    const Quad volume = determinant(widened(frame.x), widened(frame.y), widened(frame.z));
+    const Wide volume = determinant(widened(frame.x), widened(frame.y), widened(frame.z));
     return volume > 0 ? 1 : volume < 0 ? -1 : 0;
 }
 

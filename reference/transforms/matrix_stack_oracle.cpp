@@ -4,13 +4,13 @@
 #include <umbral/transforms/matrix_stack.hpp>
 #include <vector>
 
+#include "wide.hpp"
+
 namespace umbral::transforms {
 namespace {
 
-using Real = __float128;
-
 /// Columns first, as in GLM.
-using Matrix = std::array<std::array<Real, 4>, 4>;
+using Matrix = std::array<std::array<Wide, 4>, 4>;
 
 Matrix exact(const glm::mat4& matrix)
 {
@@ -59,8 +59,8 @@ public:
     [[nodiscard]] glm::mat3 normal_matrix() const override
     {
         const Matrix m = product(view_, model_);
-        Real cofactor[3][3];
-        Real largest = 0;
+        Wide cofactor[3][3];
+        Wide largest = 0;
         for (std::size_t column = 0; column < 3; ++column) {
             const auto& next = m[(column + 1) % 3];
             const auto& last = m[(column + 2) % 3];
@@ -68,11 +68,11 @@ public:
                 const std::size_t below = (row + 1) % 3;
                 const std::size_t above = (row + 2) % 3;
                 cofactor[column][row] = next[below] * last[above] - next[above] * last[below];
-                const Real size = cofactor[column][row] < 0 ? -cofactor[column][row] : cofactor[column][row];
+                const Wide size = cofactor[column][row] < 0 ? -cofactor[column][row] : cofactor[column][row];
                 if (size > largest) largest = size;
             }
         }
-        const Real determinant = m[0][0] * cofactor[0][0] + m[0][1] * cofactor[0][1] + m[0][2] * cofactor[0][2];
+        const Wide determinant = m[0][0] * cofactor[0][0] + m[0][1] * cofactor[0][1] + m[0][2] * cofactor[0][2];
         if (determinant < 0) largest = -largest;
         glm::mat3 result;
         for (int column = 0; column < 3; ++column)

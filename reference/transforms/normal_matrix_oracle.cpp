@@ -2,15 +2,16 @@
 #include <cmath>
 #include <umbral/transforms/normal_matrix.hpp>
 
+#include "wide.hpp"
+
 // Cofactor by cofactor in __float128, which holds a product of three floats exactly; rounded to float once.
 
 namespace umbral::transforms {
 namespace {
 
-using Quad = __float128;
-using Matrix = std::array<std::array<Quad, 3>, 3>;  // by rows
+using Matrix = std::array<std::array<Wide, 3>, 3>;  // by rows
 
-Quad size(Quad x) { return x < 0 ? -x : x; }
+Wide size(Wide x) { return x < 0 ? -x : x; }
 
 Matrix cofactors_outwards(const glm::mat4& model)
 {
@@ -26,10 +27,10 @@ Matrix cofactors_outwards(const glm::mat4& model)
             u[row][column] = next[(column + 1) % 3] * last[(column + 2) % 3] - next[(column + 2) % 3] * last[(column + 1) % 3];
         }
     }
-    const Quad determinant = a[0][0] * u[0][0] + a[0][1] * u[0][1] + a[0][2] * u[0][2];
+    const Wide determinant = a[0][0] * u[0][0] + a[0][1] * u[0][1] + a[0][2] * u[0][2];
     if (determinant < 0)
         for (auto& row : u)
-            for (Quad& entry : row) entry = -entry;
+            for (Wide& entry : row) entry = -entry;
     return u;
 }
 
@@ -38,9 +39,9 @@ Matrix cofactors_outwards(const glm::mat4& model)
 glm::mat3 normal_matrix(const glm::mat4& model)
 {
     const Matrix u = cofactors_outwards(model);
-    Quad largest = 0;
+    Wide largest = 0;
     for (const auto& row : u)
-        for (const Quad entry : row) largest = std::max(largest, size(entry));
+        for (const Wide entry : row) largest = std::max(largest, size(entry));
     glm::mat3 result(0);
     if (largest == 0) return result;
     for (std::size_t row = 0; row < 3; ++row)
@@ -52,17 +53,17 @@ glm::mat3 normal_matrix(const glm::mat4& model)
 glm::vec3 transformed_normal(const glm::mat4& model, const glm::vec3& normal)
 {
     const Matrix u = cofactors_outwards(model);
-    Quad n[3];
-    for (std::size_t row = 0; row < 3; ++row) n[row] = u[row][0] * Quad(normal.x) + u[row][1] * Quad(normal.y) + u[row][2] * Quad(normal.z);
-    const Quad largest = std::max(size(n[0]), std::max(size(n[1]), size(n[2])));
+    Wide n[3];
+    for (std::size_t row = 0; row < 3; ++row) n[row] = u[row][0] * Wide(normal.x) + u[row][1] * Wide(normal.y) + u[row][2] * Wide(normal.z);
+    const Wide largest = std::max(size(n[0]), std::max(size(n[1]), size(n[2])));
     if (largest == 0) return glm::vec3(0);
     long double square = 0;
-    for (Quad& component : n) {
+    for (Wide& component : n) {
         component /= largest;
         square += static_cast<long double>(component * component);
     }
     const long double length = std::sqrt(square);
-    return {static_cast<float>(n[0] / Quad(length)), static_cast<float>(n[1] / Quad(length)), static_cast<float>(n[2] / Quad(length))};
+    return {static_cast<float>(n[0] / Wide(length)), static_cast<float>(n[1] / Wide(length)), static_cast<float>(n[2] / Wide(length))};
 }
 
 }
