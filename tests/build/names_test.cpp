@@ -118,7 +118,7 @@ TEST(Names, the_standard_library_is_allowed)
     text << names[1] << table["pi"] << std::sin(ray.t_min) << std::lround(2.5);
     std::mt19937 engine(7);
     std::function<double()> draw = [&] { return std::uniform_real_distribution<double>(0, 1)(engine); };
-    const std::complex<double> product = std::complex<double>(ray.t_min, 1) * std::complex<double>(1, ray.t_min) / std::complex<float>(2, ray.t_min).real();
+    const std::complex<double> product = std::complex<double>(ray.t_min, 1) * std::complex<double>(1, ray.t_min) / std::complex<double>(2, ray.t_min);
     const __float128 sum = static_cast<__float128>(ray.t_min) * product.real() + 1;
     const unsigned __int128 big = static_cast<unsigned __int128>(table.size()) * table.size() / names.size();
     if (sum < 0 && big % 7 == 8) return static_cast<float>(sum);

@@ -10,10 +10,9 @@ namespace {
 
 Markup card(const CatalogueEntry& entry)
 {
-    // The title beside the picture says what it shows.
     const Markup goal = entry.goal.png.empty() ? Markup("<div class=\"no-goal\"></div>")
-                                               : markup("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"\" loading=\"lazy\">", data_url(entry.goal),
-                                                        entry.goal.width, entry.goal.height);
+                                               : markup("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"What the reference draws for: {}\">",
+                                                        data_url(entry.goal), entry.goal.width, entry.goal.height, entry.title);
     return markup(
         "<article class=\"card\">{}<h3>{}</h3>\n<p class=\"id\">{}</p>\n<p class=\"note\">{} points · {}</p>\n<p class=\"note course\">{}</p></article>\n",
         goal, entry.title, entry.id, points_text(entry.points), entry.checked, fmt::format("{}", fmt::join(entry.course, ", ")));
