@@ -6,14 +6,13 @@
 
 #include "batch/evidence_kinds.hpp"
 #include "judge/tolerance.hpp"
+#include "report/triptych.hpp"
 
 namespace umbral::grader {
 namespace {
 
 /// Of one unit: a fourth would show what the first three have shown. All of them lie in the folder of pictures.
 constexpr int most_pictures = 3;
-
-bool is_picture(const Check& check) { return check.judge == JudgeKind::image || check.judge == JudgeKind::buffer; }
 
 /// "4 ulp, or 1e-06 relative": every bound, since a value is right within any of them.
 std::string bounds_in_words(const Tolerance& tolerance)

@@ -8,8 +8,6 @@
 namespace umbral::grader {
 namespace {
 
-bool is_picture(const Check& check) { return check.judge == JudgeKind::image || check.judge == JudgeKind::buffer; }
-
 std::string file_name(const Exercise& exercise, const Check& check)
 {
     std::string name = exercise.id + "-" + check.name + ".png";

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
-#include <string_view>
+#include <umbral/gl/context.hpp>
 
 #include "cli/config.hpp"
 
@@ -55,7 +55,7 @@ bool is_meant(const Exercise& exercise, std::string name)
 void check_gl_choice()
 {
     const char* const chosen = std::getenv("UMBRAL_GL");
-    if (chosen == nullptr || *chosen == 0 || std::string_view(chosen) == "osmesa" || std::string_view(chosen) == "egl") return;
+    if (chosen == nullptr || *chosen == 0 || gl::backend_named(chosen)) return;
     throw UsageError(fmt::format("UMBRAL_GL is '{}': expected osmesa or egl, or unset the variable", chosen));
 }
 

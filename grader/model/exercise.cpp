@@ -25,10 +25,10 @@ std::string digest_of(const Exercise& exercise)
     for (const char* name : {"exercise.json", "driver.cpp"}) files.push_back({name, exercise.folder / name});
     // Headers that the driver may include: its own, its topic's, those of all topics.
     const std::filesystem::path topic = exercise.folder.parent_path();
-    for (const std::filesystem::path& folder : {exercise.folder, topic, topic.parent_path()})
+    const std::pair<const char*, std::filesystem::path> folders[] = {{"./", exercise.folder}, {"../", topic}, {"../../", topic.parent_path()}};
+    for (const auto& [where, folder] : folders)
         for (const auto& entry : std::filesystem::directory_iterator(folder))
-            if (entry.path().extension() == ".hpp" && entry.is_regular_file())
-                files.push_back({(std::filesystem::relative(folder, topic.parent_path()) / entry.path().filename()).generic_string(), entry.path()});
+            if (entry.path().extension() == ".hpp" && entry.is_regular_file()) files.push_back({where + entry.path().filename().string(), entry.path()});
     return sha256_of_files(std::move(files));
 }
 

@@ -8,6 +8,9 @@
 
 namespace umbral::grader {
 
+/// Is what the check looks at a picture or a buffer, which to_image can show?
+[[nodiscard]] inline bool is_picture(const Check& check) { return check.judge == JudgeKind::image || check.judge == JudgeKind::buffer; }
+
 /// A recorded picture or buffer as people can look at it.
 ///
 /// Bytes of 1, 3 or 4 channels as they are (one is grey); floats linearly so that check.range_low is black and range_high white (one

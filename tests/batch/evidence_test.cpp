@@ -6,22 +6,14 @@
 
 #include "batch/evidence.hpp"
 #include "batch/evidence_kinds.hpp"
+#include "judge/make.hpp"
 
 namespace umbral::grader {
 namespace {
 
-template <class Value>
-Tensor table(Element element, std::uint32_t components, const std::vector<Value>& values)
-{
-    Tensor tensor{element, static_cast<std::uint32_t>(values.size() / components), 1, components, {}, {}};
-    tensor.bytes.resize(values.size() * sizeof(Value));
-    if (!values.empty()) std::memcpy(tensor.bytes.data(), values.data(), tensor.bytes.size());
-    return tensor;
-}
-
-Tensor floats(std::uint32_t components, const std::vector<float>& values) { return table(Element::float32, components, values); }
-
-Tensor text(const std::string& value) { return table(Element::uint8, 1, std::vector<char>(value.begin(), value.end())); }
+using test::floats;
+using test::table;
+using test::text;
 
 Tensor grey(std::uint32_t width, std::uint32_t height, const std::vector<std::uint8_t>& values)
 {
@@ -52,7 +44,7 @@ bool is_nothing(const html::Evidence& found) { return std::holds_alternative<std
 
 TEST(Evidence, RowsMarkTheComponentsThatDiffer)
 {
-    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), floats(3, {1, 2, 3, 4, 5, 6}), floats(3, {1, 2, 3, 4, 7, 6}));
+    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), floats({1, 2, 3, 4, 5, 6}, 3), floats({1, 2, 3, 4, 7, 6}, 3));
     EXPECT_EQ(rows.rows, 2U);
     EXPECT_EQ(rows.wrong, 1U);
     ASSERT_EQ(rows.first.size(), 1U);
@@ -67,7 +59,7 @@ TEST(Evidence, FirstRowsThenTheWorstOfTheOthers)
     std::vector<float> wrong;
     std::vector<float> right;
     for (int i = 0; i < 100; ++i) right.push_back(100), wrong.push_back(101 + static_cast<float>(i));
-    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), floats(1, wrong), floats(1, right));
+    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), floats(wrong), floats(right));
     EXPECT_EQ(rows.wrong, 100U);
     EXPECT_EQ(rows.first.front().name, "row 0");
     EXPECT_EQ(rows.worst.front().name, "row 99");
@@ -87,8 +79,8 @@ TEST(Evidence, DigitsSufficeToTellNumbersApart)
 
 TEST(Evidence, WhatIsNoNumberOrNotThereIsSaid)
 {
-    Tensor yours = floats(1, {NAN, 2, 3});
-    Tensor expected = floats(1, {1, 2, 3});
+    Tensor yours = floats({NAN, 2, 3});
+    Tensor expected = floats({1, 2, 3});
     yours.present = {1, 0, 1};
     expected.present = {1, 1, 0};
     const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), yours, expected);
@@ -102,8 +94,8 @@ TEST(Evidence, WhatIsNoNumberOrNotThereIsSaid)
 TEST(Evidence, AnotherShapeGivesNoRowsButBothPictures)
 {
     EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind::numbers), {}, {}, false)));
-    const Tensor three = floats(1, {1, 2, 3});
-    const Tensor two = floats(1, {1, 2});
+    const Tensor three = floats({1, 2, 3});
+    const Tensor two = floats({1, 2});
     EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind::numbers), {&three, &two}, {}, false)));
     const auto pictures = evidence<html::PictureEvidence>(check(JudgeKind::image), grey(2, 1, {1, 2}), grey(1, 2, {1, 2}));
     EXPECT_FALSE(pictures.problem.empty());
@@ -188,18 +180,18 @@ TEST(Evidence, AnEndlessTraceIsCutAndSaysSo)
 TEST(Evidence, OneLostEventIsOneLostEvent)
 {
     const Tensor names = text("1 press\n2 drag\n");
-    const auto lines = evidence<html::LinesEvidence>(check(JudgeKind::events), floats(2, {1, 0, 2, 6, 2, 7}), floats(2, {1, 0, 2, 5, 2, 6, 2, 7}), &names);
+    const auto lines = evidence<html::LinesEvidence>(check(JudgeKind::events), floats({1, 0, 2, 6, 2, 7}, 2), floats({1, 0, 2, 5, 2, 6, 2, 7}, 2), &names);
     EXPECT_EQ(lines.missing, 1U);
     EXPECT_EQ(lines.extra + lines.changed, 0U);
     EXPECT_EQ(lines.lines[1].expected, "drag (5)");
     const Tensor none{Element::float32, 0, 0, 1, {}, {}};
-    EXPECT_EQ(evidence<html::LinesEvidence>(check(JudgeKind::events), none, floats(2, {1, 0})).missing, 1U) << "no event at all";
+    EXPECT_EQ(evidence<html::LinesEvidence>(check(JudgeKind::events), none, floats({1, 0}, 2)).missing, 1U) << "no event at all";
 }
 
 TEST(Evidence, FragmentsAreCountedByWhatBecameOfThem)
 {
-    const auto found = evidence<html::FragmentsEvidence>(check(JudgeKind::fragments), floats(4, {0, 1, 1, 5, 0, 2, 1, 9, 0, 7, 7, 1, 0, 1, 1, 5}),
-                                                         floats(4, {0, 1, 1, 5, 0, 2, 1, 6, 0, 3, 1, 6}));
+    const auto found = evidence<html::FragmentsEvidence>(check(JudgeKind::fragments), floats({0, 1, 1, 5, 0, 2, 1, 9, 0, 7, 7, 1, 0, 1, 1, 5}, 4),
+                                                         floats({0, 1, 1, 5, 0, 2, 1, 6, 0, 3, 1, 6}, 4));
     EXPECT_EQ(found.right, 1U);
     EXPECT_EQ(found.changed, 1U);
     EXPECT_EQ(found.missing, 1U);
@@ -212,7 +204,7 @@ TEST(Evidence, FragmentsAreCountedByWhatBecameOfThem)
 TEST(Evidence, FragmentsFarAwayTakeNoMemory)
 {
     const auto found =
-        evidence<html::FragmentsEvidence>(check(JudgeKind::fragments), floats(3, {0, 1e9F, -1e9F, NAN, INFINITY, 1}), floats(3, {0, -1e9F, 1e9F, 0, 1e9F, 0}));
+        evidence<html::FragmentsEvidence>(check(JudgeKind::fragments), floats({0, 1e9F, -1e9F, NAN, INFINITY, 1}, 3), floats({0, -1e9F, 1e9F, 0, 1e9F, 0}, 3));
     ASSERT_TRUE(found.picture);
     EXPECT_LE(found.picture->width, 256);
 }

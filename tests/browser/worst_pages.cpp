@@ -6,8 +6,10 @@
 #include <umbral/core/random.hpp>
 #include <vector>
 
+#include "batch/case_results.hpp"
 #include "batch/evidence.hpp"
 #include "judge/judge.hpp"
+#include "judge/make.hpp"
 #include "report/html/pages.hpp"
 
 // Writes pages with evidence of every kind and the worst of texts into a folder, for the browser to try. The evidence is made from
@@ -17,18 +19,9 @@ namespace {
 using namespace umbral;
 using namespace umbral::grader;
 
-template <class Value>
-Tensor table(Element element, std::uint32_t components, const std::vector<Value>& values)
-{
-    Tensor tensor{element, static_cast<std::uint32_t>(values.size() / components), 1, components, {}, {}};
-    tensor.bytes.resize(values.size() * sizeof(Value));
-    if (!values.empty()) std::memcpy(tensor.bytes.data(), values.data(), tensor.bytes.size());
-    return tensor;
-}
-
-Tensor floats(std::uint32_t components, const std::vector<float>& values) { return table(Element::float32, components, values); }
-
-Tensor text(const std::string& value) { return table(Element::uint8, 1, std::vector<char>(value.begin(), value.end())); }
+using test::floats;
+using test::table;
+using test::text;
 
 /// A shaded ball before a chequered ground; `mistake` lights it from the other side and moves it.
 Tensor picture(int width, int height, bool mistake)
@@ -75,7 +68,7 @@ Tensor fragments(bool mistake)
         for (int x = 0; x < 14 - y - (mistake ? 1 : 0); ++x)
             rows.insert(rows.end(), {0, float(x + 4), float(y + 2), mistake && x + y < 3 ? 0.5F : 0.0625F * float(x)});
     if (mistake) rows.insert(rows.end(), {0, 20, 3, 1, 0, 4, 2, 0.5F});
-    return floats(4, rows);
+    return floats(rows, 4);
 }
 
 /// A frame's calls; `mistake` uploads every frame, and draws the old way.
@@ -99,12 +92,7 @@ void add(Scene& scene, Check check, const Tensor& yours, const Tensor& expected,
 {
     check.points = 1000;
     const Judgement judgement = judge(check, yours, expected, nullptr, names);
-    CheckResult result;
-    result.name = check.name;
-    result.kind = check.judge;
-    result.hard = check.hard;
-    result.hidden = check.hidden;
-    result.max_score = check.points;
+    CheckResult result = blank_result(check);
     result.score = points_for(check, judgement.right, 0);
     result.error = judgement.error;
     if (check.hard) result.reference_error = 0.5;
@@ -156,20 +144,20 @@ Scene everything()
         right.push_back(random.uniform(-9, 9));
         wrong.push_back(i % 3 == 0 ? right.back() * 1.25F : i == 40 ? NAN : right.back());
     }
-    add(scene, hard, floats(3, wrong), floats(3, right));
-    add(scene, check("numbers/almost", JudgeKind::numbers), floats(1, {1.0000001F, 2.00001F, 3}), floats(1, {1, 2, 3}));
+    add(scene, hard, floats(wrong, 3), floats(right, 3));
+    add(scene, check("numbers/almost", JudgeKind::numbers), floats({1.0000001F, 2.00001F, 3}), floats({1, 2, 3}));
     std::vector<float> matrix(32);
     for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = random.uniform(-2, 2);
     std::vector<float> transposed = matrix;
     for (std::size_t i = 0; i < 32; ++i) transposed[i] = matrix[i / 16 * 16 + i % 4 * 4 + i % 16 / 4];
-    add(scene, check("view/matrices", JudgeKind::matrices), floats(16, transposed), floats(16, matrix));
+    add(scene, check("view/matrices", JudgeKind::matrices), floats(transposed, 16), floats(matrix, 16));
     add(scene, check("triangle/fragments", JudgeKind::fragments), fragments(true), fragments(false));
     Check trace = check("frame/calls", JudgeKind::trace);
     trace.rules = {"draw calls", "deprecated calls"};
     add(scene, trace, text(calls(true)), text(calls(false)));
     const Tensor names = text("1 press\n2 drag\n3 zoom\n");
-    add(scene, check("mouse/events", JudgeKind::events), floats(3, {1, 10, 20, 2, 11, 20, 2, 12, 20, 3, 0.5F, 0, 3, 2, 0}),
-        floats(3, {1, 10, 20, 2, 11, 20, 2, 13, 20, 2, 14, 20, 3, 2, 0}), &names);
+    add(scene, check("mouse/events", JudgeKind::events), floats({1, 10, 20, 2, 11, 20, 2, 12, 20, 3, 0.5F, 0, 3, 2, 0}, 3),
+        floats({1, 10, 20, 2, 11, 20, 2, 13, 20, 2, 14, 20, 3, 2, 0}, 3), &names);
     std::vector<double> quadratic;
     std::vector<double> linear;
     for (const double size : {10.0, 30.0, 100.0, 300.0, 1000.0}) {
@@ -194,7 +182,7 @@ Scene hostile()
     scene.unit.explanations = {{bad, bad + endless, 0.5}};
     Check named = check(bad + endless, JudgeKind::numbers);
     named.why = endless;
-    add(scene, named, floats(1, {NAN, INFINITY, 1e38F, -1e-38F}), floats(1, {1, 2, 3, 4}));
+    add(scene, named, floats({NAN, INFINITY, 1e38F, -1e-38F}), floats({1, 2, 3, 4}));
     return scene;
 }
 
@@ -205,7 +193,7 @@ Scene right()
     scene.detail.title = "All right";
     scene.unit.verdict = Verdict::ok;
     scene.unit.seconds = scene.unit.reference_seconds = 0.02;
-    add(scene, check("numbers/t", JudgeKind::numbers), floats(1, {1, 2}), floats(1, {1, 2}));
+    add(scene, check("numbers/t", JudgeKind::numbers), floats({1, 2}), floats({1, 2}));
     add(scene, check("picture/colours", JudgeKind::image), picture(256, 256, false), picture(256, 256, false));
     return scene;
 }

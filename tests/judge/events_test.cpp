@@ -11,7 +11,6 @@ namespace {
 
 constexpr float nan_f = std::numeric_limits<float>::quiet_NaN();
 
-Tensor text(const std::string& value) { return table(Element::uint8, 1, std::vector<char>(value.begin(), value.end())); }
 const Tensor& names()
 {
     static const Tensor lines = text("1 press\n2 pan\n3 zoom in\nno line of these\n4\n");

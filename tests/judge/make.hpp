@@ -24,6 +24,9 @@ Tensor table(Element element, std::uint32_t components, const std::vector<Value>
 inline Tensor floats(const std::vector<float>& values, std::uint32_t components = 1) { return table(Element::float32, components, values); }
 inline Tensor doubles(const std::vector<double>& values, std::uint32_t components = 1) { return table(Element::float64, components, values); }
 
+/// What Recorder::text records.
+inline Tensor text(const std::string& value) { return table(Element::uint8, 1, std::vector<char>(value.begin(), value.end())); }
+
 inline Tensor optional_floats(const std::vector<float>& values, const std::vector<std::uint8_t>& present)
 {
     Tensor tensor = floats(values);

@@ -11,8 +11,6 @@
 namespace umbral::grader::test {
 namespace {
 
-Tensor text(const std::string& value) { return table(Element::uint8, 1, std::vector<char>(value.begin(), value.end())); }
-
 // What a frame from buffers looks like: 34962 is GL_ARRAY_BUFFER, 34963 GL_ELEMENT_ARRAY_BUFFER, 5125 GL_UNSIGNED_INT, 5126 GL_FLOAT.
 const std::string first_frame =
     "glGenVertexArrays 1 1\nglBindVertexArray 1\nglGenBuffers 2 1\nglBindBuffer 34962 1\nglBufferData 34962 1536 1 35044 | 1536\n"

@@ -20,8 +20,7 @@ BackendKind default_backend()
 {
     const char* const chosen = std::getenv("UMBRAL_GL");
     if (chosen != nullptr && *chosen != 0) {
-        if (std::string(chosen) == "osmesa") return BackendKind::osmesa;
-        if (std::string(chosen) == "egl") return BackendKind::egl;
+        if (const auto kind = backend_named(chosen)) return *kind;
         throw std::runtime_error("UMBRAL_GL is '" + std::string(chosen) + "': expected osmesa or egl, or unset the variable");
     }
     std::string errors;

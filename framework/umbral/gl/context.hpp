@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace umbral::gl {
 
@@ -10,6 +12,14 @@ enum class BackendKind {
     osmesa,  ///< Mesa's off-screen library; gone from Mesa 25.1 on
     egl,     ///< EGL without display and surface: such a context has no framebuffer of its own
 };
+
+/// The back end of that name, "osmesa" or "egl"; none for any other word.
+[[nodiscard]] inline std::optional<BackendKind> backend_named(std::string_view name)
+{
+    if (name == "osmesa") return BackendKind::osmesa;
+    if (name == "egl") return BackendKind::egl;
+    return std::nullopt;
+}
 
 /// What the environment variable UMBRAL_GL names ("osmesa" or "egl"); where it is not set, OSMesa if it can be loaded, else EGL.
 /// Throws std::runtime_error if the variable holds something else, or if neither can be loaded.
