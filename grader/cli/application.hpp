@@ -59,6 +59,8 @@ void add_grade(CLI::App& parser, Application& application);
 void add_demo(CLI::App& parser, Application& application);
 void add_validate(CLI::App& parser, Application& application);
 void add_bench(CLI::App& parser, Application& application);
+/// Added to the command bench, not to the parser.
+void add_bench_explanations(CLI::App& bench, Application& application);
 void add_doctor(CLI::App& parser, Application& application);
 
 }

@@ -5,13 +5,15 @@
 
 namespace umbral::grader {
 
-// What is measured is the reference, which the grader must not hold: a program of its own, with its own options and its own --help.
+// What needs the reference, which the grader must not hold, is measured by a program of its own, with its own options and its own --help.
 void add_bench(CLI::App& parser, Application& application)
 {
-    CLI::App* command = parser.add_subcommand("bench", "Measures what accuracy costs in time: umbral bench accuracy");
+    CLI::App* command = parser.add_subcommand("bench", "Measures what accuracy costs in time (umbral bench accuracy), and the grader itself (explanations)");
     command->set_help_flag();
     command->prefix_command();
+    add_bench_explanations(*command, application);
     command->callback([&application, command] {
+        if (!command->get_subcommands().empty()) return;
         std::vector<std::string> words = {(application.tools.programs / "umbral-bench").string()};
         for (const std::string& word : command->remaining()) words.push_back(word);
         become(std::move(words), "build the target umbral-bench");

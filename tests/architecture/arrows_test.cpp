@@ -58,7 +58,8 @@ TEST(Arrows, of_the_grader)
                                {"judge", {"model"}},
                                {"report", {"model", "judge"}},
                                {"batch", {"model", "run", "build", "judge", "report"}},
-                               {"cli", {"model", "run", "build", "judge", "report", "batch"}}};
+                               {"calibrate", {"model", "run", "build", "judge", "report", "batch"}},
+                               {"cli", {"model", "run", "build", "judge", "report", "batch", "calibrate"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
         const std::string room = part(include.line.file, 1);
