@@ -56,6 +56,15 @@ Finding expect_all(Workshop& workshop, const Exercise& exercise, const std::stri
     return finding;
 }
 
+/// The checks whose picture came out equal to the expected one: their scenes cannot show what is wrong.
+std::vector<std::string> blind_checks(const UnitResult& result)
+{
+    std::vector<std::string> names;
+    for (const CheckResult& check : result.checks)
+        if (check.kind == JudgeKind::image && check.score == check.max_score && check.error == 0.0) names.push_back(check.name);
+    return names;
+}
+
 Finding expect_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, unsigned seed)
 {
     const UnitResult result = grade_unit(workshop, exercise, {mistake.sources, {}, ""}, options_for(seed));
@@ -67,10 +76,13 @@ Finding expect_mistake(Workshop& workshop, const Exercise& exercise, const Speci
         return finding;
     }
     finding.expected = fmt::format("{:g}..{:g}", mistake.least_credit, mistake.most_credit);
+    finding.blind = blind_checks(result);
     const bool in_range = finding.credit >= mistake.least_credit && finding.credit <= mistake.most_credit && result.score < result.max_score;
     const bool explained = !result.explanations.empty() && result.explanations.front().name == "mistake: " + mistake.name;
     finding.holds = in_range && explained;
-    if (!in_range)
+    if (result.score == result.max_score)
+        finding.message = "no check tells it from the reference: the unit needs a scene or an input that shows it";
+    else if (!in_range)
         finding.message = "credit out of range; " + complaint(result);
     else if (!explained)
         finding.message = result.explanations.empty() ? "not explained" : "explained as " + result.explanations.front().name;

@@ -21,11 +21,13 @@ struct Finding {
     std::string what{};                  ///< a specimen's own words: what is wrong with a mistake, how an alternative differs
     std::string hint{};                  ///< a mistake's, for the student
     std::optional<double> hard_share{};  ///< percent of the points of hard checks, where the unit has some and the subject ran
+    std::vector<std::string> blind{};    ///< of a mistake: checks of pictures on which it draws the expected picture, bit by bit
 };
 
 /// Proves that a unit's checks discriminate, with the inputs of one seed: the reference and every alternative get all
 /// points, the stub, every control and the forger none, every mistake its declared share, told by its own hint; the reference is
-/// within its guarantee of the oracle. Calls `report` with each finding as it is made.
+/// within its guarantee of the oracle. A mistake that no check tells from the reference fails the unit; scenes that cannot show it are
+/// named (Finding::blind). Calls `report` with each finding as it is made.
 void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seed, const std::function<void(const Finding&)>& report);
 
 }

@@ -1,6 +1,7 @@
 #include "batch/validation_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -16,6 +17,7 @@ struct Row {
     double most = 0;
     std::optional<double> hard;  ///< the least
     bool holds = true;
+    std::set<std::string> blind;  ///< checks whose picture was the expected one, with every seed
 };
 
 using Rows = std::map<std::string, Row>;  // by subject
@@ -30,6 +32,8 @@ std::map<std::string, Rows> by_unit(std::span<const Finding> findings)
         row.most = std::max(row.most, finding.credit);
         if (finding.hard_share) row.hard = std::min(*finding.hard_share, row.hard.value_or(100));
         row.holds = row.holds && finding.holds;
+        if (row.first == &finding) row.blind = {finding.blind.begin(), finding.blind.end()};
+        std::erase_if(row.blind, [&](const std::string& check) { return std::ranges::find(finding.blind, check) == finding.blind.end(); });
     }
     return units;
 }
@@ -66,6 +70,17 @@ std::string table_of(const Rows& rows)
     return text;
 }
 
+/// Which scenes cannot show which mistakes: their pictures come out equal.
+std::string blind_lines(const Rows& rows)
+{
+    std::map<std::string, std::vector<std::string>> mistakes;  // by check
+    for (const auto& [subject, row] : rows)
+        for (const std::string& check : row.blind) mistakes[check].push_back(subject.substr(subject.find(": ") + 2));
+    std::string text;
+    for (const auto& [check, names] : mistakes) text += fmt::format("\nThe picture of `{}` cannot show: {}.\n", check, fmt::join(names, ", "));
+    return text;
+}
+
 }
 
 std::string validation_table(std::span<const Finding> findings, std::span<const Exercise> exercises)
@@ -75,13 +90,15 @@ std::string validation_table(std::span<const Finding> findings, std::span<const 
     const auto units = by_unit(findings);
     std::string text = fmt::format(
         "# What each mistake gets\n\nMade by `umbral validate --seeds {} --table FILE`. Credit is a share of the unit's points, from the lowest to the\n"
-        "highest over the seeds; \"hard cases\" is the share of the points of the checks that are judged against the oracle.\n",
+        "highest over the seeds; \"hard cases\" is the share of the points of the checks that are judged against the oracle. Where a\n"
+        "scene cannot show a mistake, so that its picture equals the expected one bit by bit, a line below the table says so; other checks then tell.\n",
         seeds.size());
     for (const Exercise& exercise : exercises) {
         const auto found = units.find(exercise.id);
         if (found == units.end()) continue;
         const auto title = exercise.title.find("en");
         text += fmt::format("\n## {}\n{}\n\n{}", exercise.id, title == exercise.title.end() ? "" : title->second, table_of(found->second));
+        text += blind_lines(found->second);
     }
     return text;
 }

@@ -20,7 +20,7 @@ std::string key_of(const Exercise& exercise, const std::string& who, const std::
 Spawner& Workshop::spawner(bool gl)
 {
     std::unique_ptr<Spawner>& wanted = gl ? gl_ : plain_;
-    if (!wanted) wanted = std::make_unique<Spawner>(tools_.programs / (gl ? "umbral-spawner-gl" : "umbral-spawner"));
+    if (!wanted) wanted = std::make_unique<Spawner>(tools_.programs / (gl ? "umbral-spawner-gl" : "umbral-spawner"), gl_backend_);
     return *wanted;
 }
 

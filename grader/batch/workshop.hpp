@@ -20,7 +20,8 @@ enum class Tenant { reference, oracle };
 /// Not for use by several threads at once.
 class Workshop {
 public:
-    explicit Workshop(Toolchain tools) : tools_(std::move(tools)) {}
+    /// `gl_backend` draws ("osmesa" or "egl"); if it is empty, what UMBRAL_GL holds.
+    explicit Workshop(Toolchain tools, std::string gl_backend = {}) : tools_(std::move(tools)), gl_backend_(std::move(gl_backend)) {}
 
     [[nodiscard]] const Toolchain& tools() const noexcept { return tools_; }
 
@@ -46,6 +47,7 @@ private:
     const RunOutcome& remember(const std::string& key, RunOutcome outcome);
 
     Toolchain tools_;
+    std::string gl_backend_;
     std::unique_ptr<Spawner> plain_;
     std::unique_ptr<Spawner> gl_;
     std::map<std::string, RunOutcome> remembered_;

@@ -62,6 +62,7 @@ void validate(Application& application, const Options& options)
                         {"credit", finding.credit},
                         {"expected", finding.expected},
                         {"message", finding.message},
+                        {"blind", finding.blind},
                         {"hard_share", finding.hard_share ? nlohmann::json(*finding.hard_share) : nlohmann::json()}});
     if (options.json)
         fmt::print("{}\n", nlohmann::json{{"format", "umbral-validation"}, {"version", 1}, {"findings", rows}}.dump(2, ' ', false,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 #include "judge/thresholds.hpp"
 
@@ -72,20 +73,22 @@ void least_difference(const Picture& a, const Picture& b, int y, std::uint8_t* _
         }
 }
 
-// (a): the larger of the two directions decides, so that neither a lost nor an added thin line finds an excuse.
-std::size_t count_edge_errors(const Picture& student, const Picture& expected, const Bytes& difference)
+// (a): 1 for each pixel without a similar one. The larger of the two directions decides, so that neither a lost nor an added thin line
+// finds an excuse.
+Bytes edge_errors(const Picture& student, const Picture& expected, const Bytes& difference)
 {
     const auto width = static_cast<std::size_t>(expected.width);
+    Bytes errors(difference.size(), 0);
     Bytes one(width);
     Bytes other(width);
     Bytes pixel(width);
-    std::size_t errors = 0;
     for (int y = 0; y < expected.height; ++y) {
         const auto start = difference.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * width);
         if (*std::max_element(start, start + static_cast<std::ptrdiff_t>(width)) <= thresholds::edge_levels) continue;
         least_difference(student, expected, y, one.data(), pixel.data());
         least_difference(expected, student, y, other.data(), pixel.data());
-        for (std::size_t x = 0; x < width; ++x) errors += std::max(one[x], other[x]) > thresholds::edge_levels ? 1 : 0;
+        std::uint8_t* out = errors.data() + static_cast<std::size_t>(y) * width;
+        for (std::size_t x = 0; x < width; ++x) out[x] = std::max(one[x], other[x]) > thresholds::edge_levels ? 1 : 0;
     }
     return errors;
 }
@@ -157,7 +160,10 @@ double ImageRule::worst() const { return *std::max_element(ratios.begin(), ratio
 
 double ImageRule::right() const
 {
-    const double ratio = worst();
+    // What shows in one window only is a small fault, however clear it is.
+    const double everywhere = *std::max_element(ratios.begin(), ratios.begin() + 4);
+    const double somewhere = std::min(std::max(ratios[4], ratios[5]), thresholds::window_ratio);
+    const double ratio = std::max(everywhere, somewhere);
     return ratio <= 1 ? 1.0 : std::max(0.0, 1 - std::log(ratio) / std::log(thresholds::zero_ratio));
 }
 
@@ -214,21 +220,28 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     rule.content = static_cast<double>(expected_count);
     // An expected picture without content leaves only what the student drew.
     const double area = static_cast<double>(expected_count > 0 ? expected_count : std::max<std::size_t>(either_count, 1));
-    rule.edge_share = static_cast<double>(count_edge_errors(student, expected, difference)) / area;
+    const Bytes errors = edge_errors(student, expected, difference);
+    rule.edge_share = static_cast<double>(std::accumulate(errors.begin(), errors.end(), std::size_t{0})) / area;
     rule.ratios[0] = rule.edge_share / thresholds::edge_share;
+    rule.cluster = densest_window(errors, expected.width, expected.height);
+    rule.ratios[4] = rule.cluster.count / thresholds::cluster_pixels;
 
-    const Bytes smooth = smooth_part(expected);
+    Bytes smooth = smooth_part(expected);
     std::size_t interior = 0;
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < content.size(); ++i) {
         interior += static_cast<std::size_t>(smooth[i] & content[i]);
         wrong += smooth[i] != 0 && difference[i] > thresholds::interior_levels ? 1U : 0U;
+        // What is wrong by (a) is counted there.
+        smooth[i] = static_cast<std::uint8_t>(smooth[i] & either[i] & (errors[i] ^ 1U));
     }
     rule.interior_share = static_cast<double>(wrong) / std::max(static_cast<double>(interior), thresholds::smooth_floor * area);
     rule.ratios[1] = rule.interior_share / thresholds::interior_share;
 
     measure_bias(student, expected, either, content, area, rule);
     find_shift(student, expected, area, rule);
+    rule.surface = worst_level_window(student, expected, smooth);
+    rule.ratios[5] = rule.surface.ratio;
     return rule;
 }
 

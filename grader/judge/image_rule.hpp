@@ -2,11 +2,12 @@
 
 #include <array>
 
+#include "judge/image_windows.hpp"
 #include "judge/picture.hpp"
 
 namespace umbral::grader {
 
-/// What the combined rule measured: four ratios of a measure to its threshold (thresholds.hpp); the picture passes if none exceeds 1.
+/// What the combined rule measured: six ratios of a measure to its threshold (thresholds.hpp); the picture passes if none exceeds 1.
 ///
 /// Shares are of the expected picture's content (pixels that differ from its background), so that drawing more cannot thin errors out.
 struct ImageRule {
@@ -15,11 +16,14 @@ struct ImageRule {
     double bias = 0;            ///< (c) mean difference of the worst channel over the content of either picture, in levels, signed
     int shift_x = 0;            ///< (d) the student's picture lies this many pixels to the right of the expected one …
     int shift_y = 0;            ///< … and this many below it
+    DensestWindow cluster;      ///< (e) where most of the pixels of (a) lie close together: a hole or a crack
+    LevelWindow surface;        ///< (f) where a smooth surface has another mean level: a highlight, a lamp or a shadow
     double content = 0;         ///< number of pixels of the expected content
-    std::array<double, 4> ratios{};
+    std::array<double, 6> ratios{};
 
     [[nodiscard]] double worst() const;
-    /// 1 up to a ratio of 1, then falling with its logarithm to 0 at thresholds::zero_ratio.
+    /// 1 up to a ratio of 1, then falling with its logarithm to 0 at thresholds::zero_ratio. What shows in one window only, (e) and (f),
+    /// costs no more than thresholds::window_ratio does.
     [[nodiscard]] double right() const;
 };
 

@@ -31,6 +31,17 @@ constexpr double shift_minimum = 0.25;
 /// Ratio charged for one pixel of shift, which (a) forgives by design: two thirds of the credit remain.
 constexpr double shift_ratio = 4.5;
 
+// (e) Holes and cracks: so many of the pixels of (a) in one window of 16 x 16 are no accident.
+constexpr double cluster_pixels = 6;
+
+// (f) A surface's mean level in one window of 16 x 16, of its smooth pixels only.
+constexpr double window_levels = 1.5;
+constexpr double window_share = 0.012;
+/// A mean of fewer pixels says little.
+constexpr int window_pixels = 48;
+/// Ratio charged at most for (e) and (f): three quarters of the credit remain.
+constexpr double window_ratio = 3.0;
+
 /// A pixel belongs to the content if a channel differs by more from the background. Two levels: a dithered or re-rounded background
 /// stays background; errors in what is left out are at most 4 levels, below every other threshold.
 constexpr int background_levels = 2;

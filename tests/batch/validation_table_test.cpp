@@ -38,6 +38,17 @@ TEST(ValidationTable, SpansTheSeedsAndKeepsTheOrderOfUnits)
     EXPECT_NE(table.find("--seeds 2 "), std::string::npos);
 }
 
+TEST(ValidationTable, NamesScenesThatNeverShowAMistake)
+{
+    std::vector<Finding> findings = {mistake("a/one", "subtle", 0, 90, {}), mistake("a/one", "subtle", 1, 90, {}), mistake("a/one", "gross", 0, 10, {})};
+    findings[0].blind = {"scene/flat", "scene/round"};
+    findings[1].blind = {"scene/flat"};
+    const std::vector<Exercise> exercises = {unit("a/one")};
+    const std::string table = validation_table(findings, exercises);
+    EXPECT_NE(table.find("The picture of `scene/flat` cannot show: subtle."), std::string::npos) << table;
+    EXPECT_EQ(table.find("scene/round"), std::string::npos) << table;
+}
+
 TEST(ValidationTable, MarksWhatDoesNotHold)
 {
     Finding finding = mistake("a/one", "shifted", 3, 95, {});

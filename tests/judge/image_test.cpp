@@ -117,6 +117,66 @@ TEST(Image, SubRuleC_ALittleMoreLightEverywhereIsFoundByItAlone)
     }
 }
 
+TEST(Image, SubRuleE_AHoleThatIsTooSmallForItsShareIsFoundByItAlone)
+{
+    const Tensor right = balls(512);
+    const Tensor hole = repaint(right, [&](int x, int y) { return x >= 200 && x < 204 && y >= 180 && y < 183 ? Colour{8, 10, 40, 255} : pixel(right, x, y); });
+    const ImageRule found = rule(hole, right);
+    for (const std::size_t part : {0U, 1U, 2U, 3U, 5U}) EXPECT_LE(found.ratios[part], 1) << part;
+    EXPECT_GE(found.cluster.count, 8);
+    EXPECT_GT(found.ratios[4], 1);
+    EXPECT_LE(found.cluster.x, 200);
+    EXPECT_GE(found.cluster.x + window_side, 204);
+    EXPECT_LE(found.cluster.y, 180);
+    EXPECT_GE(found.cluster.y + window_side, 183);
+    EXPECT_NE(image(hole, right).message.find("close together"), std::string::npos);
+    EXPECT_GT(found.right(), 0.7) << "a small fault costs little, however dark the hole is";
+    EXPECT_LT(found.right(), 0.95);
+}
+
+TEST(Image, SubRuleE_PixelsFarApartMakeNoHole)
+{
+    const Tensor right = balls(512);
+    const Tensor stray = repaint(right, [&](int x, int y) { return x % 64 == 20 && y % 64 == 20 ? Colour{255, 255, 255, 255} : pixel(right, x, y); });
+    EXPECT_LE(rule(stray, right).ratios[4], 0.5);
+}
+
+TEST(Image, SubRuleF_AFaintSpotOnASurfaceIsFoundByItAlone)
+{
+    for (const int by : {4, -4}) {
+        const Tensor right = balls(512);
+        const Tensor spot = repaint(right, [&](int x, int y) {
+            const Colour colour = pixel(right, x, y);
+            return x >= 170 && x < 194 && y >= 200 && y < 224 ? moved(colour, by) : colour;
+        });
+        const ImageRule found = rule(spot, right);
+        for (const std::size_t part : {0U, 1U, 2U, 3U, 4U}) EXPECT_LE(found.ratios[part], 1) << part;
+        EXPECT_GT(found.ratios[5], 1);
+        EXPECT_NEAR(found.surface.difference, by, 0.01);
+        EXPECT_NE(image(spot, right).message.find(by > 0 ? "the surface is too bright by 4" : "the surface is too dark by 4"), std::string::npos);
+    }
+}
+
+TEST(Image, WindowsAreThoseThatCountingOneByOneFinds)
+{
+    const std::uint64_t seed = 91;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    for (const auto& [width, height] : {std::pair{64, 48}, {37, 53}, {7, 5}, {16, 9}, {100, 8}}) {
+        std::vector<std::uint8_t> marks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        for (std::uint8_t& mark : marks) mark = random.below(5) == 0 ? 1 : 0;
+        int most = 0;
+        for (int top = 0; top < height; top += window_side / 2)
+            for (int left = 0; left < width; left += window_side / 2) {
+                int count = 0;
+                for (int y = top; y < std::min(height, top + window_side); ++y)
+                    for (int x = left; x < std::min(width, left + window_side); ++x) count += marks[static_cast<std::size_t>(y * width + x)];
+                most = std::max(most, count);
+            }
+        EXPECT_EQ(densest_window(marks, width, height).count, most) << width << " x " << height;
+    }
+}
+
 TEST(Image, SubRuleD_AShiftOfOnePixelIsFoundByItAlone)
 {
     // Large flat tiles: neighbourhoods forgive the shift, and no smooth place shows it.

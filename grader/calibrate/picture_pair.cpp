@@ -1,0 +1,45 @@
+#include "calibrate/picture_pair.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "judge/image_rule.hpp"
+
+#include <umbral/record/tensor.hpp>
+
+namespace umbral::grader {
+
+bool held_out(const std::string& scene)
+{
+    // FNV-1a, folded: the low bit alone follows the letters' low bits.
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char c : scene.substr(0, scene.find(':'))) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    return ((hash ^ (hash >> 17U) ^ (hash >> 41U)) & 1U) != 0;
+}
+
+Picture to_picture(const Image& image)
+{
+    const bool opaque = std::ranges::all_of(image.cells, [](const glm::u8vec4& pixel) { return pixel.a == 255; });
+    const std::uint32_t channels = opaque ? 3 : 4;
+    Tensor tensor{Element::uint8, static_cast<std::uint32_t>(image.height), static_cast<std::uint32_t>(image.width), channels, {}, {}};
+    tensor.bytes.resize(image.cells.size() * channels);
+    for (std::size_t i = 0; i < image.cells.size(); ++i) std::memcpy(tensor.bytes.data() + i * channels, &image.cells[i], channels);
+    return to_picture(Check{}, tensor);
+}
+
+Image to_image(const Picture& picture)
+{
+    Image image(picture.width, picture.height, glm::u8vec4(255));
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            for (glm::length_t c = 0; c < (picture.channels == 4 ? 4 : 3); ++c)
+                image.at(x, y)[c] = picture.row(picture.channels == 1 ? 0 : static_cast<int>(c), y)[x];
+    return image;
+}
+
+bool looks_the_same(const Picture& a, const Picture& b)
+{
+    return std::ranges::all_of(channel_difference(a, b), [](std::uint8_t apart) { return apart <= 2; });
+}
+
+}
