@@ -54,7 +54,8 @@ Result negative(const Image& picture, Random&)
 Result grey(const Image& picture, Random&)
 {
     Image result = picture;
-    for (glm::u8vec4& pixel : result.cells) pixel = glm::u8vec4(glm::u8vec3(static_cast<std::uint8_t>((299 * pixel.r + 587 * pixel.g + 114 * pixel.b + 500) / 1000)), pixel.a);
+    for (glm::u8vec4& pixel : result.cells)
+        pixel = glm::u8vec4(glm::u8vec3(static_cast<std::uint8_t>((299 * pixel.r + 587 * pixel.g + 114 * pixel.b + 500) / 1000)), pixel.a);
     return result;
 }
 

@@ -20,6 +20,31 @@ RuleResult try_threshold(std::span<const MeasuredPair> pairs, PictureRule rule, 
     return result;
 }
 
+/// The share of a sorted sample that lies beyond `bound`; where there is none, what the largest tenth says of it.
+double chance_beyond(const std::vector<double>& sorted, double bound)
+{
+    const auto size = static_cast<double>(sorted.size());
+    if (sorted.back() > bound) return static_cast<double>(sorted.end() - std::ranges::upper_bound(sorted, bound)) / size;
+    const std::size_t tail = std::max<std::size_t>(10, sorted.size() / 10);
+    if (tail >= sorted.size()) return 0;
+    const double start = sorted[sorted.size() - 1 - tail];
+    if (start <= 0) return 0;
+    double first = 0;
+    double second = 0;
+    for (std::size_t i = sorted.size() - tail; i < sorted.size(); ++i) {
+        const double log = std::log(sorted[i] / start);
+        first += log / static_cast<double>(tail);
+        second += log * log / static_cast<double>(tail);
+    }
+    if (!(second > first * first)) return 0;
+    const double bounded = 1 - 0.5 / (1 - first * first / second);
+    const double shape = first + bounded;
+    const double scale = start * first * (1 - bounded);
+    const double base = 1 + shape * (bound - start) / scale;
+    const double beyond = std::abs(shape) < 1e-9 ? std::exp(-(bound - start) / scale) : base <= 0 ? 0 : std::pow(base, -1 / shape);
+    return static_cast<double>(tail) / size * beyond;
+}
+
 }
 
 double fitted_threshold(std::span<const MeasuredPair> pairs, PictureRule rule)
@@ -57,18 +82,7 @@ Margins margins_of(std::vector<double> ratios)
     margins.percentile99 = quantile(0.99);
     margins.largest = ratios.back();
 
-    const std::size_t tail = std::min(ratios.size() - 1, std::max<std::size_t>(10, ratios.size() / 10));
-    if (tail == 0) return margins;
-    const double start = ratios[ratios.size() - 1 - tail];
-    // All beyond the start are zero: then nothing is known but that no ratio came near.
-    if (start <= 0) return margins;
-    double mean_log = 0;
-    for (std::size_t i = ratios.size() - tail; i < ratios.size(); ++i) mean_log += std::log(ratios[i] / start) / static_cast<double>(tail);
-    const double share = static_cast<double>(tail) / static_cast<double>(ratios.size());
-    if (start >= 1)
-        margins.alarm_rate = static_cast<double>(std::ranges::count_if(ratios, [](double ratio) { return ratio > 1; })) / static_cast<double>(ratios.size());
-    else if (mean_log > 0)
-        margins.alarm_rate = share * std::pow(start, 1 / mean_log);
+    margins.alarm_rate = chance_beyond(ratios, 1);
     return margins;
 }
 

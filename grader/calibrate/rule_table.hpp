@@ -51,9 +51,9 @@ struct Margins {
     double alarm_rate = 0;  ///< chance that a harmless picture exceeds 1, by the tail that the largest ratios follow
 };
 
-/// `ratios` of harmless pictures to the threshold. The rate is Hill's estimate from the largest tenth (at least ten): beyond it, ratios are
-/// taken to fall as a power. It speaks of pictures like these ones only.
-/// Based on: B. M. Hill. A Simple General Approach to Inference About the Tail of a Distribution. 1975.
+/// `ratios` of harmless pictures to the threshold. If none exceeds it, the rate is estimated from the largest tenth (at least ten) by a
+/// generalised Pareto tail: rates fall as a power, or exponentially, or end at a bound. It speaks of pictures like these ones only.
+/// Based on: A. Dekkers, J. Einmahl, L. de Haan. A Moment Estimator for the Index of an Extreme-Value Distribution. 1989.
 [[nodiscard]] Margins margins_of(std::vector<double> ratios);
 
 /// The chance that a submission with `pictures` right pictures is blamed for one of them.

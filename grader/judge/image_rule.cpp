@@ -14,8 +14,8 @@ using Bytes = std::vector<std::uint8_t>;
 
 std::uint8_t apart(std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(std::max(a, b) - std::min(a, b)); }
 
-// 1 where a pixel differs from the background.
-Bytes content_of(const Picture& picture, const std::array<std::uint8_t, 4>& background)
+// 1 where a pixel differs from the background by more than so many levels.
+Bytes content_of(const Picture& picture, const std::array<std::uint8_t, 4>& background, int levels)
 {
     const auto width = static_cast<std::size_t>(picture.width);
     Bytes content(width * static_cast<std::size_t>(picture.height), 0);
@@ -24,7 +24,7 @@ Bytes content_of(const Picture& picture, const std::array<std::uint8_t, 4>& back
             const std::uint8_t* row = picture.row(c, y);
             std::uint8_t* out = content.data() + static_cast<std::size_t>(y) * width;
             const std::uint8_t base = background[static_cast<std::size_t>(c)];
-            for (std::size_t x = 0; x < width; ++x) out[x] = static_cast<std::uint8_t>(out[x] | (apart(row[x], base) > thresholds::background_levels ? 1 : 0));
+            for (std::size_t x = 0; x < width; ++x) out[x] = static_cast<std::uint8_t>(out[x] | (apart(row[x], base) > levels ? 1 : 0));
         }
     return content;
 }
@@ -206,8 +206,9 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
 {
     const Bytes difference = channel_difference(student, expected);
     const auto background = background_of(expected);
-    const Bytes content = content_of(expected, background);
-    Bytes either = content_of(student, background);
+    const Bytes content = content_of(expected, background, thresholds::background_levels);
+    // Of the student's picture only what noise cannot lift off the background: else just the pixels that noise made brighter would count.
+    Bytes either = content_of(student, background, thresholds::interior_levels);
     std::size_t expected_count = 0;
     std::size_t either_count = 0;
     for (std::size_t i = 0; i < content.size(); ++i) {
@@ -233,7 +234,7 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
         interior += static_cast<std::size_t>(smooth[i] & content[i]);
         wrong += smooth[i] != 0 && difference[i] > thresholds::interior_levels ? 1U : 0U;
         // What is wrong by (a) is counted there.
-        smooth[i] = static_cast<std::uint8_t>(smooth[i] & either[i] & (errors[i] ^ 1U));
+        smooth[i] = static_cast<std::uint8_t>(smooth[i] & content[i] & (errors[i] ^ 1U));
     }
     rule.interior_share = static_cast<double>(wrong) / std::max(static_cast<double>(interior), thresholds::smooth_floor * area);
     rule.ratios[1] = rule.interior_share / thresholds::interior_share;

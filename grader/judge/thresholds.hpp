@@ -20,9 +20,9 @@ constexpr int smooth_span = 16;
 /// Where less than this share of the content is smooth (a wireframe), the content's area is the base: one stray pixel is not all.
 constexpr double smooth_floor = 0.25;
 
-// (c) Mean bias over the content: a wrong light moves everything a little. One level is what rounding can do.
+// (c) Mean bias over the content: a wrong light moves everything a little. Cutting off instead of rounding moves it by half a level.
 constexpr double bias_share = 0.012;
-constexpr double bias_levels = 1.0;
+constexpr double bias_levels = 1.2;
 
 // (d) Shift: another alignment is better only if it leaves less than this share of the difference; re-owned edge pixels reach 0.95.
 constexpr double shift_gain = 0.8;

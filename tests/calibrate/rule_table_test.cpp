@@ -53,19 +53,37 @@ TEST(RuleTable, WrongPicturesThatLookRightDoNotCount)
     EXPECT_EQ(results.front().caught, 1U);
 }
 
-TEST(RuleTable, HillsEstimateFindsTheRateOfAPowerLaw)
+TEST(RuleTable, TailsOfKnownLawsGiveTheirRates)
 {
-    // P(ratio > r) = (r / 0.01)^-2: beyond 1 lies one in ten thousand.
     const std::uint64_t seed = 17;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
-    std::vector<double> ratios;
-    for (int i = 0; i < 20000; ++i) ratios.push_back(0.01 / std::sqrt(1 - random.uniform_double()));
+    // Cut at the bound, where samples end by chance: only what lies below it is seen.
+    const auto rate = [&](auto draw) {
+        std::vector<double> ratios;
+        while (ratios.size() < 4000)
+            if (const double ratio = draw(1 - random.uniform_double()); ratio <= 1) ratios.push_back(ratio);
+        return margins_of(ratios).alarm_rate;
+    };
+    // P(ratio > r) = (r / 0.003)^-2: beyond 1 lie nine in a million.
+    const double power = rate([](double u) { return 0.003 / std::sqrt(u); });
+    EXPECT_GT(power, 1e-6);
+    EXPECT_LT(power, 8e-5);
+    // Exponential with mean 0.08: beyond 1 lie 3.7 in a million.
+    const double exponential = rate([](double u) { return -0.08 * std::log(u); });
+    EXPECT_GT(exponential, 1e-8);
+    EXPECT_LT(exponential, 1e-4);
+    EXPECT_LT(rate([](double u) { return 0.5 * u; }), 1e-12) << "a law that ends at one half reaches nothing beyond";
+}
+
+TEST(RuleTable, MedianAndRateOfWhatExceeds)
+{
+    std::vector<double> ratios(99, 0.25);
+    ratios.push_back(1.5);
     const Margins margins = margins_of(ratios);
-    EXPECT_EQ(margins.count, 20000U);
-    EXPECT_NEAR(margins.median, 0.01 * std::sqrt(2.0), 3e-4);
-    EXPECT_GT(margins.alarm_rate, 0.7e-4);
-    EXPECT_LT(margins.alarm_rate, 1.4e-4);
+    EXPECT_EQ(margins.median, 0.25);
+    EXPECT_EQ(margins.largest, 1.5);
+    EXPECT_DOUBLE_EQ(margins.alarm_rate, 0.01);
 }
 
 TEST(RuleTable, MarginsOfFewOrEqualRatiosStayFinite)
