@@ -19,7 +19,8 @@ ConfinedCommand command_for(const Toolchain& tools, const Exercise& exercise, co
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";
     command.directory = work;
-    command.wall_seconds = tools.compile_seconds;
+    command.cpu_seconds = tools.compile_seconds;
+    command.wall_seconds = 4 * tools.compile_seconds;
     // Of the unit only the version script: beside it lie the libraries with the answers.
     command.read = {tools.framework, tools.student_header.parent_path(), unit / "exports.map"};
     command.arguments = {tools.compiler};
@@ -86,7 +87,7 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
     const std::string output = without_our_paths(result.output, tools, work);
     compilation.diagnostics = first_errors(output, 24);
     compilation.out_of_time = result.timed_out;
-    if (result.timed_out) compilation.diagnostics = fmt::format("the compiler was stopped after {:g} s\n", command.wall_seconds);
+    if (result.timed_out) compilation.diagnostics = fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
     if (compilation.diagnostics.empty()) compilation.diagnostics = first_errors(": error:\n" + output, 24).substr(9);
     compilation.diagnostics = printable(compilation.diagnostics, 8192);
     return compilation;

@@ -18,7 +18,7 @@ ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path
     command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
     command.directory = library.parent_path();
     command.read = {tools.programs};
-    command.wall_seconds = 10;
+    command.cpu_seconds = 10;
     command.memory_mib = 1024;
     command.output_limit = std::size_t{8} << 20U;
     return run_confined(command);

@@ -17,7 +17,7 @@ struct Toolchain {
     std::filesystem::path cache;           ///< built submissions, by content
     std::string compiler;
     std::vector<std::string> flags;
-    double compile_seconds = 30;  ///< wall clock; then the compiler is stopped
+    double compile_seconds = 30;  ///< of processor time, and four times as many by the clock; then the compiler is stopped
 };
 
 /// The folder in `units` of a unit's built libraries.

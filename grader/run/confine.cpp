@@ -3,11 +3,13 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <system_error>
 
@@ -20,8 +22,8 @@ using Clock = std::chrono::steady_clock;
 
 std::vector<std::string> whole_command(const ConfinedCommand& command)
 {
-    std::vector<std::string> words{command.confine.string(), std::to_string(command.memory_mib), std::to_string(static_cast<int>(command.wall_seconds) + 1),
-                                   command.directory.string()};
+    std::vector<std::string> words{command.confine.string(), std::to_string(command.memory_mib),
+                                   std::to_string(static_cast<int>(std::ceil(command.cpu_seconds))), command.directory.string()};
     for (const auto& path : command.read) words.push_back(path.string());
     words.emplace_back("--");
     words.insert(words.end(), command.arguments.begin(), command.arguments.end());
@@ -86,10 +88,14 @@ ConfinedResult run_confined(const ConfinedCommand& command)
     }
     if (result.timed_out) kill(-process, SIGKILL);
     int status = 0;
-    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    rusage used{};
+    while (wait4(process, &status, 0, &used) < 0 && errno == EINTR) {
     }
     kill(-process, SIGKILL);
     if (WIFEXITED(status)) result.exit_status = WEXITSTATUS(status);
+    // A compiler whose child the kernel stopped ends by itself, with a message about the child's signal.
+    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    if (result.exit_status != 0 && seconds(used.ru_utime) + seconds(used.ru_stime) >= command.cpu_seconds) result.timed_out = true;
     return result;
 }
 

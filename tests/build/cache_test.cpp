@@ -66,6 +66,19 @@ TEST_F(Cache, a_busy_moment_is_not_kept)
     EXPECT_EQ(to_string(built().verdict), "ok");
 }
 
+TEST_F(Cache, endless_templates_are_stopped_by_processor_time)
+{
+    Toolchain tools = bench.tools();
+    tools.compile_seconds = 1;
+    const std::string endless =
+        "template <int D, int I> struct B : B<D - 1, 2 * I>, B<D - 1, 2 * I + 1> {};\n"
+        "template <int I> struct B<0, I> {};\nB<24, 0> all;\n";
+    const Built stopped = build(tools, bench.exercise("raytracing/sphere"), {{"sphere.cpp", text + endless}});
+    EXPECT_EQ(to_string(stopped.verdict), "compile_error");
+    EXPECT_NE(stopped.message.find("was stopped after 1 s"), std::string::npos) << stopped.message;
+    EXPECT_EQ(entries(), 0U);
+}
+
 TEST_F(Cache, another_text_flag_or_name_is_another_build)
 {
     const Built first = built();
