@@ -202,25 +202,30 @@ void play(const input::EventScript& script, const input::HeadlessSettings& setti
     }
 }
 
-void record(Recorder& out, const input::EventScript& script, const input::HeadlessSettings& settings = {}, bool listens = false)
+/// Windows in which gestures are made are square: a wrong aspect costs points where sizes are looked at, and not again in every case.
+constexpr glm::ivec2 square{480, 480};
+constexpr glm::ivec2 wide{640, 480};
+
+void record(Recorder& out, const input::EventScript& script, glm::ivec2 size, const input::HeadlessSettings& settings = {}, bool listens = false)
 {
     std::optional<LoggedWindow> window;
     play(
-        script, settings, {640, 480}, [&](GLFWwindow* made) { window.emplace(made, listens); }, [&] { window->look(); });
+        script, settings, size, [&](GLFWwindow* made) { window.emplace(made, listens); }, [&] { window->look(); });
     for (const CommandRow& row : window->rows()) out.append("commands", std::span<const float>(row));
 }
 
-void record_text(Recorder& out, const char* text, const input::HeadlessSettings& settings = {})
+void record_text(Recorder& out, const char* text, glm::ivec2 size = square, const input::HeadlessSettings& settings = {})
 {
     out.text("commands.names", command_names);
-    record(out, input::parse_script(text), settings);
+    record(out, input::parse_script(text), size, settings);
 }
 
 /// A window is closed in the middle of a drag; then there is another one, with Controls of its own.
 void record_two_windows(Recorder& out)
 {
-    record_text(out, "0.1 press left 10 10\n0.2 move 30 20\n");
-    record(out, input::parse_script("0.1 move 50 60\n0.2 move 70 80\n0.3 press right\n0.4 move 71 79\n0.5 release right\n0.6 press left\n0.7 move 75 85\n"));
+    record_text(out, "0.1 press left 10 10\n0.2 move 30 20\n", wide);
+    record(out, input::parse_script("0.1 move 50 60\n0.2 move 70 80\n0.3 press right\n0.4 move 71 79\n0.5 release right\n0.6 press left\n0.7 move 75 85\n"),
+           wide);
 }
 
 void record_random(Recorder& out, Random& random)
@@ -228,7 +233,7 @@ void record_random(Recorder& out, Random& random)
     out.text("commands.names", command_names);
     for (int session = 0; session < 6; ++session) {
         const input::EventScript script = input::random_script(random, {.gestures = 60});
-        record(out, script, {.content_scale = glm::dvec2(session % 2 == 0 ? 1 : 1.5)});
+        record(out, script, wide, {.content_scale = glm::dvec2(session % 2 == 0 ? 1 : 1.5)});
     }
 }
 
@@ -274,11 +279,11 @@ const Driver driver = {
     {"keys passed on",
      [](Case&, Recorder& out) {
          out.text("commands.names", command_names);
-         record(out, input::parse_script(keys), {}, true);
+         record(out, input::parse_script(keys), square, {}, true);
      }},
     {"window size",
      [](Case&, Recorder& out) {
-         record_text(out, windows, {.content_scale = {2, 2}});
+         record_text(out, windows, wide, {.content_scale = {2, 2}});
      }},
     {"two windows", [](Case&, Recorder& out) { record_two_windows(out); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
