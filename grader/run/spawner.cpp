@@ -99,11 +99,12 @@ void Spawner::start()
     posix_spawn_file_actions_adddup2(&actions, theirs.get(), protocol::control_descriptor);
     posix_spawn_file_actions_addclosefrom_np(&actions, protocol::control_descriptor + 1);
     // No thread beside the first: fork after others have started hangs, and the sandbox forbids them. No disk cache of shaders: it
-    // would be shared between students.
+    // would be shared between students. Pictures here are small: optimising a shader takes longer than drawing with it as it is.
     std::array environment{gl_choice_.data(),
                            const_cast<char*>("LP_NUM_THREADS=0"),
                            const_cast<char*>("MESA_SHADER_CACHE_DISABLE=true"),
                            const_cast<char*>("GALLIUM_DRIVER=llvmpipe"),
+                           const_cast<char*>("GALLIVM_PERF=nopt"),
                            const_cast<char*>("LC_ALL=C.UTF-8"),
                            static_cast<char*>(nullptr)};
     std::array arguments{const_cast<char*>(program_.c_str()), static_cast<char*>(nullptr)};
