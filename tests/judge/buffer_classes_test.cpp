@@ -269,8 +269,14 @@ TEST(BufferClasses, NoLargeBufferOrOddOneStopsIt)
     const Judgement found = buffer(grid(512, 512, std::vector<std::uint32_t>(512 * 512, 0)), grid(512, 512, all));
     EXPECT_EQ(metric(found, "largest_group"), 512 * 512);
     EXPECT_EQ(metric(found, "groups"), 1);
-    Tensor absent = optional_floats({0, 0, 0, 1}, {0, 0, 0, 1});
-    EXPECT_EQ(buffer(optional_floats({0, 0, 0, 0}, {0, 0, 0, 0}), absent).first_difference->yours, "nothing");
+}
+
+TEST(BufferPatterns, WhatWasExpectedRoundedIsNoMistake)
+{
+    const auto stepped = [](double x, double y) { return in_disc(x, y) ? static_cast<float>(std::round(double{slope(x, y)} * 65535) / 65535) : 1.0F; };
+    const auto off = [&](double x, double y) { return in_disc(x, y) ? stepped(x, y) + static_cast<float>(1.0 / 65535) : 1.0F; };
+    const Judgement found = buffer(depth_by(off), depth_by(stepped), absolute(1e-7));
+    EXPECT_TRUE(says(found, "depths are all too large by 1.526e-05")) << found.message;
 }
 
 }
