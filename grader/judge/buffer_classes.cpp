@@ -130,11 +130,11 @@ BufferKind kind_of(const Tensor& expected, const BufferCells& cells)
     return BufferKind::normals;
 }
 
-const char* cells_of(BufferKind kind)
+const char* cells_of(BufferKind kind, std::string_view recorded)
 {
     switch (kind) {
         case BufferKind::coverage: return "pixels";
-        case BufferKind::ids: return "ids";
+        case BufferKind::ids: return recorded.find("id") == std::string_view::npos ? "cells" : "ids";
         case BufferKind::depth: return "depths";
         case BufferKind::normals: return "normals";
         case BufferKind::texture: return "texture coordinates";

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "judge/buffer_cells.hpp"
 
@@ -12,8 +13,8 @@ namespace umbral::grader {
 enum class BufferKind { coverage, ids, depth, normals, texture, cells };
 [[nodiscard]] BufferKind kind_of(const Tensor& expected, const BufferCells& cells);
 
-/// "ids", "depths", "normals": what its cells are called.
-[[nodiscard]] const char* cells_of(BufferKind kind);
+/// "depths", "normals": what its cells are called. Whole numbers are "ids" where the recording calls them so ("ids", "face id"), else "cells".
+[[nodiscard]] const char* cells_of(BufferKind kind, std::string_view recorded);
 
 /// Cells of a part of a buffer, both ends included.
 struct Box {
@@ -35,7 +36,7 @@ struct BufferClasses {
 
 /// A rule that the wrong values follow, with what it can be measured by.
 struct BufferPattern {
-    std::string sentence;  ///< "ids are renamed: 1 is 2, 2 is 1"; empty if no rule fits
+    std::string sentence;  ///< "the shapes are right, but named otherwise: 2 for 1, 1 for 2"; empty if no rule fits
     std::map<std::string, double> metrics;
 };
 [[nodiscard]] BufferPattern find_pattern(const BufferCells& cells, BufferKind kind);

@@ -125,7 +125,7 @@ BufferPattern renaming(const BufferCells& cells)
         if (++changed <= most_named) list += fmt::format("{}{} for {}", list.empty() ? "" : ", ", number_text(usual->first), number_text(id));
     }
     if (changed == 0 || static_cast<double>(followed) < most_of_them * static_cast<double>(total)) return {};
-    return {fmt::format("the shapes are right, the ids are renamed: {}{}", list, changed > most_named ? ", ..." : ""),
+    return {fmt::format("the shapes are right, but named otherwise: {}{}", list, changed > most_named ? ", ..." : ""),
             {{"renamed", static_cast<double>(changed)}}};
 }
 

@@ -62,7 +62,10 @@ TEST(BufferClasses, AHalfPixelCentreGivesEdgePixelsToTheirNeighbours)
     EXPECT_GT(metric(found, "wrong"), 5);
     EXPECT_EQ(metric(found, "at_edge"), metric(found, "wrong"));
     EXPECT_EQ(metric(found, "neighbour_value"), metric(found, "wrong"));
-    EXPECT_TRUE(says(found, "ids are wrong")) << found.message;
+    EXPECT_TRUE(says(found, "cells are wrong")) << found.message;
+    Check check = check_of(JudgeKind::buffer);
+    check.value = "ids";
+    EXPECT_TRUE(says(judge(check, ids_by([](double x, double y) { return halves(x + 1, y); }), ids_by(halves), nullptr), "ids are wrong"));
     EXPECT_TRUE(says(found, "all lie at an edge and hold a neighbour's value: another pixel owns the edge")) << found.message;
 }
 
@@ -115,12 +118,12 @@ TEST(BufferClasses, RenamedIdsAreOneMistakeAndNotMany)
 {
     const auto swapped = [](double x, double y) { return halves(x, y) == 0 ? 0U : 14 - halves(x, y); };
     const Judgement found = buffer(ids_by(swapped), ids_by(halves));
-    EXPECT_TRUE(says(found, "the shapes are right, the ids are renamed: 9 for 5, 5 for 9")) << found.message;
+    EXPECT_TRUE(says(found, "the shapes are right, but named otherwise: 9 for 5, 5 for 9")) << found.message;
     EXPECT_EQ(metric(found, "renamed"), 2);
     const auto merged = [](double x, double y) { return halves(x, y) == 0 ? 0U : 9U; };
-    EXPECT_FALSE(says(buffer(ids_by(merged), ids_by(halves)), "renamed")) << "two ids became one";
+    EXPECT_FALSE(says(buffer(ids_by(merged), ids_by(halves)), "named otherwise")) << "two ids became one";
     const auto mixed = [](double x, double y) { return halves(x, y) == 0 ? 0U : static_cast<std::uint32_t>(x + y) % 2 == 0 ? 5U : 9U; };
-    EXPECT_FALSE(says(buffer(ids_by(mixed), ids_by(halves)), "renamed"));
+    EXPECT_FALSE(says(buffer(ids_by(mixed), ids_by(halves)), "named otherwise"));
 }
 
 TEST(BufferClasses, CoverageIsAboutPixels)

@@ -52,7 +52,7 @@ TEST(Buffer, DifferencesAreClassified)
     EXPECT_EQ(found.first_difference->where, "pixel (17, 0)");
     EXPECT_FALSE(found.error) << "ids do not lie some distance apart";
     EXPECT_EQ(found.message,
-              "3 of 5 ids are wrong (1 missing, 1 extra, 1 with another value); 2 at an edge, 1 inside; 1 of values that are expected nowhere; the largest "
+              "3 of 5 cells are wrong (1 missing, 1 extra, 1 with another value); 2 at an edge, 1 inside; 1 of values that are expected nowhere; the largest "
               "group has 2 in x 50..51, y 50..50; the first is pixel (17, 0): yours 3, expected 7");
 }
 
