@@ -124,6 +124,8 @@ TEST(BufferClasses, RenamedIdsAreOneMistakeAndNotMany)
     EXPECT_FALSE(says(buffer(ids_by(merged), ids_by(halves)), "named otherwise")) << "two ids became one";
     const auto mixed = [](double x, double y) { return halves(x, y) == 0 ? 0U : static_cast<std::uint32_t>(x + y) % 2 == 0 ? 5U : 9U; };
     EXPECT_FALSE(says(buffer(ids_by(mixed), ids_by(halves)), "named otherwise"));
+    const auto mostly = [&](double x, double y) { return halves(x, y) != 0 && static_cast<int>(x + y) % 4 == 0 ? 33U : swapped(x, y); };
+    EXPECT_FALSE(says(buffer(ids_by(mostly), ids_by(halves)), "named otherwise")) << "a quarter follows no rule";
 }
 
 TEST(BufferClasses, CoverageIsAboutPixels)

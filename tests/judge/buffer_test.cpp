@@ -83,6 +83,7 @@ TEST(Buffer, InfinityIsABackgroundAndNaNIsNothing)
     broken[55] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(buffer(depth(10, 10, broken), depth(10, 10, cells), absolute(1e30)).right, 0);
     EXPECT_FALSE(buffer(depth(10, 10, broken), depth(10, 10, cells), absolute(1e30)).error);
+    EXPECT_EQ(buffer(depth(10, 10, broken), depth(10, 10, broken), absolute(1e30)).right, 0) << "not even itself";
 }
 
 TEST(Buffer, ABufferOfOneCellAndOneOfBackgroundOnly)
@@ -124,6 +125,19 @@ TEST(Buffer, TwoCellsNearTheBackgroundNeedNotBeEqual)
     const Judgement found = buffer(depth(10, 10, off), depth(10, 10, expected), absolute(1e-3));
     EXPECT_EQ(found.right, 0.5);
     EXPECT_EQ(found.metrics.at("extra"), 1);
+}
+
+TEST(Buffer, EveryComponentMatters)
+{
+    const auto pair = [](float a, float b) {
+        Tensor tensor = floats({0, 0, a, b, 0, 0}, 2);
+        tensor.columns = 3;
+        tensor.rows = 1;
+        return tensor;
+    };
+    EXPECT_EQ(buffer(pair(0.9F, 0.25F), pair(0.2F, 0.2F), absolute(0.1)).right, 0);
+    EXPECT_EQ(buffer(pair(0.25F, 0.9F), pair(0.2F, 0.2F), absolute(0.1)).right, 0);
+    EXPECT_EQ(buffer(pair(0.25F, 0.25F), pair(0.2F, 0.2F), absolute(0.1)).right, 1);
 }
 
 TEST(Buffer, PresenceMustAgree)

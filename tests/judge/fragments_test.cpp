@@ -203,6 +203,7 @@ TEST(Fragments, NothingOrAnotherShape)
     EXPECT_THROW((void)judge(check, floats({1, 2}, 2), floats({1, 2}, 2), nullptr), std::invalid_argument);
     EXPECT_THROW((void)judge(check, expected, fragments({{0, nan_f, 1}}), nullptr), std::invalid_argument);
     EXPECT_THROW((void)judge(check, expected, fragments({{0, 0.5F, 1}}), nullptr), std::invalid_argument);
+    EXPECT_THROW((void)judge(check, expected, fragments({{0, 1, 1, nan_f}}), nullptr), std::invalid_argument);
 }
 
 TEST(Fragments, AFullRecordingTakesBoundedTime)
