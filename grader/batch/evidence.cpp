@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "batch/evidence_kinds.hpp"
 #include "judge/tolerance.hpp"
+#include "model/judging_order.hpp"
 #include "report/triptych.hpp"
 
 namespace umbral::grader {
@@ -84,7 +86,11 @@ void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseRe
     html::UnitDetail& unit = (*options.gallery)[exercise.id];
     bool one_shown = false;
     int pictures = 0;
-    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+    // In the order in which a page shows them: where there are too many pictures, buffers come before colours.
+    std::vector<std::size_t> order(exercise.checks.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return judging_place(exercise.checks[i].judge); });
+    for (const std::size_t i : order) {
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
         const bool right = result.checks[i].score >= check.points;

@@ -24,7 +24,7 @@ Judgement dispatch(const Check& check, const Tensor& student, const Tensor& expe
     switch (check.judge) {
         case JudgeKind::numbers: return judge_numbers(check, student, expected, margin);
         case JudgeKind::matrices: return judge_matrices(check, student, expected, margin);
-        case JudgeKind::buffer: return judge_buffer(check, student, expected);
+        case JudgeKind::buffer: return judge_buffer(check, student, expected, all);
         case JudgeKind::image: return judge_image(check, student, expected, all);
         case JudgeKind::fragments: return judge_fragments(check, student, expected, names, all);
         case JudgeKind::events: return judge_events(check, student, expected, names);

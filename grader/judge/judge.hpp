@@ -19,7 +19,7 @@ struct Judgement {
     std::string message;          ///< one line: what is wrong, where; empty if all is right
     std::map<std::string, double> metrics;
     std::optional<Difference> first_difference;
-    std::string sketch{};  ///< fragments: a picture in ASCII of the first bad place; else empty
+    std::string sketch{};  ///< fragments, buffers: a picture in ASCII of the first bad place; else empty
 };
 
 /// Compares what the student recorded with what was expected, by the check's rule. Trusts `expected` and `margin` only: a

@@ -15,8 +15,9 @@ namespace umbral::grader {
 [[nodiscard]] Judgement judge_matrices(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin);
 
 /// Cells are equal exactly, or within the tolerance if one is given. The background is the most frequent cell of the expected border; the
-/// fraction is of the cells where either side differs from it, so that a mostly empty buffer hides nothing.
-[[nodiscard]] Judgement judge_buffer(const Check& check, const Tensor& student, const Tensor& expected);
+/// fraction is of the cells where either side differs from it, so that a mostly empty buffer hides nothing. `with_classes` says where the wrong
+/// cells lie, whose values they hold and what rule they follow, and draws the first bad place.
+[[nodiscard]] Judgement judge_buffer(const Check& check, const Tensor& student, const Tensor& expected, bool with_classes);
 
 /// The combined rule of image_rule.hpp; `with_metrics` adds SSIM, PSNR, RMSE and Lab differences, which do not decide.
 [[nodiscard]] Judgement judge_image(const Check& check, const Tensor& student, const Tensor& expected, bool with_metrics);

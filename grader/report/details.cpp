@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "model/judging_order.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
 #include "report/side_by_side.hpp"
@@ -81,11 +82,20 @@ std::string how_sure(double confidence)
     return fmt::format("fits {:.0f} % of the failing checks", 100 * std::min(confidence, 1.0));
 }
 
-void add_others(Block& block, const UnitResult& unit, const CheckResult* shown)
+/// The visible checks that fail, from exact to vague: the first is the one to look at.
+std::vector<const CheckResult*> failing_checks(const UnitResult& unit)
+{
+    std::vector<const CheckResult*> failing;
+    for (const CheckResult& check : unit.checks)
+        if (!check.hidden && fails(check)) failing.push_back(&check);
+    std::ranges::stable_sort(failing, {}, [](const CheckResult* check) { return judging_place(check->kind); });
+    return failing;
+}
+
+void add_others(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
 {
     std::string others;
-    for (const CheckResult& check : unit.checks)
-        if (!check.hidden && fails(check) && &check != shown) others += fmt::format("{}{}", others.empty() ? "" : ", ", check.name);
+    for (std::size_t i = 1; i < failing.size(); ++i) others += fmt::format("{}{}", i == 1 ? "" : ", ", failing[i]->name);
     if (!others.empty()) block.sentence("also", others + " not right yet");
     bool first = true;
     for (const CheckResult& check : unit.checks) {
@@ -144,8 +154,8 @@ std::string shell_word(std::string_view text)
 std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
 {
     const Verdict verdict = shown_verdict(unit);
-    const auto failing = std::ranges::find_if(unit.checks, [](const CheckResult& check) { return !check.hidden && fails(check); });
-    const CheckResult* shown = failing == unit.checks.end() ? nullptr : &*failing;
+    const std::vector<const CheckResult*> failing = failing_checks(unit);
+    const CheckResult* shown = failing.empty() ? nullptr : failing.front();
     const bool hidden_fails = std::ranges::any_of(unit.checks, [](const CheckResult& check) { return check.hidden && fails(check); });
 
     Block block(width, paint);
@@ -158,7 +168,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
     if (ran && shown != nullptr) add_first_failing(block, *shown, paint);
     if (shown == nullptr && hidden_fails) block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
     if (!unit.explanations.empty()) block.sentence("why", unit.explanations.front().sentence + " (" + how_sure(unit.explanations.front().confidence) + ")");
-    if (ran) add_others(block, unit, shown);
+    if (ran) add_others(block, unit, failing);
     if (!unit.output.empty()) {
         std::vector<std::string> lines = excerpt(unit.output, block.room() - 2, paint);
         for (std::string& line : lines) line = paint(Tone::quiet, paint.symbol("│ ", "| ")) + line;

@@ -51,7 +51,9 @@ TEST(Buffer, DifferencesAreClassified)
     EXPECT_DOUBLE_EQ(found.right, 2.0 / 5);
     EXPECT_EQ(found.first_difference->where, "pixel (17, 0)");
     EXPECT_FALSE(found.error) << "ids do not lie some distance apart";
-    EXPECT_EQ(found.message, "3 of 5 cells are wrong (1 missing, 1 extra, 1 with another value); the first is pixel (17, 0): yours 3, expected 7");
+    EXPECT_EQ(found.message,
+              "3 of 5 cells are wrong (1 missing, 1 extra, 1 with another value); 2 at an edge, 1 inside; 1 of values that are expected nowhere; the largest "
+              "group has 2 in x 50..51, y 50..50; the first is pixel (17, 0): yours 3, expected 7");
 }
 
 TEST(Buffer, DepthIsExactUnlessATolerancesSaysOtherwise)
@@ -81,6 +83,7 @@ TEST(Buffer, InfinityIsABackgroundAndNaNIsNothing)
     broken[55] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(buffer(depth(10, 10, broken), depth(10, 10, cells), absolute(1e30)).right, 0);
     EXPECT_FALSE(buffer(depth(10, 10, broken), depth(10, 10, cells), absolute(1e30)).error);
+    EXPECT_EQ(buffer(depth(10, 10, broken), depth(10, 10, broken), absolute(1e30)).right, 0) << "not even itself";
 }
 
 TEST(Buffer, ABufferOfOneCellAndOneOfBackgroundOnly)
@@ -92,6 +95,61 @@ TEST(Buffer, ABufferOfOneCellAndOneOfBackgroundOnly)
 }
 
 TEST(Buffer, TransposedShapeIsWrong) { EXPECT_EQ(buffer(grid(2, 3, {1, 2, 3, 4, 5, 6}), grid(3, 2, {1, 2, 3, 4, 5, 6})).right, 0); }
+
+TEST(Buffer, TheBackgroundIsWhatTheExpectedBorderHoldsMost)
+{
+    // 28 cells of border, 36 inside.
+    std::vector<std::uint32_t> framed(64, 3);
+    for (std::size_t i = 0; i < 64; ++i)
+        if (i < 8 || i >= 56 || i % 8 == 0 || i % 8 == 7) framed[i] = 0;
+    const Judgement blank = buffer(grid(8, 8, std::vector<std::uint32_t>(64, 0)), grid(8, 8, framed));
+    EXPECT_EQ(blank.right, 0);
+    EXPECT_EQ(blank.metrics.at("missing"), 36);
+    // Of two as frequent as each other, the first.
+    const Judgement tie = buffer(grid(2, 1, {4, 4}), grid(2, 1, {4, 5}));
+    EXPECT_EQ(tie.right, 0);
+    EXPECT_EQ(tie.metrics.at("missing"), 1);
+    // The student's border decides nothing.
+    std::vector<std::uint32_t> top(16, 0);
+    std::fill_n(top.begin(), 4, 3U);
+    EXPECT_EQ(buffer(grid(4, 4, std::vector<std::uint32_t>(16, 3)), grid(4, 4, top)).right, 0.25);
+}
+
+TEST(Buffer, TwoCellsNearTheBackgroundNeedNotBeEqual)
+{
+    std::vector<float> expected(100, 1.0F);
+    expected[44] = 0.5F;
+    expected[55] = 1.0008F;
+    auto off = expected;
+    off[55] = 0.9992F;
+    const Judgement found = buffer(depth(10, 10, off), depth(10, 10, expected), absolute(1e-3));
+    EXPECT_EQ(found.right, 0.5);
+    EXPECT_EQ(found.metrics.at("extra"), 1);
+}
+
+TEST(Buffer, EveryComponentMatters)
+{
+    const auto pair = [](float a, float b) {
+        Tensor tensor = floats({0, 0, a, b, 0, 0}, 2);
+        tensor.columns = 3;
+        tensor.rows = 1;
+        return tensor;
+    };
+    EXPECT_EQ(buffer(pair(0.9F, 0.25F), pair(0.2F, 0.2F), absolute(0.1)).right, 0);
+    EXPECT_EQ(buffer(pair(0.25F, 0.9F), pair(0.2F, 0.2F), absolute(0.1)).right, 0);
+    EXPECT_EQ(buffer(pair(0.25F, 0.25F), pair(0.2F, 0.2F), absolute(0.1)).right, 1);
+}
+
+TEST(Buffer, PresenceMustAgree)
+{
+    Tensor expected = depth(2, 2, {0, 0, 0, 1});
+    expected.present = {0, 0, 0, 1};
+    Tensor absent = depth(2, 2, {0, 0, 0, 0});
+    absent.present = {0, 0, 0, 0};
+    EXPECT_EQ(buffer(absent, expected).metrics.at("missing"), 1);
+    EXPECT_EQ(buffer(expected, absent).metrics.at("extra"), 1);
+    EXPECT_EQ(buffer(expected, expected).right, 1);
+}
 
 }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "judge/tensor_view.hpp"
 #include "make.hpp"
 
 namespace umbral::grader::test {
@@ -100,6 +101,38 @@ TEST(Controls, NoPictureWithoutASceneEarnsMuch)
         return (x - 100) * (x - 100) + (y - 90) * (y - 90) < 18 * 18 ? Colour{byte(100 + x / 4), 80, 60, 255} : Colour{0, 0, 0, 255};
     });
     EXPECT_EQ(best_control(check, sparse, nullptr, 3).right, 0);
+}
+
+TEST(Controls, ABlankPictureIsTheBordersColourAndWhiteIsWhite)
+{
+    std::vector<std::uint32_t> framed(64, 3);
+    for (std::size_t i = 0; i < 64; ++i)
+        if (i < 8 || i >= 56 || i % 8 == 0 || i % 8 == 7) framed[i] = 9;
+    EXPECT_EQ(named(controls(check_of(JudgeKind::buffer), grid(8, 8, framed), 1), "blank"), grid(8, 8, std::vector<std::uint32_t>(64, 9)));
+    const auto pictures = controls(check_of(JudgeKind::image), scene(), 1);
+    EXPECT_EQ(named(pictures, "white"), repaint(scene(), [](int, int) { return Colour{255, 255, 255, 255}; }));
+    EXPECT_EQ(named(pictures, "black"), repaint(scene(), [](int, int) { return Colour{0, 0, 0, 0}; }));
+    Check grey = check_of(JudgeKind::image);
+    grey.range_low = 2;
+    grey.range_high = 5;
+    EXPECT_EQ(named(controls(grey, depth(2, 1, {3, 4}), 1), "white"), depth(2, 1, {5, 5}));
+    EXPECT_EQ(named(controls(grey, depth(2, 1, {3, 4}), 1), "black"), depth(2, 1, {2, 2}));
+}
+
+TEST(Controls, OfCostsIsAFunctionThatReturnsAtOnce)
+{
+    const auto all = controls(check_of(JudgeKind::cost), doubles({1000, 50, 2000, 100}, 2), 1);
+    ASSERT_TRUE(has(all, "returns at once"));
+    EXPECT_EQ(named(all, "returns at once"), doubles({1000, 1, 2000, 1}, 2));
+}
+
+TEST(Controls, IntegersAreRoundedAndStayInTheirRange)
+{
+    const double values[] = {1.6, -3.0, 5e9};
+    EXPECT_EQ(with_values(grid(3, 1, {0, 0, 0}), values), grid(3, 1, {2, 0, 4294967295U}));
+    const double bytes[] = {0.5, 254.6, 300};
+    EXPECT_EQ(with_values(table(Element::uint8, 1, std::vector<std::uint8_t>{0, 0, 0}), bytes),
+              table(Element::uint8, 1, std::vector<std::uint8_t>{1, 255, 255}));
 }
 
 }

@@ -92,6 +92,18 @@ TEST(Costs, HostileOnesEarnNothing)
     for (const auto& [name, value] : judged(cost([](double) { return 1e308; })).metrics) EXPECT_TRUE(std::isfinite(value)) << name;
 }
 
+TEST(Costs, TheSizesMustBeThoseThatWereTried)
+{
+    std::vector<double> others;
+    for (const double size : sizes) others.insert(others.end(), {size + 1, 3 * size});
+    EXPECT_EQ(judged(doubles(others, 2)).message, "no work was counted for the size 1,000");
+    std::vector<double> more;
+    for (const double size : sizes) more.insert(more.end(), {size, 3 * size});
+    more.insert(more.end(), {32000, 96000});
+    EXPECT_EQ(judged(doubles(more, 2)).right, 0);
+    EXPECT_NE(judged(doubles(more, 2)).message.find("more sizes were counted"), std::string::npos);
+}
+
 TEST(Costs, WhatCannotBeJudgedIsAGraderFault)
 {
     Check check = check_of(JudgeKind::cost);

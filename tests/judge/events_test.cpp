@@ -175,5 +175,23 @@ TEST(Events, MistakesMatchIfTheSequencesDo)
     EXPECT_FALSE(same(fewer, {}));
 }
 
+TEST(Events, EveryNumberMattersAndNoneIsRelativeToTheCode)
+{
+    EXPECT_EQ(judged({2, 3, 1}, {2, 3, 0}).right, 0);
+    EXPECT_EQ(judged({2, 4, 0}, {2, 3, 0}).right, 0);
+    EXPECT_EQ(judged({100, 1.5F, 0}, {100, 1, 0}, relative(0.1)).right, 0);
+    EXPECT_EQ(judged({100, 1.05F, 0}, {100, 1, 0}, relative(0.1)).right, 1);
+}
+
+TEST(Events, WhatIsFarTooLongIsNotReadToItsEndAndSaysSo)
+{
+    std::vector<float> yours;
+    for (int i = 0; i < 2000; ++i) yours.insert(yours.end(), {9, 0, 0});
+    yours.insert(yours.end(), {1, 0, 0});
+    const Judgement found = judged(yours, {1, 0, 0});
+    EXPECT_EQ(found.right, 0);
+    EXPECT_NE(found.message.find("about 2001 of yours"), std::string::npos) << found.message;
+}
+
 }
 }

@@ -168,17 +168,19 @@ TEST(Fragments, ExpectedDuplicatesMustComeAsOften)
 TEST(Fragments, HostileRowsAreExtraAndDoNoHarm)
 {
     const std::vector<Spot> expected{{0, 1, 1, 0.5F}, {0, 2, 1, 0.5F}};
-    const Judgement found = judged({{nan_f, 1, 1, 0.5F}, {0, infinity_f, 1}, {0, 1, -infinity_f}, {0, 1.5F, 1}, {0, 3e38F, 1}, {0, 1, 1, nan_f}}, expected);
+    const Judgement found =
+        judged({{nan_f, 1, 1, 0.5F}, {0, infinity_f, 1}, {0, 1, -infinity_f}, {0, 1.5F, 1}, {0, 3e38F, 1}, {0, 4294967296.0F, 1}, {0, 1, 1, nan_f}}, expected);
     EXPECT_EQ(found.right, 0);
     EXPECT_FALSE(found.error);
-    EXPECT_EQ(found.metrics.at("extra"), 5);
+    EXPECT_EQ(found.metrics.at("extra"), 6);
     EXPECT_EQ(found.metrics.at("missing"), 1);
     EXPECT_EQ(found.metrics.at("wrong_value"), 1);
-    EXPECT_NE(found.message.find("5 of yours lie at no pixel"), std::string::npos) << found.message;
+    EXPECT_NE(found.message.find("6 of yours lie at no pixel"), std::string::npos) << found.message;
     for (const auto& [name, value] : found.metrics) EXPECT_TRUE(std::isfinite(value)) << name;
     // Only unplaced ones beside all that was expected: no place to show, but not right.
     const Judgement more = judged({{0, 1, 1, 0.5F}, {0, 2, 1, 0.5F}, {nan_f, 1, 1}}, expected);
     EXPECT_DOUBLE_EQ(more.right, 2.0 / 3);
+    EXPECT_FALSE(more.error);
     EXPECT_NE(more.message, "");
     // Coordinates at the ends of what is counted: neither a sketch nor a step overflows.
     const float far = 1073741824.0F;
@@ -201,6 +203,7 @@ TEST(Fragments, NothingOrAnotherShape)
     EXPECT_THROW((void)judge(check, floats({1, 2}, 2), floats({1, 2}, 2), nullptr), std::invalid_argument);
     EXPECT_THROW((void)judge(check, expected, fragments({{0, nan_f, 1}}), nullptr), std::invalid_argument);
     EXPECT_THROW((void)judge(check, expected, fragments({{0, 0.5F, 1}}), nullptr), std::invalid_argument);
+    EXPECT_THROW((void)judge(check, expected, fragments({{0, 1, 1, nan_f}}), nullptr), std::invalid_argument);
 }
 
 TEST(Fragments, AFullRecordingTakesBoundedTime)
@@ -253,6 +256,24 @@ TEST(Fragments, MistakesMatchByTheirSetOfDeviations)
     EXPECT_TRUE(same(nothing_known, nothing_known));
     EXPECT_FALSE(same(nothing_known, darker));
     EXPECT_TRUE(explain(check, fragments(darker), fragments(expected)).empty()) << "no named transform fits";
+}
+
+TEST(Fragments, OneOfSeveralMayMatchAndTheRestAreAgain)
+{
+    const Judgement found = judged({{0, 1, 1, 0.9F}, {0, 1, 1, 0.5F}, {0, 8, 8}, {0, 8, 8}}, {{0, 1, 1, 0.5F}});
+    EXPECT_EQ(found.metrics.at("wrong_value"), 0);
+    EXPECT_EQ(found.metrics.at("extra"), 1) << "the second at an extra place is drawn again";
+    EXPECT_EQ(found.metrics.at("duplicated"), 2);
+    EXPECT_DOUBLE_EQ(found.right, 1.0 / 4);
+    EXPECT_EQ(judged({}, {{0, 1, 1, 0.1F}, {0, 1, 1, 0.2F}}).metrics.at("missing"), 2);
+}
+
+TEST(Fragments, EveryAttributeMatters)
+{
+    const Check check = check_of(JudgeKind::fragments, absolute(0.01));
+    const Tensor expected = floats({0, 1, 1, 0.5F, 0.25F}, 5);
+    EXPECT_EQ(judge(check, floats({0, 1, 1, 0.9F, 0.25F}, 5), expected, nullptr).right, 0);
+    EXPECT_EQ(judge(check, floats({0, 1, 1, 0.5F, 0.9F}, 5), expected, nullptr).right, 0);
 }
 
 }

@@ -69,5 +69,39 @@ TEST(Matrices, OtherSizesAreAGraderFault)
     EXPECT_THROW((void)judge(check_of(JudgeKind::matrices, absolute(1)), floats({1, 2, 3, 4}, 4), floats({1, 2, 3, 4}, 4), nullptr), std::invalid_argument);
 }
 
+TEST(Matrices, ThreeByThreeOnesAreReadByThree)
+{
+    const std::vector<float> expected{1, 0, 0, 0, 2, 0, 5, 0, 3};
+    std::vector<float> off = expected;
+    off[7] = 4;
+    const Judgement found = judge(check_of(JudgeKind::matrices, absolute(1e-3)), floats(off, 9), floats(expected, 9), nullptr);
+    EXPECT_EQ(found.first_difference->where, "matrix 0, entry (row 1, column 2)");
+    EXPECT_EQ(found.first_difference->yours, "4 in [1 0 5; 0 2 4; 0 0 3]");
+}
+
+TEST(Matrices, NegativeEntriesAreAsLargeAsPositiveOnes)
+{
+    std::vector<float> expected = identity();
+    expected[5] = -2;
+    std::vector<float> off = expected;
+    off[4] = 1e-3F;
+    EXPECT_EQ(judge(check_of(JudgeKind::matrices, relative(1e-3)), floats(off, 16), floats(expected, 16), nullptr).right, 1);
+}
+
+TEST(Matrices, MarginsAndAbsenceAreThoseOfTheirRows)
+{
+    std::vector<float> two = identity();
+    for (const float v : identity()) two.push_back(v);
+    std::vector<float> off = two;
+    off[16] = 9;
+    const Tensor margin = floats({5, 1});
+    EXPECT_EQ(judge(check_of(JudgeKind::matrices, Tolerance{{}, {}, 1, 2}), floats(off, 16), floats(two, 16), &margin).right, 1);
+    Tensor absent = floats(std::vector<float>(16, 0.0F), 16);
+    absent.present = {0};
+    Tensor expected = floats(identity(), 16);
+    expected.present = {1};
+    EXPECT_EQ(judge(check_of(JudgeKind::matrices, ulps(1)), absent, expected, nullptr).first_difference->yours, "nothing");
+}
+
 }
 }

@@ -97,6 +97,9 @@ TEST(Numbers, PresenceMustAgree)
     EXPECT_EQ(found.metrics.at("false_hits"), 1);
     EXPECT_EQ(found.first_difference->yours, "nothing");
     EXPECT_EQ(found.first_difference->expected, "1");
+    const Judgement blind = numbers(optional_floats({0, 0, 0, 4}, {0, 0, 0, 1}), expected, ulps(1));
+    EXPECT_EQ(blind.metrics.at("missing_hits"), 2);
+    EXPECT_EQ(blind.metrics.at("false_hits"), 1);
     // A hit at 0 is not a miss.
     EXPECT_EQ(numbers(optional_floats({0}, {1}), optional_floats({0}, {0}), absolute(1)).right, 0);
     // All present, said in two ways.
@@ -181,6 +184,27 @@ TEST(Numbers, QuantilesAreOfTheErrors)
     EXPECT_EQ(found.metrics.at("median_error"), 50);
     EXPECT_EQ(found.metrics.at("p95_error"), 95);
     EXPECT_EQ(found.metrics.at("max_error"), 100);
+}
+
+TEST(Numbers, AValueAtItsBoundIsRight)
+{
+    EXPECT_EQ(numbers(floats({1.5F}), floats({1}), absolute(0.5)).right, 1);
+    EXPECT_EQ(numbers(floats({1.5F}), floats({1}), relative(0.5)).right, 1);
+    EXPECT_EQ(numbers(floats({5}), floats({0}), relative(0.5)).right, 0) << "nothing is relative to 0";
+    EXPECT_EQ(numbers(floats({-100, 0.5F, 1}, 3), floats({-100, 0, 1}, 3), relative(0.01)).right, 1) << "a negative number is as large as a positive one";
+}
+
+TEST(Numbers, TheUnitOfErrorsIsTheFirstBoundOfUlpsRelativeAbsolute)
+{
+    EXPECT_EQ(numbers(floats({up(1, 2)}), floats({1}), Tolerance{1.0, 1e-3, 4, {}}).error, 2);
+    EXPECT_NEAR(*numbers(floats({1.5F}), floats({1}), Tolerance{0.25, 1.0, {}, {}}).error, 0.5, 1e-9);
+}
+
+TEST(Numbers, AMarginsSignDoesNotMatter)
+{
+    const Tolerance tolerance{{}, {}, 1, 2};
+    const Tensor margin = floats({5, -5});
+    EXPECT_EQ(numbers(floats({1, 9}), floats({1, 2}), tolerance, &margin).right, 0.5);
 }
 
 }

@@ -140,6 +140,19 @@ TEST(Traces, HostileOnesAreDamaged)
     EXPECT_THROW((void)judged(later_frame, "nonsense"), std::invalid_argument);
 }
 
+TEST(Traces, CountsAreOfWhatIsThere)
+{
+    EXPECT_EQ(judged("glDrawElements 4 -9 5125 0\nglDrawElements 4 6 5125 0\n", later_frame).metrics.at("vertices"), 6);
+    EXPECT_EQ(judged("glBindAttribLocation 1 0\nglBindFragDataLocation 1 0\nglBindBuffer 34962 1\n", later_frame).metrics.at("state_changes"), 1);
+}
+
+TEST(Traces, OfSeveralBrokenRulesTheFirstIsShown)
+{
+    const Judgement found = judged("glBufferData 34962 8 1 35044 | 8\n" + later_frame + later_frame, later_frame, check_with({"draw calls", "uploaded bytes"}));
+    EXPECT_EQ(found.right, 0);
+    EXPECT_EQ(found.first_difference->where, "draw calls: call 6 of your 7");
+}
+
 TEST(Traces, ATruncatedOneEarnsNothing)
 {
     const Judgement found = judged(later_frame + "...\n", later_frame);

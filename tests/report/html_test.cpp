@@ -135,6 +135,28 @@ TEST(Report, ThePolicyAllowsItsOwnStyleAndScriptAndNothingElse)
     for (const char* scheme : {"http:", "https:", "//www", "url(", "@import"}) EXPECT_FALSE(has(page.substr(0, page.rfind("<script>")), scheme)) << scheme;
 }
 
+TEST(Report, BuffersStandBeforePicturesAndNumbersBeforeBuffers)
+{
+    std::vector<CheckResult> checks = {check_result("a/colour", 0, 1000), check_result("b/ids", 0, 1000), check_result("c/right", 1000, 1000),
+                                       check_result("d/numbers", 0, 1000), check_result("e/list", 0, 1000)};
+    const std::vector<JudgeKind> kinds = {JudgeKind::image, JudgeKind::buffer, JudgeKind::fragments, JudgeKind::numbers, JudgeKind::events};
+    for (std::size_t i = 0; i < checks.size(); ++i) checks[i].kind = kinds[i];
+    const UnitResult unit = unit_result("t/u", Verdict::partial, checks);
+    Gallery gallery;
+    PictureEvidence picture;
+    picture.yours = encode(Image(2, 2));
+    gallery["t/u"].checks["a/colour"].evidence = picture;
+    const std::string page = report_html(submission_result("s", {unit}), {}, gallery, {});
+    std::size_t last = 0;
+    for (const char* name : {"e/list</h3>", "d/numbers</h3>", "b/ids</h3>", "a/colour</h3>"}) {
+        const std::size_t at = page.find(name);
+        ASSERT_NE(at, std::string::npos) << name;
+        EXPECT_GT(at, last) << name;
+        last = at;
+    }
+    EXPECT_FALSE(has(page, "c/right</h3>"));
+}
+
 TEST(Report, AStudentsEditionHoldsNothingOfHiddenChecks)
 {
     CheckResult hidden = check_result("random/t", 0, 2000, true);

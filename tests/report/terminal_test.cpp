@@ -78,6 +78,36 @@ TEST(Terminal, EqualResultsGiveEqualReportsAndAsciiIsAscii)
     for (const char c : terminal_report(submission, {.unicode = false})) ASSERT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7F)) << int{c};
 }
 
+TEST(Terminal, TheFirstFailingCheckIsTheMostExactOneAndNotTheManifestsFirst)
+{
+    // From vague to exact, as a manifest might list them.
+    const std::vector<std::pair<JudgeKind, std::string>> kinds = {{JudgeKind::image, "colours/image"}, {JudgeKind::cost, "work/blocks"},
+                                                                  {JudgeKind::buffer, "ids/ids"},      {JudgeKind::numbers, "dot/x"},
+                                                                  {JudgeKind::matrices, "view/m"},     {JudgeKind::trace, "calls/calls"}};
+    UnitResult unit = unit_result("a/b", Verdict::wrong, {});
+    for (const auto& [kind, name] : kinds) {
+        unit.checks.push_back(check_result(name, 0, 1000));
+        unit.checks.back().kind = kind;
+        unit.max_score += 1000;
+    }
+    const auto first = [&] {
+        const std::string report = terminal_report(submission_result("ana", {unit}), {.width = 160});
+        const std::size_t at = report.find("check     ") + 10;
+        return report.substr(at, report.find(' ', at) - at);
+    };
+    EXPECT_EQ(first(), "calls/calls");
+    EXPECT_TRUE(
+        contains(terminal_report(submission_result("ana", {unit}), {.width = 160}), "also      dot/x, view/m, ids/ids, work/blocks, colours/image not right"));
+    unit.checks.pop_back();
+    EXPECT_EQ(first(), "dot/x") << "of two as exact as each other, the manifest's first";
+    unit.checks.resize(3);
+    EXPECT_EQ(first(), "ids/ids");
+    unit.checks[2].score = 1000;
+    EXPECT_EQ(first(), "work/blocks") << "what is right is no failure";
+    unit.checks[1].hidden = true;
+    EXPECT_EQ(first(), "colours/image");
+}
+
 TEST(Terminal, ColourAddsNothingButColour)
 {
     const SubmissionResult submission = submission_result("ana", {transposed()});

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "model/judging_order.hpp"
 #include "report/hidden.hpp"
 #include "report/html/bars.hpp"
 #include "report/html/sections.hpp"
@@ -53,8 +54,6 @@ const char* heading_of_message(Verdict verdict)
 
 bool fails(const CheckResult& check) { return check.score < check.max_score; }
 
-bool has_pictures(const CheckDetail& detail) { return std::holds_alternative<PictureEvidence>(detail.evidence); }
-
 bool has_evidence(const CheckDetail& detail) { return !std::holds_alternative<std::monostate>(detail.evidence); }
 
 /// The details of a unit's checks, as far as the edition may show them.
@@ -90,7 +89,7 @@ Markup in_a_row(const std::vector<const CheckResult*>& checks, const Details& de
                                      caption, rows));
 }
 
-/// Checks in the order in which they help: pictures of what is wrong, other failures, hidden failures, what is right.
+/// Checks in the order in which they help: failures from exact to vague, hidden failures, what is right.
 struct Sorted {
     std::vector<const CheckResult*> articles;
     std::vector<const CheckResult*> hidden;
@@ -110,7 +109,7 @@ Sorted sorted(const UnitResult& unit, const Details& details)
         else
             result.right.push_back(&check);
     }
-    std::ranges::stable_partition(result.articles, [&](const CheckResult* check) { return has_pictures(details.of(*check)); });
+    std::ranges::stable_sort(result.articles, {}, [](const CheckResult* check) { return judging_place(check->kind); });
     // One picture of a unit that is right: what it draws is worth a look.
     const auto shown = std::ranges::find_if(result.right, [&](const CheckResult* check) { return has_evidence(details.of(*check)); });
     if (result.articles.empty() && shown != result.right.end()) result.articles.push_back(*shown);
