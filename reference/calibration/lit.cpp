@@ -4,40 +4,10 @@
 
 #include "scenes.hpp"
 #include "shapes.hpp"
+#include "staging.hpp"
 
 namespace umbral::calibration {
 namespace {
-
-Material glossy(const glm::vec3& color, float shine = 0.5F, float shininess = 32)
-{
-    Material m;
-    m.color = glm::vec4(color, 1);
-    m.specular = glm::vec3(shine);
-    m.shininess = shininess;
-    return m;
-}
-
-Light sun(const glm::vec3& towards, const glm::vec3& color) { return {.place = {towards, 0}, .color = color}; }
-Light lamp(const glm::vec3& at, const glm::vec3& color) { return {.place = {at, 1}, .color = color}; }
-
-Model framed(const Pose& pose, const glm::vec3& eye, const glm::vec3& target = glm::vec3(0))
-{
-    Model m;
-    m.width = m.height = pose.size;
-    m.camera.eye = eye;
-    m.camera.target = target;
-    return m;
-}
-
-Batch solid(Triangles mesh, const glm::mat4& placed, const Material& material)
-{
-    Batch batch;
-    batch.corners = std::move(mesh);
-    batch.model = placed;
-    batch.material = material;
-    batch.cull = Cull::back;
-    return batch;
-}
 
 // A torus that takes 2 % of the picture.
 Model small_mesh(const Pose& pose)
@@ -63,7 +33,7 @@ Model one_light(const Pose& pose)
 // Nonuniform scales, so that normals need the inverse transpose.
 Model three_lights(const Pose& pose)
 {
-    Model m = framed(pose, {0.5F, 2.6F, 5.6F}, {0, 0.1F, 0});
+    Model m = framed(pose, {0.5F, 2.8F, 6.6F}, {0.15F, 0.1F, 0});
     m.ambient = glm::vec3(0.08F);
     m.lights = {sun({1, 1.5F, 1}, {0.75F, 0.7F, 0.6F}), lamp({-3, 1.5F, 1.5F}, {0.2F, 0.35F, 0.75F}), lamp({0.5F, 2.5F, -2.5F}, {0.75F, 0.2F, 0.15F})};
     m.batches = {
@@ -82,7 +52,7 @@ Model five_spots(const Pose& pose)
     const glm::vec3 colors[] = {{1, 0.3F, 0.2F}, {0.3F, 1, 0.3F}, {0.3F, 0.4F, 1}, {1, 0.9F, 0.3F}, {0.9F, 0.3F, 1}};
     for (int i = 0; i < 5; ++i) {
         const float a = 6.2831853F * static_cast<float>(i) / 5 + 0.25F * pose.time();
-        Light spot = lamp({2.0F * std::cos(a), 2.4F, 2.0F * std::sin(a)}, 3.2F * colors[i]);
+        Light spot = lamp({2.0F * std::cos(a), 2.4F, 2.0F * std::sin(a)}, 1.15F * colors[i]);
         spot.falloff = {0.4F, 0.3F, 0.2F};
         spot.aim = glm::normalize(glm::vec3(-0.55F * std::cos(a), -1, -0.55F * std::sin(a)));
         spot.cone = 0.88F;

@@ -58,14 +58,10 @@ std::vector<Way> usual_ways(Home home)
 
 }
 
-namespace {
-
 Scene finish(Scene scene)
 {
     scene.draw = [draw = scene.draw](Painters& painters, Flaw flaw, Way way) { return finished(draw(painters, flaw, way), flaw); };
     return scene;
-}
-
 }
 
 Scene model_scene(std::string name, std::string about, Home home, int size, Build build, std::vector<std::vector<Flaw>> flaws, std::initializer_list<Way> more)
@@ -91,7 +87,7 @@ Scene model_scene(std::string name, std::string about, Home home, int size, Buil
 std::vector<Scene> all_scenes(int size)
 {
     std::vector<Scene> all;
-    for (const auto& family : {lit_scenes}) {
+    for (const auto& family : {lit_scenes, textured_scenes, layered_scenes, depth_scenes, line_scenes, polygon_scenes, noisy_scenes}) {
         std::vector<Scene> some = family(size);
         std::move(some.begin(), some.end(), std::back_inserter(all));
     }

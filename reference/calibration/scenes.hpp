@@ -30,6 +30,9 @@ struct Pose {
     [[nodiscard]] glm::mat4 put(const glm::vec3& at, float degrees = 0, const glm::vec3& axis = {0, 1, 0}, const glm::vec3& scale = glm::vec3(1)) const;
 };
 
+/// The scene, with what happens to its finished pictures: shifts, flips, swapped channels.
+[[nodiscard]] Scene finish(Scene scene);
+
 using Build = std::function<Model(const Pose&)>;
 
 /// Who draws the expected picture and the wrong ones; the other one is the way "other renderer".
@@ -52,6 +55,12 @@ extern const std::vector<Flaw> encoded;   ///< encoded with gamma
 
 /// The families, one a file. `size` is that of most pictures, in pixels a side.
 [[nodiscard]] std::vector<Scene> lit_scenes(int size);
+[[nodiscard]] std::vector<Scene> textured_scenes(int size);
+[[nodiscard]] std::vector<Scene> layered_scenes(int size);
+[[nodiscard]] std::vector<Scene> depth_scenes(int size);
+[[nodiscard]] std::vector<Scene> line_scenes(int size);
+[[nodiscard]] std::vector<Scene> polygon_scenes(int size);
+[[nodiscard]] std::vector<Scene> noisy_scenes(int size);
 
 /// All of them.
 [[nodiscard]] std::vector<Scene> all_scenes(int size);

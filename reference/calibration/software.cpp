@@ -211,7 +211,11 @@ Image paint(const Model& model, Flaw flaw, Way way)
     return canvas.picture();
 }
 
-SoftwareBuild build() { return {paint}; }
+// drafting.cpp and tracing.cpp
+Image draft(const Drawing& drawing, Flaw flaw, Way way);
+Image trace(const Traced& world, Flaw flaw, Way way);
+
+SoftwareBuild build() { return {paint, draft, trace}; }
 
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "drafting.hpp"
 #include "model.hpp"
 #include "operators.hpp"
+#include "tracing.hpp"
 
 namespace umbral::calibration {
 
@@ -9,6 +11,8 @@ namespace umbral::calibration {
 struct SoftwareBuild {
     /// Draws a model. Throws std::invalid_argument for lines.
     Image (*paint)(const Model&, Flaw, Way);
+    Image (*draft)(const Drawing&, Flaw, Way);
+    Image (*trace)(const Traced&, Flaw, Way);
 };
 
 // The same files, compiled in several ways (CMakeLists.txt).

@@ -154,8 +154,8 @@ void spoil(Model& m, Flaw flaw)
 {
     if (flaw == Flaw::missing_triangle) drop_one(m, false);
     if (flaw == Flaw::missing_edge) drop_one(m, true);
-    if (flaw == Flaw::cracks) shrink(m, 1.5F);
-    if (flaw == Flaw::overlapping_seams) shrink(m, -1.5F);
+    if (flaw == Flaw::cracks) shrink(m, 0.7F);
+    if (flaw == Flaw::overlapping_seams) shrink(m, -1.0F);
     if (flaw == Flaw::half_pixel_centre) m.moved = {0.5F, 0.5F};
     if (flaw == Flaw::sample_at_corner) m.moved = {-0.5F, -0.5F};
     if (flaw == Flaw::depth_inverted) m.farthest_wins = true;
