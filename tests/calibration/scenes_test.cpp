@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <calibration/scenes.hpp>
+
+namespace umbral::calibration {
+namespace {
+
+int largest_difference(const Image& a, const Image& b)
+{
+    int most = 0;
+    for (std::size_t i = 0; i < a.cells.size(); ++i)
+        for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(int{a.cells[i][k]} - int{b.cells[i][k]}));
+    return most;
+}
+
+double mean_difference(const Image& a, const Image& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < a.cells.size(); ++i)
+        for (int k = 0; k < 3; ++k) sum += std::abs(int{a.cells[i][k]} - int{b.cells[i][k]});
+    return sum / 3 / static_cast<double>(a.cells.size());
+}
+
+Painters& painters()
+{
+    static Painters all = [] {
+        gl::forbid_driver_threads();
+        return Painters(gl::default_backend());
+    }();
+    return all;
+}
+
+TEST(CalibrationScenes, names_differ)
+{
+    std::set<std::string> names;
+    for (const Scene& scene : all_scenes(64)) EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
+}
+
+TEST(CalibrationScenes, every_operator_is_used)
+{
+    std::set<Flaw> flaws;
+    std::set<Way> ways;
+    for (const Scene& scene : all_scenes(64)) {
+        flaws.insert(scene.flaws.begin(), scene.flaws.end());
+        ways.insert(scene.ways.begin(), scene.ways.end());
+    }
+    for (const Flaw flaw : all_flaws()) EXPECT_TRUE(flaws.contains(flaw)) << operator_of(flaw).name;
+    for (const Way way : all_ways()) EXPECT_TRUE(ways.contains(way)) << operator_of(way).name;
+}
+
+// At the size at which judges see them. Two levels are what nobody sees.
+TEST(CalibrationScenes, every_flaw_shows)
+{
+    for (const Scene& scene : all_scenes(256)) {
+        const Image expected = scene.draw(painters(), Flaw::none, Way::as_it_is);
+        for (const Flaw flaw : scene.flaws)
+            EXPECT_GT(largest_difference(expected, scene.draw(painters(), flaw, Way::as_it_is)), 2) << scene.name << ": " << operator_of(flaw).name;
+    }
+}
+
+// Right is right: another way may round differently, and decide a few pixels at edges differently, no more.
+TEST(CalibrationScenes, other_ways_draw_the_same)
+{
+    for (const Scene& scene : all_scenes(128)) {
+        if (scene.noise) continue;
+        const Image expected = scene.draw(painters(), Flaw::none, Way::as_it_is);
+        for (const Way way : scene.ways)
+            if (painters().has(way)) EXPECT_LT(mean_difference(expected, scene.draw(painters(), Flaw::none, way)), 0.35) << scene.name << ": " << operator_of(way).name;
+    }
+}
+
+/// The mean over the whole picture: noise of 16 samples in 2300 pixels is far below half a level there.
+glm::dvec3 mean_color(const Image& image)
+{
+    glm::dvec3 sum(0);
+    for (const glm::u8vec4& pixel : image.cells) sum += glm::dvec3(pixel);
+    return sum / static_cast<double>(image.cells.size());
+}
+
+// Other random numbers and other right estimators have the same mean; wrong estimators have not.
+TEST(CalibrationScenes, noise_has_one_mean)
+{
+    for (const Scene& scene : all_scenes(192)) {
+        if (!scene.noise) continue;
+        const glm::dvec3 expected = mean_color(scene.draw(painters(), Flaw::none, Way::as_it_is));
+        for (const Way way : scene.ways)
+            if (painters().has(way))
+                EXPECT_LT(glm::length(mean_color(scene.draw(painters(), Flaw::none, way)) - expected), 0.5) << scene.name << ": " << operator_of(way).name;
+        EXPECT_GT(glm::length(mean_color(scene.draw(painters(), Flaw::light_3_percent, Way::as_it_is)) - expected), 1.5) << scene.name;
+    }
+}
+
+}
+}
