@@ -6,9 +6,13 @@
 #
 # The target unit-<topic>-<unit> makes all of it.
 #
+# Units lie below UMBRAL_EXERCISES_ROOT, their tenants below UMBRAL_REFERENCE_ROOT; tests that bring units of their own set both.
+#
 # A unit's tenants are built alike and loaded alike, so that nothing can depend on who lives there.
 
 set(UMBRAL_UNITS_DIR ${CMAKE_BINARY_DIR}/units)
+set(UMBRAL_EXERCISES_ROOT ${PROJECT_SOURCE_DIR}/exercises)
+set(UMBRAL_REFERENCE_ROOT ${PROJECT_SOURCE_DIR}/reference)
 
 # The flags of students' files, in one place: the precompiled header works only with exactly these.
 set(UMBRAL_STUDENT_FLAGS -std=c++20 -g -O1 -fPIC -fno-gnu-unique -ffp-contract=off -D_GLIBCXX_ASSERTIONS)
@@ -27,7 +31,7 @@ function(umbral_reference_objects unit result)
     string(APPEND target "-counted")
   endif()
   if(NOT TARGET ${target})
-    add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/reference/${file}.cpp)
+    add_library(${target} OBJECT ${UMBRAL_REFERENCE_ROOT}/${file}.cpp)
     target_compile_options(${target} PRIVATE ${ARGN})
     target_link_libraries(${target} PRIVATE umbral-framework umbral-warnings)
   endif()
@@ -42,7 +46,7 @@ function(umbral_uses_closure unit path result)
   endif()
   list(APPEND path ${unit})
   set(all)
-  file(READ ${PROJECT_SOURCE_DIR}/exercises/${unit}/exercise.json json)
+  file(READ ${UMBRAL_EXERCISES_ROOT}/${unit}/exercise.json json)
   string(JSON count ERROR_VARIABLE none LENGTH "${json}" uses)
   if(NOT none AND count GREATER 0)
     math(EXPR last "${count} - 1")
@@ -64,11 +68,11 @@ endfunction()
 
 # umbral_add_unit(TOPIC/UNIT)
 function(umbral_add_unit unit)
-  set(source ${PROJECT_SOURCE_DIR}/exercises/${unit})
+  set(source ${UMBRAL_EXERCISES_ROOT}/${unit})
   set(folder ${UMBRAL_UNITS_DIR}/${unit})
   string(REPLACE "/" "-" id ${unit})
   string(REPLACE "-" "_" file ${unit})
-  set(reference ${PROJECT_SOURCE_DIR}/reference/${file})
+  set(reference ${UMBRAL_REFERENCE_ROOT}/${file})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source}/exercise.json)
   file(READ ${source}/exercise.json json)
 

@@ -59,14 +59,20 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
     }
     const Judgement judgement = judge(check, *student, *expected, margin, tensor_of(expected_run, check.value + ".names"));
     const BestControl control = best_control(check, *expected, margin, one.seed);
-    result.score = points_for(check, judgement.right, control.right);
+    take_judgement(check, judgement, control.right, result);
+    if (check.judge == JudgeKind::noise) result.seeds = {one.seed};
+    return result;
+}
+
+void take_judgement(const Check& check, const Judgement& judgement, double control, CheckResult& result)
+{
+    result.score = points_for(check, judgement.right, control);
     result.error = judgement.error;
     result.message = judgement.message;
     result.metrics = judgement.metrics;
     result.metrics["right"] = judgement.right;
     result.first_difference = judgement.first_difference;
     result.sketch = judgement.sketch;
-    return result;
 }
 
 }

@@ -31,6 +31,9 @@ using CaseResults = std::map<std::string, CaseResult>;
 /// Throws std::runtime_error if the expected run lacks the value: a grader fault.
 [[nodiscard]] CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected, const RunOutcome& reference);
 
+/// Puts what a judge found into a check's result, with the best control (the fraction right that it gets) earning nothing.
+void take_judgement(const Check& check, const Judgement& judgement, double control, CheckResult& result);
+
 /// What a run recorded for this check, or null. Fragments and events come row by row: none at all is an empty table.
 [[nodiscard]] const Tensor* observed(const Check& check, const RunOutcome& run);
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "batch/evidence_kinds.hpp"
+#include "judge/noise.hpp"
 #include "judge/tolerance.hpp"
 #include "model/judging_order.hpp"
 #include "report/triptych.hpp"
@@ -45,6 +46,7 @@ html::Evidence evidence_of(const Check& check, const Observation& observation, c
     const Tensor& yours = *observation.yours;
     const Tensor& expected = *observation.expected;
     if (!well_formed(yours) || !well_formed(expected)) return {};
+    if (check.judge == JudgeKind::noise && is_table(expected)) return {};
     if (is_picture(check)) return picture_evidence(check, yours, expected, right);
     if (right) return {};
     switch (check.judge) {

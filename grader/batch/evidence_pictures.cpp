@@ -42,7 +42,7 @@ private:
 /// A pixel's value in words. Pictures are judged in steps of a 255th of their range: four digits say more than that.
 std::string pixel_text(const Check& check, const TensorView& view, std::size_t cell)
 {
-    if (check.judge != JudgeKind::image || !view.present(cell)) return cell_text(view, cell);
+    if ((check.judge != JudgeKind::image && check.judge != JudgeKind::noise) || !view.present(cell)) return cell_text(view, cell);
     std::string text;
     for (const double value : view.cell(cell)) text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", value);
     return view.components() == 1 ? text : "(" + text + ")";
@@ -88,7 +88,7 @@ html::Magnified magnify(const Check& check, const Pair& pair, const Window& wind
 
 bool is_measured(const Check& check, const Tensor& tensor)
 {
-    return check.judge == JudgeKind::image || tensor.element == Element::float32 || tensor.element == Element::float64;
+    return check.judge == JudgeKind::image || check.judge == JudgeKind::noise || tensor.element == Element::float32 || tensor.element == Element::float64;
 }
 
 /// Pictures of different or no size: both are shown, and why they cannot be compared.

@@ -11,6 +11,7 @@
 #include "batch/evidence.hpp"
 #include "batch/explain_unit.hpp"
 #include "batch/pictures.hpp"
+#include "batch/rerun.hpp"
 #include "build/inspection.hpp"
 #include "model/digest.hpp"
 
@@ -113,6 +114,7 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
         result.checks[i] = judge_check(check, one, expected, reference);
         one.reference_seconds = reference.wall_seconds;
     }
+    settle_borderline(workshop, exercise, built, cases, options, result);
     for (const CheckResult& check : result.checks) result.score += check.score;
     for (const auto& [name, one] : cases) {
         result.seconds += one.student.wall_seconds;
@@ -129,11 +131,20 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
 
 }
 
-std::uint64_t SeedPlan::seed_of(const Exercise& exercise, const std::string& case_name) const
+namespace {
+
+/// `word` tells seeds of one case apart; the name of a case is one line, so that no other case has this one's.
+std::uint64_t seed_for(const SeedPlan& plan, const Exercise& exercise, const std::string& case_name, const std::string& word)
 {
-    return is_hidden_case(exercise, case_name) ? case_seed(secret, course, student, exercise.id, case_name, attempt)
-                                               : case_seed("visible", course, "", exercise.id, case_name, attempt);
+    return is_hidden_case(exercise, case_name) ? case_seed(plan.secret, plan.course, plan.student, exercise.id, case_name + word, plan.attempt)
+                                               : case_seed("visible", plan.course, "", exercise.id, case_name + word, plan.attempt);
 }
+
+}
+
+std::uint64_t SeedPlan::seed_of(const Exercise& exercise, const std::string& case_name) const { return seed_for(*this, exercise, case_name, ""); }
+
+std::uint64_t SeedPlan::fresh_seed_of(const Exercise& exercise, const std::string& case_name) const { return seed_for(*this, exercise, case_name, "\nagain"); }
 
 bool is_hidden_case(const Exercise& exercise, const std::string& case_name)
 {

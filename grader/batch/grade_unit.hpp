@@ -21,6 +21,8 @@ struct SeedPlan {
 
     /// The seed of a unit's case.
     [[nodiscard]] std::uint64_t seed_of(const Exercise& exercise, const std::string& case_name) const;
+    /// The seed with which a borderline case is run again: as secret, and unrelated to it.
+    [[nodiscard]] std::uint64_t fresh_seed_of(const Exercise& exercise, const std::string& case_name) const;
 };
 
 /// How much to do beside the points.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <umbral/core/png.hpp>
 
+#include "judge/noise.hpp"
 #include "report/triptych.hpp"
 
 namespace umbral::grader {
@@ -28,11 +29,12 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
         if (!is_picture(check) || check.hidden || !one.trouble().empty() || (!failing && (one_saved || result.verdict != Verdict::ok))) continue;
         const Tensor* student = tensor_of(one.student, check.value);
         const Tensor* expected = tensor_of(workshop.trusted(exercise, judged_against(check), check.case_name, one.seed), check.value);
-        if (student == nullptr || expected == nullptr) continue;
+        if (student == nullptr || expected == nullptr || (check.judge == JudgeKind::noise && is_table(*expected))) continue;
         try {
             std::filesystem::create_directories(options.artefacts);
             const std::filesystem::path file = options.artefacts / file_name(exercise, check);
-            write_png(file, triptych(to_image(*student, check), to_image(*expected, check)));
+            write_png(file,
+                      triptych(to_image(*student, check), to_image(*expected, check), check.judge == JudgeKind::noise ? JudgeKind::noise : JudgeKind::image));
             result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();
             one_saved = true;
         } catch (const std::exception& error) {
@@ -49,10 +51,11 @@ std::optional<Image> goal_picture(Workshop& workshop, const Exercise& exercise)
     };
     auto chosen = of_kind(JudgeKind::image);
     if (chosen == exercise.checks.end()) chosen = of_kind(JudgeKind::buffer);
+    if (chosen == exercise.checks.end()) chosen = of_kind(JudgeKind::noise);
     if (chosen == exercise.checks.end()) return std::nullopt;
     const RunOutcome& run = workshop.trusted(exercise, Tenant::reference, chosen->case_name, SeedPlan{}.seed_of(exercise, chosen->case_name));
     const Tensor* tensor = tensor_of(run, chosen->value);
-    if (tensor == nullptr) return std::nullopt;
+    if (tensor == nullptr || (chosen->judge == JudgeKind::noise && is_table(*tensor))) return std::nullopt;
     return to_image(*tensor, *chosen);
 }
 

@@ -2,9 +2,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <umbral/core/random.hpp>
 
 #include "judge/fragments.hpp"
+#include "judge/noise.hpp"
 #include "judge/rules.hpp"
 #include "judge/tensor_view.hpp"
 
@@ -111,6 +113,22 @@ Tensor at_once(const Tensor& expected)
     return with_values(expected, values);
 }
 
+// What knows the scale of the estimates only. The mean of one quantity is its answer: of a single one, nothing is left that knows nothing.
+std::vector<std::pair<std::string, Tensor>> estimate_controls(const Tensor& expected, std::uint64_t seed)
+{
+    const std::size_t components = expected.components;
+    const Statistics each = statistics_of(TensorView(expected));
+    const double mean = std::accumulate(each.mean.begin(), each.mean.end(), 0.0) / static_cast<double>(components);
+    const double low = *std::min_element(each.low.begin(), each.low.end());
+    const double high = *std::max_element(each.high.begin(), each.high.end());
+    const Statistics all{Row(components, mean), Row(components, low), Row(components, high)};
+    std::vector<std::pair<std::string, Tensor>> result{{"zeros", filled(expected, Row(components, 0))}, {"ones", filled(expected, Row(components, 1))}};
+    if (components == 1) return result;
+    result.emplace_back("mean of all", filled(expected, all.mean));
+    result.emplace_back("noise", noise(expected, all, seed));
+    return result;
+}
+
 Row identity(std::size_t components)
 {
     const std::size_t side = components == 9 ? 3 : 4;
@@ -125,10 +143,11 @@ std::vector<std::pair<std::string, Tensor>> controls(const Check& check, const T
 {
     if (check.judge == JudgeKind::trace) return {{"no call", without_rows(expected)}};
     if (check.judge == JudgeKind::cost) return {{"zeros", filled(expected, Row(expected.components, 0))}, {"returns at once", at_once(expected)}};
+    if (check.judge == JudgeKind::noise && is_table(expected)) return estimate_controls(expected, seed);
     const TensorView view(expected);
     const Statistics statistics = statistics_of(view);
     const std::size_t components = expected.components;
-    const bool picture = check.judge == JudgeKind::image;
+    const bool picture = check.judge == JudgeKind::image || check.judge == JudgeKind::noise;
     std::vector<std::pair<std::string, Tensor>> result;
     result.emplace_back("zeros", filled(expected, Row(components, 0)));
     result.emplace_back("ones", filled(expected, Row(components, 1)));

@@ -129,7 +129,7 @@ bool matches_mistake(const FailingCheck& failing, const Tensor& mistake)
 {
     if (!comparable(failing) || shape_error(*failing.check, mistake, *failing.expected)) return false;
     if (has_free_rows(failing.check->judge)) return same_deviations(failing, mistake);
-    if (failing.check->judge == JudgeKind::image) return same_picture(*failing.check, failing, mistake);
+    if (failing.check->judge == JudgeKind::image || failing.check->judge == JudgeKind::noise) return same_picture(*failing.check, failing, mistake);
     return same_rows(*failing.check, failing, mistake);
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "judge/image_rule.hpp"
+#include "judge/noise.hpp"
 #include "judge/tensor_view.hpp"
 #include "judge/thresholds.hpp"
 
@@ -87,6 +88,7 @@ Grid<std::uint8_t> difference_map(const Check& check, const Tensor& student_tens
 {
     if (!well_formed(expected_tensor) || shape_error(student_tensor, expected_tensor))
         throw std::invalid_argument("check '" + check.name + "': a map of differences needs two recordings of one shape and type");
+    if (check.judge == JudgeKind::noise) return noise_map(check, student_tensor, expected_tensor);
     Grid<std::uint8_t> map(static_cast<int>(expected_tensor.columns), static_cast<int>(expected_tensor.rows));
     if (check.judge == JudgeKind::image && expected_tensor.element == Element::uint8 && student_tensor.present.empty() && expected_tensor.present.empty() &&
         expected_tensor.cells() > 0) {

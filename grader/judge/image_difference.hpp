@@ -28,7 +28,7 @@ struct WorstRegion {
 
 /// How far each pixel lies from the expected one: the largest difference over the channels, 0 .. 255 levels of the check's range for
 /// pictures; for buffers, 255 where cells differ (measured buffers: in proportion to the span of the finite expected values). Where a value
-/// is absent or not finite on one side, 255. Throws std::invalid_argument if the two cannot be compared (another shape or type).
+/// is absent or not finite on one side, 255. Of noise, the means of tiles are compared (noise_map). Throws std::invalid_argument if the two cannot be compared (another shape or type).
 [[nodiscard]] Grid<std::uint8_t> difference_map(const Check& check, const Tensor& student, const Tensor& expected);
 
 /// Where the two differ most; nothing if they do not.

@@ -30,6 +30,7 @@ Judgement dispatch(const Check& check, const Tensor& student, const Tensor& expe
         case JudgeKind::events: return judge_events(check, student, expected, names);
         case JudgeKind::trace: return judge_trace(check, student, expected);
         case JudgeKind::cost: return judge_cost(check, student, expected, names);
+        case JudgeKind::noise: return judge_noise(check, student, expected, names);
     }
     throw std::invalid_argument("check '" + check.name + "': expected one of the judges that the manifest knows");
 }

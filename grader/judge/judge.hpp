@@ -32,7 +32,7 @@ struct Judgement {
 
 /// Recordings that know nothing of the problem, of the shape of `expected`: zeros, ones (the forger's "true"), identity matrices,
 /// the most frequent row, the mean row, noise in the range of `expected`, the blank picture, all absent; for fragments also each
-/// primitive's whole bounding box, for traces no call at all, for costs a function that returns at once. By name.
+/// primitive's whole bounding box, for traces no call at all, for costs a function that returns at once; of tables of noise only what knows no quantity's mean. By name.
 [[nodiscard]] std::vector<std::pair<std::string, Tensor>> controls(const Check& check, const Tensor& expected, std::uint64_t seed);
 
 /// The best that a control gets for this check (its `right`), and which one it is.

@@ -38,6 +38,11 @@ namespace umbral::grader {
 /// nothing where next to no work was done, since a function that returns at once grows with nothing.
 [[nodiscard]] Judgement judge_cost(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* names);
 
+/// The mean of Monte Carlo estimates, by the test of stochastic.hpp: pictures of bytes (sRGB) or floats (light), and tables whose rows are
+/// replicates and whose components are quantities. Right if noise explains the worst deviation with at least check_alpha(); else the
+/// credit falls with the share of the light in the wrong place.
+[[nodiscard]] Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* names);
+
 /// Does this kind compare tables whose numbers of rows may differ?
 [[nodiscard]] bool has_free_rows(JudgeKind kind);
 

@@ -7,12 +7,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "judge/error_budget.hpp"
+
 namespace umbral::grader {
 namespace {
 
-constexpr std::array tile_sides = {16, 64};
-/// Share of the light that may differ without being noise: what clipping at 255 takes from the noisier of two pictures.
-constexpr double allowed_share = 0.005;
+/// The largest factor by which two tails of a weighted sum of random signs exceed two normal ones: 1 / (2 erfc(1)).
+/// Based on: V. Bentkus, D. Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables. 2015.
+constexpr double tail_factor = 3.179;
+/// A tile's difference is no noise beyond this many standard deviations: all of it counts as misplaced.
+constexpr double certain = 3;
 
 /// Light of a code value, and the step to the next one there. Based on: IEC 61966-2-1 (sRGB).
 struct Decoding {
@@ -37,113 +41,135 @@ const Decoding& decoding()
     return table;
 }
 
-/// Sums over a tile.
-struct Sums {
-    double count = 0;
-    double yours = 0;
-    double expected = 0;
-    double difference = 0;
-    double squares = 0;  ///< of differences
-    double steps = 0;    ///< of rounding at the expected values
-};
+/// Difference of the sums that need not be noise.
+double forgiven_sum(const TileSums& sums, const Forgiven& forgiven)
+{
+    double sum = forgiven.relative * sums.expected + forgiven.absolute * sums.count;
+    if (sums.steps > 0) {
+        // Rounding moves a mean by half a step at most, and with noise of s steps by no more than exp(-2 pi² s²) of that (the first term of the
+        // Fourier series of the rounding error bounds it); each picture has its share of the variance.
+        const double step = sums.steps / sums.count;
+        const double mean = sums.difference / sums.count;
+        const double variance = std::max(0.0, sums.squares / sums.count - mean * mean);
+        sum += sums.steps * std::exp(-std::numbers::pi * std::numbers::pi * variance / (step * step));
+    }
+    return sum;
+}
 
-Sums sums_of(const Picture& yours, const Picture& expected, int channel, int left, int top, int right, int bottom)
+/// Cells times their variance: what noise alone makes of the sum of squares.
+double noise_squares(const TileSums& sums) { return std::max(0.0, sums.squares - sums.difference * sums.difference / sums.count); }
+
+/// How much light of a tile lies in the wrong place, if noise cannot have put it there.
+double misplaced_in(const TileSums& sums, const Forgiven& forgiven)
+{
+    const double excess = std::abs(sums.difference) - forgiven_sum(sums, forgiven);
+    return excess > certain * std::sqrt(noise_squares(sums)) ? excess : 0;
+}
+
+}
+
+double deviation_of(const TileSums& sums, const Forgiven& forgiven)
+{
+    const double excess = std::abs(sums.difference) - forgiven_sum(sums, forgiven);
+    if (!(excess > 0)) return 0;
+    // Rounding has a variance of its own, a twelfth of a step squared in each picture: no tile is judged as if it had none.
+    const double step = sums.steps / sums.count;
+    return std::copysign(excess / std::sqrt(sums.squares + sums.count * step * step / 6), sums.difference);
+}
+
+double tile_probability(const TileSums& sums, double deviation)
+{
+    const double size = std::abs(deviation);
+    const double symmetric = std::erfc(size / std::numbers::sqrt2);
+    const double spread = noise_squares(sums);
+    if (spread <= 0 || symmetric <= 0) return symmetric;
+    const double mean = sums.difference / sums.count;
+    const double third = sums.cubes - 3 * mean * sums.squares + 2 * sums.count * mean * mean * mean;
+    // A self-normalised sum is smaller than normal on the side of the long tail, which then enlarges the root below it too, and larger on the
+    // other. The term holds for moderate deviations only: beyond, half the exponent is left.
+    const double skew = third / (spread * std::sqrt(spread)) * (deviation > 0 ? -1 : 1);
+    const double heavier = std::min(skew * size * size * size / 3, size * size / 4);
+    return heavier > 0 ? std::min(1.0, symmetric * std::exp(heavier)) : symmetric;
+}
+
+Estimates light_of(const Picture& picture)
 {
     const Decoding& table = decoding();
-    Sums sums;
-    for (int y = top; y < bottom; ++y) {
-        const std::uint8_t* a = yours.row(channel, y);
-        const std::uint8_t* b = expected.row(channel, y);
-        for (int x = left; x < right; ++x) {
-            const double difference = table.light[a[x]] - table.light[b[x]];
-            sums.yours += table.light[a[x]];
-            sums.expected += table.light[b[x]];
-            sums.difference += difference;
-            sums.squares += difference * difference;
-            sums.steps += table.step[b[x]];
-        }
-    }
-    sums.count = static_cast<double>(right - left) * (bottom - top);
-    return sums;
+    Estimates light{picture.width, picture.height, picture.colours(), true, {}, {}};
+    const std::size_t count = static_cast<std::size_t>(light.channels) * static_cast<std::size_t>(light.width) * static_cast<std::size_t>(light.height);
+    light.values.reserve(count);
+    light.steps.reserve(count);
+    for (int channel = 0; channel < light.channels; ++channel)
+        for (int y = 0; y < light.height; ++y)
+            for (const std::uint8_t code : std::span(picture.row(channel, y), static_cast<std::size_t>(light.width))) {
+                light.values.push_back(table.light[code]);
+                light.steps.push_back(table.step[code]);
+            }
+    return light;
 }
 
-/// A value of Student's t with `freedom` degrees as a normal deviate of the same probability.
-/// Based on: D. L. Wallace. Bounds on Normal Approximations to Student's and the Chi-Square Distributions. 1959.
-double as_normal(double t, double freedom)
-{
-    const double size = std::sqrt(freedom * std::log1p(t * t / freedom)) * (8 * freedom + 1) / (8 * freedom + 3);
-    return std::copysign(size, t);
-}
-
-/// How far a tile's mean lies off, in standard deviations of a normal distribution.
-double deviation_of(const Sums& sums)
-{
-    if (sums.count < 2) return 0;
-    const double mean = sums.difference / sums.count;
-    const double step = sums.steps / sums.count;
-    const double variance = std::max(0.0, (sums.squares - sums.difference * mean) / (sums.count - 1));
-    // Rounding moves a mean by half a step at most, and with noise of s steps by no more than exp(-2 pi² s²) of that (the first term of the
-    // Fourier series of the rounding error bounds it); each picture has its share of the variance.
-    const double noise = variance / (2 * step * step);
-    const double rounding = step * std::exp(-2 * std::numbers::pi * std::numbers::pi * noise);
-    const double excess = std::abs(mean) - rounding - allowed_share * sums.expected / sums.count;
-    if (excess <= 0) return 0;
-    // Rounding has a variance of its own, a twelfth of a step squared in each picture: no tile is judged as if it had none.
-    const double error = std::sqrt((variance + step * step / 6) / sums.count);
-    return as_normal(std::copysign(excess, mean) / error, sums.count - 1);
-}
-
-/// Tiles of about `side` pixels that cover `size`: their number; the last are no smaller than the others by more than a pixel.
-int tiles_of(int size, int side) { return std::max(1, size / side); }
-
-/// Chance that the largest of `tests` independent normal deviates exceeds |z|; exact where that chance is tiny.
-double probability_of(double z, std::size_t tests)
-{
-    const double one = std::erfc(std::abs(z) / std::numbers::sqrt2);
-    return one >= 1 ? 1 : -std::expm1(static_cast<double>(tests) * std::log1p(-one));
-}
-
-}
-
-std::string StochasticRule::message() const
+std::string StochasticRule::message(const std::string& quantity) const
 {
     if (agree) return {};
-    constexpr std::array channels = {"red", "green", "blue"};
-    const double percent = expected > 0 ? 100 * (yours - expected) / expected : 0;
-    const std::string amount = expected > 0 ? fmt::format("{:.3g} % too {}", std::abs(percent), percent > 0 ? "high" : "low") : std::string("too high");
-    return fmt::format("The {} light is {} in the {} x {} pixels from ({}, {}): {:.1f} standard deviations, which noise does once in {:.2g} pictures",
-                       channels[static_cast<std::size_t>(channel)], amount, width, height, x, y, std::abs(worst_z), 1 / std::max(probability, 1e-300));
+    constexpr std::array colours = {"red ", "green ", "blue "};
+    const double percent = expected != 0 ? 100 * (yours - expected) / std::abs(expected) : 0;
+    const std::string amount = expected != 0 ? fmt::format("{:.3g} % too {}", std::abs(percent), percent > 0 ? "high" : "low") : std::string("too high");
+    const std::string what =
+        tiled ? fmt::format("The {}light is {} in the {} x {} pixels from ({}, {})", channels == 3 ? colours[static_cast<std::size_t>(channel)] : "", amount,
+                            width, height, x, y)
+              : fmt::format("{} is {} on average over {} rows", quantity.empty() ? fmt::format("Component {}", channel) : quantity, amount, height);
+    const std::string odds = probability > 1e-300 ? fmt::format("at most once in {:.2g}", 1 / probability) : std::string("never");
+    return fmt::format("{}: {:.1f} standard deviations, which noise does {}{}", what, std::abs(worst_z), odds,
+                       probability > 1e-300 ? (tiled ? " pictures" : " tables") : "");
+}
+
+StochasticRule apply_stochastic_rule(const Estimates& yours, const Estimates& expected, const Forgiven& forgiven)
+{
+    StochasticRule rule;
+    rule.channels = expected.channels;
+    rule.tiled = expected.tiled;
+    double smallest = 2;
+    std::array<double, 3> wrong{};  // of the light, by size of the tiles
+    std::array<double, 3> all{};
+    double mean_share = 0;
+    for (int channel = 0; channel < expected.channels; ++channel) {
+        const std::vector<Tiling> tilings = tilings_of(yours, expected, channel);
+        for (std::size_t level = 0; level < tilings.size(); ++level) {
+            const Tiling& tiling = tilings[level];
+            for (std::size_t n = 0; n < tiling.sums.size(); ++n) {
+                const TileSums& sums = tiling.sums[n];
+                const double z = deviation_of(sums, forgiven);
+                const double probability = tile_probability(sums, z);
+                const double misplaced = misplaced_in(sums, forgiven);
+                const double light = std::max(sums.yours, sums.expected);
+                wrong[level] += misplaced;
+                all[level] += light;
+                if (!rule.tiled && light > 0) mean_share += std::min(1.0, misplaced / light) / expected.channels;
+                ++rule.tests;
+                if (probability > smallest || (probability == smallest && std::abs(z) <= std::abs(rule.worst_z))) continue;
+                smallest = probability;
+                const std::size_t column = n % static_cast<std::size_t>(tiling.across);
+                const std::size_t row = n / static_cast<std::size_t>(tiling.across);
+                rule.worst_z = z;
+                rule.x = tiling.left[column], rule.width = tiling.left[column + 1] - rule.x;
+                rule.y = tiling.top[row], rule.height = tiling.top[row + 1] - rule.y;
+                rule.channel = channel;
+                rule.expected = sums.total / sums.count;
+                rule.yours = rule.expected + sums.difference / sums.count;
+            }
+        }
+    }
+    for (std::size_t level = 0; rule.tiled && level < wrong.size(); ++level)
+        if (all[level] > 0) rule.misplaced = std::max(rule.misplaced, std::min(1.0, wrong[level] / all[level]));
+    if (!rule.tiled) rule.misplaced = mean_share;
+    rule.probability = sidak_probability(std::min(1.0, tail_factor * smallest), static_cast<double>(rule.tests));
+    rule.agree = rule.probability >= stochastic_alpha;
+    return rule;
 }
 
 StochasticRule apply_stochastic_rule(const Picture& yours, const Picture& expected)
 {
-    StochasticRule rule;
-    const auto test = [&](int channel, int across, int down) {
-        for (int j = 0; j < down; ++j)
-            for (int i = 0; i < across; ++i) {
-                const auto edge = [](int size, int count, int index) { return static_cast<int>(static_cast<std::int64_t>(size) * index / count); };
-                const int left = edge(expected.width, across, i);
-                const int right = edge(expected.width, across, i + 1);
-                const int top = edge(expected.height, down, j);
-                const int bottom = edge(expected.height, down, j + 1);
-                const Sums sums = sums_of(yours, expected, channel, left, top, right, bottom);
-                const double z = deviation_of(sums);
-                ++rule.tests;
-                if (std::abs(z) <= std::abs(rule.worst_z)) continue;
-                rule.worst_z = z;
-                rule.x = left, rule.y = top, rule.width = right - left, rule.height = bottom - top;
-                rule.channel = channel;
-                rule.yours = sums.yours / sums.count;
-                rule.expected = sums.expected / sums.count;
-            }
-    };
-    for (int channel = 0; channel < expected.colours(); ++channel) {
-        for (const int side : tile_sides) test(channel, tiles_of(expected.width, side), tiles_of(expected.height, side));
-        test(channel, 1, 1);
-    }
-    rule.probability = probability_of(rule.worst_z, rule.tests);
-    rule.agree = rule.probability >= stochastic_alpha;
-    return rule;
+    return apply_stochastic_rule(light_of(yours), light_of(expected), forgiven_bytes);
 }
 
 }

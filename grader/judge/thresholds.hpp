@@ -69,4 +69,18 @@ constexpr double unexplained_share = 0.5;
 /// Share of the rows in which a mistake must deviate as the student did.
 constexpr double mistake_share = 0.95;
 
+// Monte Carlo. Chance that correct work fails any noise check of a submission: a course of 100 students with 10 submissions each meets
+// such a failure once in ten such courses.
+constexpr double submission_alpha = 1e-4;
+/// Below this probability a noise check is borderline, and judged on two runs: 1 of 100 correct ones costs a second run.
+constexpr double noise_borderline = 0.01;
+/// Share of the light in the wrong place at which a wrong picture is worth all and nothing; linear in its logarithm between. Twice the
+/// light (a missing cosine, a solid angle for a hemisphere) knows nothing of the integral; 1 % is a slip in an offset.
+constexpr double noise_full = 0.01;
+constexpr double noise_zero = 0.5;
+/// … and the most that a proven bias is worth, however small.
+constexpr double noise_most = 0.9;
+/// Rows of a table of estimates below which nothing can be proven: the largest deviation of n rows is the root of n.
+constexpr int noise_rows = 64;
+
 }

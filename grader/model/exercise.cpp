@@ -91,6 +91,12 @@ std::vector<Exercise> load_exercises(const std::filesystem::path& root)
     for (const auto& topic : folders_in(root))
         for (const auto& folder : folders_in(topic))
             if (std::filesystem::exists(folder / "exercise.json")) exercises.push_back(load_exercise(folder));
+    std::ptrdiff_t noise = 0;
+    for (const Exercise& exercise : exercises)
+        noise += std::count_if(exercise.checks.begin(), exercise.checks.end(), [](const Check& check) { return check.judge == JudgeKind::noise; });
+    if (noise > most_noise_checks)
+        throw std::runtime_error(fmt::format("{}: expected at most {} checks of the judge \"noise\" in all units, which share one budget of errors, got {}",
+                                             root.string(), most_noise_checks, noise));
     std::sort(exercises.begin(), exercises.end(), [](const Exercise& a, const Exercise& b) { return place_in_course(a) < place_in_course(b); });
     return exercises;
 }
@@ -106,6 +112,7 @@ const char* to_string(JudgeKind kind)
         case JudgeKind::trace: return "trace";
         case JudgeKind::events: return "events";
         case JudgeKind::cost: return "cost";
+        case JudgeKind::noise: return "noise";
     }
     throw std::invalid_argument("judge: expected one of the declared ones, got number " + std::to_string(static_cast<int>(kind)));
 }

@@ -24,11 +24,16 @@ struct Tolerance {
 };
 
 /// What a check compares with what.
-enum class JudgeKind { numbers, matrices, buffer, image, fragments, trace, events, cost };
+enum class JudgeKind { numbers, matrices, buffer, image, fragments, trace, events, cost, noise };
 
 /// All of them, in the order in which messages list them.
-inline constexpr std::array all_judges{JudgeKind::numbers,   JudgeKind::matrices, JudgeKind::buffer, JudgeKind::image,
-                                       JudgeKind::fragments, JudgeKind::trace,    JudgeKind::events, JudgeKind::cost};
+inline constexpr std::array all_judges{JudgeKind::numbers, JudgeKind::matrices, JudgeKind::buffer, JudgeKind::image, JudgeKind::fragments,
+                                       JudgeKind::trace,   JudgeKind::events,   JudgeKind::cost,   JudgeKind::noise};
+
+/// Checks of noise in all units of a course, among which the chance to fail correct work is shared out (judge/error_budget.hpp). A fixed
+/// number, more than a course has: the same work gets the same verdict whether it is graded alone or with others, and a budget for 100
+/// instead of 10 costs half a standard deviation.
+inline constexpr int most_noise_checks = 100;
 
 /// What a trace of OpenGL calls can be held to; grader/judge/trace.cpp says how each is counted.
 inline constexpr std::array<std::string_view, 7> trace_rules{"draw calls",      "vertices",         "uploaded bytes", "objects created",
@@ -47,7 +52,7 @@ struct Check {
     Tolerance tolerance;
     double full = 1.0;               ///< the fraction right that earns all points
     double zero = 0.0;               ///< the fraction right that earns none; raised to the best control's
-    double range_low = 0;            ///< images of floats: the value shown black …
+    double range_low = 0;            ///< images and noise of floats: the value shown black …
     double range_high = 1;           ///< … and the value shown white
     std::vector<std::string> rules;  ///< traces: what is counted against the reference, as "draw calls"
     double growth = 1;               ///< costs: the largest exponent of the size with which the count may grow
@@ -97,7 +102,7 @@ struct Exercise {
 [[nodiscard]] Exercise parse_exercise(const nlohmann::json& json, const std::string& where);
 
 /// All units below `root` (topic/unit/exercise.json), sorted by topic in the course's order (other topics behind, by name), then `order`, then
-/// id. Throws as load_exercise does.
+/// id. Throws as load_exercise does, and if they have more than most_noise_checks checks of noise.
 [[nodiscard]] std::vector<Exercise> load_exercises(const std::filesystem::path& root);
 
 [[nodiscard]] const char* to_string(JudgeKind kind);

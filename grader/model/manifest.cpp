@@ -137,6 +137,8 @@ void check_together(const Field& field, const Check& check)
     if (by_tolerance && !tolerance.given()) tolerance.refuse("a tolerance, since the judge is \"numbers\" or \"matrices\"");
     if (tolerance.given() && check.why.empty()) field.member("why").refuse("where the tolerance comes from");
     const bool in_rows = by_tolerance || check.judge == JudgeKind::buffer;
+    if (check.judge == JudgeKind::noise && (check.tolerance.ulps || check.tolerance.band_ulps))
+        tolerance.refuse("absolute or relative only, as the bias that \"noise\" forgives");
     if (check.pairs && !in_rows) field.member("pairs").refuse(fmt::format("no pairs: what \"{}\" judges has no rows that pair", to_string(check.judge)));
     const Field rules = field.member("rules");
     if ((check.judge == JudgeKind::trace) != rules.given()) rules.refuse("rules if, and only if, the judge is \"trace\"");
@@ -166,7 +168,7 @@ Check read_check(const Field& field)
     if (const Field full = field.member("full"); full.given()) check.full = full.number(0, 1);
     if (const Field zero = field.member("zero"); zero.given()) check.zero = zero.number(0, 1);
     if (const Field range = field.member("range"); range.given()) {
-        if (check.judge != JudgeKind::image) range.refuse("no range, since the judge is not \"image\"");
+        if (check.judge != JudgeKind::image && check.judge != JudgeKind::noise) range.refuse("no range, since the judge is not \"image\" or \"noise\"");
         const auto ends = range.items(2, 2);
         check.range_low = ends[0].number(-1e9, 1e9);
         check.range_high = ends[1].number(-1e9, 1e9);

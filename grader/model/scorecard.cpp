@@ -57,6 +57,7 @@ json check(const CheckResult& value, Detail detail)
                 {"metrics", object(value.metrics, [](double metric) { return number(metric); })},
                 {"first_difference", difference(value.first_difference)}};
     if (!value.sketch.empty()) result["sketch"] = text(value.sketch);
+    if (detail == Detail::for_report && !value.seeds.empty()) result["seeds"] = list(value.seeds, [](std::uint64_t seed) { return std::to_string(seed); });
     if (detail == Detail::for_report) result["artefacts"] = object(value.artefacts, [](const std::string& path) { return text(path); });
     return result;
 }

@@ -34,6 +34,7 @@ struct CheckResult {
     std::optional<Difference> first_difference;
     std::string sketch{};                          ///< lines of ASCII: what the first bad place looks like; empty where there is nothing to draw
     std::map<std::string, std::string> artefacts;  ///< "triptych" to a path below the report; not in class.json
+    std::vector<std::uint64_t> seeds{};            ///< noise: of its case, and the fresh one if it was run again; not in class.json
 };
 
 /// Why a result fails, as far as it could be recognised.

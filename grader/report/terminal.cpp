@@ -10,6 +10,7 @@
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
 #include "report/paint.hpp"
+#include "report/reruns.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -144,6 +145,10 @@ std::string terminal_report(const SubmissionResult& submission, const TerminalSt
     text += row(columns, total, " ", paint.bar(total.score, total.max_score, bar_cells, Tone::plain), Tone::strong, Tone::plain, paint);
     for (const UnitResult& unit : shown.units)
         if (!all_right(unit)) text += unit_details(unit, width, paint);
+    for (const UnitResult& unit : shown.units)
+        for (const std::string& sentence : seeds_of_noise(unit))
+            for (const std::string& line : wrap(paint.safe(unit.id + ": " + sentence), width - 2 * margin))
+                text += fmt::format("{}{}\n", indent, paint(Tone::quiet, line));
     return text + fmt::format("\n{}{}\n", indent, summary(shown, paint));
 }
 

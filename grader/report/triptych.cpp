@@ -95,11 +95,11 @@ struct Comparison {
     std::optional<WorstRegion> worst;
 };
 
-Comparison compare(const Image& yours, const Image& reference)
+Comparison compare(const Image& yours, const Image& reference, JudgeKind judge)
 {
     Check check;
     check.name = "triptych";
-    check.judge = JudgeKind::image;
+    check.judge = judge;
     const Tensor left = as_tensor(yours);
     const Tensor right = as_tensor(reference);
     Comparison comparison{difference_map(check, left, right), 0, worst_region(check, left, right)};
@@ -156,10 +156,10 @@ Image uncomparable(const Image& yours, const Image& reference)
 
 }
 
-Image triptych(const Image& yours, const Image& reference)
+Image triptych(const Image& yours, const Image& reference, JudgeKind judge)
 {
     if (yours.width != reference.width || yours.height != reference.height || yours.cells.empty()) return uncomparable(yours, reference);
-    const Comparison comparison = compare(yours, reference);
+    const Comparison comparison = compare(yours, reference, judge);
     const View view = view_for(yours.width, yours.height);
     const Window whole{0, 0, yours.width, yours.height};
     const Window worst = comparison.worst ? comparison.worst->worst : Window{};

@@ -15,8 +15,13 @@ struct MetricName {
 };
 
 /// What people know about pictures; the other figures of a judge stand in report.json.
-constexpr std::array picture_metrics = {MetricName{"ssim", "SSIM", ""}, MetricName{"psnr", "PSNR", " dB"}, MetricName{"rmse", "RMSE", " levels"},
-                                        MetricName{"mean_delta_e", "mean ΔE", ""}, MetricName{"max_delta_e", "largest ΔE", ""}};
+constexpr std::array picture_metrics = {MetricName{"ssim", "SSIM", ""},
+                                        MetricName{"psnr", "PSNR", " dB"},
+                                        MetricName{"rmse", "RMSE", " levels"},
+                                        MetricName{"mean_delta_e", "mean ΔE", ""},
+                                        MetricName{"max_delta_e", "largest ΔE", ""},
+                                        MetricName{"probability", "chance of noise alone", ""},
+                                        MetricName{"misplaced_percent", "light in the wrong place", " %"}};
 
 Markup metrics(const CheckResult& check)
 {
@@ -76,7 +81,7 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", short_message(check, detail));
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
     result += std::visit(Show{anchor}, detail.evidence);
-    const bool is_picture = check.kind == JudgeKind::image || check.kind == JudgeKind::buffer;
+    const bool is_picture = check.kind == JudgeKind::image || check.kind == JudgeKind::buffer || check.kind == JudgeKind::noise;
     if (is_picture)
         result += metrics(check);
     else

@@ -5,6 +5,7 @@
 #include "report/html/bars.hpp"
 #include "report/html/sections.hpp"
 #include "report/paint.hpp"
+#include "report/reruns.hpp"
 
 namespace umbral::grader::html {
 namespace {
@@ -154,6 +155,7 @@ Markup unit_section(const UnitResult& unit, const UnitDetail& detail, std::size_
     result += in_a_row(checks.hidden, details, "Hidden checks that fail");
     result += in_a_row(checks.right, details, checks.right.size() == unit.checks.size() ? "Every check is right" : "Checks that are right");
     result += markup("<p class=\"seed\">Random inputs of the visible cases: seed {}.</p>\n", unit.seed);
+    for (const std::string& sentence : seeds_of_noise(unit)) result += markup("<p class=\"seed\">{}</p>\n", sentence);
     result += "</section>\n";
     return result;
 }

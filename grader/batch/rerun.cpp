@@ -1,0 +1,58 @@
+#include "batch/rerun.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "judge/noise.hpp"
+
+namespace umbral::grader {
+namespace {
+
+Judgement judged(Workshop& workshop, const Exercise& exercise, const Check& check, const CaseResult& one)
+{
+    Judgement judgement;
+    judgement.message = one.trouble();
+    if (!judgement.message.empty()) return judgement;
+    const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
+    const Tensor* right = tensor_of(expected, check.value);
+    if (right == nullptr) throw std::runtime_error(fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
+    if (const Tensor* student = observed(check, one.student)) return judge(check, *student, *right, nullptr, tensor_of(expected, check.value + ".names"));
+    judgement.message = "nothing was recorded: the run was disturbed";
+    return judgement;
+}
+
+bool is_borderline(const CheckResult& result)
+{
+    const auto found = result.metrics.find("probability");
+    return result.kind == JudgeKind::noise && found != result.metrics.end() && after_first_run(found->second) == FirstRun::borderline;
+}
+
+}
+
+void settle_borderline(Workshop& workshop, const Exercise& exercise, const Built& built, const CaseResults& cases, const GradeOptions& options,
+                       UnitResult& result)
+{
+    std::map<std::string, CaseResult> again;
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        const Check& check = exercise.checks[i];
+        CheckResult& before = result.checks[i];
+        if (!is_borderline(before)) continue;
+        const CaseResult& one = cases.at(check.case_name);
+        const auto [fresh, added] = again.try_emplace(check.case_name);
+        if (added) {
+            fresh->second.seed = options.seeds.fresh_seed_of(exercise, check.case_name);
+            fresh->second.hidden = one.hidden;
+            fresh->second.student = workshop.run(exercise, built, check.case_name, fresh->second.seed);
+            if (fresh->second.student.verdict == Verdict::grader_fault) throw std::runtime_error(fresh->second.student.message);
+        }
+        const Judgement both = judge_both(judged(workshop, exercise, check, one), judged(workshop, exercise, check, fresh->second));
+        const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
+        const BestControl control = best_control(check, *tensor_of(expected, check.value), nullptr, one.seed);
+        take_judgement(check, both, control.right, before);
+        before.seeds.push_back(fresh->second.seed);
+        before.message += fmt::format("{}Borderline at first, so it was run again with seed {}.", before.message.empty() ? "" : ". ", fresh->second.seed);
+    }
+}
+
+}

@@ -1,0 +1,242 @@
+#include "judge/noise.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+
+#include "judge/explain.hpp"
+#include "judge/image_difference.hpp"
+#include "noisy.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+constexpr std::uint64_t seed = 20260401;
+
+const Check check = check_of(JudgeKind::noise);
+
+/// floor_and_ball times a factor, 32 samples a pixel of a smooth integrand, in colour.
+Tensor run(Random& random, double factor = 1)
+{
+    return noisy(
+        random, 64, 64, 3, 32, [factor](int x, int y) { return factor * floor_and_ball(x, y); }, uniform);
+}
+
+double right(const Tensor& student, const Tensor& expected) { return judge(check, student, expected, nullptr).right; }
+
+/// Replicates of four estimates, the given factor off.
+Tensor estimates(Random& random, double factor = 1, int rows = 400)
+{
+    std::vector<double> values;
+    for (int row = 0; row < rows; ++row)
+        for (const double mean : {0.5, 2.0, 30.0, 0.01}) values.push_back(factor * mean * mean_of(random, exponential, 16));
+    return doubles(values, 4);
+}
+
+TEST(Noise, TheSameNumbersInTheSameOrderAreRight)
+{
+    Random random(seed);
+    const Tensor once = run(random);
+    const Judgement found = judge(check, once, once, nullptr);
+    EXPECT_EQ(found.right, 1);
+    EXPECT_EQ(found.metrics.at("probability"), 1);
+    EXPECT_TRUE(found.message.empty());
+    // Summed up in another order: every pixel a rounding away, on the same side.
+    Tensor rounded = once;
+    for (std::size_t i = 0; i < once.count(); ++i) {
+        float value = 0;
+        std::memcpy(&value, once.bytes.data() + i * sizeof value, sizeof value);
+        value *= 1 + 4e-7F;
+        std::memcpy(rounded.bytes.data() + i * sizeof value, &value, sizeof value);
+    }
+    EXPECT_NE(rounded, once);
+    EXPECT_EQ(judge(check, rounded, once, nullptr).metrics.at("probability"), 1);
+    // … and a bias with the same numbers is no noise at all, however small.
+    Random again(seed);
+    EXPECT_LT(right(run(again, 1.003), once), 1);
+}
+
+TEST(Noise, OtherNumbersOfTheSameLightAreRight)
+{
+    Random random(seed);
+    for (int i = 0; i < 10; ++i) {
+        const Tensor expected = run(random);
+        const Tensor student = run(random);
+        EXPECT_EQ(right(student, expected), 1);
+        EXPECT_EQ(right(as_bytes(student), as_bytes(expected)), 1);
+        EXPECT_EQ(right(estimates(random), estimates(random)), 1);
+    }
+}
+
+TEST(Noise, CreditFallsWithTheLightInTheWrongPlace)
+{
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::printf("seed %llu: credit before rescaling by what is wrong\n", static_cast<unsigned long long>(seed));
+    const Tensor expected = run(random);
+    double last = 1;
+    for (const double factor : {1.03, 1.06, 1.2, 1.5, 1.9}) {
+        const Judgement found = judge(check, run(random, factor), expected, nullptr);
+        std::printf("  times %.2f: %.2f (%.1f %% in the wrong place)\n", factor, found.right, found.metrics.at("misplaced_percent"));
+        EXPECT_LT(found.right, last) << factor;
+        EXPECT_NEAR(found.metrics.at("misplaced_percent"), 100 * (1 - 1 / factor), 2) << factor;
+        EXPECT_NEAR(right(run(random, 1 / factor), expected), found.right, 0.1) << "too dark as too bright";
+        last = found.right;
+    }
+    EXPECT_EQ(right(run(random, 3.14159265), expected), 0);
+    EXPECT_EQ(right(run(random, 1 / 3.14159265), expected), 0);
+    EXPECT_GT(right(run(random, 1.03), expected), 0.6);
+    EXPECT_LT(right(run(random, 1.03), expected), 0.95);
+    // A patch that lies in the dark costs what its light is worth.
+    const Tensor patch = noisy(
+        random, 64, 64, 3, 32, [](int x, int y) { return x >= 40 && x < 56 && y >= 16 && y < 32 ? 0.0 : floor_and_ball(x, y); }, uniform);
+    const Judgement dark = judge(check, patch, expected, nullptr);
+    EXPECT_GT(dark.metrics.at("misplaced_percent"), 5);
+    EXPECT_LT(dark.metrics.at("misplaced_percent"), 15);
+    EXPECT_NE(dark.message.find("too low in the"), std::string::npos) << dark.message;
+}
+
+TEST(Noise, ControlsEarnNextToNothing)
+{
+    Random random(seed);
+    for (const Tensor& expected : {run(random), as_bytes(run(random)), estimates(random)}) {
+        const BestControl best = best_control(check, expected, nullptr, seed);
+        EXPECT_LT(best.right, 0.25) << best.name;
+        for (const auto& [name, tensor] : controls(check, expected, seed)) {
+            const double got = judge(check, tensor, expected, nullptr).right;
+            EXPECT_EQ(points_for(check, got, best.right), 0) << name;
+            const bool dark = name == "zeros" || name == "black" || name == "blank";
+            EXPECT_LE(got, dark ? 0.0 : 0.25) << name;
+        }
+    }
+    // The mean of one quantity is its answer: no control may know it.
+    Tensor one = doubles(std::vector<double>(100, 0.25));
+    for (const auto& [name, tensor] : controls(check, one, seed)) EXPECT_LT(judge(check, tensor, one, nullptr).right, 1) << name;
+}
+
+TEST(Noise, WordsNameTheWorstPlace)
+{
+    Random random(seed);
+    const Tensor expected = estimates(random);
+    const Tensor names = text("0 The floor\n1 The wall\n2 The lamp\n3 The corner\n");
+    Tensor lamp = expected;
+    for (std::size_t row = 0; row < 400; ++row) {
+        double value = 0;
+        std::memcpy(&value, lamp.bytes.data() + (4 * row + 2) * sizeof value, sizeof value);
+        value *= 0.9;
+        std::memcpy(lamp.bytes.data() + (4 * row + 2) * sizeof value, &value, sizeof value);
+    }
+    const Judgement named = judge(check, lamp, expected, nullptr, &names);
+    EXPECT_EQ(named.message.rfind("The lamp is 10 % too low on average over 400 rows", 0), 0U) << named.message;
+    EXPECT_EQ(judge(check, lamp, expected, nullptr).message.rfind("Component 2 is 10 % too low", 0), 0U);
+    ASSERT_TRUE(named.first_difference);
+    EXPECT_EQ(named.first_difference->where, "mean of component 2");
+}
+
+TEST(Noise, WhatIsNoNumberIsWrong)
+{
+    Random random(seed);
+    const Tensor expected = run(random);
+    Tensor student = expected;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(student.bytes.data() + 400, &nan, sizeof nan);
+    EXPECT_EQ(right(student, expected), 0);
+    EXPECT_FALSE(decided_by(judge(check, student, expected, nullptr))) << "nothing that a second run could save";
+    EXPECT_EQ(right(noisy(random, 32, 32, 3, 1, floor_and_ball), expected), 0) << "another size";
+    EXPECT_EQ(right(as_bytes(expected), expected), 0) << "another type";
+}
+
+TEST(Noise, WhatCannotBeJudgedIsAFaultOfOurs)
+{
+    Random random(seed);
+    const auto judged_by_itself = [](const Tensor& tensor) { (void)judge(check, tensor, tensor, nullptr); };
+    EXPECT_THROW(judged_by_itself(estimates(random, 1, 63)), std::invalid_argument) << "too few replicates to prove anything";
+    EXPECT_NO_THROW(judged_by_itself(estimates(random, 1, 64)));
+    EXPECT_THROW(judged_by_itself(grid(64, 64, std::vector<std::uint32_t>(4096, 1))), std::invalid_argument) << "ids have no mean";
+    Tensor broken = estimates(random);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    std::memcpy(broken.bytes.data(), &nan, sizeof nan);
+    EXPECT_THROW(judged_by_itself(broken), std::invalid_argument);
+}
+
+TEST(Noise, ADeclaredBiasIsForgiven)
+{
+    Random random(seed);
+    const Tensor expected = run(random);
+    Random again(seed);
+    const Tensor student = run(again, 1.02);
+    Check generous = check;
+    generous.tolerance = relative(0.021);
+    EXPECT_LT(right(student, expected), 1);
+    EXPECT_EQ(judge(generous, student, expected, nullptr).right, 1);
+    generous.tolerance = relative(0.01);
+    EXPECT_LT(judge(generous, student, expected, nullptr).right, 1);
+    generous.tolerance = absolute(0.02);
+    EXPECT_EQ(judge(generous, student, expected, nullptr).right, 1);
+}
+
+TEST(Noise, TwoRunsAreJudgedTogether)
+{
+    Judgement first;
+    first.right = 1;
+    first.error = 0.02;
+    first.message = "";
+    first.metrics = {{"probability", 3e-5}};
+    Judgement second = first;
+    EXPECT_EQ(decided_by(first), FirstRun::borderline);
+    const Judgement wrong = judge_both(first, second);
+    EXPECT_LT(wrong.metrics.at("probability"), check_alpha());
+    EXPECT_LT(wrong.right, 1);
+    EXPECT_GT(wrong.right, 0.5);
+    EXPECT_FALSE(wrong.message.empty());
+    EXPECT_EQ(wrong.metrics.at("probability_first"), 3e-5);
+    second.metrics["probability"] = 0.4;
+    EXPECT_EQ(judge_both(first, second).right, 1);
+    // Wrong by itself, saved by the second.
+    first.metrics["probability"] = 5e-7;
+    first.right = 0.8;
+    first.message = "too bright";
+    EXPECT_EQ(decided_by(first), FirstRun::borderline);
+    EXPECT_EQ(judge_both(first, second).right, 1);
+    EXPECT_TRUE(judge_both(first, second).message.empty());
+    // A second run that broke down decides by itself.
+    Judgement broken;
+    broken.message = "crashed";
+    EXPECT_EQ(judge_both(first, broken).right, 0);
+    EXPECT_EQ(judge_both(first, broken).message, "crashed");
+}
+
+TEST(Noise, AMistakeIsKnownByItsLight)
+{
+    Random random(seed);
+    const Tensor expected = run(random);
+    const Tensor student = run(random, 2);
+    const FailingCheck failing{&check, &student, &expected, nullptr, nullptr};
+    EXPECT_TRUE(matches_mistake(failing, run(random, 2))) << "other noise, the same light";
+    EXPECT_FALSE(matches_mistake(failing, run(random, 0.5)));
+    EXPECT_FALSE(matches_mistake(failing, run(random))) << "no mistake at all";
+    const Tensor fine = run(random);
+    EXPECT_FALSE(matches_mistake({&check, &fine, &expected, nullptr, nullptr}, run(random, 2))) << "not failing";
+}
+
+TEST(Noise, TheMapShowsMeansAndNoNoise)
+{
+    Random random(seed);
+    const auto light = [](int, int) { return 0.2; };
+    const Tensor expected = noisy(random, 64, 64, 1, 16, light);
+    const Tensor student = noisy(random, 64, 64, 1, 16, [](int x, int y) { return x >= 32 && x < 48 && y >= 16 && y < 32 ? 0.6 : 0.2; });
+    const Grid<std::uint8_t> map = difference_map(check, student, expected);
+    EXPECT_NEAR(map.at(40, 20), 0.4 * 255, 8);
+    EXPECT_EQ(map.at(32, 16), map.at(47, 31)) << "one level a tile";
+    EXPECT_LT(map.at(10, 10), 5);
+    const auto region = worst_region(check, student, expected);
+    ASSERT_TRUE(region);
+    EXPECT_EQ(map.at(region->peak_x, region->peak_y), map.at(40, 20));
+    EXPECT_FALSE(worst_region(check, expected, expected));
+}
+
+}
+}

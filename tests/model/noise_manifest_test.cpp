@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "manifest_json.hpp"
+#include "message_of.hpp"
+#include "model/exercise.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using nlohmann::json;
+
+/// A manifest whose only checks are these.
+json with_checks(const json& checks)
+{
+    json manifest = test::manifest();
+    double points = 0;
+    for (const json& check : checks) points += check["points"].get<double>();
+    manifest["checks"] = checks;
+    manifest["points"] = points;
+    return manifest;
+}
+
+json noise() { return {{"case", "sky"}, {"value", "light"}, {"judge", "noise"}, {"points", 2}}; }
+
+std::string complaint_about(const json& check)
+{
+    return test::message_of([&] { (void)parse_exercise(with_checks(json::array({check})), "here.json"); });
+}
+
+TEST(NoiseManifest, ReadsAChecksBiasAndRange)
+{
+    json check = noise();
+    check["tolerance"] = {{"relative", 0.01}};
+    check["why"] = "the oracle leaves out the third bounce";
+    check["range"] = {0, 4};
+    const Exercise unit = parse_exercise(with_checks(json::array({check, {{"case", "a"}, {"value", "b"}, {"judge", "image"}, {"points", 1}}})), "here.json");
+    EXPECT_EQ(unit.checks[0].judge, JudgeKind::noise);
+    EXPECT_EQ(unit.checks[0].tolerance.relative, 0.01);
+    EXPECT_EQ(unit.checks[0].range_high, 4);
+    EXPECT_NO_THROW((void)parse_exercise(with_checks(json::array({noise()})), "here.json")) << "nothing more is needed";
+}
+
+TEST(NoiseManifest, RefusesWhatNoiseDoesNotHave)
+{
+    json ulps = noise();
+    ulps["tolerance"] = {{"ulps", 4}};
+    ulps["why"] = "four roundings";
+    EXPECT_NE(complaint_about(ulps).find("checks[0].tolerance: expected absolute or relative only"), std::string::npos) << complaint_about(ulps);
+    json pairs = noise();
+    pairs["pairs"] = true;
+    EXPECT_NE(complaint_about(pairs).find("checks[0].pairs: expected no pairs"), std::string::npos) << complaint_about(pairs);
+    json no_reason = noise();
+    no_reason["tolerance"] = {{"relative", 0.01}};
+    EXPECT_NE(complaint_about(no_reason).find("checks[0].why: expected where the tolerance comes from"), std::string::npos);
+}
+
+TEST(NoiseManifest, AllUnitsTogetherHaveAtMostAHundred)
+{
+    const umbral::test::TemporaryFolder folder;
+    const auto write_unit = [&](const std::string& name, int checks) {
+        json list = json::array();
+        for (int i = 0; i < checks; ++i) {
+            list.push_back(noise());
+            list.back()["value"] = "light " + std::to_string(i);
+        }
+        json manifest = with_checks(list);
+        manifest["id"] = "lighting/" + name;
+        manifest["files"] = {"sky.cpp"};
+        manifest.erase("uses");
+        folder.write("lighting/" + name + "/exercise.json", manifest.dump());
+        for (const char* file : {"sky.cpp", "driver.cpp"}) folder.write("lighting/" + name + "/" + file, "");
+    };
+    write_unit("one", 60);
+    write_unit("two", most_noise_checks - 60);
+    EXPECT_EQ(load_exercises(folder.path()).size(), 2U);
+    write_unit("two", most_noise_checks - 59);
+    const std::string message = test::message_of([&] { (void)load_exercises(folder.path()); });
+    EXPECT_NE(message.find("expected at most 100 checks of the judge \"noise\""), std::string::npos) << message;
+    EXPECT_NE(message.find("got 101"), std::string::npos) << message;
+}
+
+}
+}
