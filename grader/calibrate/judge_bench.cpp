@@ -13,8 +13,8 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::array<std::string_view, std::tuple_size_v<decltype(ImageRule::ratios)>> part_names = {"edges", "interior", "bias",
-                                                                                                     "shift", "cluster",  "surface"};
+constexpr std::array<std::string_view, std::tuple_size_v<decltype(ImageRule::ratios)>> part_names = {"edges",   "interior", "bias",        "shift",
+                                                                                                     "cluster", "surface",  "displacement"};
 
 template <class Work>
 double best_milliseconds(Work work)

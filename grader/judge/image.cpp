@@ -30,6 +30,9 @@ std::string complaint(const ImageRule& rule)
         case 5:
             return fmt::format("round pixel ({}, {}) the surface is too {} by {:.3g} levels of 255", rule.surface.x + window_side / 2,
                                rule.surface.y + window_side / 2, rule.surface.difference > 0 ? "bright" : "dark", std::abs(rule.surface.difference));
+        case 6:
+            return fmt::format("edges lie {:.2g} pixels to the right and {:.2g} down (negative: left, up): look at the sampling point, the pixel's centre",
+                               rule.displacement.x, rule.displacement.y);
         default: return fmt::format("everything is shifted: {} pixel(s) to the right and {} down (negative: left, up)", rule.shift_x, rule.shift_y);
     }
 }

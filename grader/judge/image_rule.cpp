@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/glm.hpp>
 #include <numeric>
 
 #include "judge/thresholds.hpp"
@@ -93,8 +94,23 @@ Bytes edge_errors(const Picture& student, const Picture& expected, const Bytes& 
     return errors;
 }
 
+// What edge pixels that changed hands, which (a) forgives, add to the sum of a channel's differences: nothing as long as it is within three
+// standard deviations of what chance gives. A line drawn too wide changes them all one way, and goes far beyond.
+double chance_of_edges(const Picture& student, const Picture& expected, int channel, const std::vector<glm::ivec2>& forgiven)
+{
+    double sum = 0;
+    double squares = 0;
+    for (const glm::ivec2& at : forgiven) {
+        const int moved = student.row(channel, at.y)[at.x] - expected.row(channel, at.y)[at.x];
+        sum += moved;
+        squares += moved * moved;
+    }
+    return std::copysign(std::min(std::abs(sum), 3 * std::sqrt(squares)), sum);
+}
+
 // (c): the mean difference of the worst colour channel, and the mean level of the expected content.
-void measure_bias(const Picture& student, const Picture& expected, const Bytes& either, const Bytes& content, double area, ImageRule& rule)
+void measure_bias(const Picture& student, const Picture& expected, const Bytes& either, const Bytes& content, double area,
+                  const std::vector<glm::ivec2>& forgiven, ImageRule& rule)
 {
     const auto width = static_cast<std::size_t>(expected.width);
     double level = 0;
@@ -115,7 +131,7 @@ void measure_bias(const Picture& student, const Picture& expected, const Bytes& 
             sum += row_sum;
             light += row_light;
         }
-        const double bias = static_cast<double>(sum) / area;
+        const double bias = (static_cast<double>(sum) - chance_of_edges(student, expected, c, forgiven)) / area;
         if (std::abs(bias) > std::abs(rule.bias)) rule.bias = bias;
         level += static_cast<double>(light) / area / expected.colours();
     }
@@ -158,12 +174,13 @@ void find_shift(const Picture& student, const Picture& expected, double area, Im
 
 double ImageRule::worst() const { return *std::max_element(ratios.begin(), ratios.end()); }
 
+double ImageRule::everywhere() const { return *std::max_element(ratios.begin(), ratios.begin() + 4); }
+
 double ImageRule::right() const
 {
     // What shows in one window only is a small fault, however clear it is.
-    const double everywhere = *std::max_element(ratios.begin(), ratios.begin() + 4);
-    const double somewhere = std::min(std::max(ratios[4], ratios[5]), thresholds::window_ratio);
-    const double ratio = std::max(everywhere, somewhere);
+    const double somewhere = std::min(*std::max_element(ratios.begin() + 4, ratios.end()), thresholds::window_ratio);
+    const double ratio = std::max(everywhere(), somewhere);
     return ratio <= 1 ? 1.0 : std::max(0.0, 1 - std::log(ratio) / std::log(thresholds::zero_ratio));
 }
 
@@ -227,22 +244,34 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     rule.cluster = densest_window(errors, expected.width, expected.height);
     rule.ratios[4] = rule.cluster.count / thresholds::cluster_pixels;
 
-    Bytes smooth = smooth_part(expected);
+    std::vector<glm::ivec2> forgiven;
+    if (rule.ratios[0] <= 1)
+        for (int y = 0; y < expected.height; ++y)
+            for (int x = 0; x < expected.width; ++x)
+                if (const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width) + static_cast<std::size_t>(x);
+                    difference[at] > thresholds::edge_levels && errors[at] == 0 && either[at] != 0)
+                    forgiven.emplace_back(x, y);
+
+    const Bytes smooth = smooth_part(expected);
     std::size_t interior = 0;
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < content.size(); ++i) {
         interior += static_cast<std::size_t>(smooth[i] & content[i]);
         wrong += smooth[i] != 0 && difference[i] > thresholds::interior_levels ? 1U : 0U;
-        // What is wrong by (a) is counted there.
-        smooth[i] = static_cast<std::uint8_t>(smooth[i] & content[i] & (errors[i] ^ 1U));
     }
     rule.interior_share = static_cast<double>(wrong) / std::max(static_cast<double>(interior), thresholds::smooth_floor * area);
     rule.ratios[1] = rule.interior_share / thresholds::interior_share;
 
-    measure_bias(student, expected, either, content, area, rule);
+    measure_bias(student, expected, either, content, area, forgiven, rule);
     find_shift(student, expected, area, rule);
-    rule.surface = worst_level_window(student, expected, smooth);
+    if (rule.everywhere() >= thresholds::window_ratio) return rule;
+    Bytes surface(smooth.size());
+    // What is wrong by (a) is counted there.
+    for (std::size_t i = 0; i < content.size(); ++i) surface[i] = static_cast<std::uint8_t>(smooth[i] & content[i] & (errors[i] ^ 1U));
+    rule.surface = worst_level_window(student, expected, surface);
     rule.ratios[5] = rule.surface.ratio;
+    rule.displacement = edge_displacement(student, expected, smooth);
+    rule.ratios[6] = std::hypot(rule.displacement.x, rule.displacement.y) / thresholds::displacement;
     return rule;
 }
 

@@ -2,12 +2,13 @@
 
 #include <array>
 
+#include "judge/image_displacement.hpp"
 #include "judge/image_windows.hpp"
 #include "judge/picture.hpp"
 
 namespace umbral::grader {
 
-/// What the combined rule measured: six ratios of a measure to its threshold (thresholds.hpp); the picture passes if none exceeds 1.
+/// What the combined rule measured: seven ratios of a measure to its threshold (thresholds.hpp); the picture passes if none exceeds 1.
 ///
 /// Shares are of the expected picture's content (pixels that differ from its background), so that drawing more cannot thin errors out.
 struct ImageRule {
@@ -18,12 +19,16 @@ struct ImageRule {
     int shift_y = 0;            ///< … and this many below it
     DensestWindow cluster;      ///< (e) where most of the pixels of (a) lie close together: a hole or a crack
     LevelWindow surface;        ///< (f) where a smooth surface has another mean level: a highlight, a lamp or a shadow
+    Displacement displacement;  ///< (g) by which part of a pixel edges are displaced: another sampling point
     double content = 0;         ///< number of pixels of the expected content
-    std::array<double, 6> ratios{};
+    /// In the order (a) to (g). (f) and (g) stay 0 where the others have cost more already than these two can.
+    std::array<double, 7> ratios{};
 
     [[nodiscard]] double worst() const;
+    /// Of (a) to (d), which speak of the whole picture.
+    [[nodiscard]] double everywhere() const;
     /// 1 up to a ratio of 1, then falling with its logarithm to 0 at thresholds::zero_ratio. What shows in one window only, (e) and (f),
-    /// costs no more than thresholds::window_ratio does.
+    /// or as a part of a pixel, (g), costs no more than thresholds::window_ratio does.
     [[nodiscard]] double right() const;
 };
 

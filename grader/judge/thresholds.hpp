@@ -35,11 +35,14 @@ constexpr double shift_ratio = 4.5;
 constexpr double cluster_pixels = 6;
 
 // (f) A surface's mean level in one window of 16 x 16, of its smooth pixels only.
-constexpr double window_levels = 1.5;
+constexpr double window_levels = 2.2;
 constexpr double window_share = 0.012;
 /// A mean of fewer pixels says little.
 constexpr int window_pixels = 48;
-/// Ratio charged at most for (e) and (f): three quarters of the credit remain.
+// (g) Displacement of the edges by a part of a pixel: another sampling point displaces them by half a pixel.
+constexpr double displacement = 0.25;
+
+/// Ratio charged at most for (e), (f) and (g): three quarters of the credit remain.
 constexpr double window_ratio = 3.0;
 
 /// A pixel belongs to the content if a channel differs by more from the background. Two levels: a dithered or re-rounded background
