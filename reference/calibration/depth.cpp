@@ -36,7 +36,7 @@ Model far_away(const Pose& pose)
     m.batches = {solid(ground(), pose.put({0, 0, 0}, 0, {0, 1, 0}, {260, 1, 260}), glossy({0.35F, 0.5F, 0.28F}, 0, 1))};
     Random random(17);
     for (int i = 0; i < 9; ++i) {
-        const glm::vec3 at(static_cast<float>(i % 3 - 1) * 68, 0, static_cast<float>(i / 3 - 1) * 90);
+        const glm::vec3 at(static_cast<float>(i % 3 - 1) * 68, 0, static_cast<float>(1 - i / 3) * 90);
         const float height = random.uniform(18, 46);
         const glm::vec3 wall(random.uniform(0.5F, 0.9F), random.uniform(0.45F, 0.7F), random.uniform(0.35F, 0.6F));
         const float turn = random.uniform(-25, 25) + 6 * pose.time();
@@ -79,20 +79,19 @@ Model corridor(const Pose& pose)
     m.lights = {lamp({0, 0.7F, 1}, glm::vec3(0.8F))};
     m.lights[0].falloff = {0.6F, 0.1F, 0.06F};
     m.textures = {{.texels = bricks(128)}, {.texels = tiles(64, 2, {0.8F, 0.8F, 0.75F}, {0.25F, 0.3F, 0.35F})}};
-    const auto wall = [&](const glm::vec3& axis, float degrees, const glm::vec3& at, std::size_t texture) {
-        Batch b = with_texture(solid(square(), pose.put(at, degrees, axis, {6, 1, 1}), glossy(glm::vec3(1), 0.1F, 8)), texture,
-                               texture == 0 ? glm::vec2(6, 2) : glm::vec2(12, 4));
+    const auto wall = [&](float side) {
+        Batch b = with_texture(solid(square(), pose.put({side, 0, 0}, -90 * side, {0, 1, 0}, {6, 1, 1}), glossy(glm::vec3(1), 0.1F, 8)), 0, {6, 2});
         b.cull = Cull::none;
         return b;
     };
-    m.batches = {wall({0, 1, 0}, 90, {-1, 0, 0}, 0), wall({0, 1, 0}, -90, {1, 0, 0}, 0)};
+    m.batches = {solid(ball(40, 20), pose.put({0.35F, -0.45F, 1.2F}, 0, {0, 1, 0}, glm::vec3(0.4F)), glossy({0.9F, 0.7F, 0.2F}))};
+    for (const float side : {-1.0F, 1.0F}) m.batches.push_back(wall(side));
     Batch floor_of = with_texture(solid(ground(), pose.put({0, -1, 0}, 0, {0, 1, 0}, {1, 1, 6}), glossy(glm::vec3(1), 0.2F, 10)), 1, {2, 12});
     floor_of.cull = Cull::none;
     Batch ceiling = solid(ground(), pose.put({0, 1, 0}, 180, {0, 0, 1}, {1, 1, 6}), glossy({0.8F, 0.75F, 0.7F}, 0, 1));
     ceiling.cull = Cull::none;
     m.batches.push_back(floor_of);
     m.batches.push_back(ceiling);
-    m.batches.push_back(solid(ball(40, 20), pose.put({0.35F, -0.45F, 1.2F}, 0, {0, 1, 0}, glm::vec3(0.4F)), glossy({0.9F, 0.7F, 0.2F})));
     return m;
 }
 
@@ -150,7 +149,7 @@ std::vector<Scene> depth_scenes(int size)
                     {placed,
                      meshes,
                      encoded,
-                     {depth_test_off, rotation_sign, stale_frame, one_light_missing, ambient_twice, phong_for_blinn, near_plane_too_far, far_plane_too_near,
+                     {depth_inverted, depth_test_off, rotation_sign, stale_frame, one_light_missing, ambient_twice, phong_for_blinn, near_plane_too_far,
                       flat_for_smooth, half_pixel_centre, shifted_one_pixel, light_in_wrong_space}},
                     {Way::light_in_world_space}),
         model_scene("far scene", "Houses with windows, hundreds of units away.", Home::opengl, size, far_away,
@@ -175,10 +174,12 @@ std::vector<Scene> depth_scenes(int size)
                     {any,
                      placed,
                      {missing_edge, line_width_wrong, aspect_ignored, missing_triangle, cracks, depth_inverted, depth_test_off, rotation_sign, stale_frame,
-                      phong_for_blinn, ambient_twice, gamma_twice, viewer_fixed, front_faces_culled}},
+                      phong_for_blinn, ambient_twice, gamma_twice, front_faces_culled, mirrored}},
                     {Way::light_in_world_space}),
         model_scene("tiny triangle", "One triangle of some fifty pixels.", Home::opengl, size, tiny,
-                    {any, {stale_frame, flat_for_smooth, gamma_twice, brightness_5_percent, sixteen_levels, fov_3_percent_wrong, camera_1_percent_off}}),
+                    {any,
+                     {stale_frame, flat_for_smooth, gamma_twice, brightness_5_percent, sixteen_levels, fov_3_percent_wrong, camera_1_percent_off,
+                      sample_at_corner, mirrored, upside_down}}),
     };
 }
 

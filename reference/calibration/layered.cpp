@@ -109,15 +109,14 @@ std::vector<Scene> layered_scenes(int size)
     using namespace groups;
     using enum Flaw;
     return {
-        model_scene(
-            "transparent layers", "Five coloured panes over each other, before a ball.", Home::opengl, size, panes,
-            {placed,
-             {blend_order, premultiplied_twice, alpha_ignored, additive_for_over, depth_written_by_layers, overlapping_seams, cracks, missing_triangle,
-              half_pixel_centre, shifted_one_pixel, red_blue_swapped, rotation_sign, stale_frame, depth_test_off, gamma_twice, brightness_5_percent, blank}}),
+        model_scene("transparent layers", "Five coloured panes over each other, before a ball.", Home::opengl, size, panes,
+                    {placed,
+                     {blend_order, premultiplied_twice, alpha_ignored, additive_for_over, depth_written_by_layers, overlapping_seams, cracks, missing_triangle,
+                      half_pixel_centre, shifted_one_pixel, red_blue_swapped, rotation_sign, stale_frame, gamma_twice, brightness_5_percent, blank}}),
         model_scene("additive blending", "Glows that add up.", Home::software, size, glows,
                     {any,
                      {over_for_additive, premultiplied_twice, alpha_ignored, missing_triangle, stale_frame, nearest_for_linear, gamma_twice,
-                      brightness_5_percent, sixteen_levels, fov_3_percent_wrong, half_texel_off}}),
+                      brightness_5_percent, sixteen_levels, fov_3_percent_wrong, half_texel_off, mirrored, upside_down}}),
         model_scene("sprites", "A spiral of a hundred and fifty soft points.", Home::opengl, size, sprites,
                     {any,
                      placed,

@@ -52,7 +52,7 @@ Model five_spots(const Pose& pose)
     const glm::vec3 colors[] = {{1, 0.3F, 0.2F}, {0.3F, 1, 0.3F}, {0.3F, 0.4F, 1}, {1, 0.9F, 0.3F}, {0.9F, 0.3F, 1}};
     for (int i = 0; i < 5; ++i) {
         const float a = 6.2831853F * static_cast<float>(i) / 5 + 0.25F * pose.time();
-        Light spot = lamp({2.0F * std::cos(a), 2.4F, 2.0F * std::sin(a)}, 1.15F * colors[i]);
+        Light spot = lamp({2.0F * std::cos(a), 2.4F, 2.0F * std::sin(a)}, 1.9F * colors[i]);
         spot.falloff = {0.4F, 0.3F, 0.2F};
         spot.aim = glm::normalize(glm::vec3(-0.55F * std::cos(a), -1, -0.55F * std::sin(a)));
         spot.cone = 0.88F;
@@ -95,11 +95,11 @@ Model dark(const Pose& pose)
     Model m = framed(pose, {0, 1.4F, 4.4F});
     m.background = {0.012F, 0.012F, 0.02F, 1};
     m.encoded = false;
-    m.ambient = glm::vec3(0.02F);
-    m.lights = {lamp({1.8F, 2, 2.2F}, {0.13F, 0.12F, 0.10F}), lamp({-2.5F, 0.5F, 0}, {0.03F, 0.04F, 0.09F})};
+    m.ambient = glm::vec3(0.035F);
+    m.lights = {lamp({1.8F, 2, 2.2F}, {0.14F, 0.13F, 0.11F}), lamp({-2.5F, 0.5F, 0}, {0.03F, 0.04F, 0.09F})};
     m.batches = {
-        solid(ball(48, 24), pose.put({-0.6F, 0, 0}, 20 * pose.time(), {0, 1, 0}, {0.9F, 0.9F, 0.9F}), glossy({0.9F, 0.8F, 0.7F}, 0.5F, 24)),
-        solid(knot(0.16F, 160, 20), pose.put({0.9F, -0.1F, 0.2F}, 40 * pose.time(), {1, 0, 0}, glm::vec3(0.9F)), glossy({0.6F, 0.8F, 0.9F}, 0.4F, 16))};
+        solid(ball(48, 24), pose.put({-0.6F, 0, 0}, 20 * pose.time(), {0, 1, 0}, {0.9F, 0.9F, 0.9F}), glossy({0.9F, 0.8F, 0.7F}, 0.9F, 24)),
+        solid(knot(0.16F, 160, 20), pose.put({0.9F, -0.1F, 0.2F}, 40 * pose.time(), {1, 0, 0}, glm::vec3(0.9F)), glossy({0.6F, 0.8F, 0.9F}, 0.9F, 16))};
     return m;
 }
 
@@ -159,53 +159,54 @@ std::vector<Scene> lit_scenes(int size)
     constexpr Way reversed = Way::lights_reversed;
     return {
         model_scene("small mesh", "A lit torus on 2 % of the picture.", Home::opengl, size, small_mesh,
-                    {any, placed, meshes, light, shine, encoded, {rotation_sign, stale_frame, flat_for_smooth, viewer_fixed}}, {world}),
+                    {any, placed, meshes, light, shine, {rotation_sign, stale_frame, flat_for_smooth, gamma_twice}}, {world}),
         model_scene("one light", "A vase on a floor under one lamp, with Blinn's highlights.", Home::opengl, size, one_light,
                     {placed,
-                     {missing_triangle, cracks, depth_inverted, depth_test_off},
                      light,
                      shine,
                      encoded,
-                     {rotation_sign, stale_frame, light_not_normalised, sixteen_levels, half_pixel_centre, blank, near_plane_too_far, far_plane_too_near}},
+                     {missing_triangle, cracks, depth_inverted, depth_test_off, ambient_twice, light_not_normalised, sixteen_levels, near_plane_too_far,
+                      far_plane_too_near}},
                     {world}),
         model_scene("three lights", "Stretched solids under a sun and two coloured lamps.", Home::software, size, three_lights,
-                    {meshes,
-                     light,
-                     shine,
-                     encoded,
-                     {normals_by_model, normal_matrix_transposed, negative_light, specular_behind, transform_order, rotation_sign, stale_frame, depth_test_off,
-                      fov_3_percent_wrong, sample_at_corner, normals_not_renormalised}},
+                    {shine,
+                     {one_light_missing, diffuse_missing, light_in_wrong_space, abs_cosine, brightness_5_percent, normals_by_model, normal_matrix_transposed,
+                      negative_light, specular_behind, transform_order, rotation_sign, depth_inverted, depth_test_off, front_faces_culled, sample_at_corner,
+                      normals_not_renormalised}},
                     {world, reversed}),
-        model_scene(
-            "five spots", "Five coloured spot lights that fade with distance.", Home::opengl, 2 * size, five_spots,
-            {meshes, light, shine, {attenuation_missing, spot_cone_missing, clamped_early, wrapped_around, negative_light, stale_frame, shifted_one_pixel}},
-            {world, reversed}),
+        model_scene("five spots", "Five coloured spot lights that fade with distance.", Home::opengl, 2 * size, five_spots,
+                    {meshes,
+                     {one_light_missing, light_in_wrong_space, attenuation_missing, spot_cone_missing, clamped_early, wrapped_around, negative_light,
+                      stale_frame, shifted_one_pixel, brightness_3_percent, phong_for_blinn, ambient_twice}},
+                    {world, reversed}),
         model_scene("flat shading", "A solid of eighty flat triangles on a bright background.", Home::software, size, flat_shading,
-                    {any, placed, meshes, light, shine, {gamma_twice, rotation_sign, stale_frame, sixteen_levels, green_5_percent}}, {world, reversed}),
+                    {any, placed, meshes, light, {shininess_halved, one_light_missing, gamma_twice, rotation_sign, sixteen_levels, green_5_percent}},
+                    {world, reversed}),
         model_scene("toon bands", "A knot in four bands of one colour.", Home::opengl, size, toon,
                     {any,
                      placed,
                      meshes,
-                     {one_band_too_few, bands_rounded, ambient_missing, ambient_twice, flat_for_smooth, light_in_wrong_space, rotation_sign, stale_frame,
-                      brightness_5_percent, depth_test_off}},
+                     {one_band_too_few, bands_rounded, ambient_missing, flat_for_smooth, light_in_wrong_space, rotation_sign, stale_frame, brightness_5_percent,
+                      depth_test_off, depth_inverted}},
                     {world}),
         model_scene("dark scene", "Two solids in the dark: most values are below 40.", Home::software, size, dark,
                     {placed,
                      meshes,
-                     light,
                      shine,
-                     {gamma_twice, rotation_sign, stale_frame, sixteen_levels, normals_not_renormalised, half_pixel_centre, shifted_one_pixel}},
+                     {ambient_missing, ambient_twice, abs_cosine, diffuse_missing, one_light_missing, light_in_wrong_space, gamma_twice, rotation_sign,
+                      stale_frame, sixteen_levels, half_pixel_centre, shifted_one_pixel}},
                     {world, reversed}),
         model_scene("bright scene", "A ring and a ball in bright light: much is near white.", Home::opengl, size, bright,
-                    {placed, meshes, light, shine, encoded, {clamped_early, wrapped_around, stale_frame, sample_at_corner, red_blue_swapped}},
+                    {placed, meshes, light, shine, {clamped_early, wrapped_around, gamma_missing, stale_frame, sample_at_corner, one_light_missing}},
                     {world, reversed}),
-        model_scene(
-            "reflection", "Mirrors under a sky and over tiles.", Home::software, size, reflection,
-            {any, placed, meshes, encoded, {reflection_reversed, reflection_in_eye_space, flat_for_smooth, rotation_sign, stale_frame, brightness_5_percent}}),
-        model_scene(
-            "hills", "A height field in low sun.", Home::software, size, hills,
-            {any, placed, meshes, light, encoded, {normals_not_renormalised, flat_for_smooth, rotation_sign, stale_frame, green_5_percent, sixteen_levels}},
-            {world}),
+        model_scene("reflection", "Mirrors under a sky and over tiles.", Home::software, size, reflection,
+                    {any,
+                     placed,
+                     meshes,
+                     encoded,
+                     {reflection_reversed, reflection_in_eye_space, flat_for_smooth, rotation_sign, stale_frame, brightness_5_percent, mirrored}}),
+        model_scene("hills", "A height field in low sun.", Home::software, size, hills,
+                    {any, placed, meshes, light, {gamma_missing, flat_for_smooth, rotation_sign, green_5_percent, depth_inverted, upside_down}}, {world}),
     };
 }
 

@@ -63,9 +63,9 @@ Drawing stepped(const Pose& pose)
     const int t = static_cast<int>(2 * pose.time());
     for (int i = 0; i <= 20; ++i)
         d.segments.push_back({{s / 16 + t, s / 16}, {s / 16 + t + i * s / 40, s / 16 + (20 - i) * s / 40}, ink(150 - 7 * i, 30, 7 * i)});
-    for (int i = 0; i < 24; ++i) {
-        const float a = 6.2831853F * static_cast<float>(i) / 24;
-        const float b = 6.2831853F * static_cast<float>(i * 7 % 24) / 24;
+    for (int i = 0; i < 23; ++i) {
+        const float a = 6.2831853F * static_cast<float>(i) / 23;
+        const float b = 6.2831853F * static_cast<float>(i * 5 % 23) / 23;
         const auto on_ring = [&](float angle) {
             return glm::ivec2(s * 7 / 10 + t, s * 7 / 10) + glm::ivec2(glm::vec2(std::cos(angle), std::sin(angle)) * (0.25F * static_cast<float>(s)));
         };

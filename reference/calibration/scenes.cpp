@@ -18,12 +18,10 @@ glm::mat4 Pose::put(const glm::vec3& at, float degrees, const glm::vec3& axis, c
 }
 
 namespace groups {
-const std::vector<Flaw> any = {Flaw::half_pixel_centre, Flaw::sample_at_corner, Flaw::shifted_one_pixel, Flaw::upside_down, Flaw::mirrored, Flaw::blank,
-                               Flaw::red_blue_swapped};
+const std::vector<Flaw> any = {Flaw::half_pixel_centre, Flaw::shifted_one_pixel, Flaw::blank, Flaw::red_blue_swapped};
 const std::vector<Flaw> placed = {Flaw::fov_3_percent_wrong, Flaw::camera_1_percent_off};
-const std::vector<Flaw> meshes = {Flaw::missing_triangle, Flaw::cracks, Flaw::front_faces_culled, Flaw::depth_inverted};
-const std::vector<Flaw> light = {Flaw::ambient_missing, Flaw::ambient_twice,        Flaw::abs_cosine,           Flaw::one_light_missing,
-                                 Flaw::diffuse_missing, Flaw::light_in_wrong_space, Flaw::brightness_3_percent, Flaw::brightness_5_percent};
+const std::vector<Flaw> meshes = {Flaw::missing_triangle, Flaw::cracks, Flaw::front_faces_culled};
+const std::vector<Flaw> light = {Flaw::ambient_missing, Flaw::abs_cosine, Flaw::light_in_wrong_space, Flaw::brightness_3_percent, Flaw::brightness_5_percent};
 const std::vector<Flaw> shine = {Flaw::phong_for_blinn, Flaw::shininess_halved, Flaw::specular_missing};
 const std::vector<Flaw> textured = {Flaw::v_flipped, Flaw::u_mirrored, Flaw::uv_scale_missing};
 const std::vector<Flaw> encoded = {Flaw::gamma_twice, Flaw::gamma_missing};
@@ -50,8 +48,8 @@ std::vector<Way> usual_ways(Home home)
 {
     std::vector<Way> ways = {Way::other_renderer,  Way::double_precision,  Way::triangles_reordered, Way::corners_rotated,
                              Way::triangles_split, Way::stepwise_matrices, Way::equal_formulas};
-    const std::vector<Way> own = home == Home::opengl ? std::vector<Way>{Way::other_gl_back_end, Way::indexed_mesh}
-                                                      : std::vector<Way>{Way::not_optimised, Way::fused_multiply_add, Way::other_compiler};
+    const std::vector<Way> own =
+        home == Home::opengl ? std::vector<Way>{Way::other_gl_back_end, Way::indexed_mesh} : std::vector<Way>{Way::fused_multiply_add, Way::other_compiler};
     ways.insert(ways.end(), own.begin(), own.end());
     return ways;
 }

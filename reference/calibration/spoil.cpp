@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
+#include <vector>
 
 namespace umbral::calibration {
 namespace {
@@ -19,25 +21,39 @@ glm::mat4 matrix(const Model& m, const Batch& batch)
     return projection * glm::lookAt(c.eye, c.target, c.up) * batch.model;
 }
 
-/// How much is lost where the corners from `first` on go: their extent on the screen, near ones before distant ones; 0 where they are not seen.
-float weight(const Batch& batch, const glm::mat4& m, std::size_t first, std::size_t count)
+/// Places in normalised device coordinates of `count` corners from `first` on; empty where one lies outside the picture.
+std::vector<glm::vec3> on_screen(const Batch& batch, const glm::mat4& m, std::size_t first, std::size_t count)
 {
-    glm::vec2 at[3] = {};
-    float near = 0;
-    for (std::size_t i = 0; i < std::min<std::size_t>(count, 3); ++i) {
-        const glm::vec4 clip = m * glm::vec4(batch.corners[first + i].position, 1);
-        if (clip.w <= 0 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w) return 0;
-        at[i] = glm::vec2(clip) / clip.w;
-        near = 2 - clip.z / clip.w;
+    std::vector<glm::vec3> places;
+    for (std::size_t i = first; i < first + count; ++i) {
+        const glm::vec4 clip = m * glm::vec4(batch.corners[i].position, 1);
+        if (clip.w <= 0 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w) return {};
+        places.push_back(glm::vec3(clip) / clip.w);
     }
-    if (count == 2) return glm::length(at[1] - at[0]);
-    const glm::vec2 b = at[1] - at[0];
-    const glm::vec2 c = at[2] - at[0];
-    const float area = b.x * c.y - b.y * c.x;
-    return (count == 6 ? std::abs(area) : area) * near * near * near * near;
+    return places;
 }
 
-/// Drops the triangle or line that is missed the most, of the batch with the most of them.
+float area(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+/// Does a triangle of any mesh lie in front of this place?
+bool is_hidden(const Model& m, const glm::vec3& at)
+{
+    for (const Batch& batch : m.batches) {
+        if (batch.edge_corners > 0 || batch.blend != Blend::none) continue;
+        const glm::mat4 seen = matrix(m, batch);
+        for (std::size_t i = 0; i + 2 < batch.corners.size(); i += 3) {
+            const std::vector<glm::vec3> t = on_screen(batch, seen, i, 3);
+            if (t.empty()) continue;
+            const float whole = area(t[0], t[1], t[2]);
+            const glm::vec3 share = glm::vec3(area(at, t[1], t[2]), area(t[0], at, t[2]), area(t[0], t[1], at)) / whole;
+            if (std::abs(whole) > 1e-9F && share.x >= 0 && share.y >= 0 && share.z >= 0 && dot(share, glm::vec3(t[0].z, t[1].z, t[2].z)) < at.z - 1e-5F)
+                return true;
+        }
+    }
+    return false;
+}
+
+/// Drops the largest triangle or longest line that is seen, of the batch with the most of them.
 void drop_one(Model& m, bool edges)
 {
     Batch* chosen = nullptr;
@@ -46,15 +62,21 @@ void drop_one(Model& m, bool edges)
     if (chosen == nullptr) return;
     const std::size_t count = edges ? chosen->edge_corners : 3;
     const glm::mat4 seen = matrix(m, *chosen);
-    std::size_t worst = 0;
-    float most = 0;
-    for (std::size_t i = 0; i + count <= chosen->corners.size(); i += count)
-        if (const float w = weight(*chosen, seen, i, count); w > most) {
-            most = w;
-            worst = i;
-        }
-    const auto at = chosen->corners.begin() + static_cast<std::ptrdiff_t>(worst);
-    chosen->corners.erase(at, at + static_cast<std::ptrdiff_t>(count));
+    std::vector<std::pair<float, std::size_t>> candidates;
+    for (std::size_t i = 0; i + count <= chosen->corners.size(); i += count) {
+        const std::vector<glm::vec3> t = on_screen(*chosen, seen, i, count);
+        if (t.empty()) continue;
+        const float size = edges ? glm::length(t[1] - t[0]) : area(t[0], t[1], t[2]);
+        if (size > 0) candidates.emplace_back(-size, i);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    for (const auto& [size, first] : candidates) {
+        const std::vector<glm::vec3> t = on_screen(*chosen, seen, first, count);
+        if (is_hidden(m, edges ? (t[0] + t[1]) / 2.0F : (t[0] + t[1] + t[2]) / 3.0F)) continue;
+        const auto at = chosen->corners.begin() + static_cast<std::ptrdiff_t>(first);
+        chosen->corners.erase(at, at + static_cast<std::ptrdiff_t>(count));
+        return;
+    }
 }
 
 /// Moves the corners of each triangle towards its centre by so many pixels, or away from it.

@@ -49,7 +49,7 @@ Model bumpy_wall(const Pose& pose)
     m.textures = {{.texels = bumps(256)}};
     Material stone = glossy({0.75F, 0.6F, 0.5F}, 0.4F, 24);
     stone.style = Style::bumpy;
-    m.batches = {with_texture(solid(square(), pose.put({0, 0, 0}, 25 * pose.time(), {0, 1, 0.2F}), stone), 0)};
+    m.batches = {with_texture(solid(square(), pose.put({0, 0, 0}, 25 * pose.time(), {0, 1, 0.2F}), stone), 0, {1.5F, 1.5F})};
     return m;
 }
 
@@ -104,30 +104,33 @@ std::vector<Scene> textured_scenes(int size)
                     {any,
                      placed,
                      textured,
-                     {affine_uv, nearest_for_linear, half_texel_off, clamp_for_repeat, missing_triangle, rotation_sign, stale_frame, brightness_3_percent}}),
+                     {affine_uv, nearest_for_linear, half_texel_off, clamp_for_repeat, missing_triangle, rotation_sign, stale_frame, brightness_3_percent,
+                      sample_at_corner}}),
         model_scene("checker floor", "Tiles up to the horizon, filtered by mipmaps.", Home::opengl, size, checker_floor,
                     {placed,
                      textured,
                      {affine_uv, nearest_for_linear, half_texel_off, clamp_for_repeat, no_mipmaps, near_clipping_missing, far_plane_too_near,
                       near_plane_too_far, half_pixel_centre, gamma_twice, stale_frame, shifted_one_pixel, blank}}),
-        model_scene(
-            "painted vase", "A picture round a vase, lit.", Home::software, size, painted_vase,
-            {placed, meshes, light, textured, encoded, {clamp_for_repeat, nearest_for_linear, half_texel_off, shininess_halved, stale_frame, sample_at_corner}},
-            {Way::light_in_world_space}),
-        model_scene("textured ball", "A tiled ball in the dark.", Home::software, size, textured_ball,
-                    {any,
-                     placed,
+        model_scene("painted vase", "A picture round a vase, lit.", Home::software, size, painted_vase,
+                    {placed,
+                     meshes,
                      textured,
                      encoded,
-                     {nearest_for_linear, half_texel_off, ambient_missing, abs_cosine, phong_for_blinn, flat_for_smooth, missing_triangle, stale_frame, cracks,
-                      clamp_for_repeat, brightness_3_percent}},
+                     {abs_cosine, ambient_missing, one_light_missing, brightness_5_percent, clamp_for_repeat, nearest_for_linear, half_texel_off, stale_frame,
+                      sample_at_corner, phong_for_blinn}},
+                    {Way::light_in_world_space}),
+        model_scene("textured ball", "A tiled ball in the dark.", Home::software, size, textured_ball,
+                    {placed,
+                     textured,
+                     encoded,
+                     {nearest_for_linear, half_texel_off, ambient_missing, abs_cosine, flat_for_smooth, missing_triangle, stale_frame, cracks, clamp_for_repeat,
+                      brightness_3_percent, half_pixel_centre, upside_down}},
                     {Way::light_in_world_space}),
         model_scene("bumpy wall", "A wall whose bumps are in a normal map.", Home::opengl, size, bumpy_wall,
                     {placed,
                      textured,
-                     encoded,
-                     {bump_not_decoded, bump_green_inverted, one_light_missing, light_in_wrong_space, affine_uv, abs_cosine, ambient_missing, phong_for_blinn,
-                      shininess_halved, half_texel_off, stale_frame, viewer_fixed, normals_not_renormalised, half_pixel_centre}},
+                     {bump_not_decoded, bump_green_inverted, one_light_missing, light_in_wrong_space, affine_uv, ambient_missing, phong_for_blinn,
+                      shininess_halved, half_texel_off, stale_frame, viewer_fixed, half_pixel_centre, gamma_twice, abs_cosine}},
                     {Way::light_in_world_space, Way::lights_reversed}),
         model_scene("foliage", "Leaves cut out by alpha, before a brick floor.", Home::opengl, size, foliage,
                     {any,
@@ -138,7 +141,7 @@ std::vector<Scene> textured_scenes(int size)
                     {any,
                      textured,
                      {nearest_for_linear, half_texel_off, clamp_for_repeat, missing_triangle, stale_frame, sixteen_levels, gamma_twice, brightness_3_percent,
-                      brightness_5_percent, green_5_percent, camera_1_percent_off, fov_3_percent_wrong}}),
+                      brightness_5_percent, green_5_percent, camera_1_percent_off, fov_3_percent_wrong, mirrored}}),
     };
 }
 

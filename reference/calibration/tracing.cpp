@@ -60,13 +60,19 @@ public:
 private:
     Real uniform() { return Real(random_.uniform()); }
 
-    /// Uniform in the unit square; stratified, the sample's own cell of it.
-    vec2 in_square()
+    /// Uniform in the unit square. One after the other: compilers differ in the order in which they evaluate arguments.
+    vec2 pair()
     {
         const Real x = uniform();
-        const Real y = uniform();
-        if (way_ != Way::stratified_samples) return {x, y};
-        return (vec2(sample_ % side_, sample_ / side_) + vec2(x, y)) / static_cast<Real>(side_);
+        return {x, uniform()};
+    }
+
+    /// The same; stratified, in the sample's own cell of the square.
+    vec2 in_square()
+    {
+        const vec2 at = pair();
+        if (way_ != Way::stratified_samples) return at;
+        return (vec2(sample_ % side_, sample_ / side_) + at) / static_cast<Real>(side_);
     }
 
     void meet(Hit& hit, const vec3& from, const vec3& along, const TracedBall& ball) const
@@ -173,7 +179,7 @@ private:
         vec3 share = hit.color;
         for (int bounce = 0; bounce < 4; ++bounce) {
             const bool evenly = way_ == Way::uniform_sampling || flaw_ == Flaw::pdf_mismatch;
-            const vec3 along = direction(hit.normal, bounce == 0 ? in_square() : vec2(uniform(), uniform()), evenly);
+            const vec3 along = direction(hit.normal, bounce == 0 ? in_square() : pair(), evenly);
             if (way_ == Way::uniform_sampling) share *= 2 * glm::dot(along, hit.normal);
             const Hit next = first_hit(hit.place + lift * hit.normal, along);
             if (next.distance == far_away) return share * sky(along);

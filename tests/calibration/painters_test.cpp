@@ -93,7 +93,8 @@ TEST(CalibrationPainters, rearranging_keeps_the_triangles)
 TEST(CalibrationPainters, meshes_turn_outwards)
 {
     constexpr glm::vec2 outline[] = {{0.5F, -0.5F}, {0.6F, 0}, {0.5F, 0.5F}};
-    for (const Triangles& mesh : {ball(16, 8), torus(0.3F, 24, 12), box(glm::vec3(0.5F)), gem(1), knot(0.2F, 60, 12), lathe(outline, 16), vase(16), square(2), ground(2)})
+    for (const Triangles& mesh :
+         {ball(16, 8), torus(0.3F, 24, 12), box(glm::vec3(0.5F)), gem(1), knot(0.2F, 60, 12), lathe(outline, 16), vase(16), square(2), ground(2)})
         for (std::size_t i = 0; i < mesh.size(); i += 3) {
             const glm::vec3 n = glm::cross(mesh[i + 1].position - mesh[i].position, mesh[i + 2].position - mesh[i].position);
             ASSERT_GT(glm::dot(n, mesh[i].normal + mesh[i + 1].normal + mesh[i + 2].normal), 0) << i / 3;

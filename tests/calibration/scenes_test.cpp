@@ -65,7 +65,8 @@ TEST(CalibrationScenes, other_ways_draw_the_same)
         if (scene.noise) continue;
         const Image expected = scene.draw(painters(), Flaw::none, Way::as_it_is);
         for (const Way way : scene.ways)
-            if (painters().has(way)) EXPECT_LT(mean_difference(expected, scene.draw(painters(), Flaw::none, way)), 0.35) << scene.name << ": " << operator_of(way).name;
+            if (painters().has(way))
+                EXPECT_LT(mean_difference(expected, scene.draw(painters(), Flaw::none, way)), 0.35) << scene.name << ": " << operator_of(way).name;
     }
 }
 
