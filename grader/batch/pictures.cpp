@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <umbral/core/png.hpp>
 
+#include "batch/related.hpp"
 #include "report/triptych.hpp"
 
 namespace umbral::grader {
@@ -27,12 +28,12 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
         const bool failing = result.checks[i].score < check.points;
         if (!is_picture(check) || check.hidden || !one.trouble().empty() || (!failing && (one_saved || result.verdict != Verdict::ok))) continue;
         const Tensor* student = tensor_of(one.student, check.value);
-        const Tensor* expected = tensor_of(workshop.trusted(exercise, judged_against(check), check.case_name, one.seed), check.value);
-        if (student == nullptr || expected == nullptr) continue;
+        const ExpectedSide expected = expected_side(check, one.student, workshop.trusted(exercise, judged_against(check), check.case_name, one.seed));
+        if (student == nullptr || expected.tensor == nullptr) continue;
         try {
             std::filesystem::create_directories(options.artefacts);
             const std::filesystem::path file = options.artefacts / file_name(exercise, check);
-            write_png(file, triptych(to_image(*student, check), to_image(*expected, check)));
+            write_png(file, triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words));
             result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();
             one_saved = true;
         } catch (const std::exception& error) {
