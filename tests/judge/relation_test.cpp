@@ -24,7 +24,7 @@ Relation moved(int x, int y) { return {"upright", "", {x, y}, 1, "a window furth
 Relation times(double factor) { return {"upright", "", {0, 0}, factor, "twice the light must be twice as bright"}; }
 
 /// What one run recorded, with copies that tests may spoil.
-struct Run {
+struct Recorded {
     Tensor value;
     Tensor to;
     Tensor unlike{};
@@ -32,7 +32,7 @@ struct Run {
     [[nodiscard]] RelatedTensors tensors() const { return {&value, &to, unlike.cells() > 0 ? &unlike : nullptr}; }
 };
 
-double right(const Check& check, const Run& student, const Run& reference, std::uint64_t seed = 1)
+double right(const Check& check, const Recorded& student, const Recorded& reference, std::uint64_t seed = 1)
 {
     return RelationJudge(check, reference.tensors(), nullptr, seed).judge(student.tensors()).right;
 }
@@ -69,7 +69,7 @@ Tensor gamma_twice(const Tensor& of)
     });
 }
 
-Run right_pictures() { return {scene(), scene(), mirrored()}; }
+Recorded right_pictures() { return {scene(), scene(), mirrored()}; }
 
 Tensor random_table(Random& random, std::uint32_t rows, double factor = 1, std::vector<float>* kept = nullptr)
 {
@@ -92,7 +92,7 @@ TEST(Relation, AnyRightRecordingHasItAll)
 {
     EXPECT_EQ(right(with_relation(JudgeKind::image, equal()), right_pictures(), right_pictures()), 1);
     for (const auto& [x, y] : {std::pair(3, 5), std::pair(-7, 2), std::pair(0, -20), std::pair(40, 0)}) {
-        const Run run{balls_moved(x, y), scene()};
+        const Recorded run{balls_moved(x, y), scene()};
         EXPECT_EQ(right(with_relation(JudgeKind::image, moved(x, y)), run, run), 1) << x << ", " << y;
     }
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -100,16 +100,16 @@ TEST(Relation, AnyRightRecordingHasItAll)
         std::vector<float> kept;
         const Tensor to = random_table(random, 40, 1, &kept);
         const double factor = random.uniform(0.1F, 0.8F) * (seed % 2 == 0 ? 10 : 1);
-        const Run run{random_table(random, 40, factor, &kept), to};
+        const Recorded run{random_table(random, 40, factor, &kept), to};
         EXPECT_EQ(right(with_relation(JudgeKind::numbers, times(factor), ulps(4)), run, run, seed), 1) << "seed " << seed;
     }
-    const Run fragments{triangle(0, 33, 45), triangle(0, 30, 40)};
+    const Recorded fragments{triangle(0, 33, 45), triangle(0, 30, 40)};
     EXPECT_EQ(right(with_relation(JudgeKind::fragments, moved(3, 5)), fragments, fragments), 1);
 }
 
 TEST(Relation, WhatIsWrongInTheSameWayEverywhereStillHasIt)
 {
-    const Run wrong{gamma_twice(scene()), gamma_twice(scene()), gamma_twice(mirrored())};
+    const Recorded wrong{gamma_twice(scene()), gamma_twice(scene()), gamma_twice(mirrored())};
     EXPECT_EQ(right(with_relation(JudgeKind::image, equal()), wrong, right_pictures()), 1) << "no picture is right, and the law holds";
     EXPECT_LT(judge(check_of(JudgeKind::image), wrong.value, scene(), nullptr).right, 0.5);
 }
@@ -117,7 +117,7 @@ TEST(Relation, WhatIsWrongInTheSameWayEverywhereStillHasIt)
 TEST(Relation, WhatBreaksTheLawLosesIt)
 {
     const Check check = with_relation(JudgeKind::image, equal());
-    Run broken = right_pictures();
+    Recorded broken = right_pictures();
     broken.value = gamma_twice(scene());
     const Judgement found = RelationJudge(check, right_pictures().tensors(), nullptr, 1).judge(broken.tensors());
     EXPECT_LT(found.right, 0.5);
@@ -125,24 +125,24 @@ TEST(Relation, WhatBreaksTheLawLosesIt)
         found.message.rfind("Rotating scene and camera together must not change the picture. Expected here is your own 'upright'. The picture differs", 0), 0U)
         << found.message;
     EXPECT_TRUE(found.first_difference.has_value());
-    const Run still{balls_moved(3, 4), scene()};
-    const Run reference{balls_moved(3, 5), scene()};
+    const Recorded still{balls_moved(3, 4), scene()};
+    const Recorded reference{balls_moved(3, 5), scene()};
     EXPECT_LT(right(with_relation(JudgeKind::image, moved(3, 5)), still, reference), 0.8) << "one pixel too few";
-    const Run twice{floats(std::vector<float>(40, 1)), floats(std::vector<float>(40, 1))};
+
     Random random(3);
     std::vector<float> kept;
     const Tensor to = random_table(random, 40, 1, &kept);
-    const Run four{random_table(random, 40, 4, &kept), to};
-    const Run two{random_table(random, 40, 2, &kept), to};
+    const Recorded four{random_table(random, 40, 4, &kept), to};
+    const Recorded two{random_table(random, 40, 2, &kept), to};
     EXPECT_EQ(right(with_relation(JudgeKind::numbers, times(4), relative(1e-6)), two, four), 0) << "area grows with the square";
 }
 
 TEST(Relation, WhatComesInFromOutsideIsNotCompared)
 {
-    Run run{balls_moved(9, -6), scene()};
+    Recorded run{balls_moved(9, -6), scene()};
     const Tensor clean = run.value;
     run.value = repaint(clean, [&](int x, int y) { return x < 9 || y >= 122 ? Colour{255, 0, 255, 255} : pixel(clean, x, y); });
-    const Run reference{clean, scene()};
+    const Recorded reference{clean, scene()};
     EXPECT_EQ(right(with_relation(JudgeKind::image, moved(9, -6)), run, reference), 1);
     run.value = repaint(clean, [&](int x, int y) { return x < 14 ? Colour{255, 0, 255, 255} : pixel(clean, x, y); });
     EXPECT_LT(right(with_relation(JudgeKind::image, moved(9, -6)), run, reference), 0.5);
@@ -158,17 +158,17 @@ TEST(Relation, AlphaIsNotScaled)
 
 TEST(Relation, EveryControlGetsNothing)
 {
-    const Run pictures = right_pictures();
-    const Run shifted{balls_moved(3, 5), scene()};
-    const Run fragments{triangle(0, 33, 45), triangle(0, 30, 40)};
+    const Recorded pictures = right_pictures();
+    const Recorded shifted{balls_moved(3, 5), scene()};
+    const Recorded fragments{triangle(0, 33, 45), triangle(0, 30, 40)};
     Random random(5);
     std::vector<float> kept;
     const Tensor to = random_table(random, 64, 1, &kept);
-    const Run doubled{random_table(random, 64, 2, &kept), to};
-    const std::vector<std::pair<Check, const Run*>> all = {{with_relation(JudgeKind::image, equal()), &pictures},
-                                                           {with_relation(JudgeKind::image, moved(3, 5)), &shifted},
-                                                           {with_relation(JudgeKind::fragments, moved(3, 5)), &fragments},
-                                                           {with_relation(JudgeKind::numbers, times(2), relative(1e-5)), &doubled}};
+    const Recorded doubled{random_table(random, 64, 2, &kept), to};
+    const std::vector<std::pair<Check, const Recorded*>> all = {{with_relation(JudgeKind::image, equal()), &pictures},
+                                                                {with_relation(JudgeKind::image, moved(3, 5)), &shifted},
+                                                                {with_relation(JudgeKind::fragments, moved(3, 5)), &fragments},
+                                                                {with_relation(JudgeKind::numbers, times(2), relative(1e-5)), &doubled}};
     for (const auto& [check, run] : all)
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
             const RelationJudge law(check, run->tensors(), nullptr, seed);
@@ -184,7 +184,7 @@ TEST(Relation, PicturesThatKnowNothingGetNothingHoweverWellTheyAgree)
 {
     const Check same = with_relation(JudgeKind::image, equal());
     const Check along = with_relation(JudgeKind::image, moved(3, 5));
-    const Run reference{balls_moved(3, 5), scene()};
+    const Recorded reference{balls_moved(3, 5), scene()};
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const Tensor noise = noise_picture(seed);
         const auto moved_noise = expected_by_relation(along, noise, noise);
@@ -214,7 +214,7 @@ TEST(Relation, DamagedRecordingsAreWrongAndNeverAnException)
     Random random(11);
     std::vector<float> kept;
     const Tensor to = random_table(random, 40, 1, &kept);
-    const Run good{random_table(random, 40, 2, &kept), to};
+    const Recorded good{random_table(random, 40, 2, &kept), to};
     const Check check = with_relation(JudgeKind::numbers, times(2), relative(1e-5));
     const RelationJudge law(check, good.tensors(), nullptr, 1);
     Tensor cut = good.to;
@@ -241,7 +241,7 @@ TEST(Relation, DamagedRecordingsAreWrongAndNeverAnException)
     const Tensor with_nan = floats(one_nan);
     EXPECT_EQ(law.judge({&with_nan, &with_nan}).right, 0) << "nan is not twice nan";
 
-    const Run fragments{triangle(0, 33, 45), triangle(0, 30, 40)};
+    const Recorded fragments{triangle(0, 33, 45), triangle(0, 30, 40)};
     const RelationJudge places(with_relation(JudgeKind::fragments, moved(3, 5)), fragments.tensors(), nullptr, 1);
     const std::vector<Tensor> bad = {Tensor{}, floats({}, 3), floats({1, 2}), floats(std::vector<float>(300, nan), 3),
                                      floats(std::vector<float>(300, 0.5F), 3)};
@@ -250,7 +250,7 @@ TEST(Relation, DamagedRecordingsAreWrongAndNeverAnException)
         EXPECT_EQ(places.judge({&fragments.value, &tensor}).right, 0);
         EXPECT_EQ(places.judge({&tensor, &tensor}).right, 0);
     }
-    const Run pictures = right_pictures();
+    const Recorded pictures = right_pictures();
     const RelationJudge image(with_relation(JudgeKind::image, equal()), pictures.tensors(), nullptr, 1);
     const Tensor small = balls(64);
     EXPECT_EQ(image.judge({&small, &small, &small}).right, 0) << "another size";
@@ -258,7 +258,7 @@ TEST(Relation, DamagedRecordingsAreWrongAndNeverAnException)
 
 TEST(Relation, OneThatTellsNothingIsAFaultOfTheUnit)
 {
-    const auto fault = [](const Check& check, const Run& reference) {
+    const auto fault = [](const Check& check, const Recorded& reference) {
         try {
             (void)RelationJudge(check, reference.tensors(), nullptr, 1);
         } catch (const std::invalid_argument& error) {
@@ -266,7 +266,7 @@ TEST(Relation, OneThatTellsNothingIsAFaultOfTheUnit)
         }
         return std::string("no fault");
     };
-    const auto tells = [&](const Check& check, const Run& reference, const char* what) {
+    const auto tells = [&](const Check& check, const Recorded& reference, const char* what) {
         EXPECT_NE(fault(check, reference).find(what), std::string::npos) << fault(check, reference);
     };
     tells(with_relation(JudgeKind::image, equal()), {scene(), scene()}, "nothing called 'turned'");

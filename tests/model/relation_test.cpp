@@ -89,7 +89,9 @@ TEST(RelationManifest, EachWrongFieldIsRefusedByNameByTheProgramAndTheSchema)
             all[pointer.parent_pointer()].erase(pointer.back());
         const std::string message = test::message_of([&] { (void)parse_exercise(all, "here.json"); });
         EXPECT_NE(message.find(std::string("here.json: checks[3].") + wrong.message), std::string::npos) << message;
-        if (wrong.schema_sees) EXPECT_NE(schema.complaints(all), "") << wrong.pointer << " " << (wrong.value != nullptr ? wrong.value : "taken away");
+        if (wrong.schema_sees) {
+            EXPECT_NE(schema.complaints(all), "") << wrong.pointer << " " << (wrong.value != nullptr ? wrong.value : "taken away");
+        }
     }
 }
 
