@@ -70,6 +70,18 @@ Tensor moved_cells(const Tensor& to, const Tensor& value, const std::array<int, 
     return result;
 }
 
+/// Without the cells that come in from outside: they have no value then.
+Tensor compared_cells(const Tensor& value, const std::array<int, 2>& shift)
+{
+    Tensor result = value;
+    if (result.present.empty()) result.present.assign(result.cells(), 1);
+    for (std::int64_t y = 0; y < value.rows; ++y)
+        for (std::int64_t x = 0; x < value.columns; ++x)
+            if (x < shift[0] || y < shift[1] || x - shift[0] >= value.columns || y - shift[1] >= value.rows)
+                result.present[static_cast<std::size_t>(y * value.columns + x)] = 0;
+    return result;
+}
+
 /// Can this be held up as the expected side? The rules take values that are not finite there for a fault of the grader's.
 bool presentable(const Check& check, const Tensor& expected)
 {
@@ -141,10 +153,16 @@ RelationJudge::RelationJudge(const Check& check, const RelatedTensors& reference
     for (std::size_t i = 0; i < sides_.size(); ++i) {
         double best = 0;
         for (const RelatedControl& control : controls_)
-            if (const Tensor* tensor = list_of(control.tensors(), three)[i]; tensor != nullptr && tensor->cells() > 0)
-                best = std::max(best, *likeness(check, *tensor, *sides_[i].reference));
+            if (const Tensor* tensor = list_of(control.tensors(), three)[i]; tensor != nullptr && tensor->cells() > 0) best = std::max(best, alike(i, *tensor));
         sides_[i].least = (1 + best) / 2;
     }
+}
+
+double RelationJudge::alike(std::size_t side, const Tensor& tensor) const
+{
+    const Tensor& reference = *sides_[side].reference;
+    if (side > 0 || !relation_.moves() || check_.judge == JudgeKind::fragments) return *likeness(check_, tensor, reference);
+    return *likeness(check_, compared_cells(tensor, relation_.shift), compared_cells(reference, relation_.shift));
 }
 
 double RelationJudge::unmoved(const RelatedTensors& values) const
@@ -175,7 +193,7 @@ std::string RelationJudge::worthless(const RelatedTensors& student, Judgement& j
     const std::vector<const Tensor*> tensors = list_of(student, sides_.size() == 3);
     judgement.metrics["likeness"] = 1;
     for (std::size_t i = 0; i < sides_.size(); ++i) {
-        const double found = *likeness(check_, *tensors[i], *sides_[i].reference);
+        const double found = alike(i, *tensors[i]);
         judgement.metrics["likeness"] = std::min(judgement.metrics["likeness"], found);
         if (found < sides_[i].least) return fmt::format("your '{}' has too little in common with what is asked for.", sides_[i].name);
     }

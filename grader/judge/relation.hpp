@@ -60,6 +60,8 @@ private:
         double least;  ///< likeness that the student's value needs
         std::string name;
     };
+    /// Likeness to the reference's value of a side, where it is compared.
+    [[nodiscard]] double alike(std::size_t side, const Tensor& tensor) const;
     /// How well the law holds where it must not: for `to` as it is, and between `unlike` and `to`.
     [[nodiscard]] double unmoved(const RelatedTensors& values) const;
     /// Why the student's values cannot be compared; empty if they can.

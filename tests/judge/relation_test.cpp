@@ -170,7 +170,7 @@ TEST(Relation, EveryControlGetsNothing)
                                                                 {with_relation(JudgeKind::fragments, moved(3, 5)), &fragments},
                                                                 {with_relation(JudgeKind::numbers, times(2), relative(1e-5)), &doubled}};
     for (const auto& [check, run] : all)
-        for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
             const RelationJudge law(check, run->tensors(), nullptr, seed);
             EXPECT_GE(law.controls().size(), 5U);
             for (const RelatedControl& control : law.controls())
