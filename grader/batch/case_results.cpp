@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "batch/related.hpp"
+
 namespace umbral::grader {
 
 std::string CaseResult::trouble() const
@@ -57,8 +59,17 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
         result.message = "nothing was recorded: the run was disturbed";
         return result;
     }
-    const Judgement judgement = judge(check, *student, *expected, margin, tensor_of(expected_run, check.value + ".names"));
-    const BestControl control = best_control(check, *expected, margin, one.seed);
+    const Tensor* names = tensor_of(expected_run, check.value + ".names");
+    Judgement judgement;
+    BestControl control;
+    if (check.relation) {
+        const RelationJudge relation(check, related_tensors(check, expected_run), margin, one.seed);
+        judgement = relation.judge(related_tensors(check, one.student), names);
+        control = relation.best_control();
+    } else {
+        judgement = judge(check, *student, *expected, margin, names);
+        control = best_control(check, *expected, margin, one.seed);
+    }
     take_judgement(check, judgement, control.right, result);
     if (check.judge == JudgeKind::noise) result.seeds = {one.seed};
     return result;

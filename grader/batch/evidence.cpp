@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "batch/evidence_kinds.hpp"
+#include "batch/related.hpp"
 #include "judge/noise.hpp"
 #include "judge/tolerance.hpp"
 #include "model/judging_order.hpp"
@@ -100,9 +101,11 @@ void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseRe
         const bool of_interest = !right || (is_picture(check) && !one_shown && result.verdict == Verdict::ok);
         if (!of_interest || (check.hidden && !options.show_hidden) || !one.trouble().empty()) continue;
         const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
-        const Observation observation{observed(check, one.student), tensor_of(expected, check.value), tensor_of(expected, check.value + ".margin"),
+        const ExpectedSide side = expected_side(check, one.student, expected);
+        const Observation observation{observed(check, one.student), side.tensor.get(), tensor_of(expected, check.value + ".margin"),
                                       tensor_of(expected, check.value + ".names")};
         html::Evidence evidence = evidence_of(check, observation, result.checks[i], right);
+        if (auto* picture = std::get_if<html::PictureEvidence>(&evidence)) picture->expected_side = side.words;
         if (is_picture(check)) ++pictures;
         one_shown = one_shown || (right && !std::holds_alternative<std::monostate>(evidence));
         unit.checks[check.name].evidence = std::move(evidence);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <list>
 #include <map>
 
+#include "batch/related.hpp"
 #include "batch/specimens.hpp"
 #include "judge/explain.hpp"
 
@@ -12,15 +14,18 @@ namespace {
 
 constexpr std::size_t most_explanations = 3;
 
-/// The failing checks that could be judged at all: a crash needs no signature.
-std::vector<FailingCheck> failing_checks(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases)
+/// The failing checks that could be judged at all: a crash needs no signature. Those with a relation are explained by what is wrong with
+/// one of its values, as a check of its own that `plain` keeps.
+std::vector<FailingCheck> failing_checks(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases,
+                                         std::list<Check>& plain)
 {
     std::vector<FailingCheck> failing;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-        const Check& check = exercise.checks[i];
-        const CaseResult& one = cases.at(check.case_name);
-        if (result.checks[i].score == check.points || !one.trouble().empty()) continue;
-        const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
+        const Check& declared = exercise.checks[i];
+        const CaseResult& one = cases.at(declared.case_name);
+        if (result.checks[i].score == declared.points || !one.trouble().empty()) continue;
+        const RunOutcome& expected = workshop.trusted(exercise, judged_against(declared), declared.case_name, one.seed);
+        const Check& check = declared.relation ? plain.emplace_back(against_reference(declared, one.student, expected)) : declared;
         const Tensor* student = observed(check, one.student);
         if (student == nullptr) continue;
         failing.push_back({&check, student, tensor_of(expected, check.value), tensor_of(expected, check.value + ".margin"), nullptr});
@@ -78,7 +83,8 @@ std::vector<Explanation> by_mistakes(Workshop& workshop, const Exercise& exercis
 
 std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases)
 {
-    const std::vector<FailingCheck> failing = failing_checks(workshop, exercise, result, cases);
+    std::list<Check> plain;
+    const std::vector<FailingCheck> failing = failing_checks(workshop, exercise, result, cases, plain);
     if (failing.empty()) return {};
     std::vector<Explanation> all = by_mistakes(workshop, exercise, failing, cases);
     for (Explanation& other : explain_by_transform(failing)) all.push_back(std::move(other));

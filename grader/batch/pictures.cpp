@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <umbral/core/png.hpp>
 
+#include "batch/related.hpp"
 #include "judge/noise.hpp"
 #include "report/triptych.hpp"
 
@@ -28,13 +29,13 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
         const bool failing = result.checks[i].score < check.points;
         if (!is_picture(check) || check.hidden || !one.trouble().empty() || (!failing && (one_saved || result.verdict != Verdict::ok))) continue;
         const Tensor* student = tensor_of(one.student, check.value);
-        const Tensor* expected = tensor_of(workshop.trusted(exercise, judged_against(check), check.case_name, one.seed), check.value);
-        if (student == nullptr || expected == nullptr || (check.judge == JudgeKind::noise && is_table(*expected))) continue;
+        const ExpectedSide expected = expected_side(check, one.student, workshop.trusted(exercise, judged_against(check), check.case_name, one.seed));
+        const bool noise = check.judge == JudgeKind::noise;
+        if (student == nullptr || expected.tensor == nullptr || (noise && is_table(*expected.tensor))) continue;
         try {
             std::filesystem::create_directories(options.artefacts);
             const std::filesystem::path file = options.artefacts / file_name(exercise, check);
-            write_png(file,
-                      triptych(to_image(*student, check), to_image(*expected, check), check.judge == JudgeKind::noise ? JudgeKind::noise : JudgeKind::image));
+            write_png(file, triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words, noise ? JudgeKind::noise : JudgeKind::image));
             result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();
             one_saved = true;
         } catch (const std::exception& error) {

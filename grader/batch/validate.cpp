@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "batch/case_results.hpp"
+#include "batch/related.hpp"
 #include "batch/specimens.hpp"
 #include "judge/judge.hpp"
 
@@ -91,6 +92,28 @@ Finding expect_mistake(Workshop& workshop, const Exercise& exercise, const Speci
     return finding;
 }
 
+/// What each control gets for a check, and the best of them.
+struct ControlShares {
+    std::vector<std::pair<std::string, double>> right;
+    double best = 0;
+};
+
+ControlShares control_shares(const Check& check, const RunOutcome& run, std::uint64_t seed)
+{
+    ControlShares shares;
+    const Tensor* margin = tensor_of(run, check.value + ".margin");
+    if (check.relation) {
+        const RelationJudge relation(check, related_tensors(check, run), margin, seed);
+        for (const RelatedControl& control : relation.controls()) shares.right.emplace_back(control.name, relation.judge(control.tensors()).right);
+        shares.best = relation.best_control().right;
+        return shares;
+    }
+    const Tensor& expected = *tensor_of(run, check.value);
+    for (const auto& [name, tensor] : controls(check, expected, seed)) shares.right.emplace_back(name, judge(check, tensor, expected, margin).right);
+    shares.best = best_control(check, expected, margin, seed).right;
+    return shares;
+}
+
 /// The best that knows nothing of the problem gets nothing: over the unit's checks, the largest share of a control that is left after
 /// rescaling, and what it would have got without.
 std::vector<Finding> expect_controls(Workshop& workshop, const Exercise& exercise, unsigned seed)
@@ -103,14 +126,12 @@ std::vector<Finding> expect_controls(Workshop& workshop, const Exercise& exercis
         const RunOutcome& run = workshop.trusted(exercise, judged_against(check), check.case_name, case_seed);
         const Tensor* expected = tensor_of(run, check.value);
         if (expected == nullptr) throw std::runtime_error(fmt::format("{}: nothing recorded for check '{}'", exercise.id, check.name));
-        const Tensor* margin = tensor_of(run, check.value + ".margin");
-        const BestControl best = best_control(check, *expected, margin, case_seed);
         // The forger cannot know a value, so it writes zeros or ones under every name, whichever pays better.
         Millipoints forged = 0;
         double forged_right = 0;
-        for (const auto& [name, tensor] : controls(check, *expected, case_seed)) {
-            const double right = judge(check, tensor, *expected, margin).right;
-            const Millipoints points = points_for(check, right, best.right);
+        const ControlShares shares = control_shares(check, run, case_seed);
+        for (const auto& [name, right] : shares.right) {
+            const Millipoints points = points_for(check, right, shares.best);
             earned[name] += points;
             raw[name] += right * static_cast<double>(check.points);
             if (name != "zeros" && name != "ones") continue;

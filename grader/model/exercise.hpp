@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/relation.hpp"
+
 namespace umbral::grader {
 
 /// Points are whole thousandths of a point everywhere; they become decimals only in what people read.
@@ -57,6 +59,9 @@ struct Check {
     std::vector<std::string> rules;  ///< traces: what is counted against the reference, as "draw calls"
     double growth = 1;               ///< costs: the largest exponent of the size with which the count may grow
     std::string why;                 ///< where the tolerance comes from
+
+    /// What is expected follows from another value of the student's own run.
+    std::optional<Relation> relation{};
 };
 
 /// Limits of one case.

@@ -7,17 +7,16 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <umbral/record/wire.hpp>
 
 #include "model/exercise.hpp"
 #include "model/field.hpp"
+#include "model/manifest_values.hpp"
 
 // The manifest exercise.json, field by field. docs/schemas/exercise.schema.json says the same for editors; a test holds both together.
 namespace umbral::grader {
 namespace {
 
 constexpr double most_points = 1000;
-constexpr std::string_view margin_suffix = ".margin";
 constexpr std::array suffixes{".cpp", ".hpp", ".glsl", ".vert", ".frag", ".geom", ".comp"};
 
 bool is_one_of(char letter, std::string_view others)
@@ -150,14 +149,12 @@ void check_together(const Field& field, const Check& check)
 
 Check read_check(const Field& field)
 {
-    field.allow_only({"case", "value", "judge", "points", "hard", "hidden", "pairs", "tolerance", "full", "zero", "range", "rules", "growth", "why"});
+    field.allow_only(
+        {"case", "value", "judge", "points", "hard", "hidden", "pairs", "tolerance", "full", "zero", "range", "rules", "growth", "relation", "why"});
     Check check;
     check.case_name = field.member("case").text(64);
     if (check.case_name.find('/') != std::string::npos) field.member("case").refuse("a case's name without '/'");
-    check.value = field.member("value").text(wire::maximum_name - margin_suffix.size());
-    const bool plain = std::all_of(check.value.begin(), check.value.end(), [](char letter) { return is_one_of(letter, " _.-"); });
-    if (!plain || check.value.ends_with(margin_suffix))
-        field.member("value").refuse("a recorded name in letters, digits and \" _.-\" that does not end in .margin");
+    check.value = read_recorded_name(field.member("value"));
     check.name = check.case_name + "/" + check.value;
     check.judge = read_judge(field.member("judge"));
     check.points = read_points(field.member("points"));
@@ -176,6 +173,7 @@ Check read_check(const Field& field)
     if (const Field rules = field.member("rules"); rules.given()) check.rules = read_rules(rules);
     if (const Field growth = field.member("growth"); growth.given()) check.growth = growth.number(0, 8);
     if (const Field why = field.member("why"); why.given()) check.why = why.text(1000);
+    if (const Field relation = field.member("relation"); relation.given()) check.relation = read_relation(relation, check);
     check_together(field, check);
     return check;
 }

@@ -123,13 +123,17 @@ void draw_legend(Image& target, int left, int top, int width, int largest)
     draw_text(target, left + width - text_width(most, 1), top + legend_height + 4, most, ink);
 }
 
-void draw_label(Image& target, int left, int top, std::string_view text) { draw_text(target, left, top, text, ink, 2); }
+/// In large letters where there is room for them.
+void draw_label(Image& target, int left, int top, std::string_view text, int room = most_panel)
+{
+    draw_text(target, left, top, text, ink, text_width(text, 2) <= room ? 2 : 1);
+}
 
 /// The two pictures and, for want of a difference, a sentence.
-Image uncomparable(const Image& yours, const Image& reference)
+Image uncomparable(const Image& yours, const Image& reference, std::string_view expected_side)
 {
     const std::array pictures = {&yours, &reference};
-    const std::array names = {"yours", "reference"};
+    const std::array<std::string_view, 2> names = {"yours", expected_side};
     int height = 0;
     std::array<int, 2> widths{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -141,7 +145,7 @@ Image uncomparable(const Image& yours, const Image& reference)
     int left = space;
     for (std::size_t i = 0; i < 2; ++i) {
         const Image& picture = *pictures[i];
-        draw_label(result, left, space, names[i]);
+        draw_label(result, left, space, names[i], widths[i]);
         const std::string size = picture.cells.empty() ? "no picture" : fmt::format("{} x {}", picture.width, picture.height);
         draw_text(result, left, space + label_height, size, ink);
         draw(result, left, space + label_height + small_label_height, {0, 0, picture.width, picture.height}, view_for(picture.width, picture.height),
@@ -156,9 +160,9 @@ Image uncomparable(const Image& yours, const Image& reference)
 
 }
 
-Image triptych(const Image& yours, const Image& reference, JudgeKind judge)
+Image triptych(const Image& yours, const Image& reference, std::string_view expected_side, JudgeKind judge)
 {
-    if (yours.width != reference.width || yours.height != reference.height || yours.cells.empty()) return uncomparable(yours, reference);
+    if (yours.width != reference.width || yours.height != reference.height || yours.cells.empty()) return uncomparable(yours, reference, expected_side);
     const Comparison comparison = compare(yours, reference, judge);
     const View view = view_for(yours.width, yours.height);
     const Window whole{0, 0, yours.width, yours.height};
@@ -175,7 +179,7 @@ Image triptych(const Image& yours, const Image& reference, JudgeKind judge)
     const View zoomed{zoom, 1};
     const auto panel_of = [&](int index, std::string_view name, auto colour, int block) {
         const int left = space + index * (panel + space);
-        draw_label(result, left, space, name);
+        draw_label(result, left, space, name, panel);
         draw(result, left, pictures_top, whole, view, [&](int x, int y) { return colour(x, y, block); });
         if (!comparison.worst) return;
         const auto place = [&](int at) { return at / view.thin * view.enlarge; };
@@ -186,7 +190,7 @@ Image triptych(const Image& yours, const Image& reference, JudgeKind judge)
     panel_of(
         0, "yours", [&](int x, int y, int) { return yours.at(x, y); }, view.thin);
     panel_of(
-        1, "reference", [&](int x, int y, int) { return reference.at(x, y); }, view.thin);
+        1, expected_side, [&](int x, int y, int) { return reference.at(x, y); }, view.thin);
     panel_of(
         2, "difference", [&](int x, int y, int block) { return difference_colour(comparison, x, y, block); }, view.thin);
 

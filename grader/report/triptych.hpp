@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <umbral/core/grid.hpp>
 
 #include "model/exercise.hpp"
@@ -27,7 +28,7 @@ namespace umbral::grader {
 ///
 /// Pictures of different or no size are shown with a sentence that says so instead of a difference. Small pictures are enlarged and
 /// large ones thinned out by a whole factor, the largest difference of each block kept, so that the result stays within about 4000 x 2000 pixels.
-/// With JudgeKind::noise, the means of tiles are compared instead of pixels.
-[[nodiscard]] Image triptych(const Image& yours, const Image& reference, JudgeKind judge = JudgeKind::image);
+/// `expected_side` is what is written over the second picture. With JudgeKind::noise, the means of tiles are compared instead of pixels.
+[[nodiscard]] Image triptych(const Image& yours, const Image& reference, std::string_view expected_side = "reference", JudgeKind judge = JudgeKind::image);
 
 }

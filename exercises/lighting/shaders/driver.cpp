@@ -13,6 +13,30 @@ void record_points(Recorder& out, std::string_view name, const std::vector<Probe
     for (const glm::vec3& color : colors_of(probes, program)) out.append(name, color);
 }
 
+// The still life with the world turned under it, lights and all, first without the camera and then with it; and in half the light, and all of it,
+// on black. Lights are given in eye coordinates: those that turn with the camera stay what they are.
+void record_laws(Recorder& out, const gl::Program& program)
+{
+    const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.9F, normalize(glm::vec3(0.4F, 1, -0.3F)));
+    Scene scene = still_life();
+    for (Thing& thing : scene.things) thing.model = turned * thing.model;
+    out.image("turned alone", draw(scene, program));
+    scene.view = scene.view * inverse(turned);
+    out.image("turned together", draw(scene, program));
+
+    Scene dim = still_life();
+    dim.global_ambient *= 0.5F;
+    for (Light& light : dim.lights) light.color *= 0.5F;
+    for (Thing& thing : dim.things) {
+        thing.material.emission = glm::vec3(0);
+        thing.material.specular *= 0.4F;
+    }
+    out.image("half the light", draw(dim, program, glm::vec3(0)));
+    dim.global_ambient *= 2.0F;
+    for (Light& light : dim.lights) light.color *= 2.0F;
+    out.image("all the light", draw(dim, program, glm::vec3(0)));
+}
+
 // One case for many pictures: most of a run's time goes into compiling the shaders.
 void record_pictures(Case& what, Recorder& out)
 {
@@ -28,6 +52,7 @@ void record_pictures(Case& what, Recorder& out)
     record("coarse flat", coarse_sphere(true));
     record("bowls smooth", bowls(false));
     record("bowls flat", bowls(true));
+    record_laws(out, *program);
 }
 
 }

@@ -102,10 +102,10 @@ inline void comment_on(const Image& picture, const gl::Program& program)
 }
 
 /// A scene as the shaders draw it, 256 x 256.
-inline Image draw(const Scene& scene, const gl::Program& program)
+inline Image draw(const Scene& scene, const gl::Program& program, const glm::vec3& background = {0.09F, 0.10F, 0.13F})
 {
     const gl::Framebuffer frame(256, 256);
-    frame.clear({0.09F, 0.10F, 0.13F, 1});
+    frame.clear({background, 1});
     glEnable(GL_DEPTH_TEST);
     program.set("view", scene.view);
     program.set("projection", scene.projection);

@@ -92,6 +92,18 @@ void record_far(Random& random, Recorder& out)
     }
 }
 
+// Hills, and the same ones three times as large: coordinates and areas round anew.
+void record_enlarged(Random& random, Recorder& out)
+{
+    IndexedMesh mesh = hills(9, 7, random);
+    turn(mesh, random);
+    const IndexedMesh large = mapped(mesh, [](const glm::vec3& position) { return 3.0F * position; });
+    for (const glm::uvec3& t : mesh.triangles) {
+        out.append("as it is", triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+        out.append("enlarged", triangle_area(large.positions[t.x], large.positions[t.y], large.positions[t.z]));
+    }
+}
+
 }
 
 const Driver driver = {
@@ -107,6 +119,7 @@ const Driver driver = {
          out.append("meshes", surface_area(sheet_after_a_square(400)));
          out.append("meshes", surface_area(sheet_of_all_sizes(400, c.random)));
      }},
+    {"laws", [](Case& c, Recorder& out) { record_enlarged(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { out.image("colours", draw_diagram()); }},
 };
 

@@ -134,6 +134,46 @@ void horizon(Random& random, Recorder& out)
     record(out, triangles, 40, 24, true);
 }
 
+void cover(Recorder& out, std::string_view name, const std::vector<Triangle>& triangles, std::size_t together)
+{
+    std::vector<Fragment> fragments;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        fragments.clear();
+        rasterize_triangle(triangles[i], 40, 32, fragments);
+        for (const Fragment& fragment : fragments)
+            out.append(name, glm::vec3(static_cast<float>(i / together), static_cast<float>(fragment.pixel.x), static_cast<float>(fragment.pixel.y)));
+    }
+}
+
+// Triangles, the same ones moved by whole pixels, and cut in two from a corner to the middle of a side. Corners are multiples of 1/2 or 1/128 pixel,
+// so that the middle is exact, and many cuts pass through centres.
+void laws(Random& random, Recorder& out)
+{
+    std::vector<Triangle> whole;
+    std::vector<Triangle> moved;
+    std::vector<Triangle> halves;
+    std::vector<Triangle> first_halves;
+    for (int i = 0; i < 30; ++i) {
+        std::array<glm::vec2, 3> corners{};
+        for (glm::vec2& corner : corners) {
+            corner.x = on_grid(random, 1, 30, i % 2 == 0 ? 2 : 128);
+            corner.y = on_grid(random, 1, 27, i % 2 == 0 ? 2 : 128);
+        }
+        const auto& [a, b, c] = corners;
+        const glm::vec2 middle = 0.5F * (b + c);
+        const glm::vec2 step(7, 3);
+        whole.push_back(triangle(a, b, c));
+        moved.push_back(triangle(a + step, b + step, c + step));
+        halves.push_back(triangle(a, b, middle));
+        halves.push_back(triangle(a, middle, c));
+        first_halves.push_back(triangle(a, b, middle));
+    }
+    cover(out, "whole", whole, 1);
+    cover(out, "moved", moved, 1);
+    cover(out, "two halves", halves, 2);
+    cover(out, "one half", first_halves, 1);
+}
+
 void record_picture(Recorder& out)
 {
     const Canvas canvas = scene(480, 320);
@@ -152,6 +192,7 @@ const Driver driver = {
     {"guard band", [](Case& c, Recorder& out) { guard_band(c.random, out); }},
     {"needles", [](Case& c, Recorder& out) { needles(c.random, out); }},
     {"horizon", [](Case& c, Recorder& out) { horizon(c.random, out); }},
+    {"laws", [](Case& c, Recorder& out) { laws(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { record_picture(out); }},
 };
 

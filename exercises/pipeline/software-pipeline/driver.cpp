@@ -1,6 +1,7 @@
 #include <limits>
 #include <umbral/record/driver.hpp>
 
+#include "laws.hpp"
 #include "scenery.hpp"
 
 namespace umbral {
@@ -144,6 +145,11 @@ const Driver driver = {
     {"depth", [](Case& c, Recorder& out) { record(out, depths(c.random)); }},
     {"viewports", [](Case& c, Recorder& out) { record(out, viewports(c.random)); }},
     {"seams", [](Case& c, Recorder& out) { record(out, seams(c.random)); }},
+    {"laws",
+     [](Case& c, Recorder& out) {
+         record_order_and_place(c.random, out);
+         record_halves(c.random, out);
+     }},
     {"picture", [](Case&, Recorder& out) { record_picture(out); }},
 };
 

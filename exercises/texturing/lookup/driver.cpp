@@ -169,6 +169,27 @@ void beside_borders(Random& random, Recorder& out)
     record(out, textures, queries);
 }
 
+// A texture that repeats, and the same one with its texels moved on cyclically by 3 columns and 2 rows: 8 x 8 texels, 8 pixels a texel, one and a
+// half times round. Coordinates are exact.
+void record_cycled(Random& random, Recorder& out)
+{
+    const Grid<glm::vec4> still = random_texture(random, 8, 8);
+    Grid<glm::vec4> moved(8, 8);
+    for (int row = 0; row < 8; ++row)
+        for (int column = 0; column < 8; ++column) moved.at((column + 3) % 8, (row + 2) % 8) = still.at(column, row);
+    const auto painted = [](const Grid<glm::vec4>& texture) {
+        Grid<glm::vec3> picture(96, 96);
+        for (int y = 0; y < 96; ++y)
+            for (int x = 0; x < 96; ++x) {
+                const glm::vec2 uv((static_cast<float>(x) + 0.5F) / 64, 1.25F - (static_cast<float>(y) + 0.5F) / 64);
+                picture.at(x, y) = glm::vec3(lookup(texture, {Filter::bilinear, Wrap::repeat, Wrap::repeat}, uv));
+            }
+        return picture;
+    };
+    out.image("still", painted(still));
+    out.image("cycled", painted(moved));
+}
+
 }
 
 const Driver driver = {
@@ -183,6 +204,7 @@ const Driver driver = {
     {"not numbers", [](Case& c, Recorder& out) { not_numbers(c.random, out); }},
     {"far out", [](Case& c, Recorder& out) { far_out(c.random, out); }},
     {"beside borders", [](Case& c, Recorder& out) { beside_borders(c.random, out); }},
+    {"laws", [](Case& c, Recorder& out) { record_cycled(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { out.image("colours", picture(480, 320)); }},
 };
 

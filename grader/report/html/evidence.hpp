@@ -45,6 +45,7 @@ struct PictureEvidence {
     std::optional<Magnified> worst;
     std::vector<PixelPair> pixels;  ///< those that differ most within `worst`
     std::string problem;
+    std::string expected_side = "reference";  ///< what stands over the pictures that are not yours
 };
 
 /// One row of a table of numbers, or one matrix, by components (matrices column by column).

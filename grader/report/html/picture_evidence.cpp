@@ -53,6 +53,12 @@ Markup figure(std::string_view kind, std::string_view caption, const Picture& pi
 
 std::string size_text(const Picture& picture) { return fmt::format("{} × {} pixels", picture.width, picture.height); }
 
+std::string equal_words(const PictureEvidence& evidence)
+{
+    const bool reference = evidence.expected_side == "reference";
+    return fmt::format("yours and {}{}: equal in every pixel", reference ? "the " : "", evidence.expected_side);
+}
+
 Markup pixel_table(const PictureEvidence& evidence)
 {
     if (evidence.pixels.empty()) return {};
@@ -64,10 +70,11 @@ Markup pixel_table(const PictureEvidence& evidence)
     return markup(
         "<details data-close open><summary>The {} that differ most here, as a table</summary>{}</details>\n",
         evidence.pixels.size() == 1 ? "pixel" : fmt::format("{} pixels", evidence.pixels.size()),
-        scrolling("Pixels that differ most", markup("<table class=\"pixels\"><thead><tr><th scope=\"col\">pixel (x, y)</th><th scope=\"col\">yours</th><th "
-                                                    "scope=\"col\">reference</th>{}</tr></thead>"
-                                                    "<tbody>\n{}</tbody></table>",
-                                                    evidence.graded ? Markup("<th scope=\"col\" class=\"number\">difference, of 255</th>") : Markup(), rows)));
+        scrolling("Pixels that differ most",
+                  markup("<table class=\"pixels\"><thead><tr><th scope=\"col\">pixel (x, y)</th><th scope=\"col\">yours</th><th "
+                         "scope=\"col\">{}</th>{}</tr></thead>"
+                         "<tbody>\n{}</tbody></table>",
+                         evidence.expected_side, evidence.graded ? Markup("<th scope=\"col\" class=\"number\">difference, of 255</th>") : Markup(), rows)));
 }
 
 /// "0 3 3 1 …": numbers that the script reads from an attribute.
@@ -86,7 +93,7 @@ Markup magnified(const PictureEvidence& evidence, const std::string& anchor)
     std::string texts;
     for (const std::string& text : worst.texts) texts += (texts.empty() ? "" : "|") + text;
     const int scale = enlargement(worst.yours, magnified_width);
-    const auto panel = [&](const char* kind, const char* caption, const Picture& picture) {
+    const auto panel = [&](const char* kind, std::string_view caption, const Picture& picture) {
         return markup("<figure class=\"{}\"><figcaption>{}</figcaption><div class=\"frame\">{}</div></figure>\n", kind, caption,
                       image(picture,
                             fmt::format("{}, magnified: pixels ({}, {}) to ({}, {})", caption, worst.x, worst.y, worst.x + worst.yours.width - 1,
@@ -95,11 +102,12 @@ Markup magnified(const PictureEvidence& evidence, const std::string& anchor)
     };
     Markup result = markup(
         "<div class=\"magnified\" data-magnified data-x=\"{}\" data-y=\"{}\" data-columns=\"{}\" data-rows=\"{}\" data-texts=\"{}\" data-yours=\"{}\" "
-        "data-reference=\"{}\" data-levels=\"{}\" data-graded=\"{}\">\n<h4 id=\"{}-worst\">Where it is worst, {} times as large</h4>\n<div class=\"panels\">\n",
+        "data-reference=\"{}\" data-levels=\"{}\" data-graded=\"{}\" data-other=\"{}\">\n<h4 id=\"{}-worst\">Where it is worst, {} times as large</h4>\n<div "
+        "class=\"panels\">\n",
         worst.x, worst.y, worst.yours.width, worst.yours.height, texts, listed(worst.yours_texts), listed(worst.reference_texts), listed(worst.levels),
-        evidence.graded ? 1 : 0, anchor, scale);
+        evidence.graded ? 1 : 0, evidence.expected_side, anchor, scale);
     result += panel("yours", "yours", worst.yours);
-    result += panel("reference", "reference", worst.reference);
+    result += panel("reference", evidence.expected_side, worst.reference);
     result += panel("difference", "difference", worst.difference);
     result += "</div>\n<p class=\"readout\" data-readout data-script hidden>Point at a pixel, or move with the arrow keys.</p>\n";
     result += pixel_table(evidence);
@@ -126,19 +134,19 @@ Markup picture_evidence(const PictureEvidence& evidence, const std::string& anch
         Markup result = evidence.problem.empty() ? Markup() : markup("<p class=\"message\">{}</p>\n", evidence.problem);
         result += "<div class=\"pictures\">\n";
         if (!evidence.yours.png.empty())
-            result += figure("yours",
-                             evidence.problem.empty() ? "yours and the reference: equal in every pixel" : fmt::format("yours, {}", size_text(evidence.yours)),
-                             evidence.yours, fmt::format("Picture: yours, {}", size_text(evidence.yours)), {});
+            result += figure("yours", evidence.problem.empty() ? equal_words(evidence) : fmt::format("yours, {}", size_text(evidence.yours)), evidence.yours,
+                             fmt::format("Picture: yours, {}", size_text(evidence.yours)), {});
         if (evidence.reference && !evidence.reference->png.empty())
-            result += figure("reference", fmt::format("reference, {}", size_text(*evidence.reference)), *evidence.reference,
-                             fmt::format("Picture: reference, {}", size_text(*evidence.reference)), {});
+            result += figure("reference", fmt::format("{}, {}", evidence.expected_side, size_text(*evidence.reference)), *evidence.reference,
+                             fmt::format("Picture: {}, {}", evidence.expected_side, size_text(*evidence.reference)), {});
         result += "</div>\n";
         return result;
     }
     Markup result = markup("<div class=\"comparison\" data-comparison>\n{}<div class=\"pictures\">\n", controls(anchor));
     const Markup frame = mark(evidence.yours, evidence.worst);
     result += figure("yours", "yours", evidence.yours, fmt::format("Picture: yours, {}", size_text(evidence.yours)), frame);
-    result += figure("reference", "reference", *evidence.reference, fmt::format("Picture: reference, {}", size_text(evidence.yours)), frame);
+    result += figure("reference", evidence.expected_side, *evidence.reference,
+                     fmt::format("Picture: {}, {}", evidence.expected_side, size_text(evidence.yours)), frame);
     if (evidence.difference)
         result += figure("difference", fmt::format("difference: {} {}", evidence.differing, evidence.differing == 1 ? "pixel" : "pixels"), *evidence.difference,
                          fmt::format("Picture: difference of the two; {} pixels differ", evidence.differing), frame, legend(evidence));

@@ -45,7 +45,7 @@ function make_magnifier(box) {
     }
     const difference = levels[place] === 0 ? "equal" : data.graded === "1" ? `difference ${levels[place]} of 255` : "differs";
     const left = piece("b", "yours ");
-    const right = piece("b", "reference ");
+    const right = piece("b", `${data.other} `);
     left.className = "of-yours";
     right.className = "of-reference";
     readout.replaceChildren(`pixel (${Number(data.x) + at.x}, ${Number(data.y) + at.y}): `, left, piece("code", texts[yours[place]]), "  ", right,

@@ -23,8 +23,9 @@ function set_view(comparison, view) {
   if (view !== "blink") return stage.classList.remove("second");
   // Without motion each press changes the picture; otherwise time does.
   if (still.matches) {
+    const other = comparison.querySelector("figure.reference figcaption").textContent;
     if (was_blink) stage.classList.toggle("second");
-    status.textContent = stage.classList.contains("second") ? "reference; press again to change" : "yours; press again to change";
+    status.textContent = stage.classList.contains("second") ? `${other}; press again to change` : "yours; press again to change";
   } else {
     status.textContent = "press Escape to stop";
     blinking.set(comparison, setInterval(() => stage.classList.toggle("second"), blink_milliseconds));
@@ -58,10 +59,12 @@ function make_stage(comparison) {
 
   const wiper = document.createElement("input");
   Object.assign(wiper, { type: "range", min: "0", max: "100", step: "0.5", value: "50", className: "wiper" });
-  wiper.setAttribute("aria-label", "Wipe between yours and the reference");
+  const caption = reference.querySelector("figcaption").textContent;
+  const other = caption === "reference" ? "the reference" : caption;
+  wiper.setAttribute("aria-label", `Wipe between yours and ${other}`);
   const follow = () => {
     stage.style.setProperty("--cut", `${wiper.value}%`);
-    wiper.setAttribute("aria-valuetext", `yours on the left ${Math.round(wiper.value)} %, the reference on the rest`);
+    wiper.setAttribute("aria-valuetext", `yours on the left ${Math.round(wiper.value)} %, ${other} on the rest`);
   };
   wiper.addEventListener("input", follow);
   // A step of half a percent is for the mouse; a key moves by two.
