@@ -129,6 +129,19 @@ std::vector<std::pair<std::string, Tensor>> estimate_controls(const Tensor& expe
     return result;
 }
 
+// The right colours with the right noise, each in a place that chance gave it.
+Tensor shuffled(const Tensor& expected, std::uint64_t seed)
+{
+    Random random(seed);
+    Tensor tensor = expected;
+    const auto size = static_cast<std::ptrdiff_t>(size_of(expected.element) * expected.components);
+    for (auto i = static_cast<std::ptrdiff_t>(expected.cells()) - 1; i > 0; --i) {
+        const auto other = static_cast<std::ptrdiff_t>(random.below(static_cast<std::uint32_t>(i) + 1));
+        if (other != i) std::swap_ranges(tensor.bytes.begin() + i * size, tensor.bytes.begin() + (i + 1) * size, tensor.bytes.begin() + other * size);
+    }
+    return tensor;
+}
+
 Row identity(std::size_t components)
 {
     const std::size_t side = components == 9 ? 3 : 4;
@@ -170,6 +183,7 @@ std::vector<std::pair<std::string, Tensor>> controls(const Check& check, const T
         result.emplace_back("black", filled(expected, Row(components, bytes ? 0 : check.range_low)));
         result.emplace_back("white", filled(expected, Row(components, bytes ? 255 : check.range_high)));
     }
+    if (check.judge == JudgeKind::noise) result.emplace_back("shuffled pixels", shuffled(expected, seed));
     if (!expected.present.empty()) result.emplace_back("all absent", all_absent(expected));
     return result;
 }

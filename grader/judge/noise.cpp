@@ -86,8 +86,14 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
             "negative number.");
     // The unit's own random numbers in the reference's order: both estimates are equal, and bytes say so at no cost.
     if (std::ranges::equal(student.bytes, expected.bytes)) return {1, 0, "", {{"probability", 1}, {"misplaced_percent", 0}, {"worst_deviation", 0}}, {}};
-    StochasticRule rule = apply_stochastic_rule(estimates_of(check, student), target, forgiven_by(check, expected));
+    const Estimates yours = estimates_of(check, student);
+    StochasticRule rule = apply_stochastic_rule(yours, target, forgiven_by(check, expected));
     rule.agree = rule.probability >= check_alpha();
+    // What scatters apart by a bias shows it: at least a third of the light then lies in the wrong place.
+    if (rule.misplaced < 1.0 / 3 && scatters_apart(yours, target))
+        return wrong(
+            "The estimates scatter far more than the reference's, so that their mean proves nothing: take as many samples as you are told, choose "
+            "directions where the light is, and look at what each one is divided by.");
 
     Judgement result;
     result.right = rule.agree ? 1 : credit_for(rule.misplaced);

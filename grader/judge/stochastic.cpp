@@ -12,9 +12,6 @@
 namespace umbral::grader {
 namespace {
 
-/// The largest factor by which two tails of a weighted sum of random signs exceed two normal ones: 1 / (2 erfc(1)).
-/// Based on: V. Bentkus, D. Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables. 2015.
-constexpr double tail_factor = 3.179;
 /// A tile's difference is no noise beyond this many standard deviations: all of it counts as misplaced.
 constexpr double certain = 3;
 

@@ -31,6 +31,10 @@ inline constexpr Forgiven forgiven_bytes{0.005, 0};
 /// Of floats: what sums of some hundred roundings can do.
 inline constexpr Forgiven forgiven_floats{2e-5, 0};
 
+/// The largest factor by which two tails of a weighted sum of random signs exceed two normal ones: 1 / (2 erfc(1)).
+/// Based on: V. Bentkus, D. Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables. Bernoulli 2015.
+inline constexpr double tail_factor = 3.179;
+
 /// How likely two Monte Carlo results have the same expectation.
 struct StochasticRule {
     bool agree = false;
@@ -73,6 +77,11 @@ inline constexpr double stochastic_alpha = 1e-4;
 
 /// The same for pictures of bytes.
 [[nodiscard]] StochasticRule apply_stochastic_rule(const Picture& yours, const Picture& expected);
+
+/// Is one of the two so much noisier that equal means prove nothing? Whoever adds enough noise to anything, or puts all light into one pixel of
+/// each tile, hides every bias from the test of means. Here all values are cut at four expected means: if the means of their sizes then
+/// differ by more than half, beyond chance, the two are not comparable. Correct work is accused with a chance below a hundredth of check_alpha().
+[[nodiscard]] bool scatters_apart(const Estimates& yours, const Estimates& expected);
 
 /// Sums over a tile of two results.
 struct TileSums {

@@ -7,7 +7,7 @@
 #include "judge/image_metrics.hpp"
 #include "judge/image_rule.hpp"
 #include "judge/rules.hpp"
-#include "make.hpp"
+#include "noisy.hpp"
 
 namespace {
 
@@ -56,5 +56,15 @@ int main()
         report("  SSIM, PSNR, RMSE, Lab", [&] { (void)measure_image(a, b); });
         report("  judge: rule, metrics, worst region", [&] { (void)judge(check, *student, right, nullptr); });
     }
+    std::printf("noise, three channels\n");
+    const auto light = [](int x, int y) { return test::floor_and_ball(x / 8, y / 8); };
+    const umbral::Tensor expected = test::noisy(random, 512, 512, 3, 1, light);
+    const umbral::Tensor student = test::noisy(random, 512, 512, 3, 1, light);
+    const Check noise = test::check_of(JudgeKind::noise);
+    report("  judge, floats", [&] { (void)judge(noise, student, expected, nullptr); });
+    const umbral::Tensor expected_bytes = test::as_bytes(expected);
+    const umbral::Tensor student_bytes = test::as_bytes(student);
+    report("  judge, bytes", [&] { (void)judge(noise, student_bytes, expected_bytes, nullptr); });
+    report("  best control, floats", [&] { (void)best_control(noise, expected, nullptr, 1); });
     return 0;
 }

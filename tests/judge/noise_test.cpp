@@ -117,6 +117,37 @@ TEST(Noise, ControlsEarnNextToNothing)
     for (const auto& [name, tensor] : controls(check, one, seed)) EXPECT_LT(judge(check, tensor, one, nullptr).right, 1) << name;
 }
 
+TEST(Noise, NoiseIsNoHidingPlace)
+{
+    Random random(seed);
+    const Tensor expected = run(random);
+    // Nothing, but for one pixel of each tile that makes the sum of squares as large as one likes.
+    EXPECT_EQ(right(noisy(random, 64, 64, 3, 1, [](int x, int y) { return x % 16 == 5 && y % 16 == 5 ? 100.0 : 0.0; }), expected), 0);
+    // The same with the right mean.
+    EXPECT_EQ(right(noisy(random, 64, 64, 3, 1, [](int x, int y) { return x % 16 == 5 && y % 16 == 5 ? 256 * 0.13 : 0.0; }), expected), 0);
+    // Noise without end round nothing, and round the mean.
+    for (const double mean : {0.0, 0.13})
+        for (const double size : {0.5, 5.0, 1e6}) {
+            const auto spread = [&](int, int) { return mean + size * (2 * random.uniform_double() - 1); };
+            EXPECT_LT(right(noisy(random, 64, 64, 3, 1, spread, [](Random&) { return 1.0; }), expected), 0.25) << mean << " " << size;
+        }
+    // A table that one row spoils.
+    const Tensor table = estimates(random);
+    std::vector<double> spoilt(1600, 0.0);
+    for (std::size_t c = 0; c < 4; ++c) spoilt[c] = 1e9;
+    EXPECT_EQ(right(doubles(spoilt, 4), table), 0);
+    // … while rough estimators of the same light are welcome.
+    for (const Noise noise : {exponential, visible})
+        EXPECT_EQ(right(noisy(
+                            random, 64, 64, 3, 1, [](int x, int y) { return floor_and_ball(x, y); }, noise),
+                        expected),
+                  1);
+    EXPECT_EQ(right(noisy(
+                        random, 64, 64, 3, 8, [](int x, int y) { return floor_and_ball(x, y); }, firefly),
+                    expected),
+              1);
+}
+
 TEST(Noise, WordsNameTheWorstPlace)
 {
     Random random(seed);

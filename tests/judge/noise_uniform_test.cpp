@@ -58,8 +58,8 @@ TEST(NoiseUniform, PValuesOfTilesOfFloatsAreUniform)
             for (int i = 0; i < tiles; ++i) p.push_back(tile_p(random, model.noise, samples, model.noise, samples));
             const double distance = distance_from_uniform(p);
             std::printf("  %-12s %2d samples a pixel, %d tiles: %.2f\n", model.name, samples, tiles, distance);
-            // Of fireflies with one sample each, a few pixels carry the sum. That is far from normal, and only its tails are claimed: lighter.
-            EXPECT_LT(distance, model.noise == firefly && samples == 1 ? 5.0 : 1.95) << model.name << samples;
+            // With few samples of fireflies a few pixels carry the sum. That is not normal: only the tails are claimed, which are lighter.
+            EXPECT_LT(distance, model.noise == firefly && samples < 16 ? 5.0 : 1.95) << model.name << samples;
             for (const double x : {0.1, 0.01, 1e-3}) {
                 const auto found = static_cast<double>(std::count_if(p.begin(), p.end(), [&](double one) { return one <= x; }));
                 EXPECT_LE(found, tiles * x + 3.3 * std::sqrt(tiles * x) + 1) << model.name << samples << " " << x;

@@ -104,6 +104,23 @@ TEST(ResultSchemas, hold_a_sketch_where_there_is_one)
     EXPECT_NE(Schema("report").complaints(wrong), "");
 }
 
+TEST(ResultSchemas, hold_seeds_where_noise_was_judged)
+{
+    SubmissionResult result = test::submission();
+    const auto check_of = [](const json& report) { return report["submission"]["units"][0]["checks"][0]; };
+    EXPECT_FALSE(check_of(to_json(result, test::fingerprint())).contains("seeds"));
+    result.units[0].checks[0].kind = JudgeKind::noise;
+    result.units[0].checks[0].seeds = {18446744073709551615U, 7};
+    json report = to_json(result, test::fingerprint());
+    EXPECT_EQ(Schema("report").complaints(report), "");
+    EXPECT_EQ(check_of(report)["seeds"], (json{"18446744073709551615", "7"}));
+    EXPECT_EQ(Schema("class").complaints(to_json(ClassResult{test::fingerprint(), {result}})), "") << "not in class.json";
+    for (const json& wrong : {json::array(), json(7), json{7, 8}, json{"1", "2", "3"}, json{"-1"}}) {
+        report["submission"]["units"][0]["checks"][0]["seeds"] = wrong;
+        EXPECT_NE(Schema("report").complaints(report), "") << wrong;
+    }
+}
+
 TEST(ResultSchemas, are_strict_in_every_field)
 {
     expect_strict(Schema("class"), class_json(), {"metrics", "artefacts"});
