@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 
 #include "calibrate/explanations.hpp"
+#include "calibrate/picture_pair.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -78,17 +78,10 @@ const char* to_string(Said said)
     return std::ranges::find(outcomes, said, [](const auto& entry) { return entry.first; })->second;
 }
 
-bool is_held_out(const std::string& unit)
-{
-    std::uint32_t hash = 2166136261U;  // FNV-1a
-    for (const char c : unit) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-    return ((hash >> 16U) & 1U) != 0;
-}
-
-bool meets_targets(const std::vector<ExplainedWork>& work, bool held_out)
+bool meets_targets(const std::vector<ExplainedWork>& work, bool held_out_only)
 {
     const auto among = [&](auto meant) {
-        return tally(work, [&](const ExplainedWork& one) { return (!held_out || is_held_out(one.unit)) && meant(one.kind); });
+        return tally(work, [&](const ExplainedWork& one) { return (!held_out_only || held_out(one.unit)) && meant(one.kind); });
     };
     const Tally own = among([](WorkKind kind) { return kind == WorkKind::mistake; });
     const Tally none = among([](WorkKind kind) { return kind == WorkKind::left_out || kind == WorkKind::disturbed; });
@@ -98,10 +91,15 @@ bool meets_targets(const std::vector<ExplainedWork>& work, bool held_out)
 std::string explanation_table(const std::vector<ExplainedWork>& work)
 {
     std::vector<ExplainedWork> tuning;
-    std::vector<ExplainedWork> held_out;
-    std::set<std::string> units;
-    for (const ExplainedWork& one : work) (is_held_out(one.unit) ? held_out : tuning).push_back(one), units.insert(one.unit);
-    std::string text = lines_for(work, "all units") + lines_for(tuning, "half that tunes") + lines_for(held_out, "half held out");
+    std::vector<ExplainedWork> other_half;
+    for (const ExplainedWork& one : work) (held_out(one.unit) ? other_half : tuning).push_back(one);
+    std::string text = lines_for(work, "all units") + lines_for(tuning, "half that tunes") + lines_for(other_half, "half held out");
+    return text + explanation_misses(work);
+}
+
+std::string explanation_misses(const std::vector<ExplainedWork>& work)
+{
+    std::string text;
     const auto list = [&](const char* heading, auto meant) {
         std::string lines;
         for (const ExplainedWork& one : work) {

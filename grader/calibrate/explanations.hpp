@@ -44,14 +44,15 @@ struct ExplainedWork {
 /// Explains all such work of one unit, with the inputs of one seed; none of them is a seed of `umbral validate`, on whose the units were made.
 [[nodiscard]] std::vector<ExplainedWork> explain_known_work(Workshop& workshop, const Exercise& exercise, unsigned seed);
 
-/// Thresholds are set on one half of the units, and reported on the other: by a hash of the name.
-[[nodiscard]] bool is_held_out(const std::string& unit);
-
-/// How often what was said, in all units and in those held out, as lines of text; then every wrong one by name.
+/// How often what was said, in all units, in the half on which thresholds were set and in the half held_out(), as lines of text; then every
+/// wrong one by name.
 [[nodiscard]] std::string explanation_table(const std::vector<ExplainedWork>& work);
 
+/// Whatever was not told by its own reason, or told wrongly, with what was said.
+[[nodiscard]] std::string explanation_misses(const std::vector<ExplainedWork>& work);
+
 /// Is the right reason first (alone, or among equals) for at least 95 % of the mistakes, and a wrong one given for less than 1 % of the work
-/// that matches none? With `held_out`, of the units held out alone.
-[[nodiscard]] bool meets_targets(const std::vector<ExplainedWork>& work, bool held_out);
+/// that matches none? With `held_out_only`, of the units held out alone.
+[[nodiscard]] bool meets_targets(const std::vector<ExplainedWork>& work, bool held_out_only);
 
 }

@@ -10,6 +10,7 @@
 
 #include "batch/share_out.hpp"
 #include "calibrate/explanations.hpp"
+#include "calibrate/picture_pair.hpp"
 #include "cli/application.hpp"
 
 namespace umbral::grader {
@@ -29,7 +30,7 @@ nlohmann::json to_json(const ExplainedWork& work)
         said.push_back({{"name", one.name}, {"confidence", one.confidence}, {"fit", one.fit}, {"ambiguous", one.ambiguous}});
     return {{"unit", work.unit},
             {"seed", work.seed},
-            {"held_out", is_held_out(work.unit)},
+            {"held_out", held_out(work.unit)},
             {"kind", to_string(work.kind)},
             {"subject", work.subject},
             {"outcome", to_string(work.said)},
@@ -56,7 +57,7 @@ void measure(Application& application, const Options& options)
         const Exercise& exercise = exercises[index / options.seeds];
         std::vector<ExplainedWork> some = explain_known_work(workshop, exercise, static_cast<unsigned>(index % options.seeds));
         const std::lock_guard lock(mutex);
-        fmt::print(stderr, "{} of {}: {}\n", ++finished, total, exercise.id);
+        fmt::print(stderr, "{} of {}: {}\n{}", ++finished, total, exercise.id, explanation_misses(some));
         std::ranges::move(some, std::back_inserter(work));
     });
     // Workers finish in any order; what people compare has one.

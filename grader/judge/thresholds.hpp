@@ -68,6 +68,8 @@ constexpr double same_growth = 0.2;
 constexpr double explained = 0.9;
 /// … from at most this share of it.
 constexpr double unexplained_share = 0.5;
+/// Share of an error that undoing may leave, by rounding, without speaking against the transform.
+constexpr double rounding_left = 1e-3;
 /// Share of the rows in which a mistake must deviate as the student did.
 constexpr double mistake_share = 0.95;
 /// Sureness of explanations (sureness.hpp), set on half of the units by `umbral bench explanations`, which reports the other half apart.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "calibrate/explanations.hpp"
+#include "calibrate/picture_pair.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -38,17 +39,17 @@ TEST(ExplanationTargets, AreNinetyFivePercentRightAndLessThanOneWrong)
 TEST(ExplanationTargets, LookAtTheHalfHeldOut)
 {
     std::string tuning;
-    std::string held_out;
+    std::string other_half;
     std::size_t held = 0;
     for (int i = 0; i < 100; ++i) {
         const std::string unit = "topic/unit-" + std::to_string(i);
-        (is_held_out(unit) ? held_out : tuning) = unit;
-        held += is_held_out(unit) ? 1 : 0;
+        (held_out(unit) ? other_half : tuning) = unit;
+        held += held_out(unit) ? 1 : 0;
     }
     EXPECT_GT(held, 30U);
     EXPECT_LT(held, 70U);
-    const std::vector<ExplainedWork> all{work(WorkKind::mistake, Said::right, tuning), work(WorkKind::mistake, Said::right, held_out),
-                                         work(WorkKind::left_out, Said::wrong, tuning), work(WorkKind::left_out, Said::silent, held_out)};
+    const std::vector<ExplainedWork> all{work(WorkKind::mistake, Said::right, tuning), work(WorkKind::mistake, Said::right, other_half),
+                                         work(WorkKind::left_out, Said::wrong, tuning), work(WorkKind::left_out, Said::silent, other_half)};
     EXPECT_TRUE(meets_targets(all, true));
     EXPECT_FALSE(meets_targets(all, false));
 }
