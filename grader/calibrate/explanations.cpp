@@ -78,14 +78,30 @@ private:
 
     /// The values that checks look at, each changed; the same change for the same seed.
     template <class Change>
-    RunOutcome changed(RunOutcome run, const std::string& name, Change change)
+    RunOutcome changed(RunOutcome run, const std::string& name, Change change, const std::set<std::string>& but = {})
     {
         std::set<std::string> values;
         for (const Check& check : exercise_.checks)
-            if (check.case_name == name && check.judge != JudgeKind::trace && check.judge != JudgeKind::cost) values.insert(check.value);
+            if (check.case_name == name && check.judge != JudgeKind::trace && check.judge != JudgeKind::cost && !but.contains(check.value))
+                values.insert(check.value);
         for (const std::string& value : values)
             if (const auto found = run.recording.tensors.find(value); found != run.recording.tensors.end()) found->second = change(found->second);
         return run;
+    }
+
+    /// The values of a case that a check asks for so exactly that rounding would fail it: there other rounding is another error.
+    std::set<std::string> exact_values(const std::string& name, std::uint64_t seed)
+    {
+        std::set<std::string> values;
+        Random random = random_for(name);
+        for (const Check& check : exercise_.checks) {
+            if (check.case_name != name || has_free_rows(check.judge)) continue;
+            const RunOutcome& run = workshop_.trusted(exercise_, judged_against(check), name, seed);
+            const Tensor* expected = tensor_of(run, check.value);
+            if (expected == nullptr || fraction_right(check, rounded_otherwise(*expected, random), *expected, tensor_of(run, check.value + ".margin")) < 1)
+                values.insert(check.value);
+        }
+        return values;
     }
 
     void known(const Specimen& mistake)
@@ -98,7 +114,8 @@ private:
 
         Random random = random_for(own);
         const auto round = [&](const Tensor& tensor) { return rounded_otherwise(tensor, random); };
-        const CaseResults rounded = run([&](const std::string& name, std::uint64_t seed) { return changed(run_of(mistake, name, seed), name, round); });
+        const CaseResults rounded =
+            run([&](const std::string& name, std::uint64_t seed) { return changed(run_of(mistake, name, seed), name, round, exact_values(name, seed)); });
         note(WorkKind::rounded, mistake.name, explain_unit(workshop_, exercise_, judged(rounded), rounded, mistakes_), own);
 
         std::vector<Specimen> others = mistakes_;

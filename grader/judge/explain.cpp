@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <optional>
 #include <set>
 
 #include "judge/rows.hpp"
@@ -89,18 +91,36 @@ double mending_bits(const Check& check, const FailingCheck& one, const Tensor& u
     return agreement_bits(*one.student, *one.expected, counted(before), mended_rows(before, after));
 }
 
-Resemblance says_of(const NamedTransform& transform, const Check& check, const FailingCheck& one, double before)
+/// Nothing if the transform cannot be tried: it is none of such values, or would be fitted to one or two of them.
+std::optional<Resemblance> says_of(const NamedTransform& transform, const Check& check, const FailingCheck& one, double before)
 {
-    if (!one.fails && transform.fitted_bits > 0) return {};
+    if (!one.fails && transform.fitted_bits > 0) return Resemblance{};
     const auto undone = transform.undo(check, *one.student, *one.expected);
-    if (!undone || *undone == *one.student) return {one.fails ? Says::against_it : Says::nothing, 0};
+    if (!undone) return std::nullopt;
+    if (*undone == *one.student) return Resemblance{one.fails ? Says::against_it : Says::nothing, 0};
     const double after = fraction_right(check, *undone, *one.expected, one.margin);
-    if (!one.fails) return {after < check.full ? Says::against_it : Says::nothing, 0};
+    if (!one.fails) return Resemblance{after < check.full ? Says::against_it : Says::nothing, 0};
+    if (raises(before, after, check.full)) return Resemblance{Says::for_it, std::max(0.0, mending_bits(check, one, *undone) - transform.fitted_bits)};
     // Where next to all of the error is gone, what is left may be what undoing lost in rounding: hard cases ask for the last digits.
-    if (!raises(before, after, check.full))
-        return {distance(*undone, *one.expected) <= thresholds::rounding_left * distance(*one.student, *one.expected) ? Says::nothing : Says::against_it, 0};
-    return {Says::for_it, std::max(0.0, mending_bits(check, one, *undone) - transform.fitted_bits)};
+    const bool nearly = distance(*undone, *one.expected) <= thresholds::rounding_left * distance(*one.student, *one.expected);
+    return Resemblance{nearly ? Says::nothing : Says::against_it, 0};
 }
+
+/// What the checks say of one transform.
+struct Trial {
+    Testimony testimony;
+    std::set<JudgeKind> mended;                  ///< kinds of checks that speak for it
+    std::map<JudgeKind, std::size_t> not_tried;  ///< failing checks on which it could not be tried
+
+    /// Checks of another kind are no witnesses: a picture does not tell that the numbers behind it were scaled. Those of the same kind are.
+    [[nodiscard]] Testimony all() const
+    {
+        Testimony result = testimony;
+        for (const auto& [kind, count] : not_tried)
+            if (mended.contains(kind)) result.against_it += count;
+        return result;
+    }
+};
 
 }
 
@@ -119,33 +139,36 @@ std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& c
 {
     const std::vector<NamedTransform>& transforms = named_transforms();
     std::vector<Explanation> explanations;
-    std::vector<Testimony> testimonies(transforms.size());
+    std::vector<Trial> trials(transforms.size());
     for (const NamedTransform& transform : transforms) explanations.push_back({transform.name, transform.sentence, 0});
     std::set<std::string> failing_values;
     for (const FailingCheck& one : checks)
         if (one.check != nullptr && one.fails) failing_values.insert(one.check->value);
     for (const FailingCheck& one : checks) {
         if (one.check == nullptr || (!one.fails && !failing_values.contains(one.check->value))) continue;
-        if (!comparable(one) || has_free_rows(one.check->judge)) {
-            if (one.fails)
-                for (Testimony& testimony : testimonies) ++testimony.against_it;
-            continue;
-        }
+        const JudgeKind kind = one.check->judge;
+        const bool can_be_tried = comparable(one) && !has_free_rows(kind);
         const Check check = widened(*one.check);
-        const double before = fraction_right(check, *one.student, *one.expected, one.margin);
+        const double before = can_be_tried ? fraction_right(check, *one.student, *one.expected, one.margin) : 0;
         for (std::size_t i = 0; i < transforms.size(); ++i) {
-            const NamedTransform& transform = transforms[i];
+            std::optional<Resemblance> said;
             // Too little of an error to tell what it is: rounding, to the wider tolerance.
-            const Resemblance said = one.fails && before >= check.full ? Resemblance{Says::against_it, 0} : says_of(transform, check, one, before);
-            if (said.says == Says::for_it && testimonies[i].for_it == 0 && transform.describe != nullptr)
-                if (std::string sentence = transform.describe(check, *one.student, *one.expected); !sentence.empty())
+            if (can_be_tried && one.fails && before >= check.full)
+                said = Resemblance{Says::against_it, 0};
+            else if (can_be_tried)
+                said = says_of(transforms[i], check, one, before);
+            if (!said && one.fails) ++trials[i].not_tried[kind];
+            if (!said) continue;
+            if (said->says == Says::for_it && trials[i].testimony.for_it == 0 && transforms[i].describe != nullptr)
+                if (std::string sentence = transforms[i].describe(check, *one.student, *one.expected); !sentence.empty())
                     explanations[i].sentence = std::move(sentence);
-            testimonies[i] += said;
+            if (said->says == Says::for_it) trials[i].mended.insert(kind);
+            trials[i].testimony += *said;
         }
     }
     for (std::size_t i = 0; i < explanations.size(); ++i) {
-        explanations[i].confidence = sureness(testimonies[i]);
-        explanations[i].fit = fit(testimonies[i]);
+        explanations[i].confidence = sureness(trials[i].all());
+        explanations[i].fit = fit(trials[i].all());
     }
     std::erase_if(explanations, [](const Explanation& explanation) { return explanation.confidence == 0; });
     std::ranges::stable_sort(explanations, std::ranges::greater{}, &Explanation::confidence);

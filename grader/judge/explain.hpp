@@ -37,7 +37,8 @@ struct NamedTransform {
 
 /// Explanations by named transforms, best first, with their sureness, however small. One is given only if it makes a failing check right
 /// (or raises it to at least 0.9 from at most half of that), and if the transform changes the student's result at all. Checks of another
-/// recorded value that the student passes say nothing about it: an error may sit in one function of several. Since undoing rounds once
+/// recorded value that the student passes say nothing about it: an error may sit in one function of several. Neither do failing checks of
+/// another kind, on which it cannot be tried. Since undoing rounds once
 /// more, tolerances are widened a little for this, but for no points. No transform fits what has_free_rows.
 [[nodiscard]] std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& checks);
 
