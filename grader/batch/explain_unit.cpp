@@ -3,95 +3,124 @@
 #include <algorithm>
 #include <functional>
 #include <list>
-#include <map>
+#include <tuple>
 
 #include "batch/related.hpp"
-#include "batch/specimens.hpp"
 #include "judge/explain.hpp"
+#include "judge/thresholds.hpp"
 
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t most_explanations = 3;
-
-/// The failing checks that could be judged at all: a crash needs no signature. Those with a relation are explained by what is wrong with
-/// one of its values, as a check of its own that `plain` keeps.
-std::vector<FailingCheck> failing_checks(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases,
-                                         std::list<Check>& plain)
-{
-    std::vector<FailingCheck> failing;
-    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-        const Check& declared = exercise.checks[i];
-        const CaseResult& one = cases.at(declared.case_name);
-        if (result.checks[i].score == declared.points || !one.trouble().empty()) continue;
-        const RunOutcome& expected = workshop.trusted(exercise, judged_against(declared), declared.case_name, one.seed);
-        const Check& check = declared.relation ? plain.emplace_back(against_reference(declared, one.student, expected)) : declared;
-        const Tensor* student = observed(check, one.student);
-        if (student == nullptr) continue;
-        failing.push_back({&check, student, tensor_of(expected, check.value), tensor_of(expected, check.value + ".margin"), nullptr});
-    }
-    return failing;
-}
-
-struct Candidate {
-    Specimen mistake;
-    std::size_t matching = 0;  ///< failing checks with the same wrong result
-    bool fits_here = false;    ///< one of them belongs to the case looked at
+/// The checks of one case.
+struct CaseChecks {
+    std::string name;
+    const CaseResult* result = nullptr;
+    std::vector<FailingCheck> checks;
+    std::size_t failing = 0;
 };
 
-/// The failing checks by case, the quickest case first: most mistakes are told apart by one case.
-std::vector<std::vector<FailingCheck>> by_case(const std::vector<FailingCheck>& failing, const CaseResults& cases)
+/// By case: those with failing checks first, of both kinds the quickest first, for most mistakes are told apart by one case. A failing check
+/// with a relation is explained by what is wrong with one of its values, as a check of its own that `plain` keeps; one that holds says nothing.
+std::vector<CaseChecks> by_case(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases, std::list<Check>& plain)
 {
-    std::map<std::pair<double, std::string>, std::vector<FailingCheck>> sorted;
-    for (const FailingCheck& one : failing) sorted[{cases.at(one.check->case_name).student.wall_seconds, one.check->case_name}].push_back(one);
-    std::vector<std::vector<FailingCheck>> groups;
-    for (auto& [key, group] : sorted) groups.push_back(std::move(group));
+    std::vector<CaseChecks> groups;
+    for (const std::string& name : exercise.cases()) groups.push_back({name, &cases.at(name), {}, 0});
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        const Check& declared = exercise.checks[i];
+        CaseChecks& group = *std::ranges::find(groups, declared.case_name, &CaseChecks::name);
+        // Code that is not written yet says nothing about code that is.
+        if (group.result->is_stub()) continue;
+        const bool fails = result.checks[i].score < declared.points;
+        if (declared.relation && !fails) continue;
+        const RunOutcome& expected = workshop.trusted(exercise, judged_against(declared), declared.case_name, group.result->seed);
+        const Check& check = declared.relation ? plain.emplace_back(against_reference(declared, group.result->student, expected)) : declared;
+        group.checks.push_back(
+            {&check, observed(check, group.result->student), tensor_of(expected, check.value), tensor_of(expected, check.value + ".margin"), fails});
+        group.failing += fails ? 1 : 0;
+    }
+    std::erase_if(groups, [](const CaseChecks& group) { return group.checks.empty(); });
+    std::ranges::stable_sort(groups, {},
+                             [](const CaseChecks& group) { return std::tuple(group.failing == 0, group.result->student.wall_seconds, group.name); });
     return groups;
 }
 
-std::vector<Explanation> by_mistakes(Workshop& workshop, const Exercise& exercise, const std::vector<FailingCheck>& failing, const CaseResults& cases)
+struct Candidate {
+    const Specimen* mistake = nullptr;
+    Testimony testimony{};
+    bool fits_here = false;  ///< a failing check of the case looked at speaks for it
+};
+
+/// What a check says of a candidate's run. A crash has no signature: the same end speaks neither way, another one against.
+Resemblance says_of(const FailingCheck& one, const CaseResult& yours, const RunOutcome& its)
+{
+    constexpr Resemblance differently{Says::against_it, 0};
+    if (yours.student.verdict != its.verdict) return differently;
+    if (its.verdict != Verdict::ok) return {};
+    const Tensor* tensor = observed(*one.check, its);
+    if (tensor == nullptr) return one.student == nullptr ? Resemblance{} : differently;
+    return one.student == nullptr ? differently : resemblance(one, *tensor);
+}
+
+std::vector<Explanation> by_mistakes(Workshop& workshop, const Exercise& exercise, const std::vector<CaseChecks>& groups, std::span<const Specimen> mistakes)
 {
     std::vector<Candidate> candidates;
-    for (Specimen& mistake : mistakes_of(workshop.tools().reference, exercise))
-        if (!mistake.verdict || *mistake.verdict == Verdict::wrong || *mistake.verdict == Verdict::partial) candidates.push_back({std::move(mistake)});
+    for (const Specimen& mistake : mistakes) candidates.push_back({&mistake});
+    std::size_t undecided = 0;
+    for (const CaseChecks& group : groups) undecided += group.failing;
 
-    // A mistake that fits no check of a failing case is out, as long as another fits there: a unit's mistakes may be many and slow.
-    for (const std::vector<FailingCheck>& group : by_case(failing, cases)) {
+    for (const CaseChecks& group : groups) {
+        undecided -= group.failing;
         for (Candidate& candidate : candidates) {
+            const Specimen& mistake = *candidate.mistake;
+            const RunOutcome& run = workshop.run_mistake(exercise, mistake.name, mistake.sources, group.name, group.result->seed);
             candidate.fits_here = false;
-            const std::string& name = group.front().check->case_name;
-            const RunOutcome& run = workshop.run_mistake(exercise, candidate.mistake.name, candidate.mistake.sources, name, cases.at(name).seed);
-            for (const FailingCheck& one : group) {
-                const Tensor* tensor = observed(*one.check, run);
-                if (tensor == nullptr || !matches_mistake(one, *tensor)) continue;
-                ++candidate.matching;
-                candidate.fits_here = true;
+            for (const FailingCheck& one : group.checks) {
+                const Resemblance said = says_of(one, *group.result, run);
+                candidate.testimony += said;
+                candidate.fits_here = candidate.fits_here || said.says == Says::for_it;
             }
         }
-        const auto fits = [](const Candidate& candidate) { return candidate.fits_here; };
-        if (std::any_of(candidates.begin(), candidates.end(), fits)) std::erase_if(candidates, std::not_fn(fits));
+        std::erase_if(candidates, [&](const Candidate& one) { return most_sureness(one.testimony, undecided) < thresholds::least_sure; });
+        // A unit's mistakes may be many and slow: one that fits no failing check of a case is out, as long as another fits there.
+        if (group.failing > 0 && std::ranges::any_of(candidates, &Candidate::fits_here)) std::erase_if(candidates, std::not_fn(&Candidate::fits_here));
     }
     std::vector<Explanation> found;
     for (const Candidate& candidate : candidates)
-        if (candidate.matching > 0)
-            found.push_back(
-                {"mistake: " + candidate.mistake.name, candidate.mistake.hint, static_cast<double>(candidate.matching) / static_cast<double>(failing.size())});
+        found.push_back({mistake_title(candidate.mistake->name), candidate.mistake->hint, sureness(candidate.testimony), fit(candidate.testimony)});
     return found;
 }
 
 }
 
-std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases)
+std::vector<Specimen> telling_mistakes(const Workshop& workshop, const Exercise& exercise)
+{
+    std::vector<Specimen> mistakes = mistakes_of(workshop.tools().reference, exercise);
+    std::erase_if(mistakes, [](const Specimen& one) { return one.verdict && *one.verdict != Verdict::wrong && *one.verdict != Verdict::partial; });
+    return mistakes;
+}
+
+std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases,
+                                      std::span<const Specimen> mistakes)
 {
     std::list<Check> plain;
-    const std::vector<FailingCheck> failing = failing_checks(workshop, exercise, result, cases, plain);
-    if (failing.empty()) return {};
-    std::vector<Explanation> all = by_mistakes(workshop, exercise, failing, cases);
-    for (Explanation& other : explain_by_transform(failing)) all.push_back(std::move(other));
-    // Known mistakes come first among equals: their hints were written for this very unit.
-    std::stable_sort(all.begin(), all.end(), [](const Explanation& a, const Explanation& b) { return a.confidence > b.confidence; });
-    if (all.size() > most_explanations) all.resize(most_explanations);
-    return all;
+    const std::vector<CaseChecks> groups = by_case(workshop, exercise, result, cases, plain);
+    // What crashed or was stopped has no result to explain.
+    std::vector<FailingCheck> ran;
+    for (const CaseChecks& group : groups)
+        if (group.result->trouble().empty())
+            std::ranges::copy_if(group.checks, std::back_inserter(ran), [](const FailingCheck& one) { return one.student != nullptr; });
+    if (std::ranges::none_of(ran, &FailingCheck::fails)) return {};
+    std::vector<Explanation> all = by_mistakes(workshop, exercise, groups, mistakes);
+    for (Explanation& other : explain_by_transform(ran)) all.push_back(std::move(other));
+    return ranked(std::move(all));
+}
+
+std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases)
+{
+    if (result.score == result.max_score) return {};
+    const std::vector<Specimen> mistakes = telling_mistakes(workshop, exercise);
+    return explain_unit(workshop, exercise, result, cases, mistakes);
 }
 
 }

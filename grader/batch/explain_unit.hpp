@@ -1,14 +1,24 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "batch/case_results.hpp"
+#include "batch/specimens.hpp"
 #include "batch/workshop.hpp"
 
 namespace umbral::grader {
 
-/// Why a unit's checks fail: known mistakes that give the same results, and named transforms that undo the difference; best first.
-/// Runs the unit's mistakes on the failing cases, in the sandbox like everything else.
+/// Why a unit's checks fail: known mistakes that give the same results, and named transforms that undo the difference; best first, with
+/// how sure that is (judge/sureness.hpp). Runs the unit's mistakes, which were compiled when the project was built, in the sandbox like
+/// everything else: on the failing cases, and those that still fit on the others too, for what a mistake breaks must be broken.
 [[nodiscard]] std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases);
+
+/// The same with other candidates than the unit's own mistakes.
+[[nodiscard]] std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases,
+                                                    std::span<const Specimen> mistakes);
+
+/// The mistakes that can explain a result: those that build, run, and answer wrongly.
+[[nodiscard]] std::vector<Specimen> telling_mistakes(const Workshop& workshop, const Exercise& exercise);
 
 }

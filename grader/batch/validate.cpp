@@ -8,6 +8,7 @@
 #include "batch/related.hpp"
 #include "batch/specimens.hpp"
 #include "judge/judge.hpp"
+#include "judge/sureness.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -80,7 +81,9 @@ Finding expect_mistake(Workshop& workshop, const Exercise& exercise, const Speci
     finding.expected = fmt::format("{:g}..{:g}", mistake.least_credit, mistake.most_credit);
     finding.blind = blind_checks(result);
     const bool in_range = finding.credit >= mistake.least_credit && finding.credit <= mistake.most_credit && result.score < result.max_score;
-    const bool explained = !result.explanations.empty() && result.explanations.front().name == "mistake: " + mistake.name;
+    const auto own = std::ranges::find(result.explanations, mistake_title(mistake.name), &Explanation::name);
+    // Two mistakes that give the same results here are told as "either … or …".
+    const bool explained = own != result.explanations.end() && (own == result.explanations.begin() || own->ambiguous);
     finding.holds = in_range && explained;
     if (result.score == result.max_score)
         finding.message = "no check tells it from the reference: the unit needs a scene or an input that shows it";
@@ -89,7 +92,7 @@ Finding expect_mistake(Workshop& workshop, const Exercise& exercise, const Speci
     else if (!explained)
         finding.message = result.explanations.empty() ? "not explained" : "explained as " + result.explanations.front().name;
     else
-        finding.message = fmt::format("explained, confidence {:.2f}", result.explanations.front().confidence);
+        finding.message = fmt::format("explained{}, sureness {:.2f}", own->ambiguous ? " as one of several" : "", own->confidence);
     return finding;
 }
 

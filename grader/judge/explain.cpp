@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
 
 #include "judge/rows.hpp"
 #include "judge/rules.hpp"
@@ -19,6 +23,22 @@ bool comparable(const FailingCheck& failing)
            failing.expected->cells() > 0 && !shape_error(*failing.check, *failing.student, *failing.expected);
 }
 
+// Two results that are both not finite went wrong in the same way: give them one value that no right answer has.
+Tensor finite(const Tensor& tensor)
+{
+    std::vector<double> values = to_doubles(tensor);
+    for (double& value : values)
+        if (!std::isfinite(value)) value = 3e38;
+    return with_values(tensor, values);
+}
+
+std::vector<bool> counted(const std::vector<RowState>& states)
+{
+    std::vector<bool> result(states.size());
+    for (std::size_t i = 0; i < states.size(); ++i) result[i] = states[i] != RowState::left_out;
+    return result;
+}
+
 // Undoing rounds again, so bounds are widened to what a few float operations lose; the result as it came must fail these too.
 Check widened(Check check)
 {
@@ -30,13 +50,77 @@ Check widened(Check check)
     return check;
 }
 
-bool explains(const NamedTransform& transform, const Check& check, const FailingCheck& failing, double before)
+bool raises(double before, double after, double full)
 {
-    const auto undone = transform.undo(check, *failing.student, *failing.expected);
-    if (!undone || *undone == *failing.student) return false;
-    const double after = fraction_right(check, *undone, *failing.expected, failing.margin);
-    return after >= check.full || (after >= thresholds::explained && before <= thresholds::unexplained_share * after);
+    return after >= full || (after >= thresholds::explained && before <= thresholds::unexplained_share * after);
 }
+
+/// Rows that `states` calls wrong, for which `others` says something else.
+std::vector<bool> mended_rows(const std::vector<RowState>& before, const std::vector<RowState>& after)
+{
+    std::vector<bool> mended(before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) mended[i] = before[i] == RowState::wrong && after[i] == RowState::right;
+    return mended;
+}
+
+const RowKind& kind_of_rows(const Check& check) { return check.judge == JudgeKind::matrices ? matrix_rows() : number_rows(); }
+
+/// Pixels that differ by more than rounding can.
+std::vector<bool> different_pixels(const Check& check, const Tensor& a_tensor, const Tensor& b_tensor)
+{
+    const TensorView a(a_tensor);
+    const TensorView b(b_tensor);
+    const double range = a_tensor.element == Element::uint8 ? 255 : check.range_high - check.range_low;
+    const double levels = thresholds::background_levels * range / 255;
+    std::vector<bool> result(a.cells());
+    for (std::size_t i = 0; i < result.size(); ++i)
+        for (std::size_t c = 0; c < a.components(); ++c) result[i] = result[i] || !(std::abs(a.cell(i)[c] - b.cell(i)[c]) <= levels);
+    return result;
+}
+
+/// How much it says that `undone` is right where the student was wrong.
+double mending_bits(const Check& check, const FailingCheck& one, const Tensor& undone)
+{
+    const std::size_t cells = one.expected->cells();
+    if (check.judge == JudgeKind::image)
+        return agreement_bits(*one.student, *one.expected, std::vector<bool>(cells, true), different_pixels(check, *one.student, *one.expected));
+    Check rows = check;
+    rows.pairs = false;
+    const auto before = row_states(rows, *one.student, finite(*one.expected), one.margin, kind_of_rows(check));
+    const auto after = row_states(rows, undone, finite(*one.expected), one.margin, kind_of_rows(check));
+    return agreement_bits(*one.student, *one.expected, counted(before), mended_rows(before, after));
+}
+
+/// Nothing if the transform cannot be tried: it is none of such values, or would be fitted to one or two of them.
+std::optional<Resemblance> says_of(const NamedTransform& transform, const Check& check, const FailingCheck& one, double before)
+{
+    if (!one.fails && transform.fitted_bits > 0) return Resemblance{};
+    const auto undone = transform.undo(check, *one.student, *one.expected);
+    if (!undone) return std::nullopt;
+    if (*undone == *one.student) return Resemblance{one.fails ? Says::against_it : Says::nothing, 0};
+    const double after = fraction_right(check, *undone, *one.expected, one.margin);
+    if (!one.fails) return Resemblance{after < check.full ? Says::against_it : Says::nothing, 0};
+    if (raises(before, after, check.full)) return Resemblance{Says::for_it, std::max(0.0, mending_bits(check, one, *undone) - transform.fitted_bits)};
+    // Where next to all of the error is gone, what is left may be what undoing lost in rounding: hard cases ask for the last digits.
+    const bool nearly = distance(*undone, *one.expected) <= thresholds::rounding_left * distance(*one.student, *one.expected);
+    return Resemblance{nearly ? Says::nothing : Says::against_it, 0};
+}
+
+/// What the checks say of one transform.
+struct Trial {
+    Testimony testimony;
+    std::set<JudgeKind> mended;                  ///< kinds of checks that speak for it
+    std::map<JudgeKind, std::size_t> not_tried;  ///< failing checks on which it could not be tried
+
+    /// Checks of another kind are no witnesses: a picture does not tell that the numbers behind it were scaled. Those of the same kind are.
+    [[nodiscard]] Testimony all() const
+    {
+        Testimony result = testimony;
+        for (const auto& [kind, count] : not_tried)
+            if (mended.contains(kind)) result.against_it += count;
+        return result;
+    }
+};
 
 }
 
@@ -51,49 +135,58 @@ const std::vector<NamedTransform>& named_transforms()
     return all;
 }
 
-std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& failing)
+std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& checks)
 {
+    const std::vector<NamedTransform>& transforms = named_transforms();
     std::vector<Explanation> explanations;
-    for (const NamedTransform& transform : named_transforms()) explanations.push_back({transform.name, transform.sentence, 0});
-    for (const FailingCheck& one : failing) {
-        if (!comparable(one) || has_free_rows(one.check->judge)) continue;
+    std::vector<Trial> trials(transforms.size());
+    for (const NamedTransform& transform : transforms) explanations.push_back({transform.name, transform.sentence, 0});
+    std::set<std::string> failing_values;
+    for (const FailingCheck& one : checks)
+        if (one.check != nullptr && one.fails) failing_values.insert(one.check->value);
+    for (const FailingCheck& one : checks) {
+        if (one.check == nullptr || (!one.fails && !failing_values.contains(one.check->value))) continue;
+        const JudgeKind kind = one.check->judge;
+        const bool can_be_tried = comparable(one) && !has_free_rows(kind);
         const Check check = widened(*one.check);
-        const double before = fraction_right(check, *one.student, *one.expected, one.margin);
-        if (before >= check.full) continue;
-        for (std::size_t i = 0; i < explanations.size(); ++i) {
-            const NamedTransform& transform = named_transforms()[i];
-            if (!explains(transform, check, one, before)) continue;
-            if (explanations[i].confidence == 0 && transform.describe != nullptr)
-                if (std::string sentence = transform.describe(check, *one.student, *one.expected); !sentence.empty())
+        const double before = can_be_tried ? fraction_right(check, *one.student, *one.expected, one.margin) : 0;
+        for (std::size_t i = 0; i < transforms.size(); ++i) {
+            std::optional<Resemblance> said;
+            // Too little of an error to tell what it is: rounding, to the wider tolerance.
+            if (can_be_tried && one.fails && before >= check.full)
+                said = Resemblance{Says::against_it, 0};
+            else if (can_be_tried)
+                said = says_of(transforms[i], check, one, before);
+            if (!said && one.fails) ++trials[i].not_tried[kind];
+            if (!said) continue;
+            if (said->says == Says::for_it && trials[i].testimony.for_it == 0 && transforms[i].describe != nullptr)
+                if (std::string sentence = transforms[i].describe(check, *one.student, *one.expected); !sentence.empty())
                     explanations[i].sentence = std::move(sentence);
-            explanations[i].confidence += 1.0 / static_cast<double>(failing.size());
+            if (said->says == Says::for_it) trials[i].mended.insert(kind);
+            trials[i].testimony += *said;
         }
     }
+    for (std::size_t i = 0; i < explanations.size(); ++i) {
+        explanations[i].confidence = sureness(trials[i].all());
+        explanations[i].fit = fit(trials[i].all());
+    }
     std::erase_if(explanations, [](const Explanation& explanation) { return explanation.confidence == 0; });
-    std::stable_sort(explanations.begin(), explanations.end(), [](const Explanation& a, const Explanation& b) { return a.confidence > b.confidence + 1e-9; });
-    for (Explanation& explanation : explanations) explanation.confidence = std::min(explanation.confidence, 1.0);
+    std::ranges::stable_sort(explanations, std::ranges::greater{}, &Explanation::confidence);
     return explanations;
 }
 
 namespace {
 
-// Two results that are both not finite went wrong in the same way: give them one value that no right answer has.
-Tensor without_infinities(const Tensor& tensor)
-{
-    std::vector<double> values = to_doubles(tensor);
-    for (double& value : values)
-        if (!std::isfinite(value)) value = 3e38;
-    return with_values(tensor, values);
-}
+constexpr Resemblance differently{Says::against_it, 0};
 
-bool same_rows(Check check, const FailingCheck& failing, const Tensor& mistake_tensor)
+Resemblance same_rows(Check check, const FailingCheck& failing, const Tensor& mistake_tensor)
 {
     check.pairs = false;
     if (!has_bound(check.tolerance)) check.tolerance.absolute = 0;
-    const RowKind& kind = check.judge == JudgeKind::matrices ? matrix_rows() : number_rows();
-    const Tensor student = without_infinities(*failing.student);
-    const Tensor expected = without_infinities(*failing.expected);
-    const Tensor mistake = without_infinities(mistake_tensor);
+    const RowKind& kind = kind_of_rows(check);
+    const Tensor student = finite(*failing.student);
+    const Tensor expected = finite(*failing.expected);
+    const Tensor mistake = finite(mistake_tensor);
     const auto student_states = row_states(check, student, expected, failing.margin, kind);
     const auto mistake_states = row_states(check, mistake, expected, failing.margin, kind);
     const auto agreement = row_states(check, student, mistake, failing.margin, kind);
@@ -101,6 +194,7 @@ bool same_rows(Check check, const FailingCheck& failing, const Tensor& mistake_t
     std::size_t agreeing = 0;
     bool student_deviates = false;
     bool mistake_deviates = false;
+    std::vector<bool> alike(agreement.size());
     for (std::size_t i = 0; i < agreement.size(); ++i) {
         const bool yours = student_states[i] == RowState::wrong;
         const bool its = mistake_states[i] == RowState::wrong;
@@ -108,29 +202,40 @@ bool same_rows(Check check, const FailingCheck& failing, const Tensor& mistake_t
         mistake_deviates = mistake_deviates || its;
         if (!yours && !its) continue;
         ++deviating;
-        if (agreement[i] == RowState::right) ++agreeing;
+        alike[i] = agreement[i] == RowState::right;
+        if (alike[i]) ++agreeing;
     }
-    return student_deviates && mistake_deviates && static_cast<double>(agreeing) >= thresholds::mistake_share * static_cast<double>(deviating);
+    if (!student_deviates || !mistake_deviates || static_cast<double>(agreeing) < thresholds::mistake_share * static_cast<double>(deviating))
+        return differently;
+    return {Says::for_it, agreement_bits(*failing.student, *failing.expected, counted(student_states), alike)};
 }
 
-bool same_picture(const Check& check, const FailingCheck& failing, const Tensor& mistake)
+Resemblance same_picture(const Check& check, const FailingCheck& failing, const Tensor& mistake)
 {
     if (fraction_right(check, *failing.student, *failing.expected, nullptr) >= 1 || fraction_right(check, mistake, *failing.expected, nullptr) >= 1)
-        return false;
-    if (*failing.student == mistake) return true;
+        return differently;
     // A mistake's picture that is not finite is no picture to compare with.
-    const auto finite = [](const Tensor& tensor) { return all_finite(to_doubles(tensor)); };
-    return finite(mistake) && fraction_right(check, *failing.student, mistake, nullptr) >= 1;
+    const auto is_finite = [](const Tensor& tensor) { return all_finite(to_doubles(tensor)); };
+    const bool same = *failing.student == mistake || (is_finite(mistake) && fraction_right(check, *failing.student, mistake, nullptr) >= 1);
+    if (!same) return differently;
+    const auto alike = different_pixels(check, *failing.student, *failing.expected);
+    return {Says::for_it, agreement_bits(*failing.student, *failing.expected, std::vector<bool>(alike.size(), true), alike)};
 }
 
 }
 
-bool matches_mistake(const FailingCheck& failing, const Tensor& mistake)
+Resemblance resemblance(const FailingCheck& one, const Tensor& mistake)
 {
-    if (!comparable(failing) || shape_error(*failing.check, mistake, *failing.expected)) return false;
-    if (has_free_rows(failing.check->judge)) return same_deviations(failing, mistake);
-    if (failing.check->judge == JudgeKind::image || failing.check->judge == JudgeKind::noise) return same_picture(*failing.check, failing, mistake);
-    return same_rows(*failing.check, failing, mistake);
+    if (one.check == nullptr || one.expected == nullptr || !well_formed(*one.expected) || one.expected->cells() == 0) return {};
+    const bool judged = !shape_error(*one.check, mistake, *one.expected);
+    if (!one.fails) {
+        const bool passes = judged && fraction_right(*one.check, mistake, *one.expected, one.margin) >= one.check->full;
+        return passes ? Resemblance{} : differently;
+    }
+    if (!judged || !comparable(one)) return differently;
+    if (has_free_rows(one.check->judge)) return same_deviations(one, mistake);
+    if (one.check->judge == JudgeKind::image || one.check->judge == JudgeKind::noise) return same_picture(*one.check, one, mistake);
+    return same_rows(*one.check, one, mistake);
 }
 
 }

@@ -12,6 +12,9 @@
 namespace umbral::grader {
 namespace {
 
+/// What one event, fragment or count that is wrong in the same way says.
+constexpr double bits_each = 3;
+
 // Values that are not finite become one that no right answer has, so that two of them agree.
 Tensor comparable(const Tensor& tensor, const Tensor& expected)
 {
@@ -52,7 +55,15 @@ void for_each_of_three(const FragmentTable& yours, const FragmentTable& expected
     });
 }
 
-bool same_fragments(const FailingCheck& failing, const Tensor& mistake_tensor)
+constexpr Resemblance differently{Says::against_it, 0};
+
+/// A few numbers that agree, each of which says something; one alone if everything is lost, as with code that does nothing.
+Resemblance alike(std::size_t agreeing, bool nothing_at_all)
+{
+    return {Says::for_it, nothing_at_all ? 1 : std::min(bits_each * static_cast<double>(agreeing), thresholds::most_value_bits)};
+}
+
+Resemblance same_fragments(const FailingCheck& failing, const Tensor& mistake_tensor)
 {
     const FragmentTable yours(comparable(*failing.student, *failing.expected));
     const FragmentTable expected(*failing.expected);
@@ -64,61 +75,75 @@ bool same_fragments(const FailingCheck& failing, const Tensor& mistake_tensor)
     std::size_t agreeing = std::min(yours.unplaced(), mistake.unplaced());
     bool student_deviates = yours.unplaced() > 0;
     bool mistake_deviates = mistake.unplaced() > 0;
+    std::size_t places = 0;
     for_each_of_three(yours, expected, mistake, [&](const Three& here) {
         const bool student_wrong = !against_expected.at_place(here.yours, here.expected).all_right();
         const bool mistake_wrong = !mistake_against_expected.at_place(here.mistake, here.expected).all_right();
         student_deviates = student_deviates || student_wrong;
         mistake_deviates = mistake_deviates || mistake_wrong;
+        ++places;
         if (!student_wrong && !mistake_wrong) return;
         ++deviating;
         if (against_mistake.at_place(here.yours, here.mistake).all_right()) ++agreeing;
     });
-    return student_deviates && mistake_deviates && static_cast<double>(agreeing) >= thresholds::mistake_share * static_cast<double>(deviating);
+    if (!student_deviates || !mistake_deviates || static_cast<double>(agreeing) < thresholds::mistake_share * static_cast<double>(deviating))
+        return differently;
+    Resemblance result = alike(agreeing, failing.student->cells() == 0);
+    result.bits += pattern_bits(places, agreeing);
+    return result;
 }
 
 // What parts two sequences: the elements that an alignment leaves over.
 std::size_t apart(const Check& check, const TensorView& a, const TensorView& b) { return a.cells() + b.cells() - 2 * align_events(check, a, b).matches.size(); }
 
-bool same_events(const FailingCheck& failing, const Tensor& mistake_tensor)
+Resemblance same_events(const FailingCheck& failing, const Tensor& mistake_tensor)
 {
     const TensorView yours(*failing.student);
     const TensorView expected(*failing.expected);
     const TensorView mistake(mistake_tensor);
     const std::size_t student_deviates = apart(*failing.check, yours, expected);
     const std::size_t mistake_deviates = apart(*failing.check, mistake, expected);
-    if (student_deviates == 0 || mistake_deviates == 0) return false;
+    if (student_deviates == 0 || mistake_deviates == 0) return differently;
     const auto largest = static_cast<double>(std::max(student_deviates, mistake_deviates));
-    return static_cast<double>(apart(*failing.check, yours, mistake)) <= (1 - thresholds::mistake_share) * largest;
+    if (static_cast<double>(apart(*failing.check, yours, mistake)) > (1 - thresholds::mistake_share) * largest) return differently;
+    return alike(student_deviates, yours.cells() == 0);
 }
 
 // Whatever the calls are: the same counts break the same rules for the same reason.
-bool same_trace(const FailingCheck& failing, const Tensor& mistake_tensor)
+Resemblance same_trace(const FailingCheck& failing, const Tensor& mistake_tensor)
 {
     const auto yours = parse_gl_trace(text_of(failing.student));
     const auto mistake = parse_gl_trace(text_of(&mistake_tensor));
-    if (!yours || !mistake || fraction_right(*failing.check, *failing.student, *failing.expected, nullptr) >= 1) return false;
-    return std::ranges::all_of(failing.check->rules, [&](const std::string& rule) { return counted(*yours, rule) == counted(*mistake, rule); });
+    const auto expected = parse_gl_trace(text_of(failing.expected));
+    if (!yours || !mistake || !expected || fraction_right(*failing.check, *failing.student, *failing.expected, nullptr) >= 1) return differently;
+    const auto& rules = failing.check->rules;
+    if (!std::ranges::all_of(rules, [&](const std::string& rule) { return counted(*yours, rule) == counted(*mistake, rule); })) return differently;
+    // Each count that differs from the expected one is a number that could have been another.
+    std::size_t telling = 0;
+    for (const std::string& rule : rules) telling += counted(*yours, rule) != counted(*expected, rule) ? 1 : 0;
+    return alike(2 * telling, counted(*yours, "draw calls") == 0 && counted(*expected, "draw calls") > 0);
 }
 
-bool same_cost(const FailingCheck& failing, const Tensor& mistake)
+Resemblance same_cost(const FailingCheck& failing, const Tensor& mistake)
 {
     for (const Tensor* tensor : {failing.student, &mistake})
-        if (fraction_right(*failing.check, *tensor, *failing.expected, nullptr) >= 1) return false;
+        if (fraction_right(*failing.check, *tensor, *failing.expected, nullptr) >= 1) return differently;
     const auto a = comparable_growth(*failing.student, *failing.expected);
     const auto b = comparable_growth(mistake, *failing.expected);
-    return a && b ? std::abs(*a - *b) <= thresholds::same_growth : !a && !b;
+    if (a.has_value() != b.has_value() || (a && std::abs(*a - *b) > thresholds::same_growth)) return differently;
+    return alike(2, !a);
 }
 
 }
 
-bool same_deviations(const FailingCheck& failing, const Tensor& mistake)
+Resemblance same_deviations(const FailingCheck& failing, const Tensor& mistake)
 {
     switch (failing.check->judge) {
         case JudgeKind::fragments: return same_fragments(failing, mistake);
         case JudgeKind::events: return same_events(failing, mistake);
         case JudgeKind::trace: return same_trace(failing, mistake);
         case JudgeKind::cost: return same_cost(failing, mistake);
-        default: return false;
+        default: return differently;
     }
 }
 

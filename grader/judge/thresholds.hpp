@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 /// Every threshold of the judges that no manifest declares, with where it comes from.
 ///
 /// The four of the image rule were set on 6 synthetic scenes at 512 x 512: of 50 pictures with a real bug they catch 48, of 15 benign
@@ -69,8 +71,18 @@ constexpr double same_growth = 0.2;
 constexpr double explained = 0.9;
 /// … from at most this share of it.
 constexpr double unexplained_share = 0.5;
+/// Share of an error that undoing may leave, by rounding, without speaking against the transform.
+constexpr double rounding_left = 1e-3;
 /// Share of the rows in which a mistake must deviate as the student did.
 constexpr double mistake_share = 0.95;
+/// Sureness of explanations (sureness.hpp), set on half of the units by `umbral bench explanations`, which reports the other half apart.
+constexpr double least_sure = 0.6;        ///< below it nothing is said: a wrong explanation is worse than none
+constexpr double very_sure = 0.9;         ///< from here on "very likely", below it "probably"
+constexpr double equally_sure = 0.02;     ///< two that differ by less match equally well
+constexpr double bits_scale = 4;          ///< as many bits halve what is left of the doubt
+constexpr double most_pattern_bits = 12;  ///< from which rows deviate, of one check
+constexpr double most_value_bits = 48;    ///< from the values in them, of one check
+constexpr std::size_t most_explanations = 3;
 
 // Monte Carlo. Chance that correct work fails any noise check of a submission: a course of 100 students with 10 submissions each meets
 // such a failure once in ten such courses.

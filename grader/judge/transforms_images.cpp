@@ -195,9 +195,9 @@ std::vector<NamedTransform> image_transforms()
         {"turned by 180 degrees", "Your picture is turned upside down and mirrored: both axes have the wrong sign.", turn},
         {"x and y swapped", "Your picture is mirrored at its diagonal: x and y (or width and height) are swapped.", swap_axes},
         {"red and blue swapped", "Red and blue are swapped: you write BGR where RGB is expected.", swap_red_blue},
-        {"shifted", "Your picture is the expected one moved by whole pixels.", unshift, describe_shift},
-        {"depth inverted", "Your depth grows the wrong way: near and far are exchanged (1 - z instead of z).", invert_depth},
-        {"ids off by one", "Your ids are all one off: count from the same number as the statement does.", shift_ids},
+        {"shifted", "Your picture is the expected one moved by whole pixels.", unshift, describe_shift, 8},
+        {"depth inverted", "Your depth grows the wrong way: near and far are exchanged (1 - z instead of z).", invert_depth, nullptr, 2},
+        {"ids off by one", "Your ids are all one off: count from the same number as the statement does.", shift_ids, nullptr, 1},
     };
     for (NamedTransform& tone : tone_transforms()) all.push_back(std::move(tone));
     return all;

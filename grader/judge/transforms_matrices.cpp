@@ -200,7 +200,7 @@ std::vector<NamedTransform> matrix_transforms()
         {"translation not rotated", "Your translation is the position itself: it must be rotated too, -R * eye instead of -eye.",
          each_matrix<rotate_translation, 16>},
         {"homogeneous row", "All is right but the last row, which makes the homogeneous coordinate w.", each_matrix<restore_homogeneous_row, 16>},
-        {"axis flipped", "One axis of your matrix points the other way: check the handedness.", unflip, describe_flip},
+        {"axis flipped", "One axis of your matrix points the other way: check the handedness.", unflip, describe_flip, 3},
         {"angle in degrees", "Your angle was taken in the wrong unit: sin, cos, tan and GLM want radians (glm::radians converts).", each_matrix<repair_angle>},
     };
 }

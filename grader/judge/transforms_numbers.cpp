@@ -162,12 +162,12 @@ std::vector<NamedTransform> number_transforms()
         {"hits behind", "You report hits at negative distances: what lies behind the ray's origin is no hit.", drop_negative},
         {"not clamped", "Your values are right where they are positive: negative ones must become 0, as with max(0, n . l).", each_value<clamp_below>},
         {"not normalised", "Your vectors point the right way but are not of length 1: normalise them.", normalise},
-        {"components swapped", "Your components are right, but in another order.", reorder, describe_order},
+        {"components swapped", "Your components are right, but in another order.", reorder, describe_order, 5},
         {"reciprocal", "Your values are the reciprocals (1 / x) of the expected ones: a quotient is upside down.", each_value<invert>},
         {"squared", "Your values are the squares of the expected ones: a square root is missing.", each_value<root>},
         {"root taken", "Your values are the square roots of the expected ones: the square was expected.", each_value<square>},
-        {"scaled", "Your values differ from the expected ones by a constant factor.", unscale, describe_factor},
-        {"off by a constant", "Your values differ from the expected ones by a constant.", remove_offset, describe_offset},
+        {"scaled", "Your values differ from the expected ones by a constant factor.", unscale, describe_factor, 6},
+        {"off by a constant", "Your values differ from the expected ones by a constant.", remove_offset, describe_offset, 6},
     };
 }
 

@@ -143,8 +143,8 @@ std::vector<NamedTransform> tone_transforms()
         {"gamma applied twice", "Your picture is too bright in its dark parts as if sRGB had been encoded twice: encode once, when the picture is written.",
          by_tone<encode>},
         {"gamma missing", "Your picture is too dark in its middle tones as if sRGB had been decoded once too often, or never encoded.", by_tone<decode>},
-        {"light scaled", "Your picture has a constant factor times the expected light.", rescale_light, describe_light},
-        {"too dark by a constant", "Your picture differs from the expected one by a constant light.", remove_light_offset, describe_light_offset},
+        {"light scaled", "Your picture has a constant factor times the expected light.", rescale_light, describe_light, 6},
+        {"too dark by a constant", "Your picture differs from the expected one by a constant light.", remove_light_offset, describe_light_offset, 6},
     };
 }
 

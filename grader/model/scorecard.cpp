@@ -64,7 +64,9 @@ json check(const CheckResult& value, Detail detail)
 
 json explanation(const Explanation& value)
 {
-    return {{"name", text(value.name)}, {"sentence", text(value.sentence)}, {"confidence", number(value.confidence)}};
+    json result{{"name", text(value.name)}, {"sentence", text(value.sentence)}, {"confidence", number(value.confidence)}};
+    if (value.ambiguous) result["ambiguous"] = true;
+    return result;
 }
 
 json unit(const UnitResult& value, Detail detail)

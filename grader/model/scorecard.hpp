@@ -39,9 +39,11 @@ struct CheckResult {
 
 /// Why a result fails, as far as it could be recognised.
 struct Explanation {
-    std::string name;       ///< "transposed", "mistake: school_formula"
-    std::string sentence;   ///< for the student
-    double confidence = 0;  ///< the share of the failing checks that it accounts for, 0..1
+    std::string name;        ///< "transposed", "mistake: school_formula"
+    std::string sentence;    ///< for the student
+    double confidence = 0;   ///< how sure it is, 0..1: grader/judge/sureness.hpp says how that is measured
+    double fit = 0;          ///< the share that speaks for it of the checks that say anything; in no file
+    bool ambiguous = false;  ///< another one matches as well: it is one of these
 };
 
 struct UnitResult {

@@ -6,9 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "report/clusters.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
 #include "report/paint.hpp"
+#include "report/reasons.hpp"
 #include "report/terminal.hpp"
 
 namespace umbral::grader {
@@ -19,6 +21,7 @@ constexpr int name_least = 8;
 constexpr int name_most = 24;
 constexpr int heading_least = 6;  // shorter beginnings of units' names say nothing
 constexpr int heading_most = 16;
+constexpr std::size_t most_reasons = 8;
 
 struct Cell {
     std::string text;  ///< the points
@@ -127,6 +130,29 @@ std::string legend(const std::vector<Column>& columns, bool numbered, int width,
     return text;
 }
 
+/// What most fail for, a line each: "12 of 40  far root (very likely)  raytracing/sphere".
+std::string reasons(const ClassResult& result, int width, const Paint& paint)
+{
+    struct Line {
+        std::size_t size;
+        std::string text;
+    };
+    std::vector<Line> lines;
+    for (const UnitClusters& unit : clusters(result))
+        for (const auto* kind : {&unit.explained, &unit.ambiguous})
+            for (const Cluster& cluster : *kind)
+                lines.push_back(
+                    {cluster.who.size(), fmt::format("{} of {}  {} ({}{})  {}", cluster.who.size(), unit.graded, paint.safe(cluster.name),
+                                                     sure_words(cluster.confidence), kind == &unit.ambiguous ? " one of these" : "", paint.safe(unit.unit))});
+    if (lines.empty()) return "";
+    std::ranges::stable_sort(lines, std::ranges::greater{}, &Line::size);
+    std::string text = "\n  Why, by the number of submissions\n";
+    for (const Line& line : std::span(lines).first(std::min(lines.size(), most_reasons)))
+        text += fmt::format("  {}\n", shorten(line.text, width - 2, paint.ellipsis()));
+    if (lines.size() > most_reasons) text += fmt::format("  {} and {} more\n", paint.ellipsis(), lines.size() - most_reasons);
+    return text;
+}
+
 }
 
 std::string class_table(const ClassResult& result, const TerminalStyle& style)
@@ -164,7 +190,7 @@ std::string class_table(const ClassResult& result, const TerminalStyle& style)
         text += band(result, totals, std::span(columns).subspan(start, std::min(in_band, columns.size() - start)), frame, paint);
         start += in_band;
     } while (start < columns.size());
-    return text + "\n" + legend(columns, numbered, width, paint);
+    return text + "\n" + legend(columns, numbered, width, paint) + reasons(result, width, paint);
 }
 
 }

@@ -8,6 +8,7 @@
 #include "model/judging_order.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
+#include "report/reasons.hpp"
 #include "report/side_by_side.hpp"
 
 namespace umbral::grader {
@@ -75,11 +76,14 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
     for (const auto& [kind, path] : check.artefacts) block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
 }
 
-std::string how_sure(double confidence)
+void add_reasons(Block& block, const UnitResult& unit)
 {
-    if (!(confidence > 0)) return "a guess";
-    if (confidence >= 0.995) return "fits every failing check";
-    return fmt::format("fits {:.0f} % of the failing checks", 100 * std::min(confidence, 1.0));
+    const auto reasons = main_reasons(unit);
+    for (std::size_t i = 0; i < reasons.size(); ++i) {
+        const char* lead = reasons.size() == 1 ? "" : i == 0 ? "Either: " : "or: ";
+        const std::string sure = fmt::format(" ({}{})", sure_words(reasons[i].confidence), reasons.size() == 1 ? "" : " one of these");
+        block.sentence(i == 0 ? "why" : "", lead + reasons[i].sentence + (i + 1 == reasons.size() ? sure : ""));
+    }
 }
 
 /// The visible checks that fail, from exact to vague: the first is the one to look at.
@@ -167,7 +171,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
     const bool ran = !never_ran(unit);
     if (ran && shown != nullptr) add_first_failing(block, *shown, paint);
     if (shown == nullptr && hidden_fails) block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
-    if (!unit.explanations.empty()) block.sentence("why", unit.explanations.front().sentence + " (" + how_sure(unit.explanations.front().confidence) + ")");
+    add_reasons(block, unit);
     if (ran) add_others(block, unit, failing);
     if (!unit.output.empty()) {
         std::vector<std::string> lines = excerpt(unit.output, block.room() - 2, paint);

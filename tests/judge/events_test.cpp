@@ -161,7 +161,7 @@ TEST(Events, MistakesMatchIfTheSequencesDo)
     const auto same = [&](const std::vector<float>& yours, const std::vector<float>& mistake) {
         const Tensor a = floats(yours, 3);
         const Tensor b = floats(session, 3);
-        return matches_mistake(FailingCheck{&check, &a, &b, nullptr, nullptr}, floats(mistake, 3));
+        return resemblance(FailingCheck{&check, &a, &b, nullptr}, floats(mistake, 3)).says == Says::for_it;
     };
     std::vector<float> fewer(session.begin(), session.end() - 3);
     std::vector<float> broken = session;

@@ -9,7 +9,7 @@ namespace umbral::grader::test {
 
 inline std::vector<Explanation> explain(const Check& check, const Tensor& student, const Tensor& expected)
 {
-    return explain_by_transform({FailingCheck{&check, &student, &expected, nullptr, nullptr}});
+    return explain_by_transform({FailingCheck{&check, &student, &expected, nullptr}});
 }
 
 /// The name of the first explanation, or "none".

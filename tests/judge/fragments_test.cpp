@@ -242,7 +242,7 @@ TEST(Fragments, MistakesMatchByTheirSetOfDeviations)
     const auto same = [&](const std::vector<Spot>& yours, const std::vector<Spot>& mistake) {
         const Tensor a = fragments(yours);
         const Tensor b = fragments(expected);
-        return matches_mistake(FailingCheck{&check, &a, &b, nullptr, nullptr}, fragments(mistake));
+        return resemblance(FailingCheck{&check, &a, &b, nullptr}, fragments(mistake)).says == Says::for_it;
     };
     EXPECT_TRUE(same(fewer, fewer));
     EXPECT_TRUE(same(darker, darker));

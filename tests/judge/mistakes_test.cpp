@@ -7,7 +7,7 @@ namespace {
 
 bool same(const Check& check, const Tensor& student, const Tensor& expected, const Tensor& mistake)
 {
-    return matches_mistake(FailingCheck{&check, &student, &expected, nullptr, nullptr}, mistake);
+    return resemblance(FailingCheck{&check, &student, &expected, nullptr}, mistake).says == Says::for_it;
 }
 
 TEST(Mistakes, MatchIfTheyDeviateInTheSameWay)
@@ -44,6 +44,33 @@ TEST(Mistakes, WhatIsNotFiniteOrAbsentOnBothSidesAgrees)
     const Tensor right = optional_floats({1, 0}, {1, 0});
     EXPECT_TRUE(same(check, optional_floats({0, 0}, {0, 0}), right, optional_floats({0, 0}, {0, 0})));
     EXPECT_FALSE(same(check, optional_floats({0, 0}, {0, 0}), right, optional_floats({1, 5}, {1, 1})));
+}
+
+TEST(Mistakes, APassingCheckSpeaksAgainstAMistakeThatFailsItAndForNone)
+{
+    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const Tensor right = floats({1, 2, 3, 4});
+    const FailingCheck passing{&check, &right, &right, nullptr, false};
+    EXPECT_EQ(resemblance(passing, floats({1, 2, 5, 6})).says, Says::against_it);
+    EXPECT_EQ(resemblance(passing, floats({1, 2})).says, Says::against_it) << "another shape fails it, too";
+    EXPECT_EQ(resemblance(passing, right).says, Says::nothing);
+}
+
+TEST(Mistakes, AgreementInMoreValuesSaysMore)
+{
+    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const auto bits = [&](const std::vector<float>& wrong, const std::vector<float>& right) {
+        const Tensor student = floats(wrong);
+        const Tensor expected = floats(right);
+        return resemblance(FailingCheck{&check, &student, &expected}, student).bits;
+    };
+    const double zeros = bits({0, 0, 0, 0}, {1.5F, 2.5F, 3.5F, 4.5F});
+    const double one = bits({1.5F, 2.5F, 3.5F, 9.5F}, {1.5F, 2.5F, 3.5F, 4.5F});
+    const double four = bits({6.5F, 7.5F, 8.5F, 9.5F}, {1.5F, 2.5F, 3.5F, 4.5F});
+    EXPECT_LE(zeros, 1) << "many errors give zeros";
+    EXPECT_GT(one, zeros);
+    EXPECT_GT(four, one);
+    EXPECT_EQ(bits({6.5F, 6.5F, 6.5F, 6.5F}, {1.5F, 2.5F, 3.5F, 4.5F}), bits({6.5F}, {1.5F})) << "the same value four times is one value";
 }
 
 TEST(Mistakes, OfMatricesBuffersAndPictures)

@@ -174,7 +174,7 @@ TEST(Traces, ControlsAndMistakes)
     const auto same = [&](const std::string& yours, const std::string& mistake) {
         const Tensor a = text(yours);
         const Tensor b = text(later_frame);
-        return matches_mistake(FailingCheck{&check, &a, &b, nullptr, nullptr}, text(mistake));
+        return resemblance(FailingCheck{&check, &a, &b, nullptr}, text(mistake)).says == Says::for_it;
     };
     const std::string twice = later_frame + later_frame;
     const std::string uploads = "glBufferData 34962 8 1 35044 | 8\n" + later_frame;

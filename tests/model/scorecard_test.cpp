@@ -48,6 +48,15 @@ TEST(ClassJson, is_this_text)
     EXPECT_EQ(to_json(ClassResult{test::fingerprint(), {result}}), expected);
 }
 
+TEST(ScorecardJson, says_that_an_explanation_is_one_of_several)
+{
+    SubmissionResult result = test::submission();
+    result.units[0].explanations[0].ambiguous = true;
+    const json said = to_json(result, test::fingerprint()).at("submission").at("units").at(0).at("explanation");
+    EXPECT_EQ(said.at(0).at("ambiguous"), true);
+    EXPECT_FALSE(said.at(1).contains("ambiguous"));
+}
+
 TEST(ReportJson, adds_seeds_and_artefacts)
 {
     const json root = to_json(test::submission(), test::fingerprint());

@@ -258,17 +258,37 @@ TEST(Class, AlmostNothingIsNotNothingAndAlmostAllIsNotAll)
     EXPECT_EQ(unit_statistics(result)[0].by_share, (std::array<std::size_t, 11>{0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0}));
 }
 
-TEST(Class, ClustersSayWhoSharesAReason)
+TEST(Class, ThePageSaysWhoSharesAReason)
 {
-    const std::vector<Cluster> found = clusters(small_class());
-    ASSERT_EQ(found.size(), 2U);
-    EXPECT_EQ(found[0].name, "far root");
-    EXPECT_EQ(found[0].who, (std::vector<std::size_t>{1, 2}));
-    const std::string page = class_html(small_class(), {{{"raytracing/sphere", "The sphere"}}, false});
-    for (const char* text : {"2×", "far root", "bruno/report.html", "carla/report.html", "class.json", "ana/report.student.json", "The sphere"})
+    ClassResult result = small_class();
+    UnitResult either = unit_result("raytracing/sphere", Verdict::partial, {check_result("a/b", 300, 1000)});
+    either.explanations = {{"mistake: one", "This one.", 0.95, 1, true}, {"mistake: two", "That one.", 0.95, 1, true}};
+    result.submissions.push_back(submission_result("fede", {either}));
+    result.submissions.push_back(submission_result("gema", {unit_result("raytracing/sphere", Verdict::wrong, {check_result("a/b", 0, 1000)})}));
+    const std::string page = class_html(result, {{{"raytracing/sphere", "The sphere"}}, false});
+    for (const char* text :
+         {"2 of 6", "far root<span class=\"sure\"> (very likely)", "bruno/report.html", "carla/report.html", "class.json", "ana/report.student.json",
+          "The sphere", "one or two<span class=\"sure\"> (very likely one of these)", "Either: This one.", "Or: That one.", "no explanation"})
         EXPECT_TRUE(has(page, text)) << text;
+    EXPECT_LT(page.find("far root<"), page.find("one or two<"));
+    EXPECT_LT(page.find("one or two<"), page.find("no explanation<"));
     EXPECT_FALSE(has(page, "report.instructor.html"));
     EXPECT_TRUE(has(class_html(small_class(), {{}, true}), "elena/report.instructor.html"));
+}
+
+TEST(Report, AnAmbiguousReasonIsSaidToBeOneOfSeveral)
+{
+    UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("one/x", 0, 1000)});
+    unit.explanations = {{"mistake: a", "FIRST.", 0.95, 1, true}, {"mistake: b", "SECOND.", 0.95, 1, true}, {"c", "THIRD.", 0.7}};
+    const std::string page = report_html(submission_result("s", {unit}), {}, {});
+    EXPECT_TRUE(has(page, "FIRST. Or: SECOND.")) << "in the table of units";
+    EXPECT_TRUE(has(page, "Either:</span> FIRST."));
+    EXPECT_TRUE(has(page, "Or:</span> SECOND."));
+    EXPECT_TRUE(has(page, "very likely one of these"));
+    EXPECT_TRUE(has(page, "THIRD. <span class=\"sure\">(probably)"));
+    unit.explanations.resize(1);
+    unit.explanations[0].ambiguous = false;
+    EXPECT_TRUE(has(report_html(submission_result("s", {unit}), {}, {}), "That is very likely the reason."));
 }
 
 TEST(Class, NamesFromOutsideBecomeNoLinks)

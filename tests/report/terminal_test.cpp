@@ -27,7 +27,7 @@ UnitResult transposed()
     UnitResult unit = unit_result("projections/view-matrix", Verdict::partial, {check_result("axes/m", 4000, 4000), check_result("far away/m", 0, 2500)});
     unit.checks[1].first_difference = Difference{"matrix 3, entry (row 0, column 1)", "5 in [1 5; 0 1]", "0 in [1 0; 5 1]"};
     unit.checks[1].message = "1 of 4 matrices is wrong; the worst is matrix 3: yours 5 in [1 5; 0 1], expected 0";
-    unit.explanations = {{"transposed", "Your matrix is the transpose of the expected one.", 0.5}, {"other", "Something less likely.", 0.1}};
+    unit.explanations = {{"transposed", "Your matrix is the transpose of the expected one.", 0.75}, {"other", "Something less likely.", 0.1}};
     unit.output = "hello\nworld\n";
     unit.seconds = 0.25;
     unit.reference_seconds = 0.002;
@@ -44,11 +44,21 @@ TEST(Terminal, SaysWhatAStudentNeeds)
     EXPECT_TRUE(contains(report, "⎡  1 ▸5 ⎤"));
     EXPECT_TRUE(contains(report, "⎡  1 ▸0 ⎤"));
     EXPECT_TRUE(contains(report, "⎣ ▸5  1 ⎦"));
-    EXPECT_TRUE(contains(report, "the transpose of the expected one. (fits 50 % of the failing checks)"));
+    EXPECT_TRUE(contains(report, "the transpose of the expected one. (probably)"));
     EXPECT_FALSE(contains(report, "less likely"));
     EXPECT_TRUE(contains(report, "│ hello\n"));
     EXPECT_TRUE(contains(report, "umbral debug projections/view-matrix 'far away'"));
     EXPECT_TRUE(contains(report, "1 of 1 unit is not right yet."));
+}
+
+TEST(Terminal, AnAmbiguousReasonIsSaidToBeOneOfSeveral)
+{
+    UnitResult unit = transposed();
+    unit.explanations = {{"mistake: a", "The first.", 0.95, 1, true}, {"mistake: b", "The second.", 0.95, 1, true}, {"c", "The third.", 0.9}};
+    const std::string report = without_colour(terminal_report(submission_result("ana", {unit}), {}));
+    EXPECT_TRUE(contains(report, "why       Either: The first.\n")) << report;
+    EXPECT_TRUE(contains(report, " or: The second. (very likely one of these)\n")) << report;
+    EXPECT_FALSE(contains(report, "The third."));
 }
 
 TEST(Terminal, ASketchStandsLineByLine)
@@ -229,7 +239,7 @@ TEST(Terminal, NumbersThatAreNoneDoNoHarm)
     const std::string report = terminal_report(submission_result("ana", {unit}), {});
     EXPECT_FALSE(contains(report, "nan"));
     EXPECT_FALSE(contains(report, "inf"));
-    EXPECT_TRUE(contains(report, "(a guess)"));
+    EXPECT_TRUE(contains(report, "(perhaps)"));
 }
 
 TEST(Terminal, AGraderFaultIsNotBlamedOnTheStudent)

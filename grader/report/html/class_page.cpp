@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/clusters.hpp"
 #include "report/hidden.hpp"
 #include "report/html/bars.hpp"
 #include "report/html/class_statistics.hpp"
 #include "report/html/document.hpp"
 #include "report/html/sections.hpp"
 #include "report/paint.hpp"
+#include "report/reasons.hpp"
 
 namespace umbral::grader::html {
 namespace {
@@ -107,24 +109,35 @@ Markup statistics(const std::vector<UnitStatistics>& units, const ClassPageOptio
                          rows)));
 }
 
+Markup cluster_item(const Cluster& cluster, std::size_t graded, const ClassResult& result)
+{
+    Markup who;
+    for (const std::size_t s : cluster.who)
+        who += markup("{}<a href=\"{}\">{}</a>", who.empty() ? "" : ", ", link_to(result.submissions[s].id, "report.html"), result.submissions[s].id);
+    const bool several = cluster.sentences.size() > 1;
+    const std::string sure = cluster.sentences.empty() ? "" : fmt::format(" ({}{})", sure_words(cluster.confidence), several ? " one of these" : "");
+    Markup why;
+    for (std::size_t i = 0; i < cluster.sentences.size(); ++i) why += markup("<p>{}{}</p>", !several ? "" : i == 0 ? "Either: " : "Or: ", cluster.sentences[i]);
+    return markup(
+        "<li><p class=\"count\">{0} of {1}</p><div><h4>{2}<span class=\"sure\">{3}</span></h4>{4}<details class=\"whose\"><summary>{0} {5}</summary><p>{6}"
+        "</p></details></div></li>\n",
+        cluster.who.size(), graded, cluster.name, sure, why, cluster.who.size() == 1 ? "submission" : "submissions", who);
+}
+
 Markup cluster_list(const ClassResult& result, const ClassPageOptions& options)
 {
-    const std::vector<Cluster> all = clusters(result);
-    if (all.empty()) return {};
-    Markup items;
-    for (const Cluster& cluster : all) {
-        Markup who;
-        for (const std::size_t s : cluster.who)
-            who += markup("{}<a href=\"{}\">{}</a>", who.empty() ? "" : ", ", link_to(result.submissions[s].id, "report.html"), result.submissions[s].id);
-        items += markup(
-            "<li><p class=\"count\" aria-hidden=\"true\">{0}×</p><div><h3>{1}</h3><p class=\"id\">{2}</p><p>{3}</p><p class=\"whose\">{0} {4}: "
-            "{5}</p></div></li>\n",
-            cluster.who.size(), cluster.name, title_of(cluster.unit, options), cluster.sentence, cluster.who.size() == 1 ? "submission" : "submissions", who);
+    Markup sections;
+    for (const UnitClusters& unit : clusters(result)) {
+        Markup items;
+        for (const auto* kind : {&unit.explained, &unit.ambiguous, &unit.unexplained})
+            for (const Cluster& cluster : *kind) items += cluster_item(cluster, unit.graded, result);
+        sections += markup("<h3>{} <span class=\"id\">{}</span></h3>\n<ul class=\"clusters\">\n{}</ul>\n", title_of(unit.unit, options), unit.unit, items);
     }
+    if (sections.empty()) return {};
     return markup(
-        "<section aria-labelledby=\"why\"><h2 id=\"why\">Why, and who</h2>\n<p class=\"note\">Failing units by what explains them best.</p>\n<ul "
-        "class=\"clusters\">\n{}</ul></section>\n",
-        items);
+        "<section aria-labelledby=\"why\"><h2 id=\"why\">Why, and who</h2>\n<p class=\"note\">Failing work by what explains it best; below that what "
+        "one of several reasons explains, then what none does.</p>\n{}</section>\n",
+        sections);
 }
 
 }

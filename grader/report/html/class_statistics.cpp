@@ -18,15 +18,6 @@ double median_of(std::vector<double> values)
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-/// "mistake: far_root" as people read it.
-std::string readable(std::string name)
-{
-    constexpr std::string_view prefix = "mistake: ";
-    if (name.starts_with(prefix)) name.erase(0, prefix.size());
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
-
 }
 
 std::vector<UnitStatistics> unit_statistics(const ClassResult& result)
@@ -55,23 +46,6 @@ std::vector<UnitStatistics> unit_statistics(const ClassResult& result)
             shares[found->second].push_back(share);
         }
     for (std::size_t i = 0; i < all.size(); ++i) all[i].median = median_of(std::move(shares[i]));
-    return all;
-}
-
-std::vector<Cluster> clusters(const ClassResult& result)
-{
-    std::map<std::pair<std::string, std::string>, Cluster> by_name;
-    for (std::size_t s = 0; s < result.submissions.size(); ++s)
-        for (const UnitResult& unit : result.submissions[s].units) {
-            if (unit.explanations.empty() || unit.verdict == Verdict::grader_fault) continue;
-            const Explanation& first = unit.explanations.front();
-            Cluster& cluster = by_name[{unit.id, first.name}];
-            if (cluster.who.empty()) cluster = {unit.id, readable(first.name), first.sentence, {}};
-            cluster.who.push_back(s);
-        }
-    std::vector<Cluster> all;
-    for (auto& [name, cluster] : by_name) all.push_back(std::move(cluster));
-    std::stable_sort(all.begin(), all.end(), [](const Cluster& a, const Cluster& b) { return a.who.size() > b.who.size(); });
     return all;
 }
 

@@ -21,15 +21,4 @@ struct UnitStatistics {
 /// In the order in which units first appear.
 [[nodiscard]] std::vector<UnitStatistics> unit_statistics(const ClassResult& result);
 
-/// Submissions whose unit fails for the same reason.
-struct Cluster {
-    std::string unit;
-    std::string name;  ///< "far root"
-    std::string sentence;
-    std::vector<std::size_t> who;  ///< places in the class result
-};
-
-/// By the first explanation of each unit; the largest first, then by unit and name.
-[[nodiscard]] std::vector<Cluster> clusters(const ClassResult& result);
-
 }

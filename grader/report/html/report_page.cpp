@@ -5,6 +5,7 @@
 #include "report/html/document.hpp"
 #include "report/html/sections.hpp"
 #include "report/paint.hpp"
+#include "report/reasons.hpp"
 
 namespace umbral::grader::html {
 namespace {
@@ -32,7 +33,9 @@ std::string title_of(const UnitResult& unit, const Gallery& gallery)
 Markup unit_row(const UnitResult& unit, const Gallery& gallery, std::size_t number)
 {
     const Verdict verdict = shown_verdict(unit);
-    const Markup why = unit.explanations.empty() ? Markup() : markup("<span class=\"in-short\">{}</span>", unit.explanations.front().sentence);
+    std::string sentences;
+    for (const Explanation& reason : main_reasons(unit)) sentences += (sentences.empty() ? "" : " Or: ") + reason.sentence;
+    const Markup why = sentences.empty() ? Markup() : markup("<span class=\"in-short\">{}</span>", sentences);
     return markup(
         "<tr class=\"{}\"><th scope=\"row\"><a href=\"#u{}\">{}</a> <span class=\"id\">{}</span>{}</th><td>{}</td><td class=\"number\">{}<span class=\"of\"> / "
         "{}</span>{}"

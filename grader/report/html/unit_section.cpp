@@ -5,28 +5,30 @@
 #include "report/html/bars.hpp"
 #include "report/html/sections.hpp"
 #include "report/paint.hpp"
+#include "report/reasons.hpp"
 #include "report/reruns.hpp"
 
 namespace umbral::grader::html {
 namespace {
 
-std::string how_sure(double confidence)
-{
-    if (!(confidence > 0)) return "a guess";
-    if (confidence >= 0.995) return "fits every failing check";
-    return fmt::format("fits {:.0f} % of the failing checks", 100 * std::min(confidence, 1.0));
-}
-
 Markup why(const UnitResult& unit)
 {
-    if (unit.explanations.empty()) return {};
-    const Explanation& first = unit.explanations.front();
-    Markup result =
-        markup("<div class=\"why\"><h3>Why</h3>\n<p class=\"hint\">{}</p>\n<p class=\"sure\">This {}.</p>\n", first.sentence, how_sure(first.confidence));
-    if (unit.explanations.size() > 1) {
+    const auto reasons = main_reasons(unit);
+    if (reasons.empty()) return {};
+    const char* sure = sure_words(reasons.front().confidence);
+    Markup result = "<div class=\"why\"><h3>Why</h3>\n";
+    if (reasons.size() == 1) {
+        result += markup("<p class=\"hint\">{}</p>\n<p class=\"sure\">That is {} the reason.</p>\n", reasons.front().sentence, sure);
+    } else {
+        for (std::size_t i = 0; i < reasons.size(); ++i)
+            result += markup("<p class=\"hint\"><span class=\"sure\">{}</span> {}</p>\n", i == 0 ? "Either:" : "Or:", reasons[i].sentence);
+        result += markup("<p class=\"sure\">It is {} one of these: they give the same results here.</p>\n", sure);
+    }
+    const auto others = other_reasons(unit);
+    if (!others.empty()) {
         result += "<p class=\"sure\">It may also be:</p>\n<ul>\n";
-        for (std::size_t i = 1; i < unit.explanations.size(); ++i)
-            result += markup("<li>{} <span class=\"sure\">({})</span></li>\n", unit.explanations[i].sentence, how_sure(unit.explanations[i].confidence));
+        for (const Explanation& other : others)
+            result += markup("<li>{} <span class=\"sure\">({})</span></li>\n", other.sentence, sure_words(other.confidence));
         result += "</ul>\n";
     }
     result += "</div>\n";

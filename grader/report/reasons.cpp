@@ -1,0 +1,34 @@
+#include "report/reasons.hpp"
+
+#include <algorithm>
+
+#include "judge/thresholds.hpp"
+
+namespace umbral::grader {
+
+const char* sure_words(double confidence)
+{
+    if (confidence >= thresholds::very_sure) return "very likely";
+    return confidence >= thresholds::least_sure ? "probably" : "perhaps";
+}
+
+std::span<const Explanation> main_reasons(const UnitResult& unit)
+{
+    const std::span<const Explanation> all = unit.explanations;
+    if (all.empty() || !all.front().ambiguous) return all.first(std::min<std::size_t>(all.size(), 1));
+    const auto end = std::ranges::find(all, false, &Explanation::ambiguous);
+    return all.first(static_cast<std::size_t>(end - all.begin()));
+}
+
+std::span<const Explanation> other_reasons(const UnitResult& unit) { return std::span(unit.explanations).subspan(main_reasons(unit).size()); }
+
+std::string readable_reason(const Explanation& explanation)
+{
+    constexpr std::string_view prefix = "mistake: ";
+    std::string name = explanation.name;
+    if (name.starts_with(prefix)) name.erase(0, prefix.size());
+    std::ranges::replace(name, '_', ' ');
+    return name;
+}
+
+}

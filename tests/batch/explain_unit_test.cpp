@@ -1,0 +1,123 @@
+#include "batch/explain_unit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+#include "batch/grade_unit.hpp"
+#include "support/workbench.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+using Answer = std::function<RunOutcome(const std::string& case_name, std::uint64_t seed)>;
+
+/// Nothing that could compile: whatever compiled here would throw or find nothing.
+Toolchain without_compiler(Toolchain tools)
+{
+    tools.compiler = "/nonexistent/compiler";
+    tools.student_header = "/nonexistent/header.hpp";
+    tools.cache = "/nonexistent/cache";
+    return tools;
+}
+
+class ExplainUnit : public testing::TestWithParam<const char*> {
+protected:
+    Workbench bench;
+    Exercise exercise = bench.exercise(GetParam());
+    Workshop workshop{without_compiler(bench.tools())};
+    std::vector<Specimen> mistakes = telling_mistakes(workshop, exercise);
+
+    RunOutcome run(const Specimen& mistake, const std::string& name, std::uint64_t seed)
+    {
+        return workshop.run_mistake(exercise, mistake.name, mistake.sources, name, seed);
+    }
+
+    /// A submission whose cases were answered as given, judged.
+    std::pair<UnitResult, CaseResults> hand_in(const Answer& answer)
+    {
+        CaseResults cases;
+        for (const std::string& name : exercise.cases()) {
+            CaseResult one;
+            one.seed = SeedPlan{}.seed_of(exercise, name);
+            one.student = answer(name, one.seed);
+            cases.emplace(name, std::move(one));
+        }
+        UnitResult result;
+        for (const Check& check : exercise.checks) {
+            const CaseResult& one = cases.at(check.case_name);
+            const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
+            const RunOutcome& reference = workshop.trusted(exercise, Tenant::reference, check.case_name, one.seed);
+            result.checks.push_back(judge_check(check, one, expected, reference));
+            result.score += result.checks.back().score;
+            result.max_score += check.points;
+        }
+        return {result, std::move(cases)};
+    }
+
+    std::vector<Explanation> explain(const Answer& answer)
+    {
+        const auto [result, cases] = hand_in(answer);
+        return explain_unit(workshop, exercise, result, cases);
+    }
+};
+
+TEST_P(ExplainUnit, TakesMistakesThatWereCompiledWithTheProject)
+{
+    ASSERT_FALSE(mistakes.empty());
+    for (const Specimen& mistake : mistakes) {
+        const auto found = explain([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
+        ASSERT_FALSE(found.empty()) << mistake.name;
+        EXPECT_EQ(found.front().name, "mistake: " + mistake.name);
+        EXPECT_GT(found.front().confidence, 0.9) << mistake.name;
+        EXPECT_EQ(found.front().fit, 1) << mistake.name;
+        EXPECT_FALSE(found.front().ambiguous) << mistake.name;
+    }
+}
+
+TEST_P(ExplainUnit, SaysNothingOfRightWork)
+{
+    const auto found = explain([&](const std::string& name, std::uint64_t seed) { return workshop.trusted(exercise, Tenant::reference, name, seed); });
+    EXPECT_TRUE(found.empty());
+}
+
+TEST_P(ExplainUnit, AMistakeThatBreaksMoreThanTheStudentsWorkIsNotItsReason)
+{
+    int tried = 0;
+    for (const Specimen& mistake : mistakes) {
+        const auto [result, cases] = hand_in([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
+        std::set<std::string> broken;
+        for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+            if (result.checks[i].score < exercise.checks[i].points) broken.insert(exercise.checks[i].case_name);
+        if (broken.size() < 3) continue;
+        ++tried;
+        // The student fails the first of these cases exactly as the mistake does, and is right in all others.
+        const auto found = explain([&](const std::string& name, std::uint64_t seed) {
+            return name == *broken.begin() ? run(mistake, name, seed) : workshop.trusted(exercise, Tenant::reference, name, seed);
+        });
+        for (const Explanation& one : found) EXPECT_NE(one.name, "mistake: " + mistake.name) << one.confidence;
+    }
+    EXPECT_GT(tried, 0);
+}
+
+TEST_P(ExplainUnit, WithoutItsMistakeAmongTheCandidatesNoOtherIsNamedForIt)
+{
+    for (const Specimen& mistake : mistakes) {
+        const auto [result, cases] = hand_in([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
+        std::vector<Specimen> others = mistakes;
+        std::erase_if(others, [&](const Specimen& other) { return other.name == mistake.name; });
+        for (const Explanation& one : explain_unit(workshop, exercise, result, cases, others))
+            EXPECT_FALSE(one.name.starts_with("mistake: ")) << mistake.name << " taken for " << one.name << ", " << one.confidence;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, ExplainUnit, testing::Values("raytracing/sphere", "projections/view-matrix"), [](const auto& one) {
+    std::string name = one.param;
+    for (char& c : name)
+        if (c == '/' || c == '-') c = '_';
+    return name;
+});
+
+}
+}
