@@ -13,7 +13,7 @@ constexpr float pi = 3.14159265F;
 void add(Triangles& mesh, const Vertex& a, const Vertex& b, const Vertex& c)
 {
     const glm::vec3 n = glm::cross(b.position - a.position, c.position - a.position);
-    if (glm::length(n) > 1e-9F) mesh.insert(mesh.end(), {a, b, c});
+    if (glm::length(n) > 1e-6F) mesh.insert(mesh.end(), {a, b, c});
 }
 
 }

@@ -21,13 +21,13 @@ glm::mat4 matrix(const Model& m, const Batch& batch)
     return projection * glm::lookAt(c.eye, c.target, c.up) * batch.model;
 }
 
-/// Places in normalised device coordinates of `count` corners from `first` on; empty where one lies outside the picture.
+/// Places in normalised device coordinates of `count` corners from `first` on; empty where one lies behind the camera.
 std::vector<glm::vec3> on_screen(const Batch& batch, const glm::mat4& m, std::size_t first, std::size_t count)
 {
     std::vector<glm::vec3> places;
     for (std::size_t i = first; i < first + count; ++i) {
         const glm::vec4 clip = m * glm::vec4(batch.corners[i].position, 1);
-        if (clip.w <= 0 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w) return {};
+        if (clip.w <= 0) return {};
         places.push_back(glm::vec3(clip) / clip.w);
     }
     return places;
@@ -53,30 +53,38 @@ bool is_hidden(const Model& m, const glm::vec3& at)
     return false;
 }
 
-/// Drops the largest triangle or longest line that is seen, of the batch with the most of them.
+/// A triangle or line that could be dropped.
+struct Candidate {
+    float size;
+    glm::vec3 middle;
+    Batch* batch;
+    std::size_t first;
+};
+
+/// Drops the largest triangle or longest line that is seen, of the batches with the most of them.
 void drop_one(Model& m, bool edges)
 {
-    Batch* chosen = nullptr;
-    for (Batch& batch : m.batches)
-        if ((batch.edge_corners > 0) == edges && (chosen == nullptr || batch.corners.size() > chosen->corners.size())) chosen = &batch;
-    if (chosen == nullptr) return;
-    const std::size_t count = edges ? chosen->edge_corners : 3;
-    const glm::mat4 seen = matrix(m, *chosen);
-    std::vector<std::pair<float, std::size_t>> candidates;
-    for (std::size_t i = 0; i + count <= chosen->corners.size(); i += count) {
-        const std::vector<glm::vec3> t = on_screen(*chosen, seen, i, count);
-        if (t.empty()) continue;
-        const float size = edges ? glm::length(t[1] - t[0]) : area(t[0], t[1], t[2]);
-        if (size > 0) candidates.emplace_back(-size, i);
+    std::size_t most = 0;
+    for (const Batch& batch : m.batches)
+        if ((batch.edge_corners > 0) == edges) most = std::max(most, batch.corners.size());
+    std::vector<Candidate> candidates;
+    for (Batch& batch : m.batches) {
+        if ((batch.edge_corners > 0) != edges || batch.corners.size() < most) continue;
+        const std::size_t count = edges ? batch.edge_corners : 3;
+        const glm::mat4 seen = matrix(m, batch);
+        for (std::size_t i = 0; i + count <= batch.corners.size(); i += count) {
+            const std::vector<glm::vec3> t = on_screen(batch, seen, i, count);
+            if (t.empty()) continue;
+            const glm::vec3 middle = edges ? (t[0] + t[1]) / 2.0F : (t[0] + t[1] + t[2]) / 3.0F;
+            const float size = edges ? glm::length(t[1] - t[0]) : area(t[0], t[1], t[2]);
+            if (size > 0 && std::abs(middle.x) < 1 && std::abs(middle.y) < 1) candidates.push_back({size, middle, &batch, i});
+        }
     }
-    std::sort(candidates.begin(), candidates.end());
-    for (const auto& [size, first] : candidates) {
-        const std::vector<glm::vec3> t = on_screen(*chosen, seen, first, count);
-        if (is_hidden(m, edges ? (t[0] + t[1]) / 2.0F : (t[0] + t[1] + t[2]) / 3.0F)) continue;
-        const auto at = chosen->corners.begin() + static_cast<std::ptrdiff_t>(first);
-        chosen->corners.erase(at, at + static_cast<std::ptrdiff_t>(count));
-        return;
-    }
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.size > b.size; });
+    const auto shown = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& one) { return !is_hidden(m, one.middle); });
+    if (shown == candidates.end()) return;
+    const auto at = shown->batch->corners.begin() + static_cast<std::ptrdiff_t>(shown->first);
+    shown->batch->corners.erase(at, at + static_cast<std::ptrdiff_t>(edges ? shown->batch->edge_corners : 3));
 }
 
 /// Moves the corners of each triangle towards its centre by so many pixels, or away from it.

@@ -81,7 +81,7 @@ Image leaves(int size)
     Random random(3);
     struct Leaf {
         glm::vec2 at;
-        float angle;
+        glm::vec2 along;
         glm::vec3 color;
     };
     std::vector<Leaf> all;
@@ -89,13 +89,14 @@ Image leaves(int size)
         const float x = random.uniform(0.1F, 0.9F);
         const float y = random.uniform(0.1F, 0.9F);
         const float angle = random.uniform(0, 6.28F);
-        all.push_back({{x, y}, angle, glm::mix(glm::vec3(0.15F, 0.40F, 0.08F), glm::vec3(0.65F, 0.72F, 0.2F), random.uniform())});
+        all.push_back({{x, y}, {std::cos(angle), std::sin(angle)}, glm::mix(glm::vec3(0.15F, 0.40F, 0.08F), glm::vec3(0.65F, 0.72F, 0.2F), random.uniform())});
     }
     return textured(size, [&](glm::vec2 uv) {
         glm::vec4 color(0.25F, 0.4F, 0.1F, 0);
         for (const Leaf& leaf : all) {
             const glm::vec2 d = uv - leaf.at;
-            const glm::vec2 p(d.x * std::cos(leaf.angle) + d.y * std::sin(leaf.angle), d.y * std::cos(leaf.angle) - d.x * std::sin(leaf.angle));
+            if (glm::dot(d, d) > 0.012F) continue;
+            const glm::vec2 p(glm::dot(d, leaf.along), d.y * leaf.along.x - d.x * leaf.along.y);
             const float inside = 1 - glm::length(p / glm::vec2(0.085F, 0.035F));
             if (inside > -0.25F) {
                 const float alpha = glm::clamp(0.5F + 4 * inside, 0.0F, 1.0F);

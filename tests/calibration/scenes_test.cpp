@@ -21,13 +21,10 @@ double mean_difference(const Image& a, const Image& b)
     return sum / 3 / static_cast<double>(a.cells.size());
 }
 
-Painters& painters()
+Painters made()
 {
-    static Painters all = [] {
-        gl::forbid_driver_threads();
-        return Painters(gl::default_backend());
-    }();
-    return all;
+    gl::forbid_driver_threads();
+    return Painters(gl::default_backend());
 }
 
 TEST(CalibrationScenes, names_differ)
@@ -51,22 +48,25 @@ TEST(CalibrationScenes, every_operator_is_used)
 // At the size at which judges see them. Two levels are what nobody sees.
 TEST(CalibrationScenes, every_flaw_shows)
 {
+    Painters painters = made();
     for (const Scene& scene : all_scenes(256)) {
-        const Image expected = scene.draw(painters(), Flaw::none, Way::as_it_is);
+        const Image expected = scene.draw(painters, Flaw::none, Way::as_it_is);
         for (const Flaw flaw : scene.flaws)
-            EXPECT_GT(largest_difference(expected, scene.draw(painters(), flaw, Way::as_it_is)), 2) << scene.name << ": " << operator_of(flaw).name;
+            EXPECT_GT(largest_difference(expected, scene.draw(painters, flaw, Way::as_it_is)), 2) << scene.name << ": " << operator_of(flaw).name;
     }
 }
 
 // Right is right: another way may round differently, and decide a few pixels at edges differently, no more.
 TEST(CalibrationScenes, other_ways_draw_the_same)
 {
+    Painters painters = made();
     for (const Scene& scene : all_scenes(128)) {
         if (scene.noise) continue;
-        const Image expected = scene.draw(painters(), Flaw::none, Way::as_it_is);
-        for (const Way way : scene.ways)
-            if (painters().has(way))
-                EXPECT_LT(mean_difference(expected, scene.draw(painters(), Flaw::none, way)), 0.35) << scene.name << ": " << operator_of(way).name;
+        const Image expected = scene.draw(painters, Flaw::none, Way::as_it_is);
+        for (const Way way : scene.ways) {
+            if (!painters.has(way)) continue;
+            EXPECT_LT(mean_difference(expected, scene.draw(painters, Flaw::none, way)), 0.35) << scene.name << ": " << operator_of(way).name;
+        }
     }
 }
 
@@ -81,13 +81,15 @@ glm::dvec3 mean_color(const Image& image)
 // Other random numbers and other right estimators have the same mean; wrong estimators have not.
 TEST(CalibrationScenes, noise_has_one_mean)
 {
+    Painters painters = made();
     for (const Scene& scene : all_scenes(192)) {
         if (!scene.noise) continue;
-        const glm::dvec3 expected = mean_color(scene.draw(painters(), Flaw::none, Way::as_it_is));
-        for (const Way way : scene.ways)
-            if (painters().has(way))
-                EXPECT_LT(glm::length(mean_color(scene.draw(painters(), Flaw::none, way)) - expected), 0.5) << scene.name << ": " << operator_of(way).name;
-        EXPECT_GT(glm::length(mean_color(scene.draw(painters(), Flaw::light_3_percent, Way::as_it_is)) - expected), 1.5) << scene.name;
+        const glm::dvec3 expected = mean_color(scene.draw(painters, Flaw::none, Way::as_it_is));
+        for (const Way way : scene.ways) {
+            if (!painters.has(way)) continue;
+            EXPECT_LT(glm::length(mean_color(scene.draw(painters, Flaw::none, way)) - expected), 0.5) << scene.name << ": " << operator_of(way).name;
+        }
+        EXPECT_GT(glm::length(mean_color(scene.draw(painters, Flaw::light_3_percent, Way::as_it_is)) - expected), 1.5) << scene.name;
     }
 }
 
