@@ -129,7 +129,7 @@ Model engineering(const Pose& pose)
 Model tiny(const Pose& pose)
 {
     Model m = flat_picture(pose.size, pose.size, 2);
-    m.background = {0.9F, 0.9F, 0.9F, 1};
+    m.background = {0.88F, 0.88F, 0.88F, 1};
     const float t = 0.05F * pose.time();
     Triangles one = {{{0.21F + t, 0.30F, 0}, {0, 0, 1}, {0, 0}, {0.9F, 0.1F, 0.1F, 1}},
                      {{0.30F + t, 0.33F, 0}, {0, 0, 1}, {1, 0}, {0.1F, 0.7F, 0.1F, 1}},
