@@ -1,0 +1,68 @@
+#include "judge/image_rule.hpp"
+
+#include <gtest/gtest.h>
+
+#include "make.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+ImageRule rule(const Tensor& student, const Tensor& expected)
+{
+    const Check check = check_of(JudgeKind::image);
+    return apply_image_rule(to_picture(check, student), to_picture(check, expected));
+}
+
+Colour moved(Colour colour, int by)
+{
+    for (glm::length_t c = 0; c < 3; ++c) colour[c] = byte(colour[c] + by);
+    return colour;
+}
+
+TEST(ImageDetails, SubRuleB_TextureOfYoursIsNoEdgeThatExcusesIt)
+{
+    // Spots of 9 levels up and down: your surfaces are not smooth any more, the expected ones are.
+    const Tensor off = repaint(balls(), [](int x, int y) {
+        const Colour colour = pixel(scene(), x, y);
+        return colour == Colour{8, 10, 40, 255} ? colour : moved(colour, (x / 2 + y / 2) % 2 == 0 ? 9 : -9);
+    });
+    EXPECT_GT(rule(off, balls()).ratios[1], 10);
+}
+
+TEST(ImageDetails, ABackgroundThatIsDitheredIsNoContent)
+{
+    const auto dithered = [](int x, int y) {
+        return x >= 20 && x < 40 && y >= 20 && y < 40 ? Colour{200, 60, 30, 255} : Colour{byte(10 + (x + y) % 2), 10, 10, 255};
+    };
+    EXPECT_EQ(rule(picture(64, 64, [](int, int) { return Colour{0, 0, 0, 255}; }), picture(64, 64, dithered)).content, 400);
+}
+
+TEST(ImageDetails, TheBorderIsRepeatedSoThatSurfacesReachIt)
+{
+    // Grey from the left border on; only its outermost column is off.
+    const auto grey = [](int by) {
+        return picture(64, 64, [by](int x, int y) {
+            if (x >= 32 || y < 8 || y >= 56) return Colour{0, 0, 0, 255};
+            return moved(Colour{100, 100, 100, 255}, x == 0 ? by : 0);
+        });
+    };
+    EXPECT_GT(rule(grey(7), grey(0)).ratios[1], 1);
+}
+
+TEST(ImageDetails, FloatsAreRoundedAndCutToTheRange)
+{
+    Check check = check_of(JudgeKind::image);
+    const auto level = [&](float value) { return int{to_picture(check, depth(1, 1, {value})).row(0, 0)[0]}; };
+    EXPECT_EQ(level(0.6F / 255), 1);
+    EXPECT_EQ(level(0.4F / 255), 0);
+    EXPECT_EQ(level(1.5F), 255);
+    EXPECT_EQ(level(-3), 0);
+    check.range_low = -1;
+    EXPECT_EQ(level(0), 128);
+    EXPECT_EQ(level(-1), 0);
+    Tensor two = floats({0, 1, 0, 1}, 2);
+    EXPECT_THROW((void)judge(check_of(JudgeKind::image), two, two, nullptr), std::invalid_argument) << "two channels are no picture";
+}
+
+}
+}
