@@ -64,5 +64,25 @@ TEST(ImageDetails, FloatsAreRoundedAndCutToTheRange)
     EXPECT_THROW((void)judge(check_of(JudgeKind::image), two, two, nullptr), std::invalid_argument) << "two channels are no picture";
 }
 
+TEST(ImageDetails, WindowsAreThoseThatCountingOneByOneFinds)
+{
+    const std::uint64_t seed = 91;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    for (const auto& [width, height] : {std::pair{64, 48}, {37, 53}, {7, 5}, {16, 9}, {100, 8}}) {
+        std::vector<std::uint8_t> marks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        for (std::uint8_t& mark : marks) mark = random.below(5) == 0 ? 1 : 0;
+        int most = 0;
+        for (int top = 0; top < height; top += window_side / 2)
+            for (int left = 0; left < width; left += window_side / 2) {
+                int count = 0;
+                for (int y = top; y < std::min(height, top + window_side); ++y)
+                    for (int x = left; x < std::min(width, left + window_side); ++x) count += marks[static_cast<std::size_t>(y * width + x)];
+                most = std::max(most, count);
+            }
+        EXPECT_EQ(densest_window(marks, width, height).count, most) << width << " x " << height;
+    }
+}
+
 }
 }
