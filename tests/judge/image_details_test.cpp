@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "make.hpp"
 
 namespace umbral::grader::test {
@@ -12,6 +14,8 @@ ImageRule rule(const Tensor& student, const Tensor& expected)
     const Check check = check_of(JudgeKind::image);
     return apply_image_rule(to_picture(check, student), to_picture(check, expected));
 }
+
+Judgement image(const Tensor& student, const Tensor& expected) { return judge(check_of(JudgeKind::image), student, expected, nullptr); }
 
 Colour moved(Colour colour, int by)
 {
@@ -130,6 +134,53 @@ TEST(ImageDetails, TheMeanOfAFewPixelsSaysLittle)
         });
     };
     EXPECT_LE(rule(surfaces(4), surfaces(0)).ratios[5], 1);
+}
+
+TEST(Image, SubRuleG_AnotherSamplingPointIsFoundByItAlone)
+{
+    // Flat shapes: but for who owns the pixels of an edge, nothing changes.
+    const auto shapes = [](double sample_x, double sample_y) {
+        return picture(256, 256, [=](int x, int y) {
+            const double u = x + sample_x;
+            const double v = y + sample_y;
+            if (std::hypot(u - 90.2, v - 110.7) < 60.3) return Colour{200, 90, 40, 255};
+            if (u > 150.4 && u < 230.1 && v > 60.6 && 0.37 * u + v < 250.2) return Colour{60, 160, 90, 255};
+            return Colour{20, 20, 30, 255};
+        });
+    };
+    const Tensor right = shapes(0.5, 0.5);
+    for (const auto& [dx, dy] : {std::pair{0.5, 0.0}, {-0.4, 0.0}, {0.0, 0.5}, {0.0, -0.4}}) {
+        const ImageRule found = rule(shapes(0.5 + dx, 0.5 + dy), right);
+        for (const std::size_t part : {0U, 1U, 2U, 3U, 4U, 5U}) EXPECT_LE(found.ratios[part], 1) << part << ", moved by " << dx << ", " << dy;
+        EXPECT_GT(found.ratios[6], 1);
+        EXPECT_NEAR(found.displacement.x, -dx, 0.25);
+        EXPECT_NEAR(found.displacement.y, -dy, 0.25);
+    }
+    EXPECT_NE(image(shapes(1, 0.5), right).message.find("sampling point"), std::string::npos);
+}
+
+TEST(Image, EdgePixelsThatChangeHandsAtRandomDisplaceNothingAndLightenNothing)
+{
+    const std::uint64_t seed = 23;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    // Bars three pixels wide: nearly every pixel is one of an edge.
+    const auto bars = [](int x, int) { return x % 9 < 3 ? Colour{240, 240, 240, 255} : Colour{0, 0, 0, 255}; };
+    const Tensor right = picture(128, 128, bars);
+    const Tensor owned =
+        repaint(right, [&](int x, int y) { return random.below(10) < 3 ? bars(std::max(0, x + 1 - static_cast<int>(random.below(3))), y) : bars(x, y); });
+    const ImageRule found = rule(owned, right);
+    EXPECT_LE(found.worst(), 0.5);
+}
+
+TEST(Image, SubRuleC_LinesDrawnTooWideAreFoundThoughEveryPixelHasASimilarOneBesideIt)
+{
+    const auto lines = [](int wide) {
+        return picture(128, 128, [wide](int x, int) { return x % 16 < wide ? Colour{240, 240, 240, 255} : Colour{0, 0, 0, 255}; });
+    };
+    const ImageRule found = rule(lines(2), lines(1));
+    EXPECT_LE(found.ratios[0], 1);
+    EXPECT_GT(found.ratios[2], 1);
 }
 
 }
