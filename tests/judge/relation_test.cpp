@@ -10,7 +10,6 @@
 
 namespace umbral::grader::test {
 namespace {
-
 Check with_relation(JudgeKind kind, const Relation& relation, Tolerance tolerance = {})
 {
     Check check = check_of(kind, tolerance);

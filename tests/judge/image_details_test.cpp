@@ -1,0 +1,139 @@
+#include "judge/image_rule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "make.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+ImageRule rule(const Tensor& student, const Tensor& expected)
+{
+    const Check check = check_of(JudgeKind::image);
+    return apply_image_rule(to_picture(check, student), to_picture(check, expected));
+}
+
+Judgement image(const Tensor& student, const Tensor& expected) { return judge(check_of(JudgeKind::image), student, expected, nullptr); }
+
+Colour moved(Colour colour, int by)
+{
+    for (glm::length_t c = 0; c < 3; ++c) colour[c] = byte(colour[c] + by);
+    return colour;
+}
+
+TEST(ImageDetails, SubRuleB_TextureOfYoursIsNoEdgeThatExcusesIt)
+{
+    // Spots of 9 levels up and down: your surfaces are not smooth any more, the expected ones are.
+    const Tensor off = repaint(balls(), [](int x, int y) {
+        const Colour colour = pixel(scene(), x, y);
+        return colour == Colour{8, 10, 40, 255} ? colour : moved(colour, (x / 2 + y / 2) % 2 == 0 ? 9 : -9);
+    });
+    EXPECT_GT(rule(off, balls()).ratios[1], 10);
+}
+
+TEST(ImageDetails, ABackgroundThatIsDitheredIsNoContent)
+{
+    const auto dithered = [](int x, int y) {
+        return x >= 20 && x < 40 && y >= 20 && y < 40 ? Colour{200, 60, 30, 255} : Colour{byte(10 + (x + y) % 2), 10, 10, 255};
+    };
+    EXPECT_EQ(rule(picture(64, 64, [](int, int) { return Colour{0, 0, 0, 255}; }), picture(64, 64, dithered)).content, 400);
+}
+
+TEST(ImageDetails, TheBorderIsRepeatedSoThatSurfacesReachIt)
+{
+    // Grey from the left border on; only its outermost column is off.
+    const auto grey = [](int by) {
+        return picture(64, 64, [by](int x, int y) {
+            if (x >= 32 || y < 8 || y >= 56) return Colour{0, 0, 0, 255};
+            return moved(Colour{100, 100, 100, 255}, x == 0 ? by : 0);
+        });
+    };
+    EXPECT_GT(rule(grey(7), grey(0)).ratios[1], 1);
+}
+
+TEST(ImageDetails, FloatsAreRoundedAndCutToTheRange)
+{
+    Check check = check_of(JudgeKind::image);
+    const auto level = [&](float value) { return int{to_picture(check, depth(1, 1, {value})).row(0, 0)[0]}; };
+    EXPECT_EQ(level(0.6F / 255), 1);
+    EXPECT_EQ(level(0.4F / 255), 0);
+    EXPECT_EQ(level(1.5F), 255);
+    EXPECT_EQ(level(-3), 0);
+    check.range_low = -1;
+    EXPECT_EQ(level(0), 128);
+    EXPECT_EQ(level(-1), 0);
+    Tensor two = floats({0, 1, 0, 1}, 2);
+    EXPECT_THROW((void)judge(check_of(JudgeKind::image), two, two, nullptr), std::invalid_argument) << "two channels are no picture";
+}
+
+TEST(ImageDetails, WindowsAreThoseThatCountingOneByOneFinds)
+{
+    const std::uint64_t seed = 91;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    for (const auto& [width, height] : {std::pair{64, 48}, {37, 53}, {7, 5}, {16, 9}, {100, 8}}) {
+        std::vector<std::uint8_t> marks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        for (std::uint8_t& mark : marks) mark = random.below(5) == 0 ? 1 : 0;
+        int most = 0;
+        for (int top = 0; top < height; top += window_side / 2)
+            for (int left = 0; left < width; left += window_side / 2) {
+                int count = 0;
+                for (int y = top; y < std::min(height, top + window_side); ++y)
+                    for (int x = left; x < std::min(width, left + window_side); ++x) count += marks[static_cast<std::size_t>(y * width + x)];
+                most = std::max(most, count);
+            }
+        EXPECT_EQ(densest_window(marks, width, height).count, most) << width << " x " << height;
+    }
+}
+
+TEST(Image, SubRuleG_AnotherSamplingPointIsFoundByItAlone)
+{
+    // Flat shapes: but for who owns the pixels of an edge, nothing changes.
+    const auto shapes = [](double sample_x, double sample_y) {
+        return picture(256, 256, [=](int x, int y) {
+            const double u = x + sample_x;
+            const double v = y + sample_y;
+            if (std::hypot(u - 90.2, v - 110.7) < 60.3) return Colour{200, 90, 40, 255};
+            if (u > 150.4 && u < 230.1 && v > 60.6 && 0.37 * u + v < 250.2) return Colour{60, 160, 90, 255};
+            return Colour{20, 20, 30, 255};
+        });
+    };
+    const Tensor right = shapes(0.5, 0.5);
+    for (const auto& [dx, dy] : {std::pair{0.5, 0.0}, {-0.4, 0.0}, {0.0, 0.4}, {0.0, -0.4}}) {
+        const ImageRule found = rule(shapes(0.5 + dx, 0.5 + dy), right);
+        for (const std::size_t part : {0U, 1U, 2U, 3U, 4U, 5U}) EXPECT_LE(found.ratios[part], 1) << part << ", moved by " << dx << ", " << dy;
+        EXPECT_GT(found.ratios[6], 1);
+        EXPECT_NEAR(found.displacement.x, -dx, 0.25);
+        EXPECT_NEAR(found.displacement.y, -dy, 0.25);
+    }
+    EXPECT_NE(image(shapes(1, 0.5), right).message.find("sampling point"), std::string::npos);
+}
+
+TEST(Image, EdgePixelsThatChangeHandsAtRandomDisplaceNothingAndLightenNothing)
+{
+    const std::uint64_t seed = 23;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(seed);
+    // Bars three pixels wide: nearly every pixel is one of an edge.
+    const auto bars = [](int x, int) { return x % 9 < 3 ? Colour{240, 240, 240, 255} : Colour{0, 0, 0, 255}; };
+    const Tensor right = picture(128, 128, bars);
+    const Tensor owned =
+        repaint(right, [&](int x, int y) { return random.below(10) < 3 ? bars(std::max(0, x + 1 - static_cast<int>(random.below(3))), y) : bars(x, y); });
+    const ImageRule found = rule(owned, right);
+    EXPECT_LE(found.worst(), 0.5);
+}
+
+TEST(Image, SubRuleC_LinesDrawnTooWideAreFoundThoughEveryPixelHasASimilarOneBesideIt)
+{
+    const auto lines = [](int wide) {
+        return picture(128, 128, [wide](int x, int) { return x % 16 < wide ? Colour{240, 240, 240, 255} : Colour{0, 0, 0, 255}; });
+    };
+    const ImageRule found = rule(lines(2), lines(1));
+    EXPECT_LE(found.ratios[0], 1);
+    EXPECT_GT(found.ratios[2], 1);
+}
+
+}
+}
