@@ -23,7 +23,7 @@ enum class Said : std::uint8_t {
     right,           ///< its own explanation, first and alone
     right_among,     ///< ambiguous, its own among those named
     silent,          ///< nothing
-    true_statement,  ///< a named transform that makes every failing check right: true whatever the reason
+    true_statement,  ///< a named transform that makes every failing check right on which it can be tried
     twin,            ///< another mistake whose recordings are the same, byte for byte, in all cases
     part,            ///< one of the two mistakes
     wrong,           ///< anything else
