@@ -88,6 +88,41 @@ TEST(ImageDetails, WindowsAreThoseThatCountingOneByOneFinds)
     }
 }
 
+TEST(ImageDetails, ALargerSpotCostsNoMoreAndTheErrorIsTheWorstMeasure)
+{
+    const Tensor right = balls(512);
+    const Tensor hole = repaint(right, [&](int x, int y) { return x >= 196 && x < 208 && y >= 180 && y < 192 ? Colour{8, 10, 40, 255} : pixel(right, x, y); });
+    const ImageRule found = rule(hole, right);
+    EXPECT_GT(found.ratios[4], 10);
+    EXPECT_EQ(found.worst(), found.ratios[4]);
+    EXPECT_GT(found.right(), 0.6);
+}
+
+TEST(ImageDetails, WhatIsWrongEverywhereIsSaidBeforeASpot)
+{
+    const Tensor right = balls(512);
+    const Tensor off = repaint(right, [&](int x, int y) {
+        if (x >= 200 && x < 208 && y >= 180 && y < 188) return Colour{8, 10, 40, 255};
+        const Colour colour = pixel(right, x, y);
+        return colour == Colour{8, 10, 40, 255} ? colour : moved(colour, 4);
+    });
+    const Judgement found = judge(check_of(JudgeKind::image), off, right, nullptr);
+    EXPECT_NE(found.message.find("too bright"), std::string::npos) << found.message;
+    EXPECT_EQ(found.message.find("close together"), std::string::npos) << found.message;
+}
+
+TEST(ImageDetails, TheMeanOfAFewPixelsSaysLittle)
+{
+    // A large surface, and one of 8 x 8 pixels that is off by 4 levels.
+    const auto surfaces = [](int by) {
+        return picture(128, 128, [by](int x, int y) {
+            if (x >= 10 && x < 80 && y >= 10 && y < 120) return Colour{120, 120, 120, 255};
+            return x >= 100 && x < 108 && y >= 100 && y < 108 ? moved(Colour{120, 120, 120, 255}, by) : Colour{0, 0, 0, 255};
+        });
+    };
+    EXPECT_LE(rule(surfaces(4), surfaces(0)).ratios[5], 1);
+}
+
 TEST(Image, SubRuleG_AnotherSamplingPointIsFoundByItAlone)
 {
     // Flat shapes: but for who owns the pixels of an edge, nothing changes.
