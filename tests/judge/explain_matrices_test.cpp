@@ -134,5 +134,38 @@ TEST(ExplainMatrices, UnrelatedErrorsHaveNoExplanation)
     EXPECT_TRUE(explain(check, matrices([](const glm::dmat4&) { return glm::dmat4(NAN); }), right).empty());
 }
 
+TEST(ExplainMatrices, UndoingMayRound)
+{
+    const Change inverse = [](const glm::dmat4& m) { return glm::inverse(m); };
+    EXPECT_EQ(first(check_of(JudgeKind::matrices, ulps(0)), matrices(inverse), matrices(unchanged)), "inverse") << "floats do not come back to the bit";
+}
+
+TEST(ExplainMatrices, OneStrayMatrixDoesNotHideAFactor)
+{
+    Tensor student = matrices([](const glm::dmat4& m) { return 3.0 * m; });
+    for (std::size_t i = 0; i < 16; ++i) {
+        float value = 0;
+        std::memcpy(&value, student.bytes.data() + i * sizeof value, sizeof value);
+        value *= 7;
+        std::memcpy(student.bytes.data() + i * sizeof value, &value, sizeof value);
+    }
+    EXPECT_EQ(first(check, student, matrices(unchanged)), "scaled");
+}
+
+TEST(ExplainNumbers, EveryOrderOfComponentsIsTried)
+{
+    Random random(5);
+    std::vector<float> right;
+    std::vector<float> turned;
+    for (int i = 0; i < 20; ++i) {
+        const glm::dvec3 v = random.in_cube();
+        right.insert(right.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
+        turned.insert(turned.end(), {static_cast<float>(v.z), static_cast<float>(v.x), static_cast<float>(v.y)});
+    }
+    const auto found = explain(check_of(JudgeKind::numbers, relative(1e-6)), floats(turned, 3), floats(right, 3));
+    ASSERT_FALSE(found.empty());
+    EXPECT_NE(found.front().sentence.find("the expected vector is your (y, z, x)"), std::string::npos) << found.front().sentence;
+}
+
 }
 }
