@@ -4,8 +4,8 @@
 
 /// Every threshold of the judges that no manifest declares, with where it comes from.
 ///
-/// The four of the image rule were set on 6 synthetic scenes at 512 x 512: of 50 pictures with a real bug they catch 48, of 15 benign
-/// variants (one level of noise, edge pixels owned by the neighbour, another vendor's rounding) they fail none. They are in-sample.
+/// Those of the image rule were set on half of the scenes of `umbral bench judge`, so that harmless pictures stay below half of each (of (e)
+/// and (f) a third); docs/judging.md holds the table for the other half.
 namespace umbral::grader::thresholds {
 
 // (a) Edges: largest of the two one-way 3x3 minimum differences. Based on: the fuzzy compare of the Khronos conformance suite, with the
@@ -75,7 +75,7 @@ constexpr double unexplained_share = 0.5;
 constexpr double rounding_left = 1e-3;
 /// Share of the rows in which a mistake must deviate as the student did.
 constexpr double mistake_share = 0.95;
-/// Sureness of explanations (sureness.hpp), set on half of the units by `umbral bench explanations`, which reports the other half apart.
+/// Sureness of explanations (sureness.hpp): judgement, which `umbral bench explanations` measures.
 constexpr double least_sure = 0.6;        ///< below it nothing is said: a wrong explanation is worse than none
 constexpr double very_sure = 0.9;         ///< from here on "very likely", below it "probably"
 constexpr double equally_sure = 0.02;     ///< two that differ by less match equally well

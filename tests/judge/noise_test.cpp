@@ -245,12 +245,13 @@ TEST(Noise, AMistakeIsKnownByItsLight)
     Random random(seed);
     const Tensor expected = run(random);
     const Tensor student = run(random, 2);
-    const FailingCheck failing{&check, &student, &expected, nullptr, nullptr};
-    EXPECT_TRUE(matches_mistake(failing, run(random, 2))) << "other noise, the same light";
-    EXPECT_FALSE(matches_mistake(failing, run(random, 0.5)));
-    EXPECT_FALSE(matches_mistake(failing, run(random))) << "no mistake at all";
+    const FailingCheck failing{&check, &student, &expected, nullptr};
+    const auto says = [](const FailingCheck& one, const Tensor& mistake) { return resemblance(one, mistake).says; };
+    EXPECT_EQ(says(failing, run(random, 2)), Says::for_it) << "other noise, the same light";
+    EXPECT_EQ(says(failing, run(random, 0.5)), Says::against_it);
+    EXPECT_EQ(says(failing, run(random)), Says::against_it) << "no mistake at all";
     const Tensor fine = run(random);
-    EXPECT_FALSE(matches_mistake({&check, &fine, &expected, nullptr, nullptr}, run(random, 2))) << "not failing";
+    EXPECT_EQ(says({&check, &fine, &expected, nullptr, false}, run(random, 2)), Says::against_it) << "the student passes what it would fail";
 }
 
 TEST(Noise, TheMapShowsMeansAndNoNoise)
