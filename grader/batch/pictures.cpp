@@ -35,7 +35,8 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
         try {
             std::filesystem::create_directories(options.artefacts);
             const std::filesystem::path file = options.artefacts / file_name(exercise, check);
-            write_png(file, triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words, noise ? JudgeKind::noise : JudgeKind::image));
+            write_png(file,
+                      triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words, noise ? JudgeKind::noise : JudgeKind::image));
             result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();
             one_saved = true;
         } catch (const std::exception& error) {

@@ -8,7 +8,8 @@ namespace umbral::grader {
 // What needs the reference, which the grader must not hold, is measured by a program of its own, with its own options and its own --help.
 void add_bench(CLI::App& parser, Application& application)
 {
-    CLI::App* command = parser.add_subcommand("bench", "Measures what accuracy costs in time (umbral bench accuracy), and the grader itself (judge, explanations)");
+    CLI::App* command =
+        parser.add_subcommand("bench", "Measures what accuracy costs in time (umbral bench accuracy), and the grader itself (judge, explanations)");
     command->set_help_flag();
     command->prefix_command();
     add_bench_explanations(*command, application);

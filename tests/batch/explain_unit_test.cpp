@@ -6,6 +6,7 @@
 #include <set>
 
 #include "batch/grade_unit.hpp"
+#include "judge/thresholds.hpp"
 #include "support/workbench.hpp"
 
 namespace umbral::grader::test {
@@ -70,7 +71,8 @@ TEST_P(ExplainUnit, TakesMistakesThatWereCompiledWithTheProject)
         const auto found = explain([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
         ASSERT_FALSE(found.empty()) << mistake.name;
         EXPECT_EQ(found.front().name, "mistake: " + mistake.name);
-        EXPECT_GT(found.front().confidence, 0.9) << mistake.name;
+        // A subtle one breaks a few rows only: then it is "probably", not "very likely".
+        EXPECT_GT(found.front().confidence, thresholds::least_sure) << mistake.name;
         EXPECT_EQ(found.front().fit, 1) << mistake.name;
         EXPECT_FALSE(found.front().ambiguous) << mistake.name;
     }
