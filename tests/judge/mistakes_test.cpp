@@ -56,6 +56,20 @@ TEST(Mistakes, APassingCheckSpeaksAgainstAMistakeThatFailsItAndForNone)
     EXPECT_EQ(resemblance(passing, right).says, Says::nothing);
 }
 
+TEST(Mistakes, ACheckThatIsPassedByRoundingOfPointsIsPassed)
+{
+    Check check = check_of(JudgeKind::buffer);
+    check.points = 250;
+    std::vector<std::uint32_t> ids(10000, 0);
+    for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = i % 100 > 0 && i % 100 < 99 && i > 99 && i < 9900 ? 7 : 0;
+    const Tensor right = grid(100, 100, ids);
+    ids[5050] = 8;
+    const Tensor nearly = grid(100, 100, ids);
+    ASSERT_LT(judge(check, nearly, right, nullptr).right, 1);
+    ASSERT_EQ(points_for(check, judge(check, nearly, right, nullptr).right, 0), check.points);
+    EXPECT_EQ(resemblance({&check, &nearly, &right, nullptr, false}, nearly).says, Says::nothing);
+}
+
 TEST(Mistakes, AgreementInMoreValuesSaysMore)
 {
     const Check check = check_of(JudgeKind::numbers, ulps(2));
