@@ -11,14 +11,19 @@ function(umbral_test_headers)
     <nlohmann/json.hpp> <optional> <random> <set> <span> <sstream> <string> <vector>)
 endfunction()
 
-# umbral_test(NAME SOURCES file... LIBRARIES target... [LABELS label...])
-# One test executable; every case becomes a ctest test.
+# umbral_test(NAME [ONE_PROCESS] SOURCES file... LIBRARIES target... [LABELS label...])
+# One test executable; every case becomes a ctest test, or all of them one: where what they share takes long to make.
 function(umbral_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "ONE_PROCESS" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/grader)  # support/, and model/scratch.hpp
   target_link_libraries(${name} PRIVATE umbral-warnings ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_precompile_headers(${name} REUSE_FROM umbral-test-headers)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300)
+  if(arg_ONE_PROCESS)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600)
+  else()
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300)
+  endif()
 endfunction()
