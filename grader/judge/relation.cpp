@@ -115,7 +115,7 @@ std::string expected_in_words(const Relation& relation)
 }
 
 RelationJudge::RelationJudge(const Check& check, const RelatedTensors& reference, const Tensor* margin, std::uint64_t seed)
-    : check_(check), relation_(*check.relation), margin_(margin)
+    : check_(check), relation_(*check_.relation), margin_(margin)
 {
     const auto fault = [&](const std::string& what) {
         throw std::invalid_argument(fmt::format("check '{}': its relation tells nothing: {}", check.name, what));

@@ -45,9 +45,12 @@ struct RelatedControl {
 ///   picture of something else do not.
 class RelationJudge {
 public:
-    /// `reference` is the reference's run of the case; `margin` as for judge(). Both must outlive the judge. Throws std::invalid_argument
+    /// `reference` is the reference's run of the case; `margin` as for judge(). These two must outlive the judge, the check need not. Throws std::invalid_argument
     /// where the relation can tell nothing: a value is missing, of another shape or the same everywhere, or the law holds unmoved as well.
     RelationJudge(const Check& check, const RelatedTensors& reference, const Tensor* margin, std::uint64_t seed);
+
+    RelationJudge(const RelationJudge&) = delete;
+    RelationJudge& operator=(const RelationJudge&) = delete;
 
     /// Never throws for what a student recorded. `names` as for judge().
     [[nodiscard]] Judgement judge(const RelatedTensors& student, const Tensor* names = nullptr) const;
@@ -69,8 +72,8 @@ private:
     /// Why their agreement would say nothing; empty if it does say something.
     [[nodiscard]] std::string worthless(const RelatedTensors& student, Judgement& judgement) const;
 
-    const Check& check_;
-    const Relation& relation_;
+    Check check_;
+    const Relation& relation_;  ///< of check_
     const Tensor* margin_;
     std::vector<RelatedControl> controls_;
     std::vector<Side> sides_;  ///< value, to, and unlike where there is one
