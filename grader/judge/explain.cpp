@@ -222,6 +222,14 @@ Resemblance same_picture(const Check& check, const FailingCheck& failing, const 
     return {Says::for_it, agreement_bits(*failing.student, *failing.expected, std::vector<bool>(alike.size(), true), alike)};
 }
 
+/// Neither can be judged, because of its type or size: then only equality tells, as much as two numbers do (how many rows, and what they hold).
+Resemblance same_misfit(const FailingCheck& failing, const Tensor& mistake)
+{
+    constexpr double bits = 12;
+    if (failing.student == nullptr || !(*failing.student == mistake)) return differently;
+    return {Says::for_it, mistake.cells() == 0 ? 0 : bits};
+}
+
 }
 
 Resemblance resemblance(const FailingCheck& one, const Tensor& mistake)
@@ -233,6 +241,7 @@ Resemblance resemblance(const FailingCheck& one, const Tensor& mistake)
         const bool passes = judged && points_for(*one.check, fraction_right(*one.check, mistake, *one.expected, one.margin), 0) == one.check->points;
         return passes ? Resemblance{} : differently;
     }
+    if (!judged && !comparable(one)) return same_misfit(one, mistake);
     if (!judged || !comparable(one)) return differently;
     if (has_free_rows(one.check->judge)) return same_deviations(one, mistake);
     if (one.check->judge == JudgeKind::image || one.check->judge == JudgeKind::noise) return same_picture(*one.check, one, mistake);

@@ -70,6 +70,20 @@ TEST(Mistakes, ACheckThatIsPassedByRoundingOfPointsIsPassed)
     EXPECT_EQ(resemblance({&check, &nearly, &right, nullptr, false}, nearly).says, Says::nothing);
 }
 
+TEST(Mistakes, TablesOfTheSameWrongSizeAgreeIfTheyAreEqual)
+{
+    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const Tensor right = floats({1, 2, 3, 4});
+    const Tensor student = floats({1, 2});
+    const FailingCheck failing{&check, &student, &right, nullptr};
+    const Resemblance same = resemblance(failing, floats({1, 2}));
+    EXPECT_EQ(same.says, Says::for_it);
+    EXPECT_GT(same.bits, 0);
+    EXPECT_EQ(resemblance(failing, floats({1, 3})).says, Says::against_it);
+    EXPECT_EQ(resemblance(failing, floats({1, 2, 3})).says, Says::against_it);
+    EXPECT_EQ(resemblance(failing, right).says, Says::against_it);
+}
+
 TEST(Mistakes, AgreementInMoreValuesSaysMore)
 {
     const Check check = check_of(JudgeKind::numbers, ulps(2));
