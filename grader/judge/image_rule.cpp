@@ -270,6 +270,8 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     for (std::size_t i = 0; i < content.size(); ++i) surface[i] = static_cast<std::uint8_t>(smooth[i] & content[i] & (errors[i] ^ 1U));
     rule.surface = worst_level_window(student, expected, surface);
     rule.ratios[5] = rule.surface.ratio;
+    // Edges that move change some pixel by more than noise does.
+    if (*std::max_element(difference.begin(), difference.end()) <= thresholds::interior_levels) return rule;
     rule.displacement = edge_displacement(student, expected, smooth);
     rule.ratios[6] = std::hypot(rule.displacement.x, rule.displacement.y) / thresholds::displacement;
     return rule;
