@@ -18,6 +18,9 @@ after(() => browser.close());
 export const made_up = (name) => path.join(process.env.UMBRAL_PAGES, "made-up", name);
 export const reports = (name) => path.join(process.env.UMBRAL_PAGES, "reports", name);
 
+/** The made-up page's first check that compares pictures in colour; intermediate buffers stand before it. */
+export const picture_check = (page) => page.getByRole("article", { name: "picture/colours" }).first();
+
 /** Opens a page from the disk, runs `work`, and fails if the page logged, threw, or asked for anything but itself. */
 export async function with_page(file, options, work) {
   const { width = 1200, height = 900, ...context_options } = options;

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { statSync } from "node:fs";
-import { faults_of_access, faults_of_contrast, made_up, reports, with_page } from "./browser.mjs";
+import { faults_of_access, faults_of_contrast, made_up, picture_check, reports, with_page } from "./browser.mjs";
 
 const pages = {
   "every kind of evidence and the worst of texts": made_up("worst.html"),
@@ -45,7 +45,7 @@ test("without scripts everything is there, and nothing that needs them", async (
     for (const selector of ["figure.yours img", "figure.reference img", "figure.difference img", ".magnified img", "table.pixels", "table.rows", "table.matrix", "table.lines", ".sketch", ".plot"])
       assert.ok(await page.locator(selector).first().isVisible(), selector);
     assert.equal(await page.locator("button:visible").count(), 0, "buttons would do nothing");
-    const boxes = await page.locator("#u1-c1 .pictures figure").evaluateAll((list) => list.map((one) => one.getBoundingClientRect()).map(({ x, y }) => `${Math.round(x)},${Math.round(y)}`));
+    const boxes = await picture_check(page).locator(".pictures figure").evaluateAll((list) => list.map((one) => one.getBoundingClientRect()).map(({ x, y }) => `${Math.round(x)},${Math.round(y)}`));
     assert.equal(new Set(boxes).size, 3, "no picture lies on another");
     await page.locator("table.units a").first().click();
     assert.ok(page.url().endsWith("#u1"));
@@ -57,7 +57,7 @@ test("on paper everything is there", async () => {
     await page.emulateMedia({ media: "print" });
     assert.equal(await page.locator("header.bar").isVisible(), false);
     assert.equal(await page.locator(".controls").first().isVisible(), false);
-    const boxes = await page.locator("#u1-c1 .pictures figure").evaluateAll((list) => list.map((one) => `${one.getBoundingClientRect().x},${one.getBoundingClientRect().y}`));
+    const boxes = await picture_check(page).locator(".pictures figure").evaluateAll((list) => list.map((one) => `${one.getBoundingClientRect().x},${one.getBoundingClientRect().y}`));
     assert.equal(new Set(boxes).size, 3);
     assert.ok((await page.pdf()).length > 10_000);
   });

@@ -1,7 +1,7 @@
 // Every control of a report, by mouse and by keys.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { made_up, reports, with_page } from "./browser.mjs";
+import { made_up, picture_check, reports, with_page } from "./browser.mjs";
 
 const report = reports("carla-typical-mistakes/report.html");
 const focused = (page) => page.evaluate(() => document.activeElement.id || document.activeElement.className);
@@ -55,10 +55,10 @@ test("j, k and the buttons go from check to check", async () => {
 
 test("the wipe follows the mouse", async () => {
   await with_page(made_up("worst.html"), { reducedMotion: "reduce" }, async (page) => {
-    const wiper = page.locator("#u1-c1 .wiper");
+    const wiper = picture_check(page).locator(".wiper");
     await wiper.scrollIntoViewIfNeeded();
     const box = await wiper.boundingBox();
-    const frame = await page.locator("#u1-c1 .stage figure.reference .frame").boundingBox();
+    const frame = await picture_check(page).locator(".stage figure.reference .frame").boundingBox();
     assert.ok(Math.abs(box.x - frame.x) < 1 && Math.abs(box.width - frame.width) < 1 && Math.abs(box.height - frame.height) < 1, "it lies on the picture");
     await page.mouse.move(box.x + box.width / 2, box.y + 20);
     await page.mouse.down();
@@ -76,7 +76,7 @@ test("the wipe follows the mouse", async () => {
 
 test("the wipe follows the arrow keys and says where it is", async () => {
   await with_page(made_up("worst.html"), {}, async (page) => {
-    const wiper = page.locator("#u1-c1 .wiper");
+    const wiper = picture_check(page).locator(".wiper");
     await wiper.focus();
     assert.equal(await wiper.inputValue(), "50");
     for (const [key, value] of [["ArrowRight", 52], ["ArrowLeft", 50], ["PageDown", 40], ["Home", 0], ["ArrowLeft", 0], ["End", 100], ["ArrowRight", 100]]) {
@@ -89,7 +89,7 @@ test("the wipe follows the arrow keys and says where it is", async () => {
 
 test("the wipe follows a finger", async () => {
   await with_page(made_up("worst.html"), { hasTouch: true, width: 400 }, async (page) => {
-    const wiper = page.locator("#u1-c1 .wiper");
+    const wiper = picture_check(page).locator(".wiper");
     await wiper.scrollIntoViewIfNeeded();
     const box = await wiper.boundingBox();
     await page.touchscreen.tap(box.x + box.width * 0.25, box.y + box.height / 2);
@@ -99,7 +99,7 @@ test("the wipe follows a finger", async () => {
 
 test("blink changes the pictures, and stops by button, by key and by Escape", async () => {
   await with_page(made_up("worst.html"), { reducedMotion: "no-preference" }, async (page) => {
-    const article = page.locator("#u1-c1");
+    const article = picture_check(page);
     const blink = article.getByRole("button", { name: "Blink" });
     const second = () => article.locator(".stage").evaluate((stage) => stage.classList.contains("second"));
     const changes = async () => {
@@ -129,7 +129,7 @@ test("blink changes the pictures, and stops by button, by key and by Escape", as
 
 test("nothing moves by itself where less motion is asked for", async () => {
   await with_page(made_up("worst.html"), { reducedMotion: "reduce" }, async (page) => {
-    const article = page.locator("#u1-c1");
+    const article = picture_check(page);
     const blink = article.getByRole("button", { name: "Blink" });
     const second = () => article.locator(".stage").evaluate((stage) => stage.classList.contains("second"));
     await blink.click();
@@ -145,7 +145,7 @@ test("nothing moves by itself where less motion is asked for", async () => {
 
 test("side by side shows both pictures whole", async () => {
   await with_page(made_up("worst.html"), { width: 1900 }, async (page) => {
-    const article = page.locator("#u1-c1");
+    const article = picture_check(page);
     await article.getByRole("button", { name: "Side by side" }).click();
     const yours = await article.locator(".pictures figure.yours").boundingBox();
     const reference = await article.locator(".pictures figure.reference").boundingBox();
@@ -174,7 +174,7 @@ test("light and dark by the button and by key", async () => {
 
 test("magnified pixels tell both values, by mouse and by keys", async () => {
   await with_page(made_up("worst.html"), {}, async (page) => {
-    const box = page.locator("#u1-c1 .magnified");
+    const box = picture_check(page).locator(".magnified");
     const readout = box.locator("[data-readout]");
     await box.scrollIntoViewIfNeeded();
     const frame = await box.locator(".frame").first().boundingBox();
@@ -200,7 +200,7 @@ test("magnified pixels tell both values, by mouse and by keys", async () => {
 
 test("the table of pixels opens and closes", async () => {
   await with_page(made_up("worst.html"), {}, async (page) => {
-    const details = page.locator("#u1-c1 details");
+    const details = picture_check(page).locator("details");
     assert.equal(await details.getAttribute("open"), null, "closed at first where scripts run");
     await details.locator("summary").focus();
     await page.keyboard.press("Enter");
