@@ -54,7 +54,6 @@ struct Candidate {
 /// What a check says of a candidate's run. A crash has no signature: the same end speaks neither way, another one against.
 Resemblance says_of(const FailingCheck& one, const CaseResult& yours, const RunOutcome& its)
 {
-    constexpr Resemblance differently{Says::against_it, 0};
     if (yours.student.verdict != its.verdict) return differently;
     if (its.verdict != Verdict::ok) return {};
     const Tensor* tensor = observed(*one.check, its);

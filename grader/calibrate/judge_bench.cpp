@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "calibrate/best_time.hpp"
 #include "calibrate/picture_operators.hpp"
 #include "judge/rules.hpp"
 
@@ -15,18 +15,6 @@ namespace {
 
 constexpr std::array<std::string_view, std::tuple_size_v<decltype(ImageRule::ratios)>> part_names = {"edges",   "interior", "bias",        "shift",
                                                                                                      "cluster", "surface",  "displacement"};
-
-template <class Work>
-double best_milliseconds(Work work)
-{
-    double best = 1e9;
-    for (int i = 0; i < 15; ++i) {
-        const std::clock_t start = std::clock();
-        work();
-        best = std::min(best, 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    return best;
-}
 
 std::vector<MeasuredPair> select(const JudgeBench& bench, bool noise)
 {
@@ -102,17 +90,11 @@ JudgeTimes time_image_rule()
                     std::clamp(int{pixel[c]} + static_cast<int>(random.below(static_cast<std::uint32_t>(2 * span + 1))) - span, 0, 255));
         return result;
     };
-    const auto tensor = [](const Image& image) {
-        Tensor made{Element::uint8, static_cast<std::uint32_t>(image.height), static_cast<std::uint32_t>(image.width), 4, {}, {}};
-        const auto bytes = std::as_bytes(std::span(image.cells));
-        made.bytes.assign(bytes.begin(), bytes.end());
-        return made;
-    };
     Check check;
     check.judge = JudgeKind::image;
-    const Tensor expected = tensor(picture);
+    const Tensor expected = as_tensor(picture);
     const auto time = [&](const Tensor& student) { return best_milliseconds([&] { (void)fraction_right(check, student, expected, nullptr); }); };
-    return {time(expected), time(tensor(noisy(1))), time(tensor(noisy(60)))};
+    return {time(expected), time(as_tensor(noisy(1))), time(as_tensor(noisy(60)))};
 }
 
 MeasuredPair measure(const PicturePair& pair)

@@ -2,23 +2,21 @@
 #include <cmath>
 
 #include "calibrate/picture_operators.hpp"
+#include "judge/srgb.hpp"
 
 namespace umbral::grader {
 namespace {
 
 using Result = std::optional<Image>;
 
-double encoded(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
-double decoded(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
-
 Result gamma_twice(const Image& picture, Random&)
 {
-    return with_tones(picture, [](double level) { return 255 * encoded(level / 255); });
+    return with_tones(picture, [](double level) { return 255 * srgb_encoded(level / 255); });
 }
 
 Result gamma_missing(const Image& picture, Random&)
 {
-    return with_tones(picture, [](double level) { return 255 * decoded(level / 255); });
+    return with_tones(picture, [](double level) { return 255 * srgb_decoded(level / 255); });
 }
 
 template <int percent>

@@ -1,7 +1,8 @@
 #include <glm/gtc/constants.hpp>
-#include <map>
 
 #include "calibrate/picture_operators.hpp"
+#include "calibrate/picture_pair.hpp"
+#include "judge/image_rule.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -58,20 +59,14 @@ Result aspect_ignored(const Image& picture, Random&)
     return resampled(picture, [centre = centre_of(picture)](glm::dvec2 at) { return glm::dvec2(centre.x + (at.x - centre.x) * 0.75, at.y); });
 }
 
-glm::u8vec4 most_frequent_border(const Image& picture)
+glm::u8vec4 background_colour(const Image& image)
 {
-    std::map<std::array<std::uint8_t, 4>, int> counts;
-    const auto count = [&](int x, int y) {
-        const glm::u8vec4& p = picture.at(x, y);
-        ++counts[{p.r, p.g, p.b, p.a}];
-    };
-    for (int x = 0; x < picture.width; ++x) count(x, 0), count(x, picture.height - 1);
-    for (int y = 0; y < picture.height; ++y) count(0, y), count(picture.width - 1, y);
-    const auto most = std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; });
-    return {most->first[0], most->first[1], most->first[2], most->first[3]};
+    const Picture picture = to_picture(image);
+    const auto colour = background_of(picture);
+    return {colour[0], colour[1], colour[2], picture.channels == 4 ? colour[3] : std::uint8_t{255}};
 }
 
-Result blank(const Image& picture, Random&) { return Image(picture.width, picture.height, most_frequent_border(picture)); }
+Result blank(const Image& picture, Random&) { return Image(picture.width, picture.height, background_colour(picture)); }
 
 // A pixel of what is shown, not of what is behind it.
 std::optional<glm::ivec2> some_content(const Image& picture, const glm::u8vec4& background, Random& random)
@@ -85,7 +80,7 @@ std::optional<glm::ivec2> some_content(const Image& picture, const glm::u8vec4& 
 
 Result triangle_missing(const Image& picture, Random& random)
 {
-    const glm::u8vec4 background = most_frequent_border(picture);
+    const glm::u8vec4 background = background_colour(picture);
     const auto at = some_content(picture, background, random);
     if (!at) return std::nullopt;
     Image result = picture;
@@ -98,7 +93,7 @@ Result triangle_missing(const Image& picture, Random& random)
 // A seam that two triangles leave open: one pixel wide, forty long.
 Result crack(const Image& picture, Random& random)
 {
-    const glm::u8vec4 background = most_frequent_border(picture);
+    const glm::u8vec4 background = background_colour(picture);
     const auto at = some_content(picture, background, random);
     if (!at) return std::nullopt;
     Image result = picture;
@@ -109,7 +104,7 @@ Result crack(const Image& picture, Random& random)
 
 Result quarter_missing(const Image& picture, Random&)
 {
-    const glm::u8vec4 background = most_frequent_border(picture);
+    const glm::u8vec4 background = background_colour(picture);
     Image result = picture;
     for (int y = 0; y < picture.height / 2; ++y)
         for (int x = 0; x < picture.width / 2; ++x) result.at(x, y) = background;

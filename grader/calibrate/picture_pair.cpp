@@ -1,7 +1,6 @@
 #include "calibrate/picture_pair.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "judge/image_rule.hpp"
 
@@ -20,11 +19,7 @@ bool held_out(const std::string& scene)
 Picture to_picture(const Image& image)
 {
     const bool opaque = std::ranges::all_of(image.cells, [](const glm::u8vec4& pixel) { return pixel.a == 255; });
-    const std::uint32_t channels = opaque ? 3 : 4;
-    Tensor tensor{Element::uint8, static_cast<std::uint32_t>(image.height), static_cast<std::uint32_t>(image.width), channels, {}, {}};
-    tensor.bytes.resize(image.cells.size() * channels);
-    for (std::size_t i = 0; i < image.cells.size(); ++i) std::memcpy(tensor.bytes.data() + i * channels, &image.cells[i], channels);
-    return to_picture(Check{}, tensor);
+    return to_picture(Check{}, as_tensor(image, opaque ? 3 : 4));
 }
 
 Image to_image(const Picture& picture)

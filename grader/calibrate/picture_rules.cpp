@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "judge/image_edges.hpp"
 #include "judge/image_metrics.hpp"
 #include "judge/stochastic.hpp"
 
@@ -49,22 +50,16 @@ double gradient(const HalfLuma& luma, int x, int y)
     return std::hypot(across, down) / 3;
 }
 
-bool has_similar(const Picture& a, const Picture& b, int x, int y)
-{
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-            bool similar = true;
-            for (int c = 0; c < a.channels && similar; ++c) similar = std::abs(int{a.row(c, y)[x]} - int{b.row(c, y + dy)[x + dx]}) <= 10;
-            if (similar) return true;
-        }
-    return false;
-}
-
 double share_without_similar(const Picture& a, const Picture& b)
 {
+    constexpr std::uint8_t similar = 10;
     std::size_t count = 0;
-    for (int y = 0; y < a.height; ++y)
-        for (int x = 0; x < a.width; ++x) count += has_similar(a, b, x, y) ? 0 : 1;
+    std::vector<std::uint8_t> least(static_cast<std::size_t>(a.width));
+    std::vector<std::uint8_t> room(least.size());
+    for (int y = 0; y < a.height; ++y) {
+        least_difference(a, b, y, least, room);
+        count += static_cast<std::size_t>(std::ranges::count_if(least, [](std::uint8_t difference) { return difference > similar; }));
+    }
     return static_cast<double>(count) / (static_cast<double>(a.width) * a.height);
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 #include "judge/image_difference.hpp"
 #include "judge/image_metrics.hpp"
 #include "judge/judge.hpp"
+#include "judge/picture.hpp"
 #include "judge/stochastic.hpp"
 #include "report/html/pages.hpp"
 #include "report/paint.hpp"
@@ -27,14 +27,6 @@ struct Options {
     bool stochastic = false;
     bool json = false;
 };
-
-Tensor as_tensor(const Image& image)
-{
-    Tensor tensor{Element::uint8, static_cast<std::uint32_t>(image.height), static_cast<std::uint32_t>(image.width), 4, {}, {}};
-    tensor.bytes.resize(tensor.count());
-    std::memcpy(tensor.bytes.data(), image.cells.data(), tensor.bytes.size());
-    return tensor;
-}
 
 Image read(const std::string& path)
 {

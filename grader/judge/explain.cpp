@@ -23,15 +23,6 @@ bool comparable(const FailingCheck& failing)
            failing.expected->cells() > 0 && !shape_error(*failing.check, *failing.student, *failing.expected);
 }
 
-// Two results that are both not finite went wrong in the same way: give them one value that no right answer has.
-Tensor finite(const Tensor& tensor)
-{
-    std::vector<double> values = to_doubles(tensor);
-    for (double& value : values)
-        if (!std::isfinite(value)) value = 3e38;
-    return with_values(tensor, values);
-}
-
 std::vector<bool> counted(const std::vector<RowState>& states)
 {
     std::vector<bool> result(states.size());
@@ -86,8 +77,8 @@ double mending_bits(const Check& check, const FailingCheck& one, const Tensor& u
         return agreement_bits(*one.student, *one.expected, std::vector<bool>(cells, true), different_pixels(check, *one.student, *one.expected));
     Check rows = check;
     rows.pairs = false;
-    const auto before = row_states(rows, *one.student, finite(*one.expected), one.margin, kind_of_rows(check));
-    const auto after = row_states(rows, undone, finite(*one.expected), one.margin, kind_of_rows(check));
+    const auto before = row_states(rows, *one.student, made_finite(*one.expected), one.margin, kind_of_rows(check));
+    const auto after = row_states(rows, undone, made_finite(*one.expected), one.margin, kind_of_rows(check));
     return agreement_bits(*one.student, *one.expected, counted(before), mended_rows(before, after));
 }
 
@@ -97,13 +88,13 @@ std::optional<Resemblance> says_of(const NamedTransform& transform, const Check&
     if (!one.fails && transform.fitted_bits > 0) return Resemblance{};
     const auto undone = transform.undo(check, *one.student, *one.expected);
     if (!undone) return std::nullopt;
-    if (*undone == *one.student) return Resemblance{one.fails ? Says::against_it : Says::nothing, 0};
+    if (*undone == *one.student) return one.fails ? differently : Resemblance{};
     const double after = fraction_right(check, *undone, *one.expected, one.margin);
-    if (!one.fails) return Resemblance{after < check.full ? Says::against_it : Says::nothing, 0};
+    if (!one.fails) return after < check.full ? differently : Resemblance{};
     if (raises(before, after, check.full)) return Resemblance{Says::for_it, std::max(0.0, mending_bits(check, one, *undone) - transform.fitted_bits)};
     // Where next to all of the error is gone, what is left may be what undoing lost in rounding: hard cases ask for the last digits.
     const bool nearly = distance(*undone, *one.expected) <= thresholds::rounding_left * distance(*one.student, *one.expected);
-    return Resemblance{nearly ? Says::nothing : Says::against_it, 0};
+    return nearly ? Resemblance{} : differently;
 }
 
 /// What the checks say of one transform.
@@ -154,7 +145,7 @@ std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& c
             std::optional<Resemblance> said;
             // Too little of an error to tell what it is: rounding, to the wider tolerance.
             if (can_be_tried && one.fails && before >= check.full)
-                said = Resemblance{Says::against_it, 0};
+                said = differently;
             else if (can_be_tried)
                 said = says_of(transforms[i], check, one, before);
             if (!said && one.fails) ++trials[i].not_tried[kind];
@@ -177,16 +168,14 @@ std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& c
 
 namespace {
 
-constexpr Resemblance differently{Says::against_it, 0};
-
 Resemblance same_rows(Check check, const FailingCheck& failing, const Tensor& mistake_tensor)
 {
     check.pairs = false;
     if (!has_bound(check.tolerance)) check.tolerance.absolute = 0;
     const RowKind& kind = kind_of_rows(check);
-    const Tensor student = finite(*failing.student);
-    const Tensor expected = finite(*failing.expected);
-    const Tensor mistake = finite(mistake_tensor);
+    const Tensor student = made_finite(*failing.student);
+    const Tensor expected = made_finite(*failing.expected);
+    const Tensor mistake = made_finite(mistake_tensor);
     const auto student_states = row_states(check, student, expected, failing.margin, kind);
     const auto mistake_states = row_states(check, mistake, expected, failing.margin, kind);
     const auto agreement = row_states(check, student, mistake, failing.margin, kind);

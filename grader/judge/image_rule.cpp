@@ -6,14 +6,13 @@
 #include <glm/glm.hpp>
 #include <numeric>
 
+#include "judge/image_edges.hpp"
 #include "judge/thresholds.hpp"
 
 namespace umbral::grader {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-std::uint8_t apart(std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(std::max(a, b) - std::min(a, b)); }
 
 // 1 where a pixel differs from the background by more than so many levels.
 Bytes content_of(const Picture& picture, const std::array<std::uint8_t, 4>& background, int levels)
@@ -54,44 +53,6 @@ Bytes smooth_part(const Picture& picture)
             }
         }
     return smooth;
-}
-
-// Least difference of each pixel of a's row y to the 3x3 neighbourhood of the same place in b; `best` and `pixel` hold a row. Bytes may
-// alias anything, so the pointers say that they do not: the loops become vector code, 20 times as fast.
-void least_difference(const Picture& a, const Picture& b, int y, std::uint8_t* __restrict best, std::uint8_t* __restrict pixel)
-{
-    const auto width = static_cast<std::size_t>(a.width);
-    std::fill_n(best, width, std::uint8_t{255});
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-            std::fill_n(pixel, width, std::uint8_t{0});
-            for (int c = 0; c < a.channels; ++c) {
-                const std::uint8_t* __restrict from = a.row(c, y);
-                const std::uint8_t* __restrict to = b.row(c, y + dy) + dx;
-                for (std::size_t x = 0; x < width; ++x) pixel[x] = std::max(pixel[x], apart(from[x], to[x]));
-            }
-            for (std::size_t x = 0; x < width; ++x) best[x] = std::min(best[x], pixel[x]);
-        }
-}
-
-// (a): 1 for each pixel without a similar one. The larger of the two directions decides, so that neither a lost nor an added thin line
-// finds an excuse.
-Bytes edge_errors(const Picture& student, const Picture& expected, const Bytes& difference)
-{
-    const auto width = static_cast<std::size_t>(expected.width);
-    Bytes errors(difference.size(), 0);
-    Bytes one(width);
-    Bytes other(width);
-    Bytes pixel(width);
-    for (int y = 0; y < expected.height; ++y) {
-        const auto start = difference.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * width);
-        if (*std::max_element(start, start + static_cast<std::ptrdiff_t>(width)) <= thresholds::edge_levels) continue;
-        least_difference(student, expected, y, one.data(), pixel.data());
-        least_difference(expected, student, y, other.data(), pixel.data());
-        std::uint8_t* out = errors.data() + static_cast<std::size_t>(y) * width;
-        for (std::size_t x = 0; x < width; ++x) out[x] = std::max(one[x], other[x]) > thresholds::edge_levels ? 1 : 0;
-    }
-    return errors;
 }
 
 // What edge pixels that changed hands, which (a) forgives, add to the sum of a channel's differences: nothing as long as it is within three

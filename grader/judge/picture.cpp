@@ -12,21 +12,31 @@ namespace {
 
 bool is_float(const Tensor& tensor) { return tensor.element == Element::float32 || tensor.element == Element::float64; }
 
-template <class Value, class Convert>
-void split(const Tensor& tensor, Picture& picture, Convert convert)
+// The number of channels is a constant, so that reading every fourth byte becomes vector code.
+template <std::size_t channels, class Value, class Convert>
+void split_channels(const Tensor& tensor, Picture& picture, Convert convert)
 {
-    const auto channels = static_cast<std::size_t>(picture.channels);
     const auto width = static_cast<std::size_t>(picture.width);
-    for (int c = 0; c < picture.channels; ++c)
+    for (std::size_t c = 0; c < channels; ++c)
         for (int y = 0; y < picture.height; ++y) {
-            const std::byte* source = tensor.bytes.data() + (static_cast<std::size_t>(y) * width * channels + static_cast<std::size_t>(c)) * sizeof(Value);
-            std::uint8_t* target = picture.row(c, y);
+            const std::byte* __restrict source = tensor.bytes.data() + (static_cast<std::size_t>(y) * width * channels + c) * sizeof(Value);
+            std::uint8_t* __restrict target = picture.row(static_cast<int>(c), y);
             for (std::size_t x = 0; x < width; ++x) {
                 Value value;
                 std::memcpy(&value, source + x * channels * sizeof(Value), sizeof(Value));
                 target[x] = convert(value);
             }
         }
+}
+
+template <class Value, class Convert>
+void split(const Tensor& tensor, Picture& picture, Convert convert)
+{
+    switch (picture.channels) {
+        case 1: return split_channels<1, Value>(tensor, picture, convert);
+        case 3: return split_channels<3, Value>(tensor, picture, convert);
+        default: return split_channels<4, Value>(tensor, picture, convert);
+    }
 }
 
 void repeat_border(Picture& picture)
@@ -73,6 +83,14 @@ Picture to_picture(const Check& check, const Tensor& tensor)
         split<double>(tensor, picture, level);
     repeat_border(picture);
     return picture;
+}
+
+Tensor as_tensor(const Image& image, std::uint32_t channels)
+{
+    Tensor tensor{Element::uint8, static_cast<std::uint32_t>(image.height), static_cast<std::uint32_t>(image.width), channels, {}, {}};
+    tensor.bytes.resize(tensor.count());
+    for (std::size_t i = 0; i < image.cells.size(); ++i) std::memcpy(tensor.bytes.data() + i * channels, &image.cells[i], channels);
+    return tensor;
 }
 
 bool complete(const Tensor& tensor)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <umbral/core/grid.hpp>
 #include <vector>
 
 #include "model/exercise.hpp"
@@ -35,6 +36,9 @@ private:
 /// The picture in a tensor of 1, 3 or 4 channels of bytes or floats. Floats are mapped so that check.range_low is 0 and range_high 255,
 /// rounded, and clamped: beyond the range the check does not look. Throws std::invalid_argument for any other tensor or an empty range.
 [[nodiscard]] Picture to_picture(const Check& check, const Tensor& tensor);
+
+/// An image as a tensor: bytes, the first `channels` (1..4) of each pixel.
+[[nodiscard]] Tensor as_tensor(const Image& image, std::uint32_t channels = 4);
 
 /// Throws what to_picture would throw for this tensor, at no cost.
 void check_picture(const Check& check, const Tensor& tensor);

@@ -15,7 +15,7 @@ namespace {
 /// What one event, fragment or count that is wrong in the same way says.
 constexpr double bits_each = 3;
 
-// Values that are not finite become one that no right answer has, so that two of them agree.
+// Nothing at all is an empty table of the expected shape.
 Tensor comparable(const Tensor& tensor, const Tensor& expected)
 {
     if (tensor.cells() == 0) {
@@ -25,10 +25,7 @@ Tensor comparable(const Tensor& tensor, const Tensor& expected)
         empty.present.clear();
         return empty;
     }
-    std::vector<double> values = to_doubles(tensor);
-    for (double& value : values)
-        if (!std::isfinite(value)) value = 3e38;
-    return with_values(tensor, values);
+    return made_finite(tensor);
 }
 
 /// Lists of three recordings at one place.
@@ -54,8 +51,6 @@ void for_each_of_three(const FragmentTable& yours, const FragmentTable& expected
         visit(three);
     });
 }
-
-constexpr Resemblance differently{Says::against_it, 0};
 
 /// A few numbers that agree, each of which says something; one alone if everything is lost, as with code that does nothing.
 Resemblance alike(std::size_t agreeing, bool nothing_at_all)

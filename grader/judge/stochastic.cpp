@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "judge/error_budget.hpp"
+#include "judge/srgb.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 /// A tile's difference is no noise beyond this many standard deviations: all of it counts as misplaced.
 constexpr double certain = 3;
 
-/// Light of a code value, and the step to the next one there. Based on: IEC 61966-2-1 (sRGB).
+/// Light of a code value, and the step to the next one there.
 struct Decoding {
     std::array<double, 256> light{};
     std::array<double, 256> step{};
@@ -25,10 +26,7 @@ const Decoding& decoding()
 {
     static const Decoding table = [] {
         Decoding made;
-        for (std::size_t code = 0; code < 256; ++code) {
-            const double value = static_cast<double>(code) / 255;
-            made.light[code] = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-        }
+        for (std::size_t code = 0; code < 256; ++code) made.light[code] = srgb_decoded(static_cast<double>(code) / 255);
         for (std::size_t code = 0; code < 256; ++code) {
             const std::size_t below = std::min<std::size_t>(code, 254);
             made.step[code] = made.light[below + 1] - made.light[below];

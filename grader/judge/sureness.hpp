@@ -26,6 +26,9 @@ struct Resemblance {
     double bits = 0;  ///< where it speaks for the candidate: how much
 };
 
+/// Only one of the two fails the check, or both do in different ways.
+inline constexpr Resemblance differently{Says::against_it, 0};
+
 /// What all checks say.
 struct Testimony {
     std::size_t for_it = 0;

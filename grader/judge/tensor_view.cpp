@@ -82,6 +82,14 @@ Tensor with_values(const Tensor& like, std::span<const double> values)
     return tensor;
 }
 
+Tensor made_finite(const Tensor& tensor)
+{
+    std::vector<double> values = to_doubles(tensor);
+    for (double& value : values)
+        if (!std::isfinite(value)) value = 3e38;
+    return with_values(tensor, values);
+}
+
 TensorView::TensorView(const Tensor& tensor) : cells_(tensor.cells()), components_(tensor.components), values_(to_doubles(tensor)), present_(tensor.present) {}
 
 bool well_formed(const Tensor& tensor)

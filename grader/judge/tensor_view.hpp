@@ -36,6 +36,9 @@ private:
 /// A tensor of the shape, type and presence of `like` with these values; integers are rounded and clamped to their range.
 [[nodiscard]] Tensor with_values(const Tensor& like, std::span<const double> values);
 
+/// The tensor with one value, which no right answer has, for all that are not finite: two results that are both not finite went wrong alike.
+[[nodiscard]] Tensor made_finite(const Tensor& tensor);
+
 /// Does the tensor hold as many bytes, and as much presence, as its shape says?
 [[nodiscard]] bool well_formed(const Tensor& tensor);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "judge/srgb.hpp"
 #include "judge/tensor_view.hpp"
 #include "judge/transforms.hpp"
 
@@ -66,9 +67,6 @@ bool varied(const std::vector<ValuePair>& pairs)
     return levels.size() >= 4;
 }
 
-// IEC 61966-2-1: what files and screens hold, from light, and back.
-double encode(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
-double decode(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 double invert(double v) { return 1 - v; }
 
 template <double (*tone)(double)>
@@ -141,8 +139,8 @@ std::vector<NamedTransform> tone_transforms()
     return {
         {"inverted", "Your picture is a negative: the levels run the wrong way (1 - x instead of x).", by_tone<invert>},
         {"gamma applied twice", "Your picture is too bright in its dark parts as if sRGB had been encoded twice: encode once, when the picture is written.",
-         by_tone<encode>},
-        {"gamma missing", "Your picture is too dark in its middle tones as if sRGB had been decoded once too often, or never encoded.", by_tone<decode>},
+         by_tone<srgb_encoded>},
+        {"gamma missing", "Your picture is too dark in its middle tones as if sRGB had been decoded once too often, or never encoded.", by_tone<srgb_decoded>},
         {"light scaled", "Your picture has a constant factor times the expected light.", rescale_light, describe_light, 6},
         {"too dark by a constant", "Your picture differs from the expected one by a constant light.", remove_light_offset, describe_light_offset, 6},
     };

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "judge/srgb.hpp"
 #include "report/triptych.hpp"
 
 namespace umbral::grader {
@@ -36,9 +37,6 @@ glm::u8vec4 colour_of_id(std::uint32_t id)
     return {channel(5), channel(3), channel(1), 255};
 }
 
-/// Based on: IEC 61966-2-1 (sRGB).
-double encoded(double light) { return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055; }
-
 template <class Value>
 glm::u8vec4 measured(const Tensor& tensor, const Check& check, std::size_t cell)
 {
@@ -47,7 +45,7 @@ glm::u8vec4 measured(const Tensor& tensor, const Check& check, std::size_t cell)
         const double value = static_cast<double>(element<Value>(tensor, cell * tensor.components + c));
         if (std::isnan(value)) return not_a_number;
         const double share = std::clamp((value - check.range_low) / (check.range_high - check.range_low), 0.0, 1.0);
-        colour[static_cast<int>(c)] = static_cast<glm::u8>(std::lround(255 * (check.judge == JudgeKind::noise ? encoded(share) : share)));
+        colour[static_cast<int>(c)] = static_cast<glm::u8>(std::lround(255 * (check.judge == JudgeKind::noise ? srgb_encoded(share) : share)));
     }
     if (tensor.components == 1) colour.g = colour.b = colour.r;
     return colour;

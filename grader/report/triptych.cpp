@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "judge/image_difference.hpp"
+#include "judge/picture.hpp"
 #include "report/colour_map.hpp"
 #include "report/font.hpp"
 
@@ -78,14 +78,6 @@ void draw(Image& target, int left, int top, const Window& part, const View& view
     for (int y = 0; y < view.shown(part.height); ++y)
         for (int x = 0; x < view.shown(part.width); ++x)
             target.at(left + x, top + y) = over_checkers(colour(part.x + x / view.enlarge * view.thin, part.y + y / view.enlarge * view.thin), x, y);
-}
-
-Tensor as_tensor(const Image& image)
-{
-    Tensor tensor{Element::uint8, static_cast<std::uint32_t>(image.height), static_cast<std::uint32_t>(image.width), 4, {}, {}};
-    tensor.bytes.resize(tensor.count());
-    if (!tensor.bytes.empty()) std::memcpy(tensor.bytes.data(), image.cells.data(), tensor.bytes.size());
-    return tensor;
 }
 
 /// The pictures' difference, its largest level, and where it is worst.

@@ -1,8 +1,7 @@
-#include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <opencv2/core.hpp>
 
+#include "calibrate/best_time.hpp"
 #include "judge/image_difference.hpp"
 #include "judge/image_metrics.hpp"
 #include "judge/image_rule.hpp"
@@ -16,13 +15,7 @@ using namespace umbral::grader;
 template <class Work>
 void report(const char* what, Work work)
 {
-    double best = 1e9;
-    for (int i = 0; i < 15; ++i) {
-        const std::clock_t start = std::clock();
-        work();
-        best = std::min(best, 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    std::printf("%-46s %8.3f ms\n", what, best);
+    std::printf("%-46s %8.3f ms\n", what, best_milliseconds(work));
 }
 
 }
