@@ -13,6 +13,10 @@
 namespace umbral::grader {
 namespace {
 
+/// How far values of normal noise lie beyond its mean, on average, in standard deviations: sqrt(2 / pi). So much does clipping there cut off
+/// from each value that it cuts, and less where it cuts less than half of them.
+constexpr double mean_excess = 0.7979;
+
 /// A tile's difference is no noise beyond this many standard deviations: all of it counts as misplaced.
 constexpr double certain = 3;
 
@@ -47,6 +51,7 @@ double forgiven_sum(const TileSums& sums, const Forgiven& forgiven)
         const double mean = sums.difference / sums.count;
         const double variance = std::max(0.0, sums.squares / sums.count - mean * mean);
         sum += sums.steps * std::exp(-std::numbers::pi * std::numbers::pi * variance / (step * step));
+        sum += sums.clipped * mean_excess * std::sqrt(variance);
     }
     return sum;
 }

@@ -26,7 +26,7 @@ struct Forgiven {
     double relative = 0;  ///< share of the expected mean
     double absolute = 0;
 };
-/// Of pictures of bytes: what clipping at 255 takes from the noisier of two. The width of rounding is forgiven besides.
+/// Of pictures of bytes. The width of rounding, and what clipping at white takes from the noisier of two, are forgiven besides.
 inline constexpr Forgiven forgiven_bytes{0.005, 0};
 /// Of floats: what sums of some hundred roundings can do.
 inline constexpr Forgiven forgiven_floats{2e-5, 0};
@@ -92,7 +92,8 @@ struct TileSums {
     double difference = 0;
     double squares = 0;  ///< of differences
     double cubes = 0;
-    double steps = 0;  ///< of rounding at the expected values
+    double steps = 0;    ///< of rounding at the expected values
+    double clipped = 0;  ///< cells that are white in one of the pictures: how much brighter they are was cut off
     TileSums& operator+=(const TileSums& other);
 };
 

@@ -36,7 +36,9 @@ TileSums sums_of(const Estimates& yours, const Estimates& expected, std::size_t 
             sums.difference += difference;
             sums.squares += square;
             sums.cubes += square * difference;
-            if (!expected.steps.empty()) sums.steps += expected.steps[at];
+            if (expected.steps.empty()) continue;
+            sums.steps += expected.steps[at];
+            sums.clipped += yours.values[at] >= 1 || expected.values[at] >= 1 ? 1 : 0;
         }
     }
     sums.count = static_cast<double>(right - left) * (bottom - top);
@@ -83,6 +85,7 @@ TileSums& TileSums::operator+=(const TileSums& other)
     squares += other.squares;
     cubes += other.cubes;
     steps += other.steps;
+    clipped += other.clipped;
     return *this;
 }
 

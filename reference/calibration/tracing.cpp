@@ -20,6 +20,14 @@ constexpr Real pi = Real(3.14159265358979);
 constexpr Real far_away = Real(1e9);
 constexpr Real lift = Real(1e-3);
 
+/// Based on: IEC 61966-2-1 (sRGB).
+std::uint8_t encoded(Real light)
+{
+    const Real seen = std::clamp(light, Real(0), Real(1));
+    const Real code = seen <= Real(0.0031308) ? Real(12.92) * seen : Real(1.055) * std::pow(seen, 1 / Real(2.4)) - Real(0.055);
+    return static_cast<std::uint8_t>(code * Real(255) + Real(0.5));
+}
+
 struct Hit {
     Real distance = far_away;
     vec3 place{0};
@@ -51,8 +59,8 @@ public:
                 random_ = Random(world_.seed * 0x100000000U + (flaw_ == Flaw::jitter_correlated ? 0 : pixel));
                 vec3 sum(0);
                 for (sample_ = 0; sample_ < world_.samples; ++sample_) sum += estimate(x, y);
-                const vec3 mean = glm::clamp(sum * (strength_ / static_cast<Real>(world_.samples)), Real(0), Real(1));
-                image.at(x, y) = glm::u8vec4(glm::u8vec3(mean * Real(255) + Real(0.5)), 255);
+                const vec3 mean = sum * (strength_ / static_cast<Real>(world_.samples));
+                image.at(x, y) = {encoded(mean.x), encoded(mean.y), encoded(mean.z), 255};
             }
         return image;
     }

@@ -126,6 +126,23 @@ TEST(Stochastic, RoundingIsForgiven)
     }
 }
 
+// Clipping takes light from noise that reaches beyond white: from fewer samples more, though both estimate the same.
+TEST(Stochastic, ClippingAtWhiteIsForgiven)
+{
+    Random random(20260104);
+    const auto bright = [](int x, int) { return x < 32 ? 0.85 : 0.3; };
+    for (int i = 0; i < 20; ++i) {
+        const Picture expected = rendered(random, 64, 64, 3, 64, bright);
+        const StochasticRule fewer = apply_stochastic_rule(rendered(random, 64, 64, 3, 16, bright), expected);
+        EXPECT_TRUE(fewer.agree) << fewer.message();
+        // What is not clipped is judged as ever.
+        const StochasticRule darker =
+            apply_stochastic_rule(rendered(random, 64, 64, 3, 64, [&](int x, int y) { return bright(x, y) * (x < 32 ? 1 : 0.9); }), expected);
+        EXPECT_FALSE(darker.agree);
+        EXPECT_GE(darker.x + darker.width, 32);
+    }
+}
+
 TEST(Stochastic, SmallAndOddSizesAreJudged)
 {
     Random random(6);
