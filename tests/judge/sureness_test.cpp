@@ -65,6 +65,29 @@ TEST(Sureness, TheBackgroundOfAGridIsNoPlace)
     EXPECT_NEAR(agreement_bits(blank, shape, std::vector<bool>(100, true), lost), 1, 1e-12);
 }
 
+TEST(Sureness, ChecksAddUp)
+{
+    Testimony all;
+    for (const Resemblance& one : {Resemblance{Says::for_it, 3}, Resemblance{Says::against_it, 0}, Resemblance{}, Resemblance{Says::for_it, 4}}) all += one;
+    EXPECT_EQ(all.for_it, 2U);
+    EXPECT_EQ(all.against_it, 1U);
+    EXPECT_EQ(all.bits, 7);
+    EXPECT_NEAR(fit(all), 2.0 / 3, 1e-12);
+}
+
+TEST(Sureness, SharedWrongValuesCountByWhatTheySay)
+{
+    const auto bits = [](const std::vector<float>& yours, const std::vector<float>& expected, const std::vector<bool>& alike, std::uint32_t components = 1) {
+        return agreement_bits(floats(yours, components), floats(expected, components), std::vector<bool>(alike.size(), true), alike);
+    };
+    EXPECT_NEAR(bits({5.5F, 5.5F, 7.25F, 4}, {1, 2, 3, 4}, {true, true, true, false}), 2 * 6 + 2, 1e-9) << "two different numbers, one of four patterns";
+    EXPECT_NEAR(bits({0, 0, 3, 4}, {1, 2, 3, 4}, {true, true, false, false}), 1 + std::log2(6), 1e-9) << "many errors give nothing";
+    EXPECT_NEAR(bits({9.5F, 2}, {1, 2}, {true}, 2), 6, 1e-9) << "the right half of a row says nothing";
+    std::vector<float> many(40);
+    for (std::size_t i = 0; i < many.size(); ++i) many[i] = 2.5F + static_cast<float>(i);
+    EXPECT_NEAR(bits(many, std::vector<float>(40, 1), std::vector<bool>(40, true)), thresholds::most_value_bits, 1e-9);
+}
+
 Explanation said(const std::string& name, double confidence) { return {name, "A sentence.", confidence}; }
 
 std::vector<std::string> names(const std::vector<Explanation>& list)
