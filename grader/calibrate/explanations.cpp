@@ -52,7 +52,7 @@ private:
         return cases;
     }
 
-    /// Points as far as explanations ask for them: all of a check's, or not all.
+    /// Points as far as explanations ask for them: all of a check's, or not all; a relation's by its value alone.
     UnitResult judged(const CaseResults& cases)
     {
         UnitResult result;

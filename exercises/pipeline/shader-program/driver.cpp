@@ -114,8 +114,8 @@ void uniforms(Case& c, Recorder& out)
         names[i] = in_use();
     }
     for (int round = 0; round < 12; ++round) {
-        const std::size_t chosen = c.random.below(3);
-        const std::uint32_t active = c.random.below(4);
+        const std::uint32_t chosen = c.random.below(3);
+        const std::uint32_t active = (chosen + 1 + c.random.below(3)) % 4;
         if (active < 3)
             programs[active]->use();
         else
