@@ -228,7 +228,7 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     if (rule.everywhere() >= thresholds::window_ratio) return rule;
     Bytes surface(smooth.size());
     // What is wrong by (a) is counted there.
-    for (std::size_t i = 0; i < content.size(); ++i) surface[i] = static_cast<std::uint8_t>(smooth[i] & content[i] & (errors[i] ^ 1U));
+    for (std::size_t i = 0; i < content.size(); ++i) surface[i] = static_cast<std::uint8_t>(smooth[i] & (errors[i] ^ 1U));
     rule.surface = worst_level_window(student, expected, surface);
     rule.ratios[5] = rule.surface.ratio;
     // Edges that move change some pixel by more than noise does.

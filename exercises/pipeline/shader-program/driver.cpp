@@ -183,7 +183,7 @@ void pictures(Case&, Recorder& out)
                                {seen(0.3F), lamp, true, false, true}},
                               352));
     out.image("smooth", lit({{seen(1.1F), lamp, true, false, false}}, 160));
-    out.image("stretched", lit({{seen(0.5F, {1.3F, 0.5F, 1}), lamp, true, false, false}}, 160));
+    out.image("stretched", lit({{seen(0.5F, {1.25F, 0.62F, 1}), lamp, true, false, false}}, 160));
 }
 
 void random(Case& c, Recorder& out)

@@ -31,7 +31,9 @@ inline void paint_grove(Pipeline& pipeline)
     pipeline.draw_polyline(std::array<glm::vec2, 2>{{{-10, 0}, {20, 0}}});
 }
 
-inline glm::mat4 grove_window() { return glm::ortho(-2.9F, 9.1F, -0.6F, 6.4F); }
+/// 80 pixels a unit, and by parts of a pixel beside whole ones: corners of trunks, at 2^-k, must not lie on the middle between two pixels,
+/// where rounding would choose one.
+inline glm::mat4 grove_window() { return glm::ortho(-2.9137F, 9.0863F, -0.6071F, 6.3929F); }
 
 /// 480 x 280 pixels, by the programmable pipeline.
 inline Image draw_grove()
