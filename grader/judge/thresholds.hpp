@@ -34,7 +34,7 @@ constexpr double shift_minimum = 0.25;
 constexpr double shift_ratio = 4.5;
 
 // (e) Holes and cracks: so many of the pixels of (a) in one window of 16 x 16 are no accident.
-constexpr double cluster_pixels = 12;
+constexpr double cluster_pixels = 7;
 
 // (f) A surface's mean level in one window of 16 x 16, of its smooth pixels only.
 constexpr double window_levels = 2.2;

@@ -33,6 +33,27 @@ TEST(ImageDetails, SubRuleB_TextureOfYoursIsNoEdgeThatExcusesIt)
     EXPECT_GT(rule(off, balls()).ratios[1], 10);
 }
 
+// As many pixels as a small triangle has, and what right line drawings differ by.
+TEST(ImageDetails, SubRuleE_AHoleOfNinePixelsIsOne)
+{
+    const Tensor right = balls(512);
+    const auto hole = [&](int width, int height) {
+        return repaint(right, [&](int x, int y) {
+            return x >= 200 && x < 200 + width && y >= 180 && y < 180 + height ? Colour{8, 10, 40, 255} : pixel(right, x, y);
+        });
+    };
+    EXPECT_GT(rule(hole(3, 3), right).ratios[4], 1);
+    EXPECT_LT(rule(hole(3, 1), right).ratios[4], 0.5);
+}
+
+TEST(ImageDetails, SubRuleF_AFaintSpotOnTheBackgroundIsFound)
+{
+    const Tensor spot = repaint(balls(), [](int x, int y) { return x < 24 && y < 24 ? moved(pixel(scene(), x, y), 4) : pixel(scene(), x, y); });
+    const ImageRule found = rule(spot, balls());
+    for (const std::size_t part : {0U, 1U, 2U, 3U, 4U}) EXPECT_LE(found.ratios[part], 1) << part;
+    EXPECT_GT(found.ratios[5], 1);
+}
+
 TEST(ImageDetails, ABackgroundThatIsDitheredIsNoContent)
 {
     const auto dithered = [](int x, int y) {

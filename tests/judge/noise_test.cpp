@@ -71,6 +71,26 @@ TEST(Noise, OtherNumbersOfTheSameLightAreRight)
     }
 }
 
+TEST(Noise, AlphaIsNoLight)
+{
+    Random random(seed);
+    const auto with_alpha = [&](float alpha) {
+        const Tensor light = run(random);
+        std::vector<float> values;
+        for (std::size_t i = 0; i < light.count(); ++i) {
+            float value = 0;
+            std::memcpy(&value, light.bytes.data() + i * sizeof value, sizeof value);
+            values.push_back(value);
+            if (i % 3 == 2) values.push_back(alpha);
+        }
+        Tensor tensor = floats(values, 4);
+        tensor.rows = light.rows;
+        tensor.columns = light.columns;
+        return tensor;
+    };
+    EXPECT_EQ(right(with_alpha(0), with_alpha(1)), 1);
+}
+
 TEST(Noise, CreditFallsWithTheLightInTheWrongPlace)
 {
     SCOPED_TRACE(seed);
@@ -224,6 +244,12 @@ TEST(Noise, TwoRunsAreJudgedTogether)
     EXPECT_GT(wrong.right, 0.5);
     EXPECT_FALSE(wrong.message.empty());
     EXPECT_EQ(wrong.metrics.at("probability_first"), 3e-5);
+    // The worse of the two says what is wrong.
+    second.metrics["probability"] = 2e-5;
+    second.message = "the light is too low";
+    EXPECT_EQ(judge_both(first, second).message.find("the light is too low"), 0U);
+    EXPECT_EQ(judge_both(second, first).message.find("the light is too low"), 0U);
+    second.message = "";
     second.metrics["probability"] = 0.4;
     EXPECT_EQ(judge_both(first, second).right, 1);
     // Wrong by itself, saved by the second.

@@ -143,6 +143,47 @@ TEST(Stochastic, ClippingAtWhiteIsForgiven)
     }
 }
 
+// The mean of codes would depend on how noisy a picture is; the mean of light does not.
+TEST(Stochastic, FewerSamplesOfTheSameLightAgree)
+{
+    Random random(20260105);
+    const auto dim = [](int, int y) { return 0.05 + 0.003 * y; };
+    for (int i = 0; i < 20; ++i) {
+        const Picture expected = rendered(random, 64, 64, 3, 256, dim);
+        const StochasticRule found = apply_stochastic_rule(rendered(random, 64, 64, 3, 8, dim), expected);
+        EXPECT_TRUE(found.agree) << found.message();
+    }
+}
+
+TEST(Stochastic, OneWhitePixelExcusesNoOther)
+{
+    Random random(20260106);
+    const auto lamps = [](int x, int y) { return x % 16 == 3 && y % 16 == 3 ? 100.0 : 0.3; };
+    const Picture expected = rendered(random, 64, 64, 3, 64, lamps);
+    EXPECT_FALSE(apply_stochastic_rule(rendered(random, 64, 64, 3, 64, [&](int x, int y) { return 0.9 * lamps(x, y); }), expected).agree);
+}
+
+// Two equal differences: of two random signs, every second pair is equal. No bound of the chance may lie below that; this one is reached.
+TEST(Stochastic, TheBoundHoldsForTwoValues)
+{
+    const Estimates zero{1, 2, 1, false, {0, 0}, {}};
+    const Estimates one{1, 2, 1, false, {1, 1}, {}};
+    EXPECT_NEAR(apply_stochastic_rule(one, zero, {}).probability, 0.5, 1e-3);
+}
+
+// Of a skewed sum, the tail that is heavier than a normal one lies opposite to the long tail of its terms.
+TEST(Stochastic, SkewnessMakesOneTailHeavier)
+{
+    TileSums sums;
+    sums.count = 256;
+    sums.squares = 256;
+    sums.cubes = 500;
+    EXPECT_GT(tile_probability(sums, -3), 1.5 * std::erfc(3 / std::sqrt(2.0)));
+    EXPECT_EQ(tile_probability(sums, 3), std::erfc(3 / std::sqrt(2.0)));
+    sums.cubes = -500;
+    EXPECT_GT(tile_probability(sums, 3), 1.5 * std::erfc(3 / std::sqrt(2.0)));
+}
+
 TEST(Stochastic, SmallAndOddSizesAreJudged)
 {
     Random random(6);
