@@ -131,7 +131,8 @@ Markup cluster_list(const ClassResult& result, const ClassPageOptions& options)
         Markup items;
         for (const auto* kind : {&unit.explained, &unit.ambiguous, &unit.unexplained})
             for (const Cluster& cluster : *kind) items += cluster_item(cluster, unit.graded, result);
-        sections += markup("<h3>{} <span class=\"id\">{}</span></h3>\n<ul class=\"clusters\">\n{}</ul>\n", title_of(unit.unit, options), unit.unit, items);
+        sections += markup("<h3 class=\"cause-of\">{} <span class=\"id\">{}</span></h3>\n<ul class=\"clusters\">\n{}</ul>\n", title_of(unit.unit, options),
+                           unit.unit, items);
     }
     if (sections.empty()) return {};
     return markup(
