@@ -75,18 +75,9 @@ TEST(Noise, AlphaIsNoLight)
 {
     Random random(seed);
     const auto with_alpha = [&](float alpha) {
-        const Tensor light = run(random);
-        std::vector<float> values;
-        for (std::size_t i = 0; i < light.count(); ++i) {
-            float value = 0;
-            std::memcpy(&value, light.bytes.data() + i * sizeof value, sizeof value);
-            values.push_back(value);
-            if (i % 3 == 2) values.push_back(alpha);
-        }
-        Tensor tensor = floats(values, 4);
-        tensor.rows = light.rows;
-        tensor.columns = light.columns;
-        return tensor;
+        Tensor light = noisy(random, 64, 64, 4, 32, floor_and_ball, uniform);
+        for (std::size_t i = 3; i < light.count(); i += 4) std::memcpy(light.bytes.data() + i * sizeof alpha, &alpha, sizeof alpha);
+        return light;
     };
     EXPECT_EQ(right(with_alpha(0), with_alpha(1)), 1);
 }
