@@ -10,7 +10,7 @@ namespace umbral::grader {
 
 std::string CaseResult::trouble() const
 {
-    if (is_stub()) return "not implemented yet";
+    if (is_stub()) return std::string(in_words(Verdict::not_implemented));
     if (student.verdict == Verdict::ok) return "";
     std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);
     if (!place.empty()) text += " at " + place;

@@ -77,8 +77,9 @@ double mending_bits(const Check& check, const FailingCheck& one, const Tensor& u
         return agreement_bits(*one.student, *one.expected, std::vector<bool>(cells, true), different_pixels(check, *one.student, *one.expected));
     Check rows = check;
     rows.pairs = false;
-    const auto before = row_states(rows, *one.student, made_finite(*one.expected), one.margin, kind_of_rows(check));
-    const auto after = row_states(rows, undone, made_finite(*one.expected), one.margin, kind_of_rows(check));
+    const Tensor expected = made_finite(*one.expected);
+    const auto before = row_states(rows, *one.student, expected, one.margin, kind_of_rows(check));
+    const auto after = row_states(rows, undone, expected, one.margin, kind_of_rows(check));
     return agreement_bits(*one.student, *one.expected, counted(before), mended_rows(before, after));
 }
 

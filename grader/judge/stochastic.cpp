@@ -40,6 +40,9 @@ const Decoding& decoding()
     return table;
 }
 
+/// Cells times their variance: what noise alone makes of the sum of squares.
+double noise_squares(const TileSums& sums) { return std::max(0.0, sums.squares - sums.difference * sums.difference / sums.count); }
+
 /// Difference of the sums that need not be noise.
 double forgiven_sum(const TileSums& sums, const Forgiven& forgiven)
 {
@@ -48,16 +51,12 @@ double forgiven_sum(const TileSums& sums, const Forgiven& forgiven)
         // Rounding moves a mean by half a step at most, and with noise of s steps by no more than exp(-2 pi² s²) of that (the first term of the
         // Fourier series of the rounding error bounds it); each picture has its share of the variance.
         const double step = sums.steps / sums.count;
-        const double mean = sums.difference / sums.count;
-        const double variance = std::max(0.0, sums.squares / sums.count - mean * mean);
+        const double variance = noise_squares(sums) / sums.count;
         sum += sums.steps * std::exp(-std::numbers::pi * std::numbers::pi * variance / (step * step));
         sum += sums.clipped * mean_excess * std::sqrt(variance);
     }
     return sum;
 }
-
-/// Cells times their variance: what noise alone makes of the sum of squares.
-double noise_squares(const TileSums& sums) { return std::max(0.0, sums.squares - sums.difference * sums.difference / sums.count); }
 
 /// How much light of a tile lies in the wrong place, if noise cannot have put it there.
 double misplaced_in(const TileSums& sums, const Forgiven& forgiven)

@@ -120,15 +120,15 @@ TEST(Image, SubRuleC_ALittleMoreLightEverywhereIsFoundByItAlone)
 TEST(Image, SubRuleE_AHoleThatIsTooSmallForItsShareIsFoundByItAlone)
 {
     const Tensor right = balls(512);
-    const Tensor hole = repaint(right, [&](int x, int y) { return x >= 200 && x < 205 && y >= 180 && y < 184 ? Colour{8, 10, 40, 255} : pixel(right, x, y); });
+    const Tensor hole = repaint(right, [&](int x, int y) { return x >= 200 && x < 204 && y >= 180 && y < 183 ? Colour{8, 10, 40, 255} : pixel(right, x, y); });
     const ImageRule found = rule(hole, right);
     for (const std::size_t part : {0U, 1U, 2U, 3U, 5U}) EXPECT_LE(found.ratios[part], 1) << part;
     EXPECT_GE(found.cluster.count, 8);
     EXPECT_GT(found.ratios[4], 1);
     EXPECT_LE(found.cluster.x, 200);
-    EXPECT_GE(found.cluster.x + window_side, 205);
+    EXPECT_GE(found.cluster.x + window_side, 204);
     EXPECT_LE(found.cluster.y, 180);
-    EXPECT_GE(found.cluster.y + window_side, 184);
+    EXPECT_GE(found.cluster.y + window_side, 183);
     EXPECT_NE(image(hole, right).message.find("close together"), std::string::npos);
     EXPECT_GT(found.right(), 0.7) << "a small fault costs little, however dark the hole is";
     EXPECT_LT(found.right(), 0.95);
