@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace umbral::grader {
+
+/// How much of what a submission contains or produces the grader takes in, keeps and shows. One place for all of them: whatever a
+/// submission does, a report of a unit stays below a few megabytes, and grading it below a known time and memory.
+namespace caps {
+
+inline constexpr std::size_t message = std::size_t{8} << 10U;        ///< bytes of a text that says what happened: diagnostics, an exception
+inline constexpr std::size_t name = 256;                             ///< bytes of one name: a function, a file, a system call
+inline constexpr std::size_t listed = 12;                            ///< entries of a list that is shown; the rest is counted
+inline constexpr std::size_t printed = std::size_t{16} << 10U;       ///< bytes that a unit's cases printed, together
+inline constexpr std::size_t unit_sources = std::size_t{2} << 20U;   ///< bytes of the files that are taken of one unit, together
+inline constexpr std::size_t library = std::size_t{32} << 20U;       ///< bytes of a compiled unit
+inline constexpr std::size_t build_folder = std::size_t{96} << 20U;  ///< bytes that building a unit may leave on the disk while it lasts
+inline constexpr std::size_t inspected_names = 20000;                ///< names of one kind that are read from a compiled unit
+inline constexpr std::size_t rows_factor = 4;                        ///< rows of a table that are judged: this many times the expected ones …
+inline constexpr std::size_t rows_more = 1024;                       ///< … and so many more, so that "too many" can still be shown
+inline constexpr int timeouts = 2;                                   ///< cases of a unit that may run into the time limit; the rest is not reached
+
+}
+
+/// Text of foreign origin made fit to print and store, and no longer than `limit` bytes: see printable(). Short enough for one line: line
+/// feeds become spaces, and what is cut is marked by "…".
+[[nodiscard]] std::string one_line(std::string_view text, std::size_t limit = caps::name);
+
+/// "a, b, c and 14 more": at most caps::listed of `names`, each as one_line().
+[[nodiscard]] std::string listed(std::span<const std::string> names);
+
+}
