@@ -1,13 +1,8 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/random.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,37 +12,13 @@
 #include "build/submission.hpp"
 #include "cli/application.hpp"
 #include "cli/grading.hpp"
+#include "cli/secret.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path default_secret_file()
-{
-    if (const char* xdg = std::getenv("XDG_CONFIG_HOME"); xdg != nullptr && *xdg == '/') return fs::path(xdg) / "umbral" / "secret";
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return fs::path(home) / ".config" / "umbral" / "secret";
-    throw UsageError("neither XDG_CONFIG_HOME nor HOME is set: name a file for the secret of hidden cases with --secret-file");
-}
-
-/// The secret that hidden cases' seeds follow from; made once, readable by its owner only.
-std::string secret_from(const fs::path& file)
-{
-    if (!fs::exists(file)) {
-        fs::create_directories(file.parent_path());
-        std::array<unsigned char, 32> bytes{};
-        if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) throw std::runtime_error("no random numbers from the kernel");
-        std::string text;
-        for (const unsigned char byte : bytes) text += fmt::format("{:02x}", byte);
-        const Descriptor made(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
-        if (made && write(made.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-            throw std::runtime_error(fmt::format("cannot write the secret to {}", file.string()));
-    }
-    const std::string secret = read_text(file);
-    if (secret.size() < 16) throw UsageError(fmt::format("{}: expected a secret of at least 16 characters, got {}", file.string(), secret.size()));
-    return secret;
-}
 
 /// Without these, a submission could read this user's files or start programs.
 void refuse_weak_sandbox(const Application& application, const std::vector<Exercise>& exercises, bool allowed)
@@ -86,7 +57,7 @@ void grade_and_print(Application& application, const GradeCommand& command)
     ClassOptions options;
     options.submissions = command.submissions;
     options.out = command.out;
-    options.secret = secret_from(command.secret_file.empty() ? default_secret_file() : fs::path(command.secret_file));
+    options.secret = secret_from(command.secret_file);
     options.course = command.course;
     options.attempt = command.attempt;
     options.instructor_edition = command.with_hidden;
