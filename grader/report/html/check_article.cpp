@@ -44,7 +44,7 @@ Markup first_difference(const CheckResult& check)
 }
 
 struct Show {
-    const std::string& anchor;
+    const Markup& anchor;
 
     Markup operator()(const std::monostate&) const { return {}; }
     Markup operator()(const PictureEvidence& evidence) const { return picture_evidence(evidence, anchor); }
@@ -63,7 +63,7 @@ std::string_view short_message(const CheckResult& check, const CheckDetail& deta
 
 }
 
-Markup check_article(const CheckResult& check, const CheckDetail& detail, const std::string& anchor, bool with_points)
+Markup check_article(const CheckResult& check, const CheckDetail& detail, const Markup& anchor, bool with_points)
 {
     const bool right = check.score >= check.max_score;
     const char* kind = right ? "ok" : check.score > 0 ? "partial" : "bad";

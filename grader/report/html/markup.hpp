@@ -47,7 +47,8 @@ private:
     return result;
 }
 
-/// Files of this folder (styles, scripts) and encoded bytes, which hold nothing to escape. Never for text from outside.
+/// Files of this folder (styles, scripts), encoded bytes, and markup that was turned into text before: what holds nothing to escape. Never
+/// for text from outside.
 [[nodiscard]] inline Markup of_our_own(std::string text)
 {
     Markup result;

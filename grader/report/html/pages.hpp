@@ -21,7 +21,8 @@ enum class Edition { student, instructor };
 
 struct ReportOptions {
     Edition edition = Edition::student;
-    std::string class_page;  ///< relative link to the class's page; empty for none
+    std::string class_page;                     ///< relative link to the class's page; empty for none
+    std::map<std::string, std::string> titles{};  ///< of units, by id; report_html takes them from its gallery
 };
 
 /// The report of one submission as one HTML file that needs nothing else: styles, scripts and pictures are in it, and its policy forbids
@@ -30,6 +31,15 @@ struct ReportOptions {
 /// A pure function of its arguments; all text in them is escaped. What `gallery` lacks is left out.
 [[nodiscard]] std::string report_html(const SubmissionResult& submission, const Fingerprint& fingerprint, const Gallery& gallery,
                                       const ReportOptions& options = {});
+
+/// One unit's section of a report, in one edition, as text that can be kept: report_from_sections puts it into a page, wherever it stands
+/// there. All text in it is escaped.
+[[nodiscard]] std::string section_html(const UnitResult& unit, const UnitDetail& detail, Edition edition);
+
+/// The page that report_html makes, from sections made earlier: section_html's texts of this edition, one for each of the submission's
+/// units, in their order. Throws std::invalid_argument if there are more or fewer.
+[[nodiscard]] std::string report_from_sections(const SubmissionResult& submission, const Fingerprint& fingerprint, std::span<const std::string> sections,
+                                               const ReportOptions& options = {});
 
 struct ClassPageOptions {
     std::map<std::string, std::string> titles;  ///< of units, by id

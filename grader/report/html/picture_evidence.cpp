@@ -86,7 +86,7 @@ std::string listed(const Numbers& numbers)
     return text;
 }
 
-Markup magnified(const PictureEvidence& evidence, const std::string& anchor)
+Markup magnified(const PictureEvidence& evidence, const Markup& anchor)
 {
     if (!evidence.worst) return {};
     const Magnified& worst = *evidence.worst;
@@ -115,7 +115,7 @@ Markup magnified(const PictureEvidence& evidence, const std::string& anchor)
     return result;
 }
 
-Markup controls(const std::string& anchor)
+Markup controls(const Markup& anchor)
 {
     return markup(
         "<div class=\"controls\" role=\"group\" aria-label=\"How to compare\" data-script hidden><button type=\"button\" data-view=\"wipe\" "
@@ -128,7 +128,7 @@ Markup controls(const std::string& anchor)
 
 }
 
-Markup picture_evidence(const PictureEvidence& evidence, const std::string& anchor)
+Markup picture_evidence(const PictureEvidence& evidence, const Markup& anchor)
 {
     if (!evidence.problem.empty() || !evidence.reference) {
         Markup result = evidence.problem.empty() ? Markup() : markup("<p class=\"message\">{}</p>\n", evidence.problem);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "report/hidden.hpp"
 #include "report/html/bars.hpp"
@@ -24,13 +25,13 @@ std::string headline(const SubmissionResult& submission)
     return text;
 }
 
-std::string title_of(const UnitResult& unit, const Gallery& gallery)
+std::string title_of(const UnitResult& unit, const ReportOptions& options)
 {
-    const auto found = gallery.find(unit.id);
-    return found == gallery.end() || found->second.title.empty() ? unit.id : found->second.title;
+    const auto found = options.titles.find(unit.id);
+    return found == options.titles.end() || found->second.empty() ? unit.id : found->second;
 }
 
-Markup unit_row(const UnitResult& unit, const Gallery& gallery, std::size_t number)
+Markup unit_row(const UnitResult& unit, const ReportOptions& options, std::size_t number)
 {
     const Verdict verdict = shown_verdict(unit);
     std::string sentences;
@@ -40,14 +41,14 @@ Markup unit_row(const UnitResult& unit, const Gallery& gallery, std::size_t numb
         "<tr class=\"{}\"><th scope=\"row\"><a href=\"#u{}\">{}</a> <span class=\"id\">{}</span>{}</th><td>{}</td><td class=\"number\">{}<span class=\"of\"> / "
         "{}</span>{}"
         "</td></tr>\n",
-        kind_of(verdict), number, title_of(unit, gallery), unit.id, why, verdict_chip(verdict), points_text(unit.score), points_text(unit.max_score),
+        kind_of(verdict), number, title_of(unit, options), unit.id, why, verdict_chip(verdict), points_text(unit.score), points_text(unit.max_score),
         points_bar(unit.score, unit.max_score, kind_of(verdict)));
 }
 
-Markup summary(const SubmissionResult& submission, const Gallery& gallery, const ReportOptions& options)
+Markup summary(const SubmissionResult& submission, const ReportOptions& options)
 {
     Markup rows;
-    for (std::size_t i = 0; i < submission.units.size(); ++i) rows += unit_row(submission.units[i], gallery, i + 1);
+    for (std::size_t i = 0; i < submission.units.size(); ++i) rows += unit_row(submission.units[i], options, i + 1);
     const bool hidden_fails = std::ranges::any_of(submission.units, [](const UnitResult& unit) {
         return !never_ran(unit.verdict) &&
                std::ranges::any_of(unit.checks, [](const CheckResult& check) { return check.hidden && check.score < check.max_score; });
@@ -65,11 +66,49 @@ Markup summary(const SubmissionResult& submission, const Gallery& gallery, const
     return result;
 }
 
+SubmissionResult as_shown(const SubmissionResult& given, Edition edition) { return edition == Edition::student ? without_hidden_values(given) : given; }
+
+std::string with_number(std::string_view section, std::size_t number)
+{
+    const std::string digits = std::to_string(number);
+    std::string result;
+    result.reserve(section.size() + 256);
+    for (const char c : section)
+        if (c == number_slot)
+            result += digits;
+        else
+            result += c;
+    return result;
 }
 
-std::string report_html(const SubmissionResult& given, const Fingerprint& fingerprint, const Gallery& gallery, const ReportOptions& options)
+}
+
+std::string section_html(const UnitResult& unit, const UnitDetail& detail, Edition edition)
 {
-    const SubmissionResult submission = options.edition == Edition::student ? without_hidden_values(given) : given;
+    const SubmissionResult shown = as_shown({.id = {}, .units = {unit}}, edition);
+    return std::string(unit_section(shown.units.front(), detail, edition).view());
+}
+
+std::string report_html(const SubmissionResult& submission, const Fingerprint& fingerprint, const Gallery& gallery, const ReportOptions& options)
+{
+    static const UnitDetail unknown;
+    ReportOptions with_titles = options;
+    std::vector<std::string> sections;
+    for (const UnitResult& unit : submission.units) {
+        const auto found = gallery.find(unit.id);
+        const UnitDetail& detail = found == gallery.end() ? unknown : found->second;
+        sections.push_back(section_html(unit, detail, options.edition));
+        with_titles.titles.emplace(unit.id, detail.title);
+    }
+    return report_from_sections(submission, fingerprint, sections, with_titles);
+}
+
+std::string report_from_sections(const SubmissionResult& given, const Fingerprint& fingerprint, std::span<const std::string> sections,
+                                 const ReportOptions& options)
+{
+    if (sections.size() != given.units.size())
+        throw std::invalid_argument(fmt::format("a report of {} units: expected as many sections, got {}", given.units.size(), sections.size()));
+    const SubmissionResult submission = as_shown(given, options.edition);
     Document document;
     document.title = (submission.id.empty() ? "Your units" : submission.id) + " – Umbral";
     const Markup home =
@@ -77,12 +116,8 @@ std::string report_html(const SubmissionResult& given, const Fingerprint& finger
     document.bar = markup("{}<span class=\"who\">{}{}</span><span class=\"brief\">{} / {}</span>{}{}", home, submission.id,
                           options.edition == Edition::instructor ? " – instructor’s edition" : "", points_text(submission.score),
                           points_text(submission.max_score), step_buttons(), theme_button());
-    document.main = summary(submission, gallery, options);
-    static const UnitDetail unknown;
-    for (std::size_t i = 0; i < submission.units.size(); ++i) {
-        const auto found = gallery.find(submission.units[i].id);
-        document.main += unit_section(submission.units[i], found == gallery.end() ? unknown : found->second, i + 1, options.edition);
-    }
+    document.main = summary(submission, options);
+    for (std::size_t i = 0; i < sections.size(); ++i) document.main += of_our_own(with_number(sections[i], i + 1));
     document.footer = fingerprint_footer(fingerprint);
     document.footer +=
         "<p class=\"keys\" data-script hidden>Keys: <kbd>j</kbd> <kbd>k</kbd> next and previous check, <kbd>b</kbd> blink, <kbd>t</kbd> light or dark.</p>";

@@ -6,14 +6,17 @@
 
 namespace umbral::grader::html {
 
-/// One unit of a report: verdict, why, what was printed, time, and its checks. `number` (from 1) makes the anchors "u1", "u1-c1" ….
-[[nodiscard]] Markup unit_section(const UnitResult& unit, const UnitDetail& detail, std::size_t number, Edition edition);
+/// Stands in a unit's section where its number within the report belongs. No text from outside holds it: escaping shows control characters.
+inline constexpr char number_slot = '\x01';
+
+/// One unit of a report: verdict, why, what was printed, time, and its checks; with number_slot in its anchors ("u1", "u1-c1").
+[[nodiscard]] Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition edition);
 
 /// One check that is not right, or is worth a look: its words, its error and its evidence.
-[[nodiscard]] Markup check_article(const CheckResult& check, const CheckDetail& detail, const std::string& anchor, bool with_points = true);
+[[nodiscard]] Markup check_article(const CheckResult& check, const CheckDetail& detail, const Markup& anchor, bool with_points = true);
 
 /// Evidence of each kind.
-[[nodiscard]] Markup picture_evidence(const PictureEvidence& evidence, const std::string& anchor);
+[[nodiscard]] Markup picture_evidence(const PictureEvidence& evidence, const Markup& anchor);
 [[nodiscard]] Markup rows_evidence(const RowsEvidence& evidence);
 [[nodiscard]] Markup lines_evidence(const LinesEvidence& evidence);
 [[nodiscard]] Markup fragments_evidence(const FragmentsEvidence& evidence);

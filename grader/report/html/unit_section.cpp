@@ -134,9 +134,11 @@ bool never_ran(Verdict verdict)
     }
 }
 
-Markup unit_section(const UnitResult& unit, const UnitDetail& detail, std::size_t number, Edition edition)
+Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition edition)
 {
     const Verdict verdict = shown_verdict(unit);
+    const Markup number = "\x01";
+    static_assert(number_slot == '\x01');
     Markup result = markup(
         "<section class=\"unit {0}\" id=\"u{1}\" aria-labelledby=\"u{1}-title\">\n<header><h2 id=\"u{1}-title\" tabindex=\"-1\">{2}</h2>\n<p "
         "class=\"id\">{3}</p>\n<p class=\"verdict\">{4} <span class=\"points\">{5}<span class=\"of\"> / {6} points</span></span></p></header>\n",
@@ -153,7 +155,7 @@ Markup unit_section(const UnitResult& unit, const UnitDetail& detail, std::size_
     const Details details{detail, edition};
     const Sorted checks = sorted(unit, details);
     for (std::size_t i = 0; i < checks.articles.size(); ++i)
-        result += check_article(*checks.articles[i], details.of(*checks.articles[i]), fmt::format("u{}-c{}", number, i + 1));
+        result += check_article(*checks.articles[i], details.of(*checks.articles[i]), markup("u{}-c{}", number, i + 1));
     result += in_a_row(checks.hidden, details, "Hidden checks that fail");
     result += in_a_row(checks.right, details, checks.right.size() == unit.checks.size() ? "Every check is right" : "Checks that are right");
     result += markup("<p class=\"seed\">Random inputs of the visible cases: seed {}.</p>\n", unit.seed);
