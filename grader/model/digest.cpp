@@ -104,6 +104,19 @@ std::string sha256_of_files(std::vector<NamedFile> files)
     return hash.finish();
 }
 
+std::string secret_fingerprint(std::string_view secret)
+{
+    constexpr std::string_view salt = "umbral-secret-fingerprint-1";
+    constexpr int rounds = 200000;
+    std::array<unsigned char, 8> code{};
+    check(PKCS5_PBKDF2_HMAC(secret.data(), static_cast<int>(secret.size()), reinterpret_cast<const unsigned char*>(salt.data()),
+                            static_cast<int>(salt.size()), rounds, EVP_sha256(), static_cast<int>(code.size()), code.data()),
+          "PKCS5_PBKDF2_HMAC");
+    std::string text;
+    for (const unsigned char byte : code) text += fmt::format("{:02x}", byte);
+    return text;
+}
+
 std::uint64_t case_seed(std::string_view secret, std::string_view course, std::string_view student, std::string_view unit, std::string_view case_name,
                         unsigned attempt)
 {

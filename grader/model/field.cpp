@@ -81,6 +81,15 @@ std::vector<std::string> Field::texts(std::size_t least, std::size_t most, std::
     return result;
 }
 
+std::string Field::any_text(std::size_t most) const
+{
+    const std::string* text = value_ == nullptr ? nullptr : value_->get_ptr<const std::string*>();
+    if (text == nullptr || text->size() > most) refuse(fmt::format("a text of at most {} bytes", most));
+    return *text;
+}
+
+bool Field::is_null() const noexcept { return value_ != nullptr && value_->is_null(); }
+
 bool Field::boolean() const
 {
     if (value_ == nullptr || !value_->is_boolean()) refuse("true or false");

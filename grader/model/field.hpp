@@ -17,6 +17,8 @@ public:
     Field(const nlohmann::json& root, std::string file) : value_(&root), file_(std::move(file)) {}
 
     [[nodiscard]] bool given() const noexcept { return value_ != nullptr; }
+    /// Is it there, and null?
+    [[nodiscard]] bool is_null() const noexcept;
 
     /// The member of an object; one that is not there can be asked whether it is given.
     [[nodiscard]] Field member(const std::string& name) const;
@@ -31,6 +33,8 @@ public:
     [[nodiscard]] std::string text(std::size_t most) const;
     /// Items that are such texts, none of them twice.
     [[nodiscard]] std::vector<std::string> texts(std::size_t least, std::size_t most, std::size_t most_characters) const;
+    /// Any text of at most `most` bytes, as it is: lines, nothing at all.
+    [[nodiscard]] std::string any_text(std::size_t most) const;
     [[nodiscard]] bool boolean() const;
     [[nodiscard]] double number(double low, double high) const;
     [[nodiscard]] int integer(int low, int high) const;

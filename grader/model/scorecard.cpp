@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "model/faults.hpp"
 #include "model/recording.hpp"
 
 namespace umbral::grader {
@@ -82,6 +83,7 @@ json unit(const UnitResult& value, Detail detail)
                 {"message", text(value.message)},
                 {"explanation", list(value.explanations, explanation)},
                 {"stdout", text(value.output)}};
+    if (value.unscored != 0) result["unscored"] = value.unscored;
     // As text: readers that hold numbers in a double would round a 64-bit seed.
     if (detail == Detail::for_report) result["seed"] = std::to_string(value.seed);
     return result;
@@ -89,9 +91,18 @@ json unit(const UnitResult& value, Detail detail)
 
 json submission(const SubmissionResult& value, Detail detail)
 {
-    return {{"id", text(value.id)}, {"score", value.score}, {"max_score", value.max_score}, {"units", list(value.units, [&](const UnitResult& item) {
-                                                                                                 return unit(item, detail);
-                                                                                             })}};
+    json result{{"id", text(value.id)},
+                {"score", value.score},
+                {"max_score", value.max_score},
+                {"units", list(value.units, [&](const UnitResult& item) { return unit(item, detail); })}};
+    if (!value.folder.empty()) result["folder"] = text(value.folder);
+    return result;
+}
+
+json fault(const Fault& value)
+{
+    const auto place = [](const Fault::Place& one) { return json{{"submission", text(one.submission)}, {"unit", text(one.unit)}}; };
+    return {{"cause", text(value.cause)}, {"remedy", text(value.remedy)}, {"points", value.points}, {"units", list(value.places, place)}};
 }
 
 json document(const char* format, const Fingerprint& fingerprint)
@@ -121,9 +132,17 @@ void add_up(SubmissionResult& submission)
     }
 }
 
+json to_json(const UnitResult& value) { return unit(value, Detail::for_report); }
+
 json to_json(const ClassResult& result)
 {
     json root = document("umbral-class", result.fingerprint);
+    root["course"] = text(result.grading.course);
+    root["attempt"] = result.grading.attempt;
+    root["secret"] = text(result.grading.secret);
+    root["faults"] = list(faults(result), fault);
+    root["unfinished"] = list(result.unfinished, text);
+    root["elsewhere"] = list(result.elsewhere, text);
     root["submissions"] = list(result.submissions, [](const SubmissionResult& item) { return submission(item, Detail::for_class); });
     return root;
 }

@@ -59,6 +59,7 @@ struct UnitResult {
     std::vector<Explanation> explanations;  ///< best first
     std::string output;                     ///< what the student's code printed, bounded
     std::uint64_t seed = 0;                 ///< of the visible cases
+    Millipoints unscored = 0;               ///< of a grader fault: the points that are in no sum because of it
 };
 
 struct SubmissionResult {
@@ -66,6 +67,7 @@ struct SubmissionResult {
     Millipoints score = 0;
     Millipoints max_score = 0;
     std::vector<UnitResult> units;
+    std::string folder{};  ///< how the submission was called where it came from; empty if that is its id
 };
 
 /// What a result depends on beside the submission: shown in every report.
@@ -79,13 +81,39 @@ struct Fingerprint {
     std::vector<std::string> protections;  ///< active ones, as "landlock 4"
 };
 
+/// What hidden inputs follow from beside the student: results of different gradings do not belong into one table.
+struct Grading {
+    std::string course;
+    unsigned attempt = 0;
+    std::string secret;  ///< secret_fingerprint() of it
+
+    friend bool operator==(const Grading&, const Grading&) = default;
+};
+
+/// A submission whose reports could not be written.
+struct Unwritten {
+    std::string submission;
+    std::string cause;
+};
+
 struct ClassResult {
     Fingerprint fingerprint;
     std::vector<SubmissionResult> submissions;
+    Grading grading{};
+    std::vector<std::string> unfinished{};  ///< ids of submissions that still have to be graded: grading goes on, or was stopped
+    std::vector<std::string> elsewhere{};   ///< ids with results of an earlier run, by another version of Umbral or on another machine
+    std::vector<Unwritten> unwritten{};
 };
 
 /// Sums the units' points into the submission's. A unit with a grader fault is in neither sum: our fault is nobody's zero.
 void add_up(SubmissionResult& submission);
+
+/// A unit as report.json holds it: with seeds and artefacts.
+[[nodiscard]] nlohmann::json to_json(const UnitResult& unit);
+/// The same read back: to_json(unit_result_from_json(json, where)) == json for every JSON that to_json made. `fit` of explanations is in
+/// no file and becomes 0; a number that was not finite becomes NaN, or nothing where that may be. Throws std::runtime_error, which begins
+/// with `where` and names the field, for anything that to_json does not write.
+[[nodiscard]] UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& where);
 
 /// class.json and report.json as docs/schemas describe them. Times are the only fields that differ between equal runs.
 [[nodiscard]] nlohmann::json to_json(const ClassResult& result);

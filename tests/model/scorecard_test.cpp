@@ -33,6 +33,8 @@ TEST(ClassJson, is_this_text)
     const json expected = json::parse(R"json({"format": "umbral-class", "version": 1, "score_unit": "millipoints",
         "tool": {"version": "0.1.0", "commit": "2a63927"},
         "machine": {"cpu": "Some CPU", "compiler": "g++ 12.2", "gl": "llvmpipe 22.3.6", "libm": "glibc 2.36", "protections": ["landlock 4", "seccomp"]},
+        "course": "", "attempt": 0, "secret": "", "unfinished": [], "elsewhere": [],
+        "faults": [],
         "submissions": [{"id": "student-1", "score": 1250, "max_score": 6000, "units": [{
             "id": "raytracing/sphere", "digest": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "verdict": "partial",
             "score": 1250, "max_score": 4000, "seconds": 0.25, "reference_seconds": 0.125, "message": "", "stdout": "hello\n",

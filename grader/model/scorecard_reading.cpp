@@ -1,0 +1,121 @@
+#include <charconv>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "model/field.hpp"
+#include "model/scorecard.hpp"
+
+namespace umbral::grader {
+namespace {
+
+// What one unit may hold: far above what the grader's own caps let in, so that only damage goes beyond.
+constexpr std::size_t most_bytes = std::size_t{16} << 20U;
+constexpr std::size_t most_items = 100000;
+constexpr double largest = std::numeric_limits<double>::max();
+
+std::string text(const Field& field) { return field.any_text(most_bytes); }
+
+Millipoints points(const Field& field) { return field.integer(0, std::numeric_limits<int>::max()); }
+
+double number_or_nan(const Field& field) { return field.is_null() ? std::numeric_limits<double>::quiet_NaN() : field.number(-largest, largest); }
+
+std::optional<double> number_if_any(const Field& field)
+{
+    return field.is_null() ? std::nullopt : std::optional(field.number(-largest, largest));
+}
+
+std::uint64_t seed(const Field& field)
+{
+    const std::string digits = field.text(20);
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || end != digits.data() + digits.size() || (digits.size() > 1 && digits.front() == '0'))
+        field.refuse("a seed in decimal digits");
+    return value;
+}
+
+JudgeKind kind(const Field& field)
+{
+    const std::string name = field.text(32);
+    for (const JudgeKind one : all_judges)
+        if (name == to_string(one)) return one;
+    field.refuse("the name of a judge");
+}
+
+Verdict verdict(const Field& field)
+{
+    try {
+        return verdict_from(field.text(32));
+    } catch (const std::invalid_argument&) {
+        field.refuse("the name of a verdict");
+    }
+}
+
+std::optional<Difference> difference(const Field& field)
+{
+    if (field.is_null()) return std::nullopt;
+    field.allow_only({"where", "yours", "expected"});
+    return Difference{text(field.member("where")), text(field.member("yours")), text(field.member("expected"))};
+}
+
+CheckResult check(const Field& field)
+{
+    field.allow_only({"name", "kind", "hard", "hidden", "score", "max_score", "error", "reference_error", "message", "metrics", "first_difference",
+                      "sketch", "artefacts", "seeds"});
+    CheckResult result;
+    result.name = text(field.member("name"));
+    result.kind = kind(field.member("kind"));
+    result.hard = field.member("hard").boolean();
+    result.hidden = field.member("hidden").boolean();
+    result.score = points(field.member("score"));
+    result.max_score = points(field.member("max_score"));
+    result.error = number_if_any(field.member("error"));
+    result.reference_error = number_if_any(field.member("reference_error"));
+    result.message = text(field.member("message"));
+    const Field metrics = field.member("metrics");
+    for (const std::string& name : metrics.names()) result.metrics[name] = number_or_nan(metrics.member(name));
+    result.first_difference = difference(field.member("first_difference"));
+    if (const Field sketch = field.member("sketch"); sketch.given()) result.sketch = text(sketch);
+    const Field artefacts = field.member("artefacts");
+    for (const std::string& name : artefacts.names()) result.artefacts[name] = text(artefacts.member(name));
+    if (const Field seeds = field.member("seeds"); seeds.given())
+        for (const Field& one : seeds.items(1, 2)) result.seeds.push_back(seed(one));
+    return result;
+}
+
+Explanation explanation(const Field& field)
+{
+    field.allow_only({"name", "sentence", "confidence", "ambiguous"});
+    Explanation result;
+    result.name = text(field.member("name"));
+    result.sentence = text(field.member("sentence"));
+    result.confidence = number_or_nan(field.member("confidence"));
+    if (const Field ambiguous = field.member("ambiguous"); ambiguous.given()) result.ambiguous = ambiguous.boolean();
+    return result;
+}
+
+}
+
+UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& where)
+{
+    const Field field(json, where);
+    field.allow_only({"id", "digest", "verdict", "score", "max_score", "seconds", "reference_seconds", "checks", "message", "explanation", "stdout",
+                      "seed", "unscored"});
+    UnitResult result;
+    result.id = text(field.member("id"));
+    result.digest = text(field.member("digest"));
+    result.verdict = verdict(field.member("verdict"));
+    result.score = points(field.member("score"));
+    result.max_score = points(field.member("max_score"));
+    result.seconds = number_or_nan(field.member("seconds"));
+    result.reference_seconds = number_or_nan(field.member("reference_seconds"));
+    for (const Field& one : field.member("checks").items(0, most_items)) result.checks.push_back(check(one));
+    result.message = text(field.member("message"));
+    for (const Field& one : field.member("explanation").items(0, most_items)) result.explanations.push_back(explanation(one));
+    result.output = text(field.member("stdout"));
+    result.seed = seed(field.member("seed"));
+    if (const Field unscored = field.member("unscored"); unscored.given()) result.unscored = points(unscored);
+    return result;
+}
+
+}
