@@ -54,12 +54,13 @@ TEST(Arrows, of_the_grader)
 {
     const Rooms may_include = {{"model", {}},
                                {"run", {"model"}},
-                               {"build", {"model", "run"}},
+                               {"collect", {"model", "run"}},
+                               {"build", {"model", "run", "collect"}},
                                {"judge", {"model"}},
                                {"report", {"model", "judge"}},
-                               {"batch", {"model", "run", "build", "judge", "report"}},
-                               {"calibrate", {"model", "run", "build", "judge", "report", "batch"}},
-                               {"cli", {"model", "run", "build", "judge", "report", "batch", "calibrate"}}};
+                               {"batch", {"model", "run", "collect", "build", "judge", "report"}},
+                               {"calibrate", {"model", "run", "collect", "build", "judge", "report", "batch"}},
+                               {"cli", {"model", "run", "collect", "build", "judge", "report", "batch", "calibrate"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
         const std::string room = part(include.line.file, 1);

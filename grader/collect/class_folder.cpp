@@ -1,0 +1,129 @@
+#include "collect/class_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "collect/file_names.hpp"
+#include "collect/roster.hpp"
+#include "collect/submission_id.hpp"
+#include "model/caps.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Why an entry of the class's folder is no submission; empty if it is one.
+std::string why_none(const fs::directory_entry& entry, const std::string& name)
+{
+    if (name.starts_with('.') || is_junk(name)) return "not a submission: its name says so";
+    std::error_code error;
+    const fs::file_type type = entry.symlink_status(error).type();
+    if (type == fs::file_type::directory) return "";
+    if (type == fs::file_type::symlink) return "it is a link: submissions are folders or archives themselves";
+    if (type != fs::file_type::regular) return "it is neither a folder nor an archive";
+    return kind_of(name) == FileKind::archive ? "" : "it is a file: submissions are folders or archives";
+}
+
+/// A submission's name on the disk, and the name from which its id follows.
+struct Entry {
+    std::string name;
+    std::string stem;  ///< without an archive's suffix
+    std::string id;
+    std::string shown;
+    bool listed = false;  ///< in the roster
+};
+
+std::vector<Entry> entries_of(const fs::path& path, ClassFolder& result)
+{
+    std::error_code error;
+    std::vector<Entry> entries;
+    fs::directory_iterator at(path, error);
+    const auto check = [&] {
+        if (error)
+            throw std::runtime_error(
+                fmt::format("{}: expected a folder with one folder a submission: {}", path.string(), error.message()));
+    };
+    check();
+    for (; at != fs::directory_iterator(); at.increment(error), check()) {
+        const std::string name = at->path().filename().string();
+        const std::string reason = why_none(*at, name);
+        if (!reason.empty()) {
+            result.ignored.push_back({one_line(name), reason});
+            continue;
+        }
+        const bool folder = at->is_directory(error) && !error;
+        error.clear();
+        entries.push_back({name, folder ? name : std::string(without_archive_suffix(name)), "", one_line(name)});
+    }
+    std::ranges::sort(entries, {}, &Entry::name);
+    return entries;
+}
+
+void apply_roster(const std::vector<RosterEntry>& roster, const std::string& where, std::vector<Entry>& entries, ClassFolder& result)
+{
+    for (const RosterEntry& line : roster) {
+        auto found = std::ranges::find(entries, line.folder, &Entry::name);
+        if (found == entries.end()) found = std::ranges::find(entries, line.folder, &Entry::stem);
+        if (found == entries.end()) {
+            result.ignored.push_back({one_line(line.folder), fmt::format("line {} of the roster: there is no such folder", line.line)});
+            continue;
+        }
+        if (found->listed)
+            throw std::runtime_error(fmt::format("{}:{}: '{}' is listed already, by another of its names", where, line.line, one_line(line.folder)));
+        found->listed = true;
+        found->id = line.id;
+        if (!line.name.empty()) found->shown = one_line(line.name);
+    }
+}
+
+bool is_own_id(const Entry& entry) { return is_submission_id(entry.stem) && !is_reserved_id(entry.stem); }
+
+/// Gives an id to everybody whom the roster does not list.
+void give_ids(std::vector<Entry>& entries)
+{
+    std::map<std::string, int> wanted;
+    for (Entry& entry : entries) {
+        if (entry.listed) continue;
+        entry.id = is_own_id(entry) ? entry.stem : derived_id(entry.stem);
+        if (entry.id.empty()) entry.id = "submission-" + short_hash(entry.name);
+    }
+    for (const Entry& entry : entries) ++wanted[entry.id];
+    // A folder keeps its plain name whoever else would like it; of the others each gets its hash, so that no order matters.
+    std::set<std::string> taken;
+    const auto keeps = [](const Entry& entry) { return entry.listed || (is_own_id(entry) && entry.name == entry.stem); };
+    for (const Entry& entry : entries)
+        if (keeps(entry)) taken.insert(entry.id);
+    for (Entry& entry : entries) {
+        if (keeps(entry)) continue;
+        if (wanted[entry.id] > 1) entry.id += "-" + short_hash(entry.name);
+        // Somebody may have made a folder that is named like this one's hash.
+        while (!taken.insert(entry.id).second) entry.id = "submission-" + short_hash(entry.id + entry.name);
+    }
+}
+
+}
+
+ClassFolder class_folder(const fs::path& path, const fs::path& roster)
+{
+    ClassFolder result;
+    std::vector<Entry> entries = entries_of(path, result);
+    if (!roster.empty()) apply_roster(parse_roster(read_text(roster), roster.string()), roster.string(), entries, result);
+    give_ids(entries);
+    std::set<std::string> ids;
+    for (const Entry& entry : entries) {
+        if (!ids.insert(entry.id).second)
+            throw std::runtime_error(fmt::format("{}: the id '{}', which the roster gives to one submission, is the name of another: list that one too",
+                                                 roster.string(), entry.id));
+        result.submissions.push_back({entry.id, path / entry.name, entry.shown});
+    }
+    std::ranges::sort(result.submissions, {}, &SubmissionFolder::id);
+    std::ranges::sort(result.ignored, {}, &Ignored::path);
+    return result;
+}
+
+}

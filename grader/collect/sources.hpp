@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "model/exercise.hpp"
+
+namespace umbral::grader {
+
+/// Texts by file name: a unit as somebody wrote it.
+using Sources = std::map<std::string, std::string>;
+
+/// Reads a whole text file that is not hostile. Throws std::runtime_error with the path.
+[[nodiscard]] std::string read_text(const std::filesystem::path& file);
+
+/// The files that no compiler reads: what the driver gets as text, such as shaders.
+[[nodiscard]] Sources texts_of(const Sources& files);
+
+/// Are these the stubs of the unit, but for white space and comments?
+[[nodiscard]] bool equals_stub(const Sources& files, const Exercise& exercise);
+
+/// Is `text` the stub of the unit's file `name`, but for white space and comments?
+[[nodiscard]] bool is_stub(std::string_view text, const Exercise& exercise, const std::string& name);
+
+}
