@@ -1,7 +1,6 @@
 #include "cli/application.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -11,6 +10,9 @@
 #include <umbral/gl/context.hpp>
 
 #include "cli/config.hpp"
+#include "cli/nearest.hpp"
+#include "model/caps.hpp"
+#include "report/paint.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -45,10 +47,31 @@ TerminalStyle style_of_terminal()
     return style;
 }
 
-bool is_meant(const Exercise& exercise, std::string name)
+/// Does `name` mean the unit `id`: "raytracing/sphere", "sphere", or a path that ends so?
+bool is_meant(const std::string& id, const std::string& name) { return name == id || id.ends_with("/" + name) || name.ends_with("/" + id); }
+
+std::string without_slashes(std::string name)
 {
     while (name.ends_with('/')) name.pop_back();
-    return name == exercise.id || name == exercise.name || name.ends_with("/" + exercise.id);
+    return name;
+}
+
+std::string cannot_be_read(const BrokenUnit& unit) { return fmt::format("the unit {} cannot be read: {}", unit.id, unit.reason); }
+
+[[noreturn]] void refuse_unknown(const std::vector<Exercise>& exercises, const std::string& name)
+{
+    const bool is_path = name.find('/') != std::string::npos;
+    std::vector<std::string> of_topic;
+    std::vector<std::string> known;
+    for (const Exercise& exercise : exercises) {
+        if (exercise.topic == name) of_topic.push_back(exercise.id);
+        known.push_back(is_path ? exercise.id : exercise.name);
+    }
+    if (!of_topic.empty()) throw UsageError(fmt::format("'{}' is a topic, not a unit; its units: {}", name, listed(of_topic)));
+    // Behind the names, so that of two that are as near the unit comes first.
+    if (!is_path)
+        for (const Exercise& exercise : exercises) known.push_back(exercise.topic);
+    throw UsageError(fmt::format("there is no unit '{}'{} `umbral list` shows them all", one_line(name), did_you_mean(nearest(name, known))));
 }
 
 /// What the spawner would refuse later, as a fault: the user's own variable is the user's to mend.
@@ -64,17 +87,31 @@ void check_gl_choice()
 std::vector<Exercise> Application::chosen(const std::vector<std::string>& names) const
 {
     check_gl_choice();
+    if (names.empty() && !broken.empty()) throw UsageError(cannot_be_read(broken.front()) + "\nMend it, or name the units that you mean.");
     if (names.empty()) return exercises;
     std::vector<Exercise> result;
-    for (const std::string& name : names) {
+    for (const std::string& typed : names) {
+        const std::string name = without_slashes(typed);
         const auto before = result.size();
-        std::copy_if(exercises.begin(), exercises.end(), std::back_inserter(result), [&](const Exercise& exercise) { return is_meant(exercise, name); });
+        std::ranges::copy_if(exercises, std::back_inserter(result), [&](const Exercise& exercise) { return is_meant(exercise.id, name); });
         if (result.size() > before) continue;
-        std::vector<std::string> ids;
-        for (const Exercise& exercise : exercises) ids.push_back(exercise.id);
-        throw UsageError(fmt::format("there is no unit '{}'; `umbral list` shows them: {}", name, fmt::join(ids, ", ")));
+        for (const BrokenUnit& unit : broken)
+            if (is_meant(unit.id, name)) throw UsageError(cannot_be_read(unit));
+        refuse_unknown(exercises, name);
     }
     return result;
+}
+
+std::vector<Exercise> Application::readable() const
+{
+    check_gl_choice();
+    warn_of_broken();
+    return exercises;
+}
+
+void Application::warn_of_broken() const
+{
+    for (const BrokenUnit& unit : broken) fmt::print(stderr, "umbral: warning: {}\n", Paint(style).safe(cannot_be_read(unit)));
 }
 
 Application make_application()
@@ -91,7 +128,9 @@ Application make_application()
                          .cache = cache_folder(),
                          .compiler = config::compiler,
                          .flags = words(config::student_flags)};
-    application.exercises = load_exercises(application.tools.exercises);
+    Units units = load_units(application.tools.exercises);
+    application.exercises = std::move(units.exercises);
+    application.broken = std::move(units.broken);
     application.style = style_of_terminal();
     return application;
 }

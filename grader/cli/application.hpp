@@ -35,12 +35,20 @@ public:
 struct Application {
     Toolchain tools;
     std::vector<Exercise> exercises;
+    std::vector<BrokenUnit> broken;  ///< reported by the commands that need them
     TerminalStyle style;
     int exit_status = exit_ok;  ///< set by the command that ran
 
-    /// The exercises named (as "raytracing/sphere", "sphere", or a path that ends so); all if none is. Throws UsageError with near names,
-    /// or if UMBRAL_GL names no back end of OpenGL.
+    /// The exercises named (as "raytracing/sphere", "sphere", or a path that ends so); all if none is. Throws UsageError with near names, or
+    /// with the reason if one of them cannot be read, or if UMBRAL_GL names no back end of OpenGL.
     [[nodiscard]] std::vector<Exercise> chosen(const std::vector<std::string>& names) const;
+
+    /// All exercises that can be read, for commands that get along without the others: which those are is said on the standard error stream.
+    /// Throws UsageError if UMBRAL_GL names no back end of OpenGL.
+    [[nodiscard]] std::vector<Exercise> readable() const;
+
+    /// Says on the standard error stream which units cannot be read, and why; nothing if all can.
+    void warn_of_broken() const;
 };
 
 /// Where this build lies, and its units. Throws std::runtime_error.

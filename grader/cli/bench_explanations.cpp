@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,8 @@
 #include "calibrate/explanations.hpp"
 #include "calibrate/picture_pair.hpp"
 #include "cli/application.hpp"
+#include "cli/numbers.hpp"
+#include "cli/paths.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -41,13 +42,12 @@ void write_json(const std::string& file, const std::vector<ExplainedWork>& work,
 {
     nlohmann::json all = nlohmann::json::array();
     for (const ExplainedWork& one : work) all.push_back(to_json(one));
-    std::ofstream stream(file);
-    stream << nlohmann::json{{"format", "umbral-explanations"}, {"version", 1}, {"seeds", seeds}, {"work", all}}.dump(1) << '\n';
-    if (!stream.flush()) throw UsageError(fmt::format("cannot write {}: expected a file that can be written", file));
+    write_output(file, nlohmann::json{{"format", "umbral-explanations"}, {"version", 1}, {"seeds", seeds}, {"work", all}}.dump(1) + "\n");
 }
 
 void measure(Application& application, const Options& options)
 {
+    expect_writable(options.json);
     const std::vector<Exercise> exercises = application.chosen(options.units);
     std::mutex mutex;
     std::vector<ExplainedWork> work;
@@ -75,8 +75,8 @@ void add_bench_explanations(CLI::App& bench, Application& application)
     CLI::App* command = bench.add_subcommand("explanations", "How often the right reason is given for a mistake, and a wrong one for other work");
     command->set_help_flag("-h,--help", "Print this help message and exit");
     command->add_option("UNIT", options->units, "Only these units");
-    command->add_option("--seeds", options->seeds, "How many sets of random inputs")->check(CLI::PositiveNumber)->capture_default_str();
-    command->add_option("--jobs", options->jobs, "How many at a time")->check(CLI::PositiveNumber)->capture_default_str();
+    command->add_option("--seeds", options->seeds, "How many sets of random inputs")->check(possible_seeds)->capture_default_str();
+    command->add_option("--jobs", options->jobs, "How many at a time")->check(possible_jobs)->capture_default_str();
     command->add_option("--json", options->json, "Write everything that was said, too")->type_name("FILE");
     command->footer("Exit status: 0 the targets are met (95 % right; less than 1 % wrong of work that matches no reason), 1 they are not.");
     command->callback([&application, options] { measure(application, *options); });

@@ -4,14 +4,14 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <span>
-#include <umbral/core/png.hpp>
 
 #include "batch/share_out.hpp"
 #include "calibrate/judge_bench.hpp"
 #include "calibrate/scene_pairs.hpp"
 #include "calibrate/unit_pairs.hpp"
 #include "cli/application.hpp"
+#include "cli/numbers.hpp"
+#include "cli/paths.hpp"
 #include "model/scratch.hpp"
 
 namespace umbral::grader {
@@ -30,11 +30,13 @@ struct Options {
 
 void write(const std::string& file, const std::string& text)
 {
-    if (!file.empty()) write_file_atomically(file, std::as_bytes(std::span(text)));
+    if (!file.empty()) write_output(file, text);
 }
 
 void bench_judge(Application& application, const Options& options)
 {
+    expect_writable(options.markdown);
+    expect_writable(options.json);
     JudgeBench bench;
     std::mutex mutex;
     const VisitPair keep = [&](const PicturePair& pair) {
@@ -83,8 +85,8 @@ void add_bench_judge(CLI::App& bench, Application& application)
         ->check(CLI::ExistingDirectory);
     command->add_flag("--no-units", options->no_units, "Only the calibration scenes");
     command->add_flag("--no-scenes", options->no_scenes, "Only the units");
-    command->add_option("--seeds", options->seeds, "How many sets of random inputs of each unit")->check(CLI::PositiveNumber)->capture_default_str();
-    command->add_option("--jobs", options->jobs, "How many at a time")->check(CLI::PositiveNumber)->capture_default_str();
+    command->add_option("--seeds", options->seeds, "How many sets of random inputs of each unit")->check(possible_seeds)->capture_default_str();
+    command->add_option("--jobs", options->jobs, "How many at a time")->check(possible_jobs)->capture_default_str();
     command->add_option("--markdown", options->markdown, "Write the tables to this file too")->type_name("FILE");
     command->add_option("--json", options->json, "Write every pair's measures to this file")->type_name("FILE");
     command->callback([&application, options] { bench_judge(application, *options); });

@@ -13,6 +13,7 @@
 #include "batch/fingerprint.hpp"
 #include "batch/grade_class.hpp"
 #include "cli/application.hpp"
+#include "cli/paths.hpp"
 #include "cli/watch.hpp"
 #include "report/hidden.hpp"
 #include "report/html/pages.hpp"
@@ -35,8 +36,8 @@ struct Options {
 /// The units to check: those named, or those that the workspace holds.
 std::vector<Exercise> units_to_check(const Application& application, const Options& options)
 {
-    std::vector<Exercise> chosen = application.chosen(options.units);
-    if (!options.units.empty()) return chosen;
+    if (!options.units.empty()) return application.chosen(options.units);
+    std::vector<Exercise> chosen = application.readable();
     std::erase_if(chosen, [&](const Exercise& exercise) { return collect(options.folder, exercise).files.empty(); });
     if (chosen.empty())
         throw UsageError(fmt::format("{} holds no unit's files; `umbral new DIR` makes a workspace, then check there or with --dir DIR",
@@ -57,7 +58,7 @@ int check_once(Application& application, Workshop& workshop, const std::vector<E
     SubmissionResult result = without_hidden_values(grade_submission(workshop, exercises, options.folder, grading));
     if (!options.html.empty()) {
         result.id = fs::absolute(options.folder).lexically_normal().filename().string();
-        html::write_page(options.html, html::report_html(result, fingerprint(workshop, exercises), gallery));
+        write_output(options.html, html::report_html(result, fingerprint(workshop, exercises), gallery));
     }
     // While watching, a line is a document, so that a program can read them one by one.
     const int indentation = options.watch ? -1 : 2;
@@ -118,9 +119,10 @@ std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const f
 
 void check(Application& application, const Options& options)
 {
-    if (!fs::is_directory(options.folder)) throw UsageError(fmt::format("{}: expected a workspace folder; there is none", options.folder));
-    Workshop workshop(application.tools);
+    expect_folder(options.folder, "a workspace");
+    expect_writable(options.html);
     const std::vector<Exercise> exercises = units_to_check(application, options);
+    Workshop workshop(application.tools);
     if (options.watch) watch(application, workshop, exercises, options);
     application.exit_status = check_once(application, workshop, exercises, options);
 }

@@ -9,6 +9,7 @@
 #include "batch/evidence.hpp"
 #include "cli/application.hpp"
 #include "cli/config.hpp"
+#include "cli/paths.hpp"
 #include "judge/image_difference.hpp"
 #include "judge/image_metrics.hpp"
 #include "judge/judge.hpp"
@@ -140,6 +141,7 @@ void print_text(const Application& application, const Found& found, const Option
 
 void run(Application& application, const Options& options)
 {
+    expect_writable(options.html);
     Check check;
     check.name = "compare";
     check.judge = JudgeKind::image;
@@ -150,7 +152,7 @@ void run(Application& application, const Options& options)
         html::CheckDetail detail;
         detail.evidence = evidence_of(check, {&yours, &reference}, found.result, found.agree);
         if (options.stochastic) detail.why = fmt::format("a right picture fails once in {:.0f}: noise explains everything else", 1 / stochastic_alpha);
-        html::write_page(options.html, html::comparison_html({options.yours, options.reference, found.result, detail, found.agree, config::version}));
+        write_output(options.html, html::comparison_html({options.yours, options.reference, found.result, detail, found.agree, config::version}));
     }
     if (options.json)
         print_json(found, options);

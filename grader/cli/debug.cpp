@@ -10,6 +10,7 @@
 #include "build/builder.hpp"
 #include "cli/application.hpp"
 #include "cli/become.hpp"
+#include "cli/paths.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -30,6 +31,7 @@ void debug(const Application& application, const Options& options)
     const std::string chosen = options.case_name.empty() ? cases.front() : options.case_name;
     if (std::find(cases.begin(), cases.end(), chosen) == cases.end())
         throw UsageError(fmt::format("{} has no case '{}'; it has: {}", exercise.id, chosen, fmt::join(cases, ", ")));
+    expect_folder(options.folder, "a workspace");
     const Handed handed = collect(options.folder, exercise);
     if (!handed.missing.empty()) throw UsageError(fmt::format("not found in {}: {}", options.folder, fmt::join(handed.missing, ", ")));
     const Built built = build(application.tools, exercise, handed.files);

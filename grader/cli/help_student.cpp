@@ -7,6 +7,8 @@
 
 #include "build/submission.hpp"
 #include "cli/application.hpp"
+#include "cli/paths.hpp"
+#include "report/paint.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -33,7 +35,10 @@ std::vector<std::string> hints_in(const std::string& statement)
 void print_hint(const Application& application, const std::string& unit, std::size_t step, const std::string& language)
 {
     const Exercise exercise = application.chosen({unit}).front();
-    const std::vector<std::string> hints = hints_in(read_text(exercise.folder / (language == "es" ? "README.es.md" : "README.md")));
+    const fs::path statement = exercise.folder / (language == "es" ? "README.es.md" : "README.md");
+    if (!fs::exists(statement) && language != "en")
+        throw UsageError(fmt::format("{0} has no statement in that language; in English: umbral hint {1} {2}", exercise.id, exercise.name, step));
+    const std::vector<std::string> hints = hints_in(as_given([&] { return read_text(statement); }));
     if (hints.empty()) throw UsageError(fmt::format("{} has no hints", exercise.id));
     if (step == 0 || step > hints.size()) throw UsageError(fmt::format("{} has hints 1 to {}, each a step more; got {}", exercise.id, hints.size(), step));
     fmt::print("Hint {} of {}: {}\n", step, hints.size(), hints[step - 1]);
@@ -45,17 +50,19 @@ void reset_unit(const Application& application, const std::string& unit, const s
 {
     const Exercise exercise = application.chosen({unit}).front();
     const fs::path place = fs::path(folder) / exercise.id;
-    fs::create_directories(place);
+    const Paint paint(application.style);
+    expect_folder(folder, "a workspace");
+    make_folder(place);
     for (const std::string& file : exercise.files) {
         if (fs::exists(place / file)) {
             int number = 1;
             while (fs::exists(place / fmt::format("{}.{}.bak", file, number))) ++number;
             const fs::path kept = place / fmt::format("{}.{}.bak", file, number);
             fs::rename(place / file, kept);
-            fmt::print("kept yours as {}\n", kept.string());
+            fmt::print("kept yours as {}\n", paint.safe(kept.string()));
         }
         fs::copy_file(exercise.folder / file, place / file);
-        fmt::print("put the stub back as {}\n", (place / file).string());
+        fmt::print("put the stub back as {}\n", paint.safe((place / file).string()));
     }
 }
 
@@ -86,7 +93,7 @@ void add_reset(CLI::App& parser, Application& application)
     CLI::App* command = parser.add_subcommand("reset", "Puts a unit's stub back; your file is kept beside it");
     command->add_option("UNIT", options->unit, "Which unit")->required();
     command->add_option("--dir", options->folder, "The workspace")->capture_default_str();
-    command->callback([&application, options] { reset_unit(application, options->unit, options->folder); });
+    command->callback([&application, options] { as_given([&] { reset_unit(application, options->unit, options->folder); }); });
 }
 
 }

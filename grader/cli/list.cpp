@@ -9,16 +9,18 @@
 #include "batch/pictures.hpp"
 #include "cli/application.hpp"
 #include "cli/config.hpp"
+#include "cli/paths.hpp"
 #include "report/html/pages.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {
 namespace {
 
+/// A unit that has no title in that language is listed by its English one, which every unit has.
 std::string title_in(const Exercise& exercise, const std::string& language)
 {
     const auto title = exercise.title.find(language);
-    return title == exercise.title.end() ? "" : title->second;
+    return title == exercise.title.end() ? exercise.title.at("en") : title->second;
 }
 
 void print_table(const std::vector<Exercise>& exercises, const std::string& language, const TerminalStyle& style)
@@ -61,6 +63,7 @@ void print_markdown(const std::vector<Exercise>& exercises, const std::string& l
 
 void write_catalogue(const Application& application, const std::string& language, const std::string& file)
 {
+    expect_writable(file);
     Workshop workshop(application.tools);
     std::vector<html::CatalogueEntry> entries;
     for (const Exercise& exercise : application.exercises) {
@@ -68,8 +71,8 @@ void write_catalogue(const Application& application, const std::string& language
         entries.push_back({exercise.topic, exercise.id, title_in(exercise, language), exercise.points, exercise.course, checks_in_words(exercise),
                            goal ? html::encode(*goal) : html::Picture()});
     }
-    html::write_page(file, html::catalogue_html(entries, language, config::version));
-    fmt::print("{}\n", file);
+    write_output(file, html::catalogue_html(entries, language, config::version));
+    fmt::print("{}\n", Paint(application.style).safe(file));
 }
 
 nlohmann::json as_json(const std::vector<Exercise>& exercises)
@@ -103,6 +106,7 @@ void add_list(CLI::App& parser, Application& application)
     command->add_flag("--markdown", options->markdown, "As a page of Markdown, which docs/units.md is");
     command->add_option("--html", options->html, "Write a page with the pictures that the reference draws")->type_name("FILE");
     command->callback([&application, options] {
+        application.warn_of_broken();
         if (!options->html.empty())
             write_catalogue(application, options->language, options->html);
         else if (options->markdown)

@@ -6,6 +6,8 @@
 
 #include "batch/pictures.hpp"
 #include "cli/application.hpp"
+#include "cli/paths.hpp"
+#include "report/paint.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -20,24 +22,28 @@ struct Options {
 /// Copies a unit's stubs and statements; what is there already is a student's work and stays.
 void make_unit(Workshop& workshop, const Exercise& exercise, const fs::path& folder)
 {
-    fs::create_directories(folder);
-    for (const std::string& file : exercise.files) fs::copy_file(exercise.folder / file, folder / file, fs::copy_options::skip_existing);
-    for (const char* statement : {"README.md", "README.es.md"})
-        if (fs::exists(exercise.folder / statement)) fs::copy_file(exercise.folder / statement, folder / statement, fs::copy_options::overwrite_existing);
+    make_folder(folder);
+    as_given([&] {
+        for (const std::string& file : exercise.files) fs::copy_file(exercise.folder / file, folder / file, fs::copy_options::skip_existing);
+        for (const char* statement : {"README.md", "README.es.md"})
+            if (fs::exists(exercise.folder / statement)) fs::copy_file(exercise.folder / statement, folder / statement, fs::copy_options::overwrite_existing);
+    });
+    expect_writable(folder / "goal.png");
     (void)save_goal(workshop, exercise, folder / "goal.png");
 }
 
 void make_workspace(const Application& application, const Options& options)
 {
     const fs::path root = options.folder;
-    if (fs::exists(root) && !fs::is_directory(root)) throw UsageError(fmt::format("{} exists and is not a folder", root.string()));
+    const std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
+    make_folder(root);
     Workshop workshop(application.tools);
-    const std::vector<Exercise> exercises = application.chosen(options.units);
     for (const Exercise& exercise : exercises) make_unit(workshop, exercise, root / exercise.id);
-    fmt::print("Made {} with {} unit{}. Each has a README, the goal picture and a stub to fill in.\n\n", root.string(), exercises.size(),
+    const Paint paint(application.style);
+    fmt::print("Made {} with {} unit{}. Each has a README, the goal picture and a stub to fill in.\n\n", paint.safe(root.string()), exercises.size(),
                exercises.size() == 1 ? "" : "s");
     const Exercise& first = exercises.front();
-    fmt::print("Begin with {}, then, in that folder:\n  umbral check {}\n", (root / first.id / first.files.front()).string(), first.name);
+    fmt::print("Begin with {}, then, in that folder:\n  umbral check {}\n", paint.safe((root / first.id / first.files.front()).string()), first.name);
 }
 
 }

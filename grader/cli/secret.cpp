@@ -92,8 +92,7 @@ private:
 void make(const fs::path& file)
 {
     if (Draft(file).publish(random_text(), file))
-        fmt::print(stderr,
-                   "umbral: made a new secret for the hidden cases: {}\n        Keep it: with another one, grading again gives other hidden inputs.\n",
+        fmt::print(stderr, "umbral: made a new secret for the hidden cases: {}\n        Keep it: with another one, grading again gives other hidden inputs.\n",
                    escape_terminal(file.string()));
 }
 
@@ -107,7 +106,7 @@ void warn_of_readers(const fs::path& file, mode_t mode)
 std::string read_secret(const fs::path& file)
 {
     const Descriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-    struct stat status{};
+    struct stat status {};
     if (!opened || fstat(opened.get(), &status) != 0) refuse_for_errno(file, "read");
     if (!S_ISREG(status.st_mode)) refuse(file, "expected a regular file, got another kind");
     std::string text(longest + 1, '\0');

@@ -7,13 +7,13 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <tuple>
-#include <umbral/core/png.hpp>
 
 #include "batch/share_out.hpp"
 #include "batch/validation_table.hpp"
 #include "cli/application.hpp"
+#include "cli/numbers.hpp"
+#include "cli/paths.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {
@@ -39,7 +39,8 @@ void print(const Finding& finding, const Paint& paint)
 void validate(Application& application, const Options& options)
 {
     const Paint paint(application.style);
-    const std::vector<Exercise> exercises = application.chosen(options.units);
+    expect_writable(options.table);
+    const std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
     std::mutex mutex;
     std::vector<Finding> findings;
     // The slowest units have the most seeds to wait for: seeds are shared out, not units.
@@ -71,9 +72,10 @@ void validate(Application& application, const Options& options)
         fmt::print("{} findings with {} seeds, {} of them not as they should be\n", findings.size(), options.seeds, failing);
     if (!options.table.empty()) {
         const std::string table = validation_table(findings, exercises);
-        write_file_atomically(options.table, std::as_bytes(std::span(table)));
+        write_output(options.table, table);
     }
-    if (failing != 0 || findings.empty()) application.exit_status = exit_not_right;
+    const bool all_read = !options.units.empty() || application.broken.empty();
+    if (failing != 0 || findings.empty() || !all_read) application.exit_status = exit_not_right;
 }
 
 }
@@ -83,8 +85,8 @@ void add_validate(CLI::App& parser, Application& application)
     auto options = std::make_shared<Options>();
     CLI::App* command = parser.add_subcommand("validate", "For authors and CI: proves that each unit's checks tell right from wrong");
     command->add_option("UNIT", options->units, "Only these units");
-    command->add_option("--seeds", options->seeds, "How many sets of random inputs")->check(CLI::PositiveNumber)->capture_default_str();
-    command->add_option("--jobs", options->jobs, "How many at a time")->check(CLI::PositiveNumber)->capture_default_str();
+    command->add_option("--seeds", options->seeds, "How many sets of random inputs")->check(possible_seeds)->capture_default_str();
+    command->add_option("--jobs", options->jobs, "How many at a time")->check(possible_jobs)->capture_default_str();
     command->add_flag("--quiet", options->quiet, "Print only what fails");
     command->add_flag("--json", options->json, "As JSON");
     command->add_option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown")->type_name("FILE");

@@ -35,8 +35,9 @@ std::string digest_of(const Exercise& exercise)
 std::vector<std::filesystem::path> folders_in(const std::filesystem::path& root)
 {
     std::vector<std::filesystem::path> folders;
+    std::error_code loop;  // of symbolic links: no folder
     for (const auto& entry : std::filesystem::directory_iterator(root))
-        if (entry.is_directory()) folders.push_back(entry.path());
+        if (entry.is_directory(loop)) folders.push_back(entry.path());
     return folders;
 }
 
@@ -83,22 +84,34 @@ Exercise load_exercise(const std::filesystem::path& folder)
     return exercise;
 }
 
-std::vector<Exercise> load_exercises(const std::filesystem::path& root)
+Units load_units(const std::filesystem::path& root)
 {
     if (!std::filesystem::is_directory(root))
         throw std::runtime_error(fmt::format("{}: expected a directory with units, topic/unit/exercise.json", root.string()));
-    std::vector<Exercise> exercises;
+    Units units;
+    const auto keep_broken = [&](std::string id, const auto& load) {
+        try {
+            load();
+        } catch (const std::exception& error) {
+            units.broken.push_back({std::move(id), error.what()});
+        }
+    };
     for (const auto& topic : folders_in(root))
-        for (const auto& folder : folders_in(topic))
-            if (std::filesystem::exists(folder / "exercise.json")) exercises.push_back(load_exercise(folder));
+        keep_broken(topic.filename().string(), [&] {
+            for (const auto& folder : folders_in(topic))
+                keep_broken((topic.filename() / folder.filename()).string(), [&] {
+                    if (std::filesystem::exists(folder / "exercise.json")) units.exercises.push_back(load_exercise(folder));
+                });
+        });
     std::ptrdiff_t noise = 0;
-    for (const Exercise& exercise : exercises)
+    for (const Exercise& exercise : units.exercises)
         noise += std::count_if(exercise.checks.begin(), exercise.checks.end(), [](const Check& check) { return check.judge == JudgeKind::noise; });
     if (noise > most_noise_checks)
         throw std::runtime_error(fmt::format("{}: expected at most {} checks of the judge \"noise\" in all units, which share one budget of errors, got {}",
                                              root.string(), most_noise_checks, noise));
-    std::sort(exercises.begin(), exercises.end(), [](const Exercise& a, const Exercise& b) { return place_in_course(a) < place_in_course(b); });
-    return exercises;
+    std::ranges::sort(units.exercises, {}, place_in_course);
+    std::ranges::sort(units.broken, {}, &BrokenUnit::id);
+    return units;
 }
 
 const char* to_string(JudgeKind kind)

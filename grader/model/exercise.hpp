@@ -49,7 +49,7 @@ struct Check {
     JudgeKind judge = JudgeKind::numbers;
     Millipoints points = 0;
     bool hard = false;    ///< judged against the oracle
-    bool hidden = false;  ///< its seed is secret; details are shown after the due date
+    bool hidden = false;  ///< its seed is secret, and students' reports show a verdict without values
     bool pairs = false;   ///< rows 2k and 2k+1 count only together
     Tolerance tolerance;
     double full = 1.0;               ///< the fraction right that earns all points
@@ -79,11 +79,12 @@ struct Exercise {
     std::vector<std::string> files;  ///< what the student hands in
     Millipoints points = 0;
     std::vector<std::string> uses;             ///< reference units that the student may call
-    std::vector<std::string> forbid;           ///< names that must not be used, as "glm::lookAt"
+    std::vector<std::string> forbid;           ///< what must not be used: names and patterns ("glm::rotate*"), families ("@transforms")
     std::map<std::string, std::string> title;  ///< by language: "en", "es"
     std::vector<std::string> course;
     std::optional<double> order;  ///< place within the topic; units without one come last
     bool gl = false;              ///< its cases need an OpenGL context
+    bool gl_calls = false;        ///< … and the student's own code calls OpenGL
     bool glfw = false;            ///< its cases are driven through GLFW's functions, without a window
     Limits limits;
     std::vector<Check> checks;
@@ -106,9 +107,21 @@ struct Exercise {
 /// The same from parsed JSON (`where` names it in messages); reads no other file, so `digest` stays empty.
 [[nodiscard]] Exercise parse_exercise(const nlohmann::json& json, const std::string& where);
 
+/// A folder topic/unit with a manifest that is no unit yet, or a topic's folder that cannot be read.
+struct BrokenUnit {
+    std::string id;      ///< as its folders are called: "topic/unit", or "topic"
+    std::string reason;  ///< what load_exercise says
+};
+
+struct Units {
+    std::vector<Exercise> exercises;
+    std::vector<BrokenUnit> broken;  ///< sorted by id
+};
+
 /// All units below `root` (topic/unit/exercise.json), sorted by topic in the course's order (other topics behind, by name), then `order`, then
-/// id. Throws as load_exercise does, and if they have more than most_noise_checks checks of noise.
-[[nodiscard]] std::vector<Exercise> load_exercises(const std::filesystem::path& root);
+/// id. A unit that cannot be loaded keeps no other from being loaded. Throws std::runtime_error if `root` is no folder that can be read, and
+/// if the units have more than most_noise_checks checks of noise.
+[[nodiscard]] Units load_units(const std::filesystem::path& root);
 
 [[nodiscard]] const char* to_string(JudgeKind kind);
 

@@ -78,7 +78,7 @@ TEST(LoadExercise, the_digest_changes_with_what_decides_the_score_and_nothing_el
     EXPECT_TRUE(seen.insert(digest()).second);
 }
 
-TEST(LoadExercises, come_in_the_order_of_the_course)
+TEST(LoadUnits, come_in_the_order_of_the_course)
 {
     const umbral::test::TemporaryFolder folder;
     for (const char* topic : {"zoo", "raytracing", "interaction", "texturing", "lighting", "projections", "transforms", "meshes", "pipeline", "animals"})
@@ -91,17 +91,34 @@ TEST(LoadExercises, come_in_the_order_of_the_course)
     folder.write("CMakeLists.txt", "");
     folder.write("lighting/draft/notes.txt", "");
     std::vector<std::string> ids;
-    for (const Exercise& unit : load_exercises(folder.path())) ids.push_back(unit.id);
+    for (const Exercise& unit : load_units(folder.path()).exercises) ids.push_back(unit.id);
     EXPECT_EQ(ids,
               (std::vector<std::string>{"pipeline/unit", "meshes/unit", "transforms/unit", "projections/unit", "lighting/b", "lighting/c", "lighting/a",
                                         "lighting/aa", "lighting/unit", "texturing/unit", "interaction/unit", "raytracing/unit", "animals/unit", "zoo/unit"}));
 }
 
-TEST(LoadExercises, says_where_there_are_none)
+TEST(LoadUnits, a_broken_one_keeps_no_other_from_being_loaded)
 {
     const umbral::test::TemporaryFolder folder;
-    EXPECT_TRUE(load_exercises(folder.path()).empty());
-    EXPECT_NE(test::message_of([&] { (void)load_exercises(folder.path() / "nowhere"); }).find("nowhere: expected a directory"), std::string::npos);
+    write_unit(folder, "meshes/whole");
+    folder.write("meshes/half/exercise.json", "{\"format\": \"umbral-ex");
+    folder.write("animals/renamed/exercise.json", test::manifest().dump());
+    std::filesystem::create_symlink("loop", folder / "loop");
+    const Units units = load_units(folder.path());
+    ASSERT_EQ(units.exercises.size(), 1U);
+    EXPECT_EQ(units.exercises.front().id, "meshes/whole");
+    ASSERT_EQ(units.broken.size(), 2U);
+    EXPECT_EQ(units.broken[0].id, "animals/renamed");
+    EXPECT_NE(units.broken[0].reason.find("id: expected \"animals/renamed\""), std::string::npos) << units.broken[0].reason;
+    EXPECT_EQ(units.broken[1].id, "meshes/half");
+    EXPECT_NE(units.broken[1].reason.find("half/exercise.json: expected JSON"), std::string::npos) << units.broken[1].reason;
+}
+
+TEST(LoadUnits, says_where_there_are_none)
+{
+    const umbral::test::TemporaryFolder folder;
+    EXPECT_TRUE(load_units(folder.path()).exercises.empty());
+    EXPECT_NE(test::message_of([&] { (void)load_units(folder.path() / "nowhere"); }).find("nowhere: expected a directory"), std::string::npos);
 }
 
 }

@@ -73,9 +73,9 @@ TEST(NoiseManifest, AllUnitsTogetherHaveAtMostAHundred)
     };
     write_unit("one", 60);
     write_unit("two", most_noise_checks - 60);
-    EXPECT_EQ(load_exercises(folder.path()).size(), 2U);
+    EXPECT_EQ(load_units(folder.path()).exercises.size(), 2U);
     write_unit("two", most_noise_checks - 59);
-    const std::string message = test::message_of([&] { (void)load_exercises(folder.path()); });
+    const std::string message = test::message_of([&] { (void)load_units(folder.path()); });
     EXPECT_NE(message.find("expected at most 100 checks of the judge \"noise\""), std::string::npos) << message;
     EXPECT_NE(message.find("got 101"), std::string::npos) << message;
 }

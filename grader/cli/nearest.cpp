@@ -1,0 +1,76 @@
+#include "cli/nearest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <utility>
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t longest_word = 64;
+
+char small(char letter) { return static_cast<char>(std::tolower(static_cast<unsigned char>(letter))); }
+
+std::string small(std::string_view word)
+{
+    std::string result(word);
+    std::ranges::transform(result, result.begin(), [](char letter) { return small(letter); });
+    return result;
+}
+
+/// How far `name` lies from what was typed; nothing if too far. A part of a name counts as one letter and a half.
+std::optional<std::size_t> half_letters(std::string_view word, const std::string& name)
+{
+    const std::size_t distance = edit_distance(word, name);
+    if (distance <= std::max<std::size_t>(1, word.size() / 3)) return 2 * distance;
+    if (word.size() >= 3 && small(name).find(small(word)) != std::string::npos) return 3;
+    return std::nullopt;
+}
+
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b)
+{
+    // Three rows of the table: of two letters ago, of the last one, of this one.
+    std::vector<std::size_t> before(b.size() + 1);
+    std::vector<std::size_t> last(b.size() + 1);
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before.swap(last);
+        last.swap(row);
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const bool same = small(a[i - 1]) == small(b[j - 1]);
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+            if (i > 1 && j > 1 && small(a[i - 1]) == small(b[j - 2]) && small(a[i - 2]) == small(b[j - 1])) row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+std::vector<std::string> nearest(std::string_view word, std::span<const std::string> known, std::size_t most)
+{
+    if (word.empty() || word.size() > longest_word) return {};
+    std::vector<std::pair<std::size_t, std::string>> found;
+    for (const std::string& name : known)
+        if (const auto distance = half_letters(word, name)) found.emplace_back(*distance, name);
+    std::ranges::stable_sort(found, {}, [](const auto& one) { return one.first; });
+    std::vector<std::string> names;
+    for (const auto& [distance, name] : found)
+        if (names.size() < most && std::ranges::find(names, name) == names.end()) names.push_back(name);
+    return names;
+}
+
+std::string did_you_mean(std::span<const std::string> names)
+{
+    if (names.empty()) return ";";
+    std::string text = "; did you mean ";
+    for (std::size_t i = 0; i < names.size(); ++i) text += fmt::format("{}`{}`", i == 0 ? "" : i + 1 == names.size() ? " or " : ", ", names[i]);
+    return text + "?";
+}
+
+}

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace umbral::grader {
+
+// Numbers beyond these are slips: every job is a thread with programs of its own, and a thousand seeds take days.
+inline const CLI::Range possible_jobs(1, 1024);
+inline const CLI::Range possible_seeds(1, 10000);
+
+}

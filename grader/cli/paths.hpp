@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "cli/application.hpp"
+
+namespace umbral::grader {
+
+// What users name on the command line is theirs to mend: whatever is wrong with it throws UsageError with the path and the reason.
+
+/// Expects a folder that can be read; `meaning` says what for, as "a workspace".
+void expect_folder(const std::filesystem::path& folder, std::string_view meaning);
+
+/// Makes a folder, and those above it, where they are missing.
+void make_folder(const std::filesystem::path& folder);
+
+/// Expects that write_output(file, …) will find a folder in which it can write, and no folder, device or link in its way: asked before
+/// hours of work, not after them. An empty name means no output, and is right.
+void expect_writable(const std::filesystem::path& file);
+
+/// Writes a file, whole or not at all.
+void write_output(const std::filesystem::path& file, std::string_view text);
+
+/// Does what works with files of the user's: what the file system refuses is a UsageError.
+template <class Action>
+auto as_given(const Action& action)
+{
+    try {
+        return action();
+    } catch (const std::filesystem::filesystem_error& error) {
+        throw UsageError(error.what());
+    }
+}
+
+}
