@@ -11,7 +11,9 @@
 #include "build/check_names.hpp"
 #include "build/compile.hpp"
 #include "build/inspection.hpp"
+#include "model/caps.hpp"
 #include "model/digest.hpp"
+#include "model/recording.hpp"
 #include "model/scratch.hpp"
 
 namespace umbral::grader {
@@ -31,7 +33,7 @@ std::vector<std::string> lines_of(const fs::path& file)
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("3\n{}\n{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.glfw, exercise.counts_cost(), tools.compiler,
+    std::string all = fmt::format("4\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw, exercise.counts_cost(), tools.compiler,
                                   fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
     all += read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");
@@ -81,29 +83,58 @@ Built keep(const Built& built, const fs::path& work, const fs::path& folder)
     throw std::runtime_error(fmt::format("cannot keep a build in {}: {}; is the disk full?", folder.string(), taken.message()));
 }
 
-Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+/// Does this machine compile at all, now? A file that cannot fail, compiled like a student's. Throws std::runtime_error with what the
+/// compiler says: then it is the machine that fails, and nobody's work.
+void require_a_working_compiler(const Toolchain& tools, const Exercise& exercise)
 {
-    Built built;
-    const Compilation compilation = compile(tools, exercise, files, work);
-    if (!compilation.library) {
-        built.verdict = Verdict::compile_error;
-        built.message = compilation.diagnostics;
-        built.repeatable = !compilation.out_of_time;
-        return built;
-    }
+    const ScratchFolder work(tools.cache);
+    const Compilation canary = compile(tools, exercise, {{"canary.cpp", "int canary(int x) { return x + 1; }\n"}}, work.path());
+    if (canary.outcome == Compilation::Outcome::built) return;
+    throw std::runtime_error(fmt::format("the compiler fails on this machine, whatever it compiles: {}", one_line(canary.diagnostics, 1024)));
+}
+
+/// Compiles; if that fails without a word about the student's files, makes sure that it is not the machine, and compiles once more.
+Compilation compile_surely(const Toolchain& tools, const Exercise& exercise, const Sources& files, const ScratchFolder& work)
+{
+    Compilation compilation = compile(tools, exercise, files, work.path());
+    if (compilation.outcome != Compilation::Outcome::unexplained) return compilation;
+    require_a_working_compiler(tools, exercise);
+    for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
+    compilation = compile(tools, exercise, files, work.path());
+    if (compilation.outcome == Compilation::Outcome::unexplained) require_a_working_compiler(tools, exercise);
+    return compilation;
+}
+
+/// What may be called from outside beside the C++ library: the framework, and the units that this one uses.
+std::set<std::string> offered_names(const Toolchain& tools, const Exercise& exercise)
+{
     std::set<std::string> offered;
     for (std::string& name : lines_of(tools.units / "framework-exports.txt")) offered.insert(std::move(name));
     for (const std::string& used : exercise.uses)
         for (std::string& name : lines_of(unit_folder(tools, used) / "exports.txt")) offered.insert(std::move(name));
-    const std::optional<Inspection> inspection = inspect(tools, *compilation.library);
-    if (!inspection) {
-        built.verdict = Verdict::forbidden;
-        built.message = "what your code compiles to cannot be read: assembler that writes debug information is not allowed";
+    return offered;
+}
+
+Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sources& files, const ScratchFolder& work)
+{
+    Built built;
+    const Compilation compilation = compile_surely(tools, exercise, files, work);
+    if (!compilation.library) {
+        built.verdict = compilation.outcome == Compilation::Outcome::not_allowed ? Verdict::forbidden : Verdict::compile_error;
+        built.message = compilation.diagnostics;
+        built.repeatable = compilation.outcome != Compilation::Outcome::unexplained;
         return built;
     }
-    const auto objection = object_to(*inspection, lines_of(unit_folder(tools, exercise.id) / "exports.txt"), offered, exercise);
+    const auto inspection = inspect(tools, *compilation.library, unit_folder(tools, exercise.id) / "exports.txt");
+    if (!inspection) {
+        require_a_working_compiler(tools, exercise);
+        built.verdict = Verdict::forbidden;
+        built.message = "what your code compiles to cannot be read: it holds more names than are looked at, or damaged debug information";
+        return built;
+    }
+    const auto objection = object_to(*inspection, offered_names(tools, exercise), exercise);
     built.verdict = objection ? objection->verdict : Verdict::ok;
-    if (objection) built.message = objection->message;
+    if (objection) built.message = printable(objection->message, caps::message);
     return built;
 }
 
@@ -125,7 +156,7 @@ Built build(const Toolchain& tools, const Exercise& exercise, const Sources& fil
         built = *std::move(result);
     } else {
         const ScratchFolder work(tools.cache);
-        built = compile_fresh(tools, exercise, files, work.path());
+        built = compile_fresh(tools, exercise, files, work);
         if (built.repeatable) built = keep(built, work.path(), folder);
     }
     built.sources = texts_of(files);

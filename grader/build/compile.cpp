@@ -2,9 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
+#include "build/compiler_files.hpp"
+#include "build/source_scan.hpp"
+#include "model/caps.hpp"
 #include "model/recording.hpp"
 #include "run/confine.hpp"
 
@@ -13,26 +20,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ConfinedCommand command_for(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+/// What compilers, assemblers and linkers print when the machine is at its end, not the student.
+constexpr std::array<std::string_view, 10> machine_troubles{
+    "No space left on device", "Disk quota exceeded", "Read-only file system", "Input/output error", "Too many open files",
+    "Resource temporarily unavailable", "Killed signal", "Cannot fork", "cannot fork", "vfork: "};
+
+/// The compiler on the student's files, up to what it is to do with them.
+ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work,
+                                 const std::vector<std::string>& task)
 {
-    const fs::path unit = unit_folder(tools, exercise.id);
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";
     command.directory = work;
     command.cpu_seconds = tools.compile_seconds;
     command.wall_seconds = 4 * tools.compile_seconds;
+    command.read = compiler_files(tools.compiler);
     // Of the unit only the version script: beside it lie the libraries with the answers.
-    command.read = {tools.framework, tools.student_header.parent_path(), unit / "exports.map"};
+    for (const fs::path& path : {tools.framework, tools.student_header.parent_path(), unit_folder(tools, exercise.id) / "exports.map"})
+        command.read.push_back(path.string());
     command.arguments = {tools.compiler};
     command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
     if (exercise.counts_cost()) command.arguments.emplace_back("-fsanitize-coverage=trace-pc");
-    for (const std::string& word :
-         {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"), "-I" + tools.framework.string(), "-ffile-prefix-map=" + work.string() + "=.",
-          std::string("-include"), tools.student_header.string(), std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,-z,lazy"),
-          "-Wl,--version-script=" + (unit / "exports.map").string(), std::string("-o"), std::string("student.so")})
+    for (const std::string& word : {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"), "-I" + tools.framework.string(),
+                                    "-ffile-prefix-map=" + work.string() + "=.", std::string("-include"), tools.student_header.string()})
         command.arguments.push_back(word);
+    command.arguments.insert(command.arguments.end(), task.begin(), task.end());
+    // With a folder before it, no name can be taken for an option.
     for (const auto& [name, text] : files)
-        if (name.ends_with(".cpp")) command.arguments.push_back(name);
+        if (name.ends_with(".cpp")) command.arguments.push_back("./" + name);
     return command;
 }
 
@@ -68,28 +83,86 @@ std::string first_errors(std::string_view output, std::size_t lines)
     return kept;
 }
 
+bool blames_own_file(std::string_view output, const Sources& files)
+{
+    std::istringstream stream{std::string(output)};
+    for (std::string line; std::getline(stream, line);)
+        for (const auto& [name, text] : files) {
+            if (line.starts_with("./")) line.erase(0, 2);
+            if (!line.starts_with(name + ":")) continue;
+            if (line.find(" error: ", name.size()) != std::string::npos || line.find("fatal error: ", name.size()) != std::string::npos) return true;
+        }
+    return false;
+}
+
+namespace {
+
+using Outcome = Compilation::Outcome;
+using Stopped = ConfinedResult::Stopped;
+
+/// Assembler and the like among the files, as the compiler sees them; nothing also if they cannot be preprocessed, which compiling says.
+std::optional<std::string> find_assembler_in(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+{
+    ConfinedCommand command = compiler_command(tools, exercise, files, work, {"-E", "-fpch-preprocess", "-w"});
+    command.output_limit = caps::preprocessed;
+    command.stop_at_limit = true;
+    const ConfinedResult result = run_confined(command);
+    if (result.stopped == Stopped::too_much_output) return "your files include more text than the compiler is given";
+    if (result.exit_status != 0) return std::nullopt;
+    return find_assembler(result.output, tools.student_header.string() + ".gch");
+}
+
+std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result, const fs::path& work)
+{
+    if (result.stopped == Stopped::out_of_processor_time || result.stopped == Stopped::out_of_wall_time)
+        return fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
+    const std::string output = without_our_paths(result.output, tools, work);
+    std::string text = first_errors(output, 24);
+    if (text.empty()) text = first_errors(": error:\n" + output, 24).substr(9);
+    return printable(text, caps::message);
+}
+
+Outcome outcome_of(const ConfinedResult& result, const Sources& files)
+{
+    if (result.stopped == Stopped::out_of_processor_time || result.stopped == Stopped::too_much_output) return Outcome::too_expensive;
+    // What the machine lacks may also show as an error in a student's line.
+    const bool machine = std::ranges::any_of(machine_troubles, [&](std::string_view sign) { return result.output.find(sign) != std::string::npos; });
+    return result.stopped == Stopped::no && !machine && blames_own_file(result.output, files) ? Outcome::refused_by_compiler : Outcome::unexplained;
+}
+
+}
+
 Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
 {
     for (const auto& [name, text] : files) {
         std::ofstream stream(work / name, std::ios::binary);
         stream << text;
-        if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", (work / name).string()));
+        if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}: {}", (work / name).string(), std::strerror(errno)));
     }
-    const ConfinedCommand command = command_for(tools, exercise, files, work);
-    const ConfinedResult result = run_confined(command);
-    if (result.exit_status == confinement_failed) throw std::runtime_error("the compiler cannot be run: " + result.output);
     Compilation compilation;
-    const fs::path library = work / "student.so";
-    if (result.exit_status == 0 && fs::is_regular_file(fs::symlink_status(library))) {
-        compilation.library = library;
+    if (const auto assembler = find_assembler_in(tools, exercise, files, work)) {
+        compilation.outcome = Outcome::not_allowed;
+        compilation.diagnostics = *assembler;
         return compilation;
     }
-    const std::string output = without_our_paths(result.output, tools, work);
-    compilation.diagnostics = first_errors(output, 24);
-    compilation.out_of_time = result.timed_out;
-    if (result.timed_out) compilation.diagnostics = fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
-    if (compilation.diagnostics.empty()) compilation.diagnostics = first_errors(": error:\n" + output, 24).substr(9);
-    compilation.diagnostics = printable(compilation.diagnostics, 8192);
+    const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
+    const ConfinedResult result =
+        run_confined(compiler_command(tools, exercise, files, work,
+                                      {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script, "-o", "student.so"}));
+    if (result.exit_status == confinement_failed) throw std::runtime_error("the compiler cannot be run: " + result.output);
+    const fs::path library = work / "student.so";
+    if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {
+        compilation.outcome = outcome_of(result, files);
+        compilation.diagnostics = diagnostics_of(tools, result, work);
+        return compilation;
+    }
+    if (fs::file_size(library) > caps::library) {
+        compilation.outcome = Outcome::too_expensive;
+        compilation.diagnostics = fmt::format("your files compile to {} bytes; at most {} are taken", fs::file_size(library), caps::library);
+        return compilation;
+    }
+    compilation.outcome = Outcome::built;
+    compilation.library = library;
     return compilation;
 }
 

@@ -10,30 +10,35 @@
 namespace umbral::grader {
 namespace {
 
-ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path& library, std::vector<std::string> arguments)
+ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path& library, const std::vector<std::string>& arguments,
+                             std::vector<std::string> also_read = {})
 {
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";
     command.arguments = {(tools.programs / "umbral-inspect").string()};
     command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
     command.directory = library.parent_path();
-    command.read = {tools.programs};
+    command.read = std::move(also_read);
     command.cpu_seconds = 10;
     command.memory_mib = 1024;
-    command.output_limit = std::size_t{8} << 20U;
+    command.output_limit = std::size_t{64} << 20U;
     return run_confined(command);
 }
 
 }
 
-std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library)
+std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library, const std::filesystem::path& interface_names)
 {
-    const ConfinedResult result = run_inspector(tools, library, {"names", library.string()});
+    const ConfinedResult result = run_inspector(tools, library, {"names", library.string(), interface_names.string()}, {interface_names.string()});
     if (result.exit_status == confinement_failed) throw std::runtime_error(fmt::format("umbral-inspect cannot be run: {}", result.output));
     if (result.exit_status != 0) return std::nullopt;
     const nlohmann::json json = nlohmann::json::parse(result.output, nullptr, false);
     if (!json.is_object()) return std::nullopt;
-    return Inspection{json.at("exported"), json.at("undefined"), json.at("functions")};
+    Inspection inspection;
+    inspection.missing = json.at("missing");
+    for (const auto& pair : json.at("undefined")) inspection.undefined.push_back({pair.at(0), pair.at(1)});
+    for (const auto& pair : json.at("functions")) inspection.functions.push_back({pair.at(0), pair.at(1)});
+    return inspection;
 }
 
 std::string place_of(const Toolchain& tools, const std::filesystem::path& library, const std::vector<std::uint64_t>& frames)

@@ -10,17 +10,30 @@
 
 namespace umbral::grader {
 
-/// What a built library says about itself. It was made from hostile sources (which may hold assembler), so it is read by
-/// umbral-inspect in confinement, never in the grader.
-struct Inspection {
-    std::vector<std::string> exported;   ///< symbols defined for others, mangled
-    std::vector<std::string> undefined;  ///< symbols it wants from others, mangled, without versions
-    std::vector<std::string> functions;  ///< demangled names of all functions in the debug information that left code, inlined ones too
+/// A symbol of a library's dynamic table.
+struct InspectedSymbol {
+    std::string name;      ///< as the linker knows it, at most caps::symbol bytes
+    std::string readable;  ///< as C++ writes it, at most caps::name bytes
 };
 
-/// Nothing if the file cannot be read, by its own fault: a compiler's output always can. Throws std::runtime_error if the inspector
-/// cannot be run.
-[[nodiscard]] std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library);
+/// A function that left code in a library, also one that was inlined.
+struct InspectedFunction {
+    std::string name;  ///< as C++ writes it, at most caps::name bytes
+    std::string file;  ///< where it is declared, as the compiler knew it
+};
+
+/// What a built library says about itself. It was made from hostile sources, so it is read by umbral-inspect in confinement, never in
+/// the grader, which demangles nothing: lists and names are bounded where they are made.
+struct Inspection {
+    std::vector<std::string> missing;          ///< of the interface: names that it does not define, as C++ writes them
+    std::vector<InspectedSymbol> undefined;    ///< what it wants from others, without versions
+    std::vector<InspectedFunction> functions;  ///< of its debug information
+};
+
+/// Reads `library`, which is to define the names listed in the file `interface_names` (mangled, one a line). Nothing if the file cannot be
+/// read, by its own fault: a compiler's output always can. Throws std::runtime_error if the inspector cannot be run.
+[[nodiscard]] std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library,
+                                                const std::filesystem::path& interface_names);
 
 /// The first of `frames` (addresses in the library, return addresses but for the first) that lies in a file of `folder`'s own:
 /// "sphere.cpp:17"; empty if there is none.

@@ -10,6 +10,7 @@
 
 #include "model/exercise.hpp"
 #include "model/field.hpp"
+#include "model/forbidden_families.hpp"
 #include "model/manifest_values.hpp"
 
 // The manifest exercise.json, field by field. docs/schemas/exercise.schema.json says the same for editors; a test holds both together.
@@ -189,12 +190,25 @@ std::vector<Check> read_checks(const Field& field)
     return checks;
 }
 
+/// An unknown family would forbid nothing, without a word.
+std::vector<std::string> read_forbid(const Field& field)
+{
+    std::vector<std::string> entries = field.texts(0, 256, 128);
+    for (const std::string& entry : entries)
+        if (!is_forbid_entry(entry)) {
+            std::vector<std::string_view> families;
+            for (const ForbiddenFamily& family : forbidden_families()) families.push_back(family.name);
+            field.refuse(fmt::format("names with letters, digits, _, :: and *, or one of the families {}", fmt::join(families, ", ")));
+        }
+    return entries;
+}
+
 }
 
 Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
 {
     const Field root(json, where);
-    root.allow_only({"format", "version", "id", "files", "points", "uses", "forbid", "gl", "glfw", "title", "course", "order", "limits", "checks"});
+    root.allow_only({"format", "version", "id", "files", "points", "uses", "forbid", "gl", "gl_calls", "glfw", "title", "course", "order", "limits", "checks"});
     if (root.member("format").text(40) != "umbral-exercise") root.member("format").refuse("\"umbral-exercise\"");
     (void)root.member("version").integer(1, 1);
 
@@ -205,8 +219,10 @@ Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
     exercise.files = read_files(root.member("files"));
     exercise.points = read_points(root.member("points"));
     if (const Field uses = root.member("uses"); uses.given()) exercise.uses = read_uses(uses, exercise.id);
-    if (const Field forbid = root.member("forbid"); forbid.given()) exercise.forbid = forbid.texts(0, 256, 128);
+    if (const Field forbid = root.member("forbid"); forbid.given()) exercise.forbid = read_forbid(forbid);
     exercise.gl = read_flag(root.member("gl"));
+    exercise.gl_calls = read_flag(root.member("gl_calls"));
+    if (exercise.gl_calls && !exercise.gl) root.member("gl_calls").refuse("true only in a unit with \"gl\": true");
     exercise.glfw = read_flag(root.member("glfw"));
     exercise.title = read_title(root.member("title"));
     if (const Field course = root.member("course"); course.given()) exercise.course = course.texts(0, 64, 200);

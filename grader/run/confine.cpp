@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,7 +25,7 @@ std::vector<std::string> whole_command(const ConfinedCommand& command)
 {
     std::vector<std::string> words{command.confine.string(), std::to_string(command.memory_mib),
                                    std::to_string(static_cast<int>(std::ceil(command.cpu_seconds))), command.directory.string()};
-    for (const auto& path : command.read) words.push_back(path.string());
+    words.insert(words.end(), command.read.begin(), command.read.end());
     words.emplace_back("--");
     words.insert(words.end(), command.arguments.begin(), command.arguments.end());
     return words;
@@ -63,30 +64,36 @@ pid_t start(const ConfinedCommand& command, int output)
 
 ConfinedResult run_confined(const ConfinedCommand& command)
 {
+    // A socket, not a pipe: what a program opens by the name of its own output (/proc/self/fd/1) is refused and never waits.
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe2");
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw std::system_error(errno, std::generic_category(), "socketpair");
     Descriptor reading(ends[0]);
     Descriptor writing(ends[1]);
     const pid_t process = start(command, writing.get());
     writing.reset();
 
+    using Stopped = ConfinedResult::Stopped;
     ConfinedResult result;
     const auto end = Clock::now() + std::chrono::duration<double>(command.wall_seconds);
     std::array<char, 16384> buffer{};
-    for (;;) {
+    while (result.stopped == Stopped::no) {
         const double left = std::chrono::duration<double>(end - Clock::now()).count();
         pollfd watched{reading.get(), POLLIN, 0};
         if (left <= 0 || (poll(&watched, 1, static_cast<int>(left * 1000) + 1) == 0)) {
-            result.timed_out = true;
+            result.stopped = Stopped::out_of_wall_time;
             break;
         }
         const ssize_t got = read(reading.get(), buffer.data(), buffer.size());
         if (got == 0) break;
-        if (got < 0) continue;
+        if (got < 0) {
+            if (errno == EINTR || errno == EAGAIN) continue;
+            break;
+        }
         const std::size_t room = command.output_limit - std::min(command.output_limit, result.output.size());
+        if (command.stop_at_limit && static_cast<std::size_t>(got) > room) result.stopped = Stopped::too_much_output;
         result.output.append(buffer.data(), std::min(static_cast<std::size_t>(got), room));
     }
-    if (result.timed_out) kill(-process, SIGKILL);
+    if (result.stopped != Stopped::no) kill(-process, SIGKILL);
     int status = 0;
     rusage used{};
     while (wait4(process, &status, 0, &used) < 0 && errno == EINTR) {
@@ -95,7 +102,8 @@ ConfinedResult run_confined(const ConfinedCommand& command)
     if (WIFEXITED(status)) result.exit_status = WEXITSTATUS(status);
     // A compiler whose child the kernel stopped ends by itself, with a message about the child's signal.
     const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-    if (result.exit_status != 0 && seconds(used.ru_utime) + seconds(used.ru_stime) >= command.cpu_seconds) result.timed_out = true;
+    const bool spent = seconds(used.ru_utime) + seconds(used.ru_stime) >= command.cpu_seconds;
+    if (result.stopped == Stopped::no && result.exit_status != 0 && spent) result.stopped = Stopped::out_of_processor_time;
     return result;
 }
 

@@ -1,0 +1,82 @@
+#include "build/forbidden.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "build/spelling.hpp"
+#include "model/caps.hpp"
+#include "model/forbidden_families.hpp"
+
+namespace umbral::grader {
+namespace {
+
+bool matches_any(std::string_view text, const std::vector<std::string_view>& patterns)
+{
+    return std::ranges::any_of(patterns, [&](std::string_view pattern) { return matches_pattern(text, pattern); });
+}
+
+/// "glm/gtx/transform.inl" of "/usr/include/glm/gtx/transform.inl".
+std::string_view below_include(std::string_view path)
+{
+    constexpr std::string_view folder = "/include/";
+    const std::size_t at = path.rfind(folder);
+    return at == std::string_view::npos ? path : path.substr(at + folder.size());
+}
+
+std::string sentence(std::string_view name, const ForbiddenFamily* family)
+{
+    if (family == nullptr)
+        return fmt::format("{} is not allowed in this unit: it is what you are to write yourself", one_line(name));
+    return fmt::format("{} is not allowed in this unit: what {} is what you are to write yourself", one_line(name), family->what);
+}
+
+}
+
+std::string qualified_name(std::string_view signature)
+{
+    std::string bare;
+    int depth = 0;
+    for (std::size_t i = 0; i < signature.size(); ++i) {
+        const char c = signature[i];
+        // "operator<" and its like open nothing.
+        const bool of_operator = bare.ends_with("operator") || bare.ends_with("operator<") || bare.ends_with("operator-") || bare.ends_with("operator>");
+        if (depth == 0 && (c == '<' || c == '>') && of_operator)
+            bare += c;
+        else if (c == '<')
+            ++depth;
+        else if (c == '>')
+            depth = std::max(0, depth - 1);
+        else if (depth == 0 && c == '(' && !signature.substr(i).starts_with("(anonymous namespace)"))
+            break;
+        else if (depth == 0)
+            bare += c;
+    }
+    // A template's signature begins with what it returns.
+    const std::size_t unnamed = bare.rfind("(anonymous namespace)");
+    const std::size_t space = bare.rfind(' ', unnamed == std::string::npos ? std::string::npos : unnamed);
+    const bool is_operator = bare.find("operator ") != std::string::npos;
+    return space == std::string::npos || is_operator ? bare : bare.substr(space + 1);
+}
+
+std::optional<std::string> find_forbidden(const Inspection& inspection, const std::vector<std::string>& forbid)
+{
+    if (forbid.empty()) return std::nullopt;
+    for (const InspectedFunction& function : inspection.functions) {
+        const std::string name = qualified_name(function.name);
+        for (const std::string& entry : forbid) {
+            const ForbiddenFamily* family = forbidden_family(entry);
+            if (family == nullptr && matches_pattern(name, entry)) return sentence(name, nullptr);
+            if (family == nullptr || matches_any(name, family->except) || !matches_any(below_include(function.file), family->headers)) continue;
+            return sentence(name, family);
+        }
+    }
+    for (const InspectedSymbol& symbol : inspection.undefined)
+        for (const std::string& entry : forbid) {
+            const ForbiddenFamily* family = forbidden_family(entry);
+            if (family == nullptr ? matches_pattern(symbol.name, entry) : matches_any(symbol.name, family->symbols)) return sentence(symbol.name, family);
+        }
+    return std::nullopt;
+}
+
+}

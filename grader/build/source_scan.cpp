@@ -1,0 +1,152 @@
+#include "build/source_scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "build/cpp_tokens.hpp"
+#include "model/caps.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using Kind = CppToken::Kind;
+
+template <std::size_t Size>
+bool contains(const std::array<std::string_view, Size>& words, std::string_view word)
+{
+    return std::ranges::find(words, word) != words.end();
+}
+
+constexpr std::array<std::string_view, 3> asm_words{"asm", "__asm", "__asm__"};
+constexpr std::array<std::string_view, 7> asm_qualifiers{"volatile", "__volatile", "__volatile__", "inline", "__inline__", "goto", "const"};
+
+/// Instructions that <immintrin.h> of GCC 12 writes as assembler, for lack of builtins.
+constexpr std::array<std::string_view, 4> compilers_own{"pconfig", "encls", "enclu", "enclv"};
+
+/// Attributes whose arguments or effects no unit needs: text for the assembler, code without its instrumentation.
+constexpr std::array<std::string_view, 8> attributes{"section",      "symver",
+                                                     "naked",        "no_sanitize",
+                                                     "no_sanitize_coverage", "no_instrument_function",
+                                                     "patchable_function_entry", "no_profile_instrument_function"};
+/// Attributes that name another symbol: a plain name is harmless, since every symbol is inspected.
+constexpr std::array<std::string_view, 3> naming_attributes{"alias", "ifunc", "weakref"};
+
+/// A name as assemblers take it, which can hold no directive.
+bool is_plain_name(std::string_view text)
+{
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+    return !text.empty() && letter(text.front()) &&
+           std::ranges::all_of(text, [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '@' || c == '$'; });
+}
+
+/// "pconfig" of "pconfig\n\t" as written.
+std::string_view first_word(std::string_view text)
+{
+    const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz");
+    const std::string_view rest = end == std::string_view::npos ? std::string_view{} : text.substr(end);
+    return rest.empty() || rest == "\\n\\t" ? text.substr(0, end) : std::string_view{};
+}
+
+/// "section" of "__section__".
+std::string_view bare(std::string_view name)
+{
+    if (name.size() > 4 && name.starts_with("__") && name.ends_with("__")) return name.substr(2, name.size() - 4);
+    return name;
+}
+
+class Scan {
+public:
+    Scan(std::string_view text, std::string_view header) : tokens_(text), header_(header) {}
+
+    std::optional<std::string> run()
+    {
+        for (advance(); current_.kind != Kind::end && !found_;) step();
+        return found_;
+    }
+
+private:
+    void advance()
+    {
+        before_ = current_;
+        current_ = tokens_.next();
+    }
+
+    void object(std::string what) { found_ = fmt::format("{}: {}", tokens_.place(), std::move(what)); }
+
+    void step()
+    {
+        if (current_.kind == Kind::directive) return check_directive();
+        if (current_.kind == Kind::name && contains(asm_words, current_.text)) return check_asm();
+        if (current_.kind == Kind::name && (current_.text == "__attribute__" || current_.text == "__attribute")) return check_attributes("(", ")");
+        if (current_.text == "[" && before_.text == "[") return check_attributes("[", "]");
+        advance();
+    }
+
+    /// `asm qualifiers ( "text" …`: a label with a plain name, or the compiler's own.
+    void check_asm()
+    {
+        constexpr std::array<std::string_view, 4> begins_statement{";", "{", "}", ":"};
+        const bool statement = before_.kind == Kind::end || contains(begins_statement, before_.text);
+        advance();
+        while (current_.kind == Kind::name && contains(asm_qualifiers, current_.text)) advance();
+        if (current_.text != "(") return object("assembler is not allowed");
+        std::string text;
+        for (advance(); current_.kind == Kind::string; advance()) text += current_.content();
+        const bool label = !statement && current_.text == ")" && is_plain_name(text);
+        if (!label && !contains(compilers_own, first_word(text))) object("assembler is not allowed");
+    }
+
+    /// Everything up to the bracket that closes what is open.
+    void check_attributes(std::string_view open, std::string_view close)
+    {
+        if (open == "(") advance();
+        int depth = 0;
+        std::string_view named;
+        for (; current_.kind != Kind::end && !found_; advance()) {
+            if (current_.text == open) ++depth;
+            if (current_.text == close && --depth <= 0) break;
+            if (current_.kind == Kind::name && contains(attributes, bare(current_.text)))
+                return object(fmt::format("the attribute {} is not allowed", bare(current_.text)));
+            if (current_.kind == Kind::name && contains(asm_words, current_.text)) return object("assembler is not allowed");
+            if (current_.kind == Kind::name) named = bare(current_.text);
+            if (current_.kind == Kind::string && contains(naming_attributes, named) && !is_plain_name(current_.content()))
+                return object(fmt::format("the attribute {} takes a plain name", named));
+        }
+        if (!found_) advance();
+    }
+
+    /// Line markers and what the compiler is told; `#ident` and its like are written out as they are.
+    void check_directive()
+    {
+        std::string_view line = current_.text.substr(1);
+        const auto word = [&] {
+            line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+            const std::string_view first = line.substr(0, line.find_first_of(" \t\""));
+            line.remove_prefix(first.size());
+            return first;
+        };
+        const std::string_view kind = word();
+        const bool marker = !kind.empty() && kind.front() >= '0' && kind.front() <= '9';
+        if (kind == "pragma") {
+            if (word() == "GCC" && word() == "pch_preprocess" && line != fmt::format(" \"{}\"", header_))
+                return object("a precompiled header of your own is not allowed");
+        } else if (!marker && kind != "line" && !kind.empty()) {
+            return object(fmt::format("the directive #{} is not allowed", one_line(kind, 32)));
+        }
+        advance();
+    }
+
+    CppTokens tokens_;
+    std::string_view header_;
+    CppToken before_;
+    CppToken current_;
+    std::optional<std::string> found_;
+};
+
+}
+
+std::optional<std::string> find_assembler(std::string_view text, std::string_view header) { return Scan(text, header).run(); }
+
+}

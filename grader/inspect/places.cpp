@@ -1,0 +1,73 @@
+#include "inspect/places.hpp"
+
+#include <dwarf.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include "inspect/units.hpp"
+#include "model/caps.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// A file of the student's own: those lie where the compiler worked, and no other does.
+bool is_own(Dwarf_Die* unit, const char* file)
+{
+    Dwarf_Attribute attribute;
+    const char* const folder = dwarf_formstring(dwarf_attr(unit, DW_AT_comp_dir, &attribute));
+    const std::string_view path(file);
+    const std::size_t slash = path.rfind('/');
+    if (slash == std::string_view::npos || path.substr(0, slash) == ".") return true;
+    return folder != nullptr && path.substr(0, slash) == folder;
+}
+
+std::string place(const char* file, std::uint64_t line)
+{
+    const std::string_view path(file, strnlen(file, caps::symbol));
+    const std::size_t slash = path.rfind('/');
+    return std::string(path.substr(slash == std::string_view::npos ? 0 : slash + 1).substr(0, caps::name)) + ":" + std::to_string(line);
+}
+
+/// Where a function that was inlined at `address`, as one of a library's header, was called by the student's own code.
+std::string place_of_call(Dwarf_Die* unit, Dwarf_Addr address)
+{
+    Dwarf_Die* scopes = nullptr;
+    const int count = dwarf_getscopes(unit, address, &scopes);
+    const std::unique_ptr<Dwarf_Die, decltype(&std::free)> owner(scopes, &std::free);
+    Dwarf_Files* files = nullptr;
+    if (count <= 0 || dwarf_getsrcfiles(unit, &files, nullptr) != 0) return {};
+    for (int i = 0; i < count; ++i) {
+        Dwarf_Attribute attribute;
+        Dwarf_Word file = 0;
+        Dwarf_Word line = 0;
+        if (dwarf_tag(&scopes[i]) != DW_TAG_inlined_subroutine) continue;
+        if (dwarf_attr(&scopes[i], DW_AT_call_file, &attribute) == nullptr || dwarf_formudata(&attribute, &file) != 0) continue;
+        if (dwarf_attr(&scopes[i], DW_AT_call_line, &attribute) == nullptr || dwarf_formudata(&attribute, &line) != 0) continue;
+        const char* name = dwarf_filesrc(files, file, nullptr, nullptr);
+        if (name == nullptr || !is_own(unit, name)) continue;
+        return place(name, line);
+    }
+    return {};
+}
+
+}
+
+std::string place_in_own_files(Dwarf* dwarf, Dwarf_Addr address)
+{
+    std::string found;
+    (void)for_each_unit(dwarf, [&](Dwarf_Die* unit) {
+        Dwarf_Line* line = dwarf_getsrc_die(unit, address);
+        int number = 0;
+        const char* file = line == nullptr ? nullptr : dwarf_linesrc(line, nullptr, nullptr);
+        if (file == nullptr || dwarf_lineno(line, &number) != 0) return false;
+        found = is_own(unit, file) ? place(file, static_cast<std::uint64_t>(number)) : place_of_call(unit, address);
+        return !found.empty();
+    });
+    return found;
+}
+
+}
