@@ -60,7 +60,8 @@ TEST(Arrows, of_the_grader)
                                {"report", {"model", "judge"}},
                                {"batch", {"model", "run", "collect", "build", "judge", "report"}},
                                {"calibrate", {"model", "run", "collect", "build", "judge", "report", "batch"}},
-                               {"cli", {"model", "run", "collect", "build", "judge", "report", "batch", "calibrate"}}};
+                               {"attack", {"model"}},
+                               {"cli", {"model", "run", "collect", "build", "judge", "report", "batch", "calibrate", "attack"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
         const std::string room = part(include.line.file, 1);

@@ -1,0 +1,4 @@
+#if __INCLUDE_LEVEL__ < 150
+#include "twice.hpp"
+#include "twice.hpp"
+#endif

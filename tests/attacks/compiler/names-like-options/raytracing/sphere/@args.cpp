@@ -1,0 +1,1 @@
+-o/tmp/umbral-planted
