@@ -1,6 +1,7 @@
 #include "collect/candidates.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "collect/file_names.hpp"
 
@@ -30,7 +31,8 @@ std::vector<Candidate> candidates_for(const SubmittedFiles& submitted, const Exe
     for (const auto& [path, text] : submitted.files)
         if (file_key(last_part(path)) == key)
             candidates.push_back({path, text, place_of(path, exercise, name), is_stub(text, exercise, name)});
-    std::ranges::stable_sort(candidates, {}, &Candidate::place);
+    // Among equals the plain name comes first.
+    std::ranges::stable_sort(candidates, {}, [&](const Candidate& one) { return std::pair(one.place, last_part(one.path) != name); });
     return candidates;
 }
 

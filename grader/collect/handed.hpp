@@ -15,7 +15,7 @@ struct Handed {
     Sources files;
     std::vector<std::string> missing;  ///< files that the unit asks for and that are not there
     std::string refused;               ///< why a file was not taken: too big, a link, several that differ; empty if none was
-    std::vector<std::string> notes;    ///< what the student should know: "sphere.cpp: taken from work/Sphere.cpp"; printable, one line each
+    std::vector<std::string> notes{};  ///< what the student should know: "sphere.cpp: taken from work/Sphere.cpp"; printable, one line each
 
     /// Is there nothing that could have been meant for this unit?
     [[nodiscard]] bool nothing() const { return files.empty() && refused.empty(); }

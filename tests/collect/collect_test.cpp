@@ -4,7 +4,9 @@
 
 #include <fstream>
 
-#include "support/workbench.hpp"
+#include "collect/desk.hpp"
+#include "collect/submission_id.hpp"
+#include "model/caps.hpp"
 
 namespace umbral::grader::test {
 namespace {
@@ -13,20 +15,19 @@ namespace fs = std::filesystem;
 
 class Collect : public testing::Test {
 protected:
-    Workbench bench;
-    Exercise exercise = bench.exercise("raytracing/sphere");
-    fs::path folder = bench.folder() / "work";
+    Desk bench;
+    fs::path folder = bench.folder();
 
-    [[nodiscard]] Handed collected() const { return collect(folder, exercise); }
+    [[nodiscard]] Handed collected() const { return bench.collected(); }
     void SetUp() override { fs::create_directories(folder); }
 };
 
 TEST_F(Collect, flat_and_workspace_layouts)
 {
-    bench.write("work/sphere.cpp", "flat");
+    bench.write("sphere.cpp", "flat");
     EXPECT_EQ(collected().files, (Sources{{"sphere.cpp", "flat"}}));
-    bench.write("work/raytracing/sphere/sphere.cpp", "own folder");
-    bench.write("work/raytracing/sphere/helper.hpp", "helper");
+    bench.write("raytracing/sphere/sphere.cpp", "own folder");
+    bench.write("raytracing/sphere/helper.hpp", "helper");
     EXPECT_EQ(collected().files, (Sources{{"sphere.cpp", "own folder"}, {"helper.hpp", "helper"}}));
     EXPECT_TRUE(collected().missing.empty());
     EXPECT_TRUE(collected().refused.empty());
@@ -34,8 +35,8 @@ TEST_F(Collect, flat_and_workspace_layouts)
 
 TEST_F(Collect, a_flat_folder_gives_only_the_units_files)
 {
-    bench.write("work/sphere.cpp", "mine");
-    bench.write("work/triangle.cpp", "another unit's");
+    bench.write("sphere.cpp", "mine");
+    bench.write("triangle.cpp", "another unit's");
     EXPECT_EQ(collected().files, (Sources{{"sphere.cpp", "mine"}}));
 }
 
@@ -66,40 +67,41 @@ TEST_F(Collect, links_pipes_and_directories_are_refused)
 
 TEST_F(Collect, linked_folders_are_not_entered)
 {
-    bench.write("elsewhere/sphere/sphere.cpp", "somebody's");
-    fs::create_symlink(bench.folder() / "elsewhere", folder / "raytracing");
+    fs::create_directories(bench.elsewhere() / "sphere");
+    std::ofstream(bench.elsewhere() / "sphere/sphere.cpp") << "somebody's";
+    fs::create_symlink(bench.elsewhere(), folder / "raytracing");
     EXPECT_TRUE(collected().files.empty());
     fs::remove(folder / "raytracing");
     fs::create_directory(folder / "raytracing");
-    fs::create_symlink(bench.folder() / "elsewhere/sphere", folder / "raytracing/sphere");
+    fs::create_symlink(bench.elsewhere() / "sphere", folder / "raytracing/sphere");
     EXPECT_TRUE(collected().files.empty());
 }
 
 TEST_F(Collect, sizes_are_bounded)
 {
-    bench.write("work/sphere.cpp", "");
+    bench.write("sphere.cpp", "");
     EXPECT_EQ(collected().files.at("sphere.cpp"), "");
-    bench.write("work/sphere.cpp", std::string(largest_file, ' '));
-    EXPECT_EQ(collected().files.at("sphere.cpp").size(), largest_file);
-    bench.write("work/sphere.cpp", std::string(largest_file + 1, ' '));
+    bench.write("sphere.cpp", std::string(caps::source_file, ' '));
+    EXPECT_EQ(collected().files.at("sphere.cpp").size(), caps::source_file);
+    bench.write("sphere.cpp", std::string(caps::source_file + 1, ' '));
     EXPECT_TRUE(collected().files.empty());
-    EXPECT_NE(collected().refused.find(std::to_string(largest_file)), std::string::npos);
+    EXPECT_NE(collected().refused.find(std::to_string(caps::source_file)), std::string::npos);
     fs::resize_file(folder / "sphere.cpp", std::uintmax_t{1} << 40U);
     EXPECT_FALSE(collected().refused.empty());
 }
 
 TEST_F(Collect, counts_are_bounded_and_the_units_own_files_come_first)
 {
-    for (int i = 0; i < 500; ++i) bench.write("work/raytracing/sphere/a" + std::to_string(i) + ".hpp", "x");
-    bench.write("work/raytracing/sphere/sphere.cpp", "mine");
+    for (int i = 0; i < 500; ++i) bench.write("raytracing/sphere/a" + std::to_string(i) + ".hpp", "x");
+    bench.write("raytracing/sphere/sphere.cpp", "mine");
     const Handed handed = collected();
-    EXPECT_LE(handed.files.size(), most_files);
+    EXPECT_LE(handed.files.size(), caps::unit_files);
     EXPECT_TRUE(handed.files.contains("sphere.cpp"));
 }
 
 TEST_F(Collect, only_sources_with_plain_names_are_read)
 {
-    const std::string place = "work/raytracing/sphere/";
+    const std::string place = "raytracing/sphere/";
     bench.write(place + "sphere.cpp", "mine");
     for (const char* const name : {"umbral_student.hpp.gch", "student.pch", "sphere.o", "student.so", "-o evil.cpp", "@file.cpp", "sp ace.hpp", "quote\".cpp",
                                    "$(id).cpp", "line\nbreak.cpp", "Makefile", "noise.cpp~", ".hidden"})
@@ -111,14 +113,14 @@ TEST_F(Collect, only_sources_with_plain_names_are_read)
 
 TEST_F(Collect, bytes_come_unchanged)
 {
-    const std::string odd("\xff\xfe\0 text\r\n", 10);
-    bench.write("work/sphere.cpp", odd);
+    const std::string odd("\xff\xfd\0 text\r\n", 10);
+    bench.write("sphere.cpp", odd);
     EXPECT_EQ(collected().files.at("sphere.cpp"), odd);
 }
 
 TEST(EqualsStub, but_for_comments_and_space)
 {
-    const Workbench bench;
+    const Desk bench;
     const Exercise exercise = bench.exercise("raytracing/sphere");
     const std::string stub = read_text(exercise.folder / "sphere.cpp");
     EXPECT_TRUE(equals_stub({{"sphere.cpp", stub}}, exercise));

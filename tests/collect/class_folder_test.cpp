@@ -1,0 +1,189 @@
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "collect/class_folder.hpp"
+#include "collect/roster.hpp"
+#include "collect/submission_id.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ClassFolders : public testing::Test {
+protected:
+    umbral::test::TemporaryFolder folder;
+
+    void make(const std::string& name) const { fs::create_directories(folder / "class" / name); }
+    [[nodiscard]] ClassFolder read() const { return class_folder(folder / "class"); }
+    [[nodiscard]] std::map<std::string, std::string> ids() const
+    {
+        std::map<std::string, std::string> result;
+        for (const SubmissionFolder& one : read().submissions) result[one.folder.filename()] = one.id;
+        return result;
+    }
+    [[nodiscard]] ClassFolder with_roster(const std::string& text) const
+    {
+        folder.write("roster.csv", text);
+        return class_folder(folder / "class", folder / "roster.csv");
+    }
+    /// What is said of a wrong roster; empty if nothing is.
+    [[nodiscard]] std::string complaint(const std::string& text) const
+    {
+        try {
+            (void)with_roster(text);
+        } catch (const std::runtime_error& error) {
+            return error.what();
+        }
+        return "";
+    }
+};
+
+TEST_F(ClassFolders, plain_names_are_ids)
+{
+    for (const char* const name : {"ana", "Team_7.x-y", "0", "ANA"}) make(name);
+    EXPECT_EQ(ids(), (std::map<std::string, std::string>{{"ana", "ana"}, {"Team_7.x-y", "Team_7.x-y"}, {"0", "0"}, {"ANA", "ANA"}}));
+}
+
+TEST_F(ClassFolders, of_learning_platforms_get_ids_that_people_recognise)
+{
+    make("García López, José_123_assignsubmission_file_");
+    make("Ana Gil");
+    make("Łukasz Šťastný");
+    make("Nguyễn Thị Ánh");
+    make("Jose\xCC\x81 Mun\xCC\x83oz");  // as Macs write it
+    const auto all = ids();
+    EXPECT_EQ(all.at("García López, José_123_assignsubmission_file_"), "Garcia-Lopez-Jose_123_assignsubmission_file");
+    EXPECT_EQ(all.at("Ana Gil"), "Ana-Gil");
+    EXPECT_EQ(all.at("Łukasz Šťastný"), "Lukasz-Stastny");
+    EXPECT_EQ(all.at("Nguyễn Thị Ánh"), "Nguyen-Thi-Anh");
+    EXPECT_EQ(all.at("Jose\xCC\x81 Mun\xCC\x83oz"), "Jose-Munoz");
+    EXPECT_EQ(read().submissions[0].shown, "Ana Gil");
+}
+
+TEST_F(ClassFolders, names_of_reports_files_are_nobodys)
+{
+    for (const char* const name : {"class.json", "Index.HTML", "marks.csv", "-rf", "a.json"}) make(name);
+    const auto all = ids();
+    EXPECT_EQ(all.at("class.json"), "class-json");
+    EXPECT_EQ(all.at("Index.HTML"), "Index-HTML");
+    EXPECT_EQ(all.at("marks.csv"), "marks-csv");
+    EXPECT_EQ(all.at("-rf"), "rf");
+    EXPECT_EQ(all.size(), 5U);
+}
+
+TEST_F(ClassFolders, whatever_the_names_ids_are_plain_and_unique)
+{
+    const std::vector<std::string> names{
+        "a b",       "a-b",  "a,b", "á b",    "😀",     "😀😀", "\xff\xfe", "new\nline", "\x1b[31mred", " ", std::string(255, 'x'), std::string(254, 'x') + "y",
+        "Ana.json.", "日本", "...x", "class.json", "class-json", "%s%n", "*", "$(id)", "`id`", "con", "\xcc", "a\xcc", "a\xcc\x81"};
+    for (const std::string& name : names) make(name);
+    make("a-b-" + short_hash("a b"));
+    const ClassFolder result = read();
+    std::set<std::string> seen;
+    for (const SubmissionFolder& one : result.submissions) {
+        EXPECT_TRUE(is_submission_id(one.id) && !is_reserved_id(one.id)) << one.id;
+        EXPECT_TRUE(seen.insert(one.id).second) << one.id;
+        EXPECT_EQ(one.shown.find_first_of("\n\x1b\xff"), std::string::npos) << one.shown;
+        EXPECT_TRUE(fs::is_directory(one.folder));
+    }
+    EXPECT_EQ(result.submissions.size() + result.ignored.size(), names.size() + 1);
+    EXPECT_EQ(result.ignored.size(), 1U);  // ...x
+    EXPECT_EQ(ids().at("a-b"), "a-b");
+    EXPECT_EQ(ids().at("class-json"), "class-json");
+    EXPECT_EQ(ids(), ids());
+}
+
+TEST_F(ClassFolders, archives_are_submissions)
+{
+    for (const char* const name : {"class/ana.zip", "class/bruno.tar.gz", "class/García.zip", "class/carla.zip"}) folder.write(name, "");
+    make("carla");
+    const auto all = ids();
+    EXPECT_EQ(all.at("ana.zip"), "ana");
+    EXPECT_EQ(all.at("bruno.tar.gz"), "bruno");
+    EXPECT_EQ(all.at("García.zip"), "Garcia");
+    EXPECT_EQ(all.at("carla"), "carla");
+    EXPECT_EQ(all.at("carla.zip"), "carla-" + short_hash("carla.zip"));
+}
+
+TEST_F(ClassFolders, what_is_no_submission_is_listed)
+{
+    make("ana");
+    make(".git");
+    make("__MACOSX");
+    folder.write("class/notes.txt", "x");
+    folder.write("class/bad\nname.cpp", "x");
+    fs::create_symlink("ana", folder / "class/link");
+    fs::create_symlink("loop.zip", folder / "class/loop.zip");
+    ASSERT_EQ(mkfifo((folder / "class/pipe.zip").c_str(), 0600), 0);
+    const ClassFolder result = read();
+    ASSERT_EQ(result.submissions.size(), 1U);
+    ASSERT_EQ(result.ignored.size(), 7U);
+    for (const Ignored& one : result.ignored) {
+        EXPECT_EQ(one.path.find('\n'), std::string::npos);
+        EXPECT_FALSE(one.reason.empty());
+    }
+}
+
+TEST_F(ClassFolders, only_the_class_itself_throws)
+{
+    EXPECT_THROW((void)class_folder(folder / "nowhere"), std::runtime_error);
+    folder.write("file", "x");
+    EXPECT_THROW((void)class_folder(folder / "file"), std::runtime_error);
+    fs::create_directories(folder / "class/shut");
+    fs::permissions(folder / "class/shut", fs::perms::none);
+    EXPECT_EQ(read().submissions.size(), 1U);
+    fs::permissions(folder / "class/shut", fs::perms::all);
+    fs::remove_all(folder / "class/shut");
+    EXPECT_TRUE(read().submissions.empty());
+}
+
+TEST_F(ClassFolders, a_roster_decides)
+{
+    make("García, Ana");
+    make("bruno");
+    folder.write("class/Carla Ruiz.zip", "");
+    const ClassFolder result = with_roster(
+        "\xEF\xBB\xBF"
+        "folder,id,name\r\n\"García, Ana\",s1,\"Ana \"\"la rápida\"\" García\"\r\nCarla Ruiz,s0,\r\nabsent,s9,Nobody\r\n");
+    ASSERT_EQ(result.submissions.size(), 3U);
+    EXPECT_EQ(result.submissions[0].id, "bruno");
+    EXPECT_EQ(result.submissions[1].id, "s0");
+    EXPECT_EQ(result.submissions[1].shown, "Carla Ruiz.zip");
+    EXPECT_EQ(result.submissions[2].id, "s1");
+    EXPECT_EQ(result.submissions[2].shown, "Ana \"la rápida\" García");
+    ASSERT_EQ(result.ignored.size(), 1U);
+    EXPECT_EQ(result.ignored[0], (Ignored{"absent", "line 4 of the roster: there is no such folder"}));
+}
+
+TEST_F(ClassFolders, wrong_rosters_are_refused_with_the_line)
+{
+    for (const char* const name : {"a", "b", "c.zip"}) make(name);
+    const std::map<std::string, std::string> wrong{
+        {"", ":1: expected the first line"},
+        {"id,folder\na,b\n", ":1: expected the first line"},
+        {"folder,id\na\n", ":2: expected 2 fields, got 1"},
+        {"folder,id\n\na,x,y\n", ":3: expected 2 fields, got 3"},
+        {"folder,id\na,b c\n", ":2: expected an id"},
+        {"folder,id\na,class.json\n", ":2: expected an id"},
+        {"folder,id\na,\n", ":2: expected an id"},
+        {"folder,id\n../a,x\n", ":2: expected the name of a folder"},
+        {"folder,id\na,x\na,y\n", ":3: the folder 'a' stands in line 2 already"},
+        {"folder,id\na,x\nb,x\n", ":3: the id 'x' stands in line 2 already"},
+        {"folder,id\n\"a,x\n", ":2: the quote that begins here does not end"},
+        {"folder,id\n\"a\"b,x\n", ":2: expected a comma"},
+        {"folder,id\na\"b,x\n", ":2: a quote within a field"},
+        {"folder,id\n\"x\ny\",ok\na,b\n", "the id 'b'"},
+        {"folder,id\n\"x\ny\",ok\nq,b c\n", ":4: expected an id"},
+    };
+    for (const auto& [text, expected] : wrong) EXPECT_NE(complaint(text).find(expected), std::string::npos) << text << "\n" << complaint(text);
+    EXPECT_EQ(complaint("folder,id\na,b\nb,a\n"), "");
+    EXPECT_EQ(complaint("folder,id\na,x"), "");
+    EXPECT_THROW((void)class_folder(folder / "class", folder / "no-roster.csv"), std::runtime_error);
+}
+
+}
+}
