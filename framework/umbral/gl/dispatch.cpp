@@ -11,6 +11,12 @@ void connect(EntryAddress (*address_of)(const char* name))
     for (std::size_t slot = 0; slot < entry_count; ++slot) entries[slot] = address_of(entry_names[slot]);
 }
 
+Entry entry_of(std::string_view name)
+{
+    const auto found = std::find(entry_names, entry_names + entry_count, name);
+    return found == entry_names + entry_count ? nullptr : entries[found - entry_names];
+}
+
 void disconnect() { std::fill_n(entries, entry_count, nullptr); }
 
 void no_context(std::size_t slot)

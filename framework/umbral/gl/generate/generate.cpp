@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 #include <stdexcept>
+#include <umbral/gl/effects.hpp>
 
 #include "prototypes.hpp"
 
@@ -40,7 +41,8 @@ std::string forwarder(const Prototype& function, std::size_t slot)
         declarations += (declarations.empty() ? "" : ", ") + parameter.declaration;
         arguments += ", " + parameter.name;
     }
-    return function.result + " APIENTRY " + function.name + "(" + declarations + ") { return umbral::gl::forward(" + function.name + ", " +
+    return function.result + " APIENTRY " + function.name + "(" + declarations + ") { return umbral::gl::forward" +
+           (is_always_seen(function.name) ? "<true>(" : "(") + function.name + ", " +
            std::to_string(slot) + arguments + "); }\n";
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+
+/// Sizes of OpenGL's types. Private to libumbral-gl.
+namespace umbral::gl {
+
+#pragma GCC visibility push(hidden)
+
+/// Bytes of one number of a type ("GL_FLOAT": 4) or of one packed value; 0 for an unknown one.
+[[nodiscard]] unsigned type_size(unsigned type);
+
+/// Bytes of one pixel; packed types hold all components at once. 0 for an unknown format or type.
+[[nodiscard]] unsigned pixel_size(unsigned format, unsigned type);
+
+#pragma GCC visibility pop
+
+}
