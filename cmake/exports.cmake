@@ -1,4 +1,5 @@
-# Run at build time: writes the strong symbols that the OBJECTS define as a version script and as a list.
+# Run at build time: writes the strong symbols that the OBJECTS define as a version script and as a list, without names
+# that match EXCEPT.
 if(NOT NAME)
   set(NAME exports)
 endif()
@@ -12,6 +13,9 @@ foreach(line IN LISTS lines)
   string(REGEX REPLACE " .*" "" name "${line}")
   list(APPEND names ${name})
 endforeach()
+if(EXCEPT)
+  list(FILTER names EXCLUDE REGEX "${EXCEPT}")
+endif()
 list(SORT names)
 if(NOT names)
   message(FATAL_ERROR "The reference defines no function with external linkage: nothing for a student to write.")

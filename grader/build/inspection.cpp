@@ -38,6 +38,7 @@ std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem:
     inspection.missing = json.at("missing");
     for (const auto& pair : json.at("undefined")) inspection.undefined.push_back({pair.at(0), pair.at(1)});
     for (const auto& pair : json.at("functions")) inspection.functions.push_back({pair.at(0), pair.at(1)});
+    inspection.uncounted = json.at("uncounted");
     return inspection;
 }
 

@@ -28,6 +28,7 @@ struct Inspection {
     std::vector<std::string> missing;          ///< of the interface: names that it does not define, as C++ writes them
     std::vector<InspectedSymbol> undefined;    ///< what it wants from others, without versions
     std::vector<InspectedFunction> functions;  ///< of its debug information
+    std::vector<std::string> uncounted;        ///< functions, as C++ writes them, and other reasons why its work would not be counted as a whole
 };
 
 /// Reads `library`, which is to define the names listed in the file `interface_names` (mangled, one a line). Nothing if the file cannot be

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "inspect/counted_code.hpp"
 #include "inspect/demangle.hpp"
 #include "inspect/units.hpp"
 #include "model/caps.hpp"
@@ -108,7 +109,7 @@ std::string names_as_json(Elf* elf, Dwarf* dwarf, const std::vector<std::string>
         if (!symbols.defined.all().contains(name)) missing.push_back(demangled(name.c_str(), caps::name));
     nlohmann::json undefined = nlohmann::json::array();
     for (const std::string& name : symbols.undefined.all()) undefined.push_back({name, demangled(name.c_str(), caps::name)});
-    const nlohmann::json json = {{"missing", missing}, {"undefined", undefined}, {"functions", functions.all()}};
+    const nlohmann::json json = {{"missing", missing}, {"undefined", undefined}, {"functions", functions.all()}, {"uncounted", uncounted_code(elf)}};
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -1,11 +1,25 @@
+#include <optional>
 #include <umbral/record/cost.hpp>
 
 namespace umbral {
 namespace {
-std::uint64_t blocks = 0;  // of the run, which has one thread
+
+// Of the run, which has one thread.
+std::uint64_t blocks = 0;
+std::optional<CostLimit> limited;
+
 }
 
 std::uint64_t blocks_executed() noexcept { return blocks; }
+
+void limit_costs(CostLimit limit) { limited = std::move(limit); }
+
+bool cost_is_wanted(const Recorder& out, std::string_view table)
+{
+    if (!limited) return true;
+    const auto found = out.tensors().find(table);
+    return table == limited->table && (found == out.tensors().end() ? 0 : found->second.rows) < limited->sizes;
+}
 
 // What the compiler calls at the beginning of each basic block.
 extern "C" void __sanitizer_cov_trace_pc() { ++blocks; }  // NOLINT(bugprone-reserved-identifier): the compiler chose the name
