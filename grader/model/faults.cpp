@@ -26,6 +26,7 @@ constexpr std::array known{
     Known{"Resource temporarily unavailable", "raise the limit of processes (ulimit -u) or grade fewer submissions at a time (--jobs 1)"},
     Known{"Read-only file system", permission},
     Known{"Permission denied", permission},
+    Known{"belong here, but", "move that away"},
 };
 
 const Known* recognise(std::string_view cause)

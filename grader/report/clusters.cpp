@@ -54,10 +54,12 @@ struct Collections {
     Collection explained;
     Collection ambiguous;
     Collection unexplained;
+    std::vector<std::size_t> missing;
 
     void add(const UnitResult& unit, std::size_t who)
     {
         if (unit.verdict != Verdict::grader_fault) ++graded;
+        if (unit.verdict == Verdict::missing) missing.push_back(who);
         if (!needs_a_reason(unit)) return;
         const std::span<const Explanation> reasons = main_reasons(unit);
         std::vector<std::string> names;
@@ -90,8 +92,8 @@ std::vector<UnitClusters> clusters(const ClassResult& result)
     for (std::size_t s = 0; s < result.submissions.size(); ++s)
         for (const UnitResult& unit : result.submissions[s].units) by_unit[unit.id].add(unit, s);
     std::vector<UnitClusters> all;
-    for (auto& [id, one] : by_unit) all.push_back({id, one.graded, one.explained.take(), one.ambiguous.take(), one.unexplained.take()});
-    std::erase_if(all, [](const UnitClusters& unit) { return unit.submissions() == 0; });
+    for (auto& [id, one] : by_unit) all.push_back({id, one.graded, one.explained.take(), one.ambiguous.take(), one.unexplained.take(), one.missing});
+    std::erase_if(all, [](const UnitClusters& unit) { return unit.submissions() == 0 && unit.missing.empty(); });
     std::ranges::stable_sort(all, std::ranges::greater{}, &UnitClusters::submissions);
     return all;
 }

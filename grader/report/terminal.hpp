@@ -21,6 +21,10 @@ struct TerminalStyle {
 /// Equal results give equal reports but for times.
 [[nodiscard]] std::string terminal_report(const SubmissionResult& submission, const TerminalStyle& style);
 
+/// What stands above that table: whose points are in no sum and why, once for each cause, and what is unfinished, with what to do about it.
+/// Empty if there is nothing.
+[[nodiscard]] std::string class_notices(const ClassResult& result, const TerminalStyle& style);
+
 /// What an instructor reads: submissions down, units across, each cell a mark and points, the total, and the mean of each column.
 ///
 /// Names are shortened to fit; where even that is too wide units are numbered, with the names below, and where there are too many

@@ -64,10 +64,10 @@ Markup class_table(const ClassResult& result, const std::vector<UnitStatistics>&
         const Markup instructor =
             options.instructor_reports ? markup(" <a href=\"{}\">hidden too</a>", link_to(submission.id, "report.instructor.html")) : Markup();
         body += markup(
-            "<tr><th scope=\"row\" data-sort=\"{0}\"><a href=\"{1}\">{0}</a>{2}</th><td class=\"number total\" data-sort=\"{3}\">{4}<span class=\"of\"> / "
+            "<tr><th scope=\"row\" data-sort=\"{0}\"><a href=\"{1}\">{0}</a>{2}{6}</th><td class=\"number total\" data-sort=\"{3}\">{4}<span class=\"of\"> / "
             "{5}</span></td>",
             submission.id, link_to(submission.id, "report.html"), instructor, submission.score, points_text(submission.score),
-            points_text(submission.max_score));
+            points_text(submission.max_score), submission.folder.empty() ? Markup() : markup(" <span class=\"id\">{}</span>", submission.folder));
         for (const UnitStatistics& unit : units) body += unit_cell(submission, unit.id);
         body += markup("<td class=\"data\"><a href=\"{}\" download>JSON</a> <a href=\"{}\" download>student’s</a></td></tr>\n",
                        link_to(submission.id, "report.json"), link_to(submission.id, "report.student.json"));
@@ -109,31 +109,54 @@ Markup statistics(const std::vector<UnitStatistics>& units, const ClassPageOptio
                          rows)));
 }
 
-Markup cluster_item(const Cluster& cluster, std::size_t graded, const ClassResult& result)
+Markup whose(const std::vector<std::size_t>& places, const ClassResult& result)
 {
     Markup who;
-    for (const std::size_t s : cluster.who)
+    for (const std::size_t s : places)
         who += markup("{}<a href=\"{}\">{}</a>", who.empty() ? "" : ", ", link_to(result.submissions[s].id, "report.html"), result.submissions[s].id);
+    return markup("<details class=\"whose\"><summary>{} {}</summary><p>{}</p></details>", places.size(),
+                  places.size() == 1 ? "submission" : "submissions", who);
+}
+
+Markup cluster_item(const Cluster& cluster, std::size_t graded, const ClassResult& result)
+{
     const bool several = cluster.sentences.size() > 1;
     const std::string sure = cluster.sentences.empty() ? "" : fmt::format(" ({}{})", sure_words(cluster.confidence), several ? " one of these" : "");
     Markup why;
     for (std::size_t i = 0; i < cluster.sentences.size(); ++i) why += markup("<p>{}{}</p>", !several ? "" : i == 0 ? "Either: " : "Or: ", cluster.sentences[i]);
     return markup(
-        "<li><p class=\"count\">{0} of {1}</p><div><h4>{2}<span class=\"sure\">{3}</span></h4>{4}<details class=\"whose\"><summary>{0} {5}</summary><p>{6}"
-        "</p></details></div></li>\n",
-        cluster.who.size(), graded, cluster.name, sure, why, cluster.who.size() == 1 ? "submission" : "submissions", who);
+        "<li><p class=\"count\">{} of {}</p><div><h4>{}<span class=\"sure\">{}</span></h4>{}{}</div></li>\n", cluster.who.size(), graded, cluster.name, sure,
+        why, whose(cluster.who, result));
+}
+
+/// What nobody could judge: of each unit who handed in nothing that could be read.
+Markup missing_list(const std::vector<UnitClusters>& units, const ClassResult& result, const ClassPageOptions& options)
+{
+    Markup items;
+    for (const UnitClusters& unit : units)
+        if (!unit.missing.empty())
+            items += markup("<li><p class=\"count\">{} of {}</p><div><h4>{} <span class=\"id\">{}</span></h4>{}</div></li>\n", unit.missing.size(),
+                            unit.graded, title_of(unit.unit, options), unit.unit, whose(unit.missing, result));
+    if (items.empty()) return {};
+    return markup(
+        "<h3 class=\"cause-of\">Not handed in</h3>\n<p class=\"note\">Or not readable: each report says what was found instead.</p>\n<ul "
+        "class=\"clusters\">\n{}</ul>\n",
+        items);
 }
 
 Markup cluster_list(const ClassResult& result, const ClassPageOptions& options)
 {
     Markup sections;
-    for (const UnitClusters& unit : clusters(result)) {
+    const std::vector<UnitClusters> units = clusters(result);
+    for (const UnitClusters& unit : units) {
+        if (unit.submissions() == 0) continue;
         Markup items;
         for (const auto* kind : {&unit.explained, &unit.ambiguous, &unit.unexplained})
             for (const Cluster& cluster : *kind) items += cluster_item(cluster, unit.graded, result);
         sections += markup("<h3 class=\"cause-of\">{} <span class=\"id\">{}</span></h3>\n<ul class=\"clusters\">\n{}</ul>\n", title_of(unit.unit, options),
                            unit.unit, items);
     }
+    sections += missing_list(units, result, options);
     if (sections.empty()) return {};
     return markup(
         "<section aria-labelledby=\"why\"><h2 id=\"why\">Why, and who</h2>\n<p class=\"note\">Failing work by what explains it best; below that what "
@@ -147,7 +170,9 @@ std::string class_html(const ClassResult& result, const ClassPageOptions& option
 {
     const std::vector<UnitStatistics> units = unit_statistics(result);
     std::vector<double> shares;
-    for (const SubmissionResult& submission : result.submissions) shares.push_back(share_of(submission.score, submission.max_score));
+    // Whose units all failed by our fault earned no zero.
+    for (const SubmissionResult& submission : result.submissions)
+        if (submission.max_score > 0) shares.push_back(share_of(submission.score, submission.max_score));
     std::sort(shares.begin(), shares.end());
     const double median = shares.empty() ? 0 : (shares[(shares.size() - 1) / 2] + shares[shares.size() / 2]) / 2;
 
@@ -157,10 +182,10 @@ std::string class_html(const ClassResult& result, const ClassPageOptions& option
     document.main = markup(
         "<section class=\"summary\" aria-labelledby=\"title\"><h1 id=\"title\">The class</h1>\n<p class=\"headline\">{} {}, {} {}; median credit {:.0f} %. <a "
         "href=\"class.json\" "
-        "download>class.json</a></p>\n<p class=\"filter\" data-script hidden><label for=\"filter\">Show only</label> <input id=\"filter\" type=\"search\" "
+        "download>class.json</a></p>\n{}<p class=\"filter\" data-script hidden><label for=\"filter\">Show only</label> <input id=\"filter\" type=\"search\" "
         "placeholder=\"name or verdict\" autocomplete=\"off\"> <span id=\"shown\" aria-live=\"polite\"></span></p>\n",
         result.submissions.size(), result.submissions.size() == 1 ? "submission" : "submissions", units.size(), units.size() == 1 ? "unit" : "units",
-        100 * median);
+        100 * median, class_notices(result));
     document.main += class_table(result, units, options);
     document.main += "</section>\n";
     document.main += cluster_list(result, options);

@@ -33,6 +33,9 @@ inline constexpr char number_slot = '\x01';
 /// Does the unit's verdict mean that no case ran?
 [[nodiscard]] bool never_ran(Verdict verdict);
 
+/// What stands above a class's table: whose points are in no sum and why, what is unfinished. Empty if there is nothing.
+[[nodiscard]] Markup class_notices(const ClassResult& result);
+
 /// What the result depends on, for the foot of a page.
 [[nodiscard]] Markup fingerprint_footer(const Fingerprint& fingerprint);
 
