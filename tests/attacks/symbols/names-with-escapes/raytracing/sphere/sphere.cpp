@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <umbral/raytracing/intersect.hpp>
-void wanted() asm("\033[2J<x-umbral onload=alert(1)>");
+void wanted() asm("\"\\033[2J<x-umbral onload=alert(1)>\"");
 namespace umbral::raytracing {
 namespace {
 
