@@ -64,6 +64,16 @@ constexpr double growth_zero = 0.6;   ///< worth nothing
 /// Share of the reference's work, and count, below which a function cannot have done its task: it returned at once.
 constexpr double least_work = 0.02;
 constexpr double least_blocks = 4;
+/// Processor time, seen from outside, in milliseconds. A run that takes this much more than the reference's has its count weighed against it …
+constexpr double outside_ratio_unmeasured = 1.5;
+constexpr double outside_unmeasured = 2;
+/// … where so much is noise: the least of three runs of the same work differs by a third of it …
+constexpr double outside_noise = 0.5;
+/// … and loses only if its work takes this many times the reference's, beside growing too fast …
+constexpr double outside_ratio = 3;
+/// … or if so much passes before anything is counted.
+constexpr double outside_ratio_before = 4;
+constexpr double outside_before = 20;
 /// Exponents of a student and of a mistake that did the same.
 constexpr double same_growth = 0.2;
 
