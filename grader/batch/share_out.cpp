@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -27,7 +28,11 @@ void share_out(const Toolchain& tools, std::size_t count, std::size_t jobs, cons
     };
     {
         std::vector<std::jthread> workers;
-        for (std::size_t i = 0; i < std::min(std::max<std::size_t>(jobs, 1), count); ++i) workers.emplace_back(work);
+        try {
+            for (std::size_t i = 0; i < std::min(std::max<std::size_t>(jobs, 1), count); ++i) workers.emplace_back(work);
+        } catch (const std::system_error&) {  // no more threads to be had: those that there are, or this one, do the work
+            if (workers.empty()) work();
+        }
     }
     if (fault) std::rethrow_exception(fault);
 }

@@ -1,19 +1,25 @@
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "batch/fingerprint.hpp"
 #include "batch/grade_class.hpp"
-#include "build/submission.hpp"
 #include "cli/application.hpp"
 #include "cli/grading.hpp"
 #include "cli/secret.hpp"
+#include "model/caps.hpp"
+#include "model/faults.hpp"
+#include "report/layout.hpp"
 #include "report/paint.hpp"
+#include "store/distinct_folders.hpp"
+#include "store/refused_folder.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -21,12 +27,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Without these, a submission could read this user's files or start programs.
-void refuse_weak_sandbox(const Application& application, const std::vector<Exercise>& exercises, bool allowed)
+void refuse_weak_sandbox(const Fingerprint& machine, bool allowed)
 {
-    Workshop workshop(application.tools);
-    const auto& active = workshop.spawner(exercises.front().gl).protections();
     const auto has = [&](std::string_view name) {
-        return std::any_of(active.begin(), active.end(), [&](const std::string& one) { return one.starts_with(name); });
+        return std::any_of(machine.protections.begin(), machine.protections.end(), [&](const std::string& one) { return one.starts_with(name); });
     };
     if (allowed || (has("seccomp") && has("landlock"))) return;
     throw UsageError(
@@ -35,15 +39,91 @@ void refuse_weak_sandbox(const Application& application, const std::vector<Exerc
 }
 
 /// The units of which some submission has a file.
-std::vector<Exercise> handed_in(const std::vector<Exercise>& exercises, const fs::path& submissions)
+std::vector<Exercise> handed_in(const Application& application, const std::vector<Exercise>& exercises, const GradeCommand& command)
 {
-    const std::vector<std::string> ids = submission_ids(submissions);
+    std::vector<bool> seen(exercises.size(), false);
+    for (const SubmissionFolder& submission : class_folder(command.submissions, command.roster).submissions) {
+        const SubmittedFiles files = read_submission(submission.folder, {application.tools.programs, application.tools.cache / "unpacked"});
+        for (std::size_t i = 0; i < exercises.size(); ++i) seen[i] = seen[i] || !collect(files, exercises[i]).files.empty();
+    }
     std::vector<Exercise> result;
-    std::ranges::copy_if(exercises, std::back_inserter(result), [&](const Exercise& exercise) {
-        return std::ranges::any_of(ids, [&](const std::string& id) { return !collect(submissions / id, exercise).files.empty(); });
-    });
-    if (result.empty()) throw UsageError(fmt::format("{}: nobody handed in a file of any unit", submissions.string()));
+    for (std::size_t i = 0; i < exercises.size(); ++i)
+        if (seen[i]) result.push_back(exercises[i]);
+    if (result.empty()) throw UsageError(fmt::format("{}: nobody handed in a file of any unit", command.submissions));
     return result;
+}
+
+/// Tells how far a class is: one line that is written over and over on a terminal, otherwise a line for each submission.
+class Teller {
+public:
+    Teller(const TerminalStyle& style, bool silent) : style_(style), live_(style.color && !silent), silent_(silent) {}
+    ~Teller()
+    {
+        if (live_) fmt::print("\r\x1b[K");
+    }
+    Teller(const Teller&) = delete;
+    Teller& operator=(const Teller&) = delete;
+
+    void operator()(const ClassProgress& progress)
+    {
+        const Paint paint(style_);
+        if (live_) {
+            if (!progress.finished.empty()) last_ = progress.finished;
+            const std::string bar =
+                paint.bar(static_cast<Millipoints>(progress.units_graded), static_cast<Millipoints>(progress.units_to_grade), 16, Tone::good);
+            const std::string text = progress_text(progress) + (last_.empty() ? "" : "  " + paint.safe(last_));
+            fmt::print("\r\x1b[K{} {}", bar, shorten(text, style_.width - 20, paint.ellipsis()));
+        } else if (!silent_ && !progress.finished.empty()) {
+            fmt::print("graded {}  {}\n", paint.safe(progress.finished), progress_text(progress));
+        }
+        (void)std::fflush(stdout);
+    }
+
+private:
+    TerminalStyle style_;
+    bool live_;
+    bool silent_;
+    std::string last_;
+};
+
+/// What the run did, in a few lines below the table.
+void print_summary(const ClassGrading& graded, const Paint& paint)
+{
+    if (graded.units_kept > 0) fmt::print("\n{} units kept, {} graded\n", graded.units_kept, graded.units_graded);
+    if (graded.earlier > 0)
+        fmt::print("{} {} not asked for: their results stay as they are\n", graded.earlier, graded.earlier == 1 ? "submission was" : "submissions were");
+    if (!graded.changed.empty()) fmt::print("\nOther points than before:\n");
+    for (const std::string& line : graded.changed) fmt::print("  {}\n", paint.safe(line));
+    if (!graded.ignored.empty()) fmt::print("\nIgnored, since no submissions:\n");
+    for (std::size_t i = 0; i < std::min(graded.ignored.size(), caps::listed); ++i)
+        fmt::print("  {}: {}\n", paint.safe(graded.ignored[i].path), paint.safe(graded.ignored[i].reason));
+    if (graded.ignored.size() > caps::listed) fmt::print("  and {} more\n", graded.ignored.size() - caps::listed);
+}
+
+void print(const ClassGrading& graded, const fs::path& out, const TerminalStyle& style)
+{
+    const Paint paint(style);
+    fmt::print("{}\n{}", class_notices(graded.result, style), class_table(graded.result, style));
+    print_summary(graded, paint);
+    const auto path = [&](const fs::path& below) { return paint.safe((out / below).string()); };
+    fmt::print("\nIn a browser: {}\n              {}\nAs data:      {}\n              {} (for students: report.student.json)\n", path("index.html"),
+               path("ID/report.html"), path("class.json"), path("ID/report.json"));
+}
+
+ClassOptions options_of(const Application& application, const GradeCommand& command)
+{
+    ClassOptions options;
+    options.submissions = command.submissions;
+    options.roster = command.roster;
+    options.out = command.out;
+    options.only = command.only;
+    options.fresh = command.fresh;
+    options.course_units = application.exercises;
+    options.course = command.course;
+    options.attempt = command.attempt;
+    options.instructor_edition = command.with_hidden;
+    options.jobs = command.jobs != 0 ? command.jobs : std::max(1U, std::thread::hardware_concurrency());
+    return options;
 }
 
 }
@@ -51,42 +131,31 @@ std::vector<Exercise> handed_in(const std::vector<Exercise>& exercises, const fs
 void grade_and_print(Application& application, const GradeCommand& command)
 {
     if (!fs::is_directory(command.submissions)) throw UsageError(fmt::format("{}: expected a folder with one folder a submission", command.submissions));
-    std::vector<Exercise> exercises = application.chosen(command.units);
-    if (command.handed_in) exercises = handed_in(exercises, command.submissions);
-    refuse_weak_sandbox(application, exercises, command.allow_weak_sandbox);
-    ClassOptions options;
-    options.submissions = command.submissions;
-    options.out = command.out;
-    options.secret = secret_from(command.secret_file);
-    options.course = command.course;
-    options.attempt = command.attempt;
-    options.instructor_edition = command.with_hidden;
-    options.jobs = command.jobs != 0 ? command.jobs : std::max(1U, std::thread::hardware_concurrency());
-    fs::create_directories(options.out);
-
-    const std::size_t total = submission_ids(options.submissions).size();
-    std::size_t finished = 0;
-    const bool live = application.style.color;
-    const ClassResult result = grade_class(application.tools, exercises, options, [&](const SubmissionResult& submission) {
-        ++finished;
-        const Paint paint(application.style);
-        if (live)
-            fmt::print("\r\x1b[K{} {}/{}  {}", paint.bar(static_cast<Millipoints>(finished), static_cast<Millipoints>(total), 24, Tone::good), finished, total,
-                       submission.id);
-        else if (!command.json)
-            fmt::print("graded {} ({}/{})\n", submission.id, finished, total);
-        (void)std::fflush(stdout);
-    });
-    if (live) fmt::print("\r\x1b[K");
-    if (command.json)
-        fmt::print("{}\n", to_json(result).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-    else
-        fmt::print("\n{}\nIn a browser: {}\n              {}\nAs data:      {}\n              {} (for students: report.student.json)\n",
-                   class_table(result, application.style), (options.out / "index.html").string(), (options.out / "ID" / "report.html").string(),
-                   (options.out / "class.json").string(), (options.out / "ID" / "report.json").string());
-    for (const SubmissionResult& submission : result.submissions)
-        for (const UnitResult& unit : submission.units)
-            if (unit.verdict == Verdict::grader_fault) application.exit_status = exit_fault;
+    // Reports hold the values of hidden checks: they are nobody else's to read.
+    umask(S_IRWXG | S_IRWXO);
+    try {
+        expect_distinct(command.submissions, command.out);
+        std::vector<Exercise> exercises = application.chosen(command.units);
+        if (command.handed_in) exercises = handed_in(application, exercises, command);
+        ClassOptions options = options_of(application, command);
+        options.secret = secret_from(command.secret_file);
+        options.fingerprint = [&] {
+            Workshop first(application.tools);
+            return fingerprint(first, exercises);
+        }();
+        refuse_weak_sandbox(*options.fingerprint, command.allow_weak_sandbox);
+        const ClassGrading graded = [&] {
+            Teller teller(application.style, command.json);
+            return grade_class(application.tools, exercises, options, std::ref(teller));
+        }();
+        if (command.json)
+            fmt::print("{}\n", to_json(graded.result).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        else
+            print(graded, options.out, application.style);
+        if (!graded.written || !faults(graded.result).empty()) application.exit_status = exit_fault;
+    } catch (const RefusedFolder& refused) {
+        throw UsageError(refused.what());
+    }
 }
 
 void add_grade(CLI::App& parser, Application& application)
@@ -95,6 +164,9 @@ void add_grade(CLI::App& parser, Application& application)
     CLI::App* command = parser.add_subcommand("grade", "Grades a class: a folder with one folder a submission");
     command->add_option("CLASS_DIR", options->submissions, "The class")->required();
     command->add_option("--out", options->out, "Where reports go")->required();
+    command->add_option("--only", options->only, "Only these submissions, by id; the others' results stay as they are");
+    command->add_option("--roster", options->roster, "A CSV file with the columns folder,id or folder,id,name: how folders are called in reports");
+    command->add_flag("--fresh", options->fresh, "Grade everything again, also what has not changed since the last time");
     command->add_option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor")->capture_default_str();
     command->add_option("--unit", options->units, "Only these units");
     command->add_flag("--handed-in", options->handed_in, "Only units that somebody handed in");

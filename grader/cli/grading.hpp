@@ -11,6 +11,9 @@ namespace umbral::grader {
 struct GradeCommand {
     std::string submissions;
     std::string out;
+    std::string roster;
+    std::vector<std::string> only;  ///< ids of submissions; empty: all
+    bool fresh = false;             ///< ask again for what was kept
     unsigned jobs = 0;
     std::vector<std::string> units;
     bool handed_in = false;  ///< of these, only units that somebody handed in

@@ -1,0 +1,162 @@
+#include "batch/grade_submission.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "batch/grade_unit.hpp"
+#include "batch/submission_parts.hpp"
+#include "model/faults.hpp"
+#include "report/hidden.hpp"
+#include "report/html/pages.hpp"
+#include "report/json_files.hpp"
+#include "report/paint.hpp"
+#include "store/kept_unit.hpp"
+#include "store/report_folder.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+UnitResult fault_of(const Exercise& exercise, const std::string& what)
+{
+    UnitResult result;
+    result.id = exercise.id;
+    result.digest = exercise.digest;
+    result.verdict = Verdict::grader_fault;
+    result.message = std::string(fault_preface) + what;
+    return result;
+}
+
+Part grade_part(Workshop& workshop, const SubmissionPlan& plan, const Exercise& exercise, const Handed& handed, const std::string& student,
+                const fs::path& folder)
+{
+    GradeOptions options;
+    options.seeds.secret = plan.secret;
+    options.seeds.course = plan.plan.grading.course;
+    options.seeds.student = student;
+    options.seeds.attempt = plan.plan.grading.attempt;
+    options.explain = plan.plan.explain;
+    options.show_hidden = plan.plan.instructor_edition;
+    options.relative_to = folder;
+    options.artefacts = folder / "pictures";
+    html::Gallery gallery;
+    options.gallery = &gallery;
+    Part part;
+    part.unit.machine = machine_digest(plan.plan.fingerprint);
+    part.unit.result = grade_unit(workshop, exercise, handed, options);
+    const html::UnitDetail& detail = gallery[exercise.id];
+    part.sections.student = html::section_html(part.unit.result, detail, html::Edition::student);
+    if (plan.plan.instructor_edition) part.sections.instructor = html::section_html(part.unit.result, detail, html::Edition::instructor);
+    return part;
+}
+
+/// Keeps what was found of a unit: a fault only to be shown, anything else for as long as its key holds.
+void keep(const fs::path& folder, const Exercise& exercise, const std::string& key, Part& part)
+{
+    const std::string& id = exercise.id;
+    if (part.unit.result.verdict == Verdict::grader_fault) {
+        part.unit.result.unscored = exercise.points;
+        keep_unit(fault_file(folder, id), part.unit, part.sections);
+        return;
+    }
+    part.unit.key = key;
+    keep_unit(unit_file(folder, id), part.unit, part.sections);
+    fs::remove(fault_file(folder, id));
+}
+
+std::string change(const std::optional<KeptUnit>& before, const UnitResult& now)
+{
+    if (!before || now.verdict == Verdict::grader_fault || (before->result.score == now.score && before->result.max_score == now.max_score)) return "";
+    return fmt::format("{}: {} of {} before, {} of {} now", now.id, points_text(before->result.score), points_text(before->result.max_score),
+                       points_text(now.score), points_text(now.max_score));
+}
+
+void write_reports(const SubmissionPlan& plan, const fs::path& folder, const SubmissionResult& result, const std::vector<Part>& parts)
+{
+    const Fingerprint& fingerprint = plan.plan.fingerprint;
+    write_report_json(folder / "report.json", result, fingerprint);
+    write_report_json(folder / "report.student.json", without_hidden_values(result), fingerprint);
+    html::ReportOptions options;
+    for (const Exercise& exercise : plan.course)
+        if (const auto english = exercise.title.find("en"); english != exercise.title.end()) options.titles[exercise.id] = english->second;
+    std::vector<std::string> sections;
+    for (const Part& part : parts) sections.push_back(part.sections.student);
+    html::write_page(folder / "report.html", html::report_from_sections(result, fingerprint, sections, options));
+    const fs::path instructors = folder / "report.instructor.html";
+    if (!plan.plan.instructor_edition) {
+        fs::remove(instructors);
+        return;
+    }
+    options.edition = html::Edition::instructor;
+    options.class_page = "../index.html";
+    // A unit of an earlier run may lack this edition: the student's says less, and nothing wrong.
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!parts[i].sections.instructor.empty()) sections[i] = parts[i].sections.instructor;
+    html::write_page(instructors, html::report_from_sections(result, fingerprint, sections, options));
+}
+
+}
+
+Graded grade_submission(Workshop& workshop, const SubmissionPlan& plan, const SubmissionFolder& submission, const std::function<void()>& graded)
+{
+    const fs::path folder = plan.out.folder_of(submission.id);
+    Mark mark = open_report_folder(folder, submission.id);
+    if (mark.grading != plan.plan.grading) forget_units(folder);
+    mark.grading = plan.plan.grading;
+    mark.shown = submission.shown == submission.id ? "" : submission.shown;
+    mark.reports.clear();
+    set_mark(folder, mark);
+    tidy_temporaries(folder);
+
+    std::optional<SubmittedFiles> submitted;
+    std::string trouble;
+    try {
+        submitted = read_files(plan, submission);
+    } catch (const std::exception& error) {
+        trouble = error.what();
+    }
+    std::vector<Part> parts;
+    std::vector<std::string> changed;
+    for (const Exercise& exercise : plan.exercises) {
+        const Handed handed = submitted ? collect(*submitted, exercise) : Handed{};
+        const std::string key = submitted ? plan.keys.key(exercise, submission.id, handed) : "";
+        std::optional<KeptUnit> before = kept_unit(unit_file(folder, exercise.id));
+        if (before && submitted && before->key == key)
+            if (auto sections = kept_sections(unit_file(folder, exercise.id))) {
+                fs::remove(fault_file(folder, exercise.id));
+                parts.push_back({*std::move(before), *std::move(sections)});
+                continue;
+            }
+        Part part;
+        if (submitted) {
+            part = grade_part(workshop, plan, exercise, handed, submission.id, folder);
+        } else {
+            part.unit.machine = machine_digest(plan.plan.fingerprint);
+            part.unit.result = fault_of(exercise, trouble);
+            part.sections.student = html::section_html(part.unit.result, {}, html::Edition::student);
+        }
+        keep(folder, exercise, key, part);
+        if (const std::string line = change(before, part.unit.result); !line.empty()) changed.push_back(line);
+        parts.push_back(std::move(part));
+        graded();
+    }
+    add_units_of_earlier_runs(plan, folder, parts);
+    put_in_order(plan, parts);
+
+    Graded done = result_of(plan, submission.id, submission.shown, parts);
+    done.changed = std::move(changed);
+    write_reports(plan, folder, done.result, parts);
+    mark.reports = reports_digest(plan, done.result);
+    set_mark(folder, mark);
+    std::vector<std::string> pictures;
+    for (const UnitResult& unit : done.result.units)
+        for (const CheckResult& check : unit.checks)
+            for (const auto& [what, path] : check.artefacts) pictures.push_back(path);
+    remove_pictures_but(folder, pictures);
+    done.current = true;
+    return done;
+}
+
+}
