@@ -65,7 +65,8 @@ protected:
     {
         for (const char* const id : {"ana", "berta", "carlos"}) {
             const Json unit = unit_of(to, id);
-            if (unit.is_object() && unit.at("verdict") != "grader_fault") EXPECT_EQ(unit.at("score"), 10000) << id << ": " << unit.dump().substr(0, 400);
+            if (!unit.is_object() || unit.at("verdict") == "grader_fault") continue;
+            EXPECT_EQ(unit.at("score"), 10000) << id << ": " << unit.dump().substr(0, 400);
         }
     }
 
