@@ -31,13 +31,19 @@ public:
 
     void take_text(const std::string& path, std::string bytes)
     {
-        if (full() || bytes_ + bytes.size() > caps::submission_bytes) return ignore(path, "the submission holds too much source code: nearer files came first");
+        if (full() || bytes_ + bytes.size() > caps::submission_bytes) {
+            if (!full_)
+                note(fmt::format("it holds more than {} files or {} MiB of source code; the rest was not read",
+                                 caps::submission_files, caps::submission_bytes >> 20U));
+            full_ = true;
+            return ignore(path, "the submission holds too much source code");
+        }
         bytes_ += bytes.size();
         result_.files.emplace(path, as_utf8(std::move(bytes)));
     }
 
     /// Is there no room for another file, or may no more archives be opened?
-    [[nodiscard]] bool full() const { return result_.files.size() >= caps::submission_files; }
+    [[nodiscard]] bool full() const { return full_ || result_.files.size() >= caps::submission_files; }
     [[nodiscard]] bool archives_full() const { return archives_ >= caps::submission_archives; }
 
     void ignore(const std::string& path, std::string reason)
@@ -81,6 +87,7 @@ private:
     SubmittedFiles result_;
     std::size_t bytes_ = 0;
     std::size_t archives_ = 0;
+    bool full_ = false;
 };
 
 struct Folder {
@@ -88,11 +95,11 @@ struct Folder {
     std::size_t depth = 0;
 };
 
-/// Takes all files below `root`, the nearest first; the archives only then, so that they push nothing out.
-void take_folder(int root, Intake& intake)
+/// The paths of all files of worth below `root`, the nearest first. What cannot be entered is reported to `intake`.
+std::vector<std::string> find_files(int root, Intake& intake)
 {
+    std::vector<std::string> paths;
     std::size_t entries_left = caps::submission_entries;
-    std::vector<std::string> archives;
     bool too_deep = false;
     std::deque<Folder> waiting{{"", 0}};
     for (; !waiting.empty(); waiting.pop_front()) {
@@ -100,19 +107,7 @@ void take_folder(int root, Intake& intake)
         const Listing listing = list_folder_below(root, folder.path, entries_left);
         entries_left -= listing.entries;
         if (!listing.refused.empty()) intake.ignore(folder.path, listing.refused);
-        for (const std::string& name : listing.files) {
-            const std::string path = joined(folder.path, name);
-            if (kind_of(name) == FileKind::archive) {
-                archives.push_back(path);
-                continue;
-            }
-            // What cannot be taken is not read either: there may be any number of it.
-            FileBytes file = intake.full() ? FileBytes{} : read_file_below(root, path, caps::source_file);
-            if (file.refused.empty())
-                intake.take_text(path, std::move(file.bytes));
-            else
-                intake.ignore(path, std::move(file.refused));
-        }
+        for (const std::string& name : listing.files) paths.push_back(joined(folder.path, name));
         for (const std::string& name : listing.folders) {
             if (is_code(kind_of(name))) intake.ignore(joined(folder.path, name), "it is a folder");
             too_deep = too_deep || folder.depth == caps::submission_depth;
@@ -125,13 +120,29 @@ void take_folder(int root, Intake& intake)
     }
     if (too_deep)
         intake.note(fmt::format("folders are more than {} deep; the deepest were not looked at", caps::submission_depth));
-    for (const std::string& path : archives) {
-        const FileBytes file =
-            intake.archives_full() ? FileBytes{} : read_file_below(root, path, caps::archive_file);
-        if (file.refused.empty())
+    return paths;
+}
+
+/// Takes all files below `root`. Headers, of which a library's copy holds thousands, push no source out, and archives nothing at all.
+void take_folder(int root, Intake& intake)
+{
+    std::vector<std::string> paths = find_files(root, intake);
+    const auto turn = [](const std::string& path) {
+        const FileKind kind = kind_of(last_part(path));
+        return kind == FileKind::archive ? 2 : kind == FileKind::header ? 1 : 0;
+    };
+    std::ranges::stable_sort(paths, {}, turn);
+    for (const std::string& path : paths) {
+        const bool archive = turn(path) == 2;
+        // What cannot be taken is not read either: there may be any number of it.
+        const bool full = archive ? intake.archives_full() : intake.full();
+        FileBytes file = full ? FileBytes{} : read_file_below(root, path, archive ? caps::archive_file : caps::source_file);
+        if (!file.refused.empty())
+            intake.ignore(path, std::move(file.refused));
+        else if (archive)
             intake.take_archive(path, path, file.bytes);
         else
-            intake.ignore(path, file.refused);
+            intake.take_text(path, std::move(file.bytes));
     }
 }
 

@@ -74,8 +74,8 @@ TEST_F(Archives, what_is_no_source_code_stays_inside)
 TEST_F(Archives, bombs_go_off_harmlessly)
 {
     const std::string zeros(std::size_t{300} << 20U, '\0');
-    for (const auto& [format, filter] : {std::pair("zip", "none"), std::pair("ustar", "gzip"), std::pair("ustar", "xz"), std::pair("7zip", "none")}) {
-        const std::string bomb = write_archive(format, filter, {{"first.cpp", "first"}, {"zeros.cpp", zeros}, {"zeros.bin", zeros}, {"last.cpp", "last"}});
+    for (const auto& [format, filter] : {std::pair("zip", "none"), std::pair("ustar", "gzip"), std::pair("ustar", "bzip2")}) {
+        const std::string bomb = write_archive(format, filter, {{"first.cpp", "first"}, {"zeros.cpp", zeros}, {"last.cpp", "last"}});
         EXPECT_LT(bomb.size(), std::size_t{2} << 20U);
         const Unpacked result = unpacked(bomb);
         ASSERT_FALSE(result.files.empty()) << format << filter;
@@ -124,8 +124,9 @@ TEST_F(Archives, damaged_ones_say_so_and_give_what_can_be_read)
         const std::string whole = write_archive(format, "none", {{"sphere.cpp", "mine"}, {"rest.hpp", noise}});
         for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{700}, whole.size() / 2, whole.size() - 30}) {
             const Unpacked result = unpacked(whole.substr(0, size));
-            const bool said = !result.notes.empty() || !result.ignored.empty() || (format == std::string("ustar") && size > whole.size() / 2);
-            EXPECT_TRUE(said) << format << " " << size << ": " << result.files.size();
+            // Behind the last file there is only what is needed to find the others.
+            const bool all = result.files == Files{{"sphere.cpp", "mine"}, {"rest.hpp", noise}};
+            EXPECT_TRUE(all || !result.notes.empty() || !result.ignored.empty()) << format << " " << size;
         }
     }
     desk.write("work.zip", "PK\x03\x04 and no more");

@@ -34,6 +34,12 @@ protected:
         for (const std::string& note : submitted.notes) sound = sound && note == one_line(note, caps::message);
         return sound;
     }
+    /// Makes that many empty files.
+    void make_files(std::size_t count, const std::function<std::string(int)>& name) const
+    {
+        const Descriptor folder(open(desk.folder().c_str(), O_RDONLY | O_DIRECTORY));
+        for (int i = 0; i < static_cast<int>(count); ++i) close(openat(folder.get(), name(i).c_str(), O_CREAT | O_WRONLY, 0644));
+    }
     void expect_found_beside_it() const
     {
         desk.write("sphere.cpp", "mine");
@@ -102,21 +108,18 @@ TEST_F(HostileFolder, what_nobody_may_read)
 
 TEST_F(HostileFolder, a_hundred_thousand_files)
 {
-    const Descriptor folder(open(desk.folder().c_str(), O_RDONLY | O_DIRECTORY));
-    for (int i = 0; i < 100'000; ++i) {
-        const std::string name = (i % 2 == 0 ? "a" : "~") + std::to_string(i) + (i % 3 == 0 ? ".cpp" : ".txt");
-        close(openat(folder.get(), name.c_str(), O_CREAT | O_WRONLY, 0644));
-    }
-    desk.write("raytracing/sphere/sphere.cpp", "mine");
-    EXPECT_TRUE(is_sound(desk.submitted()));
+    make_files(100'000, [](int i) { return std::to_string(i) + (i % 2 == 0 ? ".hpp" : ".txt"); });
     expect_found_beside_it();
+    make_files(caps::submission_files, [](int i) { return std::to_string(i) + ".cpp"; });
+    const Handed handed = desk.collected();
+    EXPECT_EQ(handed.missing.size() + (handed.refused.empty() ? 0 : 1), 1U);
+    ASSERT_FALSE(handed.notes.empty());
+    EXPECT_NE(handed.notes[0].find("more than 4096 files"), std::string::npos);
 }
 
 TEST_F(HostileFolder, more_files_than_are_looked_at)
 {
-    const Descriptor folder(open(desk.folder().c_str(), O_RDONLY | O_DIRECTORY));
-    for (std::size_t i = 0; i < caps::submission_entries + 10; ++i)
-        close(openat(folder.get(), std::to_string(i).c_str(), O_CREAT | O_WRONLY, 0644));
+    make_files(caps::submission_entries + 10, [](int i) { return std::to_string(i); });
     const SubmittedFiles submitted = desk.submitted();
     EXPECT_TRUE(is_sound(submitted));
     EXPECT_EQ(submitted.notes.size(), 1U);
@@ -144,7 +147,9 @@ TEST_F(HostileFolder, names_of_any_bytes)
     for (const char* const name : {"new\nline.cpp", "\x1b]0;title\x07.cpp", "\xff\xfe.cpp", "\xe2\x80\xae" "ppc.cpp", " .cpp", "-rf.cpp", "*.cpp", "%s%n.cpp", "a\\b.cpp",
                                    "\x1b[31m/sphere (1).cpp", "new\n/x.zip", "'; rm -rf ~; '.tar.gz", "con.cpp", "sphere.cpp\r.cpp"})
         desk.write(name, "x");
-    desk.write(std::string(251, 'n') + ".cpp", "x");
+    std::string longest(255, 'n');
+    longest.replace(251, 4, ".cpp");
+    desk.write(longest, "x");
     expect_found_beside_it();
     fs::remove(desk.folder() / "sphere.cpp");
     const Handed handed = desk.collected();
