@@ -4,17 +4,69 @@
 
 #include <stdexcept>
 
+#include <algorithm>
+
 #include "batch/related.hpp"
+#include "model/caps.hpp"
 
 namespace umbral::grader {
+namespace {
+
+/// "recorded 4000 rows, expected 14": a value with far more cells than expected was not read at all.
+std::string too_many(const std::string& value, const RunOutcome& student, const RunOutcome& expected)
+{
+    const auto found = student.recording.oversized.find(value);
+    const Tensor* right = tensor_of(expected, value);
+    if (found == student.recording.oversized.end() || right == nullptr) return "";
+    const Oversized& shape = found->second;
+    if (shape.columns == 1) return fmt::format("recorded {} rows, expected {}", shape.rows, right->rows);
+    if (shape.rows == 1) return fmt::format("recorded {} bytes, expected {}", shape.columns, right->columns);
+    return fmt::format("recorded {} x {} cells, expected {} x {}", shape.columns, shape.rows, right->columns, right->rows);
+}
+
+bool ran_into_the_limit(const CaseResult& one) { return one.reached && one.student.verdict == Verdict::timeout; }
+
+}
+
+bool may_run_another(const CaseResults& cases)
+{
+    return std::count_if(cases.begin(), cases.end(), [](const auto& entry) { return ran_into_the_limit(entry.second); }) < caps::timeouts;
+}
+
+CaseResult not_reached(std::uint64_t seed, bool hidden)
+{
+    CaseResult one;
+    one.seed = seed;
+    one.hidden = hidden;
+    one.reached = false;
+    one.student.verdict = Verdict::timeout;
+    return one;
+}
 
 std::string CaseResult::trouble() const
 {
+    if (!reached) return fmt::format("not reached: {} cases ran into the time limit, so this one was not run; it earns nothing until that loop ends", caps::timeouts);
     if (is_stub()) return std::string(in_words(Verdict::not_implemented));
     if (student.verdict == Verdict::ok) return "";
     std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);
-    if (!place.empty()) text += " at " + place;
+    if (!place.empty()) text += " at " + one_line(place);
     return text;
+}
+
+std::vector<std::string> values_of(const Check& check)
+{
+    std::vector<std::string> values{check.value};
+    if (check.relation) values.push_back(check.relation->to);
+    if (check.relation && !check.relation->unlike.empty()) values.push_back(check.relation->unlike);
+    return values;
+}
+
+std::string kept_from_judging(const Check& check, const CaseResult& one, const RunOutcome& expected)
+{
+    if (std::string trouble = one.trouble(); !trouble.empty()) return trouble;
+    for (const std::string& value : values_of(check))
+        if (std::string many = too_many(value, one.student, expected); !many.empty()) return many;
+    return observed(check, one.student) == nullptr ? "nothing was recorded: the run was disturbed" : "";
 }
 
 CheckResult blank_result(const Check& check)
@@ -39,6 +91,7 @@ const Tensor* observed(const Check& check, const RunOutcome& run)
     static const Tensor nothing;
     const Tensor* tensor = tensor_of(run, check.value);
     const bool by_rows = check.judge == JudgeKind::fragments || check.judge == JudgeKind::events;
+    if (run.recording.oversized.contains(check.value)) return nullptr;
     return tensor == nullptr && by_rows ? &nothing : tensor;
 }
 
@@ -52,13 +105,8 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
     const Tensor* margin = tensor_of(expected_run, check.value + ".margin");
     if (check.hard) result.reference_error = judge(check, *reference, *expected, margin).error;
 
-    result.message = one.trouble();
+    result.message = kept_from_judging(check, one, expected_run);
     if (!result.message.empty()) return result;
-    const Tensor* student = observed(check, one.student);
-    if (student == nullptr) {
-        result.message = "nothing was recorded: the run was disturbed";
-        return result;
-    }
     const Tensor* names = tensor_of(expected_run, check.value + ".names");
     Judgement judgement;
     BestControl control;
@@ -67,7 +115,7 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
         judgement = relation.judge(related_tensors(check, one.student), names);
         control = relation.best_control();
     } else {
-        judgement = judge(check, *student, *expected, margin, names);
+        judgement = judge(check, *observed(check, one.student), *expected, margin, names);
         control = best_control(check, *expected, margin, one.seed);
     }
     take_judgement(check, judgement, control.right, result);

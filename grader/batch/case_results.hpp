@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "judge/judge.hpp"
 #include "model/exercise.hpp"
@@ -14,6 +15,7 @@ namespace umbral::grader {
 struct CaseResult {
     std::uint64_t seed = 0;
     bool hidden = false;
+    bool reached = true;  ///< false: too many cases ran into the time limit before, so that this one was not run
     RunOutcome student;
     std::string place;  ///< where it crashed: "sphere.cpp:17"
     double reference_seconds = 0;
@@ -23,6 +25,19 @@ struct CaseResult {
     [[nodiscard]] std::string trouble() const;
 };
 using CaseResults = std::map<std::string, CaseResult>;
+
+/// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit: a submission in which everything hangs
+/// costs that many limits and no more.
+[[nodiscard]] bool may_run_another(const CaseResults& cases);
+/// A case that was not run for that reason. It earns nothing.
+[[nodiscard]] CaseResult not_reached(std::uint64_t seed, bool hidden);
+
+/// What kept a check from being judged by its case's run, in words, and nothing if it can be: the case's trouble, values of which far more
+/// rows were recorded than expected, or which are missing.
+[[nodiscard]] std::string kept_from_judging(const Check& check, const CaseResult& one, const RunOutcome& expected);
+
+/// The names under which a case records what this check looks at.
+[[nodiscard]] std::vector<std::string> values_of(const Check& check);
 
 /// A check that earned nothing yet.
 [[nodiscard]] CheckResult blank_result(const Check& check);

@@ -92,7 +92,8 @@ void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseRe
     // In the order in which a page shows them: where there are too many pictures, buffers come before colours.
     std::vector<std::size_t> order(exercise.checks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return judging_place(exercise.checks[i].judge); });
+    // Hidden ones come last: what a student sees of the others must not depend on them.
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::pair(exercise.checks[i].hidden, judging_place(exercise.checks[i].judge)); });
     for (const std::size_t i : order) {
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);

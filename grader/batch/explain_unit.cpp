@@ -30,7 +30,7 @@ std::vector<CaseChecks> by_case(Workshop& workshop, const Exercise& exercise, co
         const Check& declared = exercise.checks[i];
         CaseChecks& group = *std::ranges::find(groups, declared.case_name, &CaseChecks::name);
         // Code that is not written yet says nothing about code that is.
-        if (group.result->is_stub()) continue;
+        if (group.result->is_stub() || !group.result->reached) continue;
         const bool fails = result.checks[i].score < declared.points;
         if (declared.relation && !fails) continue;
         const RunOutcome& expected = workshop.trusted(exercise, judged_against(declared), declared.case_name, group.result->seed);
@@ -119,7 +119,25 @@ std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exerci
 {
     if (result.score == result.max_score) return {};
     const std::vector<Specimen> mistakes = telling_mistakes(workshop, exercise);
-    return explain_unit(workshop, exercise, result, cases, mistakes);
+    std::vector<Explanation> all = explain_unit(workshop, exercise, result, cases, mistakes);
+    Exercise seen = exercise;
+    UnitResult seen_result;
+    seen.checks.clear();
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        if (cases.at(exercise.checks[i].case_name).hidden) continue;
+        seen.checks.push_back(exercise.checks[i]);
+        seen_result.checks.push_back(result.checks[i]);
+    }
+    if (seen.checks.size() == exercise.checks.size()) return all;
+    std::vector<Explanation> found = explain_unit(workshop, seen, seen_result, cases, mistakes);
+    const std::size_t from_seen = found.size();
+    for (Explanation& one : all) {
+        if (std::ranges::any_of(found, [&](const Explanation& other) { return other.name == one.name; })) continue;
+        one.hidden = true;
+        one.ambiguous = one.ambiguous && from_seen == 0;
+        found.push_back(std::move(one));
+    }
+    return found;
 }
 
 }

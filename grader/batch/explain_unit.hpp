@@ -12,6 +12,8 @@ namespace umbral::grader {
 /// Why a unit's checks fail: known mistakes that give the same results, and named transforms that undo the difference; best first, with
 /// how sure that is (judge/sureness.hpp). Runs the unit's mistakes, which were compiled when the project was built, in the sandbox like
 /// everything else: on the failing cases, and those that still fit on the others too, for what a mistake breaks must be broken.
+/// First come those that visible cases alone lead to. Those that only hidden ones lead to are marked `hidden`: which explanation a student
+/// reads must tell nothing about hidden inputs.
 [[nodiscard]] std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases);
 
 /// The same with other candidates than the unit's own mistakes.

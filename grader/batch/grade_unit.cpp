@@ -12,8 +12,11 @@
 #include "batch/explain_unit.hpp"
 #include "batch/pictures.hpp"
 #include "batch/rerun.hpp"
+#include "batch/weigh_cost.hpp"
 #include "build/inspection.hpp"
+#include "model/caps.hpp"
 #include "model/digest.hpp"
+#include "model/faults.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -33,8 +36,9 @@ UnitResult without_points(const Exercise& exercise, Verdict verdict, std::string
 
 UnitResult grader_fault(const Exercise& exercise, const std::string& what)
 {
-    UnitResult result = without_points(exercise, Verdict::grader_fault, "the grader failed, not your work; this unit does not count: " + what);
+    UnitResult result = without_points(exercise, Verdict::grader_fault, std::string(fault_preface) + what);
     result.max_score = 0;
+    result.unscored = exercise.points;
     for (CheckResult& check : result.checks) check.max_score = 0;
     return result;
 }
@@ -49,34 +53,44 @@ std::vector<std::string> shuffled_cases(const Exercise& exercise, const SeedPlan
     return cases;
 }
 
+/// Of several kinds of trouble, what was refused says most about the submission; and what visible cases ended by is told before hidden
+/// ones', of which the student is told the kind only.
 Verdict verdict_of(const UnitResult& result, const CaseResults& cases)
 {
     if (result.score == result.max_score) return Verdict::ok;
     if (result.score > 0) return Verdict::partial;
     const bool all_stubs = std::all_of(cases.begin(), cases.end(), [](const auto& entry) { return entry.second.is_stub(); });
     if (all_stubs) return Verdict::not_implemented;
-    // Of several kinds of trouble, what was refused says most about the submission.
-    const auto refused = [](const auto& entry) { return !entry.second.student.refused.empty(); };
-    if (std::any_of(cases.begin(), cases.end(), refused)) return Verdict::blocked;
-    const auto stopped = std::find_if(cases.begin(), cases.end(), [](const auto& entry) { return entry.second.student.verdict != Verdict::ok; });
-    return stopped == cases.end() ? Verdict::wrong : stopped->second.student.verdict;
+    for (const bool hidden : {false, true}) {
+        const auto refused = [&](const auto& entry) { return entry.second.hidden == hidden && !entry.second.student.refused.empty(); };
+        if (std::any_of(cases.begin(), cases.end(), refused)) return Verdict::blocked;
+        const auto failed = [&](const auto& entry) { return entry.second.hidden == hidden && entry.second.student.verdict != Verdict::ok; };
+        const auto stopped = std::find_if(cases.begin(), cases.end(), failed);
+        if (stopped != cases.end()) return stopped->second.student.verdict;
+    }
+    return Verdict::wrong;
+}
+
+/// What kept a case from being judged, or what was refused on the way, as the student may read it. Whatever a hidden case's run said or chose
+/// may hold its inputs: of it only the kind of trouble is told.
+std::string told_trouble(const CaseResult& one)
+{
+    const bool refused = !one.student.refused.empty();
+    if (one.hidden && one.reached && one.student.verdict != Verdict::ok) return std::string(in_words(one.student.verdict));
+    if (std::string trouble = one.trouble(); !trouble.empty()) return trouble;
+    if (!refused) return "";
+    return one.hidden ? "the sandbox refused calls" : "the sandbox refused " + listed(one.student.refused);
 }
 
 /// One line a kind of trouble: which cases it stopped, and what it was.
 std::string troubles(const CaseResults& cases)
 {
     std::map<std::string, std::vector<std::string>> by_text;
-    for (const auto& [name, one] : cases) {
-        // What a hidden case printed or threw may hold its inputs: the kind of trouble must do.
-        const std::string trouble = one.hidden && one.student.verdict != Verdict::ok ? std::string(in_words(one.student.verdict)) : one.trouble();
-        if (!trouble.empty())
-            by_text[trouble].push_back(name);
-        else if (!one.student.refused.empty())
-            by_text[fmt::format("the sandbox refused {}", fmt::join(one.student.refused, ", "))].push_back(name);
-    }
+    for (const auto& [name, one] : cases)
+        if (std::string trouble = told_trouble(one); !trouble.empty()) by_text[std::move(trouble)].push_back(name);
     std::string lines;
     for (const auto& [text, names] : by_text) lines += fmt::format("{}: {}\n", fmt::join(names, ", "), text);
-    return lines;
+    return printable(lines, caps::message);
 }
 
 std::string printed_text(const Exercise& exercise, const CaseResults& cases)
@@ -84,27 +98,40 @@ std::string printed_text(const Exercise& exercise, const CaseResults& cases)
     std::string text;
     for (const std::string& name : exercise.cases()) {
         const auto found = cases.find(name);
-        if (found == cases.end() || is_hidden_case(exercise, name) || found->second.student.output.empty()) continue;
+        if (found == cases.end() || found->second.hidden || found->second.student.output.empty()) continue;
         if (text.find(found->second.student.output) != std::string::npos) continue;
         text += found->second.student.output;
         if (text.back() != '\n') text += '\n';
     }
-    return printable(text, std::size_t{64} << 10U);
+    return printable(text, caps::printed);
+}
+
+/// The student's run of one case. Throws std::runtime_error for a fault of the grader's.
+CaseResult run_case(Workshop& workshop, const Exercise& exercise, const Built& built, const std::string& name, const SeedPlan& seeds)
+{
+    CaseResult one;
+    one.seed = seeds.seed_of(exercise, name);
+    one.hidden = is_hidden_case(exercise, name);
+    one.student = workshop.run(exercise, built, name, one.seed);
+    if (one.student.verdict == Verdict::grader_fault) throw std::runtime_error(one.student.message);
+    if (one.student.verdict == Verdict::crashed && !one.student.recording.frames.empty() && !built.library.empty())
+        one.place = place_of(workshop.tools(), built.library, one.student.recording.frames);
+    return one;
+}
+
+std::size_t bytes_of(const Sources& files)
+{
+    std::size_t bytes = 0;
+    for (const auto& [name, text] : files) bytes += name.size() + text.size();
+    return bytes;
 }
 
 UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built& built, const GradeOptions& options)
 {
     CaseResults cases;
-    for (const std::string& name : shuffled_cases(exercise, options.seeds)) {
-        CaseResult one;
-        one.seed = options.seeds.seed_of(exercise, name);
-        one.hidden = is_hidden_case(exercise, name);
-        one.student = workshop.run(exercise, built, name, one.seed);
-        if (one.student.verdict == Verdict::grader_fault) throw std::runtime_error(one.student.message);
-        if (one.student.verdict == Verdict::crashed && !one.student.recording.frames.empty() && !built.library.empty())
-            one.place = place_of(workshop.tools(), built.library, one.student.recording.frames);
-        cases.emplace(name, std::move(one));
-    }
+    for (const std::string& name : shuffled_cases(exercise, options.seeds))
+        cases.emplace(name, may_run_another(cases) ? run_case(workshop, exercise, built, name, options.seeds)
+                                                   : not_reached(options.seeds.seed_of(exercise, name), is_hidden_case(exercise, name)));
     UnitResult result = without_points(exercise, Verdict::wrong, "");
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
@@ -115,8 +142,11 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
         one.reference_seconds = reference.wall_seconds;
     }
     settle_borderline(workshop, exercise, built, cases, options, result);
+    weigh_costs(workshop, exercise, built, cases, result);
     for (const CheckResult& check : result.checks) result.score += check.score;
+    // How long a hidden case took is up to its run, and may tell its inputs.
     for (const auto& [name, one] : cases) {
+        if (one.hidden) continue;
         result.seconds += one.student.wall_seconds;
         result.reference_seconds += one.reference_seconds;
     }
@@ -131,36 +161,22 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
 
 }
 
-namespace {
-
-/// `word` tells seeds of one case apart; the name of a case is one line, so that no other case has this one's.
-std::uint64_t seed_for(const SeedPlan& plan, const Exercise& exercise, const std::string& case_name, const std::string& word)
-{
-    return is_hidden_case(exercise, case_name) ? case_seed(plan.secret, plan.course, plan.student, exercise.id, case_name + word, plan.attempt)
-                                               : case_seed("visible", plan.course, "", exercise.id, case_name + word, plan.attempt);
-}
-
-}
-
-std::uint64_t SeedPlan::seed_of(const Exercise& exercise, const std::string& case_name) const { return seed_for(*this, exercise, case_name, ""); }
-
-std::uint64_t SeedPlan::fresh_seed_of(const Exercise& exercise, const std::string& case_name) const { return seed_for(*this, exercise, case_name, "\nagain"); }
-
-bool is_hidden_case(const Exercise& exercise, const std::string& case_name)
-{
-    return std::any_of(exercise.checks.begin(), exercise.checks.end(), [&](const Check& check) { return check.hidden && check.case_name == case_name; });
-}
-
-UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options)
+UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& given)
 {
     UnitResult result;
+    GradeOptions options = given;
     try {
+        if (options.seeds.work.empty()) options.seeds.work = work_digest(handed.files);
         workshop.forget_if_full();
         describe_unit(exercise, options);
         if (!handed.missing.empty()) {
             result = without_points(exercise, Verdict::missing, fmt::format("not handed in: {}", fmt::join(handed.missing, ", ")));
         } else if (!handed.refused.empty()) {
             result = without_points(exercise, Verdict::missing, "not read: " + handed.refused);
+        } else if (const std::size_t bytes = bytes_of(handed.files); bytes > caps::unit_sources) {
+            result = without_points(exercise, Verdict::missing,
+                                    fmt::format("not read: the files of this unit take {} KiB together, and at most {} KiB are taken", bytes >> 10U,
+                                                caps::unit_sources >> 10U));
         } else if (equals_stub(handed.files, exercise)) {
             result = without_points(exercise, Verdict::not_implemented, "the file is still the stub");
         } else {

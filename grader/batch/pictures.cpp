@@ -1,11 +1,13 @@
 #include "batch/pictures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <umbral/core/png.hpp>
 
 #include "batch/related.hpp"
 #include "judge/noise.hpp"
 #include "report/triptych.hpp"
+#include "run/run_text.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -40,7 +42,7 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
             result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();
             one_saved = true;
         } catch (const std::exception& error) {
-            result.message += std::string("a picture is missing: ") + error.what() + "\n";
+            result.message += "a picture is missing: " + without_roots(error.what(), std::array{options.relative_to.string()}) + "\n";
         }
     }
 }

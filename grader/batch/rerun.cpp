@@ -12,14 +12,12 @@ namespace {
 Judgement judged(Workshop& workshop, const Exercise& exercise, const Check& check, const CaseResult& one)
 {
     Judgement judgement;
-    judgement.message = one.trouble();
-    if (!judgement.message.empty()) return judgement;
     const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
     const Tensor* right = tensor_of(expected, check.value);
     if (right == nullptr) throw std::runtime_error(fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
-    if (const Tensor* student = observed(check, one.student)) return judge(check, *student, *right, nullptr, tensor_of(expected, check.value + ".names"));
-    judgement.message = "nothing was recorded: the run was disturbed";
-    return judgement;
+    judgement.message = kept_from_judging(check, one, expected);
+    if (!judgement.message.empty()) return judgement;
+    return judge(check, *observed(check, one.student), *right, nullptr, tensor_of(expected, check.value + ".names"));
 }
 
 bool is_borderline(const CheckResult& result)
@@ -33,14 +31,16 @@ bool is_borderline(const CheckResult& result)
 void settle_borderline(Workshop& workshop, const Exercise& exercise, const Built& built, const CaseResults& cases, const GradeOptions& options,
                        UnitResult& result)
 {
-    std::map<std::string, CaseResult> again;
+    CaseResults again;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         CheckResult& before = result.checks[i];
         if (!is_borderline(before)) continue;
         const CaseResult& one = cases.at(check.case_name);
         const auto [fresh, added] = again.try_emplace(check.case_name);
-        if (added) {
+        if (added && !may_run_another(again)) {
+            fresh->second = not_reached(options.seeds.fresh_seed_of(exercise, check.case_name), one.hidden);
+        } else if (added) {
             fresh->second.seed = options.seeds.fresh_seed_of(exercise, check.case_name);
             fresh->second.hidden = one.hidden;
             fresh->second.student = workshop.run(exercise, built, check.case_name, fresh->second.seed);

@@ -36,7 +36,8 @@ std::optional<double> hard_share(const UnitResult& result)
 GradeOptions options_for(unsigned seed)
 {
     GradeOptions options;
-    options.seeds = {"validate", "validate", "validate", seed};
+    // One work for all, so that specimens meet the same hidden inputs and the trusted runs of one serve the next.
+    options.seeds = {"validate", "validate", "validate", seed, "validate"};
     return options;
 }
 

@@ -2,7 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
+
+#include "batch/case_results.hpp"
+#include "batch/seeds.hpp"
 #include "batch/specimens.hpp"
+#include "model/caps.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -15,7 +21,34 @@ std::string key_of(const Exercise& exercise, const std::string& who, const std::
     return fmt::format("{}\n{}\n{}\n{}", exercise.id, who, case_name, seed);
 }
 
+/// Where things lie on this machine, which is nobody's business who reads what a run printed or threw.
+std::vector<std::string> roots_of(const Toolchain& tools)
+{
+    std::vector<std::string> roots;
+    const auto add = [&](const std::filesystem::path& folder) {
+        if (folder.is_absolute()) roots.push_back(folder.lexically_normal().string());
+    };
+    for (const auto& folder : {tools.exercises, tools.reference, tools.units, tools.programs, tools.framework, tools.cache}) {
+        add(folder);
+        // The project's sources, its build, the user's cache.
+        add(folder.parent_path());
+    }
+    add(tools.student_header.parent_path());
+    if (const char* const home = std::getenv("HOME")) add(home);
+    return roots;
 }
+
+const char* to_string(Tenant tenant) { return tenant == Tenant::reference ? "reference" : "oracle"; }
+
+/// How many cells of a value are read where `expected` were: so many more that any honest mistake can be shown.
+std::size_t most_cells(const Check& check, std::size_t expected)
+{
+    return caps::rows_factor * expected + (check.judge == JudgeKind::trace ? caps::trace_bytes : caps::rows_more);
+}
+
+}
+
+Workshop::Workshop(Toolchain tools, std::string gl_backend) : tools_(std::move(tools)), gl_backend_(std::move(gl_backend)), roots_(roots_of(tools_)) {}
 
 Spawner& Workshop::spawner(bool gl)
 {
@@ -26,27 +59,72 @@ Spawner& Workshop::spawner(bool gl)
 
 RunRequest Workshop::request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const
 {
-    return {unit_folder(tools_, exercise.id) / "driver.so", {}, {}, case_name, seed, exercise.limits};
+    RunRequest wanted;
+    wanted.driver = unit_folder(tools_, exercise.id) / "driver.so";
+    wanted.case_name = case_name;
+    wanted.stream = stream_of(exercise, case_name, seed);
+    wanted.limits = exercise.limits;
+    wanted.roots = roots_;
+    wanted.roots.push_back(wanted.driver.parent_path().string());
+    return wanted;
+}
+
+WantedTensors Workshop::wanted(const Exercise& exercise, const std::string& case_name, std::uint64_t seed)
+{
+    WantedTensors wanted;
+    for (const Check& check : exercise.checks) {
+        if (check.case_name != case_name) continue;
+        const RunOutcome& expected = trusted(exercise, judged_against(check), case_name, seed);
+        for (const std::string& value : values_of(check)) {
+            const Tensor* tensor = tensor_of(expected, value);
+            std::size_t& most = wanted[value];
+            most = std::max(most, most_cells(check, tensor == nullptr ? 0 : tensor->cells()));
+        }
+    }
+    return wanted;
+}
+
+RunRequest Workshop::students_request(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
+{
+    RunRequest wanted = request(exercise, case_name, seed);
+    wanted.tenant = built.library;
+    wanted.wanted = this->wanted(exercise, case_name, seed);
+    wanted.roots.push_back(built.library.parent_path().string());
+    // Only what the unit asks for: other files are nothing to the driver.
+    for (const auto& [name, text] : built.sources)
+        if (std::ranges::find(exercise.files, name) != exercise.files.end()) wanted.sources.emplace(name, text);
+    return wanted;
+}
+
+RunRequest Workshop::trusted_request(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed) const
+{
+    RunRequest wanted = request(exercise, case_name, seed);
+    if (exercise.is_cpp()) wanted.tenant = unit_folder(tools_, exercise.id) / fmt::format("{}.so", to_string(tenant));
+    wanted.sources = texts_of(exercise.is_cpp() ? Sources{} : reference_sources(tools_.reference, exercise));
+    return wanted;
 }
 
 RunOutcome Workshop::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
 {
-    RunRequest wanted = request(exercise, case_name, seed);
-    wanted.tenant = built.library;
-    wanted.sources = built.sources;
+    const RunRequest wanted = students_request(exercise, built, case_name, seed);
+    return spawner(exercise.gl).run(wanted);
+}
+
+RunOutcome Workshop::run_limited(const Exercise& exercise, const Built* built, const std::string& case_name, std::uint64_t seed, const CostLimit& costs)
+{
+    RunRequest wanted =
+        built != nullptr ? students_request(exercise, *built, case_name, seed) : trusted_request(exercise, Tenant::reference, case_name, seed);
+    wanted.costs = costs;
     return spawner(exercise.gl).run(wanted);
 }
 
 const RunOutcome& Workshop::trusted(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed)
 {
-    const char* name = tenant == Tenant::reference ? "reference" : "oracle";
+    const char* name = to_string(tenant);
     const std::string key = key_of(exercise, name, case_name, seed);
     if (const auto found = remembered_.find(key); found != remembered_.end()) return found->second;
 
-    RunRequest wanted = request(exercise, case_name, seed);
-    if (exercise.is_cpp()) wanted.tenant = unit_folder(tools_, exercise.id) / fmt::format("{}.so", name);
-    wanted.sources = texts_of(exercise.is_cpp() ? Sources{} : reference_sources(tools_.reference, exercise));
-    RunOutcome outcome = spawner(exercise.gl).run(wanted);
+    RunOutcome outcome = spawner(exercise.gl).run(trusted_request(exercise, tenant, case_name, seed));
     if (outcome.verdict != Verdict::ok)
         throw std::runtime_error(
             fmt::format("{}: the {} did not finish case '{}' ({}): {}", exercise.id, name, case_name, to_string(outcome.verdict), outcome.message));
@@ -61,6 +139,7 @@ const RunOutcome& Workshop::run_mistake(const Exercise& exercise, const std::str
     RunRequest wanted = request(exercise, case_name, seed);
     if (exercise.is_cpp()) wanted.tenant = unit_folder(tools_, exercise.id) / "mistakes" / (name + ".so");
     wanted.sources = texts_of(sources);
+    wanted.wanted = this->wanted(exercise, case_name, seed);
     return remember(key, spawner(exercise.gl).run(wanted));
 }
 

@@ -21,7 +21,7 @@ enum class Tenant { reference, oracle };
 class Workshop {
 public:
     /// `gl_backend` draws ("osmesa" or "egl"); if it is empty, what UMBRAL_GL holds.
-    explicit Workshop(Toolchain tools, std::string gl_backend = {}) : tools_(std::move(tools)), gl_backend_(std::move(gl_backend)) {}
+    explicit Workshop(Toolchain tools, std::string gl_backend = {});
 
     [[nodiscard]] const Toolchain& tools() const noexcept { return tools_; }
 
@@ -31,8 +31,14 @@ public:
     /// Lets go of remembered runs if they take too much memory; references to them end. Called between units.
     void forget_if_full();
 
-    /// Runs one case with a student's (or a specimen's) build.
+    /// Runs one case with a student's (or a specimen's) build, after the trusted runs that it is judged against: of its recording only what
+    /// the case's checks look at is read, and not if it is far larger than expected. Throws std::runtime_error for faults of the
+    /// grader's and for what the machine lacks.
     [[nodiscard]] RunOutcome run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed);
+
+    /// Runs one case with a student's build, or with the reference if there is none, working on these counted costs only. Nothing is kept.
+    [[nodiscard]] RunOutcome run_limited(const Exercise& exercise, const Built* built, const std::string& case_name, std::uint64_t seed,
+                                         const CostLimit& costs);
 
     /// The recording of a trusted tenant; kept for the next submission with the same seed. Throws std::runtime_error if that run fails:
     /// a grader fault.
@@ -44,10 +50,14 @@ public:
 
 private:
     [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
+    [[nodiscard]] RunRequest students_request(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed);
+    [[nodiscard]] RunRequest trusted_request(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed) const;
+    [[nodiscard]] WantedTensors wanted(const Exercise& exercise, const std::string& case_name, std::uint64_t seed);
     const RunOutcome& remember(const std::string& key, RunOutcome outcome);
 
     Toolchain tools_;
     std::string gl_backend_;
+    std::vector<std::string> roots_;  ///< folders of this machine that no text of a run may show
     std::unique_ptr<Spawner> plain_;
     std::unique_ptr<Spawner> gl_;
     std::map<std::string, RunOutcome> remembered_;

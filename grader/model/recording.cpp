@@ -81,7 +81,8 @@ void check_presence(const Tensor& tensor, std::size_t offset)
     }
 }
 
-std::pair<std::string, Tensor> take_tensor(Cursor& cursor)
+/// Takes one tensor into the recording, or passes over it.
+void take_tensor(Cursor& cursor, const WantedTensors& wanted, Recording& recording)
 {
     const std::size_t offset = cursor.offset();
     const wire::TensorHeader header = take_header(cursor);
@@ -90,28 +91,34 @@ std::pair<std::string, Tensor> take_tensor(Cursor& cursor)
     if (printable(name, wire::maximum_name) != name) damaged(offset, "a printable name", fmt::format("'{}'", printable(name, wire::maximum_name)));
 
     Tensor tensor{static_cast<Element>(header.element), header.rows, header.columns, header.components, {}, {}};
-    tensor.bytes = copy<std::byte>(cursor.take(std::uint64_t{tensor.count()} * size_of(tensor.element), "the values of a tensor"));
-    if (header.has_present == 1) tensor.present = copy<std::uint8_t>(cursor.take(tensor.cells(), "the presence flags of a tensor"));
+    const auto values = cursor.take(std::uint64_t{tensor.count()} * size_of(tensor.element), "the values of a tensor");
+    const auto flags = header.has_present == 1 ? cursor.take(tensor.cells(), "the presence flags of a tensor") : std::span<const std::byte>();
+    const auto asked = wanted.find(name);
+    if (!wanted.empty() && asked == wanted.end()) return;
+    if (recording.tensors.contains(name) || recording.oversized.contains(name))
+        damaged(offset, "a name not used before", fmt::format("'{}'", name));
+    if (!wanted.empty() && tensor.cells() > asked->second) {
+        recording.oversized.emplace(std::move(name), Oversized{header.rows, header.columns});
+        return;
+    }
+    tensor.bytes = copy<std::byte>(values);
+    tensor.present = copy<std::uint8_t>(flags);
     check_presence(tensor, offset);
-    return {std::move(name), std::move(tensor)};
+    recording.tensors.emplace(std::move(name), std::move(tensor));
 }
 
-void take_tensors(Recording& recording, const wire::Header& header, std::span<const std::byte> bytes)
+void take_tensors(Recording& recording, const wire::Header& header, std::span<const std::byte> bytes, const WantedTensors& wanted)
 {
     require(header.tensors_size <= bytes.size() - wire::tensors_offset, offsetof(wire::Header, tensors_size), "a size within the file", header.tensors_size);
     require(header.tensor_count <= wire::maximum_tensors, offsetof(wire::Header, tensor_count), "at most 256 tensors", header.tensor_count);
     Cursor cursor(bytes, wire::tensors_offset, header.tensors_size);
-    for (std::uint64_t i = 0; i < header.tensor_count; ++i) {
-        const std::size_t offset = cursor.offset();
-        auto [name, tensor] = take_tensor(cursor);
-        if (!recording.tensors.emplace(name, std::move(tensor)).second) damaged(offset, "a name not used before", fmt::format("'{}'", name));
-    }
+    for (std::uint64_t i = 0; i < header.tensor_count; ++i) take_tensor(cursor, wanted, recording);
     require(cursor.left() == 0, cursor.offset(), "no bytes behind the last tensor", cursor.left());
 }
 
 }
 
-Recording parse_recording(std::span<const std::byte> bytes)
+Recording parse_recording(std::span<const std::byte> bytes, const WantedTensors& wanted)
 {
     if (bytes.size() < wire::tensors_offset || bytes.size() > wire::maximum_size)
         damaged(0, fmt::format("{} to {} bytes", wire::tensors_offset, wire::maximum_size), std::to_string(bytes.size()));
@@ -135,7 +142,7 @@ Recording parse_recording(std::span<const std::byte> bytes)
     recording.frames.assign(header.frames, header.frames + header.frame_count);
     recording.text = printable({header.text, static_cast<std::size_t>(end - header.text)}, 3 * sizeof header.text);
     // Earlier than that the run was still writing them.
-    if (recording.stage == wire::Stage::finished) take_tensors(recording, header, bytes);
+    if (recording.stage == wire::Stage::finished) take_tensors(recording, header, bytes, wanted);
     return recording;
 }
 

@@ -13,6 +13,15 @@
 
 namespace umbral::grader {
 
+/// The names of tensors that are looked at, and how many cells each may have. Others are passed over, whatever they hold.
+using WantedTensors = std::map<std::string, std::size_t, std::less<>>;
+
+/// The shape of a tensor that has more cells than it may: nothing of it was read.
+struct Oversized {
+    std::uint32_t rows = 0;
+    std::uint32_t columns = 0;
+};
+
 /// What a run recorded, after every byte of it was checked.
 struct Recording {
     wire::Stage stage = wire::Stage::started;
@@ -24,6 +33,7 @@ struct Recording {
     std::vector<std::uint64_t> frames;  ///< addresses in the student's library at a crash, innermost first
     std::string text;                   ///< printable, valid UTF-8
     std::map<std::string, Tensor, std::less<>> tensors;
+    std::map<std::string, Oversized, std::less<>> oversized{};
 };
 
 /// The recording is not one that a run can have written by itself: the student's code overwrote it.
@@ -34,7 +44,8 @@ public:
 
 /// Reads a recording that hostile code may have written. Copies what it returns; never reads outside `bytes`; never allocates more
 /// than a small multiple of their size. Throws DamagedRecording with what was expected, what came and at which offset.
-[[nodiscard]] Recording parse_recording(std::span<const std::byte> bytes);
+/// If names are `wanted`, only those tensors are copied and checked, as far as they have no more cells than they may.
+[[nodiscard]] Recording parse_recording(std::span<const std::byte> bytes, const WantedTensors& wanted = {});
 
 /// Text from a student's process made fit to print and store: invalid UTF-8 and control characters but \n and \t are replaced, and
 /// what exceeds `limit` bytes is cut, saying so.

@@ -7,7 +7,8 @@ namespace umbral::grader {
 
 SubmissionResult without_hidden_values(SubmissionResult submission)
 {
-    for (UnitResult& unit : submission.units)
+    for (UnitResult& unit : submission.units) {
+        std::erase_if(unit.explanations, &Explanation::hidden);
         for (CheckResult& check : unit.checks)
             if (check.hidden)
                 check = {.name = std::move(check.name),
@@ -22,7 +23,9 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .metrics = {},
                          .first_difference = {},
                          .sketch = {},
-                         .artefacts = {}};
+                         .artefacts = {},
+                         .seeds = {}};
+    }
     return submission;
 }
 

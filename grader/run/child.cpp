@@ -14,12 +14,15 @@
 #include <nlohmann/json.hpp>
 #include <umbral/core/not_implemented_count.hpp>
 #include <umbral/core/student_error.hpp>
+#include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 #include <umbral/record/wire.hpp>
 
 #include "run/descriptor.hpp"
+#include "run/emulated_calls.hpp"
 #include "run/last_words.hpp"
 #include "run/protocol.hpp"
+#include "run/source_frame.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -27,25 +30,51 @@ namespace {
 constexpr int exit_load_failure = 71;
 constexpr int exit_no_job = 72;
 constexpr int exit_no_sandbox = 73;
-constexpr int socket_until_confined = 3;
+/// The files of a run in its sandbox, beside standard input and output.
+enum RunFile : int { socket_until_confined = 3, event_until_confined, texts_until_read, tenant_until_loaded, driver_until_loaded, first_closed };
 
 struct Job {
-    Case what;
+    std::string case_name;
+    std::uint64_t stream = 0;  ///< what the case's random numbers follow from
     std::string driver;
     std::string tenant;  ///< empty for a unit without C++
     std::uint64_t memory = 0;
     std::uint64_t cpu_seconds = 0;
+    CostLimit costs;  ///< without a table all costs are worked on
 };
 
-Job read_job(int file)
+std::string content_of(int file)
 {
     struct stat status {};
     fstat(file, &status);
     std::string text(static_cast<std::size_t>(status.st_size), '\0');
     text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, pread(file, text.data(), text.size(), 0))));
-    const nlohmann::json json = nlohmann::json::parse(text.c_str());
-    return {Case{json.at("case"), Random(json.at("seed").get<std::uint64_t>()), json.at("sources")}, json.at("driver"), json.at("tenant"), json.at("memory"),
-            json.at("cpu_seconds")};
+    return text;
+}
+
+Job read_job(int file)
+{
+    const nlohmann::json json = nlohmann::json::parse(content_of(file));
+    return {json.at("case"), json.at("stream"), json.at("driver"), json.at("tenant"), json.at("memory"), json.at("cpu_seconds"),
+            {json.at("counted_table"), json.at("counted_sizes")}};
+}
+
+/// Opens a library of the run. A file that is not there any more ends the run before any foreign code: a fault of ours.
+int open_library(wire::Header& header, const std::string& path)
+{
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file >= 0) return file;
+    std::snprintf(header.text, sizeof header.text, "opening %s: %s", path.c_str(), std::strerror(errno));
+    _exit(exit_no_job);
+}
+
+/// Gives `files` the numbers from `first` on, in their order; -1 leaves a number unused.
+void number_files(std::span<const int> files, int first)
+{
+    std::vector<int> apart;
+    for (const int file : files) apart.push_back(file < 0 ? -1 : fcntl(file, F_DUPFD_CLOEXEC, first + static_cast<int>(files.size())));
+    for (std::size_t i = 0; i < apart.size(); ++i)
+        if (apart[i] >= 0) dup2(apart[i], first + static_cast<int>(i));
 }
 
 void note(wire::Header& header, wire::Note kind, const char* text)
@@ -71,10 +100,8 @@ void confine(const ChildSetup& setup, const Job& job)
                               .descriptors = 16,
                               .no_children = true});
     sandbox::drop_privileges();
-    std::vector<sandbox::FileRule> files{{job.driver}};
-    if (!job.tenant.empty()) files.push_back({job.tenant});
-    sandbox::confine_files(files);
-    sandbox::install(setup.loading);
+    sandbox::confine_files({});
+    sandbox::install(setup.filter);
 }
 
 const DriverCase* find_case(const Driver& driver, const std::string& name)
@@ -88,7 +115,7 @@ void run_case(const DriverCase& one, Case& what, Recorder& recorder) noexcept { 
 
 }
 
-void live(const ChildSetup& setup, int run_socket) noexcept
+void live(const ChildSetup& setup, int run_socket, int confined) noexcept
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     std::byte byte{};
@@ -101,15 +128,19 @@ void live(const ChildSetup& setup, int run_socket) noexcept
     if (memory == MAP_FAILED) _exit(exit_no_job);
     auto& header = *static_cast<wire::Header*>(memory);
     header.magic = wire::magic;
-    Job job = read_job(packet.descriptors[2].get());
+    const Job job = read_job(packet.descriptors[2].get());
 
+    const int driver = open_library(header, job.driver);
+    const int tenant = job.tenant.empty() ? -1 : open_library(header, job.tenant);
     const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
     dup2(nothing, 0);
     dup2(output, 1);
     dup2(output, 2);
-    packet.descriptors.clear();
-    dup2(run_socket, socket_until_confined);
-    close_range(socket_until_confined + 1, ~0U, 0);
+    number_files(std::array{run_socket, confined, packet.descriptors[3].get(), tenant, driver}, socket_until_confined);
+    close_range(first_closed, ~0U, 0);
+    for (Descriptor& given : packet.descriptors) given.release();
+    if (tenant >= 0) emulated_calls::hand_out_once(job.tenant.c_str(), tenant_until_loaded);
+    emulated_calls::hand_out_once(job.driver.c_str(), driver_until_loaded);
 
     last_words::listen(header);
     try {
@@ -118,27 +149,33 @@ void live(const ChildSetup& setup, int run_socket) noexcept
         note(header, wire::Note::driver_fault, error.what());
         _exit(exit_no_sandbox);
     }
-    // The grader's own knowledge of where foreign code begins: from here on the recording may say anything.
+    // The grader's own knowledge of where foreign code begins: from here on the recording may say anything. The student's time begins
+    // here too.
+    constexpr std::uint64_t one_event = 1;
     if (write(socket_until_confined, &protocol::confined, sizeof protocol::confined) != sizeof protocol::confined) _exit(exit_no_sandbox);
+    if (write(event_until_confined, &one_event, sizeof one_event) != sizeof one_event) _exit(exit_no_sandbox);
     close(socket_until_confined);
+    close(event_until_confined);
     header.stage = static_cast<std::uint32_t>(wire::Stage::confined);
 
+    Case what{job.case_name, Random(job.stream), unframed(content_of(texts_until_read))};
+    close(texts_until_read);
     // Line by line, so that what was printed before a crash is not lost.
     setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
     if (!job.tenant.empty()) last_words::set_library(header, load(header, job.tenant));
     void* driver_library = load(header, job.driver);
     const auto* cases = static_cast<const Driver*>(dlsym(driver_library, "_ZN6umbral6driverE"));
-    const DriverCase* one = cases == nullptr ? nullptr : find_case(*cases, job.what.name);
+    const DriverCase* one = cases == nullptr ? nullptr : find_case(*cases, what.name);
     if (one == nullptr) {
         note(header, wire::Note::load_failure, "the driver library defines no umbral::driver with this case");
         _exit(exit_load_failure);
     }
     header.stage = static_cast<std::uint32_t>(wire::Stage::loaded);
-    sandbox::install(setup.running);
     header.stage = static_cast<std::uint32_t>(wire::Stage::running);
 
+    if (!job.costs.table.empty()) limit_costs(job.costs);
     Recorder recorder;
-    run_case(*one, job.what, recorder);
+    run_case(*one, what, recorder);
 
     header.not_implemented = not_implemented_count();
     const std::span room(static_cast<std::byte*>(memory) + wire::tensors_offset, wire::maximum_size - wire::tensors_offset);

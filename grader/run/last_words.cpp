@@ -4,7 +4,9 @@
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <link.h>
+#include <linux/audit.h>
 #include <signal.h>
+#include <sys/auxv.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
 #include <ucontext.h>
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -19,14 +22,19 @@
 #include <new>
 #include <umbral/core/student_error.hpp>
 
+#include "run/emulated_calls.hpp"
+#include "run/sandbox.hpp"
+
 namespace umbral::grader::last_words {
 namespace {
 
 // A signal handler has no argument of ours: the header of this process's one run is the one thing that must be reachable from it.
 wire::Header* noted = nullptr;
+std::uintptr_t stack_end = ~std::uintptr_t{0};
 
 constexpr int exit_after_crash = 70;
 constexpr std::uintptr_t stack_guard = std::uintptr_t{256} << 10U;
+constexpr std::uintptr_t largest_frame = std::uintptr_t{1} << 20U;
 
 void set_text(wire::Header& header, std::initializer_list<const char*> parts) noexcept
 {
@@ -61,16 +69,50 @@ Registers registers_of(const ucontext_t& context)
 #endif
 }
 
+/// Where the stack ends: the kernel puts the program's name last.
+std::uintptr_t find_stack_end()
+{
+    const auto name = static_cast<std::uintptr_t>(getauxval(AT_EXECFN));
+    if (name == 0) return ~std::uintptr_t{0};
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    return (name + std::strlen(reinterpret_cast<const char*>(name)) + page) & ~(page - 1);
+}
+
+/// Did a function return to an address that is none, as after an array was written over its own return address? Reads the stack, which
+/// may be anywhere.
+bool returned_to_nowhere([[maybe_unused]] const siginfo_t& info, [[maybe_unused]] const Registers& registers)
+{
+#if defined(__x86_64__)
+    constexpr unsigned char return_instruction = 0xC3;
+    // An address that no pointer can have is refused at the return itself; another one, where it leads.
+    if (info.si_code == SI_KERNEL) return *reinterpret_cast<const unsigned char*>(registers.program) == return_instruction;
+    const bool jumped = reinterpret_cast<std::uintptr_t>(info.si_addr) == registers.program;
+    return jumped && *reinterpret_cast<const std::uintptr_t*>(registers.stack - sizeof(std::uintptr_t)) == registers.program;
+#else
+    return false;
+#endif
+}
+
+void note_signal(wire::Header& header, int signal, const siginfo_t& info, const Registers& registers)
+{
+    // First, so that a crash while reading below ends here.
+    header.note = static_cast<std::uint32_t>(wire::Note::signal);
+    if (signal != SIGSEGV) return;
+    const auto fault = reinterpret_cast<std::uintptr_t>(info.si_addr);
+    const bool beyond = fault >= stack_end && fault < stack_end + stack_guard;
+    const bool near_stack = !beyond && fault + stack_guard > registers.stack && fault < registers.stack + largest_frame;
+    if (near_stack)
+        header.note = static_cast<std::uint32_t>(wire::Note::stack_overflow);
+    else if (beyond || returned_to_nowhere(info, registers))
+        set_text(header, {"an array on the stack was written beyond its end"});
+}
+
 void crashed(int signal, const siginfo_t* info, const ucontext_t& context) noexcept
 {
     wire::Header& header = *noted;
     const Registers registers = registers_of(context);
     header.signal = static_cast<std::uint32_t>(signal);
-    if (header.note == static_cast<std::uint32_t>(wire::Note::none)) {
-        const auto fault = reinterpret_cast<std::uintptr_t>(info->si_addr);
-        const bool near_stack = fault + stack_guard > registers.stack && fault < registers.stack + stack_guard;
-        header.note = static_cast<std::uint32_t>(signal == SIGSEGV && near_stack ? wire::Note::stack_overflow : wire::Note::signal);
-    }
+    if (header.note == static_cast<std::uint32_t>(wire::Note::none)) note_signal(header, signal, *info, registers);
     // A jump to nowhere leaves no frame of its own: keep the program counter as well.
     if (header.frame_count == 0) {
         header.frames[0] = registers.program - static_cast<std::uintptr_t>(header.library_base);
@@ -82,24 +124,51 @@ void crashed(int signal, const siginfo_t* info, const ucontext_t& context) noexc
 
 void on_crash(int signal, siginfo_t* info, void* context) { crashed(signal, info, *static_cast<ucontext_t*>(context)); }
 
-// The filter turns every system call that is not listed into SIGSYS: it is noted, and fails with EPERM.
+#if defined(__x86_64__)
+constexpr unsigned own_architecture = AUDIT_ARCH_X86_64;
+#elif defined(__aarch64__)
+constexpr unsigned own_architecture = AUDIT_ARCH_AARCH64;
+#endif
+
+emulated_calls::Arguments arguments_of(const ucontext_t& context)
+{
+    const auto& machine = context.uc_mcontext;
+    const auto word = [](auto value) { return static_cast<std::uint64_t>(value); };
+#if defined(__x86_64__)
+    return {word(machine.gregs[REG_RDI]), word(machine.gregs[REG_RSI]), word(machine.gregs[REG_RDX]), word(machine.gregs[REG_R10])};
+#elif defined(__aarch64__)
+    return {word(machine.regs[0]), word(machine.regs[1]), word(machine.regs[2]), word(machine.regs[3])};
+#endif
+}
+
+void set_result(ucontext_t& context, std::int64_t result)
+{
+#if defined(__x86_64__)
+    context.uc_mcontext.gregs[REG_RAX] = result;
+#elif defined(__aarch64__)
+    context.uc_mcontext.regs[0] = static_cast<std::uint64_t>(result);
+#endif
+}
+
+// The filter turns every system call that is not listed into SIGSYS: but for the few that are emulated it is noted, and fails with EPERM.
 void on_refused_call(int, siginfo_t* info, void* raw_context)
 {
+    const int saved_errno = errno;
     auto& context = *static_cast<ucontext_t*>(raw_context);
-    const auto call = static_cast<std::uint32_t>(info->si_syscall);
-    wire::Header& header = *noted;
-#if defined(__x86_64__)
-    auto& result = context.uc_mcontext.gregs[REG_RAX];
-    const auto third_argument = context.uc_mcontext.gregs[REG_RDX];
-#elif defined(__aarch64__)
-    auto& result = context.uc_mcontext.regs[0];
-    const auto third_argument = context.uc_mcontext.regs[2];
-#endif
+    const bool own = info->si_arch == own_architecture;
+    const std::uint32_t call = static_cast<std::uint32_t>(info->si_syscall) | (own ? 0 : sandbox::other_architecture);
+    const emulated_calls::Arguments arguments = arguments_of(context);
     // abort() signals itself: that is a crash to be told with its place, not an attack.
-    if (call == SYS_tgkill && third_argument == SIGABRT) crashed(SIGABRT, info, context);
-    if (header.refused_count < std::size(header.refused)) header.refused[header.refused_count] = call;
-    ++header.refused_count;
-    result = -EPERM;
+    if (call == SYS_tgkill && arguments[2] == SIGABRT) crashed(SIGABRT, info, context);
+    if (const auto result = emulated_calls::answer(call, arguments)) {
+        set_result(context, *result);
+    } else {
+        wire::Header& header = *noted;
+        if (header.refused_count < std::size(header.refused)) header.refused[header.refused_count] = call;
+        ++header.refused_count;
+        set_result(context, -EPERM);
+    }
+    errno = saved_errno;
 }
 
 void on_terminate()
@@ -122,6 +191,7 @@ void handle(int signal, void (*handler)(int, siginfo_t*, void*))
 void listen(wire::Header& header)
 {
     noted = &header;
+    stack_end = find_stack_end();
     // backtrace loads the unwinder at its first call, which the sandbox would refuse later.
     std::array<void*, 2> first{};
     (void)backtrace(first.data(), 2);

@@ -45,16 +45,19 @@ void limit_resources(const ResourceLimits& limits);
 
 using Filter = std::vector<sock_filter>;
 
-/// For a run until its libraries are loaded: memory, reading, its own clock; whatever else is tried raises SIGSYS, so that it can be named.
-[[nodiscard]] Filter loading_filter();
-/// For a run from then on: the same without opening files.
-[[nodiscard]] Filter running_filter();
-/// For the compiler: everything but sockets, tracing, mounting and keys, which fail with EPERM.
-[[nodiscard]] Filter compiler_filter();
+/// For a run, from before the first foreign code to its end: memory, its own clock, what is open already. Whatever else is tried raises
+/// SIGSYS, so that it can be named; opening files too, by whatever path, and emulated_calls.hpp gives the loader what it needs.
+[[nodiscard]] Filter run_filter();
+/// For the compiler: everything but sockets, tracing, mounting and keys, which fail with EPERM. With `hold_paths`, calls that ask for a file
+/// by its path wait for an answer from whoever holds the filter's listener (run/path_gate.hpp).
+[[nodiscard]] Filter compiler_filter(bool hold_paths);
 /// Installs a filter for this process. Filters add up: a later one can only take away. Throws std::system_error.
 void install(const Filter& filter);
 
-/// Name of a system call, "openat", or "call 999".
+/// Set in the number of a refused call that was made through another interface of the kernel than this program's own.
+inline constexpr unsigned other_architecture = 0x80000000;
+
+/// Name of a system call, "openat", "call 999", or "a call through the x32 interface".
 [[nodiscard]] std::string call_name(unsigned number);
 
 }

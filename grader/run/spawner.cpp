@@ -17,8 +17,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "run/machine_trouble.hpp"
 #include "run/outcome.hpp"
 #include "run/protocol.hpp"
+#include "run/source_frame.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -40,20 +42,26 @@ private:
     std::size_t size_;
 };
 
-Descriptor job_file(const RunRequest& request)
+Descriptor memory_of(const char* name, std::string_view text)
+{
+    Descriptor file = sealed_memory(name, text.size());
+    if (pwrite(file.get(), text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
+        throw std::system_error(errno, std::generic_category(), std::string("writing the memory file '") + name + "'");
+    return file;
+}
+
+/// What a run parses before it is confined: names and numbers of ours, nothing that a student wrote.
+std::string job_text(const RunRequest& request)
 {
     const nlohmann::json job = {{"case", request.case_name},
-                                {"seed", request.seed},
+                                {"stream", request.stream},
                                 {"driver", request.driver.string()},
                                 {"tenant", request.tenant.string()},
-                                {"sources", request.sources},
+                                {"counted_table", request.costs.table},
+                                {"counted_sizes", request.costs.sizes},
                                 {"memory", static_cast<std::uint64_t>(request.limits.memory_mib) << 20U},
                                 {"cpu_seconds", static_cast<std::uint64_t>(std::ceil(request.limits.wall_seconds)) + 1}};
-    const std::string text = job.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    Descriptor file = sealed_memory("job", text.size());
-    if (pwrite(file.get(), text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
-        throw std::system_error(errno, std::generic_category(), "writing a job");
-    return file;
+    return job.dump();
 }
 
 /// What was written to the bounded output: up to the file's position, or to its last non-zero byte if a hostile run moved that.
@@ -72,6 +80,17 @@ bool said_confined(int socket)
     return recv(socket, &said, sizeof said, MSG_DONTWAIT) == sizeof said && said == protocol::confined;
 }
 
+/// Does `work`; a std::system_error becomes one that says what the machine lacks.
+template <class Work>
+auto with_cause(Work work)
+{
+    try {
+        return work();
+    } catch (const std::system_error& error) {
+        throw std::runtime_error(machine_trouble(error));
+    }
+}
+
 /// The libraries of a run that are not there: our fault, not the student's.
 std::string missing_libraries(const RunRequest& request)
 {
@@ -86,7 +105,7 @@ Spawner::Spawner(std::filesystem::path program, const std::string& gl_backend) :
 {
     const char* const environment = std::getenv("UMBRAL_GL");
     gl_choice_ = "UMBRAL_GL=" + (gl_backend.empty() && environment != nullptr ? environment : gl_backend);
-    start();
+    with_cause([&] { start(); });
 }
 Spawner::~Spawner() { stop(); }
 
@@ -110,12 +129,20 @@ void Spawner::start()
     std::array arguments{const_cast<char*>(program_.c_str()), static_cast<char*>(nullptr)};
     const int failed = posix_spawn(&process_, program_.c_str(), &actions, nullptr, arguments.data(), environment.data());
     posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0) throw std::system_error(failed, std::generic_category(), "starting " + program_.string());
+    if (failed != 0) {
+        process_ = -1;
+        throw std::system_error(failed, std::generic_category(), "starting " + program_.filename().string());
+    }
     control_ = std::move(ours);
     theirs.reset();
 
     protocol::Hello hello;
     const Packet packet = receive_packet(control_.get(), writable_bytes_of(hello));
+    if (packet.size == sizeof hello && hello.trouble[0] != 0) {
+        stop();
+        throw std::runtime_error(program_.filename().string() + " did not get ready: " +
+                                 std::string(hello.trouble, strnlen(hello.trouble, sizeof hello.trouble)));
+    }
     if (packet.size != sizeof hello || hello.version != protocol::Hello{}.version) {
         stop();
         throw std::runtime_error(program_.string() + " did not get ready; `umbral doctor` says what is missing");
@@ -143,23 +170,34 @@ RunOutcome Spawner::run(const RunRequest& request)
         outcome.message = std::move(missing);
         return outcome;
     }
+    return with_cause([&] {
+        RunOutcome outcome = run_once(request);
+        // Whoever killed it (see outcome.cpp) may have found room meanwhile.
+        if (outcome.killed_from_outside) outcome = run_once(request);
+        return outcome;
+    });
+}
+
+RunOutcome Spawner::run_once(const RunRequest& request)
+{
     const Descriptor recording = sealed_memory("recording", wire::maximum_size);
     const Descriptor output = sealed_memory("output", protocol::output_size);
-    const Descriptor job = job_file(request);
+    const Descriptor job = memory_of("job", job_text(request));
+    const Descriptor texts = memory_of("texts", framed(request.sources));
     for (int attempt = 0; attempt < 2; ++attempt) {
         auto [ours, theirs] = socket_pair();
         try {
             const std::array theirs_only{theirs.get()};
             send_packet(control_.get(), bytes_of(protocol::Start{request.limits.wall_seconds}), theirs_only);
             theirs.reset();
-            const std::array given{recording.get(), output.get(), job.get()};
+            const std::array given{recording.get(), output.get(), job.get(), texts.get()};
             const std::byte byte{};
             send_packet(ours.get(), {&byte, 1}, given);
             protocol::Ended ended;
             const Packet packet = receive_packet(control_.get(), writable_bytes_of(ended));
             if (packet.size == sizeof ended) {
                 const ReadOnlyMap map(recording.get(), wire::maximum_size);
-                return judge_end(ended, said_confined(ours.get()), map.bytes(), printed(output.get()), request.limits);
+                return judge_end(ended, said_confined(ours.get()), map.bytes(), printed(output.get()), request);
             }
         } catch (const std::system_error&) {
             if (attempt == 1) throw;

@@ -1,4 +1,5 @@
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -20,6 +21,7 @@
 
 #include "run/child.hpp"
 #include "run/descriptor.hpp"
+#include "run/machine_trouble.hpp"
 #include "run/protocol.hpp"
 #ifdef UMBRAL_WITH_GL
 #include "run/warm_gl.hpp"
@@ -42,21 +44,38 @@ std::uint64_t mapped_bytes()
     return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Waits for the run or for its time to be over; a grader that is gone ends everything.
-protocol::Ended supervise(pid_t run, double wall_seconds)
+/// How often the kernel has killed a process because memory had run out, since the machine was started; 0 if it does not say.
+std::uint64_t kills_for_memory()
 {
-    const auto start = Clock::now();
+    std::ifstream counters("/proc/vmstat");
+    std::string name;
+    for (std::uint64_t count = 0; counters >> name >> count;)
+        if (name == "oom_kill") return count;
+    return 0;
+}
+
+/// Waits for the run or for its time to be over; a grader that is gone ends everything. The student's time begins when the eventfd
+/// `confined` says that the run has entered its sandbox; before, only our own code runs.
+protocol::Ended supervise(pid_t run, int confined, double wall_seconds)
+{
+    auto start = Clock::now();
+    double allowed = protocol::seconds_to_confine;
     const Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, run, 0)));
     protocol::Ended ended;
     for (;;) {
-        const double left = wall_seconds - seconds_since(start);
+        const double left = allowed - seconds_since(start);
         if (left <= 0) {
             ended.timed_out = 1;
             kill(run, SIGKILL);
             break;
         }
-        std::array<pollfd, 2> watched{pollfd{process.get(), POLLIN, 0}, pollfd{protocol::control_descriptor, POLLHUP, 0}};
+        std::array<pollfd, 3> watched{pollfd{process.get(), POLLIN, 0}, pollfd{protocol::control_descriptor, POLLHUP, 0}, pollfd{confined, POLLIN, 0}};
         const int ready = poll(watched.data(), watched.size(), static_cast<int>(left * 1000) + 1);
+        if (ready > 0 && (watched[2].revents & POLLIN) != 0) {
+            start = Clock::now();
+            allowed = wall_seconds;
+            confined = -1;
+        }
         if (watched[0].revents != 0) break;
         if (ready > 0 && (watched[1].revents & (POLLHUP | POLLERR)) != 0) {
             kill(run, SIGKILL);
@@ -74,6 +93,28 @@ protocol::Ended supervise(pid_t run, double wall_seconds)
     return ended;
 }
 
+/// Forks a run and waits for it. `kills_seen` is what kills_for_memory() last said.
+protocol::Ended run_once(const ChildSetup& setup, Descriptor run_socket, double wall_seconds, std::uint64_t& kills_seen)
+{
+    protocol::Ended ended;
+    const Descriptor confined(eventfd(0, EFD_CLOEXEC));
+    const pid_t run = confined ? fork() : -1;
+    if (run == 0) live(setup, run_socket.get(), confined.get());
+    const int error = errno;
+    run_socket.reset();
+    if (run < 0) {
+        ended.could_not_start = error;
+        return ended;
+    }
+    ended = supervise(run, confined.get(), wall_seconds);
+    if (WIFSIGNALED(ended.wait_status) && WTERMSIG(ended.wait_status) == SIGKILL && ended.timed_out == 0) {
+        const std::uint64_t kills = kills_for_memory();
+        ended.out_of_memory_kill = kills > kills_seen ? 1 : 0;
+        kills_seen = kills;
+    }
+    return ended;
+}
+
 /// Does `attempt` succeed in a fork of its own? Protections are named only where they were seen to work.
 template <class Attempt>
 bool proven(Attempt attempt)
@@ -87,8 +128,10 @@ bool proven(Attempt attempt)
             _exit(1);
         }
     }
+    // Without a process to try it in, nothing is known of the protection: that is no reason to call it missing.
+    if (probe < 0) throw std::system_error(errno, std::generic_category(), "fork");
     int status = 0;
-    return probe > 0 && waitpid(probe, &status, 0) == probe && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return waitpid(probe, &status, 0) == probe && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 bool files_are_confined()
@@ -113,7 +156,7 @@ void say_hello(const ChildSetup& setup, const std::string& namespaces)
 {
     protocol::Hello hello;
     std::string protections = "resource limits\nno new privileges\n";
-    if (calls_are_filtered(setup.running)) protections += "seccomp\n";
+    if (calls_are_filtered(setup.filter)) protections += "seccomp\n";
     if (files_are_confined()) protections += "landlock " + std::to_string(sandbox::landlock_version()) + "\n";
     protections += namespaces;
     std::strncpy(hello.protections, protections.c_str(), sizeof hello.protections - 1);
@@ -127,22 +170,16 @@ int serve(const std::string& namespaces)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     prctl(PR_SET_DUMPABLE, 0);
-    ChildSetup setup{sandbox::loading_filter(), sandbox::running_filter(), 0};
+    ChildSetup setup{sandbox::run_filter(), 0};
     say_hello(setup, namespaces);
     setup.base_address_space = mapped_bytes();
+    std::uint64_t kills_seen = kills_for_memory();
     for (;;) {
         protocol::Start start;
         Packet packet = receive_packet(protocol::control_descriptor, writable_bytes_of(start));
         if (packet.closed) return 0;
         if (packet.size != sizeof start || packet.descriptors.size() != 1) return 1;
-        const pid_t run = fork();
-        if (run == 0) live(setup, packet.descriptors[0].get());
-        packet.descriptors.clear();
-        protocol::Ended ended;
-        if (run < 0)
-            ended.could_not_start = 1;
-        else
-            ended = supervise(run, start.wall_seconds);
+        const protocol::Ended ended = run_once(setup, std::move(packet.descriptors[0]), start.wall_seconds, kills_seen);
         send_packet(protocol::control_descriptor, bytes_of(ended), {});
     }
 }
@@ -177,16 +214,31 @@ int start()
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+/// Says why there will be no runs, if anybody listens.
+void say_trouble(const std::string& what) noexcept
+{
+    try {
+        protocol::Hello hello;
+        std::strncpy(hello.trouble, what.c_str(), sizeof hello.trouble - 1);
+        send_packet(protocol::control_descriptor, bytes_of(hello), {});
+    } catch (const std::exception& error) {
+        (void)std::fprintf(stderr, "umbral-spawner: %s\n", error.what());
+    }
+}
+
 }
 }
 
 int main(int, char** words)
 {
+    using namespace umbral::grader;
     try {
-        umbral::grader::fix_addresses(words);
-        return umbral::grader::start();
+        fix_addresses(words);
+        return start();
+    } catch (const std::system_error& error) {
+        say_trouble(machine_trouble(error));
     } catch (const std::exception& error) {
-        (void)std::fprintf(stderr, "umbral-spawner: %s\n", error.what());
-        return 1;
+        say_trouble(error.what());
     }
+    return 1;
 }

@@ -15,7 +15,7 @@ RunOutcome run_shaders(const Workbench& bench, const std::string& back_end, cons
     request.driver = unit_folder(bench.tools(), "lighting/shaders") / "driver.so";
     for (const char* file : {"phong.vert", "phong.frag"}) request.sources[file] = project_file(std::string("reference/lighting/shaders/") + file);
     request.case_name = case_name;
-    request.seed = 7;
+    request.stream = 7;
     request.limits = {.wall_seconds = 60, .memory_mib = 512};
     return spawner.run(request);
 }
