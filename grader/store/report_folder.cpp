@@ -59,7 +59,6 @@ Mark open_report_folder(const fs::path& folder, const std::string& id)
     if (mark && mark->submission != id)
         throw RefusedFolder(
             fmt::format("{}: the reports of {} belong here, but the folder holds those of {}", folder.string(), id, mark->submission));
-    make_folder(folder / units_name);
     if (!mark) mark.emplace().submission = id;
     return *std::move(mark);
 }
@@ -68,6 +67,8 @@ void set_mark(const fs::path& folder, const Mark& mark)
 {
     const std::string text = to_text(mark);
     write_file_atomically(folder / mark_name, std::as_bytes(std::span(text)));
+    // Behind the mark: a folder that holds anything is known by it, whenever the process is killed.
+    make_folder(folder / units_name);
 }
 
 fs::path unit_file(const fs::path& folder, const std::string& unit_id) { return file_of(folder, unit_id, unit_suffix); }

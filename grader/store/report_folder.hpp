@@ -15,7 +15,7 @@ namespace umbral::grader {
 /// submission; std::filesystem::filesystem_error if it cannot be made.
 [[nodiscard]] Mark open_report_folder(const std::filesystem::path& folder, const std::string& id);
 
-/// Writes the mark, whole or not at all. Throws std::runtime_error with path and reason.
+/// Writes the mark, whole or not at all; the folder is ready for units then. Throws std::runtime_error with path and reason.
 void set_mark(const std::filesystem::path& folder, const Mark& mark);
 
 /// Where a unit's result is kept.
