@@ -13,6 +13,8 @@
 #include "batch/grade_class.hpp"
 #include "cli/application.hpp"
 #include "cli/grading.hpp"
+#include "cli/numbers.hpp"
+#include "cli/paths.hpp"
 #include "cli/secret.hpp"
 #include "model/caps.hpp"
 #include "model/faults.hpp"
@@ -130,11 +132,12 @@ ClassOptions options_of(const Application& application, const GradeCommand& comm
 
 void grade_and_print(Application& application, const GradeCommand& command)
 {
-    if (!fs::is_directory(command.submissions)) throw UsageError(fmt::format("{}: expected a folder with one folder a submission", command.submissions));
+    expect_folder(command.submissions, "a folder with one folder a submission");
     // Reports hold the values of hidden checks: they are nobody else's to read.
     umask(S_IRWXG | S_IRWXO);
     try {
         expect_distinct(command.submissions, command.out);
+        make_folder(command.out);
         std::vector<Exercise> exercises = application.chosen(command.units);
         if (command.handed_in) exercises = handed_in(application, exercises, command);
         ClassOptions options = options_of(application, command);
@@ -167,7 +170,7 @@ void add_grade(CLI::App& parser, Application& application)
     command->add_option("--only", options->only, "Only these submissions, by id; the others' results stay as they are");
     command->add_option("--roster", options->roster, "A CSV file with the columns folder,id or folder,id,name: how folders are called in reports");
     command->add_flag("--fresh", options->fresh, "Grade everything again, also what has not changed since the last time");
-    command->add_option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor")->capture_default_str();
+    command->add_option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor")->check(CLI::Range(0, most_jobs))->capture_default_str();
     command->add_option("--unit", options->units, "Only these units");
     command->add_flag("--handed-in", options->handed_in, "Only units that somebody handed in");
     command->add_option("--course", options->course, "Part of what hidden seeds follow from")->capture_default_str();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
+#include <iterator>
 #include <utility>
 
 namespace umbral::grader {
@@ -21,13 +21,24 @@ std::string small(std::string_view word)
     return result;
 }
 
-/// How far `name` lies from what was typed; nothing if too far. A part of a name counts as one letter and a half.
-std::optional<std::size_t> half_letters(std::string_view word, const std::string& name)
+/// Those that lie at most a third of the letters away, the nearest first.
+std::vector<std::string> mistyped(std::string_view word, std::span<const std::string> known)
 {
-    const std::size_t distance = edit_distance(word, name);
-    if (distance <= std::max<std::size_t>(1, word.size() / 3)) return 2 * distance;
-    if (word.size() >= 3 && small(name).find(small(word)) != std::string::npos) return 3;
-    return std::nullopt;
+    std::vector<std::pair<std::size_t, std::string>> found;
+    for (const std::string& name : known)
+        if (const std::size_t distance = edit_distance(word, name); distance <= std::max<std::size_t>(1, word.size() / 3)) found.emplace_back(distance, name);
+    std::ranges::stable_sort(found, {}, [](const auto& one) { return one.first; });
+    std::vector<std::string> names;
+    for (const auto& [distance, name] : found) names.push_back(name);
+    return names;
+}
+
+std::vector<std::string> holding(std::string_view word, std::span<const std::string> known)
+{
+    std::vector<std::string> names;
+    if (word.size() < 3) return names;
+    std::ranges::copy_if(known, std::back_inserter(names), [&](const std::string& name) { return small(name).find(small(word)) != std::string::npos; });
+    return names;
 }
 
 }
@@ -55,12 +66,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
 std::vector<std::string> nearest(std::string_view word, std::span<const std::string> known, std::size_t most)
 {
     if (word.empty() || word.size() > longest_word) return {};
-    std::vector<std::pair<std::size_t, std::string>> found;
-    for (const std::string& name : known)
-        if (const auto distance = half_letters(word, name)) found.emplace_back(*distance, name);
-    std::ranges::stable_sort(found, {}, [](const auto& one) { return one.first; });
     std::vector<std::string> names;
-    for (const auto& [distance, name] : found)
+    std::vector<std::string> found = mistyped(word, known);
+    if (found.empty()) found = holding(word, known);
+    for (const std::string& name : found)
         if (names.size() < most && std::ranges::find(names, name) == names.end()) names.push_back(name);
     return names;
 }

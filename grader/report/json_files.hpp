@@ -8,7 +8,7 @@ namespace umbral::grader {
 
 /// Writes report.json for one submission: to_json's value, indented by two spaces, with a final line break.
 ///
-/// Writes all that is known; give it without_hidden_values(…) for students before the due date. Invalid UTF-8 is replaced, numbers
+/// Writes all that is known; give it without_hidden_values(…) for students. Invalid UTF-8 is replaced, numbers
 /// that are not finite become null. Throws std::runtime_error with path and reason; never leaves a part of a file.
 void write_report_json(const std::filesystem::path& path, const SubmissionResult& result, const Fingerprint& fingerprint);
 

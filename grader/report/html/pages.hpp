@@ -16,7 +16,7 @@ namespace umbral::grader::html {
 /// Writes a page whole or not at all. Throws std::runtime_error with path and reason.
 void write_page(const std::filesystem::path& path, std::string_view page);
 
-/// Who reads a page: before the due date a student's shows no more of hidden checks than without_hidden_values leaves.
+/// Who reads a page: a student's shows no more of hidden checks than without_hidden_values leaves.
 enum class Edition { student, instructor };
 
 struct ReportOptions {
