@@ -23,6 +23,7 @@ inline constexpr std::size_t build_folder = std::size_t{96} << 20U;  ///< bytes 
 inline constexpr std::size_t inspected_names = 20000;                ///< names of one kind that are read from a compiled unit
 inline constexpr std::size_t rows_factor = 4;                        ///< rows of a table that are judged: this many times the expected ones …
 inline constexpr std::size_t rows_more = 1024;                       ///< … and so many more, so that "too many" can still be shown
+inline constexpr std::size_t trace_bytes = std::size_t{8} << 20U;    ///< the same for a trace of OpenGL calls, which is text
 inline constexpr int timeouts = 2;                                   ///< cases of a unit that may run into the time limit; the rest is not reached
 
 // What is read of a submission before units are chosen from it.

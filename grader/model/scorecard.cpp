@@ -67,6 +67,7 @@ json explanation(const Explanation& value)
 {
     json result{{"name", text(value.name)}, {"sentence", text(value.sentence)}, {"confidence", number(value.confidence)}};
     if (value.ambiguous) result["ambiguous"] = true;
+    if (value.hidden) result["hidden"] = true;
     return result;
 }
 

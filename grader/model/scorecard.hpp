@@ -44,6 +44,7 @@ struct Explanation {
     double confidence = 0;   ///< how sure it is, 0..1: grader/judge/sureness.hpp says how that is measured
     double fit = 0;          ///< the share that speaks for it of the checks that say anything; in no file
     bool ambiguous = false;  ///< another one matches as well: it is one of these
+    bool hidden = false;     ///< only hidden cases lead to it: not for students
 };
 
 struct UnitResult {

@@ -85,12 +85,13 @@ CheckResult check(const Field& field)
 
 Explanation explanation(const Field& field)
 {
-    field.allow_only({"name", "sentence", "confidence", "ambiguous"});
+    field.allow_only({"name", "sentence", "confidence", "ambiguous", "hidden"});
     Explanation result;
     result.name = text(field.member("name"));
     result.sentence = text(field.member("sentence"));
     result.confidence = number_or_nan(field.member("confidence"));
     if (const Field ambiguous = field.member("ambiguous"); ambiguous.given()) result.ambiguous = ambiguous.boolean();
+    if (const Field hidden = field.member("hidden"); hidden.given()) result.hidden = hidden.boolean();
     return result;
 }
 
