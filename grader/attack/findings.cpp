@@ -165,7 +165,8 @@ std::vector<std::string> findings(const Attack& attack, const Graded& graded)
             found.push_back(fmt::format("{}: it counts for {} instead of {}", id, unit->value("max_score", 0), model->value("max_score", 0)));
         look_at_unit(id, expected, *unit, found);
     }
-    look_at_times(attack, Json::parse(bytes_of_file(folder / "report.student.json"), nullptr, false), found);
+    const Json for_student = Json::parse(bytes_of_file(folder / "report.student.json"), nullptr, false);
+    if (for_student.is_object()) look_at_times(attack, for_student.value("submission", Json::object()), found);
     return found;
 }
 

@@ -78,7 +78,7 @@ void read_results(Graded& graded)
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(graded.out, error)) {
         nlohmann::json report = nlohmann::json::parse(bytes_of_file(entry.path() / "report.json"), nullptr, false);
-        if (report.is_object()) graded.reports[entry.path().filename().string()] = std::move(report);
+        if (report.is_object() && report.contains("submission")) graded.reports[entry.path().filename().string()] = std::move(report["submission"]);
     }
 }
 

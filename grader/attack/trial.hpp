@@ -29,7 +29,7 @@ struct Graded {
     std::filesystem::path source;  ///< where Umbral lies
     std::string secret;
     nlohmann::json class_json;                      ///< null if there is none
-    std::map<std::string, nlohmann::json> reports;  ///< report.json by submission
+    std::map<std::string, nlohmann::json> reports;  ///< what report.json says of a submission, by its id
     double cache_kib = 0;
     double reports_kib = 0;
 
