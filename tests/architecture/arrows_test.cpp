@@ -54,14 +54,15 @@ TEST(Arrows, of_the_grader)
 {
     const Rooms may_include = {{"model", {}},
                                {"run", {"model"}},
+                               {"store", {"model", "run"}},
                                {"collect", {"model", "run"}},
                                {"build", {"model", "run", "collect"}},
                                {"judge", {"model"}},
                                {"report", {"model", "judge"}},
-                               {"batch", {"model", "run", "collect", "build", "judge", "report"}},
+                               {"batch", {"model", "run", "store", "collect", "build", "judge", "report"}},
                                {"calibrate", {"model", "run", "collect", "build", "judge", "report", "batch"}},
                                {"attack", {"model"}},
-                               {"cli", {"model", "run", "collect", "build", "judge", "report", "batch", "calibrate", "attack"}}};
+                               {"cli", {"model", "run", "store", "collect", "build", "judge", "report", "batch", "calibrate", "attack"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
         const std::string room = part(include.line.file, 1);
