@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { existsSync } from "node:fs";
-import { reports, with_page } from "./browser.mjs";
+import { made_up, reports, with_page } from "./browser.mjs";
 
 const names = (page) => page.locator("table.class tbody tr:visible th").evaluateAll((list) => list.map((one) => one.dataset.sort));
 
@@ -57,3 +57,29 @@ test("the class knows who made which mistake", async () => {
     assert.ok(await page.locator("table.statistics tbody tr").count() === 2);
   });
 });
+
+for (const units of [1, 8, 46])
+  for (const width of [1280, 800])
+    test(`all of ${units} units can be reached at ${width} pixels, under their names and beside the students'`, async () => {
+      await with_page(made_up(`class-${units}.html`), { width }, async (page) => {
+        const seen = await page.evaluate(() => {
+          const frame = document.querySelector("table.class").parentElement;
+          frame.scrollTo(1e6, 1e6);
+          const box = frame.getBoundingClientRect();
+          const of = (selector) => document.querySelector(selector).getBoundingClientRect();
+          return {
+            sideways: document.documentElement.scrollWidth - document.documentElement.clientWidth,
+            left: box.left, right: innerWidth - box.right,
+            last: box.right - of("table.class tbody tr:last-child td:last-child").right,
+            below: box.bottom - of("table.class tbody tr:last-child td:last-child").bottom,
+            name: of("table.class tbody tr:last-child th").left - box.left,
+            head: of("table.class thead th:last-child").top - box.top,
+            corner: of("table.class thead th:first-child").left - box.left,
+          };
+        });
+        assert.ok(seen.sideways <= 0, "the page itself does not scroll sideways");
+        assert.ok(seen.left >= 0 && seen.right >= 0, "the frame lies in the window");
+        assert.ok(seen.last >= 0 && seen.below >= 0, "the last cell can be scrolled into the frame");
+        for (const edge of ["name", "head", "corner"]) assert.ok(Math.abs(seen[edge]) <= 2, `${edge}: stays at the frame's edge, ${seen[edge]}`);
+      });
+    });

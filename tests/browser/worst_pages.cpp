@@ -210,6 +210,27 @@ Scene broken()
     return scene;
 }
 
+/// A class of forty with `units` units, whose names and titles are as long as they come.
+ClassResult class_of(int units)
+{
+    ClassResult result;
+    for (int s = 0; s < 40; ++s) {
+        SubmissionResult submission;
+        submission.id = "student-" + std::to_string(100 + s) + "-with-a-long-name";
+        for (int u = 0; u < units; ++u) {
+            UnitResult unit;
+            unit.id = "transformations/unit-" + std::to_string(u + 1);
+            unit.max_score = 10000;
+            unit.score = 10000 * ((s + u) % 5) / 4;
+            unit.verdict = unit.score == 0 ? Verdict::not_implemented : unit.score == unit.max_score ? Verdict::ok : Verdict::partial;
+            submission.units.push_back(std::move(unit));
+        }
+        add_up(submission);
+        result.submissions.push_back(std::move(submission));
+    }
+    return result;
+}
+
 }
 
 int main(int count, char** words)
@@ -233,6 +254,12 @@ int main(int count, char** words)
         {"meshes", "meshes/" + std::string(80, 'x'), std::string(200, 'w'), 1, {}, "1 check: numbers", {}},
         {"transforms", "transforms/two", "Two", 2500, {"problem 2"}, "1 check: image", html::encode(goal)}};
     html::write_page(folder / "catalogue.html", html::catalogue_html(entries, "en", "0.1.0"));
+    for (const int units : {1, 8, 46}) {
+        html::ClassPageOptions options;
+        for (int u = 0; u < units; ++u)
+            options.titles["transformations/unit-" + std::to_string(u + 1)] = "Where a ray meets a sphere, number " + std::to_string(u + 1);
+        html::write_page(folder / ("class-" + std::to_string(units) + ".html"), html::class_html(class_of(units), options));
+    }
     html::write_page(folder / "empty.html", html::report_html({}, {}, {}));
     std::printf("%s\n", (folder / "worst.html").c_str());
     return 0;
