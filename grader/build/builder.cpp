@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "build/build_cache.hpp"
 #include "build/check_names.hpp"
 #include "build/compile.hpp"
 #include "build/inspection.hpp"
@@ -115,6 +117,14 @@ std::set<std::string> offered_names(const Toolchain& tools, const Exercise& exer
     return offered;
 }
 
+/// Looking through the cache takes a while: done at a process's first new build, and again after many.
+void prune_now_and_then(const Toolchain& tools)
+{
+    constexpr unsigned builds_between = 200;
+    static std::atomic<unsigned> builds = 0;
+    if (builds++ % builds_between == 0) prune_builds(tools.cache, tools.cache_bytes);
+}
+
 Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sources& files, const ScratchFolder& work)
 {
     Built built;
@@ -122,7 +132,8 @@ Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sour
     if (!compilation.library) {
         built.verdict = compilation.outcome == Compilation::Outcome::not_allowed ? Verdict::forbidden : Verdict::compile_error;
         built.message = compilation.diagnostics;
-        built.repeatable = compilation.outcome != Compilation::Outcome::unexplained;
+        using Outcome = Compilation::Outcome;
+        built.repeatable = compilation.outcome == Outcome::refused_by_compiler || compilation.outcome == Outcome::not_allowed;
         return built;
     }
     const auto inspection = inspect(tools, *compilation.library, unit_folder(tools, exercise.id) / "exports.txt");
@@ -153,8 +164,10 @@ Built build(const Toolchain& tools, const Exercise& exercise, const Sources& fil
     const std::string key = content_key(tools, exercise, files);
     const fs::path folder = tools.cache / "builds" / key.substr(0, 2) / key;
     if (auto result = kept(folder)) {
+        mark_used(folder);
         built = *std::move(result);
     } else {
+        prune_now_and_then(tools);
         const ScratchFolder work(tools.cache);
         built = compile_fresh(tools, exercise, files, work);
         if (built.repeatable) built = keep(built, work.path(), folder);

@@ -16,7 +16,7 @@ struct Built {
     std::string message;                      ///< diagnostics for the student
     std::filesystem::path library;            ///< empty for a unit without C++, or if not ok
     Sources sources;                          ///< the texts that are not C++, for the run
-    bool repeatable = true;                   ///< would it come out so again? Not if the compiler failed without saying why
+    bool repeatable = true;                   ///< would it come out so on every machine? Not if the compiler ran out of time, or failed without saying why
 };
 
 /// Turns a unit's files into a library that defines the unit and can override nothing else. Results, also bad ones, are kept by

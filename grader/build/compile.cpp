@@ -34,6 +34,7 @@ ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercis
     command.directory = work;
     command.cpu_seconds = tools.compile_seconds;
     command.wall_seconds = 4 * tools.compile_seconds;
+    command.disk_limit = caps::build_folder;
     command.read = compiler_files(tools.compiler);
     // Of the unit only the version script: beside it lie the libraries with the answers.
     for (const fs::path& path : {tools.framework, tools.student_header.parent_path(), unit_folder(tools, exercise.id) / "exports.map"})
@@ -57,6 +58,11 @@ std::string without_our_paths(std::string text, const Toolchain& tools, const fs
     for (const fs::path& folder : {work, tools.framework, tools.student_header.parent_path()}) {
         const std::string prefix = folder.string() + "/";
         for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) text.erase(at, prefix.size());
+    }
+    // Where a line begins with a file, as it was given to the compiler.
+    for (std::size_t at = 0; at != std::string::npos; at = text.find('\n', at + 1)) {
+        const std::size_t begin = at == 0 ? 0 : at + 1;
+        if (text.compare(begin, 2, "./") == 0) text.erase(begin, 2);
     }
     return text;
 }
@@ -86,12 +92,13 @@ std::string first_errors(std::string_view output, std::size_t lines)
 bool blames_own_file(std::string_view output, const Sources& files)
 {
     std::istringstream stream{std::string(output)};
-    for (std::string line; std::getline(stream, line);)
-        for (const auto& [name, text] : files) {
-            if (line.starts_with("./")) line.erase(0, 2);
-            if (!line.starts_with(name + ":")) continue;
-            if (line.find(" error: ", name.size()) != std::string::npos || line.find("fatal error: ", name.size()) != std::string::npos) return true;
-        }
+    const auto is_error = [](const std::string& line, std::size_t from) { return line.find(" error: ", from) != std::string::npos; };
+    for (std::string line; std::getline(stream, line);) {
+        if (line.starts_with("./")) line.erase(0, 2);
+        if (line.find("duplicate symbol: ") != std::string::npos) return true;
+        for (const auto& [name, text] : files)
+            if (line.starts_with(name + ":") && is_error(line, name.size())) return true;
+    }
     return false;
 }
 
@@ -116,6 +123,7 @@ std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result,
 {
     if (result.stopped == Stopped::out_of_processor_time || result.stopped == Stopped::out_of_wall_time)
         return fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
+    if (result.stopped == Stopped::too_much_disk) return fmt::format("compiling your files takes more than {} MiB on the disk\n", caps::build_folder >> 20U);
     const std::string output = without_our_paths(result.output, tools, work);
     std::string text = first_errors(output, 24);
     if (text.empty()) text = first_errors(": error:\n" + output, 24).substr(9);
@@ -124,7 +132,7 @@ std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result,
 
 Outcome outcome_of(const ConfinedResult& result, const Sources& files)
 {
-    if (result.stopped == Stopped::out_of_processor_time || result.stopped == Stopped::too_much_output) return Outcome::too_expensive;
+    if (result.stopped == Stopped::out_of_processor_time || result.stopped == Stopped::too_much_disk) return Outcome::too_expensive;
     // What the machine lacks may also show as an error in a student's line.
     const bool machine = std::ranges::any_of(machine_troubles, [&](std::string_view sign) { return result.output.find(sign) != std::string::npos; });
     return result.stopped == Stopped::no && !machine && blames_own_file(result.output, files) ? Outcome::refused_by_compiler : Outcome::unexplained;
@@ -157,7 +165,7 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
         return compilation;
     }
     if (fs::file_size(library) > caps::library) {
-        compilation.outcome = Outcome::too_expensive;
+        compilation.outcome = Outcome::refused_by_compiler;
         compilation.diagnostics = fmt::format("your files compile to {} bytes; at most {} are taken", fs::file_size(library), caps::library);
         return compilation;
     }

@@ -14,9 +14,9 @@ struct Compilation {
     /// Why there is no library, if there is none.
     enum class Outcome {
         built,
-        refused_by_compiler,  ///< with a diagnostic in one of the student's own files: it would be refused everywhere
+        refused_by_compiler,  ///< with a diagnostic in one of the student's own files, or for its size: so would any other machine
         not_allowed,          ///< holds assembler or the like
-        too_expensive,        ///< ran out of processor time, or wrote too much: also elsewhere
+        too_expensive,        ///< ran out of processor time or disk: a faster machine may think otherwise
         unexplained           ///< failed without a diagnostic in the student's files: the machine may be in trouble
     };
     Outcome outcome = Outcome::unexplained;
@@ -33,6 +33,7 @@ struct Compilation {
 [[nodiscard]] std::string first_errors(std::string_view output, std::size_t lines);
 
 /// Does g++ output hold an error whose place is one of these files: "sphere.cpp:3:5: error: …"?
+/// Or one about two definitions of the same name, which only the linker sees.
 [[nodiscard]] bool blames_own_file(std::string_view output, const Sources& files);
 
 }

@@ -52,6 +52,7 @@ std::string qualified_name(std::string_view signature)
         else if (depth == 0)
             bare += c;
     }
+    while (bare.ends_with(' ')) bare.pop_back();
     // A template's signature begins with what it returns.
     const std::size_t unnamed = bare.rfind("(anonymous namespace)");
     const std::size_t space = bare.rfind(' ', unnamed == std::string::npos ? std::string::npos : unnamed);

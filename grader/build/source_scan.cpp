@@ -87,14 +87,15 @@ private:
     /// `asm qualifiers ( "text" …`: a label with a plain name, or the compiler's own.
     void check_asm()
     {
-        constexpr std::array<std::string_view, 4> begins_statement{";", "{", "}", ":"};
-        const bool statement = before_.kind == Kind::end || contains(begins_statement, before_.text);
+        // A label stands behind the name of what it labels, or its brackets.
+        constexpr std::array<std::string_view, 2> before_statement{"else", "do"};
+        const bool behind_a_name = before_.text == ")" || before_.text == "]" || (before_.kind == Kind::name && !contains(before_statement, before_.text));
         advance();
         while (current_.kind == Kind::name && contains(asm_qualifiers, current_.text)) advance();
         if (current_.text != "(") return object("assembler is not allowed");
         std::string text;
         for (advance(); current_.kind == Kind::string; advance()) text += current_.content();
-        const bool label = !statement && current_.text == ")" && is_plain_name(text);
+        const bool label = behind_a_name && current_.text == ")" && is_plain_name(text);
         if (!label && !contains(compilers_own, first_word(text))) object("assembler is not allowed");
     }
 

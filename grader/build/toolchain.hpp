@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "collect/submitted_files.hpp"
 
 namespace umbral::grader {
 
@@ -17,8 +20,12 @@ struct Toolchain {
     std::filesystem::path cache;           ///< built submissions, by content
     std::string compiler;
     std::vector<std::string> flags;
+    std::uintmax_t cache_bytes = std::uintmax_t{1} << 30U;  ///< beyond which builds that were not used for long are dropped
     double compile_seconds = 30;  ///< of processor time, and four times as many by the clock; then the compiler is stopped
 };
+
+/// What opens archives in a submission.
+[[nodiscard]] inline ArchiveTools archive_tools(const Toolchain& tools) { return {tools.programs, tools.cache / "unpacked"}; }
 
 /// The folder in `units` of a unit's built libraries.
 [[nodiscard]] inline std::filesystem::path unit_folder(const Toolchain& tools, const std::string& id) { return tools.units / id; }

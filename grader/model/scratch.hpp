@@ -3,9 +3,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace umbral::grader {
+
+/// Is this how a ScratchFolder's directory is called?
+[[nodiscard]] inline bool is_scratch_name(std::string_view name) { return name.starts_with("work-") && name.size() == 11; }
 
 /// A fresh directory that only this user can enter, removed with all it holds when it goes out of scope.
 class ScratchFolder {

@@ -8,18 +8,23 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <system_error>
 
+#include "model/disk.hpp"
 #include "run/descriptor.hpp"
 
 namespace umbral::grader {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Seconds between two looks at how much a program has written.
+constexpr double disk_interval = 0.2;
 
 std::vector<std::string> whole_command(const ConfinedCommand& command)
 {
@@ -78,10 +83,15 @@ ConfinedResult run_confined(const ConfinedCommand& command)
     std::array<char, 16384> buffer{};
     while (result.stopped == Stopped::no) {
         const double left = std::chrono::duration<double>(end - Clock::now()).count();
+        const double wait = command.disk_limit == 0 ? left : std::min(left, disk_interval);
         pollfd watched{reading.get(), POLLIN, 0};
-        if (left <= 0 || (poll(&watched, 1, static_cast<int>(left * 1000) + 1) == 0)) {
+        if (left <= 0) {
             result.stopped = Stopped::out_of_wall_time;
             break;
+        }
+        if (poll(&watched, 1, static_cast<int>(wait * 1000) + 1) == 0) {
+            if (command.disk_limit != 0 && bytes_below(command.directory) > command.disk_limit) result.stopped = Stopped::too_much_disk;
+            continue;
         }
         const ssize_t got = read(reading.get(), buffer.data(), buffer.size());
         if (got == 0) break;
@@ -102,7 +112,8 @@ ConfinedResult run_confined(const ConfinedCommand& command)
     if (WIFEXITED(status)) result.exit_status = WEXITSTATUS(status);
     // A compiler whose child the kernel stopped ends by itself, with a message about the child's signal.
     const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-    const bool spent = seconds(used.ru_utime) + seconds(used.ru_stime) >= command.cpu_seconds;
+    // The kernel stops a process at its limit by its own clock, which is a little ahead of what it tells afterwards.
+    const bool spent = seconds(used.ru_utime) + seconds(used.ru_stime) >= 0.95 * command.cpu_seconds;
     if (result.stopped == Stopped::no && result.exit_status != 0 && spent) result.stopped = Stopped::out_of_processor_time;
     return result;
 }

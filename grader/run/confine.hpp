@@ -21,7 +21,8 @@ struct ConfinedCommand {
     double wall_seconds = 120;  ///< longer, since a loaded machine is nobody's fault
     int memory_mib = 2048;
     std::size_t output_limit = std::size_t{256} << 10U;
-    bool stop_at_limit = false;  ///< stop the program once it has printed more than `output_limit`, instead of dropping the rest
+    std::uintmax_t disk_limit = 0;  ///< bytes that `directory` may hold; beyond, the program is stopped. 0: no limit
+    bool stop_at_limit = false;     ///< stop the program once it has printed more than `output_limit`, instead of dropping the rest
 };
 
 /// The status with which umbral-confine says that it could not run the program.
@@ -29,7 +30,7 @@ inline constexpr int confinement_failed = 126;
 
 struct ConfinedResult {
     /// How it was stopped from outside, if it was.
-    enum class Stopped { no, out_of_processor_time, out_of_wall_time, too_much_output };
+    enum class Stopped { no, out_of_processor_time, out_of_wall_time, too_much_output, too_much_disk };
     int exit_status = -1;  ///< of the program; -1 if a signal ended it
     Stopped stopped = Stopped::no;
     std::string output;  ///< stdout and stderr together, cut at the limit

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <thread>
 
+#include "build/build_cache.hpp"
 #include "support/workbench.hpp"
 
 namespace umbral::grader::test {
@@ -55,14 +56,43 @@ TEST_F(Cache, errors_are_kept_as_well)
     EXPECT_EQ(second.message, first.message);
 }
 
-TEST_F(Cache, a_busy_moment_is_not_kept)
+// A machine on which nothing at all compiles in time is in trouble, and no student is.
+TEST_F(Cache, a_busy_machine_is_our_fault_and_is_not_kept)
 {
     Toolchain tools = bench.tools();
-    tools.compile_seconds = 0.02;
-    const Built stopped = build(tools, bench.exercise("raytracing/sphere"), {{"sphere.cpp", text}});
-    EXPECT_EQ(to_string(stopped.verdict), "compile_error");
-    EXPECT_NE(stopped.message.find("was stopped after 0.02 s"), std::string::npos) << stopped.message;
+    tools.compile_seconds = 0.005;
+    EXPECT_THROW((void)build(tools, bench.exercise("raytracing/sphere"), {{"sphere.cpp", text}}), std::runtime_error);
     EXPECT_EQ(entries(), 0U);
+    EXPECT_EQ(to_string(built().verdict), "ok");
+}
+
+/// A compiler that does what `script` says, with the real one as $REAL.
+class BrokenCompiler : public Cache {
+protected:
+    [[nodiscard]] Toolchain tools_with(const std::string& script) const
+    {
+        Toolchain tools = bench.tools();
+        const fs::path program = bench.write("compiler/c++", "#!/bin/sh\nREAL=" + tools.compiler + "\n" + script + "\n");
+        fs::permissions(program, fs::perms::owner_all);
+        tools.compiler = program.string();
+        return tools;
+    }
+};
+
+// Each of these was a compile error once, and stayed one when the trouble was over.
+TEST_F(BrokenCompiler, is_nobodys_compile_error_and_heals)
+{
+    const Exercise exercise = bench.exercise("raytracing/sphere");
+    const std::string question = "case \"$*\" in -print*) exec $REAL \"$@\";; esac; ";
+    for (const char* trouble :
+         {"echo 'sphere.cpp:1:1: fatal error: error writing to /tmp/x.s: No space left on device'; exit 1",
+          "echo 'c++: fatal error: cannot execute cc1plus: vfork: Resource temporarily unavailable'; exit 1",
+          "echo 'c++: fatal error: Killed signal terminated program cc1plus'; exit 1", "kill -9 $$", "exit 1",
+          "echo 'sphere.cpp:1:1: fatal error: umbral_student.hpp: Too many open files'; exit 1"}) {
+        const Toolchain tools = tools_with(question + trouble);
+        EXPECT_THROW((void)build(tools, exercise, {{"sphere.cpp", text}}), std::runtime_error) << trouble;
+        EXPECT_EQ(entries(), 0U) << trouble;
+    }
     EXPECT_EQ(to_string(built().verdict), "ok");
 }
 
@@ -127,6 +157,44 @@ TEST_F(Cache, damage_is_repaired)
         EXPECT_TRUE(runs(again)) << "damage " << i;
     }
     for (const auto& entry : fs::directory_iterator(bench.tools().cache)) EXPECT_EQ(entry.path().filename(), "builds") << "left behind: " << entry.path();
+}
+
+TEST_F(Cache, drops_what_was_not_used_for_longest)
+{
+    const auto hours_ago = [](int hours) { return fs::file_time_type::clock::now() - std::chrono::hours(hours); };
+    const auto entry = [&](const std::string& name, int hours) {
+        const fs::path file = bench.write("small/builds/aa/" + name + "/student.so", std::string(1000, 'x'));
+        fs::last_write_time(file.parent_path(), hours_ago(hours));
+        return file;
+    };
+    const fs::path cache = bench.folder() / "small";
+    const std::vector<fs::path> files{entry("a", 50), entry("b", 3), entry("c", 20), entry("d", 0), entry("e", 0)};
+    const auto left = [&] {
+        std::string names;
+        for (const fs::path& file : files)
+            if (fs::exists(file)) names += file.parent_path().filename().string();
+        return names;
+    };
+    prune_builds(cache, 5000);
+    EXPECT_EQ(left(), "abcde");
+    mark_used(files[0].parent_path());
+    prune_builds(cache, 4999);
+    EXPECT_EQ(left(), "ade") << "until four fifths are left";
+    prune_builds(cache, 1);
+    EXPECT_EQ(left(), "ade") << "what was used within the hour stays";
+}
+
+TEST_F(Cache, old_scratch_goes_and_new_stays)
+{
+    const fs::path cache = bench.folder() / "small";
+    const fs::path old = bench.write("small/work-AbCdEf/x.cpp", "x").parent_path();
+    const fs::path fresh = bench.write("small/work-AbCdEg/x.cpp", "x").parent_path();
+    const fs::path other = bench.write("small/work-of-mine/x.cpp", "x").parent_path();
+    for (const fs::path& folder : {old, other}) fs::last_write_time(folder, fs::file_time_type::clock::now() - std::chrono::hours(25));
+    prune_builds(cache, 1 << 20);
+    EXPECT_FALSE(fs::exists(old));
+    EXPECT_TRUE(fs::exists(fresh));
+    EXPECT_TRUE(fs::exists(other));
 }
 
 // What cannot be compiled because of us is nobody's compile error.

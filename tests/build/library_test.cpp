@@ -87,7 +87,7 @@ TEST(Libraries, the_inspector_tells_places)
     ASSERT_EQ(to_string(built.verdict), "ok") << built.message;
     EXPECT_EQ(place_of(bench.tools(), built.library, {0, ~0ULL, 0xabababababababab}), "");
     const fs::path none = bench.write("none.so", "no library");
-    EXPECT_FALSE(inspect(bench.tools(), none).has_value());
+    EXPECT_FALSE(inspect(bench.tools(), none, unit_folder(bench.tools(), "raytracing/sphere") / "exports.txt").has_value());
 }
 
 /// Definitions that a student's file may hold, and that must mean nothing to anybody else.

@@ -85,15 +85,103 @@ INSTANTIATE_TEST_SUITE_P(
                     NameAndCode{"glfwGetTime", "if (glfwGetTime() < 0) return std::nullopt;"}),
     [](const auto& one) { return std::string(one.param.first); });
 
-// Names are read from the debug information: what could hide behind damage in it is not run.
-TEST(Names, damaged_debug_information_is_forbidden)
+struct Forbidden {
+    const char* name;
+    const char* unit;
+    const char* file;
+    std::string text;
+    const char* found;  ///< the function that the message must name
+};
+
+class ForbiddenFamilies : public testing::TestWithParam<Forbidden> {};
+
+// Whatever does what the unit is about is forbidden, by whatever name.
+TEST_P(ForbiddenFamilies, are_found_by_what_declares_them)
 {
     const Workbench bench;
-    const std::string damage = "asm(\".pushsection .debug_info\\n.long 0x7fffffff\\n.byte 1,2,3\\n.popsection\");";
-    const Built built =
-        build(bench.tools(), bench.exercise("projections/view-matrix"), {{"view_matrix.cpp", view(damage, "return glm::lookAt(eye, target, up);")}});
+    const Built built = build(bench.tools(), bench.exercise(GetParam().unit), {{GetParam().file, GetParam().text}});
     EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
-    EXPECT_NE(built.message.find("debug information"), std::string::npos) << built.message;
+    EXPECT_NE(built.message.find(GetParam().found), std::string::npos) << built.message;
+}
+
+/// An axis_rotation.cpp that gets the matrix from somewhere.
+std::string rotation(const std::string& before, const std::string& answer)
+{
+    return "#define GLM_ENABLE_EXPERIMENTAL\n" + before + "\nglm::mat4 mine(float angle, glm::vec3 axis)\n{\n    " + answer + "\n}\n";
+}
+
+const std::vector<Forbidden> families = {
+    {"rotate", "transforms/axis-rotation", "axis_rotation.cpp", rotation("", "return glm::rotate(glm::mat4(1), angle, axis);"), "glm::rotate"},
+    {"rotate_slow", "transforms/axis-rotation", "axis_rotation.cpp", rotation("", "return glm::rotate_slow(glm::mat4(1), angle, axis);"), "glm::rotate_slow"},
+    {"scale_slow", "transforms/basic-matrices", "basic_matrices.cpp", rotation("", "return glm::scale_slow(glm::mat4(1), axis * angle);"), "glm::scale_slow"},
+    {"rotate_normalized_axis", "transforms/axis-rotation", "axis_rotation.cpp",
+     rotation("#include <glm/gtx/rotate_normalized_axis.hpp>", "return glm::rotateNormalizedAxis(glm::mat4(1), angle, axis);"), "glm::rotateNormalizedAxis"},
+    {"quaternion", "transforms/axis-rotation", "axis_rotation.cpp",
+     rotation("#include <glm/gtc/quaternion.hpp>", "return glm::mat4_cast(glm::angleAxis(angle, axis));"), "glm::"},
+    {"quaternion_product", "transforms/axis-rotation", "axis_rotation.cpp",
+     rotation("#include <glm/gtc/quaternion.hpp>", "return glm::mat4(glm::mat3(glm::quat(angle, axis) * axis, axis, axis));"), "glm::"},
+    {"in_double", "transforms/axis-rotation", "axis_rotation.cpp",
+     rotation("", "return glm::mat4(glm::rotate(glm::dmat4(1), double(angle), glm::dvec3(axis)));"), "glm::rotate"},
+    {"renamed_by_macros", "transforms/axis-rotation", "axis_rotation.cpp",
+     rotation("#define rotate turn\n#define GLM_EXT_INCLUDED_AGAIN\nnamespace again {\nusing namespace glm;\n#include <glm/ext/matrix_transform.inl>\n}\n#undef rotate",
+              "return again::glm::turn(glm::mat4(1), angle, axis);"),
+     "turn"},
+    {"rotate_by_opengl", "transforms/axis-rotation", "axis_rotation.cpp",
+     rotation("extern \"C\" void glRotated(double, double, double, double);", "glRotated(angle, axis.x, axis.y, axis.z); return glm::mat4(1);"), "glRotated"},
+    {"translate_by_opengl", "transforms/basic-matrices", "basic_matrices.cpp",
+     rotation("extern \"C\" void glTranslatef(float, float, float);", "glTranslatef(axis.x, axis.y, axis.z); return glm::mat4(angle);"), "glTranslatef"},
+    {"quat_look_at", "projections/view-matrix", "view_matrix.cpp",
+     rotation("#include <glm/gtc/quaternion.hpp>", "return glm::mat4_cast(glm::quatLookAt(axis, axis));"), "glm::quatLookAt"},
+    {"dot_product", "transforms/vectors", "vectors.cpp", rotation("", "return glm::mat4(glm::dot(axis, axis));"), "glm::dot"},
+    {"norm", "transforms/vectors", "vectors.cpp", rotation("#include <glm/gtx/norm.hpp>", "return glm::mat4(glm::l2Norm(axis));"), "glm::"},
+};
+INSTANTIATE_TEST_SUITE_P(All, ForbiddenFamilies, testing::ValuesIn(families), [](const auto& one) { return std::string(one.param.name); });
+
+// Of units that draw, only those that are about OpenGL may call it: it can compute, too.
+TEST(Names, opengl_is_for_units_about_it)
+{
+    const Workbench bench;
+    const std::string text = "extern \"C\" void glGetFloatv(unsigned, float*);\n" +
+                             view("", "glm::mat4 m; glGetFloatv(2982, &m[0][0]); return m * (eye.x + target.x + up.x);");
+    const Built built = build(bench.tools(), bench.exercise("projections/view-matrix"), {{"view_matrix.cpp", text}});
+    EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
+    EXPECT_NE(built.message.find("glGetFloatv"), std::string::npos) << built.message;
+}
+
+TEST(Names, what_only_shares_a_header_is_allowed)
+{
+    const Workbench bench;
+    const Built built = build(bench.tools(), bench.exercise("transforms/axis-rotation"),
+                              {{"axis_rotation.cpp", rotation("", "return glm::identity<glm::mat4>() * glm::mat4(angle) * axis.x;")}});
+    // It defines nothing of the interface; but nothing in it is forbidden.
+    EXPECT_EQ(to_string(built.verdict), "interface_mismatch") << built.message;
+}
+
+// A name of 400 letters can stand for gigabytes of text.
+TEST(Names, doubling_template_arguments_cost_nothing)
+{
+    const Workbench bench;
+    std::string text = "template <class A, class B> struct P {};\nusing T0 = int;\n";
+    for (int i = 1; i <= 18; ++i) text += "using T" + std::to_string(i) + " = P<T" + std::to_string(i - 1) + ", T" + std::to_string(i - 1) + ">;\n";
+    const Built built = bench.build_sphere(sphere_with(text + "void gone(T18*);\n", "gone(nullptr);"));
+    EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
+    EXPECT_TRUE(built.message.starts_with("gone(P<")) << built.message;
+    EXPECT_LT(built.message.size(), 1000U);
+}
+
+TEST(Names, a_message_names_some_and_counts_the_rest)
+{
+    const Workbench bench;
+    std::string declarations;
+    std::string calls;
+    for (int i = 0; i < 500; ++i) {
+        declarations += "void gone" + std::to_string(i) + "();\n";
+        calls += "gone" + std::to_string(i) + "();\n";
+    }
+    const Built built = bench.build_sphere(sphere_with(declarations, calls));
+    EXPECT_EQ(to_string(built.verdict), "forbidden");
+    EXPECT_NE(built.message.find("and 488 more"), std::string::npos) << built.message;
+    EXPECT_LT(built.message.size(), 1000U);
 }
 
 // A weak reference is resolved like any other when the library is loaded.

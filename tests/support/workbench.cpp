@@ -1,5 +1,6 @@
 #include "support/workbench.hpp"
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -38,6 +39,20 @@ Workbench::Workbench()
 RunRequest Workbench::sphere_run(const fs::path& library, const std::string& case_name) const
 {
     return {unit_folder(tools_, "raytracing/sphere") / "driver.so", library, {}, case_name, 1, {.wall_seconds = 5, .memory_mib = 512}};
+}
+
+fs::path Workbench::compile_sphere(const std::string& text) const
+{
+    static std::atomic<int> number = 0;
+    const std::string name = "raw-" + std::to_string(++number);
+    const fs::path source = write(name + ".cpp", text);
+    fs::path library = folder() / (name + ".so");
+    std::string command = tools_.compiler;
+    for (const std::string& flag : tools_.flags) command += " " + flag;
+    command += " -w -I" + tools_.framework.string() + " -include " + tools_.student_header.string() + " -shared -fuse-ld=mold -Wl,-z,lazy -Wl,--version-script=" +
+               (unit_folder(tools_, "raytracing/sphere") / "exports.map").string() + " -o " + library.string() + " " + source.string();
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("does not compile: " + text);
+    return library;
 }
 
 fs::path Workbench::write(const fs::path& name, const std::string& text) const

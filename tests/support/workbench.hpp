@@ -21,6 +21,9 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
     [[nodiscard]] Exercise exercise(const std::string& id) const { return load_exercise(tools_.exercises / id); }
     [[nodiscard]] Built build_sphere(const std::string& text) const { return build(tools_, exercise("raytracing/sphere"), {{"sphere.cpp", text}}); }
+    /// The library that g++ makes of such a file, whatever it holds: assembler too, which build_sphere() refuses. For tests of what stands
+    /// behind that refusal. Throws std::runtime_error if it does not compile.
+    [[nodiscard]] std::filesystem::path compile_sphere(const std::string& text) const;
     /// A run of one case of raytracing/sphere with a built library.
     [[nodiscard]] RunRequest sphere_run(const std::filesystem::path& library, const std::string& case_name = "head-on") const;
     [[nodiscard]] std::filesystem::path spawner() const { return tools_.programs / "umbral-spawner"; }

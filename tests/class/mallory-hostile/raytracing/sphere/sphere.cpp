@@ -1,31 +1,37 @@
 // A hostile submission: before its first answer it tries everything that would help it cheat, and prints what each attempt got.
-// Nothing here goes through libc, so that nothing can stop it before the kernel does.
 #include <fcntl.h>
 #include <sys/syscall.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <umbral/raytracing/intersect.hpp>
 #include <umbral/record/driver.hpp>
 
 namespace {
 
-long raw(long number, long a = 0, long b = 0, long c = 0, long d = 0)
+using SystemCall = long (*)(long, ...);
+
+// No unit may call syscall(), nor hold assembler. But the C library lies in this process, and a function of it that may be called shows where:
+// from there on the first bytes of syscall() are looked for.
+SystemCall find_system_call()
 {
 #if defined(__x86_64__)
-    long result = 0;
-    register long fourth asm("r10") = d;
-    asm volatile("syscall" : "=a"(result) : "a"(number), "D"(a), "S"(b), "d"(c), "r"(fourth) : "rcx", "r11", "memory");
-    return result;
-#elif defined(__aarch64__)
-    register long x8 asm("x8") = number;
-    register long x0 asm("x0") = a;
-    register long x1 asm("x1") = b;
-    register long x2 asm("x2") = c;
-    register long x3 asm("x3") = d;
-    asm volatile("svc 0" : "+r"(x0) : "r"(x8), "r"(x1), "r"(x2), "r"(x3) : "memory");
-    return x0;
+    static const unsigned char begin[] = {0x48, 0x89, 0xf8, 0x48, 0x89, 0xf7, 0x48, 0x89, 0xd6, 0x48, 0x89, 0xca, 0x4d,
+                                          0x89, 0xc2, 0x4d, 0x89, 0xc8, 0x4c, 0x8b, 0x4c, 0x24, 0x08, 0x0f, 0x05};
+    const auto* from = reinterpret_cast<const unsigned char*>(&std::malloc);
+    for (long offset = 0; offset < 0xc0000; ++offset)
+        if (std::memcmp(from + offset, begin, sizeof begin) == 0) return reinterpret_cast<SystemCall>(const_cast<unsigned char*>(from) + offset);
 #endif
+    return nullptr;
+}
+
+long raw(long number, long a = 0, long b = 0, long c = 0, long d = 0)
+{
+    static const SystemCall call = find_system_call();
+    if (call == nullptr) return -ENOSYS;
+    const long result = call(number, a, b, c, d);
+    return result == -1 ? -errno : result;
 }
 
 long address(const void* pointer) { return reinterpret_cast<long>(pointer); }
