@@ -29,7 +29,7 @@ inline constexpr int timeouts = 2;                                   ///< cases 
 // What is read of a submission before units are chosen from it.
 inline constexpr std::size_t source_file = std::size_t{512} << 10U;  ///< bytes of one file of source code
 inline constexpr std::size_t unit_files = 32;                        ///< files that are taken of one unit
-inline constexpr std::size_t submission_entries = 200'000;           ///< names looked at, in all folders and archives
+inline constexpr std::size_t submission_entries = 50'000;            ///< names looked at, in all folders and archives
 inline constexpr std::size_t submission_depth = 64;                  ///< folders within folders
 inline constexpr std::size_t submission_files = 4096;                ///< files of source code that are read
 inline constexpr std::size_t submission_bytes = std::size_t{32} << 20U;   ///< of these, together
