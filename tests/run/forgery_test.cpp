@@ -1,51 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "batch/grade_unit.hpp"
+#include "forging.hpp"
 #include "raw_calls.hpp"
 #include "support/workbench.hpp"
 
 namespace umbral::grader::test {
 namespace {
-
-/// C++ that finds the run's own recording: every page that can be read is looked at for the magic number. The kernel says which
-/// pages can be read: rt_sigprocmask gives EFAULT for the others.
-const std::string find_recording = R"(
-#include <umbral/record/wire.hpp>
-#include <cstring>
-namespace {
-using umbral::wire::Header;
-
-bool readable(std::uintptr_t page) { return raw(SYS_rt_sigprocmask, 99, page, 0, 8) != -EFAULT; }
-
-Header* find()
-{
-    const std::uintptr_t here = reinterpret_cast<std::uintptr_t>(&readable) & ~std::uintptr_t{4095};
-    for (std::uintptr_t distance = 0; distance < std::uintptr_t{4} << 30U; distance += 4096)
-        for (const std::uintptr_t page : {here - distance, here + distance})
-            if (readable(page) && *reinterpret_cast<const std::uint64_t*>(page) == umbral::wire::magic) return reinterpret_cast<Header*>(page);
-    return nullptr;
-}
-
-[[noreturn]] void leave() { for (;;) raw(SYS_exit_group, 0); }
-
-/// Puts a tensor behind those that are there.
-void put(Header* h, const char* name, umbral::wire::TensorHeader t, std::size_t bytes, unsigned char fill)
-{
-    char* at = reinterpret_cast<char*>(h) + umbral::wire::tensors_offset + h->tensors_size;
-    t.name_size = static_cast<std::uint32_t>(std::strlen(name));
-    std::memcpy(at, &t, sizeof t);
-    std::memcpy(at + sizeof t, name, t.name_size);
-    char* data = at + sizeof t + umbral::wire::padded(t.name_size);
-    std::memset(data, fill, bytes);
-    char* end = data + umbral::wire::padded(bytes);
-    const std::size_t cells = std::size_t{t.rows} * t.columns;
-    if (t.has_present) { std::memset(end, fill ? 1 : 0, cells); end += umbral::wire::padded(cells); }
-    h->tensors_size += static_cast<std::uint64_t>(end - at);
-    ++h->tensor_count;
-}
-void finish(Header* h) { h->stage = 4; h->note = 0; leave(); }
-}
-)";
 
 struct Forgery {
     const char* name;
