@@ -186,6 +186,9 @@ UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed
     } catch (const std::exception& fault) {
         result = grader_fault(exercise, fault.what());
     }
+    // A fault's message is kept as it is: others look for its cause in it.
+    if (!handed.notes.empty() && result.verdict != Verdict::grader_fault)
+        result.message = fmt::format("{}\n{}", fmt::join(handed.notes, "\n"), result.message);
     result.seed = case_seed("visible", options.seeds.course, "", exercise.id, "", options.seeds.attempt);
     return result;
 }

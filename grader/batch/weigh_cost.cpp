@@ -1,0 +1,89 @@
+#include "batch/weigh_cost.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "judge/cost.hpp"
+#include "judge/outside_cost.hpp"
+#include "judge/tensor_view.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr int rounds = 3;
+constexpr int runs_in_a_round = 3;
+
+/// Processor time of one run in milliseconds.
+double milliseconds_of(const RunOutcome& run)
+{
+    if (run.verdict == Verdict::grader_fault) throw std::runtime_error(run.message);
+    return 1000 * run.cpu_seconds;
+}
+
+/// One side of the comparison: the student's library, or the reference if there is none.
+struct Side {
+    const Built* built;
+    OutsideCost least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+                      std::numeric_limits<double>::max()};
+};
+
+std::optional<std::string> objection_of_a_round(Workshop& workshop, const Exercise& exercise, const Check& check,
+                                                const Built& built, std::uint64_t seed,
+                                                const std::vector<double>& sizes, std::string_view names)
+{
+    Side student{&built};
+    Side reference{nullptr};
+    bool left_out = false;
+    const auto take = [&](Side& side, std::size_t count, double OutsideCost::*least) {
+        const RunOutcome run = workshop.run_limited(exercise, side.built, check.case_name, seed, {check.value, count});
+        const Tensor* table = tensor_of(run, check.value);
+        left_out = left_out || (table == nullptr ? 0 : table->rows) != count;
+        side.least.*least = std::min(side.least.*least, milliseconds_of(run));
+    };
+    for (int i = 0; i < runs_in_a_round; ++i)
+        for (Side* side : {&student, &reference}) {
+            take(*side, 0, &OutsideCost::nothing);
+            take(*side, sizes_to_compare(sizes), &OutsideCost::first_sizes);
+            take(*side, sizes.size(), &OutsideCost::all_sizes);
+        }
+    if (left_out) return "when the work was asked for again, to measure its time, it was not done";
+    return objection_from_outside(student.least, reference.least, sizes, check.growth, names);
+}
+
+std::optional<std::string> objection_to(Workshop& workshop, const Exercise& exercise, const Check& check,
+                                        const Built& built, const CaseResult& one)
+{
+    const RunOutcome& reference = workshop.trusted(exercise, Tenant::reference, check.case_name, one.seed);
+    if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
+    const auto cost = cost_of(*tensor_of(reference, check.value));
+    if (!cost) throw std::runtime_error("check '" + check.name + "': the reference recorded no table of costs");
+    std::vector<double> sizes;
+    for (const CostRow& row : *cost) sizes.push_back(row.size);
+    std::optional<std::string> objection;
+    for (int i = 0; i < rounds; ++i) {
+        objection = objection_of_a_round(workshop, exercise, check, built, one.seed, sizes,
+                                         text_of(tensor_of(reference, check.value + ".names")));
+        if (!objection) return std::nullopt;
+    }
+    return objection;
+}
+
+}
+
+void weigh_costs(Workshop& workshop, const Exercise& exercise, const Built& built, const CaseResults& cases,
+                 UnitResult& result)
+{
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        const Check& check = exercise.checks[i];
+        CheckResult& earned = result.checks[i];
+        if (check.judge != JudgeKind::cost || earned.score == 0) continue;
+        auto objection = objection_to(workshop, exercise, check, built, cases.at(check.case_name));
+        if (!objection) continue;
+        earned.score = 0;
+        earned.metrics["right"] = 0;
+        earned.message = *std::move(objection);
+    }
+}
+
+}
