@@ -38,7 +38,8 @@ std::vector<Exercise> units_to_check(const Application& application, const Optio
 {
     if (!options.units.empty()) return application.chosen(options.units);
     std::vector<Exercise> chosen = application.readable();
-    std::erase_if(chosen, [&](const Exercise& exercise) { return collect(options.folder, exercise).files.empty(); });
+    const SubmittedFiles submitted = read_submission(options.folder, archive_tools(application.tools));
+    std::erase_if(chosen, [&](const Exercise& exercise) { return collect(submitted, exercise).nothing(); });
     if (chosen.empty())
         throw UsageError(fmt::format("{} holds no unit's files; `umbral new DIR` makes a workspace, then check there or with --dir DIR",
                                      fs::absolute(options.folder).string()));
@@ -76,7 +77,8 @@ int check_once(Application& application, Workshop& workshop, const std::vector<E
 std::map<std::string, Sources> texts_of_units(const std::vector<Exercise>& exercises, const fs::path& folder)
 {
     std::map<std::string, Sources> texts;
-    for (const Exercise& exercise : exercises) texts[exercise.id] = collect(folder, exercise).files;
+    const SubmittedFiles submitted = read_submission(folder);
+    for (const Exercise& exercise : exercises) texts[exercise.id] = collect(submitted, exercise).files;
     return texts;
 }
 

@@ -32,7 +32,8 @@ void debug(const Application& application, const Options& options)
     if (std::find(cases.begin(), cases.end(), chosen) == cases.end())
         throw UsageError(fmt::format("{} has no case '{}'; it has: {}", exercise.id, chosen, fmt::join(cases, ", ")));
     expect_folder(options.folder, "a workspace");
-    const Handed handed = collect(options.folder, exercise);
+    const Handed handed = collect(read_submission(options.folder, archive_tools(application.tools)), exercise);
+    if (!handed.refused.empty()) throw UsageError(fmt::format("not read in {}: {}", options.folder, handed.refused));
     if (!handed.missing.empty()) throw UsageError(fmt::format("not found in {}: {}", options.folder, fmt::join(handed.missing, ", ")));
     const Built built = build(application.tools, exercise, handed.files);
     if (built.verdict != Verdict::ok) throw UsageError(fmt::format("{}:\n{}", in_words(built.verdict), built.message));

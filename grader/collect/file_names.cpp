@@ -12,8 +12,9 @@ using Words = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 4> source_suffixes{".cpp", ".cc", ".cxx", ".c++"};
 constexpr std::array<std::string_view, 4> header_suffixes{".hpp", ".h", ".hh", ".hxx"};
 constexpr std::array<std::string_view, 5> shader_suffixes{".glsl", ".vert", ".frag", ".geom", ".comp"};
-constexpr std::array<std::string_view, 9> archive_suffixes{".tar.gz",  ".tar.bz2", ".tar.xz", ".tgz", ".tbz2",
-                                                           ".txz", ".tar", ".zip", ".7z"};
+/// A .rar is none that can be opened, and is told so.
+constexpr std::array<std::string_view, 10> archive_suffixes{".tar.gz", ".tar.bz2", ".tar.xz", ".tgz", ".tbz2",
+                                                            ".txz",    ".tar",     ".zip",    ".7z",  ".rar"};
 constexpr std::array<std::string_view, 7> junk{"__macosx", "cmakefiles",   "node_modules", "deriveddata",
                                                "_deps",    "umbral-pictures", "__pycache__"};
 /// What downloads, file managers and people put behind the name of a copy, after the separators were taken out, with any number behind …

@@ -10,7 +10,7 @@ enum class FileKind {
     source,   ///< .cpp .cc .cxx .c++
     header,   ///< .hpp .h .hh .hxx
     shader,   ///< .glsl .vert .frag .geom .comp
-    archive,  ///< .zip .tar .tar.gz .tgz .tar.bz2 .tbz2 .tar.xz .txz .7z
+    archive,  ///< .zip .tar .tar.gz .tgz .tar.bz2 .tbz2 .tar.xz .txz .7z, and .rar to be refused
     other
 };
 [[nodiscard]] FileKind kind_of(std::string_view name);

@@ -126,11 +126,11 @@ TEST_F(Choices, bytes_of_helpers_are_bounded)
 TEST_F(Choices, what_was_not_read_is_the_reason_why_a_file_is_missing)
 {
     desk.write("work/Sphere.cpp", std::string(caps::source_file + 1, 'x'));
-    desk.write("work.zip", "no zip at all");
+    desk.write("work.rar", "Rar!\x1a\x07");
     const Handed handed = desk.collected();
     EXPECT_NE(handed.refused.find("work/Sphere.cpp: it has 524289 bytes"), std::string::npos) << handed.refused;
     ASSERT_EQ(handed.notes.size(), 1U);
-    EXPECT_NE(handed.notes[0].find("work.zip"), std::string::npos);
+    EXPECT_NE(handed.notes[0].find("work.rar: it is no archive that can be opened"), std::string::npos);
 }
 
 // In a flat folder, or in one that somebody renamed, only the name says which unit a file belongs to.

@@ -106,9 +106,9 @@ TEST_F(HostileFolder, what_nobody_may_read)
     fs::permissions(desk.folder() / "shut", fs::perms::all);
 }
 
-TEST_F(HostileFolder, a_hundred_thousand_files)
+TEST_F(HostileFolder, tens_of_thousands_of_files)
 {
-    make_files(100'000, [](int i) { return std::to_string(i) + (i % 2 == 0 ? ".hpp" : ".txt"); });
+    make_files(30'000, [](int i) { return std::to_string(i) + (i % 2 == 0 ? ".hpp" : ".txt"); });
     expect_found_beside_it();
     make_files(caps::submission_files, [](int i) { return std::to_string(i) + ".cpp"; });
     const Handed handed = desk.collected();
@@ -138,7 +138,7 @@ TEST_F(HostileFolder, ten_thousand_deep)
 
 TEST_F(HostileFolder, folders_that_fan_out)
 {
-    for (int i = 0; i < 2000; ++i) fs::create_directories(desk.folder() / std::to_string(i) / "a/b/c.cpp/d.zip");
+    for (int i = 0; i < 300; ++i) fs::create_directories(desk.folder() / std::to_string(i) / "a/b/c.cpp/d.zip");
     expect_found_beside_it();
 }
 

@@ -51,6 +51,9 @@ const char* heading_of_message(Verdict verdict)
         case Verdict::missing:
         case Verdict::not_implemented: return "What was found";
         case Verdict::grader_fault: return "What went wrong on our side";
+        case Verdict::ok:
+        case Verdict::partial:
+        case Verdict::wrong: return "Remarks";
         default: return "What stopped it";
     }
 }
