@@ -26,8 +26,7 @@ std::string duration(double seconds)
 
 std::string progress_text(const ClassProgress& progress)
 {
-    std::string text =
-        fmt::format("{}/{} {}", progress.submissions_done, progress.submissions, progress.submissions == 1 ? "submission" : "submissions");
+    std::string text = fmt::format("{}/{} {}", progress.submissions_done, progress.submissions, progress.submissions == 1 ? "submission" : "submissions");
     if (progress.units_graded < least_units || progress.seconds < least_seconds) return text;
     const double rate = static_cast<double>(progress.units_graded) / progress.seconds;
     text += rate >= 0.1 ? fmt::format(", {:.1f} units/s", rate) : fmt::format(", {:.1f} units/min", 60 * rate);

@@ -53,7 +53,8 @@ std::vector<SubmissionFolder> chosen(const ClassFolder& folder, const ClassOptio
         if (std::ranges::find(result, id, &SubmissionFolder::id) != result.end()) continue;
         std::vector<std::string> known;
         for (const SubmissionFolder& one : folder.submissions) known.push_back(one.id);
-        throw RefusedFolder(fmt::format("--only {}: there is no such submission in {}; there are {}", one_line(id), options.submissions.string(), listed(known)));
+        throw RefusedFolder(
+            fmt::format("--only {}: there is no such submission in {}; there are {}", one_line(id), options.submissions.string(), listed(known)));
     }
     return result;
 }
@@ -77,7 +78,8 @@ void agree_on_grading(ReportsFolder& out, const Grading& grading, const std::vec
     std::vector<std::string> others;
     for (const std::string& id : out.submissions())
         if (std::ranges::find(submissions, id, &SubmissionFolder::id) == submissions.end()) others.push_back(id);
-    if (!others.empty()) throw RefusedFolder(fmt::format("{}; not all of them would be graded again ({} would not): name another folder", what, listed(others)));
+    if (!others.empty())
+        throw RefusedFolder(fmt::format("{}; not all of them would be graded again ({} would not): name another folder", what, listed(others)));
     out.set_grading(grading);
 }
 
@@ -213,6 +215,7 @@ private:
     void tell(const std::string& finished)
     {
         now_.finished = finished;
+        now_.again = retrying_;
         now_.seconds = book_.seconds();
         progress_(now_);
     }
@@ -241,7 +244,8 @@ private:
 SubmissionResult grade_submission(Workshop& workshop, const std::vector<Exercise>& exercises, const fs::path& folder, const GradeOptions& options)
 {
     SubmissionResult submission;
-    for (const Exercise& exercise : exercises) submission.units.push_back(grade_unit(workshop, exercise, collect(folder, exercise), options));
+    const SubmittedFiles submitted = read_submission(folder, archive_tools(workshop.tools()));
+    for (const Exercise& exercise : exercises) submission.units.push_back(grade_unit(workshop, exercise, collect(submitted, exercise), options));
     add_up(submission);
     return submission;
 }

@@ -16,11 +16,11 @@
 namespace umbral::grader {
 
 struct ClassOptions {
-    std::filesystem::path submissions;  ///< a folder with one folder or archive a submission
-    std::filesystem::path roster;       ///< see class_folder(); empty for none
-    std::filesystem::path out;          ///< reports go here
-    std::vector<std::string> only;      ///< ids to grade; empty: all
-    std::vector<Exercise> course_units; ///< all there are, for order and titles of units that earlier runs graded; empty: those graded
+    std::filesystem::path submissions;       ///< a folder with one folder or archive a submission
+    std::filesystem::path roster;            ///< see class_folder(); empty for none
+    std::filesystem::path out;               ///< reports go here
+    std::vector<std::string> only;           ///< ids to grade; empty: all
+    std::vector<Exercise> course_units;      ///< all there are, for order and titles of units that earlier runs graded; empty: those graded
     std::optional<Fingerprint> fingerprint;  ///< of this machine, if it is known already; else the spawners are asked
     std::string secret;
     std::string course = "course";
@@ -33,10 +33,10 @@ struct ClassOptions {
 
 /// What one run did.
 struct ClassGrading {
-    ClassResult result;              ///< as class.json has it, with submissions of earlier runs
-    std::size_t units_kept = 0;      ///< of the submissions asked for
+    ClassResult result;          ///< as class.json has it, with submissions of earlier runs
+    std::size_t units_kept = 0;  ///< of the submissions asked for
     std::size_t units_graded = 0;
-    std::size_t earlier = 0;         ///< submissions of earlier runs that were not asked for
+    std::size_t earlier = 0;           ///< submissions of earlier runs that were not asked for
     std::vector<std::string> changed;  ///< "ana, raytracing/sphere: 10 of 10 before, 8 of 10 now": grades that are others than before
     std::vector<Ignored> ignored;      ///< in the class's folder
     bool written = true;               ///< class.json and all reports could be written

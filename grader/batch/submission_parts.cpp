@@ -29,14 +29,12 @@ std::optional<KeptUnit> shown_before(const fs::path& folder, const std::string& 
 
 SubmittedFiles read_files(const SubmissionPlan& plan, const SubmissionFolder& submission)
 {
-    return read_submission(submission.folder, {plan.tools.programs, plan.tools.cache / "unpacked"});
+    return read_submission(submission.folder, archive_tools(plan.tools));
 }
 
 void put_in_order(const SubmissionPlan& plan, std::vector<Part>& parts)
 {
-    const auto place = [&](const Part& part) {
-        return std::ranges::find(plan.course, part.unit.result.id, &Exercise::id) - plan.course.begin();
-    };
+    const auto place = [&](const Part& part) { return std::ranges::find(plan.course, part.unit.result.id, &Exercise::id) - plan.course.begin(); };
     std::ranges::stable_sort(parts, {}, place);
 }
 
@@ -85,7 +83,8 @@ Graded look_at(const SubmissionPlan& plan, const SubmissionFolder& submission)
         const SubmittedFiles submitted = read_files(plan, submission);
         std::vector<Part> parts;
         for (const Exercise& exercise : plan.exercises)
-            if (auto kept = kept_unit(unit_file(folder, exercise.id)); kept && kept->key == plan.keys.key(exercise, submission.id, collect(submitted, exercise)))
+            if (auto kept = kept_unit(unit_file(folder, exercise.id));
+                kept && kept->key == plan.keys.key(exercise, submission.id, collect(submitted, exercise)))
                 parts.push_back({*std::move(kept), {}});
         const std::size_t missing = plan.exercises.size() - parts.size();
         for (const std::string& unit : kept_units(folder))

@@ -26,9 +26,9 @@ struct SubmissionPlan {
 /// A submission's results, and what is to be known of how they came about.
 struct Graded {
     SubmissionResult result;
-    bool current = false;      ///< nothing is missing, nothing changed, and the reports are written
-    std::size_t missing = 0;   ///< units of this run that have to be graded
-    bool elsewhere = false;    ///< some result is of another version or machine
+    bool current = false;                ///< nothing is missing, nothing changed, and the reports are written
+    std::size_t missing = 0;             ///< units of this run that have to be graded
+    bool elsewhere = false;              ///< some result is of another version or machine
     std::vector<std::string> changed{};  ///< units with other points than before, as "raytracing/sphere: 10 of 10 before, 8 of 10 now"
 };
 

@@ -76,7 +76,7 @@ public:
             const std::string text = progress_text(progress) + (last_.empty() ? "" : "  " + paint.safe(last_));
             fmt::print("\r\x1b[K{} {}", bar, shorten(text, style_.width - 20, paint.ellipsis()));
         } else if (!silent_ && !progress.finished.empty()) {
-            fmt::print("graded {}  {}\n", paint.safe(progress.finished), progress_text(progress));
+            fmt::print("graded {}{}  {}\n", progress.again ? "again, alone: " : "", paint.safe(progress.finished), progress_text(progress));
         }
         (void)std::fflush(stdout);
     }

@@ -109,8 +109,8 @@ std::string secret_fingerprint(std::string_view secret)
     constexpr std::string_view salt = "umbral-secret-fingerprint-1";
     constexpr int rounds = 200000;
     std::array<unsigned char, 8> code{};
-    check(PKCS5_PBKDF2_HMAC(secret.data(), static_cast<int>(secret.size()), reinterpret_cast<const unsigned char*>(salt.data()),
-                            static_cast<int>(salt.size()), rounds, EVP_sha256(), static_cast<int>(code.size()), code.data()),
+    check(PKCS5_PBKDF2_HMAC(secret.data(), static_cast<int>(secret.size()), reinterpret_cast<const unsigned char*>(salt.data()), static_cast<int>(salt.size()),
+                            rounds, EVP_sha256(), static_cast<int>(code.size()), code.data()),
           "PKCS5_PBKDF2_HMAC");
     std::string text;
     for (const unsigned char byte : code) text += fmt::format("{:02x}", byte);

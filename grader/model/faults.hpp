@@ -17,8 +17,8 @@ struct Fault {
         std::string submission;
         std::string unit;  ///< empty: the submission's reports
     };
-    std::string cause;    ///< in the words of the first unit that it hit
-    std::string remedy;   ///< what to do, as a sentence without its capital and full stop
+    std::string cause;       ///< in the words of the first unit that it hit
+    std::string remedy;      ///< what to do, as a sentence without its capital and full stop
     Millipoints points = 0;  ///< that are in no sum because of it
     std::vector<Place> places;
 };

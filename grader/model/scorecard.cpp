@@ -92,10 +92,9 @@ json unit(const UnitResult& value, Detail detail)
 
 json submission(const SubmissionResult& value, Detail detail)
 {
-    json result{{"id", text(value.id)},
-                {"score", value.score},
-                {"max_score", value.max_score},
-                {"units", list(value.units, [&](const UnitResult& item) { return unit(item, detail); })}};
+    json result{{"id", text(value.id)}, {"score", value.score}, {"max_score", value.max_score}, {"units", list(value.units, [&](const UnitResult& item) {
+                                                                                                     return unit(item, detail);
+                                                                                                 })}};
     if (!value.folder.empty()) result["folder"] = text(value.folder);
     return result;
 }

@@ -64,13 +64,18 @@ std::vector<Notice> notices(const ClassResult& result)
         std::erase_if(notice.who, [](const Fault::Place& place) { return place.submission.empty(); });
         all.push_back(std::move(notice));
     }
-    if (const std::size_t count = result.unfinished.size(); count > 0)
-        all.push_back({true, fmt::format("{} {} not graded to the end: missing here, or here with older results.", counted(count, "submission"),
-                                         count == 1 ? "is" : "are"),
-                       "", "If grading does not go on right now, run the same command again: only what is missing is graded.", whole(result.unfinished)});
+    // Whose reports could not be written was told already.
+    std::vector<std::string> unfinished = result.unfinished;
+    std::erase_if(unfinished, [&](const std::string& id) { return std::ranges::find(result.unwritten, id, &Unwritten::submission) != result.unwritten.end(); });
+    if (const std::size_t count = unfinished.size(); count > 0)
+        all.push_back(
+            {true,
+             fmt::format("{} {} not graded to the end: missing here, or here with older results.", counted(count, "submission"), count == 1 ? "is" : "are"), "",
+             "If grading does not go on right now, run the same command again: only what is missing is graded.", whole(unfinished)});
     if (const std::size_t count = result.elsewhere.size(); count > 0)
-        all.push_back({false, fmt::format("{} {} results of another version of Umbral, or of another machine, than the one named here.",
-                                          counted(count, "submission"), count == 1 ? "has" : "have"),
+        all.push_back({false,
+                       fmt::format("{} {} results of another version of Umbral, or of another machine, than the one named here.", counted(count, "submission"),
+                                   count == 1 ? "has" : "have"),
                        "", "Grade the whole class again where all should be judged alike.", whole(result.elsewhere)});
     return all;
 }

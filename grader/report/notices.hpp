@@ -10,10 +10,10 @@ namespace umbral::grader {
 
 /// Something that whoever reads a class's results must know before the results. Texts are sentences; those from outside are not escaped yet.
 struct Notice {
-    bool fault = false;    ///< points are missing, or reports; otherwise only to be known
-    std::string headline;  ///< what it means: "2 units of 1 submission are not scored: 20 points are in no sum."
-    std::string cause;     ///< what happened; may be empty
-    std::string remedy;    ///< what to do
+    bool fault = false;             ///< points are missing, or reports; otherwise only to be known
+    std::string headline;           ///< what it means: "2 units of 1 submission are not scored: 20 points are in no sum."
+    std::string cause;              ///< what happened; may be empty
+    std::string remedy;             ///< what to do
     std::vector<Fault::Place> who;  ///< unit empty: all of the submission
 };
 

@@ -56,8 +56,7 @@ std::optional<Mark> read_mark(const fs::path& folder)
         mark.reports = field.member("reports").any_text(longest);
         return mark;
     } catch (const std::exception& error) {
-        throw RefusedFolder(
-            fmt::format("{}; this file should say that Umbral made the folder. Move the folder away, or name another", error.what()));
+        throw RefusedFolder(fmt::format("{}; this file should say that Umbral made the folder. Move the folder away, or name another", error.what()));
     }
 }
 

@@ -57,8 +57,7 @@ Mark open_report_folder(const fs::path& folder, const std::string& id)
     if (!mark && !is_untouched(folder))
         throw RefusedFolder(fmt::format("{}: the reports of {} belong here, but Umbral did not make this folder", folder.string(), id));
     if (mark && mark->submission != id)
-        throw RefusedFolder(
-            fmt::format("{}: the reports of {} belong here, but the folder holds those of {}", folder.string(), id, mark->submission));
+        throw RefusedFolder(fmt::format("{}: the reports of {} belong here, but the folder holds those of {}", folder.string(), id, mark->submission));
     if (!mark) mark.emplace().submission = id;
     return *std::move(mark);
 }

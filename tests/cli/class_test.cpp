@@ -159,11 +159,15 @@ TEST(Grade, BadInputIsAUsageErrorThatSaysWhatToDo)
     const TemporaryFolder folder;
     EXPECT_EQ(grade((folder / "nowhere").string(), folder).status, 2);
     std::filesystem::create_directories(folder / "class/José Pérez");
-    const Printed odd = grade((folder / "class").string(), folder);
-    EXPECT_NE(odd.status, 0);
-    EXPECT_NE(odd.text.find("rename"), std::string::npos) << odd.text;
+    // A name that is no id gets one; the report says both.
+    EXPECT_EQ(grade((folder / "class").string(), folder, "", " --unit sphere").status, 0);
+    const json odd = json::parse(read(folder / "out/class.json")).at("submissions").at(0);
+    EXPECT_EQ(odd.at("folder"), "José Pérez");
+    EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + odd.at("id").get<std::string>() + "/report.html")));
     std::filesystem::create_directories(folder / "empty");
-    EXPECT_NE(grade((folder / "empty").string(), folder).text.find("no submission"), std::string::npos);
+    const Printed empty = grade((folder / "empty").string(), folder);
+    EXPECT_EQ(empty.status, 2);
+    EXPECT_NE(empty.text.find("no submission"), std::string::npos) << empty.text;
     folder.write("short", "abc");
     std::filesystem::create_directories(folder / "one/a");
     EXPECT_EQ(umbral("grade " + (folder / "one").string() + " --out " + (folder / "out").string() + " --secret-file " + (folder / "short").string()).status, 2);

@@ -122,7 +122,8 @@ TEST_F(Resume, KilledAtAnyMomentItGoesOnAndEndsTheSame)
         ASSERT_EQ(found, expected) << json::diff(found, expected).dump(2);
         for (const char* id : {"ana", "bo", "cy", "dan"})
             for (const char* file : {"report.json", "report.student.json"})
-                ASSERT_EQ(without_times(json::parse(read(folder / out / id / file))), without_times(json::parse(read(folder / "undisturbed" / id / file)))) << id;
+                ASSERT_EQ(without_times(json::parse(read(folder / out / id / file))), without_times(json::parse(read(folder / "undisturbed" / id / file))))
+                    << id;
         for (const auto& entry : fs::recursive_directory_iterator(folder / out))
             ASSERT_EQ(entry.path().string().find(".tmp-"), std::string::npos) << entry.path() << " was left";
         const Printed again = grade(out);
@@ -258,7 +259,7 @@ TEST_F(Resume, TwoGradingsDoNotShareAFolder)
 TEST_F(Resume, AFullDiskIsToldOnceAndTheNextRunHeals)
 {
     ASSERT_EQ(grade("undisturbed").status, 0);
-    // No file may grow beyond 8 KiB: marks can be written, results cannot. SIGXFSZ is ignored, so that writing fails as on a full disk.
+    // No file may grow beyond 8 blocks, 4 or 8 KiB: marks can be written, results cannot. SIGXFSZ is ignored, so that writing fails as on a full disk.
     const Printed full = umbral(arguments("out"), "trap '' XFSZ; ulimit -f 8; " + environment());
     EXPECT_EQ(full.status, 3) << full.text;
     const std::string words = "File too large";

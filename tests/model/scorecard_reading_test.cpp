@@ -113,8 +113,14 @@ TEST(UnitResultFromJson, refuses_whatever_to_json_does_not_write)
         ++refused;
     }
     EXPECT_GT(refused, 30);
-    for (const auto& [place, value] : std::vector<std::pair<const char*, json>>{{"/seed", "-1"}, {"/seed", "18446744073709551616"}, {"/seed", "01"}, {"/seed", "1x"},
-                                                                                {"/verdict", "passed"}, {"/checks/0/kind", "guess"}, {"/score", -1}, {"/score", 0.5}}) {
+    for (const auto& [place, value] : std::vector<std::pair<const char*, json>>{{"/seed", "-1"},
+                                                                                {"/seed", "18446744073709551616"},
+                                                                                {"/seed", "01"},
+                                                                                {"/seed", "1x"},
+                                                                                {"/verdict", "passed"},
+                                                                                {"/checks/0/kind", "guess"},
+                                                                                {"/score", -1},
+                                                                                {"/score", 0.5}}) {
         json wrong = whole;
         wrong[json::json_pointer(place)] = value;
         const std::string message = test::message_of([&] { (void)unit_result_from_json(wrong, "kept"); });

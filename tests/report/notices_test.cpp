@@ -31,7 +31,8 @@ ClassResult full_disk()
 {
     ClassResult result;
     for (int i = 0; i < 30; ++i)
-        result.submissions.push_back(submission_result("s" + std::to_string(i), {fault("t/one", "/cache/work-" + std::to_string(i) + ": No space left on device")}));
+        result.submissions.push_back(
+            submission_result("s" + std::to_string(i), {fault("t/one", "/cache/work-" + std::to_string(i) + ": No space left on device")}));
     result.submissions[3].units.push_back(fault("t/two", "the spawner <died>\x1b[31m"));
     return result;
 }
@@ -67,16 +68,17 @@ TEST(Notices, StandAboveTheTableOnTerminalAndPage)
 TEST(Notices, TellOfWhatIsUnfinishedUnwrittenOrGradedElsewhere)
 {
     ClassResult result;
-    result.unfinished = {"ana", "bo"};
+    result.unfinished = {"ana", "bo", "dan"};
     result.elsewhere = {"cy"};
-    result.unwritten = {{"ana", "/out/ana: the reports of ana belong here, but Umbral did not make this folder"}, {"", "/out/class.json: cannot write it: Disk quota exceeded"}};
+    result.unwritten = {{"ana", "/out/ana: the reports of ana belong here, but Umbral did not make this folder"},
+                        {"", "/out/class.json: cannot write it: Disk quota exceeded"}};
     const std::vector<Notice> found = notices(result);
     ASSERT_EQ(found.size(), 4U);
     EXPECT_EQ(found[0].headline, "The reports of 1 submission could not be written.");
     EXPECT_TRUE(has(found[0].remedy, "Move that away")) << found[0].remedy;
     EXPECT_EQ(found[1].headline, "class.json and index.html could not be written.");
     EXPECT_EQ(found[1].who.size(), 0U);
-    EXPECT_EQ(who_in_words(found[2]), "ana; bo");
+    EXPECT_EQ(who_in_words(found[2]), "bo; dan") << "ana's trouble is told already";
     EXPECT_TRUE(found[2].fault);
     EXPECT_EQ(who_in_words(found[3]), "cy");
     EXPECT_FALSE(found[3].fault);
@@ -93,8 +95,9 @@ TEST(Class, TheMedianLeavesOutWhoWasNotScored)
 TEST(Class, MissingWorkStandsAmongTheReasons)
 {
     ClassResult result;
-    result.submissions = {submission_result("ana", {unit_result("t/one", Verdict::missing, {}), unit_result("t/two", Verdict::wrong, {check_result("a/b", 0, 1000)})}),
-                          submission_result("bo", {unit_result("t/one", Verdict::ok, {check_result("a/b", 1000, 1000)})})};
+    result.submissions = {
+        submission_result("ana", {unit_result("t/one", Verdict::missing, {}), unit_result("t/two", Verdict::wrong, {check_result("a/b", 0, 1000)})}),
+        submission_result("bo", {unit_result("t/one", Verdict::ok, {check_result("a/b", 1000, 1000)})})};
     const std::string page = html::class_html(result);
     const std::size_t list = page.find("Not handed in</h3>");
     ASSERT_NE(list, std::string::npos);

@@ -81,8 +81,7 @@ TEST(ReportsFolder, refuses_what_umbral_did_not_make)
     fs::create_directories(folder / "linked");
     folder.write("mark.json", to_text({.grading = grading}));
     fs::create_symlink(folder / "mark.json", folder / "linked/umbral-reports.json");
-    for (const char* name : {"mine", "file", "odd", "newer", "linked"})
-        EXPECT_THROW(ReportsFolder(folder / name, grading), RefusedFolder) << name;
+    for (const char* name : {"mine", "file", "odd", "newer", "linked"}) EXPECT_THROW(ReportsFolder(folder / name, grading), RefusedFolder) << name;
     EXPECT_TRUE(fs::exists(folder / "mine/thesis.tex"));
     fs::create_directories(folder / "empty");
     folder.write("killed/umbral-reports.json.tmp-123-0", "{");
@@ -93,7 +92,9 @@ TEST(ReportsFolder, refuses_what_umbral_did_not_make)
 TEST(ReportsFolder, removes_its_own_temporaries_and_nothing_else)
 {
     const TemporaryFolder folder;
-    { const ReportsFolder made(folder / "out", grading); }
+    {
+        const ReportsFolder made(folder / "out", grading);
+    }
     for (const char* name : {"class.json.tmp-1-0", "index.html.tmp-77-3"}) folder.write(std::string("out/") + name, "half");
     for (const char* name : {"notes.tmp-1-0", "class.json.tmp-1", "class.json.old", "grades.csv"}) folder.write(std::string("out/") + name, "mine");
     fs::create_directories(folder / "out/class.json.tmp-2-0");
@@ -147,7 +148,8 @@ TEST(ReportFolder, knows_its_units_and_sweeps_its_pictures)
     for (const auto& file : {unit_file(folder.path(), "a/two-words"), fault_file(folder.path(), "a/b"), unit_file(folder.path(), "a/b")})
         folder.write(fs::relative(file, folder.path()), "x");
     EXPECT_EQ(kept_units(folder.path()), (std::vector<std::string>{"a/b", "a/two-words"}));
-    for (const char* name : {"pictures/old.png", "pictures/new.png", "pictures/new.png.tmp-5-0", "units/a_b.unit.tmp-5-0", "report.html.tmp-5-0"}) folder.write(name, "x");
+    for (const char* name : {"pictures/old.png", "pictures/new.png", "pictures/new.png.tmp-5-0", "units/a_b.unit.tmp-5-0", "report.html.tmp-5-0"})
+        folder.write(name, "x");
     tidy_temporaries(folder.path());
     remove_pictures_but(folder.path(), {"pictures/new.png"});
     EXPECT_TRUE(fs::exists(folder / "pictures/new.png"));
@@ -163,7 +165,8 @@ TEST(ReportFolder, knows_its_units_and_sweeps_its_pictures)
 TEST(Temporaries, are_told_from_other_names)
 {
     for (const char* name : {"class.json.tmp-1-0", "a.tmp-123-45", "a.tmp-x.tmp-1-2"}) EXPECT_TRUE(is_temporary(name)) << name;
-    for (const char* name : {"", ".tmp-1-0", "class.json", "class.json.tmp-", "class.json.tmp-1", "class.json.tmp-1-", "class.json.tmp--1", "class.json.tmp-1-0a", "class.json.tmp-1-0-1"})
+    for (const char* name : {"", ".tmp-1-0", "class.json", "class.json.tmp-", "class.json.tmp-1", "class.json.tmp-1-", "class.json.tmp--1",
+                             "class.json.tmp-1-0a", "class.json.tmp-1-0-1"})
         EXPECT_FALSE(is_temporary(name)) << name;
     EXPECT_TRUE(is_temporary("class.json.tmp-1-0", "class.json"));
     EXPECT_FALSE(is_temporary("xclass.json.tmp-1-0", "class.json"));

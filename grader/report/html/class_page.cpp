@@ -114,8 +114,8 @@ Markup whose(const std::vector<std::size_t>& places, const ClassResult& result)
     Markup who;
     for (const std::size_t s : places)
         who += markup("{}<a href=\"{}\">{}</a>", who.empty() ? "" : ", ", link_to(result.submissions[s].id, "report.html"), result.submissions[s].id);
-    return markup("<details class=\"whose\"><summary>{} {}</summary><p>{}</p></details>", places.size(),
-                  places.size() == 1 ? "submission" : "submissions", who);
+    return markup("<details class=\"whose\"><summary>{} {}</summary><p>{}</p></details>", places.size(), places.size() == 1 ? "submission" : "submissions",
+                  who);
 }
 
 Markup cluster_item(const Cluster& cluster, std::size_t graded, const ClassResult& result)
@@ -124,9 +124,8 @@ Markup cluster_item(const Cluster& cluster, std::size_t graded, const ClassResul
     const std::string sure = cluster.sentences.empty() ? "" : fmt::format(" ({}{})", sure_words(cluster.confidence), several ? " one of these" : "");
     Markup why;
     for (std::size_t i = 0; i < cluster.sentences.size(); ++i) why += markup("<p>{}{}</p>", !several ? "" : i == 0 ? "Either: " : "Or: ", cluster.sentences[i]);
-    return markup(
-        "<li><p class=\"count\">{} of {}</p><div><h4>{}<span class=\"sure\">{}</span></h4>{}{}</div></li>\n", cluster.who.size(), graded, cluster.name, sure,
-        why, whose(cluster.who, result));
+    return markup("<li><p class=\"count\">{} of {}</p><div><h4>{}<span class=\"sure\">{}</span></h4>{}{}</div></li>\n", cluster.who.size(), graded,
+                  cluster.name, sure, why, whose(cluster.who, result));
 }
 
 /// What nobody could judge: of each unit who handed in nothing that could be read.
@@ -135,8 +134,8 @@ Markup missing_list(const std::vector<UnitClusters>& units, const ClassResult& r
     Markup items;
     for (const UnitClusters& unit : units)
         if (!unit.missing.empty())
-            items += markup("<li><p class=\"count\">{} of {}</p><div><h4>{} <span class=\"id\">{}</span></h4>{}</div></li>\n", unit.missing.size(),
-                            unit.graded, title_of(unit.unit, options), unit.unit, whose(unit.missing, result));
+            items += markup("<li><p class=\"count\">{} of {}</p><div><h4>{} <span class=\"id\">{}</span></h4>{}</div></li>\n", unit.missing.size(), unit.graded,
+                            title_of(unit.unit, options), unit.unit, whose(unit.missing, result));
     if (items.empty()) return {};
     return markup(
         "<h3 class=\"cause-of\">Not handed in</h3>\n<p class=\"note\">Or not readable: each report says what was found instead.</p>\n<ul "

@@ -21,7 +21,7 @@ enum class Edition { student, instructor };
 
 struct ReportOptions {
     Edition edition = Edition::student;
-    std::string class_page;                     ///< relative link to the class's page; empty for none
+    std::string class_page;                       ///< relative link to the class's page; empty for none
     std::map<std::string, std::string> titles{};  ///< of units, by id; report_html takes them from its gallery
 };
 
