@@ -38,6 +38,10 @@ void debug(const Application& application, const Options& options)
     const Built built = build(application.tools, exercise, handed.files);
     if (built.verdict != Verdict::ok) throw UsageError(fmt::format("{}:\n{}", in_words(built.verdict), built.message));
 
+    // The inputs that `umbral check` gives these files.
+    SeedPlan seeds;
+    seeds.work = work_digest(handed.files);
+    const std::uint64_t stream = stream_of(exercise, chosen, seeds.seed_of(exercise, chosen));
     const fs::path own = fs::path(options.folder) / exercise.id;
     const fs::path sources = fs::is_directory(own) ? own : fs::path(options.folder);
     std::vector<std::string> words;
@@ -45,7 +49,7 @@ void debug(const Application& application, const Options& options)
         words = {"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "directory " + fs::absolute(sources).string(), "-ex", "run", "--args"};
     words.push_back((application.tools.programs / (exercise.gl ? "umbral-debug-gl" : "umbral-debug")).string());
     for (const std::string& word : {(unit_folder(application.tools, exercise.id) / "driver.so").string(), built.library.string(), chosen,
-                                    std::to_string(SeedPlan{}.seed_of(exercise, chosen)), fs::absolute(sources).string()})
+                                    std::to_string(stream), fs::absolute(sources).string()})
         words.push_back(word);
     become(std::move(words), "is it installed? --no-debugger does without");
 }
