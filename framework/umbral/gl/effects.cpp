@@ -9,8 +9,14 @@ using enum Effect;
 using Kind = Size::Kind;
 
 constexpr Size bytes(std::size_t size, std::size_t pointer) { return {Kind::bytes, size, pointer, 0, 0}; }
-constexpr Size picture(std::size_t extent, std::size_t dimensions, std::size_t pointer) { return {Kind::picture, extent, pointer, dimensions, 0}; }
-constexpr Size items(std::size_t count, std::size_t pointer, std::size_t item) { return {Kind::items, count, pointer, 0, item}; }
+constexpr Size picture(std::size_t extent, std::size_t dimensions, std::size_t pointer)
+{
+    return {Kind::picture, extent, pointer, dimensions, 0};
+}
+constexpr Size items(std::size_t count, std::size_t pointer, std::size_t item)
+{
+    return {Kind::items, count, pointer, 0, item};
+}
 constexpr Size uniforms(std::size_t count) { return {Kind::uniforms, count, 0, 0, 0}; }
 
 /// The first rule that matches counts.
@@ -20,13 +26,13 @@ constexpr std::array rules = {
     FunctionRule{"glBufferSubData glNamedBufferSubData", uploads, bytes(2, 3)},
     FunctionRule{"glClearBufferData glClearNamedBufferData", uploads, picture(0, 0, 4)},
     FunctionRule{"glClearBufferSubData glClearNamedBufferSubData", uploads, picture(0, 0, 6)},
-    FunctionRule{"glMapBuffer glMapNamedBuffer glMapBufferRange glMapNamedBufferRange glUnmapBuffer glUnmapNamedBuffer glFlushMappedBufferRange "
+    FunctionRule{"glMapBuffer glMapNamedBuffer glMapBufferRange glMapNamedBufferRange glUnmapBuffer glUnmapNamedBuffer "
+                 "glFlushMappedBufferRange "
                  "glFlushMappedNamedBufferRange",
                  maps},
 
     // Textures and pictures.
-    FunctionRule{"glTexImage1D", uploads, picture(3, 1, 7)},
-    FunctionRule{"glTexImage2D", uploads, picture(3, 2, 8)},
+    FunctionRule{"glTexImage1D", uploads, picture(3, 1, 7)}, FunctionRule{"glTexImage2D", uploads, picture(3, 2, 8)},
     FunctionRule{"glTexImage3D", uploads, picture(3, 3, 9)},
     FunctionRule{"glTexSubImage1D glTextureSubImage1D", uploads, picture(3, 1, 6)},
     FunctionRule{"glTexSubImage2D glTextureSubImage2D", uploads, picture(4, 2, 8)},
@@ -49,47 +55,54 @@ constexpr std::array rules = {
     FunctionRule{"glPixelMapusv", uploads, items(1, 2, 2)},
 
     // Evaluators: control points of four components at most.
-    FunctionRule{"glMap1f", uploads, items(4, 5, 16)},
-    FunctionRule{"glMap1d", uploads, items(4, 5, 32)},
+    FunctionRule{"glMap1f", uploads, items(4, 5, 16)}, FunctionRule{"glMap1d", uploads, items(4, 5, 32)},
     FunctionRule{"glMap2f", uploads, {Kind::items, 4, 9, 8, 16}},
     FunctionRule{"glMap2d", uploads, {Kind::items, 4, 9, 8, 32}},
 
     // Programs and their inputs.
-    FunctionRule{"glUniformSubroutinesuiv", parameters},
-    FunctionRule{"glUniform*v", array, uniforms(1)},
+    FunctionRule{"glUniformSubroutinesuiv", parameters}, FunctionRule{"glUniform*v", array, uniforms(1)},
     FunctionRule{"glProgramUniform*v", array, uniforms(2)},
     FunctionRule{"glShaderSource glCreateShaderProgramv", program},
-    FunctionRule{"glProgramBinary", uploads, bytes(3, 2)},
-    FunctionRule{"glShaderBinary", uploads, bytes(4, 3)},
+    FunctionRule{"glProgramBinary", uploads, bytes(3, 2)}, FunctionRule{"glShaderBinary", uploads, bytes(4, 3)},
 
     // Draws, and the memory that they read.
     FunctionRule{"glDrawBuffers glNamedFramebufferDrawBuffers", objects},
     FunctionRule{"glDrawBuffer glDrawTransformFeedback*", none},
-    FunctionRule{"glDraw* glMultiDraw* glArrayElement glEvalMesh* glEvalPoint* glCallList glCallLists glDispatchCompute*", draws},
-    FunctionRule{"glInterleavedArrays glVertexPointer glNormalPointer glColorPointer glSecondaryColorPointer glTexCoordPointer glFogCoordPointer "
+    FunctionRule{
+        "glDraw* glMultiDraw* glArrayElement glEvalMesh* glEvalPoint* glCallList glCallLists glDispatchCompute*",
+        draws},
+    FunctionRule{"glInterleavedArrays glVertexPointer glNormalPointer glColorPointer glSecondaryColorPointer "
+                 "glTexCoordPointer glFogCoordPointer "
                  "glIndexPointer glEdgeFlagPointer glVertexAttribPointer glVertexAttribIPointer glVertexAttribLPointer",
                  points},
     FunctionRule{"glNewList glEndList glDeleteLists glListBase", lists},
     FunctionRule{"glSelectBuffer glFeedbackBuffer", reads_back},
 
     // A few numbers by a pointer.
-    FunctionRule{"glVertex*v glColor*v glNormal*v glTexCoord*v glMultiTexCoord*v glSecondaryColor*v glFogCoord*v glIndex*v glEdgeFlagv glRect*v "
+    FunctionRule{"glVertex*v glColor*v glNormal*v glTexCoord*v glMultiTexCoord*v glSecondaryColor*v glFogCoord*v "
+                 "glIndex*v glEdgeFlagv glRect*v "
                  "glRasterPos*v glWindowPos*v glVertexAttrib*v glEvalCoord*v",
                  parameters},
-    FunctionRule{"glTex*Parameter*v glSamplerParameter*v glPointParameter*v glPatchParameter*v glColorTableParameter*v glConvolutionParameter*v "
-                 "glClearBuffer*v glClearNamedFramebuffer*v glViewport*v glScissor*v glDepthRange*v glTexGen*v glTexEnv*v glLight*v glMaterial*v glFog*v "
+    FunctionRule{"glTex*Parameter*v glSamplerParameter*v glPointParameter*v glPatchParameter*v glColorTableParameter*v "
+                 "glConvolutionParameter*v "
+                 "glClearBuffer*v glClearNamedFramebuffer*v glViewport*v glScissor*v glDepthRange*v glTexGen*v "
+                 "glTexEnv*v glLight*v glMaterial*v glFog*v "
                  "glClipPlane glLoadMatrix* glLoadTransposeMatrix* glMultMatrix* glMultTransposeMatrix*",
                  parameters},
 
     // Names of objects, and texts about them.
-    FunctionRule{"glGen*s glCreate*s glDelete*s glBindBuffers* glBindTextures glBindSamplers glBindImageTextures glBindVertexBuffers "
-                 "glVertexArrayVertexBuffers glInvalidate*Framebuffer* glPrioritizeTextures glAreTexturesResident glBindAttribLocation "
-                 "glBindFragDataLocation* glTransformFeedbackVaryings glDebugMessage* glPushDebugGroup glObjectLabel glObjectPtrLabel",
+    FunctionRule{"glGen*s glCreate*s glDelete*s glBindBuffers* glBindTextures glBindSamplers glBindImageTextures "
+                 "glBindVertexBuffers "
+                 "glVertexArrayVertexBuffers glInvalidate*Framebuffer* glPrioritizeTextures glAreTexturesResident "
+                 "glBindAttribLocation "
+                 "glBindFragDataLocation* glTransformFeedbackVaryings glDebugMessage* glPushDebugGroup glObjectLabel "
+                 "glObjectPtrLabel",
                  objects},
     FunctionRule{"glGet* glReadPixels glReadnPixels", reads_back}};
 
-constexpr std::array<std::string_view, 16> vendor_suffixes = {"ARB",  "EXT", "MESA", "ATI", "NV",  "OES", "SGIS", "SGIX",
-                                                              "INTEL", "AMD", "APPLE", "KHR", "IBM", "HP",  "SUN",  "OVR"};
+constexpr std::array<std::string_view, 16> vendor_suffixes = {"ARB",  "EXT",  "MESA",  "ATI", "NV",    "OES",
+                                                              "SGIS", "SGIX", "INTEL", "AMD", "APPLE", "KHR",
+                                                              "IBM",  "HP",   "SUN",   "OVR"};
 
 std::string_view without_suffix(std::string_view function)
 {
@@ -133,7 +146,8 @@ bool is_always_seen(std::string_view function)
 {
     const Effect effect = effect_of(function);
     // Memory can be pinned by glBufferData, and stays the application's.
-    return effect == Effect::maps || effect == Effect::lists || function == "glBufferData" || function == "glBufferStorage";
+    return effect == Effect::maps || effect == Effect::lists || function == "glBufferData" ||
+           function == "glBufferStorage";
 }
 
 }

@@ -1,0 +1,81 @@
+#include "judge/outside_cost.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace umbral::grader::test {
+namespace {
+
+const std::vector<double> sizes{1000, 2000, 4000, 8000, 16000};
+
+/// What runs take that need 1 ms beside their work, and for each size n so many milliseconds at the largest, growing with this exponent.
+OutsideCost runs_of(double at_the_largest, double exponent, double nothing = 1)
+{
+    OutsideCost cost{nothing, nothing, nothing};
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const double taken = at_the_largest * std::pow(sizes[i] / sizes.back(), exponent);
+        cost.all_sizes += taken;
+        if (i < sizes_to_compare(sizes)) cost.first_sizes += taken;
+    }
+    return cost;
+}
+
+std::optional<std::string> objection(const OutsideCost& student, double growth = 1)
+{
+    return objection_from_outside(student, runs_of(2, 1), sizes, growth, "corners");
+}
+
+TEST(OutsideCost, ComparesUpToAQuarterOfTheLargestSize)
+{
+    EXPECT_EQ(sizes_to_compare(sizes), 3U);
+    EXPECT_EQ(sizes_to_compare({6, 9, 12, 15, 18}), 1U) << "never none";
+    EXPECT_EQ(sizes_to_compare({1, 100}), 1U);
+}
+
+TEST(OutsideCost, WorkThatGrowsAsItMayIsBelievedHoweverSlow)
+{
+    for (const double milliseconds : {0.01, 1.0, 30.0, 1000.0})
+        for (const double exponent : {0.0, 1.0, 1.15}) EXPECT_FALSE(objection(runs_of(milliseconds, exponent)));
+    EXPECT_FALSE(objection(runs_of(1000, 2), 2)) << "where n^2 is allowed";
+    EXPECT_FALSE(objection(runs_of(1.5, 2))) << "too little to tell from noise";
+}
+
+TEST(OutsideCost, HiddenQuadraticWorkIsNot)
+{
+    for (const double milliseconds : {20.0, 50.0, 1000.0})
+        EXPECT_TRUE(objection(runs_of(milliseconds, 2))) << milliseconds;
+    // Sums of the squares of 1, 2, 4, 8, 16 sixteenths: 1 + 1/4 + 1/16 + 1/64 + 1/256 = 1.332 of 50 ms; the reference's 2 ms times 1.9375.
+    EXPECT_EQ(*objection(runs_of(50, 2)),
+              "the counted steps are fine, but your code took 17 times the reference's time (67 ms, 3.9), and from "
+              "4,000 to 16,000 corners it grows "
+              "faster than that count allows: work was done that is not counted");
+}
+
+TEST(OutsideCost, NoiseOfHalfAMillisecondChangesNoVerdict)
+{
+    for (const double first : {-0.4, 0.4})
+        for (const double all : {-0.4, 0.4}) {
+            OutsideCost honest = runs_of(5, 1.15);
+            OutsideCost forged = runs_of(40, 2);
+            for (OutsideCost* each : {&honest, &forged}) each->first_sizes += first, each->all_sizes += all;
+            EXPECT_FALSE(objection(honest));
+            EXPECT_TRUE(objection(forged));
+        }
+}
+
+TEST(OutsideCost, WorkBeforeTheCountIsSeen)
+{
+    EXPECT_FALSE(objection(runs_of(2, 1, 20)));
+    EXPECT_TRUE(objection(runs_of(2, 1, 60)));
+    EXPECT_NE(objection(runs_of(2, 1, 60))->find("before anything is counted"), std::string::npos);
+}
+
+TEST(OutsideCost, RunsAsQuickAsTheReferencesAreNotMeasured)
+{
+    EXPECT_FALSE(is_worth_measuring(7, 4));
+    EXPECT_TRUE(is_worth_measuring(9, 4));
+}
+
+}
+}
