@@ -7,7 +7,7 @@ namespace umbral::grader {
 
 /// How far a class is.
 struct ClassProgress {
-    std::string finished;              ///< the submission that is done now; empty if only a unit is
+    std::string finished{};            ///< the submission that is done now; empty if only a unit is
     bool again = false;                ///< units with faults are graded once more now, alone
     std::size_t submissions_done = 0;  ///< with those of which everything was kept
     std::size_t submissions = 0;
