@@ -1,0 +1,10 @@
+#include <umbral/scene/scene_json.hpp>
+
+#include "fuzz.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    using namespace umbral;
+    (void)tests::reads<std::runtime_error>([&] { (void)scene::parse_scene(tests::text_of(data, size), "scene.json"); });
+    return 0;
+}
