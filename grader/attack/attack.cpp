@@ -62,7 +62,7 @@ Attack load_attack(const fs::path& folder)
     const fs::path file = folder / "attack.json";
     const nlohmann::json json = read_json(file);
     const Field root(json, file.string());
-    root.allow_only({"what", "area", "harmless", "ci", "draws", "make", "units", "lacks", "student_lacks", "bounds"});
+    root.allow_only({"what", "area", "harmless", "ci", "draws", "knows_paths", "make", "units", "lacks", "student_lacks", "bounds"});
     Attack attack;
     attack.folder = folder;
     attack.name = folder.filename().string();
@@ -73,6 +73,7 @@ Attack load_attack(const fs::path& folder)
     attack.harmless = flag(root.member("harmless"));
     attack.ci = flag(root.member("ci"));
     attack.draws = flag(root.member("draws"));
+    attack.knows_paths = flag(root.member("knows_paths"));
     if (root.member("make").given()) attack.make = root.member("make").text(64);
     if (!attack.make.empty() && !has_generator(attack.make)) root.member("make").refuse("the name of a generator in grader/attack/generators.cpp");
     const Field units = root.member("units");

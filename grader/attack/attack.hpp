@@ -37,6 +37,7 @@ struct Attack {
     bool harmless = false;  ///< may run on an instructor's own machine, even if it succeeds
     bool ci = false;        ///< runs in every test; the others in a full one
     bool draws = false;     ///< one of its units uses OpenGL
+    bool knows_paths = false;  ///< its files name places of this very grading, so that messages may repeat them
     std::string make;       ///< the generator of what git cannot hold; empty: none
     std::map<std::string, ExpectedUnit> units;
     std::vector<std::string> lacks;          ///< texts that no report, page or line on the terminal may hold

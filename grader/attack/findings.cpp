@@ -69,7 +69,7 @@ private:
         if (name.ends_with(".html") && text.find(markup) != std::string::npos) found_.push_back(fmt::format("{} holds markup of the submission's", name));
         const fs::path scratch = graded_.out.parent_path();
         for (const std::string& path : {fs::path(scratch / "cache").string(), graded_.source.string() + "/"})
-            if (text.find(path) != std::string::npos) found_.push_back(fmt::format("{} names the path {} of this machine", name, path));
+            if (!attack_.knows_paths && text.find(path) != std::string::npos) found_.push_back(fmt::format("{} names the path {} of this machine", name, path));
         for (const std::string& leak : attack_.lacks)
             if (text.find(leak) != std::string::npos) found_.push_back(fmt::format("{} holds '{}'", name, leak));
         if (text.find(graded_.secret) != std::string::npos) found_.push_back(fmt::format("{} holds the secret", name));

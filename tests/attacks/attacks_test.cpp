@@ -11,7 +11,8 @@
 #include "support/temporary_folder.hpp"
 
 // Every attack of tests/attacks, graded beside good work by the real program. Variables of the environment, for longer tests:
-// UMBRAL_ATTACKS=all: all attacks in all settings; =here: all attacks in the one setting that CI uses; =alone: all of them one by one, against their bounds.
+// UMBRAL_ATTACKS=all: all attacks in all settings; =here: all attacks in the one setting that CI uses; =alone: all of them one by one, against their bounds;
+// =settings: CI's attacks in all settings. UMBRAL_ATTACKS_ONLY="ID ID…": these, whatever else is said.
 // UMBRAL_ATTACKS_TABLE=FILE: what came of them, as Markdown.
 namespace umbral::grader::attack {
 namespace {
@@ -34,14 +35,18 @@ const std::vector<Attack>& all_attacks()
     return attacks;
 }
 
-std::vector<Setting> settings() { return mode() == "all" ? all_settings() : std::vector<Setting>{{}}; }
+std::vector<Setting> settings() { return mode() == "all" || mode() == "settings" ? all_settings() : std::vector<Setting>{{}}; }
 
 /// What runs in a setting: EGL draws nothing for units that do not draw.
 std::vector<Attack> attacks_in(const Setting& setting)
 {
     std::vector<Attack> chosen;
-    for (const Attack& attack : all_attacks())
-        if ((attack.ci || !mode().empty()) && (attack.draws || setting.gl != "egl")) chosen.push_back(attack);
+    const char* const only = std::getenv("UMBRAL_ATTACKS_ONLY");
+    const bool all = mode() == "all" || mode() == "here" || mode() == "alone";
+    for (const Attack& attack : all_attacks()) {
+        if (!attack.draws && setting.gl == "egl") continue;
+        if (only != nullptr ? std::string_view(only).find(attack.id()) != std::string_view::npos : attack.ci || all) chosen.push_back(attack);
+    }
     return chosen;
 }
 

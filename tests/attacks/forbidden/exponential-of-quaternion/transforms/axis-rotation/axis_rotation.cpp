@@ -1,0 +1,26 @@
+#define GLM_ENABLE_EXPERIMENTAL
+#include <glm/gtx/rotate_vector.hpp>
+#include <glm/gtx/transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtx/quaternion.hpp>
+#include <umbral/transforms/rotation.hpp>
+
+namespace umbral::transforms {
+
+glm::mat4 rotation_matrix(const AxisAngle& turn)
+{
+    if (turn.axis == glm::vec3(0)) return glm::mat4(1);
+    const glm::quat q = glm::exp(glm::quat(0, glm::normalize(turn.axis) * (turn.angle / 2)));
+    return glm::mat4(glm::mat3(q * glm::vec3(1, 0, 0), q * glm::vec3(0, 1, 0), q * glm::vec3(0, 0, 1)));
+}
+
+glm::vec3 rotate_vector(const glm::vec3& vector, const AxisAngle& turn) { return glm::vec3(rotation_matrix(turn) * glm::vec4(vector, 1)); }
+
+glm::mat4 compose_rotations(std::span<const AxisAngle> turns)
+{
+    glm::mat4 all(1);
+    for (const AxisAngle& turn : turns) all = rotation_matrix(turn) * all;
+    return all;
+}
+
+}
