@@ -100,8 +100,7 @@ Unpacked unpack(const ArchiveTools& tools, std::string_view archive)
     const std::filesystem::path copy = scratch.path() / "archive";
     std::ofstream stream(copy, std::ios::binary);
     stream << archive;
-    if (!stream.flush())
-        throw std::runtime_error(fmt::format("cannot copy an archive to {}: is the disk full?", tools.scratch.string()));
+    if (!stream.flush()) throw std::runtime_error(fmt::format("cannot copy an archive to {}: is the disk full?", tools.scratch.string()));
 
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";

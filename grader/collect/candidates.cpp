@@ -8,10 +8,7 @@
 namespace umbral::grader {
 namespace {
 
-bool is_named(std::string_view folder, std::string_view name) 
-{
-    return folder_key(without_archive_suffix(last_part(folder))) == folder_key(name);
-}
+bool is_named(std::string_view folder, std::string_view name) { return folder_key(without_archive_suffix(last_part(folder))) == folder_key(name); }
 
 Place place_of(std::string_view path, const Exercise& exercise, const std::string& name)
 {
@@ -29,17 +26,13 @@ std::vector<Candidate> candidates_for(const SubmittedFiles& submitted, const Exe
     std::vector<Candidate> candidates;
     const std::string key = file_key(name);
     for (const auto& [path, text] : submitted.files)
-        if (file_key(last_part(path)) == key)
-            candidates.push_back({path, text, place_of(path, exercise, name), is_stub(text, exercise, name)});
+        if (file_key(last_part(path)) == key) candidates.push_back({path, text, place_of(path, exercise, name), is_stub(text, exercise, name)});
     // Among equals the plain name comes first.
     std::ranges::stable_sort(candidates, {}, [&](const Candidate& one) { return std::pair(one.place, last_part(one.path) != name); });
     return candidates;
 }
 
-bool is_own_folder(std::string_view folder, const Exercise& exercise)
-{
-    return is_named(folder, exercise.name);
-}
+bool is_own_folder(std::string_view folder, const Exercise& exercise) { return is_named(folder, exercise.name); }
 
 Choice choose(std::span<const Candidate> candidates)
 {
@@ -59,9 +52,7 @@ Choice choose(std::span<const Candidate> candidates)
     }
     if (!alone) {
         // Of what could not be told apart the chosen one is no better than the others.
-        std::erase_if(choice.others, [&](const std::string& path) {
-            return std::ranges::find(candidates, path, &Candidate::path)->place != first->place;
-        });
+        std::erase_if(choice.others, [&](const std::string& path) { return std::ranges::find(candidates, path, &Candidate::path)->place != first->place; });
         choice.others.insert(choice.others.begin(), first->path);
         choice.chosen = nullptr;
     }

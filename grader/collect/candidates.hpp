@@ -10,9 +10,9 @@ namespace umbral::grader {
 
 /// Where a file lies, from where a unit's file belongs to where it may be found.
 enum class Place {
-    workspace,        ///< topic/unit/file, exactly
-    flat,             ///< directly in the submission, exactly
-    like_a_workspace, ///< below a folder topic/unit, of whatever case and wherever that lies
+    workspace,         ///< topic/unit/file, exactly
+    flat,              ///< directly in the submission, exactly
+    like_a_workspace,  ///< below a folder topic/unit, of whatever case and wherever that lies
     elsewhere
 };
 
@@ -25,8 +25,7 @@ struct Candidate {
 };
 
 /// All files that could be the unit's file `name`, the best places first.
-[[nodiscard]] std::vector<Candidate> candidates_for(const SubmittedFiles& submitted, const Exercise& exercise,
-                                                    const std::string& name);
+[[nodiscard]] std::vector<Candidate> candidates_for(const SubmittedFiles& submitted, const Exercise& exercise, const std::string& name);
 
 /// Is the folder the unit's own, by its name ("Sphere", "view_matrix")?
 [[nodiscard]] bool is_own_folder(std::string_view folder, const Exercise& exercise);

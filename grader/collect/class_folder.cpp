@@ -44,9 +44,7 @@ std::vector<Entry> entries_of(const fs::path& path, ClassFolder& result)
     std::vector<Entry> entries;
     fs::directory_iterator at(path, error);
     const auto check = [&] {
-        if (error)
-            throw std::runtime_error(
-                fmt::format("{}: expected a folder with one folder a submission: {}", path.string(), error.message()));
+        if (error) throw std::runtime_error(fmt::format("{}: expected a folder with one folder a submission: {}", path.string(), error.message()));
     };
     check();
     for (; at != fs::directory_iterator(); at.increment(error), check()) {
@@ -117,8 +115,8 @@ ClassFolder class_folder(const fs::path& path, const fs::path& roster)
     std::set<std::string> ids;
     for (const Entry& entry : entries) {
         if (!ids.insert(entry.id).second)
-            throw std::runtime_error(fmt::format("{}: the id '{}', which the roster gives to one submission, is the name of another: list that one too",
-                                                 roster.string(), entry.id));
+            throw std::runtime_error(
+                fmt::format("{}: the id '{}', which the roster gives to one submission, is the name of another: list that one too", roster.string(), entry.id));
         result.submissions.push_back({entry.id, path / entry.name, entry.shown});
     }
     std::ranges::sort(result.submissions, {}, &SubmissionFolder::id);

@@ -18,7 +18,7 @@ struct SubmissionFolder {
 /// What a folder with a class's submissions holds.
 struct ClassFolder {
     std::vector<SubmissionFolder> submissions;  ///< sorted by id
-    std::vector<Ignored> ignored;  ///< sorted by path: what is no submission, with the reason; paths are printable here
+    std::vector<Ignored> ignored;               ///< sorted by path: what is no submission, with the reason; paths are printable here
 };
 
 /// Finds the submissions of a class: each folder and each archive (ana.zip, ana.tar.gz) directly in `path`; links, files and names with

@@ -27,8 +27,7 @@ const Candidate* anchor_of(const std::vector<Found>& all)
     const Candidate* anchor = nullptr;
     const auto rank = [](const Candidate& one) { return std::pair(one.stub, one.place); };
     for (const Found& found : all)
-        if (const Candidate* chosen = found.choice.chosen; chosen != nullptr && (anchor == nullptr || rank(*chosen) < rank(*anchor)))
-            anchor = chosen;
+        if (const Candidate* chosen = found.choice.chosen; chosen != nullptr && (anchor == nullptr || rank(*chosen) < rank(*anchor))) anchor = chosen;
     return anchor;
 }
 
@@ -72,10 +71,8 @@ void enter(const Found& found, const SubmittedFiles& submitted, const Exercise& 
     };
     if (choice.chosen != nullptr) {
         handed.files[name] = choice.chosen->text;
-        if (choice.chosen->place >= Place::like_a_workspace)
-            handed.notes.push_back(fmt::format("{}: taken from {}", name, one_line(choice.chosen->path)));
-        if (!choice.others.empty())
-            handed.notes.push_back(fmt::format("{}: something else stands in {}, which does not count", name, listed(choice.others)));
+        if (choice.chosen->place >= Place::like_a_workspace) handed.notes.push_back(fmt::format("{}: taken from {}", name, one_line(choice.chosen->path)));
+        if (!choice.others.empty()) handed.notes.push_back(fmt::format("{}: something else stands in {}, which does not count", name, listed(choice.others)));
     } else if (!choice.others.empty()) {
         refuse(fmt::format("{}: {} different files could be it ({}), so none was taken: hand in only one of them, or put it in {}/{}", name,
                            choice.others.size(), listed(choice.others), exercise.id, name));
@@ -123,8 +120,7 @@ void take_helpers(const SubmittedFiles& submitted, const Exercise& exercise, std
         handed.files[*name] = text;
         bytes += text.size();
     }
-    if (!left_out.empty())
-        handed.notes.push_back(fmt::format("not read, since there are too many files or bytes, or two of one name: {}", listed(left_out)));
+    if (!left_out.empty()) handed.notes.push_back(fmt::format("not read, since there are too many files or bytes, or two of one name: {}", listed(left_out)));
 }
 
 /// Where something is missing, what could not be looked into may be the reason.
@@ -156,9 +152,6 @@ Handed collect(const SubmittedFiles& submitted, const Exercise& exercise)
     return handed;
 }
 
-Handed collect(const std::filesystem::path& folder, const Exercise& exercise)
-{
-    return collect(read_submission(folder), exercise);
-}
+Handed collect(const std::filesystem::path& folder, const Exercise& exercise) { return collect(read_submission(folder), exercise); }
 
 }

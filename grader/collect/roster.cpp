@@ -51,8 +51,7 @@ private:
         std::string field(rest_.substr(0, end));
         rest_.remove_prefix(end);
         if (field.ends_with('\r')) field.pop_back();
-        if (field.find('"') != std::string::npos)
-            fail(where_, line_, "a quote within a field: write the whole field in quotes, and each quote in it twice");
+        if (field.find('"') != std::string::npos) fail(where_, line_, "a quote within a field: write the whole field in quotes, and each quote in it twice");
         return field;
     }
 

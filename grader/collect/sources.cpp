@@ -47,10 +47,7 @@ Sources texts_of(const Sources& files)
     return texts;
 }
 
-bool is_stub(std::string_view text, const Exercise& exercise, const std::string& name)
-{
-    return essence(text) == essence(read_text(exercise.folder / name));
-}
+bool is_stub(std::string_view text, const Exercise& exercise, const std::string& name) { return essence(text) == essence(read_text(exercise.folder / name)); }
 
 bool equals_stub(const Sources& files, const Exercise& exercise)
 {

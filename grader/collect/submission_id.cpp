@@ -104,9 +104,7 @@ bool is_combining_accent(std::string_view character)
 
 bool is_submission_id(std::string_view name)
 {
-    const auto plain = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
-    };
+    const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-'; };
     return !name.empty() && name.size() <= 128 && name != "." && name != ".." && std::ranges::all_of(name, plain);
 }
 

@@ -19,10 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string joined(std::string_view folder, std::string_view name)
-{
-    return folder.empty() ? std::string(name) : fmt::format("{}/{}", folder, name);
-}
+std::string joined(std::string_view folder, std::string_view name) { return folder.empty() ? std::string(name) : fmt::format("{}/{}", folder, name); }
 
 /// Gathers what is found, within the caps.
 class Intake {
@@ -33,8 +30,8 @@ public:
     {
         if (full() || bytes_ + bytes.size() > caps::submission_bytes) {
             if (!full_)
-                note(fmt::format("it holds more than {} files or {} MiB of source code; the rest was not read",
-                                 caps::submission_files, caps::submission_bytes >> 20U));
+                note(fmt::format("it holds more than {} files or {} MiB of source code; the rest was not read", caps::submission_files,
+                                 caps::submission_bytes >> 20U));
             full_ = true;
             return ignore(path, "the submission holds too much source code");
         }
@@ -61,8 +58,7 @@ public:
     {
         if (tools_.programs.empty()) return ignore(path, "archives are not opened here: unpack it");
         if (depth > caps::archive_depth) return ignore(path, "it is an archive within an archive within another: unpack it");
-        if (archives_full())
-            return ignore(path, fmt::format("only the first {} archives are opened", caps::submission_archives));
+        if (archives_full()) return ignore(path, fmt::format("only the first {} archives are opened", caps::submission_archives));
         ++archives_;
         Unpacked unpacked = unpack(tools_, bytes);
         for (const std::string& text : unpacked.notes) note(fmt::format("{}: {}", one_line(path), text));
@@ -118,8 +114,7 @@ std::vector<std::string> find_files(int root, Intake& intake)
             break;
         }
     }
-    if (too_deep)
-        intake.note(fmt::format("folders are more than {} deep; the deepest were not looked at", caps::submission_depth));
+    if (too_deep) intake.note(fmt::format("folders are more than {} deep; the deepest were not looked at", caps::submission_depth));
     return paths;
 }
 

@@ -26,8 +26,8 @@ struct Ignored {
 /// whatever bytes the student's file system allowed (so print them with one_line()); never absolute, without "." and "..". What came
 /// out of an archive lies below the archive's own path: "work.zip/sphere.cpp".
 struct SubmittedFiles {
-    Sources files;                 ///< texts by path: UTF-8 without byte order mark where the file was UTF-16 or had such a mark
-    std::vector<Ignored> ignored;  ///< by path: links, what is too big, what cannot be read; of these at most caps::submission_ignored
+    Sources files;                   ///< texts by path: UTF-8 without byte order mark where the file was UTF-16 or had such a mark
+    std::vector<Ignored> ignored;    ///< by path: links, what is too big, what cannot be read; of these at most caps::submission_ignored
     std::vector<std::string> notes;  ///< what the student should know of the whole: a limit was reached, an archive is damaged
 };
 

@@ -52,7 +52,7 @@ struct Budget {
 
 struct Data {
     std::string bytes;
-    bool whole = true;   ///< false: more than the limit
+    bool whole = true;  ///< false: more than the limit
     bool damaged = false;
 };
 
@@ -79,8 +79,7 @@ void pass_over(archive* reader, Budget& budget)
     const void* block = nullptr;
     std::size_t size = 0;
     la_int64_t offset = 0;
-    while (budget.unpacked > 0 && archive_read_data_block(reader, &block, &size, &offset) == ARCHIVE_OK)
-        (void)budget.take(&Budget::unpacked, size);
+    while (budget.unpacked > 0 && archive_read_data_block(reader, &block, &size, &offset) == ARCHIVE_OK) (void)budget.take(&Budget::unpacked, size);
 }
 
 bool has_junk(std::string_view path)
@@ -100,8 +99,7 @@ std::string path_of(archive_entry* entry)
 /// Why the current entry is not read; empty if it is, and then its bytes are in `data`.
 std::string read_entry(archive* reader, archive_entry* entry, FileKind kind, Budget& budget, Data& data)
 {
-    if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr)
-        return "it is not a regular file: hand in the file itself";
+    if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr) return "it is not a regular file: hand in the file itself";
     if (archive_entry_is_encrypted(entry) != 0) return "it is encrypted: hand it in without a password";
     const std::size_t limit = kind == FileKind::archive ? caps::archive_file : caps::source_file;
     data = read_data(reader, limit, budget);

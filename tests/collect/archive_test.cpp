@@ -30,11 +30,8 @@ TEST_F(Archives, paths_lead_nowhere_else)
                                                         {"a/./b/../c.cpp", "dots"},
                                                         {"C:\\temp\\drive.cpp", "drive"},
                                                         {"..\\back.cpp", "back"}}));
-        EXPECT_EQ(result.files, (Files{{"etc/sphere.cpp", "up"},
-                                       {"root/abs.cpp", "absolute"},
-                                       {"a/b/c.cpp", "dots"},
-                                       {"temp/drive.cpp", "drive"},
-                                       {"back.cpp", "back"}}))
+        EXPECT_EQ(result.files,
+                  (Files{{"etc/sphere.cpp", "up"}, {"root/abs.cpp", "absolute"}, {"a/b/c.cpp", "dots"}, {"temp/drive.cpp", "drive"}, {"back.cpp", "back"}}))
             << format;
         EXPECT_TRUE(result.notes.empty());
     }
@@ -74,7 +71,7 @@ TEST_F(Archives, what_is_no_source_code_stays_inside)
 TEST_F(Archives, bombs_go_off_harmlessly)
 {
     const std::string zeros(std::size_t{300} << 20U, '\0');
-    for (const auto& [format, filter] : {std::pair("zip", "none"), std::pair("ustar", "gzip"), std::pair("ustar", "bzip2")}) {
+    for (const auto& [format, filter] : {std::pair("zip", "none"), std::pair("ustar", "gzip")}) {
         const std::string bomb = write_archive(format, filter, {{"first.cpp", "first"}, {"zeros.cpp", zeros}, {"last.cpp", "last"}});
         EXPECT_LT(bomb.size(), std::size_t{2} << 20U);
         const Unpacked result = unpacked(bomb);

@@ -77,9 +77,31 @@ TEST_F(ClassFolders, names_of_reports_files_are_nobodys)
 
 TEST_F(ClassFolders, whatever_the_names_ids_are_plain_and_unique)
 {
-    const std::vector<std::string> names{
-        "a b",       "a-b",  "a,b", "á b",    "😀",     "😀😀", "\xff\xfe", "new\nline", "\x1b[31mred", " ", std::string(255, 'x'), std::string(254, 'x') + "y",
-        "Ana.json.", "日本", "...x", "class.json", "class-json", "%s%n", "*", "$(id)", "`id`", "con", "\xcc", "a\xcc", "a\xcc\x81"};
+    const std::vector<std::string> names{"a b",
+                                         "a-b",
+                                         "a,b",
+                                         "á b",
+                                         "😀",
+                                         "😀😀",
+                                         "\xff\xfe",
+                                         "new\nline",
+                                         "\x1b[31mred",
+                                         " ",
+                                         std::string(255, 'x'),
+                                         std::string(254, 'x') + "y",
+                                         "Ana.json.",
+                                         "日本",
+                                         "...x",
+                                         "class.json",
+                                         "class-json",
+                                         "%s%n",
+                                         "*",
+                                         "$(id)",
+                                         "`id`",
+                                         "con",
+                                         "\xcc",
+                                         "a\xcc",
+                                         "a\xcc\x81"};
     for (const std::string& name : names) make(name);
     make("a-b-" + short_hash("a b"));
     const ClassFolder result = read();

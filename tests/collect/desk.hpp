@@ -12,14 +12,8 @@ namespace umbral::grader::test {
 /// A fresh folder for one submission, and what reading it needs.
 class Desk {
 public:
-    [[nodiscard]] Exercise exercise(const std::string& id) const
-    {
-        return load_exercise(std::filesystem::path(UMBRAL_SOURCE_DIR) / "exercises" / id);
-    }
-    [[nodiscard]] ArchiveTools tools() const
-    {
-        return {std::filesystem::path(UMBRAL_BUILD_DIR) / "bin", folder_ / "scratch"};
-    }
+    [[nodiscard]] Exercise exercise(const std::string& id) const { return load_exercise(std::filesystem::path(UMBRAL_SOURCE_DIR) / "exercises" / id); }
+    [[nodiscard]] ArchiveTools tools() const { return {std::filesystem::path(UMBRAL_BUILD_DIR) / "bin", folder_ / "scratch"}; }
     /// The submission; made when the first file is written.
     [[nodiscard]] std::filesystem::path folder() const { return folder_ / "work"; }
     /// Beside the submission.
@@ -27,10 +21,7 @@ public:
     void write(const std::string& path, std::string_view text) const { folder_.write("work/" + path, text); }
 
     [[nodiscard]] SubmittedFiles submitted() const { return read_submission(folder(), tools()); }
-    [[nodiscard]] Handed collected(const std::string& unit = "raytracing/sphere") const
-    {
-        return collect(submitted(), exercise(unit));
-    }
+    [[nodiscard]] Handed collected(const std::string& unit = "raytracing/sphere") const { return collect(submitted(), exercise(unit)); }
 
 private:
     umbral::test::TemporaryFolder folder_;

@@ -12,8 +12,7 @@ const std::string solution = "#include <optional>\n// a solution: ñ, €\nint a
 
 std::string replaced(std::string text, const std::string& what, const std::string& with)
 {
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
-        text.replace(at, what.size(), with);
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) text.replace(at, what.size(), with);
     return text;
 }
 

@@ -41,8 +41,7 @@ inline std::string write_archive(const std::string& format, const std::string& f
         if (one.type == AE_IFLNK) archive_entry_set_symlink(entry, one.link.c_str());
         archive_entry_set_size(entry, one.type == AE_IFREG ? static_cast<la_int64_t>(one.data.size()) : 0);
         check(archive_write_header(writer, entry));
-        if (one.type == AE_IFREG && archive_write_data(writer, one.data.data(), one.data.size()) < 0)
-            throw std::runtime_error(archive_error_string(writer));
+        if (one.type == AE_IFREG && archive_write_data(writer, one.data.data(), one.data.size()) < 0) throw std::runtime_error(archive_error_string(writer));
         archive_entry_free(entry);
     }
     check(archive_write_close(writer));
