@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "batch/grade_unit.hpp"
+#include "batch/planted.hpp"
 #include "forging.hpp"
 #include "raw_calls.hpp"
 #include "support/workbench.hpp"
@@ -67,7 +68,7 @@ TEST_P(Forgeries, earn_nothing_and_are_no_fault_of_the_grader)
     GradeOptions options;
     options.explain = false;
 
-    const UnitResult result = grade_unit(workshop, exercise, {{{"sphere.cpp", text}}, {}, ""}, options);
+    const UnitResult result = grade_unit(workshop, exercise, {planted(bench, text), {}, ""}, options);
     EXPECT_NE(result.output.find("found it"), std::string::npos) << to_string(result.verdict) << ": " << result.message << result.output;
     EXPECT_NE(result.verdict, Verdict::grader_fault) << result.message;
     EXPECT_EQ(result.max_score, 10000);
