@@ -52,7 +52,7 @@ Part grade_part(Workshop& workshop, const SubmissionPlan& plan, const Exercise& 
     return part;
 }
 
-/// Keeps what was found of a unit: a fault only to be shown, anything else for as long as its key holds.
+/// Keeps what was found of a unit: a fault, and what may come out otherwise, only to be shown, anything else for as long as its key holds.
 void keep(const fs::path& folder, const Exercise& exercise, const std::string& key, Part& part)
 {
     const std::string& id = exercise.id;
@@ -61,7 +61,7 @@ void keep(const fs::path& folder, const Exercise& exercise, const std::string& k
         keep_unit(fault_file(folder, id), part.unit, part.sections);
         return;
     }
-    part.unit.key = key;
+    if (part.unit.result.settled) part.unit.key = key;
     keep_unit(unit_file(folder, id), part.unit, part.sections);
     fs::remove(fault_file(folder, id));
 }

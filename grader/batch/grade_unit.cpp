@@ -126,6 +126,12 @@ std::size_t bytes_of(const Sources& files)
     return bytes;
 }
 
+/// Was this run stopped by the clock while it hardly computed? It may have waited, or the machine may have been busy with others.
+bool was_starved(const RunOutcome& run, const Limits& limits)
+{
+    return run.verdict == Verdict::timeout && run.cpu_seconds < 0.5 * limits.wall_seconds;
+}
+
 UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built& built, const GradeOptions& options)
 {
     CaseResults cases;
@@ -151,6 +157,7 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
         result.reference_seconds += one.reference_seconds;
     }
     result.verdict = verdict_of(result, cases);
+    result.settled = std::ranges::none_of(cases, [&](const auto& entry) { return was_starved(entry.second.student, exercise.limits); });
     result.message = troubles(cases);
     result.output = printed_text(exercise, cases);
     if (options.explain && result.verdict != Verdict::ok) result.explanations = explain_unit(workshop, exercise, result, cases);
@@ -182,6 +189,7 @@ UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed
         } else {
             const Built built = build(workshop.tools(), exercise, handed.files);
             result = built.verdict == Verdict::ok ? grade_built(workshop, exercise, built, options) : without_points(exercise, built.verdict, built.message);
+            result.settled = result.settled && built.repeatable;
         }
     } catch (const std::exception& fault) {
         result = grader_fault(exercise, fault.what());

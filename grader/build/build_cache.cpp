@@ -20,28 +20,42 @@ struct Entry {
     Time used;
 };
 
+/// A link could lead anywhere: what is looked at, and removed, are folders of the cache itself.
+bool is_own_folder(const fs::path& path)
+{
+    std::error_code gone;
+    return fs::is_directory(fs::symlink_status(path, gone));
+}
+
+std::vector<fs::path> folders_in(const fs::path& folder)
+{
+    std::vector<fs::path> folders;
+    std::error_code error;
+    if (!is_own_folder(folder)) return folders;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+        if (is_own_folder(at->path())) folders.push_back(at->path());
+    return folders;
+}
+
 std::vector<Entry> entries_of(const fs::path& builds)
 {
     std::vector<Entry> entries;
-    std::error_code error;
-    for (const auto& letters : fs::directory_iterator(builds, error)) {
-        std::error_code gone;
-        for (const auto& entry : fs::directory_iterator(letters.path(), gone)) {
-            const Time used = fs::last_write_time(entry.path(), gone);
-            if (!gone) entries.push_back({entry.path(), bytes_below(entry.path()), used});
+    for (const fs::path& letters : folders_in(builds))
+        for (const fs::path& entry : folders_in(letters)) {
+            std::error_code gone;
+            const Time used = fs::last_write_time(entry, gone);
+            if (!gone) entries.push_back({entry, bytes_below(entry), used});
         }
-    }
     return entries;
 }
 
 void remove_old_scratch(const fs::path& cache, Time now)
 {
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(cache, error)) {
+    for (const fs::path& folder : folders_in(cache)) {
         std::error_code gone;
-        const Time written = fs::last_write_time(entry.path(), gone);
-        if (gone || !is_scratch_name(entry.path().filename().string()) || now - written < std::chrono::hours(24)) continue;
-        fs::remove_all(entry.path(), gone);
+        const Time written = fs::last_write_time(folder, gone);
+        if (gone || !is_scratch_name(folder.filename().string()) || now - written < std::chrono::hours(24)) continue;
+        fs::remove_all(folder, gone);
     }
 }
 

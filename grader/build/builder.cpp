@@ -1,10 +1,14 @@
 #include "build/builder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -16,6 +20,7 @@
 #include "model/caps.hpp"
 #include "model/digest.hpp"
 #include "model/recording.hpp"
+#include "run/descriptor.hpp"
 #include "model/scratch.hpp"
 
 namespace umbral::grader {
@@ -85,11 +90,24 @@ Built keep(const Built& built, const fs::path& work, const fs::path& folder)
     throw std::runtime_error(fmt::format("cannot keep a build in {}: {}; is the disk full?", folder.string(), taken.message()));
 }
 
+/// Is there room on the disk for what compiling writes? Linkers do not always say that it was missing. Throws std::runtime_error.
+void require_room(const fs::path& folder)
+{
+    constexpr off_t bytes = off_t{8} << 20U;
+    const fs::path file = folder / "room";
+    const Descriptor probe(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
+    const int failed = !probe ? errno : posix_fallocate(probe.get(), 0, bytes);
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    if (failed != 0) throw std::runtime_error(fmt::format("nothing can be compiled in {}: {}", folder.parent_path().string(), std::strerror(failed)));
+}
+
 /// Does this machine compile at all, now? A file that cannot fail, compiled like a student's. Throws std::runtime_error with what the
 /// compiler says: then it is the machine that fails, and nobody's work.
 void require_a_working_compiler(const Toolchain& tools, const Exercise& exercise)
 {
     const ScratchFolder work(tools.cache);
+    require_room(work.path());
     const Compilation canary = compile(tools, exercise, {{"canary.cpp", "int canary(int x) { return x + 1; }\n"}}, work.path());
     if (canary.outcome == Compilation::Outcome::built) return;
     throw std::runtime_error(fmt::format("the compiler fails on this machine, whatever it compiles: {}", one_line(canary.diagnostics, 1024)));
@@ -100,6 +118,7 @@ Compilation compile_surely(const Toolchain& tools, const Exercise& exercise, con
 {
     Compilation compilation = compile(tools, exercise, files, work.path());
     if (compilation.outcome != Compilation::Outcome::unexplained) return compilation;
+    // With what the first attempt left on the disk: if it is full, it is full now.
     require_a_working_compiler(tools, exercise);
     for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
     compilation = compile(tools, exercise, files, work.path());

@@ -60,6 +60,9 @@ struct UnitResult {
     std::vector<Explanation> explanations;  ///< best first
     std::string output;                     ///< what the student's code printed, bounded
     std::uint64_t seed = 0;                 ///< of the visible cases
+    /// Would it come out so again? Not where a compiler or a run ended for want of time or memory that a machine under load may have taken:
+    /// such a result is shown, and asked for again the next time. In no file.
+    bool settled = true;
     Millipoints unscored = 0;               ///< of a grader fault: the points that are in no sum because of it
 };
 

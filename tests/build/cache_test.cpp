@@ -184,6 +184,16 @@ TEST_F(Cache, drops_what_was_not_used_for_longest)
     EXPECT_EQ(left(), "ade") << "what was used within the hour stays";
 }
 
+TEST_F(Cache, a_link_in_its_place_is_not_followed)
+{
+    const fs::path elsewhere = bench.write("elsewhere/aa/key/precious.txt", "x");
+    fs::last_write_time(elsewhere.parent_path(), fs::file_time_type::clock::now() - std::chrono::hours(50));
+    fs::create_directory(bench.folder() / "small");
+    fs::create_directory_symlink(bench.folder() / "elsewhere", bench.folder() / "small" / "builds");
+    prune_builds(bench.folder() / "small", 0);
+    EXPECT_TRUE(fs::exists(elsewhere));
+}
+
 TEST_F(Cache, old_scratch_goes_and_new_stays)
 {
     const fs::path cache = bench.folder() / "small";

@@ -132,6 +132,8 @@ const std::vector<Forbidden> families = {
      rotation("extern \"C\" void glTranslatef(float, float, float);", "glTranslatef(axis.x, axis.y, axis.z); return glm::mat4(angle);"), "glTranslatef"},
     {"quat_look_at", "projections/view-matrix", "view_matrix.cpp",
      rotation("#include <glm/gtc/quaternion.hpp>", "return glm::mat4_cast(glm::quatLookAt(axis, axis));"), "glm::quatLookAt"},
+    {"diagonal", "transforms/basic-matrices", "basic_matrices.cpp",
+     rotation("#include <glm/gtx/matrix_operation.hpp>", "return glm::diagonal4x4(glm::vec4(axis, angle));"), "glm::diagonal4x4"},
     {"dot_product", "transforms/vectors", "vectors.cpp", rotation("", "return glm::mat4(glm::dot(axis, axis));"), "glm::dot"},
     {"norm", "transforms/vectors", "vectors.cpp", rotation("#include <glm/gtx/norm.hpp>", "return glm::mat4(glm::l2Norm(axis));"), "glm::"},
 };
