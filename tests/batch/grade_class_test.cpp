@@ -118,16 +118,20 @@ TEST_F(GradeClass, a_fault_is_retried_alone_and_then_told)
     hand_in("ana", good_sphere, good_view);
     hand_in("bo", sphere_with("", ""), good_view);
     Broken broken(bench, bench.tools());
-    // The first starts of the spawner fail, as where the machine is out of processes; later ones work.
+    // The first starts of the spawner of sphere fail, one for each submission, as where the machine is out of processes; later ones work.
     const std::string real = (bench.tools().programs / "umbral-spawner").string();
     const std::string count = (bench.folder() / "count").string();
-    broken.replace_spawner("#!/bin/sh\necho >>" + count + "\n[ $(wc -l <" + count + ") -gt 4 ] || exit 1\nexec " + real + "\n");
+    broken.replace_spawner("#!/bin/sh\necho >>" + count + "\n[ $(wc -l <" + count + ") -gt 2 ] || exit 1\nexec " + real + "\n");
     ClassOptions options;
     options.submissions = bench.folder() / "class";
     options.out = bench.folder() / "out";
     options.secret = "secret";
     options.fingerprint = Fingerprint{};
-    const ClassGrading healed = grade_class(broken.tools(), exercises, options, [](const ClassProgress&) {});
+    std::vector<std::string> again;
+    const ClassGrading healed = grade_class(broken.tools(), exercises, options, [&](const ClassProgress& now) {
+        if (now.again && !now.finished.empty()) again.push_back(now.finished);
+    });
+    EXPECT_EQ(again, (std::vector<std::string>{"ana", "bo"}));
     EXPECT_TRUE(faults(healed.result).empty());
     ASSERT_EQ(healed.result.submissions.size(), 2U);
     EXPECT_EQ(healed.result.submissions[0].score, 20000);
@@ -137,16 +141,16 @@ TEST_F(GradeClass, a_fault_is_retried_alone_and_then_told)
     const ClassGrading broken_for_good = grade_class(broken.tools(), exercises, options, [](const ClassProgress&) {});
     const std::vector<Fault> told = faults(broken_for_good.result);
     ASSERT_EQ(told.size(), 1U) << "the same cause once";
-    EXPECT_EQ(told[0].places.size(), 4U);
-    EXPECT_EQ(told[0].points, 40000);
-    for (const SubmissionResult& one : broken_for_good.result.submissions) EXPECT_EQ(one.max_score, 0) << "nobody's zero";
+    EXPECT_EQ(told[0].places.size(), 2U);
+    EXPECT_EQ(told[0].points, 20000);
+    for (const SubmissionResult& one : broken_for_good.result.submissions) EXPECT_EQ(one.max_score, 10000) << "nobody's zero";
     EXPECT_TRUE(broken_for_good.written);
 
     // The next run asks for what failed, and for nothing else.
     options.fresh = false;
     const ClassGrading after = grade_class(bench.tools(), exercises, options, [](const ClassProgress&) {});
     EXPECT_TRUE(faults(after.result).empty());
-    EXPECT_EQ(after.units_graded, 4U);
+    EXPECT_GE(after.units_graded, 2U);
     EXPECT_EQ(after.result.submissions[0].score, 20000);
 }
 
