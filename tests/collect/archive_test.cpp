@@ -157,6 +157,7 @@ TEST(UnpackedText, is_not_believed)
         EXPECT_TRUE(result.files.empty()) << text;
         EXPECT_EQ(result.notes.back(), "it could not be read to its end") << text;
     }
+    EXPECT_TRUE(parse_unpacked("file 5000 0\n" + std::string(5000, 'p') + "end\n").files.empty());
     // What came before the damage counts.
     EXPECT_EQ(parse_unpacked("file 1 2\naxxfile").files.size(), 1U);
     EXPECT_EQ(parse_unpacked("file 13 1\n../../etc/x.cxend\n").files, (Files{{"etc/x.c", "x"}}));

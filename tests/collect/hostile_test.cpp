@@ -11,6 +11,7 @@
 
 #include "collect/as_nobody.hpp"
 #include "collect/desk.hpp"
+#include "collect/folder_reader.hpp"
 #include "model/caps.hpp"
 #include "run/descriptor.hpp"
 
@@ -59,6 +60,17 @@ TEST_F(HostileFolder, links_in_a_circle)
     fs::create_symlink("b.cpp", desk.folder() / "a.cpp");
     fs::create_symlink("a.cpp", desk.folder() / "b.cpp");
     expect_found_beside_it();
+}
+
+// A folder that was one when it was listed may be a link by now.
+TEST_F(HostileFolder, no_part_of_a_path_is_followed_through_a_link)
+{
+    fs::create_directories(desk.elsewhere());
+    std::ofstream(desk.elsewhere() / "sphere.cpp") << "somebody's";
+    fs::create_symlink(desk.elsewhere(), desk.folder() / "link");
+    const Descriptor folder(open(desk.folder().c_str(), O_RDONLY | O_DIRECTORY));
+    EXPECT_FALSE(read_file_below(folder.get(), "link/sphere.cpp", 100).refused.empty());
+    EXPECT_FALSE(list_folder_below(folder.get(), "link", 100).refused.empty());
 }
 
 TEST_F(HostileFolder, pipes_sockets_and_devices)
