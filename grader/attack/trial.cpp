@@ -22,7 +22,7 @@ constexpr const char* reference_id = "good-reference";
 constexpr std::pair<const char*, const char*> samples[] = {{"good-diego", "diego-different"}, {"good-carla", "carla-typical-mistakes"}};
 
 /// The reference as a student would hand it in, for each of the units.
-void hand_in_reference(const Target& target, const std::vector<std::string>& units, const fs::path& submission)
+void hand_in_reference(const Target& target, const std::vector<std::string>& units, const fs::path& submission, const std::string& comment = "")
 {
     for (const std::string& unit : units) {
         const fs::path topic = fs::path(unit).parent_path();
@@ -31,6 +31,7 @@ void hand_in_reference(const Target& target, const std::vector<std::string>& uni
         for (const std::string name : manifest.at("files")) {
             const fs::path beside = target.reference / unit / name;
             fs::copy_file(fs::exists(beside) ? beside : target.reference / topic / name, submission / unit / name);
+            std::ofstream(submission / unit / name, std::ios::app) << comment;
         }
     }
 }
@@ -120,6 +121,8 @@ Graded grade_beside_good(const Target& target, const Setting& setting, std::span
     std::ofstream(scratch / "secret") << graded.secret;
     fs::permissions(scratch / "secret", fs::perms::owner_read | fs::perms::owner_write);
     hand_in_reference(target, units, graded.submissions / reference_id);
+    for (int i = 0; i < target.more_good; ++i)
+        hand_in_reference(target, units, graded.submissions / fmt::format("more-{}", i), fmt::format("\n// of number {}\n", i));
     for (const auto& [id, folder] : samples) fs::copy(target.sample_class / folder, graded.submissions / id, fs::copy_options::recursive);
     for (const Attack& attack : attacks) copy_attack(attack, target, scratch);
     if (setting.as_nobody) give_to_nobody(scratch);

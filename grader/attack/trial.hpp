@@ -19,6 +19,7 @@ struct Target {
     std::filesystem::path reference;     ///< answers, which are handed in as good work
     std::filesystem::path exercises;     ///< which files a unit has
     std::filesystem::path sample_class;  ///< tests/class: more good work
+    int more_good = 0;                   ///< so many further copies of the answers, each with a comment of its own
 };
 
 /// What is left of grading a class: its reports by submission, and what it cost.

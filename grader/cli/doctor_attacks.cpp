@@ -30,7 +30,7 @@ void attack_this_machine(Application& application)
 {
     const fs::path source = application.tools.exercises.parent_path();
     const std::vector<attack::Attack> attacks = harmless_attacks(source / "tests" / "attacks");
-    const attack::Target target{application.tools.programs / "umbral", application.tools.reference, application.tools.exercises, source / "tests" / "class"};
+    const attack::Target target{application.tools.programs / "umbral", application.tools.reference, application.tools.exercises, source / "tests" / "class", 0};
     attack::Setting setting;
     if (const char* const gl = std::getenv("UMBRAL_GL")) setting.gl = gl;
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 const fs::path source = UMBRAL_SOURCE;
 
-Target target() { return {UMBRAL_PROGRAM, source / "reference", source / "exercises", source / "tests" / "class"}; }
+Target target() { return {UMBRAL_PROGRAM, source / "reference", source / "exercises", source / "tests" / "class", 0}; }
 
 std::string mode()
 {
