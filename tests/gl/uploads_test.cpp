@@ -1,6 +1,7 @@
 #include <array>
 #include <cstring>
 #include <span>
+#include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 #include <umbral/gl/trace.hpp>
@@ -32,11 +33,13 @@ std::uint64_t bytes_of(Work work)
 
 class Uploads : public GlTest {
 protected:
+    const Framebuffer target{8, 8};
     GLuint buffer = 0;
     GLuint array = 0;
 
     Uploads()
     {
+        target.bind();
         glGenVertexArrays(1, &array);
         glGenBuffers(1, &buffer);
         glBindBuffer(GL_ARRAY_BUFFER, buffer);
