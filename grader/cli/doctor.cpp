@@ -124,7 +124,7 @@ void add_doctor(CLI::App& parser, Application& application)
             const std::string mark = symptom.present  ? paint(Tone::good, paint.symbol("✓", "ok"))
                                      : symptom.needed ? paint(Tone::bad, paint.symbol("✗", "NO"))
                                                       : paint(Tone::part, paint.symbol("○", "--"));
-            fmt::print("{} {:<30} {}\n", mark, symptom.name, symptom.present ? symptom.detail : symptom.remedy);
+            fmt::print("{} {:<30} {}\n", mark, symptom.name, paint.safe(symptom.present ? symptom.detail : symptom.remedy));
         }
         if (*json) fmt::print("{}\n", nlohmann::json{{"format", "umbral-doctor"}, {"version", 1}, {"symptoms", rows}}.dump(2));
     });

@@ -41,6 +41,7 @@ void expect_folder(const fs::path& folder, std::string_view meaning)
 void make_folder(const fs::path& folder)
 {
     std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error)) refuse(folder, "expected a folder, or a new name; this is not a folder");
     fs::create_directories(folder, error);
     if (error) refuse(folder, fmt::format("cannot make this folder: {}", error.message()));
     expect_access(folder, W_OK | X_OK);
