@@ -63,7 +63,7 @@ struct UnitResult {
     /// Would it come out so again? Not where a compiler or a run ended for want of time or memory that a machine under load may have taken:
     /// such a result is shown, and asked for again the next time. In no file.
     bool settled = true;
-    Millipoints unscored = 0;               ///< of a grader fault: the points that are in no sum because of it
+    Millipoints unscored = 0;  ///< of a grader fault: the points that are in no sum because of it
 };
 
 struct SubmissionResult {
