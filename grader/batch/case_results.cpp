@@ -45,7 +45,8 @@ CaseResult not_reached(std::uint64_t seed, bool hidden)
 
 std::string CaseResult::trouble() const
 {
-    if (!reached) return fmt::format("not reached: {} cases ran into the time limit, so this one was not run; it earns nothing until that loop ends", caps::timeouts);
+    if (!reached)
+        return fmt::format("not reached: {} cases ran into the time limit, so this one was not run; it earns nothing until that loop ends", caps::timeouts);
     if (is_stub()) return std::string(in_words(Verdict::not_implemented));
     if (student.verdict == Verdict::ok) return "";
     std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);

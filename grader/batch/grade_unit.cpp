@@ -127,10 +127,7 @@ std::size_t bytes_of(const Sources& files)
 }
 
 /// Was this run stopped by the clock while it hardly computed? It may have waited, or the machine may have been busy with others.
-bool was_starved(const RunOutcome& run, const Limits& limits)
-{
-    return run.verdict == Verdict::timeout && run.cpu_seconds < 0.5 * limits.wall_seconds;
-}
+bool was_starved(const RunOutcome& run, const Limits& limits) { return run.verdict == Verdict::timeout && run.cpu_seconds < 0.5 * limits.wall_seconds; }
 
 UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built& built, const GradeOptions& options)
 {
@@ -181,9 +178,9 @@ UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed
         } else if (!handed.refused.empty()) {
             result = without_points(exercise, Verdict::missing, "not read: " + handed.refused);
         } else if (const std::size_t bytes = bytes_of(handed.files); bytes > caps::unit_sources) {
-            result = without_points(exercise, Verdict::missing,
-                                    fmt::format("not read: the files of this unit take {} KiB together, and at most {} KiB are taken", bytes >> 10U,
-                                                caps::unit_sources >> 10U));
+            result = without_points(
+                exercise, Verdict::missing,
+                fmt::format("not read: the files of this unit take {} KiB together, and at most {} KiB are taken", bytes >> 10U, caps::unit_sources >> 10U));
         } else if (equals_stub(handed.files, exercise)) {
             result = without_points(exercise, Verdict::not_implemented, "the file is still the stub");
         } else {
@@ -195,8 +192,7 @@ UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed
         result = grader_fault(exercise, fault.what());
     }
     // A fault's message is kept as it is: others look for its cause in it.
-    if (!handed.notes.empty() && result.verdict != Verdict::grader_fault)
-        result.message = fmt::format("{}\n{}", fmt::join(handed.notes, "\n"), result.message);
+    if (!handed.notes.empty() && result.verdict != Verdict::grader_fault) result.message = fmt::format("{}\n{}", fmt::join(handed.notes, "\n"), result.message);
     result.seed = case_seed("visible", options.seeds.course, "", exercise.id, "", options.seeds.attempt);
     return result;
 }

@@ -24,12 +24,10 @@ double milliseconds_of(const RunOutcome& run)
 /// One side of the comparison: the student's library, or the reference if there is none.
 struct Side {
     const Built* built;
-    OutsideCost least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
-                      std::numeric_limits<double>::max()};
+    OutsideCost least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
 };
 
-std::optional<std::string> objection_of_a_round(Workshop& workshop, const Exercise& exercise, const Check& check,
-                                                const Built& built, std::uint64_t seed,
+std::optional<std::string> objection_of_a_round(Workshop& workshop, const Exercise& exercise, const Check& check, const Built& built, std::uint64_t seed,
                                                 const std::vector<double>& sizes, std::string_view names)
 {
     Side student{&built};
@@ -51,8 +49,7 @@ std::optional<std::string> objection_of_a_round(Workshop& workshop, const Exerci
     return objection_from_outside(student.least, reference.least, sizes, check.growth, names);
 }
 
-std::optional<std::string> objection_to(Workshop& workshop, const Exercise& exercise, const Check& check,
-                                        const Built& built, const CaseResult& one)
+std::optional<std::string> objection_to(Workshop& workshop, const Exercise& exercise, const Check& check, const Built& built, const CaseResult& one)
 {
     const RunOutcome& reference = workshop.trusted(exercise, Tenant::reference, check.case_name, one.seed);
     if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
@@ -62,8 +59,7 @@ std::optional<std::string> objection_to(Workshop& workshop, const Exercise& exer
     for (const CostRow& row : *cost) sizes.push_back(row.size);
     std::optional<std::string> objection;
     for (int i = 0; i < rounds; ++i) {
-        objection = objection_of_a_round(workshop, exercise, check, built, one.seed, sizes,
-                                         text_of(tensor_of(reference, check.value + ".names")));
+        objection = objection_of_a_round(workshop, exercise, check, built, one.seed, sizes, text_of(tensor_of(reference, check.value + ".names")));
         if (!objection) return std::nullopt;
     }
     return objection;
@@ -71,8 +67,7 @@ std::optional<std::string> objection_to(Workshop& workshop, const Exercise& exer
 
 }
 
-void weigh_costs(Workshop& workshop, const Exercise& exercise, const Built& built, const CaseResults& cases,
-                 UnitResult& result)
+void weigh_costs(Workshop& workshop, const Exercise& exercise, const Built& built, const CaseResults& cases, UnitResult& result)
 {
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];

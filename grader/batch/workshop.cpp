@@ -112,8 +112,7 @@ RunOutcome Workshop::run(const Exercise& exercise, const Built& built, const std
 
 RunOutcome Workshop::run_limited(const Exercise& exercise, const Built* built, const std::string& case_name, std::uint64_t seed, const CostLimit& costs)
 {
-    RunRequest wanted =
-        built != nullptr ? students_request(exercise, *built, case_name, seed) : trusted_request(exercise, Tenant::reference, case_name, seed);
+    RunRequest wanted = built != nullptr ? students_request(exercise, *built, case_name, seed) : trusted_request(exercise, Tenant::reference, case_name, seed);
     wanted.costs = costs;
     return spawner(exercise.gl).run(wanted);
 }

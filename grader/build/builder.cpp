@@ -20,8 +20,8 @@
 #include "model/caps.hpp"
 #include "model/digest.hpp"
 #include "model/recording.hpp"
-#include "run/descriptor.hpp"
 #include "model/scratch.hpp"
+#include "run/descriptor.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -40,8 +40,8 @@ std::vector<std::string> lines_of(const fs::path& file)
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("5\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw, exercise.counts_cost(), tools.compiler,
-                                  fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
+    std::string all = fmt::format("5\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw, exercise.counts_cost(),
+                                  tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
     all += read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");
     for (const std::string& used : exercise.uses) all += fmt::format("{}\n{}", used, read_text(unit_folder(tools, used) / "exports.txt"));

@@ -28,12 +28,11 @@ std::optional<Objection> missing_interface(const Inspection& inspection)
     const std::string bare = last_part(without_arguments(declared));
     std::vector<std::string> written;
     for (const InspectedFunction& function : inspection.functions)
-        if (function.name.find('(') != std::string::npos && last_part(without_arguments(function.name)) == bare)
-            written.push_back(as_written(function.name));
+        if (function.name.find('(') != std::string::npos && last_part(without_arguments(function.name)) == bare) written.push_back(as_written(function.name));
     if (written.empty())
         return Objection{Verdict::interface_mismatch, fmt::format("your file does not define {}, which the header declares", as_written(declared))};
-    return Objection{Verdict::interface_mismatch, fmt::format("you wrote {}; the header declares {}: make them equal, namespace and const included",
-                                                              listed(written), as_written(declared))};
+    return Objection{Verdict::interface_mismatch,
+                     fmt::format("you wrote {}; the header declares {}: make them equal, namespace and const included", listed(written), as_written(declared))};
 }
 
 }
@@ -62,8 +61,7 @@ std::optional<Objection> object_to_words(const Sources& files, const Exercise& e
     for (const auto& [file, text] : files) {
         const std::string bare = without_comments(text);
         for (const std::string& name : exercise.forbid)
-            if (holds_word(bare, name))
-                return Objection{Verdict::forbidden, fmt::format("{}: {} is not allowed in this unit", one_line(file), name)};
+            if (holds_word(bare, name)) return Objection{Verdict::forbidden, fmt::format("{}: {} is not allowed in this unit", one_line(file), name)};
     }
     return std::nullopt;
 }

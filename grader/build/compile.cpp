@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 /// What compilers, assemblers and linkers print when the machine is at its end, not the student.
 constexpr std::array<std::string_view, 10> machine_troubles{
-    "No space left on device", "Disk quota exceeded", "Read-only file system", "Input/output error", "Too many open files",
-    "Resource temporarily unavailable", "Killed signal", "Cannot fork", "cannot fork", "vfork: "};
+    "No space left on device",          "Disk quota exceeded", "Read-only file system", "Input/output error", "Too many open files",
+    "Resource temporarily unavailable", "Killed signal",       "Cannot fork",           "cannot fork",        "vfork: "};
 
 /// The compiler on the student's files, up to what it is to do with them.
 ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work,
@@ -154,9 +154,8 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
         return compilation;
     }
     const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
-    const ConfinedResult result =
-        run_confined(compiler_command(tools, exercise, files, work,
-                                      {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script, "-o", "student.so"}));
+    const ConfinedResult result = run_confined(
+        compiler_command(tools, exercise, files, work, {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script, "-o", "student.so"}));
     if (result.exit_status == confinement_failed) throw std::runtime_error("the compiler cannot be run: " + result.output);
     const fs::path library = work / "student.so";
     if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {

@@ -26,8 +26,7 @@ std::string_view below_include(std::string_view path)
 
 std::string sentence(std::string_view name, const ForbiddenFamily* family)
 {
-    if (family == nullptr)
-        return fmt::format("{} is not allowed in this unit: it is what you are to write yourself", one_line(name));
+    if (family == nullptr) return fmt::format("{} is not allowed in this unit: it is what you are to write yourself", one_line(name));
     return fmt::format("{} is not allowed in this unit: what {} is what you are to write yourself", one_line(name), family->what);
 }
 

@@ -33,8 +33,7 @@ struct Inspection {
 
 /// Reads `library`, which is to define the names listed in the file `interface_names` (mangled, one a line). Nothing if the file cannot be
 /// read, by its own fault: a compiler's output always can. Throws std::runtime_error if the inspector cannot be run.
-[[nodiscard]] std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library,
-                                                const std::filesystem::path& interface_names);
+[[nodiscard]] std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library, const std::filesystem::path& interface_names);
 
 /// The first of `frames` (addresses in the library, return addresses but for the first) that lies in a file of `folder`'s own:
 /// "sphere.cpp:17"; empty if there is none.

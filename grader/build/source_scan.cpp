@@ -26,10 +26,14 @@ constexpr std::array<std::string_view, 7> asm_qualifiers{"volatile", "__volatile
 constexpr std::array<std::string_view, 4> compilers_own{"pconfig", "encls", "enclu", "enclv"};
 
 /// Attributes whose arguments or effects no unit needs: text for the assembler, code without its instrumentation.
-constexpr std::array<std::string_view, 8> attributes{"section",      "symver",
-                                                     "naked",        "no_sanitize",
-                                                     "no_sanitize_coverage", "no_instrument_function",
-                                                     "patchable_function_entry", "no_profile_instrument_function"};
+constexpr std::array<std::string_view, 8> attributes{"section",
+                                                     "symver",
+                                                     "naked",
+                                                     "no_sanitize",
+                                                     "no_sanitize_coverage",
+                                                     "no_instrument_function",
+                                                     "patchable_function_entry",
+                                                     "no_profile_instrument_function"};
 /// Attributes that name another symbol: a plain name is harmless, since every symbol is inspected.
 constexpr std::array<std::string_view, 3> naming_attributes{"alias", "ifunc", "weakref"};
 

@@ -21,7 +21,7 @@ struct Toolchain {
     std::string compiler;
     std::vector<std::string> flags;
     std::uintmax_t cache_bytes = std::uintmax_t{1} << 30U;  ///< beyond which builds that were not used for long are dropped
-    double compile_seconds = 30;  ///< of processor time, and four times as many by the clock; then the compiler is stopped
+    double compile_seconds = 30;                            ///< of processor time, and four times as many by the clock; then the compiler is stopped
 };
 
 /// What opens archives in a submission.

@@ -107,7 +107,8 @@ void add_doctor(CLI::App& parser, Application& application)
     auto attack = std::make_shared<bool>(false);
     CLI::App* command = parser.add_subcommand("doctor", "Looks at this machine: compiler, OpenGL, sandbox; a remedy for each thing that is missing");
     command->add_flag("--json", *json, "As JSON");
-    command->add_flag("--attack", *attack, "Instead: grades hostile submissions that do no harm, and says of each whether this machine held")->excludes("--json");
+    command->add_flag("--attack", *attack, "Instead: grades hostile submissions that do no harm, and says of each whether this machine held")
+        ->excludes("--json");
     command->callback([&application, json, attack] {
         if (*attack) return attack_this_machine(application);
         const std::vector<Symptom> symptoms = examine(application);

@@ -49,9 +49,9 @@ void attack_this_machine(Application& application)
         for (const std::string& finding : outcome.findings) fmt::print("    {}\n", one_line(finding, 400));
     }
     for (const std::string& change : rehearsal.changes_of_good) fmt::print("good work beside it changed: {}\n", one_line(change, 400));
-    fmt::print("\n{} of {} held; good work beside them {}. Grading took {:.0f} s, {:.0f} MiB of the grader's memory and {:.0f} MiB of disk.\n", held, attacks.size(),
-               rehearsal.changes_of_good.empty() ? "kept its results to the byte" : "DID NOT KEEP ITS RESULTS", rehearsal.run.seconds, rehearsal.run.peak_mib,
-               rehearsal.cache_mib + rehearsal.reports_mib);
+    fmt::print("\n{} of {} held; good work beside them {}. Grading took {:.0f} s, {:.0f} MiB of the grader's memory and {:.0f} MiB of disk.\n", held,
+               attacks.size(), rehearsal.changes_of_good.empty() ? "kept its results to the byte" : "DID NOT KEEP ITS RESULTS", rehearsal.run.seconds,
+               rehearsal.run.peak_mib, rehearsal.cache_mib + rehearsal.reports_mib);
     if (held < attacks.size() || !rehearsal.changes_of_good.empty()) application.exit_status = exit_not_right;
 }
 

@@ -46,8 +46,7 @@ std::vector<Section> sections_of(Elf* elf)
         if (gelf_getshdr(place, &section.header) == nullptr) continue;
         if (const char* name = elf_strptr(elf, names, section.header.sh_name)) section.name = name;
         const Elf_Data* data = elf_rawdata(place, nullptr);
-        if (data != nullptr && data->d_buf != nullptr)
-            section.bytes = {static_cast<const unsigned char*>(data->d_buf), data->d_size};
+        if (data != nullptr && data->d_buf != nullptr) section.bytes = {static_cast<const unsigned char*>(data->d_buf), data->d_size};
         sections.push_back(section);
     }
     return sections;
@@ -77,8 +76,7 @@ std::optional<std::vector<Function>> functions_in(const Section& frames)
         } else {
             if (length + length_size < head) return std::nullopt;
             const std::uint64_t place = frames.header.sh_addr + at + 8;
-            const std::uint64_t begin =
-                place + static_cast<std::uint64_t>(std::int64_t{number_at(frames.bytes, at + 8)});
+            const std::uint64_t begin = place + static_cast<std::uint64_t>(std::int64_t{number_at(frames.bytes, at + 8)});
             const auto size = static_cast<std::uint32_t>(number_at(frames.bytes, at + 12));
             if (size > 0) functions.push_back({begin, begin + size});
         }
@@ -99,8 +97,7 @@ std::optional<std::uint64_t> counter_slot(Elf* elf, bool& other_uses)
         Elf_Scn* symbols_place = elf_getscn(elf, header.sh_link);
         GElf_Shdr symbols_header;
         Elf_Data* symbols = symbols_place == nullptr ? nullptr : elf_getdata(symbols_place, nullptr);
-        if (relocations == nullptr || symbols == nullptr || gelf_getshdr(symbols_place, &symbols_header) == nullptr)
-            continue;
+        if (relocations == nullptr || symbols == nullptr || gelf_getshdr(symbols_place, &symbols_header) == nullptr) continue;
         for (std::size_t index = 0; index < header.sh_size / header.sh_entsize; ++index) {
             GElf_Rela relocation;
             GElf_Sym symbol;
@@ -121,9 +118,7 @@ Bytes code_at(const std::vector<Section>& sections, std::uint64_t begin, std::ui
 {
     for (const Section& section : sections) {
         const std::uint64_t start = section.header.sh_addr;
-        if ((section.header.sh_flags & SHF_EXECINSTR) == 0 || begin < start || end < begin ||
-            end - start > section.bytes.size())
-            continue;
+        if ((section.header.sh_flags & SHF_EXECINSTR) == 0 || begin < start || end < begin || end - start > section.bytes.size()) continue;
         return section.bytes.subspan(begin - start, end - begin);
     }
     return {};
@@ -136,8 +131,7 @@ bool leads_to(const std::vector<Section>& sections, std::uint64_t target, std::u
     constexpr std::size_t entry = 16;
     const Bytes code = code_at(sections, target, target + entry);
     for (std::size_t i = 0; i + 6 <= code.size(); ++i)
-        if (code[i] == 0xff && code[i + 1] == 0x25)
-            return target + i + 6 + static_cast<std::uint64_t>(std::int64_t{number_at(code, i + 2)}) == slot;
+        if (code[i] == 0xff && code[i + 1] == 0x25) return target + i + 6 + static_cast<std::uint64_t>(std::int64_t{number_at(code, i + 2)}) == slot;
     return false;
 }
 
@@ -145,8 +139,7 @@ bool calls(const std::vector<Section>& sections, const Function& function, std::
 {
     const Bytes code = code_at(sections, function.begin, function.end);
     for (std::size_t i = 0; i + 5 <= code.size(); ++i) {
-        const std::uint64_t target =
-            function.begin + i + 5 + static_cast<std::uint64_t>(std::int64_t{number_at(code, i + 1)});
+        const std::uint64_t target = function.begin + i + 5 + static_cast<std::uint64_t>(std::int64_t{number_at(code, i + 1)});
         if (code[i] == 0xe8 && leads_to(sections, target, slot)) return true;
     }
     return false;
@@ -207,11 +200,9 @@ std::vector<std::string> uncounted_code(Elf* elf)
 
     std::set<std::string> reasons;
     for (const Function& function : *functions)
-        if (reasons.size() < caps::listed && !calls(sections, function, *slot))
-            reasons.insert(name_at(elf, function.begin));
+        if (reasons.size() < caps::listed && !calls(sections, function, *slot)) reasons.insert(name_at(elf, function.begin));
     for (const Section& section : sections)
-        if ((section.header.sh_flags & SHF_EXECINSTR) != 0 && !is_linkers(section) &&
-            has_other_code(section, *functions))
+        if ((section.header.sh_flags & SHF_EXECINSTR) != 0 && !is_linkers(section) && has_other_code(section, *functions))
             reasons.insert("code outside all functions in " + std::string(section.name));
     return {reasons.begin(), reasons.end()};
 }

@@ -73,8 +73,7 @@ void add_function(Dwarf_Die* die, Names<Pair>& functions)
     const char* const file = dwarf_decl_file(die);
     for (const unsigned kind : {DW_AT_linkage_name, DW_AT_MIPS_linkage_name, DW_AT_name}) {
         if (dwarf_attr_integrate(die, kind, &attribute) == nullptr) continue;
-        if (const char* name = dwarf_formstring(&attribute))
-            functions.add({demangled(name, caps::name), file == nullptr ? "" : cut(file, caps::symbol)});
+        if (const char* name = dwarf_formstring(&attribute)) functions.add({demangled(name, caps::name), file == nullptr ? "" : cut(file, caps::symbol)});
         return;
     }
 }

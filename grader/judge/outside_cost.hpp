@@ -32,9 +32,7 @@ struct OutsideCost {
 ///   three times the reference's; or
 /// - much more is done than by the reference before anything is counted.
 /// `sizes` are those of the reference's table, `names` the word for what they count.
-[[nodiscard]] std::optional<std::string> objection_from_outside(const OutsideCost& student,
-                                                                const OutsideCost& reference,
-                                                                const std::vector<double>& sizes, double growth,
-                                                                std::string_view names);
+[[nodiscard]] std::optional<std::string> objection_from_outside(const OutsideCost& student, const OutsideCost& reference, const std::vector<double>& sizes,
+                                                                double growth, std::string_view names);
 
 }

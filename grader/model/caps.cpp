@@ -15,7 +15,8 @@ std::string one_line(std::string_view text, std::size_t limit)
     // A character of four bytes may become a replacement of three: what is cut before is never too little.
     const bool cut = text.size() > limit;
     std::string line = printable(text.substr(0, limit), 3 * limit);
-    std::ranges::replace_if(line, [](char c) { return c == '\n' || c == '\t'; }, ' ');
+    std::ranges::replace_if(
+        line, [](char c) { return c == '\n' || c == '\t'; }, ' ');
     if (line.size() > limit) {
         line.resize(limit);
         // Not within a character.

@@ -13,7 +13,7 @@ namespace caps {
 
 inline constexpr std::size_t message = std::size_t{8} << 10U;        ///< bytes of a text that says what happened: diagnostics, an exception
 inline constexpr std::size_t name = 256;                             ///< bytes of one name: a function, a file, a system call
-inline constexpr std::size_t symbol = 4096;                         ///< bytes of a name as the linker knows it
+inline constexpr std::size_t symbol = 4096;                          ///< bytes of a name as the linker knows it
 inline constexpr std::size_t listed = 12;                            ///< entries of a list that is shown; the rest is counted
 inline constexpr std::size_t printed = std::size_t{16} << 10U;       ///< bytes that a unit's cases printed, together
 inline constexpr std::size_t unit_sources = std::size_t{2} << 20U;   ///< bytes of the files that are taken of one unit, together
@@ -27,11 +27,11 @@ inline constexpr std::size_t trace_bytes = std::size_t{8} << 20U;    ///< the sa
 inline constexpr int timeouts = 2;                                   ///< cases of a unit that may run into the time limit; the rest is not reached
 
 // What is read of a submission before units are chosen from it.
-inline constexpr std::size_t source_file = std::size_t{512} << 10U;  ///< bytes of one file of source code
-inline constexpr std::size_t unit_files = 32;                        ///< files that are taken of one unit
-inline constexpr std::size_t submission_entries = 50'000;            ///< names looked at, in all folders and archives
-inline constexpr std::size_t submission_depth = 64;                  ///< folders within folders
-inline constexpr std::size_t submission_files = 4096;                ///< files of source code that are read
+inline constexpr std::size_t source_file = std::size_t{512} << 10U;       ///< bytes of one file of source code
+inline constexpr std::size_t unit_files = 32;                             ///< files that are taken of one unit
+inline constexpr std::size_t submission_entries = 50'000;                 ///< names looked at, in all folders and archives
+inline constexpr std::size_t submission_depth = 64;                       ///< folders within folders
+inline constexpr std::size_t submission_files = 4096;                     ///< files of source code that are read
 inline constexpr std::size_t submission_bytes = std::size_t{32} << 20U;   ///< of these, together
 inline constexpr std::size_t submission_ignored = 256;                    ///< entries in the list of what was not read
 inline constexpr std::size_t submission_archives = 8;                     ///< archives that are opened, those within others too

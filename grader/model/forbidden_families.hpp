@@ -20,7 +20,7 @@ struct ForbiddenFamily {
 /// The family of that name ("@transforms"), or null.
 [[nodiscard]] const ForbiddenFamily* forbidden_family(std::string_view name);
 
-/// Is this an entry that `forbid` may hold: a known family, or a name of letters, digits, `_`, `::` and `*`?
+/// Is this an entry that `forbid` may hold: a name or a pattern, or, if it begins with @, a known family?
 [[nodiscard]] bool is_forbid_entry(std::string_view entry);
 
 }

@@ -198,7 +198,7 @@ std::vector<std::string> read_forbid(const Field& field)
         if (!is_forbid_entry(entry)) {
             std::vector<std::string_view> families;
             for (const ForbiddenFamily& family : forbidden_families()) families.push_back(family.name);
-            field.refuse(fmt::format("names with letters, digits, _, :: and *, or one of the families {}", fmt::join(families, ", ")));
+            field.refuse(fmt::format("names, patterns, or one of the families {}", fmt::join(families, ", ")));
         }
     return entries;
 }

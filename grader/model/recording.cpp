@@ -95,8 +95,7 @@ void take_tensor(Cursor& cursor, const WantedTensors& wanted, Recording& recordi
     const auto flags = header.has_present == 1 ? cursor.take(tensor.cells(), "the presence flags of a tensor") : std::span<const std::byte>();
     const auto asked = wanted.find(name);
     if (!wanted.empty() && asked == wanted.end()) return;
-    if (recording.tensors.contains(name) || recording.oversized.contains(name))
-        damaged(offset, "a name not used before", fmt::format("'{}'", name));
+    if (recording.tensors.contains(name) || recording.oversized.contains(name)) damaged(offset, "a name not used before", fmt::format("'{}'", name));
     if (!wanted.empty() && tensor.cells() > asked->second) {
         recording.oversized.emplace(std::move(name), Oversized{header.rows, header.columns});
         return;

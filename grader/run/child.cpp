@@ -55,7 +55,12 @@ std::string content_of(int file)
 Job read_job(int file)
 {
     const nlohmann::json json = nlohmann::json::parse(content_of(file));
-    return {json.at("case"), json.at("stream"), json.at("driver"), json.at("tenant"), json.at("memory"), json.at("cpu_seconds"),
+    return {json.at("case"),
+            json.at("stream"),
+            json.at("driver"),
+            json.at("tenant"),
+            json.at("memory"),
+            json.at("cpu_seconds"),
             {json.at("counted_table"), json.at("counted_sizes")}};
 }
 

@@ -68,8 +68,9 @@ constexpr std::array quietly_refused = {SCMP_SYS(ioctl), SCMP_SYS(fcntl), SCMP_S
 }
 
 /// How programs ask for a file by its path; libseccomp has negative numbers for calls that a processor's interface lacks.
-constexpr std::array paths_are_asked_by = {SCMP_SYS(open),   SCMP_SYS(openat),    SCMP_SYS(stat),       SCMP_SYS(lstat),    SCMP_SYS(newfstatat), SCMP_SYS(statx),
-                                           SCMP_SYS(access), SCMP_SYS(faccessat), SCMP_SYS(faccessat2), SCMP_SYS(readlink), SCMP_SYS(readlinkat)};
+constexpr std::array paths_are_asked_by = {SCMP_SYS(open),       SCMP_SYS(openat),   SCMP_SYS(stat),      SCMP_SYS(lstat),
+                                           SCMP_SYS(newfstatat), SCMP_SYS(statx),    SCMP_SYS(access),    SCMP_SYS(faccessat),
+                                           SCMP_SYS(faccessat2), SCMP_SYS(readlink), SCMP_SYS(readlinkat)};
 
 Filter run_filter()
 {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-#include <csignal>
 #include <array>
+#include <csignal>
 #include <cstring>
 #include <set>
 
@@ -94,8 +94,8 @@ RunOutcome not_confined(const protocol::Ended& ended, const std::string& text)
     if (ended.could_not_start != 0)
         outcome.message = machine_trouble(ended.could_not_start, "starting a run");
     else if (ended.timed_out != 0)
-        outcome.message = fmt::format("the run did not reach its sandbox within {:g} s: the machine is overloaded; grade with fewer --jobs",
-                                      protocol::seconds_to_confine);
+        outcome.message =
+            fmt::format("the run did not reach its sandbox within {:g} s: the machine is overloaded; grade with fewer --jobs", protocol::seconds_to_confine);
     else
         outcome.message = "the run did not reach its sandbox";
     if (!text.empty()) outcome.message += ": " + text;
@@ -111,8 +111,10 @@ End killed_for_memory(const protocol::Ended& ended, const Limits& limits)
     const std::int64_t mib = ended.peak_memory_kib >> 10;
     if (2 * mib > limits.memory_mib)
         return {Verdict::out_of_memory, fmt::format("your code took {} MiB of memory, more than there was; {} MiB are the limit", mib, limits.memory_mib)};
-    return {Verdict::grader_fault,
-            fmt::format("the machine has no memory left: the operating system killed a run that had taken {} MiB; end other programs, or grade with fewer --jobs", mib)};
+    return {
+        Verdict::grader_fault,
+        fmt::format("the machine has no memory left: the operating system killed a run that had taken {} MiB; end other programs, or grade with fewer --jobs",
+                    mib)};
 }
 
 bool killed_from_outside(const protocol::Ended& ended, const Limits& limits)

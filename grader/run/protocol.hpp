@@ -31,7 +31,7 @@ inline constexpr double seconds_to_confine = 60;
 struct Ended {
     std::int32_t wait_status = 0;  ///< as waitpid gives it; meaningless if it could not start
     std::uint8_t timed_out = 0;
-    std::int32_t could_not_start = 0;  ///< the errno value that kept it from starting, or 0
+    std::int32_t could_not_start = 0;     ///< the errno value that kept it from starting, or 0
     std::uint8_t out_of_memory_kill = 0;  ///< it was killed, and the kernel's killer for lack of memory has been at work
     std::int64_t peak_memory_kib = 0;
     double wall_seconds = 0;  ///< since it was confined

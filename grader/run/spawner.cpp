@@ -140,8 +140,8 @@ void Spawner::start()
     const Packet packet = receive_packet(control_.get(), writable_bytes_of(hello));
     if (packet.size == sizeof hello && hello.trouble[0] != 0) {
         stop();
-        throw std::runtime_error(program_.filename().string() + " did not get ready: " +
-                                 std::string(hello.trouble, strnlen(hello.trouble, sizeof hello.trouble)));
+        throw std::runtime_error(program_.filename().string() +
+                                 " did not get ready: " + std::string(hello.trouble, strnlen(hello.trouble, sizeof hello.trouble)));
     }
     if (packet.size != sizeof hello || hello.version != protocol::Hello{}.version) {
         stop();

@@ -26,7 +26,7 @@ struct RunRequest {
     std::uint64_t stream = 0;  ///< what the case's random numbers follow from
     Limits limits;
     WantedTensors wanted{};            ///< of what it records, all that is looked at; empty for everything
-    CostLimit costs{};               ///< work on these counted costs only, to measure them from outside; without a table on all
+    CostLimit costs{};                 ///< work on these counted costs only, to measure them from outside; without a table on all
     std::vector<std::string> roots{};  ///< folders of this machine that no text of the run may show (run_text.hpp)
 };
 

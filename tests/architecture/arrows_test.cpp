@@ -61,6 +61,7 @@ TEST(Arrows, of_the_grader)
                                {"report", {"model", "judge"}},
                                {"batch", {"model", "run", "store", "collect", "build", "judge", "report"}},
                                {"calibrate", {"model", "run", "collect", "build", "judge", "report", "batch"}},
+                               {"inspect", {"model"}},
                                {"attack", {"model"}},
                                {"cli", {"model", "run", "store", "collect", "build", "judge", "report", "batch", "calibrate", "attack"}}};
     std::size_t seen = 0;

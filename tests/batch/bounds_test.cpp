@@ -44,7 +44,8 @@ TEST_F(Bounds, one_case_that_hangs_costs_itself_only)
 {
     exercise.limits.wall_seconds = 0.3;
     // The rays of "behind and before" alone start within the sphere or behind it in this number.
-    const UnitResult result = grade({{"sphere.cpp", sphere_with("", "    static int calls = 0;\n    if (++calls > 4000) for (volatile int i = 0;; i = i + 1) {}")}});
+    const UnitResult result =
+        grade({{"sphere.cpp", sphere_with("", "    static int calls = 0;\n    if (++calls > 4000) for (volatile int i = 0;; i = i + 1) {}")}});
     EXPECT_EQ(result.message.find("not reached"), std::string::npos) << result.message;
     EXPECT_GT(result.score, 0);
 }
@@ -81,9 +82,12 @@ TEST_F(Bounds, far_too_many_rows_are_counted_and_not_judged)
 
 TEST_F(Bounds, what_was_printed_and_said_is_capped)
 {
-    const UnitResult result =
-        grade({{"sphere.cpp", sphere_with("", "    for (int i = 0; i < 3000; ++i) std::printf(\"%d %p\\n\", i, (const void*)&ray);\n    throw std::runtime_error(std::string(100000, 'x') + "
-                                              "std::to_string(ray.origin.x + ray.direction.y));")}});
+    const UnitResult result = grade(
+        {{"sphere.cpp",
+          sphere_with(
+              "",
+              "    for (int i = 0; i < 3000; ++i) std::printf(\"%d %p\\n\", i, (const void*)&ray);\n    throw std::runtime_error(std::string(100000, 'x') + "
+              "std::to_string(ray.origin.x + ray.direction.y));")}});
     EXPECT_LE(result.output.size(), caps::printed + 100);
     EXPECT_LE(result.message.size(), caps::message + 100);
     for (const CheckResult& check : result.checks) EXPECT_LE(check.message.size(), caps::message + 100);
@@ -92,7 +96,8 @@ TEST_F(Bounds, what_was_printed_and_said_is_capped)
 TEST_F(Bounds, no_text_shows_where_things_lie_on_this_machine)
 {
     // The C library's assert names the program and the header; the exception's text is the student's own.
-    const std::string text = sphere_with("#include <umbral/core/grid.hpp>\n", "    std::printf(\"%s\\n\", UMBRAL_HERE); throw std::runtime_error(UMBRAL_HERE);");
+    const std::string text =
+        sphere_with("#include <umbral/core/grid.hpp>\n", "    std::printf(\"%s\\n\", UMBRAL_HERE); throw std::runtime_error(UMBRAL_HERE);");
     std::string here = text;
     for (std::size_t at = 0; (at = here.find("UMBRAL_HERE")) != std::string::npos;)
         here.replace(at, 11, "\"" + (bench.tools().reference / "raytracing/sphere.cpp").string() + " " + (bench.tools().cache / "builds").string() + "\"");

@@ -84,11 +84,10 @@ TEST_F(BrokenCompiler, is_nobodys_compile_error_and_heals)
 {
     const Exercise exercise = bench.exercise("raytracing/sphere");
     const std::string question = "case \"$*\" in -print*) exec $REAL \"$@\";; esac; ";
-    for (const char* trouble :
-         {"echo 'sphere.cpp:1:1: fatal error: error writing to /tmp/x.s: No space left on device'; exit 1",
-          "echo 'c++: fatal error: cannot execute cc1plus: vfork: Resource temporarily unavailable'; exit 1",
-          "echo 'c++: fatal error: Killed signal terminated program cc1plus'; exit 1", "kill -9 $$", "exit 1",
-          "echo 'sphere.cpp:1:1: fatal error: umbral_student.hpp: Too many open files'; exit 1"}) {
+    for (const char* trouble : {"echo 'sphere.cpp:1:1: fatal error: error writing to /tmp/x.s: No space left on device'; exit 1",
+                                "echo 'c++: fatal error: cannot execute cc1plus: vfork: Resource temporarily unavailable'; exit 1",
+                                "echo 'c++: fatal error: Killed signal terminated program cc1plus'; exit 1", "kill -9 $$", "exit 1",
+                                "echo 'sphere.cpp:1:1: fatal error: umbral_student.hpp: Too many open files'; exit 1"}) {
         const Toolchain tools = tools_with(question + trouble);
         EXPECT_THROW((void)build(tools, exercise, {{"sphere.cpp", text}}), std::runtime_error) << trouble;
         EXPECT_EQ(entries(), 0U) << trouble;

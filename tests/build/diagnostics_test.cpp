@@ -123,8 +123,13 @@ TEST(Secrets, cannot_be_asked_for)
 {
     const Workbench bench;
     const std::filesystem::path unit = unit_folder(bench.tools(), "raytracing/sphere");
-    std::vector<std::filesystem::path> paths{"/etc/passwd", "/proc/self/fd/1", "/proc/self/environ", "/usr/lib/os-release", unit / "reference.so",
-                                             bench.tools().reference / "raytracing/sphere.cpp", bench.write("cache/neighbour.cpp", "int x;\n")};
+    std::vector<std::filesystem::path> paths{"/etc/passwd",
+                                             "/proc/self/fd/1",
+                                             "/proc/self/environ",
+                                             "/usr/lib/os-release",
+                                             unit / "reference.so",
+                                             bench.tools().reference / "raytracing/sphere.cpp",
+                                             bench.write("cache/neighbour.cpp", "int x;\n")};
     const umbral::test::TemporaryFolder outside;
     outside.write("here.hpp", "int x;\n");
     paths.push_back(outside / "here.hpp");

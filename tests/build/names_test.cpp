@@ -123,7 +123,8 @@ const std::vector<Forbidden> families = {
     {"in_double", "transforms/axis-rotation", "axis_rotation.cpp",
      rotation("", "return glm::mat4(glm::rotate(glm::dmat4(1), double(angle), glm::dvec3(axis)));"), "glm::rotate"},
     {"renamed_by_macros", "transforms/axis-rotation", "axis_rotation.cpp",
-     rotation("#define rotate turn\n#define GLM_EXT_INCLUDED_AGAIN\nnamespace again {\nusing namespace glm;\n#include <glm/ext/matrix_transform.inl>\n}\n#undef rotate",
+     rotation("#define rotate turn\n#define GLM_EXT_INCLUDED_AGAIN\nnamespace again {\nusing namespace glm;\n#include "
+              "<glm/ext/matrix_transform.inl>\n}\n#undef rotate",
               "return again::glm::turn(glm::mat4(1), angle, axis);"),
      "turn"},
     {"rotate_by_opengl", "transforms/axis-rotation", "axis_rotation.cpp",
@@ -143,8 +144,8 @@ INSTANTIATE_TEST_SUITE_P(All, ForbiddenFamilies, testing::ValuesIn(families), []
 TEST(Names, opengl_is_for_units_about_it)
 {
     const Workbench bench;
-    const std::string text = "extern \"C\" void glGetFloatv(unsigned, float*);\n" +
-                             view("", "glm::mat4 m; glGetFloatv(2982, &m[0][0]); return m * (eye.x + target.x + up.x);");
+    const std::string text =
+        "extern \"C\" void glGetFloatv(unsigned, float*);\n" + view("", "glm::mat4 m; glGetFloatv(2982, &m[0][0]); return m * (eye.x + target.x + up.x);");
     const Built built = build(bench.tools(), bench.exercise("projections/view-matrix"), {{"view_matrix.cpp", text}});
     EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
     EXPECT_NE(built.message.find("glGetFloatv"), std::string::npos) << built.message;

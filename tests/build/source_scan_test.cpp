@@ -28,25 +28,26 @@ TEST(Assembler, plain_labels_and_the_compilers_own_are_allowed)
 
 TEST(Assembler, is_no_word_in_texts_names_or_numbers)
 {
-    for (const char* text : {"const char* s = \"asm(\\\"x\\\")\";", "int my_asm = 1; int asm_ = 2;", "R\"(asm(\"x\"))\" ;", "int x = 1'000'000; char c = '\"'; int y;",
-                             "u8R\"a(asm)a\";", "auto x = 0xasm;"})
+    for (const char* text : {"const char* s = \"asm(\\\"x\\\")\";", "int my_asm = 1; int asm_ = 2;", "R\"(asm(\"x\"))\" ;",
+                             "int x = 1'000'000; char c = '\"'; int y;", "u8R\"a(asm)a\";", "auto x = 0xasm;"})
         EXPECT_EQ(found_in(text), "") << text;
 }
 
 // An unclosed string or character ends with its line, or what follows would be hidden.
 TEST(Assembler, is_not_hidden_by_what_is_not_closed)
 {
-    for (const char* text : {"char c = ';\nasm(\"nop\");", "\"open\nasm(\"nop\");", "'\\\nasm(\"nop\");", "\"\\\nasm(\"nop\");", "R\"aaaaaaaaaaaaaaaaaaaaa(\nasm(\"nop\");",
-                             "1'\nasm(\"nop\");", "#pragma x\nasm(\"nop\");", "# 1 \"/usr/include/immintrin.h\" 1 3\nasm(\"nop\");"})
+    for (const char* text :
+         {"char c = ';\nasm(\"nop\");", "\"open\nasm(\"nop\");", "'\\\nasm(\"nop\");", "\"\\\nasm(\"nop\");", "R\"aaaaaaaaaaaaaaaaaaaaa(\nasm(\"nop\");",
+          "1'\nasm(\"nop\");", "#pragma x\nasm(\"nop\");", "# 1 \"/usr/include/immintrin.h\" 1 3\nasm(\"nop\");"})
         EXPECT_NE(found_in(text), "") << text;
 }
 
 TEST(Assembler, may_not_come_in_by_attributes_and_directives)
 {
     for (const char* text : {"__attribute__((section(\".text\"))) int x;", "__attribute__((__section__(\"x\"))) int x;", "[[gnu::section(\"x\")]] int x;",
-                             "[[using gnu: noinline, naked]] void f();", "__attribute__((no_sanitize_coverage)) void f();", "[[gnu::no_sanitize(\"x\")]] void f();",
-                             "__attribute__((alias(\"a\\nb\"))) int f();", "__attribute__((symver(\"a@b\"))) int f();", "#ident \"x\"", "#sccs \"x\"",
-                             "# ident \"x\"", "#pragma GCC pch_preprocess \"other.gch\""})
+                             "[[using gnu: noinline, naked]] void f();", "__attribute__((no_sanitize_coverage)) void f();",
+                             "[[gnu::no_sanitize(\"x\")]] void f();", "__attribute__((alias(\"a\\nb\"))) int f();", "__attribute__((symver(\"a@b\"))) int f();",
+                             "#ident \"x\"", "#sccs \"x\"", "# ident \"x\"", "#pragma GCC pch_preprocess \"other.gch\""})
         EXPECT_NE(found_in(text), "") << text;
 }
 

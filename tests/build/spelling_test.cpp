@@ -10,7 +10,8 @@ namespace {
 TEST(AsWritten, names_types_as_students_do)
 {
     EXPECT_EQ(as_written("f(glm::vec<3, float, (glm::qualifier)0>)"), "f(glm::vec3)");
-    EXPECT_EQ(as_written("f(glm::vec<2, unsigned int, (glm::qualifier)0> const&, glm::mat<4, 4, double, (glm::qualifier)0>)"), "f(glm::uvec2 const&, glm::dmat4)");
+    EXPECT_EQ(as_written("f(glm::vec<2, unsigned int, (glm::qualifier)0> const&, glm::mat<4, 4, double, (glm::qualifier)0>)"),
+              "f(glm::uvec2 const&, glm::dmat4)");
     EXPECT_EQ(as_written("f(std::__cxx11::basic_string<char, std::char_traits<char>, std::allocator<char> >)"), "f(std::string)");
     EXPECT_EQ(as_written("f(glm::mat<4, 3, float, (glm::qualifier)0>)"), "f(glm::mat<4, 3, float, (glm::qualifier)0>)");
 }

@@ -43,8 +43,7 @@ TEST(OutsideCost, WorkThatGrowsAsItMayIsBelievedHoweverSlow)
 
 TEST(OutsideCost, HiddenQuadraticWorkIsNot)
 {
-    for (const double milliseconds : {20.0, 50.0, 1000.0})
-        EXPECT_TRUE(objection(runs_of(milliseconds, 2))) << milliseconds;
+    for (const double milliseconds : {20.0, 50.0, 1000.0}) EXPECT_TRUE(objection(runs_of(milliseconds, 2))) << milliseconds;
     // Sums of the squares of 1, 2, 4, 8, 16 sixteenths: 1 + 1/4 + 1/16 + 1/64 + 1/256 = 1.332 of 50 ms; the reference's 2 ms times 1.9375.
     EXPECT_EQ(*objection(runs_of(50, 2)),
               "the counted steps are fine, but your code took 17 times the reference's time (67 ms, 3.9), and from "

@@ -5,6 +5,7 @@
 #include "manifest_json.hpp"
 #include "message_of.hpp"
 #include "model/exercise.hpp"
+#include "model/forbidden_families.hpp"
 #include "model/json_file.hpp"
 
 namespace umbral::grader {
@@ -89,6 +90,27 @@ TEST(Manifest, keeps_points_of_three_places_exact)
         manifest["points"] = manifest["checks"][0]["points"] = json::parse(std::to_string(thousandths / 1000) + "." + digits.substr(4));
         ASSERT_EQ(parse(manifest).points, thousandths);
     }
+}
+
+TEST(Manifest, knows_families_of_forbidden_functions)
+{
+    json manifest = test::manifest();
+    manifest["forbid"] = {"@transforms", "@vector-products", "glm::rotate*", "operator new"};
+    EXPECT_EQ(parse(manifest).forbid.size(), 4U);
+    for (const ForbiddenFamily& family : forbidden_families()) EXPECT_TRUE(is_forbid_entry(family.name));
+    manifest["forbid"] = {"@transfroms"};
+    const std::string message = test::message_of([&] { (void)parse(manifest); });
+    EXPECT_NE(message.find("@transforms, @vector-products"), std::string::npos) << message;
+}
+
+TEST(Manifest, calls_opengl_only_where_there_is_opengl)
+{
+    json manifest = test::manifest();
+    manifest["gl"] = false;
+    manifest["gl_calls"] = true;
+    EXPECT_NE(test::message_of([&] { (void)parse(manifest); }).find("gl_calls"), std::string::npos);
+    manifest["gl"] = true;
+    EXPECT_TRUE(parse(manifest).gl_calls);
 }
 
 /// One thing made wrong, and what the message must hold.

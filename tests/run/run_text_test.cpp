@@ -24,8 +24,8 @@ TEST(RunText, roots_are_taken_away_where_a_path_begins)
 
 TEST(RunText, other_text_stays_as_it_is)
 {
-    for (const char* const text : {"", "sphere.cpp:7", "/home/anna/x", "/mnt/work/main/x", "/work/mainframe", "/work/main2", "1/work/main", "/usr/include/c++/12/vector:3",
-                                   "a / b", "//"}) {
+    for (const char* const text : {"", "sphere.cpp:7", "/home/anna/x", "/mnt/work/main/x", "/work/mainframe", "/work/main2", "1/work/main",
+                                   "/usr/include/c++/12/vector:3", "a / b", "//"}) {
         EXPECT_EQ(without_roots(text, roots), text);
     }
     EXPECT_EQ(without_roots("/work/main/x", {}), "/work/main/x");

@@ -87,8 +87,9 @@ RunOutcome run_sphere(const Workbench& bench, const std::string& text)
 TEST(CrashNames, a_thread_local_too_large_is_out_of_memory)
 {
     const Workbench bench;
-    const RunOutcome outcome = run_sphere(bench, sphere_with("static thread_local char everything[std::size_t{900} << 20U];\n",
-                                                             "    everything[static_cast<int>(sphere.radius)] = 1;\n    if (everything[0] == 7) return std::nullopt;"));
+    const RunOutcome outcome =
+        run_sphere(bench, sphere_with("static thread_local char everything[std::size_t{900} << 20U];\n",
+                                      "    everything[static_cast<int>(sphere.radius)] = 1;\n    if (everything[0] == 7) return std::nullopt;"));
     EXPECT_EQ(outcome.verdict, Verdict::out_of_memory) << outcome.message;
     EXPECT_NE(outcome.message.find("thread_local"), std::string::npos) << outcome.message;
 }
@@ -111,10 +112,9 @@ TEST(CrashNames, recursion_without_end_is)
 {
     const Workbench bench;
     for (const char* const room : {"16", "1 << 16", "1 << 19"}) {
-        const RunOutcome outcome =
-            run_sphere(bench, sphere_with(std::string("static float fill(float x) { volatile char room[") + room +
-                                              "]; room[0] = 1; room[sizeof room - 1] = 2; return x < 0 ? x : fill(x + 1) + room[0]; }\n",
-                                          "    if (fill(1) == 7) return std::nullopt;"));
+        const RunOutcome outcome = run_sphere(bench, sphere_with(std::string("static float fill(float x) { volatile char room[") + room +
+                                                                     "]; room[0] = 1; room[sizeof room - 1] = 2; return x < 0 ? x : fill(x + 1) + room[0]; }\n",
+                                                                 "    if (fill(1) == 7) return std::nullopt;"));
         EXPECT_NE(outcome.message.find("itself without end"), std::string::npos) << room << ": " << outcome.message;
     }
 }

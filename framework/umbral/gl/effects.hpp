@@ -24,10 +24,10 @@ enum class Effect {
 struct Size {
     enum class Kind {
         none,
-        bytes,  ///< argument `first` is the number of bytes; `pointer` must not be null
+        bytes,    ///< argument `first` is the number of bytes; `pointer` must not be null
         picture,  ///< `dimensions` extents from argument `first` on; format, type and address of the pixels end at argument `pointer`
-        bits,  ///< a picture of one bit a pixel, its rows in whole bytes
-        items,  ///< argument `first` is a number of items of `item` bytes; of rows of them if `dimensions` names an argument too
+        bits,     ///< a picture of one bit a pixel, its rows in whole bytes
+        items,    ///< argument `first` is a number of items of `item` bytes; of rows of them if `dimensions` names an argument too
         fixed,    ///< `item` bytes
         uniforms  ///< argument `first` is a number of elements, which the function's name describes
     };

@@ -26,7 +26,7 @@ struct CallArguments {
 extern const std::size_t entry_count;
 extern const char* const entry_names[];
 extern Entry entries[];  ///< addresses in the back end; all null while no context is current
-extern bool watching;  ///< a trace is running, or a display list is being made
+extern bool watching;    ///< a trace is running, or a display list is being made
 
 /// The back end's function of that name, past all traces; null if no context is current or there is none.
 [[nodiscard]] Entry entry_of(std::string_view name);

@@ -42,8 +42,7 @@ std::string forwarder(const Prototype& function, std::size_t slot)
         arguments += ", " + parameter.name;
     }
     return function.result + " APIENTRY " + function.name + "(" + declarations + ") { return umbral::gl::forward" +
-           (is_always_seen(function.name) ? "<true>(" : "(") + function.name + ", " +
-           std::to_string(slot) + arguments + "); }\n";
+           (is_always_seen(function.name) ? "<true>(" : "(") + function.name + ", " + std::to_string(slot) + arguments + "); }\n";
 }
 
 void write(const std::string& path, const std::vector<Prototype>& functions)
