@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include <atomic>
 #include <cstring>
 #include <thread>
@@ -204,6 +206,8 @@ TEST_F(CountedWork, HonestWorkIsBelievedUnderLoad)
     for (const auto& exercise : load_units(bench.tools().exercises).exercises)
         if (exercise.counts_cost()) units.push_back(exercise.id);
     EXPECT_GE(units.size(), 10U);
+    // All of them take minutes: `./umbral test --all`.
+    if (std::getenv("UMBRAL_TEST_ALL") == nullptr) units.resize(2);
     for (const std::string& id : units) {
         Exercise exercise = bench.exercise(id);
         std::erase_if(exercise.checks, [](const Check& check) { return check.judge != JudgeKind::cost; });
