@@ -32,13 +32,13 @@ struct Attack {
     std::string theme;
     std::string name;
     std::filesystem::path folder;
-    std::string what;       ///< one sentence
-    std::string area;       ///< the room that has to hold it
-    bool harmless = false;  ///< may run on an instructor's own machine, even if it succeeds
-    bool ci = false;        ///< runs in every test; the others in a full one
-    bool draws = false;     ///< one of its units uses OpenGL
+    std::string what;          ///< one sentence
+    std::string area;          ///< the room that has to hold it
+    bool harmless = false;     ///< may run on an instructor's own machine, even if it succeeds
+    bool ci = false;           ///< runs in every test; the others in a full one
+    bool draws = false;        ///< one of its units uses OpenGL
     bool knows_paths = false;  ///< its files name places of this very grading, so that messages may repeat them
-    std::string make;       ///< the generator of what git cannot hold; empty: none
+    std::string make;          ///< the generator of what git cannot hold; empty: none
     std::map<std::string, ExpectedUnit> units;
     std::vector<std::string> lacks;          ///< texts that no report, page or line on the terminal may hold
     std::vector<std::string> student_lacks;  ///< texts that what the student may read must not hold

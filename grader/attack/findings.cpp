@@ -185,7 +185,8 @@ std::vector<std::string> changes_of_good(const Graded& before, const Graded& aft
             const auto [at, there] = std::ranges::mismatch(one, other);
             if (one == other) continue;
             const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, at - one.begin() - 100));
-            changes.push_back(fmt::format("{}/{}: …{}… became …{}…", id, name, one.substr(std::min(from, one.size()), 200), other.substr(std::min(from, other.size()), 200)));
+            changes.push_back(
+                fmt::format("{}/{}: …{}… became …{}…", id, name, one.substr(std::min(from, one.size()), 200), other.substr(std::min(from, other.size()), 200)));
         }
     }
     return changes;

@@ -63,7 +63,8 @@ void make_socket(const fs::path& file)
 void link_chain(const fs::path& submission)
 {
     link_file(submission, "link0");
-    for (int i = 0; i < 60; ++i) fs::create_symlink(i == 59 ? fs::path("/etc/passwd") : fs::path(fmt::format("link{}", i + 1)), unit(submission) / fmt::format("link{}", i));
+    for (int i = 0; i < 60; ++i)
+        fs::create_symlink(i == 59 ? fs::path("/etc/passwd") : fs::path(fmt::format("link{}", i + 1)), unit(submission) / fmt::format("link{}", i));
 }
 
 void deep_tree(const fs::path& submission)
@@ -93,8 +94,9 @@ void many_folders(const fs::path& submission)
 
 void names_of_bytes(const fs::path& folder)
 {
-    for (const char* const name : {"\x1b[2J.cpp", "line\nfeed.hpp", "\xff\xfe.cpp", "<x-umbral onload=alert(1)>.hpp", "a\xe2\x80\xae"
-                                                                                                                       "b.cpp",
+    for (const char* const name : {"\x1b[2J.cpp", "line\nfeed.hpp", "\xff\xfe.cpp", "<x-umbral onload=alert(1)>.hpp",
+                                   "a\xe2\x80\xae"
+                                   "b.cpp",
                                    "$(id).cpp", "`id`.hpp", "a b.cpp", "'\"\\.hpp"})
         write(folder / name, "int of_bytes = 1;\n");
 }
@@ -115,16 +117,19 @@ struct Generator {
 
 constexpr Generator generators[] = {
     {"link-to-itself", [](const fs::path& s) { fs::create_symlink("raytracing", s / "raytracing"); }},
-    {"link-to-parent", [](const fs::path& s) {
+    {"link-to-parent",
+     [](const fs::path& s) {
          for (const char* const name : {"up", "again"}) fs::create_directory_symlink("..", s / name);
          fs::create_directory_symlink("../..", s / "raytracing" / "above");
      }},
     {"link-to-passwd", [](const fs::path& s) { link_file(s, "/etc/passwd"); }},
-    {"link-to-neighbour", [](const fs::path& s) {
+    {"link-to-neighbour",
+     [](const fs::path& s) {
          fs::create_directories(s / "raytracing");
          fs::create_directory_symlink(s.parent_path() / "good-reference" / "raytracing" / "sphere", unit(s));
      }},
-    {"hard-link-to-neighbour", [](const fs::path& s) {
+    {"hard-link-to-neighbour",
+     [](const fs::path& s) {
          fs::create_directories(unit(s));
          fs::create_hard_link(unit(s.parent_path() / "good-reference") / "sphere.cpp", unit(s) / "sphere.cpp");
      }},
@@ -135,29 +140,34 @@ constexpr Generator generators[] = {
     {"no-rights-file", [](const fs::path& s) { fs::permissions(unit(s) / "sphere.cpp", fs::perms::none); }},
     {"no-rights-submission", [](const fs::path& s) { fs::permissions(s, fs::perms::none); }},
     {"pipe", [](const fs::path& s) { make_pipe(unit(s) / "sphere.cpp"); }},
-    {"pipe-as-helper", [](const fs::path& s) {
+    {"pipe-as-helper",
+     [](const fs::path& s) {
          make_pipe(unit(s) / "helper.cpp");
          make_pipe(s / "pipe.zip");
          make_socket(unit(s) / "other.hpp");
      }},
     {"socket", [](const fs::path& s) { make_socket(unit(s) / "sphere.cpp"); }},
-    {"folder-as-file", [](const fs::path& s) {
+    {"folder-as-file",
+     [](const fs::path& s) {
          fs::create_directories(unit(s) / "sphere.cpp" / "sphere.cpp");
          write(s / "projections", "a file");
      }},
     {"many-files", many_files},
     {"many-folders", many_folders},
     {"deep-tree", deep_tree},
-    {"many-candidates", [](const fs::path& s) {
+    {"many-candidates",
+     [](const fs::path& s) {
          for (int i = 0; i < 300; ++i) write(s / fmt::format("try{}", i) / "sphere.cpp", fmt::format("int number = {};\n", i));
      }},
-    {"huge-file", [](const fs::path& s) {
+    {"huge-file",
+     [](const fs::path& s) {
          write(unit(s) / "sphere.cpp", "");
          fs::resize_file(unit(s) / "sphere.cpp", std::uintmax_t{1} << 40U);
      }},
     {"names-of-bytes", [](const fs::path& s) { names_of_bytes(unit(s)); }},
     {"folders-of-bytes", folders_of_bytes},
-    {"two-cases", [](const fs::path& s) {
+    {"two-cases",
+     [](const fs::path& s) {
          write(unit(s) / "Sphere.cpp", "#error not this one\n");
          write(s / "Raytracing" / "SPHERE" / "sphere.cpp", "#error nor this one\n");
      }},
@@ -176,11 +186,20 @@ constexpr Generator generators[] = {
     {"renamed-long", [](const fs::path& s) { rename_to(s, std::string(255, 'n')); }},
     {"renamed-formula", [](const fs::path& s) { rename_to(s, "=cmd|'calc'!A0"); }},
     {"renamed-backslash", [](const fs::path& s) { rename_to(s, "a'b\"c\\d$(id)`id`;&"); }},
-    {"renamed-right-to-left", [](const fs::path& s) { rename_to(s, "a\xe2\x80\xae"
-                                                                   "b"); }},
-    {"renamed-like-another", [](const fs::path& s) { rename_to(s, "Good-R\xc3\xa9"
-                                                                  "ference"); }},
-    {"renamed-file-beside", [](const fs::path& s) {
+    {"renamed-right-to-left",
+     [](const fs::path& s) {
+         rename_to(s,
+                   "a\xe2\x80\xae"
+                   "b");
+     }},
+    {"renamed-like-another",
+     [](const fs::path& s) {
+         rename_to(s,
+                   "Good-R\xc3\xa9"
+                   "ference");
+     }},
+    {"renamed-file-beside",
+     [](const fs::path& s) {
          rename_to(s, "beside");
          fs::create_symlink("/etc", s.parent_path() / "link-beside");
          write(s.parent_path() / "file-beside.txt", "no submission");

@@ -40,8 +40,11 @@ void refuse_user_namespaces()
 
 std::string Setting::name() const
 {
-    return fmt::format("{}, {}, {}", as_nobody ? "nobody" : geteuid() == 0 ? "root" : "user", without_namespaces ? "no user namespaces" : "user namespaces",
-                       gl.empty() ? "default back end" : gl);
+    return fmt::format("{}, {}, {}",
+                       as_nobody        ? "nobody"
+                       : geteuid() == 0 ? "root"
+                                        : "user",
+                       without_namespaces ? "no user namespaces" : "user namespaces", gl.empty() ? "default back end" : gl);
 }
 
 std::vector<Setting> all_settings()

@@ -128,8 +128,15 @@ Graded grade_beside_good(const Target& target, const Setting& setting, std::span
     if (setting.as_nobody) give_to_nobody(scratch);
 
     Call call;
-    call.words = {target.umbral.string(), "grade", graded.submissions.string(), "--out", graded.out.string(), "--secret-file", (scratch / "secret").string(),
-                  "--jobs", "8"};
+    call.words = {target.umbral.string(),
+                  "grade",
+                  graded.submissions.string(),
+                  "--out",
+                  graded.out.string(),
+                  "--secret-file",
+                  (scratch / "secret").string(),
+                  "--jobs",
+                  "8"};
     for (const std::string& unit : units) call.words.insert(call.words.end(), {"--unit", unit});
     call.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=" + (scratch / "home").string(), "TMPDIR=" + (scratch / "tmp").string(),
                         "UMBRAL_CACHE=" + (scratch / "cache").string()};

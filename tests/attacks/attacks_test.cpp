@@ -114,8 +114,8 @@ TEST_P(Class, good_work_keeps_its_results_beside_attackers)
     if (mode() == "alone") GTEST_SKIP() << "attacks are graded one by one";
     const Rehearsal& rehearsal = rehearsal_in(GetParam());
     for (const std::string& change : rehearsal.changes_of_good) ADD_FAILURE() << change;
-    fmt::print(stderr, "{}: {:.0f} s, {:.0f} MiB of the grader's memory, {:.1f} MiB of cache, {:.1f} MiB of reports\n", GetParam().name(), rehearsal.run.seconds,
-               rehearsal.run.peak_mib, rehearsal.cache_mib, rehearsal.reports_mib);
+    fmt::print(stderr, "{}: {:.0f} s, {:.0f} MiB of the grader's memory, {:.1f} MiB of cache, {:.1f} MiB of reports\n", GetParam().name(),
+               rehearsal.run.seconds, rehearsal.run.peak_mib, rehearsal.cache_mib, rehearsal.reports_mib);
     EXPECT_LT(rehearsal.run.peak_mib, 1024);
     EXPECT_FALSE(fs::exists("/tmp/umbral-planted"));
 }

@@ -12,9 +12,9 @@ int main()
     try {
         const std::filesystem::path source = UMBRAL_SOURCE;
         std::vector<Attack> worst;
-        for (const char* const name : {"running/hangs-in-every-case", "running/just-under-the-limit", "running/memory-to-the-limit", "running/forge-rows-with-presence",
-                                       "compiler/template-doubling", "compiler/include-tree", "symbols/doubling-definition", "judges/events-in-floods",
-                                       "shaders/endless-loop", "folders/many-files"})
+        for (const char* const name : {"running/hangs-in-every-case", "running/just-under-the-limit", "running/memory-to-the-limit",
+                                       "running/forge-rows-with-presence", "compiler/template-doubling", "compiler/include-tree", "symbols/doubling-definition",
+                                       "judges/events-in-floods", "shaders/endless-loop", "folders/many-files"})
             worst.push_back(load_attack(source / "tests" / "attacks" / name));
         const std::vector<std::string> units = units_of(worst);
         fmt::print("| class of 50 | seconds | grader's memory, MiB | cache, MiB | reports, MiB |\n|---|---|---|---|---|\n");

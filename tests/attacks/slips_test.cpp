@@ -44,8 +44,17 @@ protected:
     [[nodiscard]] Measured grade(const fs::path& to, const std::function<void()>& before = {}, const std::function<bool()>& interrupt = {}) const
     {
         Call call;
-        call.words = {UMBRAL_PROGRAM, "grade", submissions.string(), "--out", to.string(), "--secret-file", (folder.path() / "secret").string(), "--jobs", "2",
-                      "--unit", "raytracing/sphere"};
+        call.words = {UMBRAL_PROGRAM,
+                      "grade",
+                      submissions.string(),
+                      "--out",
+                      to.string(),
+                      "--secret-file",
+                      (folder.path() / "secret").string(),
+                      "--jobs",
+                      "2",
+                      "--unit",
+                      "raytracing/sphere"};
         call.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=" + (folder.path() / "home").string(), "TMPDIR=" + (folder.path() / "tmp").string(),
                             "UMBRAL_CACHE=" + cache.string()};
         call.output = folder.path() / "printed.txt";
