@@ -119,9 +119,15 @@ std::optional<std::string> find_assembler_in(const Toolchain& tools, const Exerc
     return find_assembler(result.output, tools.student_header.string() + ".gch");
 }
 
+/// By what the clock says, or by the compiler's word about a process of its own.
+bool ran_out_of_processor_time(const ConfinedResult& result)
+{
+    return result.stopped == Stopped::out_of_processor_time || result.output.find("CPU time limit exceeded signal") != std::string::npos;
+}
+
 std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result, const fs::path& work)
 {
-    if (result.stopped == Stopped::out_of_processor_time || result.stopped == Stopped::out_of_wall_time)
+    if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time)
         return fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
     if (result.stopped == Stopped::too_much_disk) return fmt::format("compiling your files takes more than {} MiB on the disk\n", caps::build_folder >> 20U);
     const std::string output = without_our_paths(result.output, tools, work);
@@ -132,7 +138,7 @@ std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result,
 
 Outcome outcome_of(const ConfinedResult& result, const Sources& files)
 {
-    if (result.stopped == Stopped::out_of_processor_time || result.stopped == Stopped::too_much_disk) return Outcome::too_expensive;
+    if (ran_out_of_processor_time(result) || result.stopped == Stopped::too_much_disk) return Outcome::too_expensive;
     // What the machine lacks may also show as an error in a student's line.
     const bool machine = std::ranges::any_of(machine_troubles, [&](std::string_view sign) { return result.output.find(sign) != std::string::npos; });
     return result.stopped == Stopped::no && !machine && blames_own_file(result.output, files) ? Outcome::refused_by_compiler : Outcome::unexplained;

@@ -2,6 +2,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <system_error>
 
 #include "run/sandbox.hpp"
@@ -32,13 +33,14 @@ std::vector<std::string> enter_namespaces(bool processes)
 
 void limit_resources(const ResourceLimits& limits)
 {
-    const auto set = [](__rlimit_resource resource, std::uint64_t value) {
-        const rlimit both{value, value};
+    const auto set = [](__rlimit_resource resource, std::uint64_t value, std::uint64_t hard = 0) {
+        const rlimit both{value, std::max(value, hard)};
         if (setrlimit(resource, &both) != 0) throw std::system_error(errno, std::generic_category(), "setrlimit " + std::to_string(resource));
     };
     set(RLIMIT_CORE, 0);
     if (limits.address_space != 0) set(RLIMIT_AS, limits.address_space);
-    if (limits.cpu_seconds != 0) set(RLIMIT_CPU, limits.cpu_seconds);
+    // The soft limit ends a process by a signal of its own, which its parent can tell from others; the hard one by SIGKILL.
+    if (limits.cpu_seconds != 0) set(RLIMIT_CPU, limits.cpu_seconds, limits.cpu_seconds + 1);
     if (limits.file_size != 0) set(RLIMIT_FSIZE, limits.file_size);
     if (limits.descriptors != 0) set(RLIMIT_NOFILE, limits.descriptors);
     if (limits.no_children) set(RLIMIT_NPROC, 0);
