@@ -107,16 +107,17 @@ namespace {
 using Outcome = Compilation::Outcome;
 using Stopped = ConfinedResult::Stopped;
 
-/// Assembler and the like among the files, as the compiler sees them; nothing also if they cannot be preprocessed, which compiling says.
-std::optional<std::string> find_assembler_in(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+/// Looks through the files as the compiler sees them. Built only says that nothing is in the way; what cannot be preprocessed, compiling says.
+Compilation look_through(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
 {
     ConfinedCommand command = compiler_command(tools, exercise, files, work, {"-E", "-fpch-preprocess", "-w"});
     command.output_limit = caps::preprocessed;
     command.stop_at_limit = true;
     const ConfinedResult result = run_confined(command);
-    if (result.stopped == Stopped::too_much_output) return "your files include more text than the compiler is given";
-    if (result.exit_status != 0) return std::nullopt;
-    return find_assembler(result.output, tools.student_header.string() + ".gch");
+    if (result.stopped == Stopped::too_much_output) return {Outcome::refused_by_compiler, {}, "your files include more text than the compiler is given"};
+    if (result.exit_status == 0)
+        if (auto assembler = find_assembler(result.output, tools.student_header.string() + ".gch")) return {Outcome::not_allowed, {}, *std::move(assembler)};
+    return {Outcome::built, {}, ""};
 }
 
 /// By what the clock says, or by the compiler's word about a process of its own.
@@ -153,12 +154,8 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
         stream << text;
         if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}: {}", (work / name).string(), std::strerror(errno)));
     }
-    Compilation compilation;
-    if (const auto assembler = find_assembler_in(tools, exercise, files, work)) {
-        compilation.outcome = Outcome::not_allowed;
-        compilation.diagnostics = *assembler;
-        return compilation;
-    }
+    Compilation compilation = look_through(tools, exercise, files, work);
+    if (compilation.outcome != Outcome::built) return compilation;
     const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
     const ConfinedResult result = run_confined(
         compiler_command(tools, exercise, files, work, {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script, "-o", "student.so"}));

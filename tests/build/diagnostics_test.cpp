@@ -158,6 +158,17 @@ TEST(Secrets, a_reference_installed_below_usr_is_out_of_reach)
     EXPECT_EQ(to_string(asked.verdict), "ok") << asked.message;
 }
 
+// Too much text is a compile error like any other that a compiler has with it.
+TEST(Diagnostics, of_more_text_than_is_read)
+{
+    const Workbench bench;
+    std::string text = "#define A(x) x x x x x x x x x x\n#define B(x) A(A(A(A(x))))\n";
+    for (int i = 0; i < 300; ++i) text += "B(int x; struct y { float z; };)\n";
+    const Built built = bench.build_sphere(text);
+    EXPECT_EQ(to_string(built.verdict), "compile_error") << built.message;
+    EXPECT_NE(built.message.find("more text"), std::string::npos) << built.message;
+}
+
 // A file whose name looks like an option is a file.
 TEST(Options, are_never_taken_from_file_names)
 {
