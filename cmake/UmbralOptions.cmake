@@ -8,16 +8,21 @@ set(CMAKE_CXX_VISIBILITY_PRESET default)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+# Programs find our libraries from where they lie themselves: bin, lib and units lie beside each other here as in an installation.
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 
 # -O2 instead of -O3: what users wait for is the first build, and the hot loops here are in OSMesa and OpenCV.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 
 set(UMBRAL_SANITIZERS "" CACHE STRING "Sanitizers for everything but students' files, as for -fsanitize=")
+option(UMBRAL_SANITIZE_ENGINE "Also the engine and all that draws with OpenGL, which reads nothing foreign: `./umbral test --all` does" OFF)
 set(UMBRAL_FP_CONTRACT off CACHE STRING "-ffp-contract: off everywhere; `fast` only in the preset that shows what survives it")
 
 find_program(CCACHE ccache)
-if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+find_program(ENV_PROGRAM env)
+if(CCACHE AND ENV_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  # Without these, ccache keeps nothing that is compiled with a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${ENV_PROGRAM} CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()
 find_program(MOLD mold)
 if(MOLD)

@@ -4,6 +4,8 @@
 #   mistakes/*.so   known wrong solutions, loaded only to explain a failing result
 #   exports.map, exports.txt   the names that a student's library may define: those of the reference object, no other
 #
+#   built          an empty file, made last: the unit can be used
+#
 # The target unit-<topic>-<unit> makes all of it.
 #
 # Units lie below UMBRAL_EXERCISES_ROOT, their tenants below UMBRAL_REFERENCE_ROOT; tests that bring units of their own set both.
@@ -66,6 +68,12 @@ function(umbral_unit_library target folder name)
   target_link_libraries(${target} PRIVATE umbral-framework)
 endfunction()
 
+# umbral_finish_unit(ID FOLDER PART…): the target unit-<id>, and the file that says that all parts are there.
+function(umbral_finish_unit id folder)
+  add_custom_command(OUTPUT ${folder}/built COMMAND ${CMAKE_COMMAND} -E touch ${folder}/built DEPENDS ${ARGN} VERBATIM)
+  add_custom_target(unit-${id} ALL DEPENDS ${folder}/built)
+endfunction()
+
 # umbral_add_unit(TOPIC/UNIT)
 function(umbral_add_unit unit)
   set(source ${UMBRAL_EXERCISES_ROOT}/${unit})
@@ -85,7 +93,7 @@ function(umbral_add_unit unit)
     umbral_reference_objects(${other} objects)
     target_link_libraries(driver-${id} PRIVATE ${objects})
   endforeach()
-  add_custom_target(unit-${id} DEPENDS driver-${id})
+  set(parts driver-${id})
   string(JSON gl ERROR_VARIABLE no_gl GET "${json}" gl)
   if(gl STREQUAL "ON")
     target_link_libraries(driver-${id} PRIVATE umbral-gl)
@@ -96,6 +104,7 @@ function(umbral_add_unit unit)
   endif()
 
   if(NOT EXISTS ${reference}.cpp)
+    umbral_finish_unit(${id} ${folder} ${parts})
     return()
   endif()
   set(counted)
@@ -109,19 +118,13 @@ function(umbral_add_unit unit)
     COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=$<TARGET_OBJECTS:${objects}>" -DFOLDER=${folder} -P ${PROJECT_SOURCE_DIR}/cmake/exports.cmake
     DEPENDS $<TARGET_OBJECTS:${objects}> ${PROJECT_SOURCE_DIR}/cmake/exports.cmake COMMAND_EXPAND_LISTS VERBATIM)
   add_custom_target(exports-${id} ALL DEPENDS ${folder}/exports.map)
-  add_dependencies(unit-${id} reference-library-${id} exports-${id})
-  # What students may call of the units in `uses` is read from their exports.
-  string(REPLACE "/" "-" used_ids "${used}")
-  list(TRANSFORM used_ids PREPEND "exports-")
-  if(used_ids)
-    add_dependencies(unit-${id} ${used_ids})
-  endif()
+  list(APPEND parts reference-library-${id} ${folder}/exports.map)
 
   if(EXISTS ${reference}_oracle.cpp)
     umbral_unit_library(oracle-library-${id} ${folder} oracle ${reference}_oracle.cpp)
     target_link_libraries(oracle-library-${id} PRIVATE umbral-warnings)
     target_include_directories(oracle-library-${id} PRIVATE ${PROJECT_SOURCE_DIR}/reference)
-    add_dependencies(unit-${id} oracle-library-${id})
+    list(APPEND parts oracle-library-${id})
   endif()
 
   file(GLOB mistakes CONFIGURE_DEPENDS ${source}/mistakes/*.cpp ${source}/mistakes/*.change)
@@ -136,10 +139,20 @@ function(umbral_add_unit unit)
       set(mistake ${derived})
     endif()
     umbral_unit_library(mistake-${id}-${name} ${folder}/mistakes ${name} ${mistake})
-    add_dependencies(unit-${id} mistake-${id}-${name})
+    list(APPEND parts mistake-${id}-${name})
     set_target_properties(mistake-${id}-${name} PROPERTIES CXX_CLANG_TIDY "")  # wrong on purpose
     # As a student's file, with the precompiled header, which is also why NDEBUG must go: it takes a fifth of the time.
     target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} -UNDEBUG ${counted} -include ${UMBRAL_STUDENT_HEADER})
     set_source_files_properties(${mistake} PROPERTIES OBJECT_DEPENDS ${UMBRAL_STUDENT_HEADER}.gch)
+    # Linked like a student's file too, so that `umbral validate` can grade what explanations are made from.
+    target_link_options(mistake-${id}-${name} PRIVATE -Wl,-z,lazy -Wl,--version-script=${folder}/exports.map)
+    set_target_properties(mistake-${id}-${name} PROPERTIES LINK_DEPENDS ${folder}/exports.map)
+    add_dependencies(mistake-${id}-${name} exports-${id})
+  endforeach()
+  umbral_finish_unit(${id} ${folder} ${parts})
+  # What students may call of the units in `uses` is read from their exports.
+  foreach(other IN LISTS used)
+    string(REPLACE "/" "-" other ${other})
+    add_dependencies(unit-${id} exports-${other})
   endforeach()
 endfunction()

@@ -1,8 +1,10 @@
 #include "attack/verdict_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace umbral::grader::attack {
 namespace {
@@ -19,28 +21,23 @@ std::string cell(std::string text)
 
 std::string markdown(std::span<const Attack> attacks, const std::map<std::string, Rehearsal>& rehearsals)
 {
-    std::string text = "| attack | what it does |";
-    std::string rule = "|---|---|";
-    std::string sums = "| held | |";
+    std::string text = "| setting | attacks that held | seconds | grader's MiB |\n|---|---|---|---|\n";
     for (const auto& [setting, rehearsal] : rehearsals) {
-        text += fmt::format(" {} |", setting);
-        rule += "---|";
         const auto held = std::ranges::count_if(rehearsal.outcomes, [](const auto& one) { return one.second.findings.empty(); });
-        sums += fmt::format(" {} of {} |", held, rehearsal.outcomes.size());
+        text += fmt::format("| {} | {} of {} | {:.0f} | {:.0f} |\n", setting, held, rehearsal.outcomes.size(), rehearsal.run.seconds, rehearsal.run.peak_mib);
     }
-    text += "\n" + rule + "\n";
+    text += "\n| attack | what it does | what came of it | in settings |\n|---|---|---|---|\n";
     for (const Attack& attack : attacks) {
-        text += fmt::format("| {}/{} | {} |", attack.theme, attack.name, cell(attack.what));
-        for (const auto& [setting, rehearsal] : rehearsals) {
-            const auto found = rehearsal.outcomes.find(attack.id());
-            if (found == rehearsal.outcomes.end())
-                text += " |";
-            else
-                text += fmt::format(" {}{} |", found->second.findings.empty() ? "" : "**did not hold:** ", cell(found->second.came));
-        }
-        text += "\n";
+        // Mostly the same comes of it everywhere, and is said once.
+        std::map<std::string, std::vector<std::string>> settings;
+        for (const auto& [setting, rehearsal] : rehearsals)
+            if (const auto found = rehearsal.outcomes.find(attack.id()); found != rehearsal.outcomes.end())
+                settings[(found->second.findings.empty() ? "" : "**did not hold:** ") + cell(found->second.came)].push_back(setting);
+        for (const auto& [came, where] : settings)
+            text += fmt::format("| {}/{} | {} | {} | {} |\n", attack.theme, attack.name, cell(attack.what), came,
+                                settings.size() == 1 ? fmt::format("{}", where.size()) : fmt::format("{}", fmt::join(where, "; ")));
     }
-    return text + sums + "\n";
+    return text;
 }
 
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "batch/related.hpp"
+#include "judge/judges.hpp"
 #include "model/caps.hpp"
 
 namespace umbral::grader {
@@ -91,9 +92,8 @@ const Tensor* observed(const Check& check, const RunOutcome& run)
 {
     static const Tensor nothing;
     const Tensor* tensor = tensor_of(run, check.value);
-    const bool by_rows = check.judge == JudgeKind::fragments || check.judge == JudgeKind::events;
     if (run.recording.oversized.contains(check.value)) return nullptr;
-    return tensor == nullptr && by_rows ? &nothing : tensor;
+    return tensor == nullptr && judge_of(check).nothing_is_empty ? &nothing : tensor;
 }
 
 CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run, const RunOutcome& reference_run)
@@ -120,7 +120,7 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
         control = best_control(check, *expected, margin, one.seed);
     }
     take_judgement(check, judgement, control.right, result);
-    if (check.judge == JudgeKind::noise) result.seeds = {one.seed};
+    if (judge_of(check).judge_both != nullptr) result.seeds = {one.seed};
     return result;
 }
 
@@ -133,6 +133,7 @@ void take_judgement(const Check& check, const Judgement& judgement, double contr
     result.metrics["right"] = judgement.right;
     result.first_difference = judgement.first_difference;
     result.sketch = judgement.sketch;
+    result.borderline = judgement.borderline;
 }
 
 }

@@ -48,10 +48,7 @@ void ClassBook::publish() const
     const ClassResult all = result();
     const std::filesystem::path& out = plan_.out.path();
     write_class_json(out / "class.json", all);
-    html::ClassPageOptions page{{}, plan_.plan.instructor_edition};
-    for (const Exercise& exercise : plan_.course)
-        if (const auto english = exercise.title.find("en"); english != exercise.title.end()) page.titles[exercise.id] = english->second;
-    html::write_page(out / "index.html", html::class_html(all, page));
+    html::write_page(out / "index.html", html::class_html(all, {english_titles(plan_.course), plan_.plan.instructor_edition}));
 }
 
 void ClassBook::publish_if_due()

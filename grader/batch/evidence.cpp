@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "batch/evidence_kinds.hpp"
 #include "batch/related.hpp"
-#include "judge/noise.hpp"
-#include "judge/tolerance.hpp"
-#include "model/judging_order.hpp"
-#include "report/triptych.hpp"
+#include "judge/judges.hpp"
+#include "judge/rows/tensor_view.hpp"
+#include "judge/rows/tolerance.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -33,32 +31,12 @@ std::string bounds_in_words(const Tolerance& tolerance)
 
 }
 
-NumberPair telling_apart(double yours, double expected)
-{
-    for (int digits = 6;; ++digits) {
-        NumberPair pair{fmt::format("{:.{}g}", yours, digits), fmt::format("{:.{}g}", expected, digits)};
-        if (digits >= 17 || yours == expected || pair.yours != pair.expected) return pair;
-    }
-}
-
-html::Evidence evidence_of(const Check& check, const Observation& observation, const CheckResult& result, bool right)
+Evidence evidence_of(const Check& check, const Observation& observation, bool right)
 {
     if (observation.yours == nullptr || observation.expected == nullptr) return {};
-    const Tensor& yours = *observation.yours;
-    const Tensor& expected = *observation.expected;
-    if (!well_formed(yours) || !well_formed(expected)) return {};
-    if (check.judge == JudgeKind::noise && is_table(expected)) return {};
-    if (is_picture(check)) return picture_evidence(check, yours, expected, right);
-    if (right) return {};
-    switch (check.judge) {
-        case JudgeKind::numbers:
-        case JudgeKind::matrices: return rows_evidence(check, observation);
-        case JudgeKind::trace: return trace_evidence(yours, expected);
-        case JudgeKind::events: return events_evidence(check, observation);
-        case JudgeKind::fragments: return fragments_evidence(check, observation, result);
-        case JudgeKind::cost: return cost_evidence(check, yours, expected);
-        default: return {};
-    }
+    if (!well_formed(*observation.yours) || !well_formed(*observation.expected)) return {};
+    const auto make = judge_of(check).evidence;
+    return make == nullptr ? Evidence{} : make(check, observation, right);
 }
 
 html::CheckDetail describe(const Check& check)
@@ -93,7 +71,7 @@ void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseRe
     std::vector<std::size_t> order(exercise.checks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     // Hidden ones come last: what a student sees of the others must not depend on them.
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::pair(exercise.checks[i].hidden, judging_place(exercise.checks[i].judge)); });
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::pair(exercise.checks[i].hidden, judge_of(exercise.checks[i]).place); });
     for (const std::size_t i : order) {
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
@@ -104,9 +82,9 @@ void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseRe
         const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
         const ExpectedSide side = expected_side(check, one.student, expected);
         const Observation observation{observed(check, one.student), side.tensor.get(), tensor_of(expected, check.value + ".margin"),
-                                      tensor_of(expected, check.value + ".names")};
-        html::Evidence evidence = evidence_of(check, observation, result.checks[i], right);
-        if (auto* picture = std::get_if<html::PictureEvidence>(&evidence)) picture->expected_side = side.words;
+                                      tensor_of(expected, check.value + ".names"), result.checks[i].sketch};
+        Evidence evidence = evidence_of(check, observation, right);
+        if (auto* picture = std::get_if<PictureEvidence>(&evidence)) picture->expected_side = side.words;
         if (is_picture(check)) ++pictures;
         one_shown = one_shown || (right && !std::holds_alternative<std::monostate>(evidence));
         unit.checks[check.name].evidence = std::move(evidence);

@@ -6,18 +6,10 @@
 
 namespace umbral::grader {
 
-/// What was recorded for one check. `margin` and `names` may be null.
-struct Observation {
-    const Tensor* yours = nullptr;
-    const Tensor* expected = nullptr;
-    const Tensor* margin = nullptr;
-    const Tensor* names = nullptr;
-};
-
 /// What a page shows of a check, from the recordings of both sides. Nothing where there is nothing to show (another shape, a kind that
 /// cannot be drawn). `right`: the check earned all its points; then only a picture is of interest. Never throws for what a student
 /// recorded.
-[[nodiscard]] html::Evidence evidence_of(const Check& check, const Observation& observation, const CheckResult& result, bool right);
+[[nodiscard]] Evidence evidence_of(const Check& check, const Observation& observation, bool right);
 
 /// What the manifest says of a check: bounds in words, and where they come from.
 [[nodiscard]] html::CheckDetail describe(const Check& check);

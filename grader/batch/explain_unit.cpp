@@ -5,9 +5,10 @@
 #include <list>
 #include <tuple>
 
+#include "batch/packaged_unit.hpp"
 #include "batch/related.hpp"
-#include "judge/explain.hpp"
-#include "judge/thresholds.hpp"
+#include "judge/explain/explain.hpp"
+#include "judge/explain/thresholds.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -18,14 +19,15 @@ struct CaseChecks {
     const CaseResult* result = nullptr;
     std::vector<FailingCheck> checks;
     std::size_t failing = 0;
+    std::size_t cells = 0;  ///< that are expected: how much work the case is, the same on every machine and day
 };
 
-/// By case: those with failing checks first, of both kinds the quickest first, for most mistakes are told apart by one case. A failing check
+/// By case: those with failing checks first, of both kinds the smallest first, for most mistakes are told apart by one case. A failing check
 /// with a relation is explained by what is wrong with one of its values, as a check of its own that `plain` keeps; one that holds says nothing.
 std::vector<CaseChecks> by_case(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases, std::list<Check>& plain)
 {
     std::vector<CaseChecks> groups;
-    for (const std::string& name : exercise.cases()) groups.push_back({name, &cases.at(name), {}, 0});
+    for (const std::string& name : exercise.cases()) groups.push_back({name, &cases.at(name), {}, 0, 0});
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& declared = exercise.checks[i];
         CaseChecks& group = *std::ranges::find(groups, declared.case_name, &CaseChecks::name);
@@ -38,10 +40,11 @@ std::vector<CaseChecks> by_case(Workshop& workshop, const Exercise& exercise, co
         group.checks.push_back(
             {&check, observed(check, group.result->student), tensor_of(expected, check.value), tensor_of(expected, check.value + ".margin"), fails});
         group.failing += fails ? 1 : 0;
+        if (const Tensor* right = tensor_of(expected, check.value)) group.cells += right->cells();
     }
     std::erase_if(groups, [](const CaseChecks& group) { return group.checks.empty(); });
-    std::ranges::stable_sort(groups, {},
-                             [](const CaseChecks& group) { return std::tuple(group.failing == 0, group.result->student.wall_seconds, group.name); });
+    // Never by time: which mistakes are left out early depends on the order, and two gradings must agree.
+    std::ranges::stable_sort(groups, {}, [](const CaseChecks& group) { return std::tuple(group.failing == 0, group.cells, group.name); });
     return groups;
 }
 
@@ -94,7 +97,7 @@ std::vector<Explanation> by_mistakes(Workshop& workshop, const Exercise& exercis
 
 std::vector<Specimen> telling_mistakes(const Workshop& workshop, const Exercise& exercise)
 {
-    std::vector<Specimen> mistakes = mistakes_of(workshop.tools().reference, exercise);
+    std::vector<Specimen> mistakes = known_mistakes(workshop.tools(), exercise);
     std::erase_if(mistakes, [](const Specimen& one) { return one.verdict && *one.verdict != Verdict::wrong && *one.verdict != Verdict::partial; });
     return mistakes;
 }

@@ -4,10 +4,9 @@
 #include <gnu/libc-version.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <fstream>
-#include <memory>
+
+#include "build/ask_program.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -30,16 +29,7 @@ std::string processor()
 
 }
 
-std::string version_of(const std::string& program)
-{
-    // The name comes from the build's own configuration, never from a submission.
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen((program + " --version 2>/dev/null").c_str(), "re"), &pclose);
-    std::array<char, 256> line{};
-    if (!pipe || std::fgets(line.data(), line.size(), pipe.get()) == nullptr) return "";
-    std::string text(line.data());
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    return text;
-}
+std::string version_of(const std::string& program) { return ask_program(program, "--version"); }
 
 Fingerprint fingerprint(Workshop& workshop, const std::vector<Exercise>& exercises)
 {

@@ -9,9 +9,9 @@
 #include <set>
 
 #include "batch/class_book.hpp"
+#include "batch/crew.hpp"
 #include "batch/fingerprint.hpp"
 #include "batch/grade_submission.hpp"
-#include "batch/share_out.hpp"
 #include "model/caps.hpp"
 #include "model/digest.hpp"
 #include "model/faults.hpp"
@@ -125,7 +125,12 @@ public:
             book_.begin();
             tell("");
         }
-        share_out(tools_, todo_.size(), options_.jobs, [this](Workshop& workshop, std::size_t index) { grade(workshop, todo_[index]); });
+        // Where there are fewer submissions than workers, several share the units of each.
+        const std::size_t each = options_.jobs / std::max<std::size_t>(todo_.size(), 1);
+        Crew(tools_, options_.jobs).share_out(todo_.size(), [&](Workshop& workshop, std::size_t index) {
+            Crew crew = each > 1 ? Crew(tools_, each) : Crew(workshop);
+            grade(crew, todo_[index]);
+        });
         retry_faults();
         done.written = book_.close();
         done.result = book_.result();
@@ -170,12 +175,12 @@ private:
         }
     }
 
-    void grade(Workshop& workshop, std::size_t index)
+    void grade(Crew& crew, std::size_t index)
     {
         if (book_.is_shut()) return;
         const SubmissionFolder& submission = submissions_[index];
         try {
-            const Graded graded = grade_submission(workshop, plan_, submission, [this] {
+            const Graded graded = grade_submission(crew, plan_, submission, [this] {
                 const std::lock_guard lock(mutex_);
                 ++now_.units_graded;
                 tell("");
@@ -206,7 +211,7 @@ private:
             const auto causes = [&] { return book_.causes_of(submissions_[index].id); };
             if (book_.is_shut() || std::ranges::all_of(causes(), [&](const std::string& cause) { return again[cause] >= most_retries; })) continue;
             now_.units_to_grade += causes().size();
-            Workshop alone(tools_);
+            Crew alone(tools_, 1);
             grade(alone, index);
             for (const std::string& cause : causes()) ++again[cause];
         }
@@ -239,15 +244,6 @@ private:
     std::set<std::size_t> faulty_;
 };
 
-}
-
-SubmissionResult grade_submission(Workshop& workshop, const std::vector<Exercise>& exercises, const fs::path& folder, const GradeOptions& options)
-{
-    SubmissionResult submission;
-    const SubmittedFiles submitted = read_submission(folder, archive_tools(workshop.tools()));
-    for (const Exercise& exercise : exercises) submission.units.push_back(grade_unit(workshop, exercise, collect(submitted, exercise), options));
-    add_up(submission);
-    return submission;
 }
 
 ClassGrading grade_class(const Toolchain& tools, const std::vector<Exercise>& exercises, const ClassOptions& options,

@@ -55,8 +55,4 @@ struct ClassGrading {
 [[nodiscard]] ClassGrading grade_class(const Toolchain& tools, const std::vector<Exercise>& exercises, const ClassOptions& options,
                                        const std::function<void(const ClassProgress&)>& progress);
 
-/// Grades one folder for all exercises, and writes nothing but what `options` names.
-[[nodiscard]] SubmissionResult grade_submission(Workshop& workshop, const std::vector<Exercise>& exercises, const std::filesystem::path& folder,
-                                                const GradeOptions& options);
-
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <mutex>
 #include <optional>
 
 #include "batch/grade_unit.hpp"
@@ -79,8 +81,7 @@ void write_reports(const SubmissionPlan& plan, const fs::path& folder, const Sub
     write_report_json(folder / "report.json", result, fingerprint);
     write_report_json(folder / "report.student.json", without_hidden_values(result), fingerprint);
     html::ReportOptions options;
-    for (const Exercise& exercise : plan.course)
-        if (const auto english = exercise.title.find("en"); english != exercise.title.end()) options.titles[exercise.id] = english->second;
+    options.titles = english_titles(plan.course);
     std::vector<std::string> sections;
     for (const Part& part : parts) sections.push_back(part.sections.student);
     html::write_page(folder / "report.html", html::report_from_sections(result, fingerprint, sections, options));
@@ -99,7 +100,7 @@ void write_reports(const SubmissionPlan& plan, const fs::path& folder, const Sub
 
 }
 
-Graded grade_submission(Workshop& workshop, const SubmissionPlan& plan, const SubmissionFolder& submission, const std::function<void()>& graded)
+Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const SubmissionFolder& submission, const std::function<void()>& graded)
 {
     const fs::path folder = plan.out.folder_of(submission.id);
     Mark mark = open_report_folder(folder, submission.id);
@@ -117,19 +118,21 @@ Graded grade_submission(Workshop& workshop, const SubmissionPlan& plan, const Su
     } catch (const std::exception& error) {
         trouble = error.what();
     }
-    std::vector<Part> parts;
-    std::vector<std::string> changed;
-    for (const Exercise& exercise : plan.exercises) {
+    std::vector<Part> parts(plan.exercises.size());
+    std::vector<std::string> changes(parts.size());
+    std::mutex mutex;
+    crew.share_out(parts.size(), [&](Workshop& workshop, std::size_t i) {
+        const Exercise& exercise = plan.exercises[i];
         const Handed handed = submitted ? collect(*submitted, exercise) : Handed{};
         const std::string key = submitted ? plan.keys.key(exercise, submission.id, handed) : "";
         std::optional<KeptUnit> before = kept_unit(unit_file(folder, exercise.id));
         if (before && submitted && before->key == key)
             if (auto sections = kept_sections(unit_file(folder, exercise.id))) {
                 fs::remove(fault_file(folder, exercise.id));
-                parts.push_back({*std::move(before), *std::move(sections)});
-                continue;
+                parts[i] = {*std::move(before), *std::move(sections)};
+                return;
             }
-        Part part;
+        Part& part = parts[i];
         if (submitted) {
             part = grade_part(workshop, plan, exercise, handed, submission.id, folder);
         } else {
@@ -138,15 +141,16 @@ Graded grade_submission(Workshop& workshop, const SubmissionPlan& plan, const Su
             part.sections.student = html::section_html(part.unit.result, {}, html::Edition::student);
         }
         keep(folder, exercise, key, part);
-        if (const std::string line = change(before, part.unit.result); !line.empty()) changed.push_back(line);
-        parts.push_back(std::move(part));
+        changes[i] = change(before, part.unit.result);
+        const std::lock_guard lock(mutex);
         graded();
-    }
+    });
+    std::erase(changes, "");
     add_units_of_earlier_runs(plan, folder, parts);
     put_in_order(plan, parts);
 
     Graded done = result_of(plan, submission.id, submission.shown, parts);
-    done.changed = std::move(changed);
+    done.changed = std::move(changes);
     write_reports(plan, folder, done.result, parts);
     mark.reports = reports_digest(plan, done.result);
     set_mark(folder, mark);

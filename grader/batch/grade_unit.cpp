@@ -131,6 +131,11 @@ bool was_starved(const RunOutcome& run, const Limits& limits) { return run.verdi
 
 UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built& built, const GradeOptions& options)
 {
+    if (built.verdict != Verdict::ok) {
+        UnitResult result = without_points(exercise, built.verdict, built.message);
+        result.settled = built.repeatable;
+        return result;
+    }
     CaseResults cases;
     for (const std::string& name : shuffled_cases(exercise, options.seeds))
         cases.emplace(name, may_run_another(cases) ? run_case(workshop, exercise, built, name, options.seeds)
@@ -154,7 +159,7 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
         result.reference_seconds += one.reference_seconds;
     }
     result.verdict = verdict_of(result, cases);
-    result.settled = std::ranges::none_of(cases, [&](const auto& entry) { return was_starved(entry.second.student, exercise.limits); });
+    result.settled = built.repeatable && std::ranges::none_of(cases, [&](const auto& entry) { return was_starved(entry.second.student, exercise.limits); });
     result.message = troubles(cases);
     result.output = printed_text(exercise, cases);
     if (options.explain && result.verdict != Verdict::ok) result.explanations = explain_unit(workshop, exercise, result, cases);
@@ -163,38 +168,54 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
     return result;
 }
 
+/// Grades by `grade`; what goes wrong on our side becomes a result.
+template <class Grade>
+UnitResult guarded(Workshop& workshop, const Exercise& exercise, const GradeOptions& options, const Grade& grade)
+{
+    UnitResult result;
+    try {
+        workshop.forget_if_full();
+        describe_unit(exercise, options);
+        result = grade();
+    } catch (const std::exception& fault) {
+        result = grader_fault(exercise, fault.what());
+    }
+    result.seed = case_seed("visible", options.seeds.course, "", exercise.id, "", options.seeds.attempt);
+    return result;
+}
+
 }
 
 UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& given)
 {
-    UnitResult result;
     GradeOptions options = given;
-    try {
+    UnitResult result = guarded(workshop, exercise, options, [&] {
         if (options.seeds.work.empty()) options.seeds.work = work_digest(handed.files);
-        workshop.forget_if_full();
-        describe_unit(exercise, options);
-        if (!handed.missing.empty()) {
-            result = without_points(exercise, Verdict::missing, fmt::format("not handed in: {}", fmt::join(handed.missing, ", ")));
-        } else if (!handed.refused.empty()) {
-            result = without_points(exercise, Verdict::missing, "not read: " + handed.refused);
-        } else if (const std::size_t bytes = bytes_of(handed.files); bytes > caps::unit_sources) {
-            result = without_points(
+        if (!handed.missing.empty()) return without_points(exercise, Verdict::missing, fmt::format("not handed in: {}", fmt::join(handed.missing, ", ")));
+        if (!handed.refused.empty()) return without_points(exercise, Verdict::missing, "not read: " + handed.refused);
+        if (const std::size_t bytes = bytes_of(handed.files); bytes > caps::unit_sources)
+            return without_points(
                 exercise, Verdict::missing,
                 fmt::format("not read: the files of this unit take {} KiB together, and at most {} KiB are taken", bytes >> 10U, caps::unit_sources >> 10U));
-        } else if (equals_stub(handed.files, exercise)) {
-            result = without_points(exercise, Verdict::not_implemented, "the file is still the stub");
-        } else {
-            const Built built = build(workshop.tools(), exercise, handed.files);
-            result = built.verdict == Verdict::ok ? grade_built(workshop, exercise, built, options) : without_points(exercise, built.verdict, built.message);
-            result.settled = result.settled && built.repeatable;
-        }
-    } catch (const std::exception& fault) {
-        result = grader_fault(exercise, fault.what());
-    }
+        if (equals_stub(handed.files, exercise)) return without_points(exercise, Verdict::not_implemented, "the file is still the stub");
+        return grade_built(workshop, exercise, build(workshop.tools(), exercise, handed.files), options);
+    });
     // A fault's message is kept as it is: others look for its cause in it.
     if (!handed.notes.empty() && result.verdict != Verdict::grader_fault) result.message = fmt::format("{}\n{}", fmt::join(handed.notes, "\n"), result.message);
-    result.seed = case_seed("visible", options.seeds.course, "", exercise.id, "", options.seeds.attempt);
     return result;
+}
+
+UnitResult grade_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, const GradeOptions& options)
+{
+    if (!exercise.is_cpp()) return grade_unit(workshop, exercise, {mistake.sources, {}, ""}, options);
+    return guarded(workshop, exercise, options, [&] {
+        // An installation has it veiled and without debug information, so that it cannot be looked through.
+        const std::filesystem::path library = unit_folder(workshop.tools(), exercise.id) / "mistakes" / (mistake.name + ".so");
+        const bool is_there = std::filesystem::exists(library);
+        return grade_built(workshop, exercise,
+                           is_there ? adopt(workshop.tools(), exercise, mistake.sources, library) : build(workshop.tools(), exercise, mistake.sources),
+                           options);
+    });
 }
 
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "batch/seeds.hpp"
+#include "batch/specimens.hpp"
 #include "batch/workshop.hpp"
 #include "build/submission.hpp"
 #include "model/exercise.hpp"
@@ -26,5 +27,8 @@ struct GradeOptions {
 /// Grades what was handed in for one unit. Never throws for what a student did; what goes wrong on our side becomes the verdict
 /// grader_fault, which takes the unit out of the sum.
 [[nodiscard]] UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options);
+
+/// The same for one of the unit's mistakes, which was compiled with the project: what explains students' results is itself graded.
+[[nodiscard]] UnitResult grade_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, const GradeOptions& options);
 
 }

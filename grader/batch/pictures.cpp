@@ -5,7 +5,8 @@
 #include <umbral/core/png.hpp>
 
 #include "batch/related.hpp"
-#include "judge/noise.hpp"
+#include "judge/judges.hpp"
+#include "judge/picture/to_image.hpp"
 #include "report/triptych.hpp"
 #include "run/run_text.hpp"
 
@@ -32,13 +33,12 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
         if (!is_picture(check) || check.hidden || !one.trouble().empty() || (!failing && (one_saved || result.verdict != Verdict::ok))) continue;
         const Tensor* student = tensor_of(one.student, check.value);
         const ExpectedSide expected = expected_side(check, one.student, workshop.trusted(exercise, judged_against(check), check.case_name, one.seed));
-        const bool noise = check.judge == JudgeKind::noise;
-        if (student == nullptr || expected.tensor == nullptr || (noise && is_table(*expected.tensor))) continue;
+        if (student == nullptr || expected.tensor == nullptr || !can_be_drawn(check, *expected.tensor)) continue;
         try {
             std::filesystem::create_directories(options.artefacts);
             const std::filesystem::path file = options.artefacts / file_name(exercise, check);
-            write_png(file,
-                      triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words, noise ? JudgeKind::noise : JudgeKind::image));
+            write_png(file, triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words,
+                                     judge_of(check).look == Look::light ? check.judge : image_kind()));
             result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();
             one_saved = true;
         } catch (const std::exception& error) {
@@ -50,16 +50,16 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
 std::optional<Image> goal_picture(Workshop& workshop, const Exercise& exercise)
 {
     // The colour picture says most; a buffer serves where there is none.
-    const auto of_kind = [&](JudgeKind kind) {
-        return std::find_if(exercise.checks.begin(), exercise.checks.end(), [&](const Check& check) { return check.judge == kind && !check.hidden; });
+    const auto looks = [&](Look look) {
+        return std::ranges::find_if(exercise.checks, [&](const Check& check) { return judge_of(check).look == look && !check.hidden; });
     };
-    auto chosen = of_kind(JudgeKind::image);
-    if (chosen == exercise.checks.end()) chosen = of_kind(JudgeKind::buffer);
-    if (chosen == exercise.checks.end()) chosen = of_kind(JudgeKind::noise);
+    auto chosen = looks(Look::colours);
+    if (chosen == exercise.checks.end()) chosen = looks(Look::values);
+    if (chosen == exercise.checks.end()) chosen = looks(Look::light);
     if (chosen == exercise.checks.end()) return std::nullopt;
     const RunOutcome& run = workshop.trusted(exercise, Tenant::reference, chosen->case_name, SeedPlan{}.seed_of(exercise, chosen->case_name));
     const Tensor* tensor = tensor_of(run, chosen->value);
-    if (tensor == nullptr || (chosen->judge == JudgeKind::noise && is_table(*tensor))) return std::nullopt;
+    if (tensor == nullptr || !can_be_drawn(*chosen, *tensor)) return std::nullopt;
     return to_image(*tensor, *chosen);
 }
 

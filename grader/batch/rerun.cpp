@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "judge/noise.hpp"
+#include "judge/judges.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -20,12 +20,6 @@ Judgement judged(Workshop& workshop, const Exercise& exercise, const Check& chec
     return judge(check, *observed(check, one.student), *right, nullptr, tensor_of(expected, check.value + ".names"));
 }
 
-bool is_borderline(const CheckResult& result)
-{
-    const auto found = result.metrics.find("probability");
-    return result.kind == JudgeKind::noise && found != result.metrics.end() && after_first_run(found->second) == FirstRun::borderline;
-}
-
 }
 
 void settle_borderline(Workshop& workshop, const Exercise& exercise, const Built& built, const CaseResults& cases, const GradeOptions& options,
@@ -35,7 +29,7 @@ void settle_borderline(Workshop& workshop, const Exercise& exercise, const Built
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         CheckResult& before = result.checks[i];
-        if (!is_borderline(before)) continue;
+        if (!before.borderline) continue;
         const CaseResult& one = cases.at(check.case_name);
         const auto [fresh, added] = again.try_emplace(check.case_name);
         if (added && !may_run_another(again)) {
@@ -46,7 +40,7 @@ void settle_borderline(Workshop& workshop, const Exercise& exercise, const Built
             fresh->second.student = workshop.run(exercise, built, check.case_name, fresh->second.seed);
             if (fresh->second.student.verdict == Verdict::grader_fault) throw std::runtime_error(fresh->second.student.message);
         }
-        const Judgement both = judge_both(judged(workshop, exercise, check, one), judged(workshop, exercise, check, fresh->second));
+        const Judgement both = judge_of(check).judge_both(judged(workshop, exercise, check, one), judged(workshop, exercise, check, fresh->second));
         const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
         const BestControl control = best_control(check, *tensor_of(expected, check.value), nullptr, one.seed);
         take_judgement(check, both, control.right, before);

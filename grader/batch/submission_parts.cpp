@@ -29,7 +29,7 @@ std::optional<KeptUnit> shown_before(const fs::path& folder, const std::string& 
 
 SubmittedFiles read_files(const SubmissionPlan& plan, const SubmissionFolder& submission)
 {
-    return read_submission(submission.folder, archive_tools(plan.tools));
+    return read_submission(submission.folder, plan.exercises, archive_tools(plan.tools));
 }
 
 void put_in_order(const SubmissionPlan& plan, std::vector<Part>& parts)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "batch/specimens.hpp"
+#include "batch/packaged_unit.hpp"
 #include "model/digest.hpp"
 
 namespace umbral::grader {
@@ -62,7 +62,8 @@ void add_unit(Sha256& hash, const Toolchain& tools, const Exercise& exercise)
     add_folder(hash, unit_folder(tools, exercise.id));
     for (const std::string& used : exercise.uses) add_folder(hash, unit_folder(tools, used));
     for (const char* const candidates : {"mistakes", "alternatives"}) add_folder(hash, exercise.folder / candidates);
-    for (const auto& [name, text] : reference_sources(tools.reference, exercise)) {
+    add_file(hash, exercise.folder / packaged_file);
+    for (const auto& [name, text] : reference_shaders(tools, exercise)) {
         hash.update_field(name);
         hash.update_field(text);
     }

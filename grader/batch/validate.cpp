@@ -7,8 +7,9 @@
 #include "batch/case_results.hpp"
 #include "batch/related.hpp"
 #include "batch/specimens.hpp"
-#include "judge/judge.hpp"
-#include "judge/sureness.hpp"
+#include "judge/explain/sureness.hpp"
+#include "judge/judges.hpp"
+#include "manifest/statements.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -64,14 +65,14 @@ std::vector<std::string> blind_checks(const UnitResult& result)
 {
     std::vector<std::string> names;
     for (const CheckResult& check : result.checks)
-        if (check.score == check.max_score && ((check.kind == JudgeKind::image && check.error == 0.0) || check.kind == JudgeKind::noise))
+        if (const Look look = judge_of(check).look; check.score == check.max_score && ((look == Look::colours && check.error == 0.0) || look == Look::light))
             names.push_back(check.name);
     return names;
 }
 
 Finding expect_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, unsigned seed)
 {
-    const UnitResult result = grade_unit(workshop, exercise, {mistake.sources, {}, ""}, options_for(seed));
+    const UnitResult result = grade_mistake(workshop, exercise, mistake, options_for(seed));
     Finding finding{exercise.id, "mistake: " + mistake.name, seed, false, percent(result), "", "", mistake.what, mistake.hint, hard_share(result)};
     if (mistake.verdict) {
         finding.expected = std::string(to_string(*mistake.verdict));
@@ -157,6 +158,14 @@ std::vector<Finding> expect_controls(Workshop& workshop, const Exercise& exercis
 
 }
 
+Finding expect_statements(const Exercise& exercise, unsigned seed)
+{
+    std::string missing;
+    for (const Language& language : languages)
+        if (!std::filesystem::is_regular_file(exercise.folder / language.statement)) missing += (missing.empty() ? "" : ", ") + language.statement;
+    return {exercise.id, "statements", seed, missing.empty(), 0, "both", missing.empty() ? "" : "missing: " + missing};
+}
+
 void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seed, const Report& report)
 {
     const auto guarded = [&](const std::string& subject, const auto& make) {
@@ -167,6 +176,7 @@ void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seed, 
         }
     };
     const std::filesystem::path& reference = workshop.tools().reference;
+    if (const Finding statements = expect_statements(exercise, seed); !statements.holds) report(statements);
     guarded("reference", [&] { report(expect_all(workshop, exercise, "reference", reference_sources(reference, exercise), seed)); });
     guarded("alternatives", [&] {
         for (const Specimen& other : alternatives_of(reference, exercise)) {

@@ -4,9 +4,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "judge/cost.hpp"
-#include "judge/outside_cost.hpp"
-#include "judge/tensor_view.hpp"
+#include "judge/cost/cost.hpp"
+#include "judge/cost/outside_cost.hpp"
+#include "judge/judges.hpp"
+#include "judge/parameters.hpp"
+#include "judge/rows/tensor_view.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -46,7 +48,7 @@ std::optional<std::string> objection_of_a_round(Workshop& workshop, const Exerci
             take(*side, sizes.size(), &OutsideCost::all_sizes);
         }
     if (left_out) return "when the work was asked for again, to measure its time, it was not done";
-    return objection_from_outside(student.least, reference.least, sizes, check.growth, names);
+    return objection_from_outside(student.least, reference.least, sizes, parameters_of<CostParameters>(check).growth, names);
 }
 
 std::optional<std::string> objection_to(Workshop& workshop, const Exercise& exercise, const Check& check, const Built& built, const CaseResult& one)
@@ -72,7 +74,7 @@ void weigh_costs(Workshop& workshop, const Exercise& exercise, const Built& buil
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         CheckResult& earned = result.checks[i];
-        if (check.judge != JudgeKind::cost || earned.score == 0) continue;
+        if (!judge_of(check).counts_work || earned.score == 0) continue;
         auto objection = objection_to(workshop, exercise, check, built, cases.at(check.case_name));
         if (!objection) continue;
         earned.score = 0;

@@ -6,8 +6,10 @@
 #include <cstdlib>
 
 #include "batch/case_results.hpp"
+#include "batch/packaged_unit.hpp"
 #include "batch/seeds.hpp"
 #include "batch/specimens.hpp"
+#include "judge/judges.hpp"
 #include "model/caps.hpp"
 
 namespace umbral::grader {
@@ -41,10 +43,7 @@ std::vector<std::string> roots_of(const Toolchain& tools)
 const char* to_string(Tenant tenant) { return tenant == Tenant::reference ? "reference" : "oracle"; }
 
 /// How many cells of a value are read where `expected` were: so many more that any honest mistake can be shown.
-std::size_t most_cells(const Check& check, std::size_t expected)
-{
-    return caps::rows_factor * expected + (check.judge == JudgeKind::trace ? caps::trace_bytes : caps::rows_more);
-}
+std::size_t most_cells(const Check& check, std::size_t expected) { return caps::rows_factor * expected + judge_of(check).more_cells; }
 
 }
 
@@ -96,11 +95,17 @@ RunRequest Workshop::students_request(const Exercise& exercise, const Built& bui
     return wanted;
 }
 
-RunRequest Workshop::trusted_request(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed) const
+std::filesystem::path Workshop::library_of(const Exercise& exercise, const std::string& name)
+{
+    if (!unveiled_ && is_veiled(tools_, exercise, name)) unveiled_ = std::make_unique<ScratchFolder>(tools_.cache);
+    return answer_library(tools_, exercise, name, unveiled_ ? unveiled_->path() : std::filesystem::path());
+}
+
+RunRequest Workshop::trusted_request(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed)
 {
     RunRequest wanted = request(exercise, case_name, seed);
-    if (exercise.is_cpp()) wanted.tenant = unit_folder(tools_, exercise.id) / fmt::format("{}.so", to_string(tenant));
-    wanted.sources = texts_of(exercise.is_cpp() ? Sources{} : reference_sources(tools_.reference, exercise));
+    if (exercise.is_cpp()) wanted.tenant = library_of(exercise, to_string(tenant));
+    wanted.sources = texts_of(reference_shaders(tools_, exercise));
     return wanted;
 }
 
@@ -136,7 +141,7 @@ const RunOutcome& Workshop::run_mistake(const Exercise& exercise, const std::str
     const std::string key = key_of(exercise, "mistake " + name, case_name, seed);
     if (const auto found = remembered_.find(key); found != remembered_.end()) return found->second;
     RunRequest wanted = request(exercise, case_name, seed);
-    if (exercise.is_cpp()) wanted.tenant = unit_folder(tools_, exercise.id) / "mistakes" / (name + ".so");
+    if (exercise.is_cpp()) wanted.tenant = library_of(exercise, "mistakes/" + name);
     wanted.sources = texts_of(sources);
     wanted.wanted = this->wanted(exercise, case_name, seed);
     return remember(key, spawner(exercise.gl).run(wanted));

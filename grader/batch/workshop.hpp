@@ -6,6 +6,7 @@
 
 #include "build/builder.hpp"
 #include "build/toolchain.hpp"
+#include "model/scratch.hpp"
 #include "run/spawner.hpp"
 
 namespace umbral::grader {
@@ -51,13 +52,15 @@ public:
 private:
     [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
     [[nodiscard]] RunRequest students_request(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed);
-    [[nodiscard]] RunRequest trusted_request(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed) const;
+    [[nodiscard]] RunRequest trusted_request(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed);
+    [[nodiscard]] std::filesystem::path library_of(const Exercise& exercise, const std::string& name);
     [[nodiscard]] WantedTensors wanted(const Exercise& exercise, const std::string& case_name, std::uint64_t seed);
     const RunOutcome& remember(const std::string& key, RunOutcome outcome);
 
     Toolchain tools_;
     std::string gl_backend_;
-    std::vector<std::string> roots_;  ///< folders of this machine that no text of a run may show
+    std::vector<std::string> roots_;           ///< folders of this machine that no text of a run may show
+    std::unique_ptr<ScratchFolder> unveiled_;  ///< libraries of answers, where the installation has them veiled; made when first needed
     std::unique_ptr<Spawner> plain_;
     std::unique_ptr<Spawner> gl_;
     std::map<std::string, RunOutcome> remembered_;

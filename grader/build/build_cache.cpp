@@ -62,10 +62,19 @@ void remove_old_scratch(const fs::path& cache, Time now)
 }
 
 void prune_builds(const fs::path& cache, std::uintmax_t limit) noexcept
+{
+    try {
+        remove_old_scratch(cache, Time::clock::now());
+    } catch (const std::exception&) {
+        // Out of memory for the list: the next one will do it.
+    }
+    prune_entries(cache / "builds", limit);
+}
+
+void prune_entries(const fs::path& folder, std::uintmax_t limit) noexcept
 try {
     const Time now = Time::clock::now();
-    remove_old_scratch(cache, now);
-    std::vector<Entry> entries = entries_of(cache / "builds");
+    std::vector<Entry> entries = entries_of(folder);
     std::uintmax_t bytes = 0;
     for (const Entry& entry : entries) bytes += entry.bytes;
     if (bytes <= limit) return;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace umbral::grader {
 
@@ -10,6 +11,15 @@ namespace umbral::grader {
 /// about to load them; scratch folders older than a day, which a killed grader left, go too. Never throws: another process may
 /// do the same, or the disk may be read-only.
 void prune_builds(const std::filesystem::path& cache, std::uintmax_t limit) noexcept;
+
+/// Where the entry of a key (a digest in hexadecimal digits) lies in a folder of entries, `<two letters>/<key>`.
+[[nodiscard]] inline std::filesystem::path entry_of(const std::filesystem::path& folder, const std::string& key) { return folder / key.substr(0, 2) / key; }
+
+/// prune_builds for any folder of entries, without looking for scratch folders.
+void prune_entries(const std::filesystem::path& folder, std::uintmax_t limit) noexcept;
+
+/// Where the last results of checked workspaces lie in a cache.
+[[nodiscard]] inline std::filesystem::path checks_folder(const std::filesystem::path& cache) { return cache / "checks"; }
 
 /// Notes that an entry was used now.
 void mark_used(const std::filesystem::path& entry) noexcept;

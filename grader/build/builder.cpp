@@ -40,7 +40,7 @@ std::vector<std::string> lines_of(const fs::path& file)
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("5\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw, exercise.counts_cost(),
+    std::string all = fmt::format("5\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw, exercise.counts_work,
                                   tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
     all += read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");
@@ -144,6 +144,21 @@ void prune_now_and_then(const Toolchain& tools)
     if (builds++ % builds_between == 0) prune_builds(tools.cache, tools.cache_bytes);
 }
 
+/// Sets the verdict on a library by what is in it. False if it could not be read.
+bool look_at(const Toolchain& tools, const Exercise& exercise, const fs::path& library, Built& built)
+{
+    const auto inspection = inspect(tools, library, unit_folder(tools, exercise.id) / "exports.txt");
+    if (!inspection) {
+        built.verdict = Verdict::forbidden;
+        built.message = "what your code compiles to cannot be read: it holds more names than are looked at, or damaged debug information";
+        return false;
+    }
+    const auto objection = object_to(*inspection, offered_names(tools, exercise), exercise);
+    built.verdict = objection ? objection->verdict : Verdict::ok;
+    if (objection) built.message = printable(objection->message, caps::message);
+    return true;
+}
+
 Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sources& files, const ScratchFolder& work)
 {
     Built built;
@@ -155,16 +170,7 @@ Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sour
         built.repeatable = compilation.outcome == Outcome::refused_by_compiler || compilation.outcome == Outcome::not_allowed;
         return built;
     }
-    const auto inspection = inspect(tools, *compilation.library, unit_folder(tools, exercise.id) / "exports.txt");
-    if (!inspection) {
-        require_a_working_compiler(tools, exercise);
-        built.verdict = Verdict::forbidden;
-        built.message = "what your code compiles to cannot be read: it holds more names than are looked at, or damaged debug information";
-        return built;
-    }
-    const auto objection = object_to(*inspection, offered_names(tools, exercise), exercise);
-    built.verdict = objection ? objection->verdict : Verdict::ok;
-    if (objection) built.message = printable(objection->message, caps::message);
+    if (!look_at(tools, exercise, *compilation.library, built)) require_a_working_compiler(tools, exercise);
     return built;
 }
 
@@ -181,7 +187,7 @@ Built build(const Toolchain& tools, const Exercise& exercise, const Sources& fil
         return built;
     }
     const std::string key = content_key(tools, exercise, files);
-    const fs::path folder = tools.cache / "builds" / key.substr(0, 2) / key;
+    const fs::path folder = entry_of(tools.cache / "builds", key);
     if (auto result = kept(folder)) {
         mark_used(folder);
         built = *std::move(result);
@@ -192,6 +198,15 @@ Built build(const Toolchain& tools, const Exercise& exercise, const Sources& fil
         if (built.repeatable) built = keep(built, work.path(), folder);
     }
     built.sources = texts_of(files);
+    return built;
+}
+
+Built adopt(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& library)
+{
+    Built built;
+    built.library = library;
+    built.sources = texts_of(files);
+    (void)look_at(tools, exercise, library, built);
     return built;
 }
 

@@ -24,4 +24,8 @@ struct Built {
 /// Throws std::runtime_error only for faults of the grader's.
 [[nodiscard]] Built build(const Toolchain& tools, const Exercise& exercise, const Sources& files);
 
+/// The same from a library that CMake made of the files as a student's library is made: one of the unit's mistakes. It is looked at like a
+/// student's, but for what only sources show. Nothing is kept.
+[[nodiscard]] Built adopt(const Toolchain& tools, const Exercise& exercise, const Sources& files, const std::filesystem::path& library);
+
 }

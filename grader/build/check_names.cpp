@@ -42,7 +42,7 @@ std::optional<Objection> object_to(const Inspection& inspection, const std::set<
     // A forbidden name comes first: it is the reason to tell, even if the interface is wrong as well.
     if (auto forbidden = find_forbidden(inspection, exercise.forbid)) return Objection{Verdict::forbidden, *std::move(forbidden)};
     if (auto missing = missing_interface(inspection)) return missing;
-    if (exercise.counts_cost() && !inspection.uncounted.empty())
+    if (exercise.counts_work && !inspection.uncounted.empty())
         return Objection{Verdict::forbidden,
                          fmt::format("{}: the work of this unit is counted, and all of it must be; write its functions in plain C++, without "
                                      "attributes, assembler or a counter of your own",

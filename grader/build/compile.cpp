@@ -41,7 +41,7 @@ ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercis
         command.read.push_back(path.string());
     command.arguments = {tools.compiler};
     command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
-    if (exercise.counts_cost()) command.arguments.emplace_back("-fsanitize-coverage=trace-pc");
+    if (exercise.counts_work) command.arguments.emplace_back("-fsanitize-coverage=trace-pc");
     for (const std::string& word : {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"), "-I" + tools.framework.string(),
                                     "-ffile-prefix-map=" + work.string() + "=.", std::string("-include"), tools.student_header.string()})
         command.arguments.push_back(word);
@@ -94,7 +94,6 @@ bool blames_own_file(std::string_view output, const Sources& files)
     std::istringstream stream{std::string(output)};
     const auto is_error = [](const std::string& line, std::size_t from) { return line.find(" error: ", from) != std::string::npos; };
     for (std::string line; std::getline(stream, line);) {
-        if (line.starts_with("./")) line.erase(0, 2);
         if (line.find("duplicate symbol: ") != std::string::npos) return true;
         for (const auto& [name, text] : files)
             if (line.starts_with(name + ":") && is_error(line, name.size())) return true;
@@ -107,7 +106,8 @@ namespace {
 using Outcome = Compilation::Outcome;
 using Stopped = ConfinedResult::Stopped;
 
-/// Looks through the files as the compiler sees them. Built only says that nothing is in the way; what cannot be preprocessed, compiling says.
+/// Looks through the files as the compiler sees them. Built only says that nothing is in the way. Files that cannot be preprocessed are
+/// unexplained: compiling says what is wrong with them.
 Compilation look_through(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
 {
     ConfinedCommand command = compiler_command(tools, exercise, files, work, {"-E", "-fpch-preprocess", "-w"});
@@ -115,8 +115,8 @@ Compilation look_through(const Toolchain& tools, const Exercise& exercise, const
     command.stop_at_limit = true;
     const ConfinedResult result = run_confined(command);
     if (result.stopped == Stopped::too_much_output) return {Outcome::refused_by_compiler, {}, "your files include more text than the compiler is given"};
-    if (result.exit_status == 0)
-        if (auto assembler = find_assembler(result.output, tools.student_header.string() + ".gch")) return {Outcome::not_allowed, {}, *std::move(assembler)};
+    if (result.exit_status != 0) return {Outcome::unexplained, {}, "your files cannot be looked through before they are compiled"};
+    if (auto assembler = find_assembler(result.output, tools.student_header.string() + ".gch")) return {Outcome::not_allowed, {}, *std::move(assembler)};
     return {Outcome::built, {}, ""};
 }
 
@@ -126,14 +126,13 @@ bool ran_out_of_processor_time(const ConfinedResult& result)
     return result.stopped == Stopped::out_of_processor_time || result.output.find("CPU time limit exceeded signal") != std::string::npos;
 }
 
-std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result, const fs::path& work)
+std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result)
 {
     if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time)
         return fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
     if (result.stopped == Stopped::too_much_disk) return fmt::format("compiling your files takes more than {} MiB on the disk\n", caps::build_folder >> 20U);
-    const std::string output = without_our_paths(result.output, tools, work);
-    std::string text = first_errors(output, 24);
-    if (text.empty()) text = first_errors(": error:\n" + output, 24).substr(9);
+    std::string text = first_errors(result.output, 24);
+    if (text.empty()) text = first_errors(": error:\n" + result.output, 24).substr(9);
     return printable(text, caps::message);
 }
 
@@ -149,21 +148,18 @@ Outcome outcome_of(const ConfinedResult& result, const Sources& files)
 
 Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
 {
-    for (const auto& [name, text] : files) {
-        std::ofstream stream(work / name, std::ios::binary);
-        stream << text;
-        if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}: {}", (work / name).string(), std::strerror(errno)));
-    }
+    for (const auto& [name, text] : files) write_text(work / name, text);
     Compilation compilation = look_through(tools, exercise, files, work);
-    if (compilation.outcome != Outcome::built) return compilation;
+    if (compilation.outcome != Outcome::built && compilation.outcome != Outcome::unexplained) return compilation;
     const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
-    const ConfinedResult result = run_confined(
+    ConfinedResult result = run_confined(
         compiler_command(tools, exercise, files, work, {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script, "-o", "student.so"}));
     if (result.exit_status == confinement_failed) throw std::runtime_error("the compiler cannot be run: " + result.output);
     const fs::path library = work / "student.so";
     if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {
+        result.output = without_our_paths(std::move(result.output), tools, work);
         compilation.outcome = outcome_of(result, files);
-        compilation.diagnostics = diagnostics_of(tools, result, work);
+        compilation.diagnostics = diagnostics_of(tools, result);
         return compilation;
     }
     if (fs::file_size(library) > caps::library) {
@@ -171,8 +167,8 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
         compilation.diagnostics = fmt::format("your files compile to {} bytes; at most {} are taken", fs::file_size(library), caps::library);
         return compilation;
     }
-    compilation.outcome = Outcome::built;
-    compilation.library = library;
+    // Nothing is run that was not looked through.
+    if (compilation.outcome == Outcome::built) compilation.library = library;
     return compilation;
 }
 

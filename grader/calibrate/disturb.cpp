@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "judge/tensor_view.hpp"
+#include "judge/rows/tensor_view.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -8,8 +8,9 @@
 #include "batch/explain_unit.hpp"
 #include "batch/grade_unit.hpp"
 #include "calibrate/disturb.hpp"
+#include "judge/explain/sureness.hpp"
+#include "judge/judges.hpp"
 #include "judge/rules.hpp"
-#include "judge/sureness.hpp"
 #include "model/digest.hpp"
 
 namespace umbral::grader {
@@ -82,8 +83,7 @@ private:
     {
         std::set<std::string> values;
         for (const Check& check : exercise_.checks)
-            if (check.case_name == name && check.judge != JudgeKind::trace && check.judge != JudgeKind::cost && !but.contains(check.value))
-                values.insert(check.value);
+            if (check.case_name == name && judge_of(check).plain_values && !but.contains(check.value)) values.insert(check.value);
         for (const std::string& value : values)
             if (const auto found = run.recording.tensors.find(value); found != run.recording.tensors.end()) found->second = change(found->second);
         return run;
@@ -95,7 +95,7 @@ private:
         std::set<std::string> values;
         Random random = random_for(name);
         for (const Check& check : exercise_.checks) {
-            if (check.case_name != name || check.judge == JudgeKind::trace || check.judge == JudgeKind::cost) continue;
+            if (check.case_name != name || !judge_of(check).plain_values) continue;
             const RunOutcome& run = workshop_.trusted(exercise_, judged_against(check), name, seed);
             const Tensor* expected = tensor_of(run, check.value);
             if (expected == nullptr || fraction_right(check, rounded_otherwise(*expected, random), *expected, tensor_of(run, check.value + ".margin")) < 1)

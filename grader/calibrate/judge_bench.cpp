@@ -8,6 +8,7 @@
 
 #include "calibrate/best_time.hpp"
 #include "calibrate/picture_operators.hpp"
+#include "judge/image/rule.hpp"
 #include "judge/rules.hpp"
 
 namespace umbral::grader {
@@ -91,7 +92,7 @@ JudgeTimes time_image_rule()
         return result;
     };
     Check check;
-    check.judge = JudgeKind::image;
+    check.judge = image_kind();
     const Tensor expected = as_tensor(picture);
     const auto time = [&](const Tensor& student) { return best_milliseconds([&] { (void)fraction_right(check, student, expected, nullptr); }); };
     return {time(expected), time(as_tensor(noisy(1))), time(as_tensor(noisy(60)))};

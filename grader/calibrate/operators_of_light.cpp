@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "calibrate/picture_operators.hpp"
-#include "judge/srgb.hpp"
+#include "judge/picture/srgb.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "calibrate/picture_operators.hpp"
 #include "calibrate/picture_pair.hpp"
-#include "judge/image_rule.hpp"
+#include "judge/picture/image_rule.hpp"
 
 namespace umbral::grader {
 namespace {

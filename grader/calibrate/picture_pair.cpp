@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "judge/image_rule.hpp"
+#include "judge/picture/image_rule.hpp"
 
 #include <umbral/record/tensor.hpp>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <umbral/core/grid.hpp>
 
-#include "judge/picture.hpp"
+#include "judge/picture/picture.hpp"
 
 namespace umbral::grader {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "judge/image_edges.hpp"
-#include "judge/image_metrics.hpp"
-#include "judge/stochastic.hpp"
+#include "judge/picture/image_edges.hpp"
+#include "judge/picture/image_metrics.hpp"
+#include "judge/statistics/stochastic.hpp"
 
 namespace umbral::grader {
 namespace {

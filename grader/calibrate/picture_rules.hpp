@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "judge/image_rule.hpp"
-#include "judge/picture.hpp"
+#include "judge/picture/image_rule.hpp"
+#include "judge/picture/picture.hpp"
 
 namespace umbral::grader {
 

@@ -7,6 +7,7 @@
 #include "batch/specimens.hpp"
 #include "build/builder.hpp"
 #include "calibrate/picture_operators.hpp"
+#include "judge/judges.hpp"
 #include "judge/rules.hpp"
 
 namespace umbral::grader {
@@ -55,7 +56,7 @@ void visit_unit(Workshop& workshop, Workshop& other_gl, const Exercise& exercise
 {
     const SeedPlan seeds{"calibrate", "calibrate", "calibrate", seed};
     for (const Check& check : exercise.checks)
-        if (check.judge == JudgeKind::image) visit_picture(workshop, other_gl, exercise, check, seeds.seed_of(exercise, check.case_name), visit);
+        if (judge_of(check).look == Look::colours) visit_picture(workshop, other_gl, exercise, check, seeds.seed_of(exercise, check.case_name), visit);
 }
 
 }

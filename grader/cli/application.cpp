@@ -12,6 +12,7 @@
 #include "cli/config.hpp"
 #include "cli/nearest.hpp"
 #include "model/caps.hpp"
+#include "model/digest.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {
@@ -19,12 +20,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path cache_folder()
+fs::path cache_folder(const Layout& layout)
 {
     if (const char* own = std::getenv("UMBRAL_CACHE")) return own;
     if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') return fs::path(xdg) / "umbral";
     if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return fs::path(home) / ".cache" / "umbral";
-    return fs::path(config::build_folder) / "cache";
+    if (!layout.installed) return layout.build / "cache";
+    throw UsageError("there is no folder for what Umbral keeps: HOME is not set. Set UMBRAL_CACHE to a folder of your own");
+}
+
+/// In a checkout the build makes it; an installation, which belongs to somebody else, makes its own in the user's cache.
+fs::path student_header(const Layout& layout, const fs::path& cache)
+{
+    if (!layout.installed) return layout.includes;
+    return fs::absolute(cache) / "student" / sha256_hex(layout.data.string()).substr(0, 16) / layout.includes.filename();
 }
 
 std::vector<std::string> words(const char* text)
@@ -109,6 +118,13 @@ std::vector<Exercise> Application::readable() const
     return exercises;
 }
 
+void Application::require_answers() const
+{
+    if (!fs::is_directory(tools.reference))
+        throw UsageError(fmt::format("this needs the sources of the reference in {}, which students' packages do not hold; install umbral-instructor",
+                                     tools.reference.string()));
+}
+
 void Application::warn_of_broken() const
 {
     for (const BrokenUnit& unit : broken) fmt::print(stderr, "umbral: warning: {}\n", Paint(style).safe(cannot_be_read(unit)));
@@ -116,16 +132,17 @@ void Application::warn_of_broken() const
 
 Application make_application()
 {
-    const fs::path source = config::source_folder;
-    const fs::path build = config::build_folder;
     Application application;
-    application.tools = {.exercises = source / "exercises",
-                         .reference = source / "reference",
-                         .units = build / "units",
-                         .programs = build / "bin",
-                         .framework = source / "framework",
-                         .student_header = build / "student" / "umbral_student.hpp",
-                         .cache = cache_folder(),
+    application.layout = own_layout();
+    const Layout& layout = application.layout;
+    const fs::path cache = cache_folder(layout);
+    application.tools = {.exercises = layout.data / "exercises",
+                         .reference = layout.data / "reference",
+                         .units = layout.build / "units",
+                         .programs = layout.build / "bin",
+                         .framework = layout.data / "framework",
+                         .student_header = student_header(layout, cache),
+                         .cache = cache,
                          .compiler = config::compiler,
                          .flags = words(config::student_flags)};
     Units units = load_units(application.tools.exercises);

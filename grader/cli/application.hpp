@@ -8,7 +8,8 @@
 
 #include "batch/workshop.hpp"
 #include "build/toolchain.hpp"
-#include "model/exercise.hpp"
+#include "cli/layout.hpp"
+#include "manifest/units.hpp"
 #include "report/terminal.hpp"
 
 namespace CLI {
@@ -33,6 +34,7 @@ public:
 
 /// What all commands share.
 struct Application {
+    Layout layout;
     Toolchain tools;
     std::vector<Exercise> exercises;
     std::vector<BrokenUnit> broken;  ///< reported by the commands that need them
@@ -47,11 +49,14 @@ struct Application {
     /// Throws UsageError if UMBRAL_GL names no back end of OpenGL.
     [[nodiscard]] std::vector<Exercise> readable() const;
 
+    /// For commands that grade the answers themselves. Throws UsageError where their sources are not installed.
+    void require_answers() const;
+
     /// Says on the standard error stream which units cannot be read, and why; nothing if all can.
     void warn_of_broken() const;
 };
 
-/// Where this build lies, and its units. Throws std::runtime_error.
+/// Where this Umbral lies, and its units. Throws std::runtime_error, and UsageError if there is no folder for what it keeps.
 [[nodiscard]] Application make_application();
 
 /// Each adds one command. The application must outlive the parser.
@@ -66,6 +71,7 @@ void add_compare(CLI::App& parser, Application& application);
 void add_grade(CLI::App& parser, Application& application);
 void add_demo(CLI::App& parser, Application& application);
 void add_validate(CLI::App& parser, Application& application);
+void add_refresh(CLI::App& parser, Application& application);
 void add_bench(CLI::App& parser, Application& application);
 /// Added to the command bench, not to the parser.
 void add_bench_explanations(CLI::App& bench, Application& application);

@@ -2,6 +2,7 @@
 
 #include "cli/application.hpp"
 #include "cli/become.hpp"
+#include "cli/checkout.hpp"
 
 namespace umbral::grader {
 
@@ -16,7 +17,7 @@ void add_bench(CLI::App& parser, Application& application)
     add_bench_judge(*command, application);
     command->callback([&application, command] {
         if (!command->get_subcommands().empty()) return;
-        std::vector<std::string> words = {(application.tools.programs / "umbral-bench").string()};
+        std::vector<std::string> words = {have_program(application, "umbral-bench").string()};
         for (const std::string& word : command->remaining()) words.push_back(word);
         become(std::move(words), "build the target umbral-bench");
     });

@@ -7,10 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "batch/share_out.hpp"
+#include "batch/crew.hpp"
 #include "calibrate/explanations.hpp"
 #include "calibrate/picture_pair.hpp"
 #include "cli/application.hpp"
+#include "cli/checkout.hpp"
 #include "cli/numbers.hpp"
 #include "cli/paths.hpp"
 
@@ -47,13 +48,15 @@ void write_json(const std::string& file, const std::vector<ExplainedWork>& work,
 
 void measure(Application& application, const Options& options)
 {
+    application.require_answers();
     expect_writable(options.json);
     const std::vector<Exercise> exercises = application.chosen(options.units);
+    have_built(application, exercises);
     std::mutex mutex;
     std::vector<ExplainedWork> work;
     std::size_t finished = 0;
     const std::size_t total = exercises.size() * options.seeds;
-    share_out(application.tools, total, options.jobs, [&](Workshop& workshop, std::size_t index) {
+    Crew(application.tools, options.jobs).share_out(total, [&](Workshop& workshop, std::size_t index) {
         const Exercise& exercise = exercises[index / options.seeds];
         std::vector<ExplainedWork> some = explain_known_work(workshop, exercise, static_cast<unsigned>(index % options.seeds));
         const std::lock_guard lock(mutex);

@@ -5,13 +5,15 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "batch/share_out.hpp"
+#include "batch/crew.hpp"
 #include "calibrate/judge_bench.hpp"
 #include "calibrate/scene_pairs.hpp"
 #include "calibrate/unit_pairs.hpp"
 #include "cli/application.hpp"
+#include "cli/checkout.hpp"
 #include "cli/numbers.hpp"
 #include "cli/paths.hpp"
+#include "judge/judges.hpp"
 #include "model/scratch.hpp"
 
 namespace umbral::grader {
@@ -35,6 +37,7 @@ void write(const std::string& file, const std::string& text)
 
 void bench_judge(Application& application, const Options& options)
 {
+    application.require_answers();
     expect_writable(options.markdown);
     expect_writable(options.json);
     JudgeBench bench;
@@ -45,19 +48,21 @@ void bench_judge(Application& application, const Options& options)
         bench.pairs.push_back(std::move(measured));
     };
     const std::vector<Exercise> exercises = options.no_units ? std::vector<Exercise>{} : application.chosen(options.units);
+    have_built(application, exercises);
     for (const Exercise& exercise : exercises)
-        bench.pictures_per_submission += static_cast<double>(std::ranges::count(exercise.checks, JudgeKind::image, &Check::judge));
+        bench.pictures_per_submission +=
+            static_cast<double>(std::ranges::count_if(exercise.checks, [](const Check& check) { return judge_of(check).look == Look::colours; }));
 
     std::optional<ScratchFolder> scratch;
     std::filesystem::path folder = options.scenes;
     if (folder.empty() && !options.no_scenes) {
         scratch.emplace(std::filesystem::temp_directory_path() / "umbral-scenes");
         folder = scratch->path();
-        draw_scenes(application.tools.programs / "umbral-calibration", folder);
+        draw_scenes(have_program(application, "umbral-calibration"), folder);
     }
     // The scenes are one task, each unit's seed is another.
     const std::size_t tasks = exercises.size() * options.seeds + (options.no_scenes ? 0 : 1);
-    share_out(application.tools, tasks, options.jobs, [&](Workshop& workshop, std::size_t index) {
+    Crew(application.tools, options.jobs).share_out(tasks, [&](Workshop& workshop, std::size_t index) {
         if (!options.no_scenes && index == 0) return visit_scenes(folder, keep);
         const std::size_t unit = options.no_scenes ? index : index - 1;
         Workshop egl(application.tools, "egl");

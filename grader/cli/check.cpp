@@ -10,12 +10,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "batch/fingerprint.hpp"
-#include "batch/grade_class.hpp"
+#include "batch/check_submission.hpp"
 #include "cli/application.hpp"
+#include "cli/checkout.hpp"
+#include "cli/numbers.hpp"
 #include "cli/paths.hpp"
 #include "cli/watch.hpp"
-#include "report/hidden.hpp"
 #include "report/html/pages.hpp"
 
 namespace umbral::grader {
@@ -29,6 +29,8 @@ struct Options {
     bool json = false;
     bool no_explanation = false;
     bool watch = false;
+    bool fresh = false;
+    std::size_t jobs = default_jobs();
     std::string html;
     unsigned attempt = 0;
 };
@@ -38,7 +40,7 @@ std::vector<Exercise> units_to_check(const Application& application, const Optio
 {
     if (!options.units.empty()) return application.chosen(options.units);
     std::vector<Exercise> chosen = application.readable();
-    const SubmittedFiles submitted = read_submission(options.folder, archive_tools(application.tools));
+    const SubmittedFiles submitted = read_submission(options.folder, chosen, archive_tools(application.tools));
     std::erase_if(chosen, [&](const Exercise& exercise) { return collect(submitted, exercise).nothing(); });
     if (chosen.empty())
         throw UsageError(fmt::format("{} holds no unit's files; `umbral new DIR` makes a workspace, then check there or with --dir DIR",
@@ -47,26 +49,26 @@ std::vector<Exercise> units_to_check(const Application& application, const Optio
 }
 
 /// One pass over some units, printed. Says how it went by an exit status.
-int check_once(Application& application, Workshop& workshop, const std::vector<Exercise>& exercises, const Options& options)
+int check_once(Application& application, Crew& crew, const std::vector<Exercise>& exercises, const Options& options)
 {
-    GradeOptions grading;
-    grading.seeds.attempt = options.attempt;
-    grading.explain = !options.no_explanation;
-    grading.relative_to = fs::absolute(options.folder);
-    grading.artefacts = grading.relative_to / "umbral-pictures";
-    html::Gallery gallery;
-    if (!options.html.empty()) grading.gallery = &gallery;
-    SubmissionResult result = without_hidden_values(grade_submission(workshop, exercises, options.folder, grading));
+    const Checked checked = check_submission(crew, exercises, {options.folder, options.attempt, !options.no_explanation, !options.html.empty(), options.fresh});
+    SubmissionResult result = checked.result;
     if (!options.html.empty()) {
         result.id = fs::absolute(options.folder).lexically_normal().filename().string();
-        write_output(options.html, html::report_html(result, fingerprint(workshop, exercises), gallery));
+        html::ReportOptions page;
+        page.titles = english_titles(exercises);
+        write_output(options.html, html::report_from_sections(result, checked.fingerprint, checked.sections, page));
     }
     // While watching, a line is a document, so that a program can read them one by one.
     const int indentation = options.watch ? -1 : 2;
-    if (options.json)
-        fmt::print("{}\n", to_json(result, fingerprint(workshop, exercises)).dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
-    else
+    if (options.json) {
+        fmt::print("{}\n", to_json(result, checked.fingerprint).dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
+    } else {
         fmt::print("{}", terminal_report(result, application.style));
+        if (checked.kept > 0 && !options.watch)
+            fmt::print("\n{} of {} unit{} unchanged since the last check, and not run again (--fresh runs all).\n", checked.kept, exercises.size(),
+                       exercises.size() == 1 ? "" : "s");
+    }
 
     const auto is = [](Verdict verdict) { return [verdict](const UnitResult& unit) { return unit.verdict == verdict; }; };
     if (std::any_of(result.units.begin(), result.units.end(), is(Verdict::grader_fault))) return exit_fault;
@@ -77,7 +79,7 @@ int check_once(Application& application, Workshop& workshop, const std::vector<E
 std::map<std::string, Sources> texts_of_units(const std::vector<Exercise>& exercises, const fs::path& folder)
 {
     std::map<std::string, Sources> texts;
-    const SubmittedFiles submitted = read_submission(folder);
+    const SubmittedFiles submitted = read_submission(folder, exercises);
     for (const Exercise& exercise : exercises) texts[exercise.id] = collect(submitted, exercise).files;
     return texts;
 }
@@ -91,14 +93,14 @@ std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const f
 
 /// Checks again what is saved, until the program is stopped. The spawners stay warm and the reference's runs are remembered, so that
 /// little more than the compiler's time lies between a save and its verdict.
-[[noreturn]] void watch(Application& application, Workshop& workshop, const std::vector<Exercise>& exercises, const Options& options)
+[[noreturn]] void watch(Application& application, Crew& crew, const std::vector<Exercise>& exercises, const Options& options)
 {
     constexpr std::chrono::milliseconds quiet{15};
     FolderWatch saves;
     saves.watch(folders_of(exercises, options.folder));
     // A save during the first pass is seen too: watching began before the texts are read.
     std::map<std::string, Sources> known = texts_of_units(exercises, options.folder);
-    (void)check_once(application, workshop, exercises, options);
+    (void)check_once(application, crew, exercises, options);
     const auto say = [&](const std::string& text) {
         if (!options.json) fmt::print("\n  {}\n", text);
         (void)std::fflush(stdout);
@@ -114,7 +116,7 @@ std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const f
         known = std::move(now);
         if (changed.empty()) continue;
         if (!options.json && isatty(STDOUT_FILENO) != 0) fmt::print("\x1b[2J\x1b[H");
-        (void)check_once(application, workshop, changed, options);
+        (void)check_once(application, crew, changed, options);
         say(fmt::format("{:.2f} s after the save. Watching; Ctrl+C ends.", std::chrono::duration<double>(std::chrono::steady_clock::now() - saved).count()));
     }
 }
@@ -124,9 +126,10 @@ void check(Application& application, const Options& options)
     expect_folder(options.folder, "a workspace");
     expect_writable(options.html);
     const std::vector<Exercise> exercises = units_to_check(application, options);
-    Workshop workshop(application.tools);
-    if (options.watch) watch(application, workshop, exercises, options);
-    application.exit_status = check_once(application, workshop, exercises, options);
+    have_built(application, exercises);
+    Crew crew(application.tools, options.jobs);
+    if (options.watch) watch(application, crew, exercises, options);
+    application.exit_status = check_once(application, crew, exercises, options);
 }
 
 }
@@ -141,6 +144,8 @@ void add_check(CLI::App& parser, Application& application)
     command->add_flag("--json", options->json, "As JSON (docs/schemas/report.schema.json)");
     command->add_option("--html", options->html, "Also writes the report as one page that opens in any browser, without a network");
     command->add_flag("--watch", options->watch, "Checks again whatever you save, until you press Ctrl+C; with --json, one line a check");
+    command->add_flag("--fresh", options->fresh, "Run everything again, also what has not changed since the last check");
+    command->add_option("--jobs", options->jobs, "Units at a time")->check(possible_jobs)->capture_default_str();
     command->add_flag("--no-explanation", options->no_explanation, "Only points");
     command->callback([&application, options] { check(application, *options); });
 }

@@ -10,11 +10,12 @@
 #include "cli/application.hpp"
 #include "cli/config.hpp"
 #include "cli/paths.hpp"
-#include "judge/image_difference.hpp"
-#include "judge/image_metrics.hpp"
+#include "judge/image/rule.hpp"
 #include "judge/judge.hpp"
-#include "judge/picture.hpp"
-#include "judge/stochastic.hpp"
+#include "judge/picture/image_difference.hpp"
+#include "judge/picture/image_metrics.hpp"
+#include "judge/picture/picture.hpp"
+#include "judge/statistics/stochastic.hpp"
 #include "report/html/pages.hpp"
 #include "report/paint.hpp"
 
@@ -49,7 +50,7 @@ CheckResult blank(const Options& options)
 {
     CheckResult result;
     result.name = options.stochastic ? "light, tile by tile" : "picture, pixel by pixel";
-    result.kind = JudgeKind::image;
+    result.kind = image_kind();
     result.max_score = 1000;
     return result;
 }
@@ -144,13 +145,13 @@ void run(Application& application, const Options& options)
     expect_writable(options.html);
     Check check;
     check.name = "compare";
-    check.judge = JudgeKind::image;
+    check.judge = image_kind();
     const Tensor yours = as_tensor(read(options.yours));
     const Tensor reference = as_tensor(read(options.reference));
     const Found found = compare(check, yours, reference, options);
     if (!options.html.empty()) {
         html::CheckDetail detail;
-        detail.evidence = evidence_of(check, {&yours, &reference}, found.result, found.agree);
+        detail.evidence = evidence_of(check, {&yours, &reference}, found.agree);
         if (options.stochastic) detail.why = fmt::format("a right picture fails once in {:.0f}: noise explains everything else", 1 / stochastic_alpha);
         write_output(options.html, html::comparison_html({options.yours, options.reference, found.result, detail, found.agree, config::version}));
     }

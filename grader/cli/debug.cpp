@@ -10,6 +10,7 @@
 #include "build/builder.hpp"
 #include "cli/application.hpp"
 #include "cli/become.hpp"
+#include "cli/checkout.hpp"
 #include "cli/paths.hpp"
 
 namespace umbral::grader {
@@ -32,9 +33,10 @@ void debug(const Application& application, const Options& options)
     if (std::find(cases.begin(), cases.end(), chosen) == cases.end())
         throw UsageError(fmt::format("{} has no case '{}'; it has: {}", exercise.id, chosen, fmt::join(cases, ", ")));
     expect_folder(options.folder, "a workspace");
-    const Handed handed = collect(read_submission(options.folder, archive_tools(application.tools)), exercise);
+    const Handed handed = collect(read_submission(options.folder, {&exercise, 1}, archive_tools(application.tools)), exercise);
     if (!handed.refused.empty()) throw UsageError(fmt::format("not read in {}: {}", options.folder, handed.refused));
     if (!handed.missing.empty()) throw UsageError(fmt::format("not found in {}: {}", options.folder, fmt::join(handed.missing, ", ")));
+    have_built(application, {&exercise, 1});
     const Built built = build(application.tools, exercise, handed.files);
     if (built.verdict != Verdict::ok) throw UsageError(fmt::format("{}:\n{}", in_words(built.verdict), built.message));
 

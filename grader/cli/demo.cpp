@@ -5,10 +5,20 @@
 #include <memory>
 
 #include "cli/application.hpp"
-#include "cli/config.hpp"
 #include "cli/grading.hpp"
 
 namespace umbral::grader {
+namespace {
+
+/// A folder that this user may write: an installation is somebody else's.
+std::filesystem::path demo_secret(const Application& application)
+{
+    if (!application.layout.installed) return application.layout.build / "demo-secret";
+    std::filesystem::create_directories(application.tools.cache);
+    return application.tools.cache / "demo-secret";
+}
+
+}
 
 void add_demo(CLI::App& parser, Application& application)
 {
@@ -16,13 +26,15 @@ void add_demo(CLI::App& parser, Application& application)
     CLI::App* command = parser.add_subcommand("demo", "Grades the sample class: ten submissions, from flawless to hostile");
     command->add_option("--out", *out, "Where reports go")->capture_default_str();
     command->callback([&application, out] {
+        if (!std::filesystem::is_directory(application.layout.samples))
+            throw UsageError(fmt::format("the sample class is not in {}; it comes with the package umbral-instructor", application.layout.samples.string()));
         GradeCommand grade;
-        grade.submissions = (std::filesystem::path(config::source_folder) / "tests" / "class").string();
+        grade.submissions = application.layout.samples.string();
         grade.out = std::filesystem::absolute(*out).string();
         grade.handed_in = true;
         grade.course = "demo";
         // A secret of its own: nothing of the user's is touched, and every machine sees the same demo.
-        grade.secret_file = (std::filesystem::path(config::build_folder) / "demo-secret").string();
+        grade.secret_file = demo_secret(application).string();
         fmt::print("Grading the sample class of ten: flawless, untouched, mistaken, different, broken, endless, crashing, greedy, half done and hostile.\n\n");
         (void)std::fflush(stdout);
         grade_and_print(application, grade);

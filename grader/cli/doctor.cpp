@@ -87,7 +87,8 @@ std::vector<Symptom> examine(const Application& application)
     symptoms.push_back({"compiler", !compiler.empty(), true, compiler, "apt install g++"});
     symptoms.push_back({"linker mold", on_path("mold"), true, "", "apt install mold"});
     const fs::path header = application.tools.student_header.string() + ".gch";
-    symptoms.push_back({"precompiled header", fs::exists(header), true, header.string(), "build again: ./umbral list"});
+    const bool installed = application.layout.installed;
+    symptoms.push_back({"precompiled header", fs::exists(header), !installed, header.string(), installed ? "made at first use" : "build again: ./umbral list"});
     symptoms.push_back({"debugger gdb", on_path("gdb"), false, "", "for `umbral debug`: apt install gdb"});
     const fs::path& cache = application.tools.cache;
     std::error_code error;

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 std::vector<attack::Attack> harmless_attacks(const fs::path& folder)
 {
-    if (!fs::is_directory(folder)) throw UsageError(fmt::format("{}: there are no attacks; they come with Umbral's sources", folder.string()));
+    if (!fs::is_directory(folder))
+        throw UsageError(fmt::format("{}: there are no attacks; they come with Umbral's sources and the package umbral-instructor", folder.string()));
     std::vector<attack::Attack> attacks = attack::load_attacks(folder);
     std::erase_if(attacks, [](const attack::Attack& one) { return !one.harmless; });
     return attacks;
@@ -28,9 +29,9 @@ std::vector<attack::Attack> harmless_attacks(const fs::path& folder)
 
 void attack_this_machine(Application& application)
 {
-    const fs::path source = application.tools.exercises.parent_path();
-    const std::vector<attack::Attack> attacks = harmless_attacks(source / "tests" / "attacks");
-    const attack::Target target{application.tools.programs / "umbral", application.tools.reference, application.tools.exercises, source / "tests" / "class", 0};
+    application.require_answers();
+    const std::vector<attack::Attack> attacks = harmless_attacks(application.layout.attacks);
+    const attack::Target target{application.tools.programs / "umbral", application.tools.reference, application.tools.exercises, application.layout.samples, 0};
     attack::Setting setting;
     if (const char* const gl = std::getenv("UMBRAL_GL")) setting.gl = gl;
 

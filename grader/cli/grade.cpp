@@ -12,6 +12,7 @@
 #include "batch/fingerprint.hpp"
 #include "batch/grade_class.hpp"
 #include "cli/application.hpp"
+#include "cli/checkout.hpp"
 #include "cli/grading.hpp"
 #include "cli/numbers.hpp"
 #include "cli/paths.hpp"
@@ -45,7 +46,7 @@ std::vector<Exercise> handed_in(const Application& application, const std::vecto
 {
     std::vector<bool> seen(exercises.size(), false);
     for (const SubmissionFolder& submission : class_folder(command.submissions, command.roster).submissions) {
-        const SubmittedFiles files = read_submission(submission.folder, {application.tools.programs, application.tools.cache / "unpacked"});
+        const SubmittedFiles files = read_submission(submission.folder, exercises, archive_tools(application.tools));
         for (std::size_t i = 0; i < exercises.size(); ++i) seen[i] = seen[i] || !collect(files, exercises[i]).files.empty();
     }
     std::vector<Exercise> result;
@@ -133,13 +134,14 @@ ClassOptions options_of(const Application& application, const GradeCommand& comm
 void grade_and_print(Application& application, const GradeCommand& command)
 {
     expect_folder(command.submissions, "a folder with one folder a submission");
-    // Reports hold the values of hidden checks: they are nobody else's to read.
-    umask(S_IRWXG | S_IRWXO);
     try {
         expect_distinct(command.submissions, command.out);
-        make_folder(command.out);
         std::vector<Exercise> exercises = application.chosen(command.units);
         if (command.handed_in) exercises = handed_in(application, exercises, command);
+        have_built(application, exercises);
+        // Reports hold the values of hidden checks: they are nobody else's to read.
+        umask(S_IRWXG | S_IRWXO);
+        make_folder(command.out);
         ClassOptions options = options_of(application, command);
         options.secret = secret_from(command.secret_file);
         options.fingerprint = [&] {

@@ -8,6 +8,7 @@
 #include "build/submission.hpp"
 #include "cli/application.hpp"
 #include "cli/paths.hpp"
+#include "manifest/statements.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {
@@ -15,15 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The numbered entries of a statement's section "## Hints"; an entry may go over several lines.
-std::vector<std::string> hints_in(const std::string& statement)
+/// The numbered entries of a statement's section `heading`; an entry may go over several lines. Each may be folded: lines that begin with
+/// a tag, such as <details>, belong to none.
+std::vector<std::string> hints_in(const std::string& statement, const std::string& heading)
 {
     std::vector<std::string> hints;
     std::istringstream text(statement);
     bool inside = false;
     for (std::string line; std::getline(text, line);) {
         if (line.starts_with("## "))
-            inside = line == "## Hints";
+            inside = line == heading;
+        else if (line.starts_with('<'))
+            continue;
         else if (inside && !line.empty() && line[0] >= '0' && line[0] <= '9')
             hints.push_back(line.substr(line.find_first_not_of("0123456789. ")));
         else if (inside && !line.empty() && !hints.empty())
@@ -32,17 +36,22 @@ std::vector<std::string> hints_in(const std::string& statement)
     return hints;
 }
 
-void print_hint(const Application& application, const std::string& unit, std::size_t step, const std::string& language)
+void print_hint(const Application& application, const std::string& unit, std::size_t step, const Language& language)
 {
     const Exercise exercise = application.chosen({unit}).front();
-    const fs::path statement = exercise.folder / (language == "es" ? "README.es.md" : "README.md");
-    if (!fs::exists(statement) && language != "en")
+    const fs::path statement = exercise.folder / language.statement;
+    const bool english = language.code == "en";
+    if (!fs::exists(statement) && !english)
         throw UsageError(fmt::format("{0} has no statement in that language; in English: umbral hint {1} {2}", exercise.id, exercise.name, step));
-    const std::vector<std::string> hints = hints_in(as_given([&] { return read_text(statement); }));
+    const std::vector<std::string> hints = hints_in(as_given([&] { return read_text(statement); }), language.hints);
     if (hints.empty()) throw UsageError(fmt::format("{} has no hints", exercise.id));
     if (step == 0 || step > hints.size()) throw UsageError(fmt::format("{} has hints 1 to {}, each a step more; got {}", exercise.id, hints.size(), step));
-    fmt::print("Hint {} of {}: {}\n", step, hints.size(), hints[step - 1]);
-    if (step < hints.size()) fmt::print("\nOne step more: umbral hint {} {}\n", exercise.name, step + 1);
+    fmt::print("{} {} {} {}: {}\n", english ? "Hint" : "Pista", step, english ? "of" : "de", hints.size(), hints[step - 1]);
+    if (step == hints.size()) return;
+    if (english)
+        fmt::print("\nOne step more: umbral hint {} {}\n", exercise.name, step + 1);
+    else
+        fmt::print("\nLa pista siguiente: umbral hint {} {} --language {}\n", exercise.name, step + 1, language.code);
 }
 
 /// The stub comes back; what was there is kept beside it, under a name that no check reads.
@@ -80,7 +89,7 @@ void add_hint(CLI::App& parser, Application& application)
     command->add_option("UNIT", options->unit, "Which unit")->required();
     command->add_option("STEP", options->step, "Which hint")->capture_default_str();
     command->add_option("--language", options->language, "Of the hint")->check(CLI::IsMember({"en", "es"}))->capture_default_str();
-    command->callback([&application, options] { print_hint(application, options->unit, options->step, options->language); });
+    command->callback([&application, options] { print_hint(application, options->unit, options->step, language_of(options->language)); });
 }
 
 void add_reset(CLI::App& parser, Application& application)

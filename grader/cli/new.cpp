@@ -6,7 +6,10 @@
 
 #include "batch/pictures.hpp"
 #include "cli/application.hpp"
+#include "cli/checkout.hpp"
+#include "cli/framework_copy.hpp"
 #include "cli/paths.hpp"
+#include "manifest/statements.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {
@@ -25,7 +28,7 @@ void make_unit(Workshop& workshop, const Exercise& exercise, const fs::path& fol
     make_folder(folder);
     as_given([&] {
         for (const std::string& file : exercise.files) fs::copy_file(exercise.folder / file, folder / file, fs::copy_options::skip_existing);
-        for (const char* statement : {"README.md", "README.es.md"})
+        for (const auto& [code, statement, interface, hints] : languages)
             if (fs::exists(exercise.folder / statement)) fs::copy_file(exercise.folder / statement, folder / statement, fs::copy_options::overwrite_existing);
     });
     expect_writable(folder / "goal.png");
@@ -37,11 +40,15 @@ void make_workspace(const Application& application, const Options& options)
     const fs::path root = options.folder;
     const std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
     make_folder(root);
+    have_built(application, exercises);
     Workshop workshop(application.tools);
     for (const Exercise& exercise : exercises) make_unit(workshop, exercise, root / exercise.id);
+    as_given([&] { copy_framework(application.tools, exercises, root); });
     const Paint paint(application.style);
-    fmt::print("Made {} with {} unit{}. Each has a README, the goal picture and a stub to fill in.\n\n", paint.safe(root.string()), exercises.size(),
-               exercises.size() == 1 ? "" : "s");
+    fmt::print(
+        "Made {} with {} unit{}. Each has a README, the goal picture and a stub to fill in.\n"
+        "Editors find the headers in include/ by compile_flags.txt; neither is handed in.\n\n",
+        paint.safe(root.string()), exercises.size(), exercises.size() == 1 ? "" : "s");
     const Exercise& first = exercises.front();
     fmt::print("Begin with {}, then, in that folder:\n  umbral check {}\n", paint.safe((root / first.id / first.files.front()).string()), first.name);
 }

@@ -2,6 +2,7 @@
 
 #include "cli/application.hpp"
 #include "cli/become.hpp"
+#include "cli/checkout.hpp"
 
 namespace umbral::grader {
 
@@ -12,7 +13,7 @@ void add_render(CLI::App& parser, Application& application)
     command->set_help_flag();
     command->prefix_command();
     command->callback([&application, command] {
-        std::vector<std::string> words = {(application.tools.programs / "umbral-render").string()};
+        std::vector<std::string> words = {have_program(application, "umbral-render").string()};
         for (const std::string& word : command->remaining()) words.push_back(word);
         become(std::move(words), "build the target umbral-render");
     });

@@ -9,9 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "batch/share_out.hpp"
+#include "batch/crew.hpp"
 #include "batch/validation_table.hpp"
 #include "cli/application.hpp"
+#include "cli/checkout.hpp"
 #include "cli/numbers.hpp"
 #include "cli/paths.hpp"
 #include "report/paint.hpp"
@@ -39,12 +40,14 @@ void print(const Finding& finding, const Paint& paint)
 void validate(Application& application, const Options& options)
 {
     const Paint paint(application.style);
+    application.require_answers();
     expect_writable(options.table);
     const std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
+    have_built(application, exercises);
     std::mutex mutex;
     std::vector<Finding> findings;
     // The slowest units have the most seeds to wait for: seeds are shared out, not units.
-    share_out(application.tools, exercises.size() * options.seeds, options.jobs, [&](Workshop& workshop, std::size_t index) {
+    Crew(application.tools, options.jobs).share_out(exercises.size() * options.seeds, [&](Workshop& workshop, std::size_t index) {
         validate_unit(workshop, exercises[index / options.seeds], static_cast<unsigned>(index % options.seeds), [&](const Finding& finding) {
             const std::lock_guard lock(mutex);
             findings.push_back(finding);

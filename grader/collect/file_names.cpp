@@ -106,6 +106,8 @@ FileKind kind_of(std::string_view name) { return kind_by_suffix(without_txt(name
 
 bool is_junk(std::string_view name) { return name.starts_with('.') || std::ranges::find(junk, lower(name)) != junk.end(); }
 
+bool is_framework_copy(std::string_view folder) { return folder == "include/umbral" || folder.ends_with("/include/umbral"); }
+
 std::string_view last_part(std::string_view path)
 {
     const std::size_t slash = path.rfind('/');

@@ -20,6 +20,9 @@ enum class FileKind {
 /// Is this a folder or file that tools make and nobody hands in on purpose: .git, __MACOSX, CMakeFiles, node_modules, ._sphere.cpp?
 [[nodiscard]] bool is_junk(std::string_view name);
 
+/// Is this the folder include/umbral, in which `umbral new` puts the framework's headers for editors? Nobody's own work lies there.
+[[nodiscard]] bool is_framework_copy(std::string_view folder);
+
 /// The last part of a path, and what stands before it without the '/'.
 [[nodiscard]] std::string_view last_part(std::string_view path);
 [[nodiscard]] std::string_view parent_part(std::string_view path);

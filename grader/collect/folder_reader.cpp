@@ -50,6 +50,13 @@ bool is_folder(int parent, const dirent& entry)
 
 }
 
+bool lies_below(int root, std::string_view path)
+{
+    const Descriptor folder = open_below(root, parent_part(path), O_DIRECTORY);
+    struct stat status {};
+    return folder && fstatat(folder.get(), std::string(last_part(path)).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+}
+
 FileBytes read_file_below(int root, std::string_view path, std::size_t limit)
 {
     FileBytes result;

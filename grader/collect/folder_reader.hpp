@@ -20,6 +20,9 @@ struct FileBytes {
 /// Reads the regular file `path` (parts joined by '/') below the folder `root`, if it has at most `limit` bytes.
 [[nodiscard]] FileBytes read_file_below(int root, std::string_view path, std::size_t limit);
 
+/// Is there anything at `path` that can be looked at?
+[[nodiscard]] bool lies_below(int root, std::string_view path);
+
 /// What lies in one folder.
 struct Listing {
     std::vector<std::string> folders;  ///< sorted, without what tools make (is_junk)

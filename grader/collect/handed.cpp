@@ -152,6 +152,6 @@ Handed collect(const SubmittedFiles& submitted, const Exercise& exercise)
     return handed;
 }
 
-Handed collect(const std::filesystem::path& folder, const Exercise& exercise) { return collect(read_submission(folder), exercise); }
+Handed collect(const std::filesystem::path& folder, const Exercise& exercise) { return collect(read_submission(folder, {&exercise, 1}), exercise); }
 
 }

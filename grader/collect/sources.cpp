@@ -1,6 +1,10 @@
 #include "collect/sources.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -37,6 +41,12 @@ std::string read_text(const std::filesystem::path& file)
     text << stream.rdbuf();
     if (!stream) throw std::runtime_error("cannot read " + file.string());
     return text.str();
+}
+
+void write_text(const std::filesystem::path& file, std::string_view text)
+{
+    std::ofstream stream(file, std::ios::binary);
+    if (!(stream << text).flush()) throw std::runtime_error(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
 }
 
 Sources texts_of(const Sources& files)

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <deque>
+#include <functional>
+#include <set>
 #include <system_error>
 
 #include "collect/archive.hpp"
@@ -89,25 +91,47 @@ private:
 struct Folder {
     std::string path;
     std::size_t depth = 0;
+    bool of_unit = false;  ///< a unit's exact place
 };
 
-/// The paths of all files of worth below `root`, the nearest first. What cannot be entered is reported to `intake`.
-std::vector<std::string> find_files(int root, Intake& intake)
+/// Where the files of `units` belong, if something lies there.
+std::vector<std::string> exact_places(int root, std::span<const Exercise> units)
 {
     std::vector<std::string> paths;
+    for (const Exercise& unit : units)
+        for (const std::string& name : unit.files)
+            for (const std::string& path : {joined(unit.id, name), name})
+                if (lies_below(root, path)) paths.push_back(path);
+    return paths;
+}
+
+/// The paths of all files of worth below `root`: those in the folders of `units` first, then the nearest. What cannot be entered is
+/// reported to `intake`.
+std::vector<std::string> find_files(int root, std::span<const Exercise> units, Intake& intake)
+{
+    // Headers, of which a library's copy holds thousands, push no source out, except in the units' own folders.
+    std::vector<std::string> paths;
+    std::vector<std::string> headers;
     std::size_t entries_left = caps::submission_entries;
     bool too_deep = false;
-    std::deque<Folder> waiting{{"", 0}};
+    std::deque<Folder> waiting;
+    for (const Exercise& unit : units)
+        if (lies_below(root, unit.id)) waiting.push_back({unit.id, 2, true});
+    waiting.push_back({"", 0, false});
+    std::set<std::string> entered;
     for (; !waiting.empty(); waiting.pop_front()) {
         const Folder& folder = waiting.front();
+        if (!entered.insert(folder.path).second) continue;
         const Listing listing = list_folder_below(root, folder.path, entries_left);
         entries_left -= listing.entries;
         if (!listing.refused.empty()) intake.ignore(folder.path, listing.refused);
-        for (const std::string& name : listing.files) paths.push_back(joined(folder.path, name));
+        for (const std::string& name : listing.files)
+            (folder.of_unit || kind_of(name) != FileKind::header ? paths : headers).push_back(joined(folder.path, name));
         for (const std::string& name : listing.folders) {
+            if (is_framework_copy(joined(folder.path, name))) continue;
             if (is_code(kind_of(name))) intake.ignore(joined(folder.path, name), "it is a folder");
             too_deep = too_deep || folder.depth == caps::submission_depth;
-            if (folder.depth < caps::submission_depth) waiting.push_back({joined(folder.path, name), folder.depth + 1});
+            if (folder.depth < caps::submission_depth) waiting.push_back({joined(folder.path, name), folder.depth + 1, false});
         }
         if (!listing.whole) {
             intake.note(fmt::format("the submission holds more than {} files; not all were looked at", caps::submission_entries));
@@ -115,20 +139,22 @@ std::vector<std::string> find_files(int root, Intake& intake)
         }
     }
     if (too_deep) intake.note(fmt::format("folders are more than {} deep; the deepest were not looked at", caps::submission_depth));
+    paths.insert(paths.end(), headers.begin(), headers.end());
     return paths;
 }
 
-/// Takes all files below `root`. Headers, of which a library's copy holds thousands, push no source out, and archives nothing at all.
-void take_folder(int root, Intake& intake)
+/// Takes all files below `root`. Archives push nothing out.
+void take_folder(int root, std::span<const Exercise> units, Intake& intake)
 {
-    std::vector<std::string> paths = find_files(root, intake);
-    const auto turn = [](const std::string& path) {
-        const FileKind kind = kind_of(last_part(path));
-        return kind == FileKind::archive ? 2 : kind == FileKind::header ? 1 : 0;
-    };
-    std::ranges::stable_sort(paths, {}, turn);
+    std::vector<std::string> paths = exact_places(root, units);
+    const std::vector<std::string> found = find_files(root, units, intake);
+    paths.insert(paths.end(), found.begin(), found.end());
+    const auto is_archive = [](const std::string& path) { return kind_of(last_part(path)) == FileKind::archive; };
+    std::stable_partition(paths.begin(), paths.end(), std::not_fn(is_archive));
+    std::set<std::string_view> seen;
     for (const std::string& path : paths) {
-        const bool archive = turn(path) == 2;
+        if (!seen.insert(path).second) continue;
+        const bool archive = is_archive(path);
         // What cannot be taken is not read either: there may be any number of it.
         const bool full = archive ? intake.archives_full() : intake.full();
         FileBytes file = full ? FileBytes{} : read_file_below(root, path, archive ? caps::archive_file : caps::source_file);
@@ -159,12 +185,12 @@ void take_single(const fs::path& path, Intake& intake)
 
 }
 
-SubmittedFiles read_submission(const fs::path& path, const ArchiveTools& tools)
+SubmittedFiles read_submission(const fs::path& path, std::span<const Exercise> units, const ArchiveTools& tools)
 {
     Intake intake(tools);
     const Descriptor folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NONBLOCK | O_CLOEXEC));
     if (folder)
-        take_folder(folder.get(), intake);
+        take_folder(folder.get(), units, intake);
     else if (errno == ENOTDIR)
         take_single(path, intake);
     else if (errno == EMFILE || errno == ENFILE || errno == ENOMEM)

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "collect/sources.hpp"
+#include "model/exercise.hpp"
 
 namespace umbral::grader {
 
@@ -33,10 +35,12 @@ struct SubmittedFiles {
 
 /// Reads a submission: a folder, or a single archive (.zip, .tar, .tar.gz, .tgz and their like). Goes through all folders below, reads
 /// regular files with the suffixes of source code through descriptors opened without following links and without blocking, and stops
-/// at caps::submission_*: nearer files come first, and among equally near ones those that are first by name. Folders that tools make
-/// (.git, __MACOSX, CMakeFiles, node_modules …) are passed over in silence.
+/// at caps::submission_*. First come the exact places of `units` (topic/unit/file, then file), so that nothing else in the submission
+/// can push them out; then what lies in the folders topic/unit; then nearer files before further ones, and among equally near ones those
+/// that are first by name. Folders that tools make (.git, __MACOSX, CMakeFiles, node_modules …) are passed over in silence, and so is the framework's copy
+/// (include/umbral) that `umbral new` makes.
 /// Never throws for what a student did: an unreadable folder is an empty one with an entry in `ignored`. Throws std::system_error or
 /// std::runtime_error if this machine is in trouble: no descriptors, umbral-unpack cannot be started, no room for an archive's copy.
-[[nodiscard]] SubmittedFiles read_submission(const std::filesystem::path& path, const ArchiveTools& tools = {});
+[[nodiscard]] SubmittedFiles read_submission(const std::filesystem::path& path, std::span<const Exercise> units, const ArchiveTools& tools = {});
 
 }

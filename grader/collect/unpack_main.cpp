@@ -85,7 +85,7 @@ void pass_over(archive* reader, Budget& budget)
 bool has_junk(std::string_view path)
 {
     for (std::string_view rest = path; !rest.empty(); rest = parent_part(rest))
-        if (is_junk(last_part(rest))) return true;
+        if (is_junk(last_part(rest)) || is_framework_copy(rest)) return true;
     return false;
 }
 

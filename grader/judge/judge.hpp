@@ -19,7 +19,9 @@ struct Judgement {
     std::string message;          ///< one line: what is wrong, where; empty if all is right
     std::map<std::string, double> metrics;
     std::optional<Difference> first_difference;
-    std::string sketch{};  ///< fragments, buffers: a picture in ASCII of the first bad place; else empty
+    std::string sketch{};            ///< a picture in ASCII of the first bad place; empty where there is nothing to draw
+    std::optional<double> chance{};  ///< judged by statistics: the chance that correct work deviates so much
+    bool borderline = false;         ///< another run with a fresh seed must decide (JudgeRecord::judge_both)
 };
 
 /// Compares what the student recorded with what was expected, by the check's rule. Trusts `expected` and `margin` only: a
@@ -30,9 +32,8 @@ struct Judgement {
 /// Throws std::invalid_argument if the check cannot be judged at all (no row counts, unknown rule): a grader fault.
 [[nodiscard]] Judgement judge(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin, const Tensor* names = nullptr);
 
-/// Recordings that know nothing of the problem, of the shape of `expected`: zeros, ones (the forger's "true"), identity matrices,
-/// the most frequent row, the mean row, noise in the range of `expected`, the blank picture, all absent; for fragments also each
-/// primitive's whole bounding box, for traces no call at all, for costs a function that returns at once; of tables of noise only what knows no quantity's mean. By name.
+/// Recordings that know nothing of the problem, of the shape of `expected`, by name: zeros, ones (the forger's "true"), and what else the
+/// check's judge says.
 [[nodiscard]] std::vector<std::pair<std::string, Tensor>> controls(const Check& check, const Tensor& expected, std::uint64_t seed);
 
 /// The best that a control gets for this check (its `right`), and which one it is.

@@ -6,11 +6,10 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "judge/fragments.hpp"
-#include "judge/likeness.hpp"
-#include "judge/picture.hpp"
+#include "judge/explain/likeness.hpp"
+#include "judge/judges.hpp"
+#include "judge/rows/tensor_view.hpp"
 #include "judge/rules.hpp"
-#include "judge/tensor_view.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -36,19 +35,9 @@ std::vector<const Tensor*> list_of(const RelatedTensors& tensors, bool three)
 Tensor scaled(const Check& check, const Tensor& tensor, double factor)
 {
     std::vector<double> values = to_doubles(tensor);
-    const bool with_alpha = check.judge == JudgeKind::image && tensor.components == 4;
+    const bool with_alpha = judge_of(check).look == Look::colours && tensor.components == 4;
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!with_alpha || i % 4 != 3) values[i] *= factor;
-    return with_values(tensor, values);
-}
-
-Tensor moved_fragments(const Tensor& tensor, const std::array<int, 2>& shift)
-{
-    std::vector<double> values = to_doubles(tensor);
-    for (std::size_t row = 0; row + 3 <= values.size(); row += tensor.components) {
-        values[row + 1] += shift[0];
-        values[row + 2] += shift[1];
-    }
     return with_values(tensor, values);
 }
 
@@ -86,12 +75,11 @@ Tensor compared_cells(const Tensor& value, const std::array<int, 2>& shift)
 bool presentable(const Check& check, const Tensor& expected)
 {
     if (expected.cells() == 0) return false;
-    if (check.judge == JudgeKind::image) return complete(expected);
-    if (check.judge == JudgeKind::buffer) return true;
+    if (const auto own = judge_of(check).relation.presentable) return own(expected);
     const TensorView view(expected);
     for (std::size_t cell = 0; cell < view.cells(); ++cell)
         if (view.present(cell) && !all_finite(view.cell(cell))) return false;
-    return check.judge != JudgeKind::fragments || FragmentTable(expected).unplaced() == 0;
+    return true;
 }
 
 }
@@ -100,8 +88,8 @@ std::optional<Tensor> expected_by_relation(const Check& check, const Tensor& to,
 {
     const Relation& relation = *check.relation;
     Tensor expected = relation.scales() ? scaled(check, to, relation.scale) : to;
-    if (relation.moves())
-        expected = check.judge == JudgeKind::fragments ? moved_fragments(expected, relation.shift) : moved_cells(expected, value, relation.shift);
+    const auto move = judge_of(check).relation.moved;
+    if (relation.moves()) expected = move != nullptr ? move(expected, relation.shift) : moved_cells(expected, value, relation.shift);
     if (!presentable(check, expected)) return std::nullopt;
     return expected;
 }
@@ -128,7 +116,8 @@ RelationJudge::RelationJudge(const Check& check, const RelatedTensors& reference
         if (!well_formed(*tensors[i]) || !presentable(check, *tensors[i])) fault(fmt::format("'{}' is empty, or not finite", *names[i]));
         if (const auto error = shape_error(check, *tensors[i], *reference.value))
             fault(fmt::format("'{}' has another shape than '{}'", *names[i], check.value));
-        if (relation_.scales() && tensors[i]->element != Element::float32 && tensors[i]->element != Element::float64 && check.judge != JudgeKind::image)
+        if (relation_.scales() && tensors[i]->element != Element::float32 && tensors[i]->element != Element::float64 &&
+            !judge_of(check).relation.whole_numbers_scale)
             fault(fmt::format("'{}' holds whole numbers, which no factor applies to", *names[i]));
         if (!likeness(check, *tensors[i], *tensors[i])) fault(fmt::format("'{}' is the same everywhere, or has fewer than 32 values", *names[i]));
         sides_.push_back({tensors[i], 0, *names[i]});
@@ -161,7 +150,7 @@ RelationJudge::RelationJudge(const Check& check, const RelatedTensors& reference
 double RelationJudge::alike(std::size_t side, const Tensor& tensor) const
 {
     const Tensor& reference = *sides_[side].reference;
-    if (side > 0 || !relation_.moves() || check_.judge == JudgeKind::fragments) return *likeness(check_, tensor, reference);
+    if (side > 0 || !relation_.moves() || judge_of(check_).relation.moved != nullptr) return *likeness(check_, tensor, reference);
     return *likeness(check_, compared_cells(tensor, relation_.shift), compared_cells(reference, relation_.shift));
 }
 

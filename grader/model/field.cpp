@@ -45,7 +45,7 @@ std::vector<std::string> Field::names() const
     return result;
 }
 
-void Field::allow_only(std::initializer_list<std::string_view> known) const
+void Field::allow_only(std::span<const std::string_view> known) const
 {
     for (const std::string& name : names())
         if (std::find(known.begin(), known.end(), name) == known.end())

@@ -25,7 +25,8 @@ public:
     /// Names of an object's members, sorted.
     [[nodiscard]] std::vector<std::string> names() const;
     /// Refuses members with other names than these.
-    void allow_only(std::initializer_list<std::string_view> known) const;
+    void allow_only(std::span<const std::string_view> known) const;
+    void allow_only(std::initializer_list<std::string_view> known) const { allow_only(std::span(known.begin(), known.size())); }
 
     /// The items of an array of `least` to `most`.
     [[nodiscard]] std::vector<Field> items(std::size_t least, std::size_t most) const;

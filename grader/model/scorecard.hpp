@@ -22,7 +22,7 @@ struct Difference {
 /// What a check found.
 struct CheckResult {
     std::string name;
-    JudgeKind kind = JudgeKind::numbers;
+    JudgeKind kind;
     bool hard = false;
     bool hidden = false;
     Millipoints score = 0;
@@ -34,7 +34,8 @@ struct CheckResult {
     std::optional<Difference> first_difference;
     std::string sketch{};                          ///< lines of ASCII: what the first bad place looks like; empty where there is nothing to draw
     std::map<std::string, std::string> artefacts;  ///< "triptych" to a path below the report; not in class.json
-    std::vector<std::uint64_t> seeds{};            ///< noise: of its case, and the fresh one if it was run again; not in class.json
+    std::vector<std::uint64_t> seeds{};            ///< judged by chance: of its case, and the fresh one if it was run again; not in class.json
+    bool borderline = false;                       ///< to be run again with a fresh seed; in no file
 };
 
 /// Why a result fails, as far as it could be recognised.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "model/judging_order.hpp"
+#include "judge/judges.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
 #include "report/reasons.hpp"
@@ -92,7 +92,7 @@ std::vector<const CheckResult*> failing_checks(const UnitResult& unit)
     std::vector<const CheckResult*> failing;
     for (const CheckResult& check : unit.checks)
         if (!check.hidden && fails(check)) failing.push_back(&check);
-    std::ranges::stable_sort(failing, {}, [](const CheckResult* check) { return judging_place(check->kind); });
+    std::ranges::stable_sort(failing, {}, [](const CheckResult* check) { return judge_of(*check).place; });
     return failing;
 }
 

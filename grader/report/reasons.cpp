@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "judge/thresholds.hpp"
+#include "judge/explain/thresholds.hpp"
 
 namespace umbral::grader {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "judge/image_difference.hpp"
-#include "judge/picture.hpp"
-#include "report/colour_map.hpp"
+#include "judge/picture/colour_map.hpp"
+#include "judge/picture/image_difference.hpp"
+#include "judge/picture/picture.hpp"
 #include "report/font.hpp"
 
 namespace umbral::grader {
@@ -87,7 +87,7 @@ struct Comparison {
     std::optional<WorstRegion> worst;
 };
 
-Comparison compare(const Image& yours, const Image& reference, JudgeKind judge)
+Comparison compare(const Image& yours, const Image& reference, const JudgeKind& judge)
 {
     Check check;
     check.name = "triptych";
@@ -152,7 +152,7 @@ Image uncomparable(const Image& yours, const Image& reference, std::string_view 
 
 }
 
-Image triptych(const Image& yours, const Image& reference, std::string_view expected_side, JudgeKind judge)
+Image triptych(const Image& yours, const Image& reference, std::string_view expected_side, const JudgeKind& judge)
 {
     if (yours.width != reference.width || yours.height != reference.height || yours.cells.empty()) return uncomparable(yours, reference, expected_side);
     const Comparison comparison = compare(yours, reference, judge);

@@ -80,7 +80,8 @@ void run(const Options& options)
 int main(int count, char** words)
 {
     Options options;
-    options.units = UMBRAL_BENCH_UNITS;
+    // In a build as in an installation they lie beside the folder of the programs.
+    options.units = fs::canonical("/proc/self/exe").parent_path().parent_path() / "units";
     CLI::App parser("Measures what accuracy costs in time.", "umbral bench");
     parser.require_subcommand(1);
     CLI::App* command = parser.add_subcommand("accuracy", "Error against time for every knob that trades one for the other, with its knee marked");

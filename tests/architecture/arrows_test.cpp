@@ -58,12 +58,13 @@ TEST(Arrows, of_the_grader)
                                {"collect", {"model", "run"}},
                                {"build", {"model", "run", "collect"}},
                                {"judge", {"model"}},
+                               {"manifest", {"model", "judge"}},
                                {"report", {"model", "judge"}},
-                               {"batch", {"model", "run", "store", "collect", "build", "judge", "report"}},
+                               {"batch", {"model", "manifest", "run", "store", "collect", "build", "judge", "report"}},
                                {"calibrate", {"model", "run", "collect", "build", "judge", "report", "batch"}},
                                {"inspect", {"model"}},
                                {"attack", {"model"}},
-                               {"cli", {"model", "run", "store", "collect", "build", "judge", "report", "batch", "calibrate", "attack"}}};
+                               {"cli", {"model", "manifest", "run", "store", "collect", "build", "judge", "report", "batch", "calibrate", "attack"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
         const std::string room = part(include.line.file, 1);
@@ -74,6 +75,30 @@ TEST(Arrows, of_the_grader)
         EXPECT_TRUE(target == room || may_include.at(room).contains(target)) << include.line.where();
     }
     EXPECT_GT(seen, 100U);
+}
+
+// A judge is its folder and its line in judges.cpp: nothing else asks which judge it has before it. What is listed here needs one judge's own
+// measurements, and no other's.
+TEST(Arrows, judges_are_known_by_their_records)
+{
+    const std::set<std::string> judges{"numbers", "matrices", "buffer", "image", "fragments", "trace", "events", "cost", "noise"};
+    const std::set<std::string> allowed{
+        "grader/batch/pictures.cpp judge/image/rule.hpp",         // what is drawn is compared as a colour picture
+        "grader/report/triptych.hpp judge/image/rule.hpp",        // the same
+        "grader/calibrate/judge_bench.cpp judge/image/rule.hpp",  // measures that judge
+        "grader/cli/compare.cpp judge/image/rule.hpp",            // compares two files of pictures
+        "grader/batch/weigh_cost.cpp judge/cost/cost.hpp",        // weighs counts against processor time
+        "grader/batch/weigh_cost.cpp judge/cost/outside_cost.hpp",
+        "grader/judge/noise/noise.cpp judge/events/events.hpp",  // names of quantities are written like names of events
+    };
+    for (const Include& include : includes_below("grader")) {
+        const fs::path target(include.target);
+        if (part(target, 0) != "judge" || !judges.contains(part(target, 1))) continue;
+        const std::string file = include.line.file;
+        if (file.find("grader/judge/" + part(target, 1) + "/") != std::string::npos) continue;
+        const std::string used = file.substr(file.find("grader/")) + " " + include.target;
+        EXPECT_TRUE(allowed.contains(used)) << used;
+    }
 }
 
 TEST(Arrows, the_grader_knows_no_answers)

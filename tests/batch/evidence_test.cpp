@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "batch/evidence.hpp"
-#include "batch/evidence_kinds.hpp"
+#include "judge/cost/cost.hpp"
+#include "judge/evidence/kinds.hpp"
+#include "judge/judges.hpp"
 #include "judge/make.hpp"
 
 namespace umbral::grader {
@@ -28,23 +30,23 @@ Check check(JudgeKind kind, double ulps = 4)
     Check made;
     made.name = "case/value";
     made.judge = kind;
-    if (kind == JudgeKind::numbers || kind == JudgeKind::matrices) made.tolerance.ulps = ulps;
+    if (kind == JudgeKind{"numbers"} || kind == JudgeKind{"matrices"}) made.tolerance.ulps = ulps;
     return made;
 }
 
 template <class Kind>
 Kind evidence(const Check& of, const Tensor& yours, const Tensor& expected, const Tensor* names = nullptr, bool right = false)
 {
-    const html::Evidence found = evidence_of(of, {&yours, &expected, nullptr, names}, {}, right);
+    const Evidence found = evidence_of(of, {&yours, &expected, nullptr, names}, right);
     EXPECT_TRUE(std::holds_alternative<Kind>(found));
     return std::holds_alternative<Kind>(found) ? std::get<Kind>(found) : Kind{};
 }
 
-bool is_nothing(const html::Evidence& found) { return std::holds_alternative<std::monostate>(found); }
+bool is_nothing(const Evidence& found) { return std::holds_alternative<std::monostate>(found); }
 
 TEST(Evidence, RowsMarkTheComponentsThatDiffer)
 {
-    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), floats({1, 2, 3, 4, 5, 6}, 3), floats({1, 2, 3, 4, 7, 6}, 3));
+    const auto rows = evidence<RowsEvidence>(check(JudgeKind{"numbers"}), floats({1, 2, 3, 4, 5, 6}, 3), floats({1, 2, 3, 4, 7, 6}, 3));
     EXPECT_EQ(rows.rows, 2U);
     EXPECT_EQ(rows.wrong, 1U);
     ASSERT_EQ(rows.first.size(), 1U);
@@ -59,7 +61,7 @@ TEST(Evidence, FirstRowsThenTheWorstOfTheOthers)
     std::vector<float> wrong;
     std::vector<float> right;
     for (int i = 0; i < 100; ++i) right.push_back(100), wrong.push_back(101 + static_cast<float>(i));
-    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), floats(wrong), floats(right));
+    const auto rows = evidence<RowsEvidence>(check(JudgeKind{"numbers"}), floats(wrong), floats(right));
     EXPECT_EQ(rows.wrong, 100U);
     EXPECT_EQ(rows.first.front().name, "row 0");
     EXPECT_EQ(rows.worst.front().name, "row 99");
@@ -83,7 +85,7 @@ TEST(Evidence, WhatIsNoNumberOrNotThereIsSaid)
     Tensor expected = floats({1, 2, 3});
     yours.present = {1, 0, 1};
     expected.present = {1, 1, 0};
-    const auto rows = evidence<html::RowsEvidence>(check(JudgeKind::numbers), yours, expected);
+    const auto rows = evidence<RowsEvidence>(check(JudgeKind{"numbers"}), yours, expected);
     ASSERT_EQ(rows.first.size(), 3U);
     EXPECT_EQ(rows.first[0].note, "not comparable");
     EXPECT_EQ(rows.first[1].yours, (std::vector<std::string>{"nothing"}));
@@ -93,11 +95,11 @@ TEST(Evidence, WhatIsNoNumberOrNotThereIsSaid)
 
 TEST(Evidence, AnotherShapeGivesNoRowsButBothPictures)
 {
-    EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind::numbers), {}, {}, false)));
+    EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind{"numbers"}), {}, false)));
     const Tensor three = floats({1, 2, 3});
     const Tensor two = floats({1, 2});
-    EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind::numbers), {&three, &two}, {}, false)));
-    const auto pictures = evidence<html::PictureEvidence>(check(JudgeKind::image), grey(2, 1, {1, 2}), grey(1, 2, {1, 2}));
+    EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind{"numbers"}), {&three, &two}, false)));
+    const auto pictures = evidence<PictureEvidence>(check(JudgeKind{"image"}), grey(2, 1, {1, 2}), grey(1, 2, {1, 2}));
     EXPECT_FALSE(pictures.problem.empty());
     EXPECT_EQ(pictures.yours.width, 2);
     EXPECT_EQ(pictures.reference->width, 1);
@@ -108,13 +110,14 @@ TEST(Evidence, DamagedRecordingsGiveNothing)
     Tensor damaged = grey(4, 4, std::vector<std::uint8_t>(16, 1));
     const Tensor expected = damaged;
     damaged.bytes.resize(7);
-    for (const JudgeKind kind : all_judges) EXPECT_TRUE(is_nothing(evidence_of(check(kind), {&damaged, &expected}, {}, false))) << to_string(kind);
+    for (const JudgeRecord* judge : judges())
+        EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind{std::string(judge->name)}), {&damaged, &expected}, false))) << judge->name;
 }
 
 TEST(Evidence, EqualPicturesAreShownOnce)
 {
-    const auto pictures = evidence<html::PictureEvidence>(check(JudgeKind::image), grey(2, 2, {1, 2, 3, 4}), grey(2, 2, {1, 2, 3, 4}), nullptr, true);
-    EXPECT_FALSE(pictures.yours.png.empty());
+    const auto pictures = evidence<PictureEvidence>(check(JudgeKind{"image"}), grey(2, 2, {1, 2, 3, 4}), grey(2, 2, {1, 2, 3, 4}), nullptr, true);
+    EXPECT_FALSE(pictures.yours.cells.empty());
     EXPECT_FALSE(pictures.reference.has_value());
 }
 
@@ -124,7 +127,7 @@ TEST(Evidence, TheWorstPixelsComeWithTheirValues)
     const Tensor expected = grey(64, 64, values);
     values[40 * 64 + 50] = 200;
     values[41 * 64 + 51] = 11;
-    const auto pictures = evidence<html::PictureEvidence>(check(JudgeKind::image), grey(64, 64, values), expected);
+    const auto pictures = evidence<PictureEvidence>(check(JudgeKind{"image"}), grey(64, 64, values), expected);
     EXPECT_EQ(pictures.differing, 2U);
     EXPECT_EQ(pictures.largest, 190);
     ASSERT_TRUE(pictures.worst);
@@ -133,7 +136,7 @@ TEST(Evidence, TheWorstPixelsComeWithTheirValues)
     EXPECT_EQ(pictures.pixels[0].y, 40);
     EXPECT_EQ(pictures.pixels[0].yours, "200");
     EXPECT_EQ(pictures.pixels[0].reference, "10");
-    const html::Magnified& worst = *pictures.worst;
+    const Magnified& worst = *pictures.worst;
     const std::size_t place = static_cast<std::size_t>((40 - worst.y) * worst.yours.width + 50 - worst.x);
     EXPECT_EQ(worst.texts[worst.yours_texts[place]], "200");
     EXPECT_EQ(worst.texts[worst.reference_texts[place]], "10");
@@ -148,19 +151,19 @@ TEST(Evidence, TracesAreAlignedAndEqualRunsFold)
     yours.replace(yours.find("glUniform1i 0 12\n"), 17, "");
     yours.replace(yours.find("glUniform1i 0 25\n"), 17, "glUniform1i 0 99\n");
     yours += "glFinish\n";
-    const auto lines = evidence<html::LinesEvidence>(check(JudgeKind::trace), text(yours), text(expected));
+    const auto lines = evidence<LinesEvidence>(check(JudgeKind{"trace"}), text(yours), text(expected));
     EXPECT_EQ(lines.missing, 1U);
     EXPECT_EQ(lines.changed, 1U);
     EXPECT_EQ(lines.extra, 1U);
     std::size_t covered = 0;
     std::size_t folds = 0;
-    for (const html::LinePair& line : lines.lines) {
-        covered += line.kind == html::LineKind::omitted ? line.omitted : line.expected_number > 0 ? 1 : 0;
-        folds += line.kind == html::LineKind::omitted ? 1 : 0;
-        if (line.kind == html::LineKind::missing) {
+    for (const LinePair& line : lines.lines) {
+        covered += line.kind == LineKind::omitted ? line.omitted : line.expected_number > 0 ? 1 : 0;
+        folds += line.kind == LineKind::omitted ? 1 : 0;
+        if (line.kind == LineKind::missing) {
             EXPECT_EQ(line.expected, "glUniform1i(0, 12)");
         }
-        if (line.kind == html::LineKind::changed) {
+        if (line.kind == LineKind::changed) {
             EXPECT_EQ(line.yours, "glUniform1i(0, 99)");
         }
     }
@@ -172,7 +175,7 @@ TEST(Evidence, AnEndlessTraceIsCutAndSaysSo)
 {
     std::string endless;
     for (int i = 0; i < 60000; ++i) endless += "glFlush\n";
-    const auto lines = evidence<html::LinesEvidence>(check(JudgeKind::trace), text(endless), text("glClear 1\n"));
+    const auto lines = evidence<LinesEvidence>(check(JudgeKind{"trace"}), text(endless), text("glClear 1\n"));
     EXPECT_TRUE(lines.cut);
     EXPECT_LE(lines.lines.size(), 200U);
 }
@@ -180,18 +183,18 @@ TEST(Evidence, AnEndlessTraceIsCutAndSaysSo)
 TEST(Evidence, OneLostEventIsOneLostEvent)
 {
     const Tensor names = text("1 press\n2 drag\n");
-    const auto lines = evidence<html::LinesEvidence>(check(JudgeKind::events), floats({1, 0, 2, 6, 2, 7}, 2), floats({1, 0, 2, 5, 2, 6, 2, 7}, 2), &names);
+    const auto lines = evidence<LinesEvidence>(check(JudgeKind{"events"}), floats({1, 0, 2, 6, 2, 7}, 2), floats({1, 0, 2, 5, 2, 6, 2, 7}, 2), &names);
     EXPECT_EQ(lines.missing, 1U);
     EXPECT_EQ(lines.extra + lines.changed, 0U);
     EXPECT_EQ(lines.lines[1].expected, "drag (5)");
     const Tensor none{Element::float32, 0, 0, 1, {}, {}};
-    EXPECT_EQ(evidence<html::LinesEvidence>(check(JudgeKind::events), none, floats({1, 0}, 2)).missing, 1U) << "no event at all";
+    EXPECT_EQ(evidence<LinesEvidence>(check(JudgeKind{"events"}), none, floats({1, 0}, 2)).missing, 1U) << "no event at all";
 }
 
 TEST(Evidence, FragmentsAreCountedByWhatBecameOfThem)
 {
-    const auto found = evidence<html::FragmentsEvidence>(check(JudgeKind::fragments), floats({0, 1, 1, 5, 0, 2, 1, 9, 0, 7, 7, 1, 0, 1, 1, 5}, 4),
-                                                         floats({0, 1, 1, 5, 0, 2, 1, 6, 0, 3, 1, 6}, 4));
+    const auto found = evidence<FragmentsEvidence>(check(JudgeKind{"fragments"}), floats({0, 1, 1, 5, 0, 2, 1, 9, 0, 7, 7, 1, 0, 1, 1, 5}, 4),
+                                                   floats({0, 1, 1, 5, 0, 2, 1, 6, 0, 3, 1, 6}, 4));
     EXPECT_EQ(found.right, 1U);
     EXPECT_EQ(found.changed, 1U);
     EXPECT_EQ(found.missing, 1U);
@@ -204,15 +207,17 @@ TEST(Evidence, FragmentsAreCountedByWhatBecameOfThem)
 TEST(Evidence, FragmentsFarAwayTakeNoMemory)
 {
     const auto found =
-        evidence<html::FragmentsEvidence>(check(JudgeKind::fragments), floats({0, 1e9F, -1e9F, NAN, INFINITY, 1}, 3), floats({0, -1e9F, 1e9F, 0, 1e9F, 0}, 3));
+        evidence<FragmentsEvidence>(check(JudgeKind{"fragments"}), floats({0, 1e9F, -1e9F, NAN, INFINITY, 1}, 3), floats({0, -1e9F, 1e9F, 0, 1e9F, 0}, 3));
     ASSERT_TRUE(found.picture);
     EXPECT_LE(found.picture->width, 256);
 }
 
 TEST(Evidence, CostsPairUpBySize)
 {
-    const auto found = evidence<html::CostEvidence>(check(JudgeKind::cost), table<double>(Element::float64, 2, {10, 100, 20, 400}),
-                                                    table<double>(Element::float64, 2, {10, 90, 20, 180, 40, 360}));
+    Check cost = check(JudgeKind{"cost"});
+    cost.own = CostParameters{};
+    const auto found =
+        evidence<CostEvidence>(cost, table<double>(Element::float64, 2, {10, 100, 20, 400}), table<double>(Element::float64, 2, {10, 90, 20, 180, 40, 360}));
     ASSERT_EQ(found.points.size(), 3U);
     EXPECT_EQ(found.points[1].yours, 400);
     EXPECT_EQ(found.points[1].reference, 180);
@@ -221,11 +226,11 @@ TEST(Evidence, CostsPairUpBySize)
 
 TEST(Evidence, BoundsAreSaidInWords)
 {
-    Check both = check(JudgeKind::numbers, 16);
+    Check both = check(JudgeKind{"numbers"}, 16);
     both.tolerance.relative = 1e-6;
     EXPECT_EQ(describe(both).bound, "16 ulp, or 1e-06 relative");
     EXPECT_EQ(describe(both).limit, 16);
-    EXPECT_TRUE(describe(check(JudgeKind::image)).bound.empty());
+    EXPECT_TRUE(describe(check(JudgeKind{"image"})).bound.empty());
 }
 
 }

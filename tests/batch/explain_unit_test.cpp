@@ -6,7 +6,7 @@
 #include <set>
 
 #include "batch/grade_unit.hpp"
-#include "judge/thresholds.hpp"
+#include "judge/explain/thresholds.hpp"
 #include "support/workbench.hpp"
 
 namespace umbral::grader::test {

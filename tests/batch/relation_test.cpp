@@ -58,7 +58,7 @@ Check check(const Relation& relation)
     check.name = "laws/value";
     check.case_name = "laws";
     check.value = "value";
-    check.judge = JudgeKind::image;
+    check.judge = JudgeKind{"image"};
     check.points = 1000;
     check.relation = relation;
     return check;

@@ -10,6 +10,7 @@
 #include "batch/evidence.hpp"
 #include "judge/judge.hpp"
 #include "judge/make.hpp"
+#include "judge/trace/trace_counts.hpp"
 #include "report/html/pages.hpp"
 
 // Writes pages with evidence of every kind and the worst of texts into a folder, for the browser to try. The evidence is made from
@@ -101,7 +102,7 @@ void add(Scene& scene, Check check, const Tensor& yours, const Tensor& expected,
     result.first_difference = judgement.first_difference;
     result.sketch = judgement.sketch;
     html::CheckDetail detail = describe(check);
-    detail.evidence = evidence_of(check, {&yours, &expected, nullptr, names}, result, result.score == check.points);
+    detail.evidence = evidence_of(check, {&yours, &expected, nullptr, names, result.sketch}, result.score == check.points);
     scene.detail.checks[check.name] = std::move(detail);
     scene.unit.score += result.score;
     scene.unit.max_score += result.max_score;
@@ -114,7 +115,7 @@ Check check(const std::string& name, JudgeKind kind)
     made.name = name;
     made.judge = kind;
     made.why = "counted roundings: one root, one addition and one division";
-    if (kind == JudgeKind::numbers || kind == JudgeKind::matrices) made.tolerance.ulps = 4;
+    if (kind == JudgeKind{"numbers"} || kind == JudgeKind{"matrices"}) made.tolerance.ulps = 4;
     return made;
 }
 
@@ -130,12 +131,12 @@ Scene everything()
     scene.unit.message = "picture/small: took too long: 5.0 s, the limit is 5 s\n";
     scene.unit.seconds = 1.234;
     scene.unit.reference_seconds = 0.021;
-    add(scene, check("picture/colours", JudgeKind::image), picture(320, 240, true), picture(320, 240, false));
-    add(scene, check("picture/small", JudgeKind::image), picture(20, 12, true), picture(20, 12, false));
-    add(scene, check("picture/wide", JudgeKind::image), picture(900, 90, true), picture(900, 90, false));
-    add(scene, check("picture/ids", JudgeKind::buffer), ids(64, 3), ids(64, 0));
-    add(scene, check("picture/other size", JudgeKind::image), picture(60, 40, true), picture(64, 48, false));
-    Check hard = check("numbers/far away", JudgeKind::numbers);
+    add(scene, check("picture/colours", JudgeKind{"image"}), picture(320, 240, true), picture(320, 240, false));
+    add(scene, check("picture/small", JudgeKind{"image"}), picture(20, 12, true), picture(20, 12, false));
+    add(scene, check("picture/wide", JudgeKind{"image"}), picture(900, 90, true), picture(900, 90, false));
+    add(scene, check("picture/ids", JudgeKind{"buffer"}), ids(64, 3), ids(64, 0));
+    add(scene, check("picture/other size", JudgeKind{"image"}), picture(60, 40, true), picture(64, 48, false));
+    Check hard = check("numbers/far away", JudgeKind{"numbers"});
     hard.hard = true;
     std::vector<float> right;
     std::vector<float> wrong;
@@ -145,18 +146,18 @@ Scene everything()
         wrong.push_back(i % 3 == 0 ? right.back() * 1.25F : i == 40 ? NAN : right.back());
     }
     add(scene, hard, floats(wrong, 3), floats(right, 3));
-    add(scene, check("numbers/almost", JudgeKind::numbers), floats({1.0000001F, 2.00001F, 3}), floats({1, 2, 3}));
+    add(scene, check("numbers/almost", JudgeKind{"numbers"}), floats({1.0000001F, 2.00001F, 3}), floats({1, 2, 3}));
     std::vector<float> matrix(32);
     for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = random.uniform(-2, 2);
     std::vector<float> transposed = matrix;
     for (std::size_t i = 0; i < 32; ++i) transposed[i] = matrix[i / 16 * 16 + i % 4 * 4 + i % 16 / 4];
-    add(scene, check("view/matrices", JudgeKind::matrices), floats(transposed, 16), floats(matrix, 16));
-    add(scene, check("triangle/fragments", JudgeKind::fragments), fragments(true), fragments(false));
-    Check trace = check("frame/calls", JudgeKind::trace);
-    trace.rules = {"draw calls", "deprecated calls"};
+    add(scene, check("view/matrices", JudgeKind{"matrices"}), floats(transposed, 16), floats(matrix, 16));
+    add(scene, check("triangle/fragments", JudgeKind{"fragments"}), fragments(true), fragments(false));
+    Check trace = check("frame/calls", JudgeKind{"trace"});
+    trace.own = TraceParameters{{"draw calls", "deprecated calls"}};
     add(scene, trace, text(calls(true)), text(calls(false)));
     const Tensor names = text("1 press\n2 drag\n3 zoom\n");
-    add(scene, check("mouse/events", JudgeKind::events), floats({1, 10, 20, 2, 11, 20, 2, 12, 20, 3, 0.5F, 0, 3, 2, 0}, 3),
+    add(scene, check("mouse/events", JudgeKind{"events"}), floats({1, 10, 20, 2, 11, 20, 2, 12, 20, 3, 0.5F, 0, 3, 2, 0}, 3),
         floats({1, 10, 20, 2, 11, 20, 2, 13, 20, 2, 14, 20, 3, 2, 0}, 3), &names);
     std::vector<double> quadratic;
     std::vector<double> linear;
@@ -164,7 +165,7 @@ Scene everything()
         quadratic.insert(quadratic.end(), {size, 3 * size * size + 40});
         linear.insert(linear.end(), {size, 12 * size + 55});
     }
-    add(scene, check("growth/blocks", JudgeKind::cost), table(Element::float64, 2, quadratic), table(Element::float64, 2, linear));
+    add(scene, check("growth/blocks", JudgeKind{"cost"}), table(Element::float64, 2, quadratic), table(Element::float64, 2, linear));
     return scene;
 }
 
@@ -180,7 +181,7 @@ Scene hostile()
     scene.unit.output = bad + endless + "\n" + endless;
     scene.unit.message = bad;
     scene.unit.explanations = {{bad, bad + endless, 0.5}};
-    Check named = check(bad + endless, JudgeKind::numbers);
+    Check named = check(bad + endless, JudgeKind{"numbers"});
     named.why = endless;
     add(scene, named, floats({NAN, INFINITY, 1e38F, -1e-38F}), floats({1, 2, 3, 4}));
     return scene;
@@ -193,8 +194,8 @@ Scene right()
     scene.detail.title = "All right";
     scene.unit.verdict = Verdict::ok;
     scene.unit.seconds = scene.unit.reference_seconds = 0.02;
-    add(scene, check("numbers/t", JudgeKind::numbers), floats({1, 2}), floats({1, 2}));
-    add(scene, check("picture/colours", JudgeKind::image), picture(256, 256, false), picture(256, 256, false));
+    add(scene, check("numbers/t", JudgeKind{"numbers"}), floats({1, 2}), floats({1, 2}));
+    add(scene, check("picture/colours", JudgeKind{"image"}), picture(256, 256, false), picture(256, 256, false));
     return scene;
 }
 

@@ -158,6 +158,14 @@ TEST_F(Cache, damage_is_repaired)
     for (const auto& entry : fs::directory_iterator(bench.tools().cache)) EXPECT_EQ(entry.path().filename(), "builds") << "left behind: " << entry.path();
 }
 
+// Nothing is run that was not looked through for assembler: not even if only the look fails, and compiling works.
+TEST_F(BrokenCompiler, that_only_fails_to_preprocess_lets_nothing_through)
+{
+    const Toolchain tools = tools_with("case \" $* \" in *\" -E \"*) exit 1;; esac; exec $REAL \"$@\"");
+    EXPECT_THROW((void)build(tools, bench.exercise("raytracing/sphere"), {{"sphere.cpp", text}}), std::runtime_error);
+    EXPECT_EQ(entries(), 0U);
+}
+
 TEST_F(Cache, drops_what_was_not_used_for_longest)
 {
     const auto hours_ago = [](int hours) { return fs::file_time_type::clock::now() - std::chrono::hours(hours); };

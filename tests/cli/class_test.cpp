@@ -6,6 +6,7 @@
 
 #include "program.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/without_times.hpp"
 
 // The sample class, graded by the real program: every kind of submission gets the verdict a teacher would give.
 namespace umbral::test {
@@ -19,17 +20,6 @@ Printed grade(const std::string& folder, const TemporaryFolder& out, const std::
 {
     out.write("secret", "the same secret gives the same hidden cases");
     return umbral("grade " + folder + units + " --jobs 2 --out " + (out / "out").string() + " --secret-file " + (out / "secret").string(), before);
-}
-
-json without_times(json value)
-{
-    if (value.is_object()) {
-        value.erase("seconds");
-        value.erase("reference_seconds");
-    }
-    if (value.is_structured())
-        for (auto& child : value) child = without_times(child);
-    return value;
 }
 
 /// Graded once for all tests of this file.

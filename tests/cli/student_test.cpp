@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -23,7 +25,7 @@ TEST(Commands, HelpNamesEveryCommandAndTheExitStatuses)
 {
     const Printed printed = umbral("--help");
     EXPECT_EQ(printed.status, 0);
-    for (const char* word : {"list", "new", "check", "debug", "grade", "validate", "doctor", "demo", "hint", "reset", "Exit status"})
+    for (const char* word : {"list", "new", "check", "debug", "grade", "validate", "refresh", "doctor", "demo", "hint", "reset", "Exit status"})
         EXPECT_NE(printed.text.find(word), std::string::npos) << word;
 }
 
@@ -50,6 +52,21 @@ TEST(New, MakesAWorkspaceAndNeverOverwritesWork)
     folder.write("raytracing/sphere/sphere.cpp", "// mine");
     ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
     EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp"), "// mine");
+}
+
+TEST(New, PutsWhatEditorsNeedAtTheRoot)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
+    EXPECT_EQ(read(folder / "include/umbral/raytracing/intersect.hpp"), read(source / "framework/umbral/raytracing/intersect.hpp"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "include/umbral/meshes")) << "no other unit's interface";
+    EXPECT_FALSE(std::filesystem::exists(folder / "raytracing/sphere/intersect.hpp")) << "what lies beside the stub is handed in";
+    const std::string compile = "cd " + folder.path().string() + " && c++ $(cat compile_flags.txt) -fsyntax-only raytracing/sphere/sphere.cpp";
+    EXPECT_EQ(std::system(compile.c_str()), 0) << "as an editor compiles it";
+    folder.write("compile_flags.txt", "-Wall\n");
+    ASSERT_EQ(umbral("new " + folder.path().string() + " edge-table").status, 0);
+    EXPECT_EQ(read(folder / "compile_flags.txt"), "-Wall\n");
+    EXPECT_TRUE(std::filesystem::exists(folder / "include/umbral/meshes/mesh.hpp")) << "what the unit's header includes";
 }
 
 TEST(New, RefusesAFileInTheWay)
@@ -116,11 +133,51 @@ TEST(Check, JsonIsAReport)
     EXPECT_EQ(json.at("submission").at("units").at(0).at("verdict"), "interface_mismatch") << "an empty file defines nothing";
 }
 
+TEST(Check, WhatHasNotChangedIsNotRunAgain)
+{
+    const TemporaryFolder folder;
+    const std::string here = " --dir " + folder.path().string();
+    const auto sphere = [&](const std::string& more) {
+        std::ifstream reference(source / "reference/raytracing/sphere.cpp");
+        folder.write("sphere.cpp", std::string(std::istreambuf_iterator<char>(reference), {}) + more);
+    };
+    constexpr const char* unchanged = "1 of 1 unit unchanged since the last check";
+    sphere("// first\n");
+    const Printed first = umbral("check sphere" + here);
+    EXPECT_EQ(first.status, 0) << first.text;
+    EXPECT_EQ(first.text.find(unchanged), std::string::npos);
+    const Printed second = umbral("check sphere" + here);
+    EXPECT_EQ(second.status, 0);
+    EXPECT_NE(second.text.find(unchanged), std::string::npos) << second.text;
+    EXPECT_EQ(second.text.find(first.text), 0U) << "the same, and one line more:\n" << second.text;
+    // Whatever decides the result, or is missing of it, asks again.
+    EXPECT_EQ(umbral("check sphere --fresh" + here).text.find(unchanged), std::string::npos);
+    EXPECT_EQ(umbral("check sphere --attempt 7" + here).text.find(unchanged), std::string::npos);
+    EXPECT_NE(umbral("check sphere --attempt 7" + here).text.find(unchanged), std::string::npos);
+    std::filesystem::remove_all(folder.path() / "umbral-pictures");
+    EXPECT_EQ(umbral("check sphere --attempt 7" + here).text.find(unchanged), std::string::npos) << "its picture was gone";
+    sphere("// second\n");
+    EXPECT_EQ(umbral("check sphere" + here).text.find(unchanged), std::string::npos);
+    // A page needs more than a result.
+    const std::string page = (folder.path() / "page.html").string();
+    EXPECT_EQ(umbral("check sphere --html " + page + here).text.find(unchanged), std::string::npos);
+    EXPECT_NE(umbral("check sphere --html " + page + here).text.find(unchanged), std::string::npos);
+    EXPECT_GT(std::filesystem::file_size(page), 10000U);
+    // A wrong result is kept as a right one is.
+    folder.write("sphere.cpp", "int nothing;\n");
+    const Printed wrong = umbral("check sphere" + here);
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_EQ(umbral("check sphere" + here).text.find(wrong.text), 0U);
+}
+
 TEST(Hint, GoesStepByStep)
 {
     EXPECT_NE(umbral("hint sphere").text.find("Hint 1 of 3"), std::string::npos);
     EXPECT_NE(umbral("hint sphere 3").text.find("Hint 3 of 3"), std::string::npos);
     EXPECT_EQ(umbral("hint sphere 4").status, 2);
+    const std::string spanish = umbral("hint sphere --language es").text;
+    EXPECT_NE(spanish.find("Pista 1 de 3: Traslada"), std::string::npos) << spanish;
+    EXPECT_NE(spanish.find("umbral hint sphere 2 --language es"), std::string::npos) << spanish;
 }
 
 TEST(Reset, KeepsWhatWasWritten)

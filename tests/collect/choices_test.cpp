@@ -5,6 +5,7 @@
 #include "collect/candidates.hpp"
 #include "collect/desk.hpp"
 #include "collect/file_names.hpp"
+#include "manifest/units.hpp"
 #include "model/caps.hpp"
 
 namespace umbral::grader::test {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "collect/handed.hpp"
-#include "model/exercise.hpp"
+#include "manifest/units.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace umbral::grader::test {
@@ -20,8 +20,13 @@ public:
     [[nodiscard]] std::filesystem::path elsewhere() const { return folder_ / "elsewhere"; }
     void write(const std::string& path, std::string_view text) const { folder_.write("work/" + path, text); }
 
-    [[nodiscard]] SubmittedFiles submitted() const { return read_submission(folder(), tools()); }
-    [[nodiscard]] Handed collected(const std::string& unit = "raytracing/sphere") const { return collect(submitted(), exercise(unit)); }
+    /// What is read where no unit is asked for: all that is found.
+    [[nodiscard]] SubmittedFiles submitted() const { return read_submission(folder(), {}, tools()); }
+    [[nodiscard]] Handed collected(const std::string& unit = "raytracing/sphere") const
+    {
+        const Exercise asked = exercise(unit);
+        return collect(read_submission(folder(), {&asked, 1}, tools()), asked);
+    }
 
 private:
     umbral::test::TemporaryFolder folder_;

@@ -44,10 +44,8 @@ protected:
     void expect_found_beside_it() const
     {
         desk.write("sphere.cpp", "mine");
-        const SubmittedFiles submitted = desk.submitted();
-        EXPECT_TRUE(is_sound(submitted));
-        const Handed handed = collect(submitted, desk.exercise("raytracing/sphere"));
-        EXPECT_EQ(handed.files, (Sources{{"sphere.cpp", "mine"}}));
+        EXPECT_TRUE(is_sound(desk.submitted()));
+        EXPECT_EQ(desk.collected().files, (Sources{{"sphere.cpp", "mine"}}));
     }
 };
 
@@ -123,6 +121,10 @@ TEST_F(HostileFolder, tens_of_thousands_of_files)
     make_files(30'000, [](int i) { return std::to_string(i) + (i % 2 == 0 ? ".hpp" : ".txt"); });
     expect_found_beside_it();
     make_files(caps::submission_files, [](int i) { return std::to_string(i) + ".cpp"; });
+    expect_found_beside_it();
+    // Only what lies elsewhere can be pushed out, and then it is said why.
+    fs::create_directory(desk.folder() / "z");
+    fs::rename(desk.folder() / "sphere.cpp", desk.folder() / "z/sphere.cpp");
     const Handed handed = desk.collected();
     EXPECT_EQ(handed.missing.size() + (handed.refused.empty() ? 0 : 1), 1U);
     ASSERT_FALSE(handed.notes.empty());
@@ -132,6 +134,12 @@ TEST_F(HostileFolder, tens_of_thousands_of_files)
     EXPECT_TRUE(is_sound(cut));
     ASSERT_FALSE(cut.notes.empty());
     EXPECT_NE(cut.notes[0].find("not all were looked at"), std::string::npos);
+    desk.write("raytracing/sphere/sphere.cpp", "mine too");
+    desk.write("raytracing/sphere/helper.hpp", "help");
+    EXPECT_EQ(desk.collected().files, (Sources{{"sphere.cpp", "mine too"}, {"helper.hpp", "help"}}));
+    EXPECT_EQ(desk.collected("transforms/axis-rotation").missing.size(), 1U);
+    desk.write("axis_rotation.cpp", "flat");
+    EXPECT_EQ(desk.collected("transforms/axis-rotation").files, (Sources{{"axis_rotation.cpp", "flat"}}));
 }
 
 TEST_F(HostileFolder, ten_thousand_deep)
@@ -194,14 +202,22 @@ TEST_F(HostileFolder, more_source_code_than_is_taken)
     expect_found_beside_it();
 }
 
+// Not even in the unit's own folder.
+TEST_F(HostileFolder, nothing_pushes_out_what_lies_at_its_exact_place)
+{
+    desk.write("raytracing/sphere/sphere.cpp", "mine");
+    make_files(caps::submission_files, [](int i) { return "raytracing/sphere/" + std::to_string(i) + ".cpp"; });
+    EXPECT_EQ(desk.collected().files.at("sphere.cpp"), "mine");
+}
+
 TEST_F(HostileFolder, no_folder_at_all)
 {
-    EXPECT_EQ(read_submission(desk.folder() / "nowhere", desk.tools()).notes.size(), 1U);
+    EXPECT_EQ(read_submission(desk.folder() / "nowhere", {}, desk.tools()).notes.size(), 1U);
     desk.write("file.txt", "x");
-    EXPECT_EQ(read_submission(desk.folder() / "file.txt", desk.tools()).notes.size(), 1U);
-    EXPECT_EQ(read_submission("/dev/zero", desk.tools()).notes.size(), 1U);
+    EXPECT_EQ(read_submission(desk.folder() / "file.txt", {}, desk.tools()).notes.size(), 1U);
+    EXPECT_EQ(read_submission("/dev/zero", {}, desk.tools()).notes.size(), 1U);
     fs::create_symlink("loop.zip", desk.folder() / "loop.zip");
-    EXPECT_EQ(read_submission(desk.folder() / "loop.zip", desk.tools()).notes.size(), 1U);
+    EXPECT_EQ(read_submission(desk.folder() / "loop.zip", {}, desk.tools()).notes.size(), 1U);
 }
 
 // That is the machine's trouble, and nobody's missing work.
@@ -212,7 +228,7 @@ TEST_F(HostileFolder, no_descriptor_left_is_no_fault_of_the_students)
         rlimit few{3, 3};
         if (setrlimit(RLIMIT_NOFILE, &few) != 0) return false;
         try {
-            (void)read_submission(desk.folder());
+            (void)read_submission(desk.folder(), {});
             return false;
         } catch (const std::system_error&) {
             return true;

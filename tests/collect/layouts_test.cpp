@@ -87,6 +87,13 @@ std::vector<Layout> layouts()
         {"stub_in_the_workspace", {{exact, stub_text()}, {"sphere.cpp", solution}}},
         {"stub_and_solution_below", {{exact, stub_text()}, {"mine/Sphere.cpp", solution}}, solution, "mine/Sphere.cpp"},
         {"stub_in_every_place", {{exact, stub_text()}, {"sphere.cpp", stub_text() + "\n// mine\n"}, {"a/sphere.cpp", solution}}, solution, "a/sphere.cpp"},
+        {"framework_beside_it",
+         {{exact, solution}, {"compile_flags.txt", "-Iinclude"}, {"include/umbral/raytracing/sphere.cpp", "int x;"}, {"include/umbral/sphere.cpp", "int y;"}}},
+        {"framework_beside_it_elsewhere", {{"w/mine.d/sphere.cpp", solution}, {"w/include/umbral/sphere.cpp", "int y;"}}, solution, "w/mine.d/sphere.cpp"},
+        {"framework_in_a_zip",
+         {{"w.zip", write_archive("zip", "none", {{"w/" + exact, solution}, {"w/include/umbral/raytracing/sphere.cpp", "int x;"}})}},
+         solution,
+         "w.zip/w/" + exact},
         {"equal_copies", {{"a/sphere.cpp", solution}, {"b/Sphere.cpp", solution}}, solution, "a/sphere.cpp"},
         {"folder_and_its_zip", {{"sphere/sphere.cpp", solution}, {"sphere.zip", zip}}, solution, "sphere.zip/sphere.cpp"},
     };
@@ -115,9 +122,22 @@ TEST(Layouts, of_a_single_archive)
 {
     const Desk desk;
     desk.write("ana.tar.gz", write_archive("ustar", "gzip", {{"raytracing/sphere/sphere.cpp", solution}, {"raytracing/sphere/help.hpp", "x"}}));
-    const Handed handed = collect(read_submission(desk.folder() / "ana.tar.gz", desk.tools()), desk.exercise("raytracing/sphere"));
+    const Handed handed = collect(read_submission(desk.folder() / "ana.tar.gz", {}, desk.tools()), desk.exercise("raytracing/sphere"));
     EXPECT_EQ(handed.files, (Sources{{"sphere.cpp", solution}, {"help.hpp", "x"}}));
     EXPECT_EQ(handed.notes, std::vector<std::string>{});
+}
+
+// What `umbral new` copies for editors costs a submission nothing of its limits.
+TEST(Layouts, of_a_workspace_with_the_framework)
+{
+    const Desk desk;
+    desk.write("raytracing/sphere/sphere.cpp", solution);
+    desk.write("include/umbral/raytracing/intersect.hpp", "struct Sphere;");
+    desk.write("include/mine/sphere.hpp", "int x;");
+    const SubmittedFiles submitted = desk.submitted();
+    EXPECT_EQ(submitted.files, (Sources{{"include/mine/sphere.hpp", "int x;"}, {"raytracing/sphere/sphere.cpp", solution}}));
+    EXPECT_EQ(submitted.ignored, std::vector<Ignored>{});
+    EXPECT_EQ(desk.collected().files, (Sources{{"sphere.cpp", solution}}));
 }
 
 // Words of a unit's name are parted in many ways.

@@ -69,14 +69,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fill(folder.path(), tests::text_of(data, size));
     for (const grader::SubmissionFolder& one : grader::class_folder(folder.path()).submissions) {
         tests::expect(grader::is_submission_id(one.id) && !grader::is_reserved_id(one.id), "an id that is none");
-        (void)grader::read_submission(one.folder);
+        (void)grader::read_submission(one.folder, {});
     }
     grader::Exercise exercise;
     exercise.id = "raytracing/sphere";
     exercise.topic = "raytracing";
     exercise.name = "sphere";
     exercise.files = {"sphere.cpp"};
-    const grader::SubmittedFiles submitted = grader::read_submission(folder.path());
+    const grader::SubmittedFiles submitted = grader::read_submission(folder.path(), {&exercise, 1});
     for (const auto& [path, text] : submitted.files) tests::expect(!path.empty() && path.front() != '/', "an absolute path");
     try {
         const grader::Handed handed = grader::collect(submitted, exercise);

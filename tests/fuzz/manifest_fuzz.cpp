@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fuzz.hpp"
-#include "model/exercise.hpp"
+#include "manifest/units.hpp"
 #include "model/json_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -2,9 +2,9 @@
 #include <opencv2/core.hpp>
 
 #include "calibrate/best_time.hpp"
-#include "judge/image_difference.hpp"
-#include "judge/image_metrics.hpp"
-#include "judge/image_rule.hpp"
+#include "judge/picture/image_difference.hpp"
+#include "judge/picture/image_metrics.hpp"
+#include "judge/picture/image_rule.hpp"
 #include "judge/rules.hpp"
 #include "noisy.hpp"
 
@@ -36,7 +36,7 @@ int main()
     const umbral::Tensor same = right;
     const umbral::Tensor close = noisy(3);
     const umbral::Tensor far = noisy(121);
-    const Check check = test::check_of(JudgeKind::image);
+    const Check check = test::check_of(JudgeKind{"image"});
     report("equal", [&] { (void)judge(check, same, right, nullptr); });
     for (const auto& [name, student] : {std::pair{"one level of noise", &close}, std::pair{"every pixel far off", &far}}) {
         std::printf("%s\n", name);
@@ -53,7 +53,7 @@ int main()
     const auto light = [](int x, int y) { return test::floor_and_ball(x / 8, y / 8); };
     const umbral::Tensor expected = test::noisy(random, 512, 512, 3, 1, light);
     const umbral::Tensor student = test::noisy(random, 512, 512, 3, 1, light);
-    const Check noise = test::check_of(JudgeKind::noise);
+    const Check noise = test::check_of(JudgeKind{"noise"});
     report("  judge, floats", [&] { (void)judge(noise, student, expected, nullptr); });
     const umbral::Tensor expected_bytes = test::as_bytes(expected);
     const umbral::Tensor student_bytes = test::as_bytes(student);

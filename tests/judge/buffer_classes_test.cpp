@@ -11,7 +11,7 @@ constexpr std::uint32_t side = 24;
 
 Judgement buffer(const Tensor& student, const Tensor& expected, Tolerance tolerance = {})
 {
-    return judge(check_of(JudgeKind::buffer, tolerance), student, expected, nullptr);
+    return judge(check_of(JudgeKind{"buffer"}, tolerance), student, expected, nullptr);
 }
 
 bool says(const Judgement& found, const std::string& words) { return found.message.find(words) != std::string::npos; }
@@ -63,7 +63,7 @@ TEST(BufferClasses, AHalfPixelCentreGivesEdgePixelsToTheirNeighbours)
     EXPECT_EQ(metric(found, "at_edge"), metric(found, "wrong"));
     EXPECT_EQ(metric(found, "neighbour_value"), metric(found, "wrong"));
     EXPECT_TRUE(says(found, "cells are wrong")) << found.message;
-    Check check = check_of(JudgeKind::buffer);
+    Check check = check_of(JudgeKind{"buffer"});
     check.value = "ids";
     EXPECT_TRUE(says(judge(check, ids_by([](double x, double y) { return halves(x + 1, y); }), ids_by(halves), nullptr), "ids are wrong"));
     EXPECT_TRUE(says(found, "all lie at an edge and hold a neighbour's value: another pixel owns the edge")) << found.message;

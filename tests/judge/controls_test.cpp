@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "judge/tensor_view.hpp"
+#include "judge/rows/tensor_view.hpp"
 #include "make.hpp"
 
 namespace umbral::grader::test {
@@ -20,7 +20,7 @@ const Tensor& named(const std::vector<std::pair<std::string, Tensor>>& all, cons
 
 TEST(Controls, HaveTheShapeOfTheExpectedAndAreTheDeclaredOnes)
 {
-    const Check check = check_of(JudgeKind::numbers, absolute(0.1));
+    const Check check = check_of(JudgeKind{"numbers"}, absolute(0.1));
     const Tensor expected = optional_floats({1, 2, 0, 2, 5}, {1, 1, 0, 1, 1});
     const auto all = controls(check, expected, 1);
     for (const auto& [name, tensor] : all) {
@@ -38,7 +38,7 @@ TEST(Controls, HaveTheShapeOfTheExpectedAndAreTheDeclaredOnes)
 
 TEST(Controls, NoiseStaysInTheRangeAndFollowsItsSeed)
 {
-    const Check check = check_of(JudgeKind::numbers, absolute(0.1));
+    const Check check = check_of(JudgeKind{"numbers"}, absolute(0.1));
     std::vector<float> values(1000, 3.0F);
     values[0] = 2;
     values[1] = 5;
@@ -54,7 +54,7 @@ TEST(Controls, NoiseStaysInTheRangeAndFollowsItsSeed)
 
 TEST(Controls, TheBestOneIsFound)
 {
-    const Check numbers = check_of(JudgeKind::numbers, absolute(0.1));
+    const Check numbers = check_of(JudgeKind{"numbers"}, absolute(0.1));
     const BestControl frequent = best_control(numbers, floats({1, 2, 4, 4, 4}), nullptr, 1);
     EXPECT_EQ(frequent.name, "most frequent row");
     EXPECT_DOUBLE_EQ(frequent.right, 0.6);
@@ -62,7 +62,7 @@ TEST(Controls, TheBestOneIsFound)
     const std::vector<float> identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     std::vector<float> matrices = identity;
     for (std::size_t i = 0; i < 16; ++i) matrices.push_back(identity[i] + 3);
-    const BestControl unit = best_control(check_of(JudgeKind::matrices, absolute(0.1)), floats(matrices, 16), nullptr, 1);
+    const BestControl unit = best_control(check_of(JudgeKind{"matrices"}, absolute(0.1)), floats(matrices, 16), nullptr, 1);
     EXPECT_EQ(unit.name, "identity");
     EXPECT_DOUBLE_EQ(unit.right, 0.5);
 
@@ -73,7 +73,7 @@ TEST(Controls, TheBestOneIsFound)
 
 TEST(Controls, InPairsNoConstantAnswerEarnsAnything)
 {
-    Check check = check_of(JudgeKind::numbers, absolute(1e-3));
+    Check check = check_of(JudgeKind{"numbers"}, absolute(1e-3));
     check.pairs = true;
     std::vector<float> values;
     std::vector<std::uint8_t> present;
@@ -91,7 +91,7 @@ TEST(Controls, InPairsNoConstantAnswerEarnsAnything)
 
 TEST(Controls, NoPictureWithoutASceneEarnsMuch)
 {
-    const Check check = check_of(JudgeKind::image);
+    const Check check = check_of(JudgeKind{"image"});
     const auto all = controls(check, balls(), 3);
     for (const char* name : {"blank", "mean colour", "black", "white", "noise", "zeros", "ones"}) EXPECT_TRUE(has(all, name)) << name;
     EXPECT_EQ(named(all, "blank"), repaint(balls(), [](int, int) { return Colour{8, 10, 40, 255}; }));
@@ -108,11 +108,11 @@ TEST(Controls, ABlankPictureIsTheBordersColourAndWhiteIsWhite)
     std::vector<std::uint32_t> framed(64, 3);
     for (std::size_t i = 0; i < 64; ++i)
         if (i < 8 || i >= 56 || i % 8 == 0 || i % 8 == 7) framed[i] = 9;
-    EXPECT_EQ(named(controls(check_of(JudgeKind::buffer), grid(8, 8, framed), 1), "blank"), grid(8, 8, std::vector<std::uint32_t>(64, 9)));
-    const auto pictures = controls(check_of(JudgeKind::image), scene(), 1);
+    EXPECT_EQ(named(controls(check_of(JudgeKind{"buffer"}), grid(8, 8, framed), 1), "blank"), grid(8, 8, std::vector<std::uint32_t>(64, 9)));
+    const auto pictures = controls(check_of(JudgeKind{"image"}), scene(), 1);
     EXPECT_EQ(named(pictures, "white"), repaint(scene(), [](int, int) { return Colour{255, 255, 255, 255}; }));
     EXPECT_EQ(named(pictures, "black"), repaint(scene(), [](int, int) { return Colour{0, 0, 0, 0}; }));
-    Check grey = check_of(JudgeKind::image);
+    Check grey = check_of(JudgeKind{"image"});
     grey.range_low = 2;
     grey.range_high = 5;
     EXPECT_EQ(named(controls(grey, depth(2, 1, {3, 4}), 1), "white"), depth(2, 1, {5, 5}));
@@ -121,7 +121,7 @@ TEST(Controls, ABlankPictureIsTheBordersColourAndWhiteIsWhite)
 
 TEST(Controls, OfCostsIsAFunctionThatReturnsAtOnce)
 {
-    const auto all = controls(check_of(JudgeKind::cost), doubles({1000, 50, 2000, 100}, 2), 1);
+    const auto all = controls(check_of(JudgeKind{"cost"}), doubles({1000, 50, 2000, 100}, 2), 1);
     ASSERT_TRUE(has(all, "returns at once"));
     EXPECT_EQ(named(all, "returns at once"), doubles({1000, 1, 2000, 1}, 2));
 }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "explaining.hpp"
-#include "judge/cost.hpp"
+#include "judge/cost/cost.hpp"
 
 namespace umbral::grader::test {
 namespace {
@@ -26,8 +26,8 @@ Tensor power(double exponent, double factor = 3)
 
 Judgement judged(const Tensor& yours, double growth = 1, const Tensor* names = nullptr)
 {
-    Check check = check_of(JudgeKind::cost);
-    check.growth = growth;
+    Check check = check_of(JudgeKind{"cost"});
+    check.own = CostParameters{growth};
     return judge(check, yours, power(1), nullptr, names);
 }
 
@@ -106,7 +106,7 @@ TEST(Costs, TheSizesMustBeThoseThatWereTried)
 
 TEST(Costs, WhatCannotBeJudgedIsAGraderFault)
 {
-    Check check = check_of(JudgeKind::cost);
+    Check check = check_of(JudgeKind{"cost"});
     for (const Tensor& bad : {doubles({1000, 5}, 2), doubles({1000, 5, 1000, 6}, 2), doubles({1000, 0, 2000, 5}, 2), doubles({0, 1, 2000, 5}, 2),
                               floats({1000, 5, 2000, 6}, 2), doubles({1000, 2000}, 1)})
         EXPECT_THROW((void)judge(check, bad, bad, nullptr), std::invalid_argument);
@@ -114,7 +114,8 @@ TEST(Costs, WhatCannotBeJudgedIsAGraderFault)
 
 TEST(Costs, ControlsAndMistakes)
 {
-    Check check = check_of(JudgeKind::cost);
+    Check check = check_of(JudgeKind{"cost"});
+    check.own = CostParameters{};
     EXPECT_EQ(best_control(check, power(1), nullptr, 1).right, 0);
     const auto same = [&](const Tensor& yours, const Tensor& mistake) {
         const Tensor expected = power(1);

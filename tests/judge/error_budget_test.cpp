@@ -1,4 +1,4 @@
-#include "judge/error_budget.hpp"
+#include "judge/statistics/error_budget.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <umbral/core/random.hpp>
 
-#include "judge/thresholds.hpp"
+#include "judge/explain/thresholds.hpp"
 #include "model/exercise.hpp"
 
 namespace umbral::grader {

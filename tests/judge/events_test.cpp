@@ -4,7 +4,7 @@
 #include <string>
 
 #include "explaining.hpp"
-#include "judge/alignment.hpp"
+#include "judge/rows/alignment.hpp"
 
 namespace umbral::grader::test {
 namespace {
@@ -19,7 +19,7 @@ const Tensor& names()
 
 Judgement judged(const std::vector<float>& yours, const std::vector<float>& expected, Tolerance tolerance = {})
 {
-    return judge(check_of(JudgeKind::events, tolerance), floats(yours, 3), floats(expected, 3), nullptr, &names());
+    return judge(check_of(JudgeKind{"events"}, tolerance), floats(yours, 3), floats(expected, 3), nullptr, &names());
 }
 
 const std::vector<float> session{1, 0, 0, 2, 3, 0, 2, 4, 5, 3, 1.1F, 0, 1, 0, 0};
@@ -78,8 +78,8 @@ TEST(Events, HostileOnesMatchNothing)
     EXPECT_EQ(found.right, 0);
     EXPECT_NE(found.message.find("an event whose code is no number"), std::string::npos) << found.message;
     EXPECT_THROW((void)judged({1, 0, 0}, {1, nan_f, 0}), std::invalid_argument);
-    EXPECT_EQ(judge(check_of(JudgeKind::events), floats({1, 2}, 2), floats({1, 2, 3}, 3), nullptr).right, 0);
-    EXPECT_EQ(judge(check_of(JudgeKind::events), Tensor{}, floats({1, 2, 3}, 3), nullptr).right, 0);
+    EXPECT_EQ(judge(check_of(JudgeKind{"events"}), floats({1, 2}, 2), floats({1, 2, 3}, 3), nullptr).right, 0);
+    EXPECT_EQ(judge(check_of(JudgeKind{"events"}), Tensor{}, floats({1, 2, 3}, 3), nullptr).right, 0);
 }
 
 TEST(Events, AFullRecordingTakesBoundedTime)
@@ -147,7 +147,7 @@ TEST(Alignment, OfLongDifferentSequencesIsValidAndSaysSo)
 
 TEST(Events, ControlsEarnWhatTheMostFrequentEventDoes)
 {
-    const Check check = check_of(JudgeKind::events);
+    const Check check = check_of(JudgeKind{"events"});
     const Tensor expected = floats({2, 1, 2, 1, 2, 1, 5, 0, 7, 3, 9, 4}, 2);
     const BestControl best = best_control(check, expected, nullptr, 1);
     EXPECT_EQ(best.name, "most frequent row");
@@ -157,7 +157,7 @@ TEST(Events, ControlsEarnWhatTheMostFrequentEventDoes)
 
 TEST(Events, MistakesMatchIfTheSequencesDo)
 {
-    const Check check = check_of(JudgeKind::events);
+    const Check check = check_of(JudgeKind{"events"});
     const auto same = [&](const std::vector<float>& yours, const std::vector<float>& mistake) {
         const Tensor a = floats(yours, 3);
         const Tensor b = floats(session, 3);

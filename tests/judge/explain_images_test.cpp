@@ -3,8 +3,8 @@
 namespace umbral::grader::test {
 namespace {
 
-const Check image = check_of(JudgeKind::image);
-const Check buffer = check_of(JudgeKind::buffer);
+const Check image = check_of(JudgeKind{"image"});
+const Check buffer = check_of(JudgeKind{"buffer"});
 
 template <class Change>
 Tensor each_colour(const Tensor& tensor, Change change)

@@ -24,7 +24,7 @@ Tensor matrices(Change change)
     return floats(values, 16);
 }
 
-const Check check = check_of(JudgeKind::matrices, relative(1e-6));
+const Check check = check_of(JudgeKind{"matrices"}, relative(1e-6));
 const Change unchanged = [](const glm::dmat4& m) { return m; };
 
 glm::dmat4 with_translation(glm::dmat4 m, glm::dvec3 t)
@@ -137,7 +137,7 @@ TEST(ExplainMatrices, UnrelatedErrorsHaveNoExplanation)
 TEST(ExplainMatrices, UndoingMayRound)
 {
     const Change inverse = [](const glm::dmat4& m) { return glm::inverse(m); };
-    EXPECT_EQ(first(check_of(JudgeKind::matrices, ulps(0)), matrices(inverse), matrices(unchanged)), "inverse") << "floats do not come back to the bit";
+    EXPECT_EQ(first(check_of(JudgeKind{"matrices"}, ulps(0)), matrices(inverse), matrices(unchanged)), "inverse") << "floats do not come back to the bit";
 }
 
 TEST(ExplainMatrices, OneStrayMatrixDoesNotHideAFactor)
@@ -162,7 +162,7 @@ TEST(ExplainNumbers, EveryOrderOfComponentsIsTried)
         right.insert(right.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
         turned.insert(turned.end(), {static_cast<float>(v.z), static_cast<float>(v.x), static_cast<float>(v.y)});
     }
-    const auto found = explain(check_of(JudgeKind::numbers, relative(1e-6)), floats(turned, 3), floats(right, 3));
+    const auto found = explain(check_of(JudgeKind{"numbers"}, relative(1e-6)), floats(turned, 3), floats(right, 3));
     ASSERT_FALSE(found.empty());
     EXPECT_NE(found.front().sentence.find("the expected vector is your (y, z, x)"), std::string::npos) << found.front().sentence;
 }

@@ -34,7 +34,7 @@ std::vector<float> changed(std::vector<float> values, Change change)
     return values;
 }
 
-const Check numbers = check_of(JudgeKind::numbers, ulps(4));
+const Check numbers = check_of(JudgeKind{"numbers"}, ulps(4));
 
 template <class Change>
 std::string first_after(Change change, float low = -2)

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "judge/explain.hpp"
+#include "judge/explain/explain.hpp"
 #include "make.hpp"
 
 namespace umbral::grader::test {

@@ -39,7 +39,7 @@ const std::vector<std::string> triangle{"#....", "##...", "###..", "####."};
 
 Judgement judged(const std::vector<Spot>& yours, const std::vector<Spot>& expected, Tolerance tolerance = {}, const Tensor* names = nullptr)
 {
-    return judge(check_of(JudgeKind::fragments, tolerance), fragments(yours), fragments(expected), nullptr, names);
+    return judge(check_of(JudgeKind{"fragments"}, tolerance), fragments(yours), fragments(expected), nullptr, names);
 }
 
 TEST(Fragments, EqualOnesInAnyOrderAreRight)
@@ -190,7 +190,7 @@ TEST(Fragments, HostileRowsAreExtraAndDoNoHarm)
 
 TEST(Fragments, NothingOrAnotherShape)
 {
-    const Check check = check_of(JudgeKind::fragments);
+    const Check check = check_of(JudgeKind{"fragments"});
     const Tensor expected = fragments({{0, 1, 1}});
     EXPECT_EQ(judge(check, Tensor{}, expected, nullptr).right, 0);
     EXPECT_EQ(judge(check, floats({}, 4), expected, nullptr).metrics.at("missing"), 1);
@@ -220,7 +220,7 @@ TEST(Fragments, AFullRecordingTakesBoundedTime)
 TEST(Fragments, ControlsEarnWhatABoundingBoxDoes)
 {
     const Tensor expected = fragments(drawn(0, triangle));
-    const Check check = check_of(JudgeKind::fragments);
+    const Check check = check_of(JudgeKind{"fragments"});
     const BestControl best = best_control(check, expected, nullptr, 1);
     EXPECT_EQ(best.name, "bounding boxes");
     EXPECT_DOUBLE_EQ(best.right, 10.0 / 16);
@@ -233,7 +233,7 @@ TEST(Fragments, ControlsEarnWhatABoundingBoxDoes)
 
 TEST(Fragments, MistakesMatchByTheirSetOfDeviations)
 {
-    const Check check = check_of(JudgeKind::fragments, absolute(0.01));
+    const Check check = check_of(JudgeKind{"fragments"}, absolute(0.01));
     const std::vector<Spot> expected = drawn(0, triangle);
     std::vector<Spot> fewer = expected;
     fewer.pop_back();
@@ -270,7 +270,7 @@ TEST(Fragments, OneOfSeveralMayMatchAndTheRestAreAgain)
 
 TEST(Fragments, EveryAttributeMatters)
 {
-    const Check check = check_of(JudgeKind::fragments, absolute(0.01));
+    const Check check = check_of(JudgeKind{"fragments"}, absolute(0.01));
     const Tensor expected = floats({0, 1, 1, 0.5F, 0.25F}, 5);
     EXPECT_EQ(judge(check, floats({0, 1, 1, 0.9F, 0.25F}, 5), expected, nullptr).right, 0);
     EXPECT_EQ(judge(check, floats({0, 1, 1, 0.5F, 0.9F}, 5), expected, nullptr).right, 0);

@@ -1,4 +1,4 @@
-#include "judge/image_rule.hpp"
+#include "judge/picture/image_rule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@ namespace {
 
 ImageRule rule(const Tensor& student, const Tensor& expected)
 {
-    const Check check = check_of(JudgeKind::image);
+    const Check check = check_of(JudgeKind{"image"});
     return apply_image_rule(to_picture(check, student), to_picture(check, expected));
 }
 
-Judgement image(const Tensor& student, const Tensor& expected) { return judge(check_of(JudgeKind::image), student, expected, nullptr); }
+Judgement image(const Tensor& student, const Tensor& expected) { return judge(check_of(JudgeKind{"image"}), student, expected, nullptr); }
 
 Colour moved(Colour colour, int by)
 {
@@ -76,7 +76,7 @@ TEST(ImageDetails, TheBorderIsRepeatedSoThatSurfacesReachIt)
 
 TEST(ImageDetails, FloatsAreRoundedAndCutToTheRange)
 {
-    Check check = check_of(JudgeKind::image);
+    Check check = check_of(JudgeKind{"image"});
     const auto level = [&](float value) { return int{to_picture(check, depth(1, 1, {value})).row(0, 0)[0]}; };
     EXPECT_EQ(level(0.6F / 255), 1);
     EXPECT_EQ(level(0.4F / 255), 0);
@@ -86,7 +86,7 @@ TEST(ImageDetails, FloatsAreRoundedAndCutToTheRange)
     EXPECT_EQ(level(0), 128);
     EXPECT_EQ(level(-1), 0);
     Tensor two = floats({0, 1, 0, 1}, 2);
-    EXPECT_THROW((void)judge(check_of(JudgeKind::image), two, two, nullptr), std::invalid_argument) << "two channels are no picture";
+    EXPECT_THROW((void)judge(check_of(JudgeKind{"image"}), two, two, nullptr), std::invalid_argument) << "two channels are no picture";
 }
 
 TEST(ImageDetails, WindowsAreThoseThatCountingOneByOneFinds)
@@ -127,7 +127,7 @@ TEST(ImageDetails, WhatIsWrongEverywhereIsSaidBeforeASpot)
         const Colour colour = pixel(right, x, y);
         return colour == Colour{8, 10, 40, 255} ? colour : moved(colour, 4);
     });
-    const Judgement found = judge(check_of(JudgeKind::image), off, right, nullptr);
+    const Judgement found = judge(check_of(JudgeKind{"image"}), off, right, nullptr);
     EXPECT_NE(found.message.find("too bright"), std::string::npos) << found.message;
     EXPECT_EQ(found.message.find("close together"), std::string::npos) << found.message;
 }

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "judge/image_difference.hpp"
+#include "judge/picture/image_difference.hpp"
 #include "make.hpp"
 
 namespace umbral::grader::test {
@@ -10,8 +10,8 @@ namespace {
 
 TEST(ImageDifference, NothingWhereNothingDiffers)
 {
-    EXPECT_FALSE(worst_region(check_of(JudgeKind::image), balls(), balls()));
-    for (const std::uint8_t level : difference_map(check_of(JudgeKind::image), balls(), balls()).cells) ASSERT_EQ(level, 0);
+    EXPECT_FALSE(worst_region(check_of(JudgeKind{"image"}), balls(), balls()));
+    for (const std::uint8_t level : difference_map(check_of(JudgeKind{"image"}), balls(), balls()).cells) ASSERT_EQ(level, 0);
 }
 
 TEST(ImageDifference, FindsTheBoundsTheWorstWindowAndThePeak)
@@ -23,7 +23,7 @@ TEST(ImageDifference, FindsTheBoundsTheWorstWindowAndThePeak)
         if (x == 3 && y == 120) colour.g = 60;
         return colour;
     });
-    const auto region = worst_region(check_of(JudgeKind::image), wrong, balls());
+    const auto region = worst_region(check_of(JudgeKind{"image"}), wrong, balls());
     ASSERT_TRUE(region);
     EXPECT_EQ(region->bounds, (Window{3, 20, 101, 101}));
     EXPECT_EQ(region->peak_x, 102);
@@ -33,19 +33,19 @@ TEST(ImageDifference, FindsTheBoundsTheWorstWindowAndThePeak)
     EXPECT_LE(region->worst.y, 20);
     EXPECT_GE(region->worst.y + region->worst.height, 24);
     EXPECT_EQ(region->worst.width, 32);
-    EXPECT_EQ(difference_map(check_of(JudgeKind::image), wrong, balls()).at(102, 22), 200);
+    EXPECT_EQ(difference_map(check_of(JudgeKind{"image"}), wrong, balls()).at(102, 22), 200);
 }
 
 TEST(ImageDifference, MapsIdsDepthsAndWhatIsNotFinite)
 {
-    const auto ids = difference_map(check_of(JudgeKind::buffer), grid(2, 1, {1, 5}), grid(2, 1, {1, 6}));
+    const auto ids = difference_map(check_of(JudgeKind{"buffer"}), grid(2, 1, {1, 5}), grid(2, 1, {1, 6}));
     EXPECT_EQ(ids.at(0, 0), 0);
     EXPECT_EQ(ids.at(1, 0), 255);
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto depths = difference_map(check_of(JudgeKind::buffer), depth(4, 1, {0, 0.6F, nan, 4}), depth(4, 1, {0, 0.2F, 2, 4}));
+    const auto depths = difference_map(check_of(JudgeKind{"buffer"}), depth(4, 1, {0, 0.6F, nan, 4}), depth(4, 1, {0, 0.2F, 2, 4}));
     EXPECT_EQ(depths.cells, (std::vector<std::uint8_t>{0, 26, 255, 0}));
-    EXPECT_THROW((void)difference_map(check_of(JudgeKind::buffer), depth(1, 1, {0}), grid(1, 1, {0})), std::invalid_argument);
-    const auto small = worst_region(check_of(JudgeKind::buffer), grid(2, 1, {1, 5}), grid(2, 1, {1, 6}));
+    EXPECT_THROW((void)difference_map(check_of(JudgeKind{"buffer"}), depth(1, 1, {0}), grid(1, 1, {0})), std::invalid_argument);
+    const auto small = worst_region(check_of(JudgeKind{"buffer"}), grid(2, 1, {1, 5}), grid(2, 1, {1, 6}));
     EXPECT_EQ(small->worst, (Window{0, 0, 2, 1}));
 }
 

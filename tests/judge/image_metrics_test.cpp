@@ -1,4 +1,4 @@
-#include "judge/image_metrics.hpp"
+#include "judge/picture/image_metrics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace umbral::grader::test {
 namespace {
 
-Picture to_planes(const Tensor& tensor) { return to_picture(check_of(JudgeKind::image), tensor); }
+Picture to_planes(const Tensor& tensor) { return to_picture(check_of(JudgeKind{"image"}), tensor); }
 
 Tensor constant(std::uint8_t level)
 {

@@ -1,4 +1,4 @@
-#include "judge/image_rule.hpp"
+#include "judge/picture/image_rule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 namespace umbral::grader::test {
 namespace {
 
-Judgement image(const Tensor& student, const Tensor& expected) { return judge(check_of(JudgeKind::image), student, expected, nullptr); }
+Judgement image(const Tensor& student, const Tensor& expected) { return judge(check_of(JudgeKind{"image"}), student, expected, nullptr); }
 
 ImageRule rule(const Tensor& student, const Tensor& expected)
 {
-    const Check check = check_of(JudgeKind::image);
+    const Check check = check_of(JudgeKind{"image"});
     return apply_image_rule(to_picture(check, student), to_picture(check, expected));
 }
 
@@ -216,7 +216,7 @@ TEST(Image, AlphaCounts)
 
 TEST(Image, FloatsAreMappedByTheRange)
 {
-    Check check = check_of(JudgeKind::image);
+    Check check = check_of(JudgeKind{"image"});
     check.range_low = -1;
     check.range_high = 1;
     const auto normals = [](float extra) {

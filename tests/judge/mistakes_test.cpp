@@ -12,7 +12,7 @@ bool same(const Check& check, const Tensor& student, const Tensor& expected, con
 
 TEST(Mistakes, MatchIfTheyDeviateInTheSameWay)
 {
-    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     const Tensor right = floats({1, 2, 3, 4});
     const Tensor mistake = floats({1, 2, 5, 6});
     EXPECT_TRUE(same(check, floats({1, 2, 5, std::nextafter(6.0F, 7.0F)}), right, mistake));
@@ -26,7 +26,7 @@ TEST(Mistakes, MatchIfTheyDeviateInTheSameWay)
 
 TEST(Mistakes, ManyRightRowsDoNotMakeTwoErrorsTheSame)
 {
-    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     std::vector<float> right(100, 1);
     auto student = right;
     auto mistake = right;
@@ -38,7 +38,7 @@ TEST(Mistakes, ManyRightRowsDoNotMakeTwoErrorsTheSame)
 TEST(Mistakes, WhatIsNotFiniteOrAbsentOnBothSidesAgrees)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     EXPECT_TRUE(same(check, floats({nan, 2}), floats({1, 2}), floats({nan, 2})));
     EXPECT_FALSE(same(check, floats({nan, 2}), floats({1, 2}), floats({9, 2})));
     const Tensor right = optional_floats({1, 0}, {1, 0});
@@ -48,7 +48,7 @@ TEST(Mistakes, WhatIsNotFiniteOrAbsentOnBothSidesAgrees)
 
 TEST(Mistakes, APassingCheckSpeaksAgainstAMistakeThatFailsItAndForNone)
 {
-    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     const Tensor right = floats({1, 2, 3, 4});
     const FailingCheck passing{&check, &right, &right, nullptr, false};
     EXPECT_EQ(resemblance(passing, floats({1, 2, 5, 6})).says, Says::against_it);
@@ -58,7 +58,7 @@ TEST(Mistakes, APassingCheckSpeaksAgainstAMistakeThatFailsItAndForNone)
 
 TEST(Mistakes, ACheckThatIsPassedByRoundingOfPointsIsPassed)
 {
-    Check check = check_of(JudgeKind::buffer);
+    Check check = check_of(JudgeKind{"buffer"});
     check.points = 250;
     std::vector<std::uint32_t> ids(10000, 0);
     for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = i % 100 > 0 && i % 100 < 99 && i > 99 && i < 9900 ? 7 : 0;
@@ -72,7 +72,7 @@ TEST(Mistakes, ACheckThatIsPassedByRoundingOfPointsIsPassed)
 
 TEST(Mistakes, TablesOfTheSameWrongSizeAgreeIfTheyAreEqual)
 {
-    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     const Tensor right = floats({1, 2, 3, 4});
     const Tensor student = floats({1, 2});
     const FailingCheck failing{&check, &student, &right, nullptr};
@@ -86,7 +86,7 @@ TEST(Mistakes, TablesOfTheSameWrongSizeAgreeIfTheyAreEqual)
 
 TEST(Mistakes, AgreementInMoreValuesSaysMore)
 {
-    const Check check = check_of(JudgeKind::numbers, ulps(2));
+    const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     const auto bits = [&](const std::vector<float>& wrong, const std::vector<float>& right) {
         const Tensor student = floats(wrong);
         const Tensor expected = floats(right);
@@ -106,17 +106,17 @@ TEST(Mistakes, OfMatricesBuffersAndPictures)
     const std::vector<float> unit{1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::vector<float> twice{2, 0, 0, 0, 2, 0, 0, 0, 2};
     const std::vector<float> flat{1, 0, 0, 0, 1, 0, 0, 0, 0};
-    const Check matrices = check_of(JudgeKind::matrices, relative(1e-6));
+    const Check matrices = check_of(JudgeKind{"matrices"}, relative(1e-6));
     EXPECT_TRUE(same(matrices, floats(twice, 9), floats(unit, 9), floats(twice, 9)));
     EXPECT_FALSE(same(matrices, floats(twice, 9), floats(unit, 9), floats(flat, 9)));
 
-    const Check buffer = check_of(JudgeKind::buffer);
+    const Check buffer = check_of(JudgeKind{"buffer"});
     EXPECT_TRUE(same(buffer, grid(2, 2, {1, 1, 1, 3}), grid(2, 2, {1, 1, 1, 2}), grid(2, 2, {1, 1, 1, 3})));
     EXPECT_FALSE(same(buffer, grid(2, 2, {1, 1, 1, 3}), grid(2, 2, {1, 1, 1, 2}), grid(2, 2, {1, 1, 1, 4})));
     const float infinity = std::numeric_limits<float>::infinity();
     EXPECT_TRUE(same(buffer, depth(3, 1, {infinity, 1, 2}), depth(3, 1, {infinity, 1, 1}), depth(3, 1, {infinity, 1, 2})));
 
-    const Check image = check_of(JudgeKind::image);
+    const Check image = check_of(JudgeKind{"image"});
     const auto tinted = [](int by) {
         return repaint(balls(), [by](int x, int y) {
             Colour colour = pixel(scene(), x, y);

@@ -1,4 +1,4 @@
-#include "judge/noise.hpp"
+#include "judge/noise/noise.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "judge/explain.hpp"
-#include "judge/image_difference.hpp"
+#include "judge/explain/explain.hpp"
+#include "judge/picture/image_difference.hpp"
 #include "noisy.hpp"
 
 namespace umbral::grader::test {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t seed = 20260401;
 
-const Check check = check_of(JudgeKind::noise);
+const Check check = check_of(JudgeKind{"noise"});
 
 /// floor_and_ball times a factor, 32 samples a pixel of a smooth integrand, in colour.
 Tensor run(Random& random, double factor = 1)
@@ -186,7 +186,7 @@ TEST(Noise, WhatIsNoNumberIsWrong)
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(student.bytes.data() + 400, &nan, sizeof nan);
     EXPECT_EQ(right(student, expected), 0);
-    EXPECT_FALSE(decided_by(judge(check, student, expected, nullptr))) << "nothing that a second run could save";
+    EXPECT_FALSE(judge(check, student, expected, nullptr).borderline) << "nothing that a second run could save";
     EXPECT_EQ(right(noisy(random, 32, 32, 3, 1, floor_and_ball), expected), 0) << "another size";
     EXPECT_EQ(right(as_bytes(expected), expected), 0) << "another type";
 }
@@ -227,8 +227,8 @@ TEST(Noise, TwoRunsAreJudgedTogether)
     first.error = 0.02;
     first.message = "";
     first.metrics = {{"probability", 3e-5}};
+    first.chance = 3e-5;
     Judgement second = first;
-    EXPECT_EQ(decided_by(first), FirstRun::borderline);
     const Judgement wrong = judge_both(first, second);
     EXPECT_LT(wrong.metrics.at("probability"), check_alpha());
     EXPECT_LT(wrong.right, 1);
@@ -237,17 +237,19 @@ TEST(Noise, TwoRunsAreJudgedTogether)
     EXPECT_EQ(wrong.metrics.at("probability_first"), 3e-5);
     // The worse of the two says what is wrong.
     second.metrics["probability"] = 2e-5;
+    second.chance = 2e-5;
     second.message = "the light is too low";
     EXPECT_EQ(judge_both(first, second).message.find("the light is too low"), 0U);
     EXPECT_EQ(judge_both(second, first).message.find("the light is too low"), 0U);
     second.message = "";
     second.metrics["probability"] = 0.4;
+    second.chance = 0.4;
     EXPECT_EQ(judge_both(first, second).right, 1);
     // Wrong by itself, saved by the second.
     first.metrics["probability"] = 5e-7;
+    first.chance = 5e-7;
     first.right = 0.8;
     first.message = "too bright";
-    EXPECT_EQ(decided_by(first), FirstRun::borderline);
     EXPECT_EQ(judge_both(first, second).right, 1);
     EXPECT_TRUE(judge_both(first, second).message.empty());
     // A second run that broke down decides by itself.

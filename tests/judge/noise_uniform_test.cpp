@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "judge/error_budget.hpp"
-#include "judge/noise.hpp"
+#include "judge/noise/noise.hpp"
+#include "judge/statistics/error_budget.hpp"
 #include "noisy.hpp"
 
 // That p-values of correct work are uniform where that is claimed, and never too small anywhere: this bounds the rate of false alarms, which
@@ -168,7 +168,7 @@ TEST(NoiseUniform, ProbabilitiesOfPicturesAreNeverTooSmall)
     Random random(seed + 3);
     constexpr int pairs = 4000;
     std::printf("seed %llu, %d pairs of pictures each: P(probability <= x) / x\n", static_cast<unsigned long long>(seed + 3), pairs);
-    Check check = check_of(JudgeKind::noise);
+    Check check = check_of(JudgeKind{"noise"});
     for (const int samples : {1, 4, 16}) {
         std::vector<double> of_floats;
         std::vector<double> of_bytes;
@@ -194,7 +194,7 @@ TEST(NoiseUniform, ThreePercentAreFound)
     constexpr int pairs = 200;
     std::printf("seed %llu: 3 %% too bright everywhere, 64 x 64 pixels in grey, noise of one mean a sample; wrong at the level of one check of %g\n",
                 static_cast<unsigned long long>(seed + 4), check_alpha());
-    Check check = check_of(JudgeKind::noise);
+    Check check = check_of(JudgeKind{"noise"});
     const auto flat = [](int, int) { return 0.2; };
     const auto bright = [](int, int) { return 0.206; };
     for (const int samples : {4, 16, 64}) {
@@ -204,8 +204,8 @@ TEST(NoiseUniform, ThreePercentAreFound)
             const auto run = [&] { return judge(check, noisy(random, 64, 64, 1, samples, bright), noisy(random, 64, 64, 1, samples, flat), nullptr); };
             const Judgement first = run();
             one_run += first.right < 1 ? 1 : 0;
-            const auto decision = decided_by(first);
-            two_runs += decision == FirstRun::wrong || (decision == FirstRun::borderline && judge_both(first, run()).right < 1) ? 1 : 0;
+            const bool wrong = first.borderline ? judge_both(first, run()).right < 1 : first.right < 1;
+            two_runs += wrong ? 1 : 0;
         }
         std::printf("  %2d samples a pixel: found %.3f in one run, %.3f with a second where it is borderline\n", samples, one_run / double{pairs},
                     two_runs / double{pairs});

@@ -1,4 +1,4 @@
-#include "judge/outside_cost.hpp"
+#include "judge/cost/outside_cost.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@ namespace {
 
 Check worth(Millipoints points, double zero, double full)
 {
-    Check check = check_of(JudgeKind::numbers, absolute(1));
+    Check check = check_of(JudgeKind{"numbers"}, absolute(1));
     check.points = points;
     check.zero = zero;
     check.full = full;

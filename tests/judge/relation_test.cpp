@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "judge/likeness.hpp"
+#include "judge/explain/likeness.hpp"
 #include "make.hpp"
 
 namespace umbral::grader::test {
@@ -89,10 +89,10 @@ Tensor triangle(int primitive, int x0, int y0)
 
 TEST(Relation, AnyRightRecordingHasItAll)
 {
-    EXPECT_EQ(right(with_relation(JudgeKind::image, equal()), right_pictures(), right_pictures()), 1);
+    EXPECT_EQ(right(with_relation(JudgeKind{"image"}, equal()), right_pictures(), right_pictures()), 1);
     for (const auto& [x, y] : {std::pair(3, 5), std::pair(-7, 2), std::pair(0, -20), std::pair(40, 0)}) {
         const Recorded run{balls_moved(x, y), scene()};
-        EXPECT_EQ(right(with_relation(JudgeKind::image, moved(x, y)), run, run), 1) << x << ", " << y;
+        EXPECT_EQ(right(with_relation(JudgeKind{"image"}, moved(x, y)), run, run), 1) << x << ", " << y;
     }
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Random random(seed);
@@ -100,22 +100,22 @@ TEST(Relation, AnyRightRecordingHasItAll)
         const Tensor to = random_table(random, 40, 1, &kept);
         const double factor = random.uniform(0.1F, 0.8F) * (seed % 2 == 0 ? 10 : 1);
         const Recorded run{random_table(random, 40, factor, &kept), to};
-        EXPECT_EQ(right(with_relation(JudgeKind::numbers, times(factor), ulps(4)), run, run, seed), 1) << "seed " << seed;
+        EXPECT_EQ(right(with_relation(JudgeKind{"numbers"}, times(factor), ulps(4)), run, run, seed), 1) << "seed " << seed;
     }
     const Recorded fragments{triangle(0, 33, 45), triangle(0, 30, 40)};
-    EXPECT_EQ(right(with_relation(JudgeKind::fragments, moved(3, 5)), fragments, fragments), 1);
+    EXPECT_EQ(right(with_relation(JudgeKind{"fragments"}, moved(3, 5)), fragments, fragments), 1);
 }
 
 TEST(Relation, WhatIsWrongInTheSameWayEverywhereStillHasIt)
 {
     const Recorded wrong{gamma_twice(scene()), gamma_twice(scene()), gamma_twice(mirrored())};
-    EXPECT_EQ(right(with_relation(JudgeKind::image, equal()), wrong, right_pictures()), 1) << "no picture is right, and the law holds";
-    EXPECT_LT(judge(check_of(JudgeKind::image), wrong.value, scene(), nullptr).right, 0.5);
+    EXPECT_EQ(right(with_relation(JudgeKind{"image"}, equal()), wrong, right_pictures()), 1) << "no picture is right, and the law holds";
+    EXPECT_LT(judge(check_of(JudgeKind{"image"}), wrong.value, scene(), nullptr).right, 0.5);
 }
 
 TEST(Relation, WhatBreaksTheLawLosesIt)
 {
-    const Check check = with_relation(JudgeKind::image, equal());
+    const Check check = with_relation(JudgeKind{"image"}, equal());
     Recorded broken = right_pictures();
     broken.value = gamma_twice(scene());
     const Judgement found = RelationJudge(check, right_pictures().tensors(), nullptr, 1).judge(broken.tensors());
@@ -126,14 +126,14 @@ TEST(Relation, WhatBreaksTheLawLosesIt)
     EXPECT_TRUE(found.first_difference.has_value());
     const Recorded still{balls_moved(3, 4), scene()};
     const Recorded reference{balls_moved(3, 5), scene()};
-    EXPECT_LT(right(with_relation(JudgeKind::image, moved(3, 5)), still, reference), 0.8) << "one pixel too few";
+    EXPECT_LT(right(with_relation(JudgeKind{"image"}, moved(3, 5)), still, reference), 0.8) << "one pixel too few";
 
     Random random(3);
     std::vector<float> kept;
     const Tensor to = random_table(random, 40, 1, &kept);
     const Recorded four{random_table(random, 40, 4, &kept), to};
     const Recorded two{random_table(random, 40, 2, &kept), to};
-    EXPECT_EQ(right(with_relation(JudgeKind::numbers, times(4), relative(1e-6)), two, four), 0) << "area grows with the square";
+    EXPECT_EQ(right(with_relation(JudgeKind{"numbers"}, times(4), relative(1e-6)), two, four), 0) << "area grows with the square";
 }
 
 TEST(Relation, WhatComesInFromOutsideIsNotCompared)
@@ -142,15 +142,15 @@ TEST(Relation, WhatComesInFromOutsideIsNotCompared)
     const Tensor clean = run.value;
     run.value = repaint(clean, [&](int x, int y) { return x < 9 || y >= 122 ? Colour{255, 0, 255, 255} : pixel(clean, x, y); });
     const Recorded reference{clean, scene()};
-    EXPECT_EQ(right(with_relation(JudgeKind::image, moved(9, -6)), run, reference), 1);
+    EXPECT_EQ(right(with_relation(JudgeKind{"image"}, moved(9, -6)), run, reference), 1);
     run.value = repaint(clean, [&](int x, int y) { return x < 14 ? Colour{255, 0, 255, 255} : pixel(clean, x, y); });
-    EXPECT_LT(right(with_relation(JudgeKind::image, moved(9, -6)), run, reference), 0.5);
+    EXPECT_LT(right(with_relation(JudgeKind{"image"}, moved(9, -6)), run, reference), 0.5);
 }
 
 TEST(Relation, AlphaIsNotScaled)
 {
     const Tensor to = floats({0.1F, 0.2F, 0.3F, 1}, 4);
-    const auto twice = expected_by_relation(with_relation(JudgeKind::image, times(2)), to, to);
+    const auto twice = expected_by_relation(with_relation(JudgeKind{"image"}, times(2)), to, to);
     ASSERT_TRUE(twice.has_value());
     EXPECT_EQ(*twice, floats({0.2F, 0.4F, 0.6F, 1}, 4));
 }
@@ -164,10 +164,10 @@ TEST(Relation, EveryControlGetsNothing)
     std::vector<float> kept;
     const Tensor to = random_table(random, 64, 1, &kept);
     const Recorded doubled{random_table(random, 64, 2, &kept), to};
-    const std::vector<std::pair<Check, const Recorded*>> all = {{with_relation(JudgeKind::image, equal()), &pictures},
-                                                                {with_relation(JudgeKind::image, moved(3, 5)), &shifted},
-                                                                {with_relation(JudgeKind::fragments, moved(3, 5)), &fragments},
-                                                                {with_relation(JudgeKind::numbers, times(2), relative(1e-5)), &doubled}};
+    const std::vector<std::pair<Check, const Recorded*>> all = {{with_relation(JudgeKind{"image"}, equal()), &pictures},
+                                                                {with_relation(JudgeKind{"image"}, moved(3, 5)), &shifted},
+                                                                {with_relation(JudgeKind{"fragments"}, moved(3, 5)), &fragments},
+                                                                {with_relation(JudgeKind{"numbers"}, times(2), relative(1e-5)), &doubled}};
     for (const auto& [check, run] : all)
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
             const RelationJudge law(check, run->tensors(), nullptr, seed);
@@ -181,8 +181,8 @@ TEST(Relation, EveryControlGetsNothing)
 
 TEST(Relation, PicturesThatKnowNothingGetNothingHoweverWellTheyAgree)
 {
-    const Check same = with_relation(JudgeKind::image, equal());
-    const Check along = with_relation(JudgeKind::image, moved(3, 5));
+    const Check same = with_relation(JudgeKind{"image"}, equal());
+    const Check along = with_relation(JudgeKind{"image"}, moved(3, 5));
     const Recorded reference{balls_moved(3, 5), scene()};
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const Tensor noise = noise_picture(seed);
@@ -201,7 +201,7 @@ TEST(Relation, PicturesThatKnowNothingGetNothingHoweverWellTheyAgree)
 TEST(Relation, AMessageSaysWhyAgreementIsNotEnough)
 {
     const Judgement found =
-        RelationJudge(with_relation(JudgeKind::image, equal()), right_pictures().tensors(), nullptr, 1).judge({&scene(), &scene(), &scene()});
+        RelationJudge(with_relation(JudgeKind{"image"}, equal()), right_pictures().tensors(), nullptr, 1).judge({&scene(), &scene(), &scene()});
     EXPECT_EQ(found.right, 0);
     EXPECT_NE(found.message.find("your 'turned'"), std::string::npos) << found.message;
 }
@@ -214,7 +214,7 @@ TEST(Relation, DamagedRecordingsAreWrongAndNeverAnException)
     std::vector<float> kept;
     const Tensor to = random_table(random, 40, 1, &kept);
     const Recorded good{random_table(random, 40, 2, &kept), to};
-    const Check check = with_relation(JudgeKind::numbers, times(2), relative(1e-5));
+    const Check check = with_relation(JudgeKind{"numbers"}, times(2), relative(1e-5));
     const RelationJudge law(check, good.tensors(), nullptr, 1);
     Tensor cut = good.to;
     cut.bytes.pop_back();
@@ -241,7 +241,7 @@ TEST(Relation, DamagedRecordingsAreWrongAndNeverAnException)
     EXPECT_EQ(law.judge({&with_nan, &with_nan}).right, 0) << "nan is not twice nan";
 
     const Recorded fragments{triangle(0, 33, 45), triangle(0, 30, 40)};
-    const RelationJudge places(with_relation(JudgeKind::fragments, moved(3, 5)), fragments.tensors(), nullptr, 1);
+    const RelationJudge places(with_relation(JudgeKind{"fragments"}, moved(3, 5)), fragments.tensors(), nullptr, 1);
     const std::vector<Tensor> bad = {Tensor{}, floats({}, 3), floats({1, 2}), floats(std::vector<float>(300, nan), 3),
                                      floats(std::vector<float>(300, 0.5F), 3)};
     for (const Tensor& tensor : bad) {
@@ -250,7 +250,7 @@ TEST(Relation, DamagedRecordingsAreWrongAndNeverAnException)
         EXPECT_EQ(places.judge({&tensor, &tensor}).right, 0);
     }
     const Recorded pictures = right_pictures();
-    const RelationJudge image(with_relation(JudgeKind::image, equal()), pictures.tensors(), nullptr, 1);
+    const RelationJudge image(with_relation(JudgeKind{"image"}, equal()), pictures.tensors(), nullptr, 1);
     const Tensor small = balls(64);
     EXPECT_EQ(image.judge({&small, &small, &small}).right, 0) << "another size";
 }
@@ -268,19 +268,19 @@ TEST(Relation, OneThatTellsNothingIsAFaultOfTheUnit)
     const auto tells = [&](const Check& check, const Recorded& reference, const char* what) {
         EXPECT_NE(fault(check, reference).find(what), std::string::npos) << fault(check, reference);
     };
-    tells(with_relation(JudgeKind::image, equal()), {scene(), scene()}, "nothing called 'turned'");
-    tells(with_relation(JudgeKind::image, equal()), {scene(), scene(), scene()}, "almost like 'upright'");
+    tells(with_relation(JudgeKind{"image"}, equal()), {scene(), scene()}, "nothing called 'turned'");
+    tells(with_relation(JudgeKind{"image"}, equal()), {scene(), scene(), scene()}, "almost like 'upright'");
     const Tensor flat = picture(64, 64, [](int, int) { return night; });
-    tells(with_relation(JudgeKind::image, moved(3, 5)), {flat, flat}, "the same everywhere");
-    tells(with_relation(JudgeKind::numbers, times(2), relative(0.1)), {floats({2, 4, 6}), floats({1, 2, 3})}, "fewer than 32");
-    tells(with_relation(JudgeKind::buffer, times(2)), {grid(8, 8, std::vector<std::uint32_t>(64, 2)), grid(8, 8, std::vector<std::uint32_t>(64, 1))},
+    tells(with_relation(JudgeKind{"image"}, moved(3, 5)), {flat, flat}, "the same everywhere");
+    tells(with_relation(JudgeKind{"numbers"}, times(2), relative(0.1)), {floats({2, 4, 6}), floats({1, 2, 3})}, "fewer than 32");
+    tells(with_relation(JudgeKind{"buffer"}, times(2)), {grid(8, 8, std::vector<std::uint32_t>(64, 2)), grid(8, 8, std::vector<std::uint32_t>(64, 1))},
           "whole numbers");
-    tells(with_relation(JudgeKind::image, moved(3, 5)), {balls(64), scene()}, "another shape");
+    tells(with_relation(JudgeKind{"image"}, moved(3, 5)), {balls(64), scene()}, "another shape");
 }
 
 TEST(Likeness, IsHighForWorkAndLowForNoise)
 {
-    const Check check = check_of(JudgeKind::image);
+    const Check check = check_of(JudgeKind{"image"});
     EXPECT_DOUBLE_EQ(*likeness(check, scene(), scene()), 1);
     EXPECT_GT(*likeness(check, gamma_twice(scene()), scene()), 0.7);
     EXPECT_LT(*likeness(check, mirrored(), scene()), 0.5);
@@ -291,8 +291,8 @@ TEST(Likeness, IsHighForWorkAndLowForNoise)
         std::fill_n(present.begin(), 20, std::uint8_t{1});
         return present;
     }());
-    EXPECT_EQ(*likeness(check_of(JudgeKind::numbers), mask, mask), 1) << "what is there is knowledge too";
-    EXPECT_EQ(*likeness(check_of(JudgeKind::numbers), optional_floats(std::vector<float>(40, 0), std::vector<std::uint8_t>(40, 1)), mask), 0.5);
+    EXPECT_EQ(*likeness(check_of(JudgeKind{"numbers"}), mask, mask), 1) << "what is there is knowledge too";
+    EXPECT_EQ(*likeness(check_of(JudgeKind{"numbers"}), optional_floats(std::vector<float>(40, 0), std::vector<std::uint8_t>(40, 1)), mask), 0.5);
 }
 
 }

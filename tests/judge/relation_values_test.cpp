@@ -11,7 +11,7 @@ constexpr double factor = 2;
 
 Check twice()
 {
-    Check check = check_of(JudgeKind::numbers, absolute(0.01));
+    Check check = check_of(JudgeKind{"numbers"}, absolute(0.01));
     check.value = "value";
     check.relation = Relation{"upright", "", {0, 0}, factor, "twice the light must be twice as bright"};
     return check;

@@ -6,7 +6,7 @@
 #include <umbral/core/random.hpp>
 #include <vector>
 
-#include "judge/stochastic.hpp"
+#include "judge/statistics/stochastic.hpp"
 
 namespace umbral::grader {
 namespace {

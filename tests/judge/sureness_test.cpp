@@ -1,10 +1,10 @@
-#include "judge/sureness.hpp"
+#include "judge/explain/sureness.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "judge/thresholds.hpp"
+#include "judge/explain/thresholds.hpp"
 #include "make.hpp"
 
 namespace umbral::grader::test {

@@ -6,7 +6,8 @@
 #include <sstream>
 
 #include "explaining.hpp"
-#include "judge/gl_calls.hpp"
+#include "judge/trace/gl_calls.hpp"
+#include "judge/trace/trace_counts.hpp"
 
 namespace umbral::grader::test {
 namespace {
@@ -20,8 +21,8 @@ const std::string later_frame = "glBindVertexArray 1\nglDrawElements 4 6 5125 0\
 
 Check check_with(std::vector<std::string> rules)
 {
-    Check check = check_of(JudgeKind::trace);
-    check.rules = std::move(rules);
+    Check check = check_of(JudgeKind{"trace"});
+    check.own = TraceParameters{std::move(rules)};
     return check;
 }
 Check all_rules() { return check_with({trace_rules.begin(), trace_rules.end()}); }

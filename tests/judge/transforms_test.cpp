@@ -1,4 +1,4 @@
-#include "judge/transforms.hpp"
+#include "judge/explain/transforms.hpp"
 
 #include <limits>
 
@@ -32,7 +32,7 @@ TEST(Transforms, DistanceGrowsWithHowFarApartValuesAre)
 
 TEST(Transforms, WhatIsRightAndNoUnitVectorSpeaksNotAgainstNormalising)
 {
-    const Check numbers = check_of(JudgeKind::numbers, absolute(1e-6));
+    const Check numbers = check_of(JudgeKind{"numbers"}, absolute(1e-6));
     const Tensor unit = floats({1, 0, 0, 0, 0.6F, 0.8F, 0, -1, 0}, 3);
     const Tensor longer = floats({3, 0, 0, 0, 1.5F, 2, 0, -7, 0}, 3);
     const Tensor places = floats({2, 3, 4, 5, 6, 7, 8, 9, 1}, 3);

@@ -22,7 +22,7 @@ printf 'absent no-such-command-anywhere  # a comment\npresent sh\n' >"$work/proj
 for name in apt-get sudo cmake; do
     printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n' "$name" "$work" >"$work/fakes/$name"
 done
-printf 'exit 1\n' >>"$work/fakes/cmake"
+printf '[ "$1" = --preset ]\n' >>"$work/fakes/cmake"  # configuring works, building fails
 printf '#!/bin/sh\necho "g++ installed"\nexit 1\n' >"$work/fakes/dpkg-query"
 chmod +x "$work/fakes"/*
 PATH=$work/fakes:$PATH
@@ -42,11 +42,21 @@ expect "it says what it installs" grep -q 'installing what is missing: .*libglm-
 expect "apt installs only what is missing" grep -qE '^(sudo )?apt-get install .*libglm-dev' "$work/calls"
 expect "apt gets no comment lines" sh -c "! grep -q '#' '$work/calls'"
 expect "it builds from the folder of the launcher" grep -q 'cmake --preset release' "$work/calls"
+expect "it builds the program, and not all units" grep -q 'cmake --build --preset release --target program *$' "$work/calls"
 expect "a failed build leaves no stamp" [ ! -e "$work/project/build/release/stamp" ]
+
+# A unit that somebody asked for once is kept up to date; one that is gone is not asked for.
+mkdir -p "$work/project/build/release/units/meshes/weld" "$work/project/build/release/units/meshes/gone" "$work/project/exercises/meshes/weld"
+: >"$work/project/build/release/units/meshes/weld/built"
+: >"$work/project/build/release/units/meshes/gone/built"
+: >"$work/project/exercises/meshes/weld/exercise.json"
+(cd "$work/project" && ./umbral list) >"$work/printed" 2>&1 || true
+expect "units that were built are built again" grep -q 'cmake --build --preset release --target program unit-meshes-weld *$' "$work/calls"
 
 # A command of that name will do instead of its package; without one the package is installed.
 : >"$work/calls"
 (cd "$work/project" && ./umbral test) >"$work/printed" 2>&1 || true
+expect "tests build everything" grep -q 'cmake --build --preset release --target all' "$work/calls"
 expect "tests need more packages" grep -qE 'apt-get install .*libglm-dev .*absent' "$work/calls"
 expect "a command that is there needs no package" sh -c "! grep -qE ' present( |$)' '$work/calls'"
 exit $failed

@@ -1,4 +1,4 @@
-#include "model/exercise.hpp"
+#include "manifest/units.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,23 +59,44 @@ TEST(LoadExercise, the_digest_changes_with_what_decides_the_score_and_nothing_el
 {
     const umbral::test::TemporaryFolder folder;
     write_unit(folder, "meshes/normals");
-    const auto digest = [&] { return load_exercise(folder.path() / "meshes/normals").digest; };
-    const std::string first = digest();
-    EXPECT_EQ(first.size(), 64U);
-    folder.write("meshes/normals/README.md", "text");
-    folder.write("meshes/normals/mistakes/one.cpp", "text");
-    EXPECT_EQ(digest(), first);
-    std::set<std::string> seen{first};
-    for (const char* file : {"drawing.hpp", "meshes/support.hpp", "meshes/normals/shapes.hpp", "meshes/normals/stub.cpp", "meshes/normals/driver.cpp"}) {
-        folder.write(file, "changed");
-        EXPECT_TRUE(seen.insert(digest()).second) << file;
+    std::filesystem::create_directories(folder.path() / "exercises");
+    std::filesystem::rename(folder.path() / "meshes", folder.path() / "exercises/meshes");
+    folder.write("exercises/meshes/normals/driver.cpp",
+                 "#include \"shapes.hpp\"\n  #  include \"lighting/gloss.hpp\"\n#include <umbral/meshes/mesh.hpp>\n#include <vector>\n#include \"lost.hpp\"\n");
+    const auto digest = [&] { return load_exercise(folder.path() / "exercises/meshes/normals").digest; };
+    std::set<std::string> seen{digest()};
+    EXPECT_EQ(seen.begin()->size(), 64U);
+    // Each ingredient once, also those that only others include, and those that come in a circle.
+    for (const auto& [file, text] : std::vector<std::pair<const char*, const char*>>{{"exercises/meshes/normals/shapes.hpp", "#include \"../stage.hpp\"\n"},
+                                                                                     {"exercises/meshes/stage.hpp", "#include \"normals/shapes.hpp\"\n"},
+                                                                                     {"exercises/lighting/gloss.hpp", "int gloss;\n"},
+                                                                                     {"framework/umbral/meshes/mesh.hpp", "#include <umbral/core/ray.hpp>\n"},
+                                                                                     {"framework/umbral/core/ray.hpp", "struct Ray;\n"},
+                                                                                     {"reference/meshes/normals.cpp", "#include \"render/depth.hpp\"\n"},
+                                                                                     {"reference/render/depth.hpp", "int depth;\n"},
+                                                                                     {"reference/meshes/normals_oracle.cpp", "int oracle;\n"},
+                                                                                     {"exercises/meshes/normals/stub.cpp", "// another TODO\n"}}) {
+        folder.write(file, text);
+        EXPECT_TRUE(seen.insert(digest()).second) << "made: " << file;
+        folder.write(file, std::string(text) + "// changed\n");
+        EXPECT_TRUE(seen.insert(digest()).second) << "changed: " << file;
     }
     json manifest = test::manifest();
     manifest["id"] = "meshes/normals";
     manifest["files"] = {"stub.cpp"};
     manifest["limits"]["wall_seconds"] = 6;
-    folder.write("meshes/normals/exercise.json", manifest.dump());
+    folder.write("exercises/meshes/normals/exercise.json", manifest.dump());
     EXPECT_TRUE(seen.insert(digest()).second);
+
+    const std::string before = digest();
+    for (const char* other : {"exercises/meshes/normals/README.md", "exercises/meshes/normals/mistakes/one.cpp", "exercises/meshes/unused.hpp",
+                              "framework/umbral/meshes/unused.hpp", "reference/meshes/other.cpp"})
+        folder.write(other, "text");
+    EXPECT_EQ(digest(), before);
+    // What is installed has no sources.
+    std::filesystem::remove(folder.path() / "exercises/meshes/normals/driver.cpp");
+    folder.write("exercises/meshes/normals/packaged.json", R"({"digest": "0123"})");
+    EXPECT_EQ(digest(), "0123");
 }
 
 TEST(LoadUnits, come_in_the_order_of_the_course)

@@ -2,9 +2,12 @@
 
 #include <limits>
 
+#include "judge/cost/cost.hpp"
+#include "judge/parameters.hpp"
+#include "judge/trace/trace_counts.hpp"
+#include "manifest/units.hpp"
 #include "manifest_json.hpp"
 #include "message_of.hpp"
-#include "model/exercise.hpp"
 #include "model/forbidden_families.hpp"
 #include "model/json_file.hpp"
 
@@ -39,7 +42,7 @@ TEST(Manifest, reads_every_field)
     ASSERT_EQ(unit.checks.size(), 6U);
     const Check& first = unit.checks[0];
     EXPECT_EQ(first.name, "head-on/t");
-    EXPECT_EQ(first.judge, JudgeKind::numbers);
+    EXPECT_EQ(first.judge, JudgeKind{"numbers"});
     EXPECT_EQ(first.points, 2005);
     EXPECT_TRUE(first.hard && first.pairs && !first.hidden);
     EXPECT_EQ(first.tolerance.absolute, 1e-6);
@@ -51,15 +54,15 @@ TEST(Manifest, reads_every_field)
     EXPECT_EQ(first.why, "one root rounds");
     EXPECT_FALSE(unit.checks[1].tolerance.absolute.has_value());
     EXPECT_EQ(unit.checks[1].tolerance.ulps, 0) << "a bound of 0 is a bound";
-    EXPECT_EQ(unit.checks[2].judge, JudgeKind::buffer);
+    EXPECT_EQ(unit.checks[2].judge, JudgeKind{"buffer"});
     EXPECT_TRUE(unit.checks[2].hidden);
     EXPECT_EQ(unit.checks[3].range_low, -1);
     EXPECT_EQ(unit.checks[3].range_high, 1);
-    EXPECT_EQ(unit.checks[4].judge, JudgeKind::trace);
-    EXPECT_EQ(unit.checks[4].rules, (std::vector<std::string>{"draw calls", "uploaded bytes"}));
-    EXPECT_EQ(unit.checks[5].judge, JudgeKind::cost);
-    EXPECT_EQ(unit.checks[5].growth, 1.5);
-    EXPECT_TRUE(unit.counts_cost());
+    EXPECT_EQ(unit.checks[4].judge, JudgeKind{"trace"});
+    EXPECT_EQ(parameters_of<TraceParameters>(unit.checks[4]).rules, (std::vector<std::string>{"draw calls", "uploaded bytes"}));
+    EXPECT_EQ(unit.checks[5].judge, JudgeKind{"cost"});
+    EXPECT_EQ(parameters_of<CostParameters>(unit.checks[5]).growth, 1.5);
+    EXPECT_TRUE(unit.counts_work);
 }
 
 TEST(Manifest, fills_in_what_may_be_left_out)
@@ -162,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"/checks/0", "[]", "checks[0]: expected an object"}, Wrong{"/checks/0/tolerence", "{}", "checks[0].tolerence: expected no field"},
         Wrong{"/checks/0/case", "\"a/b\"", "checks[0].case: "}, Wrong{"/checks/0/case", "\" a\"", "checks[0].case: "},
         Wrong{"/checks/0/case", nullptr, "got nothing"}, Wrong{"/checks/0/value", "\"t.margin\"", "checks[0].value: "},
-        Wrong{"/checks/0/value", "\"a/b\"", "checks[0].value: "}, Wrong{"/checks/0/judge", "\"ssim\"", "checks[0].judge: expected \"numbers\""},
+        Wrong{"/checks/0/value", "\"a/b\"", "checks[0].value: "}, Wrong{"/checks/0/judge", "\"ssim\"", "checks[0].judge: expected \"matrices\", \"numbers\""},
         Wrong{"/checks/0/points", "0", "checks[0].points: expected points above 0"}, Wrong{"/checks/0/points", "2.0005", "checks[0].points: "},
         Wrong{"/checks/0/points", "null", "checks[0].points: "}, Wrong{"/checks/0/hard", "\"yes\"", "checks[0].hard: "},
         Wrong{"/checks/0/tolerance", nullptr, "checks[0].tolerance: expected a tolerance"}, Wrong{"/checks/1/tolerance", nullptr, "checks[1].tolerance: "},
@@ -178,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"/checks/4/rules/1", "\"draw calls\"", "checks[4].rules[1]: expected an item not in the list before"},
         Wrong{"/checks/4/rules/1", "\"colours\"", "not 'colours'"}, Wrong{"/checks/0/rules", "[\"vertices\"]", "checks[0].rules: expected rules if"},
         Wrong{"/checks/4/pairs", "true", "checks[4].pairs: expected no pairs"}, Wrong{"/checks/5/growth", nullptr, "checks[5].growth: "},
-        Wrong{"/checks/5/growth", "-1", "checks[5].growth: "}, Wrong{"/checks/4/growth", "1", "checks[4].growth: expected a growth if"},
+        Wrong{"/checks/5/growth", "-1", "checks[5].growth: "}, Wrong{"/checks/4/growth", "1", "checks[4].growth: expected growth if"},
         Wrong{"/checks/4/judge", "\"events\"", "checks[4].rules: "}, Wrong{"/checks/3/judge", "\"fragments\"", "checks[3].range: "},
         Wrong{"/checks/2/value", "\"t\"", "'head-on/t' is"}));
 

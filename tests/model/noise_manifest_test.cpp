@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
+#include "judge/statistics/error_budget.hpp"
+#include "manifest/units.hpp"
 #include "manifest_json.hpp"
 #include "message_of.hpp"
-#include "model/exercise.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace umbral::grader {
@@ -35,7 +36,7 @@ TEST(NoiseManifest, ReadsAChecksBiasAndRange)
     check["why"] = "the oracle leaves out the third bounce";
     check["range"] = {0, 4};
     const Exercise unit = parse_exercise(with_checks(json::array({check, {{"case", "a"}, {"value", "b"}, {"judge", "image"}, {"points", 1}}})), "here.json");
-    EXPECT_EQ(unit.checks[0].judge, JudgeKind::noise);
+    EXPECT_EQ(unit.checks[0].judge, JudgeKind{"noise"});
     EXPECT_EQ(unit.checks[0].tolerance.relative, 0.01);
     EXPECT_EQ(unit.checks[0].range_high, 4);
     EXPECT_NO_THROW((void)parse_exercise(with_checks(json::array({noise()})), "here.json")) << "nothing more is needed";

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <support/schema.hpp>
 
+#include "manifest/units.hpp"
 #include "manifest_json.hpp"
 #include "message_of.hpp"
-#include "model/exercise.hpp"
 
 namespace umbral::grader {
 namespace {

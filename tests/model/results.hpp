@@ -10,7 +10,7 @@ inline Fingerprint fingerprint() { return {"0.1.0", "2a63927", "Some CPU", "g++ 
 inline SubmissionResult submission()
 {
     CheckResult good{.name = "head-on/t",
-                     .kind = JudgeKind::numbers,
+                     .kind = JudgeKind{"numbers"},
                      .hard = true,
                      .score = 1000,
                      .max_score = 1000,
@@ -21,7 +21,7 @@ inline SubmissionResult submission()
                      .first_difference = std::nullopt,
                      .artefacts = {}};
     CheckResult bad{.name = "picture/normals",
-                    .kind = JudgeKind::image,
+                    .kind = JudgeKind{"image"},
                     .hidden = true,
                     .score = 250,
                     .max_score = 3000,

@@ -3,9 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <support/schema.hpp>
 
+#include "judge/judges.hpp"
+#include "manifest/units.hpp"
 #include "manifest_json.hpp"
 #include "message_of.hpp"
-#include "model/exercise.hpp"
 #include "model/json_file.hpp"
 #include "results.hpp"
 
@@ -80,7 +81,8 @@ TEST(ResultSchemas, accept_every_verdict_and_kind)
         result.units[0].verdict = static_cast<Verdict>(i);
         EXPECT_EQ(schema.complaints(to_json(result, test::fingerprint())), "");
     }
-    for (const JudgeKind kind : all_judges) {
+    for (const JudgeRecord* judge : judges()) {
+        const JudgeKind kind{std::string(judge->name)};
         result.units[0].checks[0].kind = kind;
         EXPECT_EQ(schema.complaints(to_json(result, test::fingerprint())), "");
     }
@@ -109,7 +111,7 @@ TEST(ResultSchemas, hold_seeds_where_noise_was_judged)
     SubmissionResult result = test::submission();
     const auto check_of = [](const json& report) { return report["submission"]["units"][0]["checks"][0]; };
     EXPECT_FALSE(check_of(to_json(result, test::fingerprint())).contains("seeds"));
-    result.units[0].checks[0].kind = JudgeKind::noise;
+    result.units[0].checks[0].kind = JudgeKind{"noise"};
     result.units[0].checks[0].seeds = {18446744073709551615U, 7};
     json report = to_json(result, test::fingerprint());
     EXPECT_EQ(Schema("report").complaints(report), "");

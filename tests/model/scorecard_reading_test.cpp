@@ -3,6 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "judge/judges.hpp"
 #include "message_of.hpp"
 #include "model/scorecard.hpp"
 #include "results.hpp"
@@ -48,7 +49,7 @@ TEST(UnitResultFromJson, gives_back_every_field)
     EXPECT_EQ(read.checks[0].sketch, everything().checks[0].sketch);
     EXPECT_EQ(read.checks[0].error, everything().checks[0].error);
     EXPECT_EQ(read.checks[1].artefacts, everything().checks[1].artefacts);
-    EXPECT_EQ(read.checks[1].kind, JudgeKind::image);
+    EXPECT_EQ(read.checks[1].kind, JudgeKind{"image"});
     EXPECT_TRUE(read.checks[1].hidden);
     EXPECT_TRUE(read.explanations[0].ambiguous);
     EXPECT_EQ(read.explanations[1].sentence, "You return the far root.");
@@ -74,7 +75,8 @@ TEST(UnitResultFromJson, every_verdict_and_kind)
         unit.verdict = static_cast<Verdict>(i);
         EXPECT_EQ(unit_result_from_json(to_json(unit), "kept").verdict, unit.verdict);
     }
-    for (const JudgeKind kind : all_judges) {
+    for (const JudgeRecord* judge : judges()) {
+        const JudgeKind kind{std::string(judge->name)};
         unit.checks[0].kind = kind;
         EXPECT_EQ(unit_result_from_json(to_json(unit), "kept").checks[0].kind, kind);
     }
@@ -118,7 +120,7 @@ TEST(UnitResultFromJson, refuses_whatever_to_json_does_not_write)
                                                                                 {"/seed", "01"},
                                                                                 {"/seed", "1x"},
                                                                                 {"/verdict", "passed"},
-                                                                                {"/checks/0/kind", "guess"},
+                                                                                {"/checks/0/kind", "a guess"},
                                                                                 {"/score", -1},
                                                                                 {"/score", 0.5}}) {
         json wrong = whole;

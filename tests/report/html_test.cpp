@@ -55,7 +55,7 @@ Gallery hostile_gallery(const std::string& text)
     PictureEvidence picture;
     picture.problem = text;
     picture.pixels = {{1, 2, text, text, 3}};
-    picture.yours = picture.reference.emplace(encode(Image(2, 2)));
+    picture.yours = picture.reference.emplace(Image(2, 2));
     FragmentsEvidence fragments;
     fragments.sketch = text;
     fragments.rows = rows;
@@ -129,12 +129,12 @@ TEST(Report, BuffersStandBeforePicturesAndNumbersBeforeBuffers)
 {
     std::vector<CheckResult> checks = {check_result("a/colour", 0, 1000), check_result("b/ids", 0, 1000), check_result("c/right", 1000, 1000),
                                        check_result("d/numbers", 0, 1000), check_result("e/list", 0, 1000)};
-    const std::vector<JudgeKind> kinds = {JudgeKind::image, JudgeKind::buffer, JudgeKind::fragments, JudgeKind::numbers, JudgeKind::events};
+    const std::vector<JudgeKind> kinds = {JudgeKind{"image"}, JudgeKind{"buffer"}, JudgeKind{"fragments"}, JudgeKind{"numbers"}, JudgeKind{"events"}};
     for (std::size_t i = 0; i < checks.size(); ++i) checks[i].kind = kinds[i];
     const UnitResult unit = unit_result("t/u", Verdict::partial, checks);
     Gallery gallery;
     PictureEvidence picture;
-    picture.yours = encode(Image(2, 2));
+    picture.yours = Image(2, 2);
     gallery["t/u"].checks["a/colour"].evidence = picture;
     const std::string page = report_html(submission_result("s", {unit}), {}, gallery, {});
     std::size_t last = 0;

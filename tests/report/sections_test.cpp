@@ -24,7 +24,7 @@ Gallery pictures()
 {
     Gallery gallery;
     PictureEvidence picture;
-    picture.yours = picture.reference.emplace(encode(Image(2, 2)));
+    picture.yours = picture.reference.emplace(Image(2, 2));
     gallery["t/second"].title = "The second";
     gallery["t/second"].checks["picture/x"].evidence = picture;
     return gallery;

@@ -91,9 +91,9 @@ TEST(Terminal, EqualResultsGiveEqualReportsAndAsciiIsAscii)
 TEST(Terminal, TheFirstFailingCheckIsTheMostExactOneAndNotTheManifestsFirst)
 {
     // From vague to exact, as a manifest might list them.
-    const std::vector<std::pair<JudgeKind, std::string>> kinds = {{JudgeKind::image, "colours/image"}, {JudgeKind::cost, "work/blocks"},
-                                                                  {JudgeKind::buffer, "ids/ids"},      {JudgeKind::numbers, "dot/x"},
-                                                                  {JudgeKind::matrices, "view/m"},     {JudgeKind::trace, "calls/calls"}};
+    const std::vector<std::pair<JudgeKind, std::string>> kinds = {{JudgeKind{"image"}, "colours/image"}, {JudgeKind{"cost"}, "work/blocks"},
+                                                                  {JudgeKind{"buffer"}, "ids/ids"},      {JudgeKind{"numbers"}, "dot/x"},
+                                                                  {JudgeKind{"matrices"}, "view/m"},     {JudgeKind{"trace"}, "calls/calls"}};
     UnitResult unit = unit_result("a/b", Verdict::wrong, {});
     for (const auto& [kind, name] : kinds) {
         unit.checks.push_back(check_result(name, 0, 1000));

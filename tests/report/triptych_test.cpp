@@ -9,7 +9,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "report/colour_map.hpp"
+#include "judge/image/rule.hpp"
+#include "judge/picture/colour_map.hpp"
+#include "judge/picture/to_image.hpp"
 #include "report/font.hpp"
 #include "report/triptych.hpp"
 
@@ -120,6 +122,7 @@ TEST(Triptych, OddSizesAreShownNotThrown)
 TEST(ToImage, DrawsBytesFloatsIdsAndDepth)
 {
     Check check;
+    check.judge = image_kind();
     check.name = "c/v";
     check.range_low = -1;
     EXPECT_EQ(to_image(tensor_of<std::uint8_t>(Element::uint8, 1, 2, 4, {1, 2, 3, 4, 5, 6, 7, 8}), check).at(1, 0), glm::u8vec4(5, 6, 7, 8));
@@ -146,6 +149,7 @@ TEST(ToImage, DrawsBytesFloatsIdsAndDepth)
 TEST(ToImage, AbsentCellsAreTransparentAndOddTensorsAreRefused)
 {
     Check check;
+    check.judge = image_kind();
     check.name = "c/v";
     Tensor tensor = tensor_of<float>(Element::float32, 1, 2, 1, {0.5F, 0});
     tensor.present = {1, 0};

@@ -5,7 +5,7 @@
 
 #include "batch/workshop.hpp"
 #include "build/builder.hpp"
-#include "model/exercise.hpp"
+#include "manifest/units.hpp"
 #include "run/spawner.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "judge/judges.hpp"
 #include "report/html/bars.hpp"
 #include "report/html/sections.hpp"
 #include "report/paint.hpp"
@@ -81,8 +82,7 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", short_message(check, detail));
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
     result += std::visit(Show{anchor}, detail.evidence);
-    const bool is_picture = check.kind == JudgeKind::image || check.kind == JudgeKind::buffer || check.kind == JudgeKind::noise;
-    if (is_picture)
+    if (judge_of(check).look != Look::none)
         result += metrics(check);
     else
         result += error_scale(check.error, check.reference_error, detail);

@@ -1,117 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
-#include <variant>
-#include <vector>
 
-#include "report/html/picture.hpp"
+#include "judge/evidence/evidence.hpp"
 
 namespace umbral::grader::html {
-
-// What a page shows of a check beside its words: plain data, collected from recordings by grader/batch/evidence.hpp.
-
-/// A part of two pictures, pixel by pixel.
-struct Magnified {
-    int x = 0;  ///< of its left top pixel in the whole picture
-    int y = 0;
-    Picture yours;
-    Picture reference;
-    Picture difference;
-    std::vector<std::string> texts;              ///< every value that occurs in it, in words, once
-    std::vector<std::uint16_t> yours_texts;      ///< for each pixel, row by row, which of them the student has …
-    std::vector<std::uint16_t> reference_texts;  ///< … and which the reference
-    std::vector<std::uint8_t> levels;            ///< how far they lie apart, 0 .. 255
-};
-
-struct PixelPair {
-    int x = 0;
-    int y = 0;
-    std::string yours;
-    std::string reference;
-    int level = 0;
-};
-
-/// Two pictures or buffers. Without `reference` they are equal, or cannot be compared, which `problem` says.
-struct PictureEvidence {
-    Picture yours;
-    std::optional<Picture> reference;
-    std::optional<Picture> difference;
-    int largest = 0;            ///< of the differences, in levels of 255
-    bool graded = true;         ///< differences have sizes; otherwise cells are equal or not
-    std::size_t differing = 0;  ///< pixels that differ at all
-    std::optional<Magnified> worst;
-    std::vector<PixelPair> pixels;  ///< those that differ most within `worst`
-    std::string problem;
-    std::string expected_side = "reference";  ///< what stands over the pictures that are not yours
-};
-
-/// One row of a table of numbers, or one matrix, by components (matrices column by column).
-struct RowPair {
-    std::string name;                ///< "row 17", or what a colleague of it is called
-    std::vector<std::string> yours;  ///< one text instead if there is nothing
-    std::vector<std::string> expected;
-    std::vector<bool> differs;  ///< by component
-    std::string note;           ///< "3.2e+07 ulp", "missing"
-};
-
-struct RowsEvidence {
-    int side = 0;                       ///< 3 or 4: rows are matrices; 0: they are not
-    std::vector<std::string> headings;  ///< of the components, where they have names
-    std::vector<RowPair> first;         ///< the first wrong rows
-    std::vector<RowPair> worst;         ///< the worst of the others
-    std::size_t rows = 0;               ///< that count
-    std::size_t wrong = 0;
-};
-
-enum class LineKind : std::uint8_t { same, changed, missing, extra, omitted };
-
-/// Two lines beside each other. Line numbers begin at 1; 0: none on that side.
-struct LinePair {
-    LineKind kind = LineKind::same;
-    std::size_t yours_number = 0;
-    std::size_t expected_number = 0;
-    std::string yours;
-    std::string expected;
-    std::size_t omitted = 0;  ///< equal lines left out here
-};
-
-/// Two lists in their order: calls, events.
-struct LinesEvidence {
-    std::string what;  ///< "calls", "events"
-    std::vector<LinePair> lines;
-    std::size_t missing = 0;
-    std::size_t extra = 0;
-    std::size_t changed = 0;
-    bool cut = false;  ///< there are more lines than are shown
-};
-
-struct FragmentsEvidence {
-    std::string sketch;  ///< in characters, from the judge
-    int x = 0;           ///< pixel of the picture's left top cell
-    int y = 0;
-    std::optional<Picture> picture;  ///< a pixel for each place: what is right, missing, extra, of another value
-    std::size_t right = 0;
-    std::size_t missing = 0;
-    std::size_t extra = 0;
-    std::size_t changed = 0;
-    RowsEvidence rows;
-};
-
-struct CostPoint {
-    double size = 0;
-    std::optional<double> yours;
-    std::optional<double> reference;
-};
-
-struct CostEvidence {
-    std::vector<CostPoint> points;
-    double growth = 1;  ///< the largest exponent allowed
-};
-
-using Evidence = std::variant<std::monostate, PictureEvidence, RowsEvidence, LinesEvidence, FragmentsEvidence, CostEvidence>;
 
 /// What the manifest says of a check, and what its run showed.
 struct CheckDetail {

@@ -29,13 +29,13 @@ Markup fragments_evidence(const FragmentsEvidence& evidence)
 {
     Markup result = "<div class=\"fragments\">\n<div class=\"drawn\">\n";
     if (evidence.picture) {
-        const Picture& picture = *evidence.picture;
+        const Image& picture = *evidence.picture;
         const int scale = std::clamp(360 / std::max({picture.width, picture.height, 1}), 1, 24);
         result += markup(
             "<figure><figcaption>pixels from ({}, {})</figcaption><div class=\"frame\"><img class=\"enlarged\" src=\"{}\" width=\"{}\" height=\"{}\" "
             "alt=\"Fragments: {} right, {} "
             "missing, {} too many, {} of another value\"></div>{}</figure>\n",
-            evidence.x, evidence.y, data_url(picture), scale * picture.width, scale * picture.height, evidence.right, evidence.missing, evidence.extra,
+            evidence.x, evidence.y, data_url(encode(picture)), scale * picture.width, scale * picture.height, evidence.right, evidence.missing, evidence.extra,
             evidence.changed, legend(evidence));
     }
     if (!evidence.sketch.empty()) result += markup("<pre class=\"sketch\" tabindex=\"0\" aria-label=\"The same in characters\">{}</pre>\n", evidence.sketch);

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "report/colour_map.hpp"
+#include "judge/picture/colour_map.hpp"
 #include "report/html/sections.hpp"
 
 namespace umbral::grader::html {
@@ -9,16 +9,16 @@ namespace {
 constexpr int least_width = 512;  // smaller pictures are shown enlarged by a whole factor
 constexpr int magnified_width = 320;
 
-int enlargement(const Picture& picture, int least) { return std::max(1, least / std::max({picture.width, picture.height, 1})); }
+int enlargement(const Image& picture, int least) { return std::max(1, least / std::max({picture.width, picture.height, 1})); }
 
-Markup image(const Picture& picture, std::string_view alt, int scale)
+Markup image(const Image& picture, std::string_view alt, int scale)
 {
-    return markup("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"{}>", data_url(picture), scale * picture.width, scale * picture.height, alt,
+    return markup("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\"{}>", data_url(encode(picture)), scale * picture.width, scale * picture.height, alt,
                   scale > 1 ? Markup(" class=\"enlarged\"") : Markup());
 }
 
 /// Where the magnified part lies: a light line within a dark one, visible on any picture.
-Markup mark(const Picture& picture, const std::optional<Magnified>& worst)
+Markup mark(const Image& picture, const std::optional<Magnified>& worst)
 {
     if (!worst) return {};
     return markup(
@@ -45,13 +45,13 @@ Markup legend(const PictureEvidence& evidence)
                   evidence.largest);
 }
 
-Markup figure(std::string_view kind, std::string_view caption, const Picture& picture, std::string_view alt, const Markup& over, const Markup& below = {})
+Markup figure(std::string_view kind, std::string_view caption, const Image& picture, std::string_view alt, const Markup& over, const Markup& below = {})
 {
     return markup("<figure class=\"{}\"><figcaption>{}</figcaption><div class=\"frame\">{}{}</div>{}</figure>\n", kind, caption,
                   image(picture, alt, enlargement(picture, least_width)), over, below);
 }
 
-std::string size_text(const Picture& picture) { return fmt::format("{} × {} pixels", picture.width, picture.height); }
+std::string size_text(const Image& picture) { return fmt::format("{} × {} pixels", picture.width, picture.height); }
 
 std::string equal_words(const PictureEvidence& evidence)
 {
@@ -93,7 +93,7 @@ Markup magnified(const PictureEvidence& evidence, const Markup& anchor)
     std::string texts;
     for (const std::string& text : worst.texts) texts += (texts.empty() ? "" : "|") + text;
     const int scale = enlargement(worst.yours, magnified_width);
-    const auto panel = [&](const char* kind, std::string_view caption, const Picture& picture) {
+    const auto panel = [&](const char* kind, std::string_view caption, const Image& picture) {
         return markup("<figure class=\"{}\"><figcaption>{}</figcaption><div class=\"frame\">{}</div></figure>\n", kind, caption,
                       image(picture,
                             fmt::format("{}, magnified: pixels ({}, {}) to ({}, {})", caption, worst.x, worst.y, worst.x + worst.yours.width - 1,
@@ -133,10 +133,10 @@ Markup picture_evidence(const PictureEvidence& evidence, const Markup& anchor)
     if (!evidence.problem.empty() || !evidence.reference) {
         Markup result = evidence.problem.empty() ? Markup() : markup("<p class=\"message\">{}</p>\n", evidence.problem);
         result += "<div class=\"pictures\">\n";
-        if (!evidence.yours.png.empty())
+        if (!evidence.yours.cells.empty())
             result += figure("yours", evidence.problem.empty() ? equal_words(evidence) : fmt::format("yours, {}", size_text(evidence.yours)), evidence.yours,
                              fmt::format("Picture: yours, {}", size_text(evidence.yours)), {});
-        if (evidence.reference && !evidence.reference->png.empty())
+        if (evidence.reference && !evidence.reference->cells.empty())
             result += figure("reference", fmt::format("{}, {}", evidence.expected_side, size_text(*evidence.reference)), *evidence.reference,
                              fmt::format("Picture: {}, {}", evidence.expected_side, size_text(*evidence.reference)), {});
         result += "</div>\n";

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "model/judging_order.hpp"
+#include "judge/judges.hpp"
 #include "report/hidden.hpp"
 #include "report/html/bars.hpp"
 #include "report/html/sections.hpp"
@@ -115,7 +115,7 @@ Sorted sorted(const UnitResult& unit, const Details& details)
         else
             result.right.push_back(&check);
     }
-    std::ranges::stable_sort(result.articles, {}, [](const CheckResult* check) { return judging_place(check->kind); });
+    std::ranges::stable_sort(result.articles, {}, [](const CheckResult* check) { return judge_of(*check).place; });
     // One picture of a unit that is right: what it draws is worth a look.
     const auto shown = std::ranges::find_if(result.right, [&](const CheckResult* check) { return has_evidence(details.of(*check)); });
     if (result.articles.empty() && shown != result.right.end()) result.articles.push_back(*shown);

@@ -1,0 +1,132 @@
+#include "batch/check_submission.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "batch/fingerprint.hpp"
+#include "batch/grade_unit.hpp"
+#include "build/build_cache.hpp"
+#include "model/digest.hpp"
+#include "report/hidden.hpp"
+#include "report/html/pages.hpp"
+#include "store/kept_unit.hpp"
+#include "store/report_folder.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Results take some kilobytes a unit, pages some hundred.
+constexpr std::uintmax_t most_kept = std::uintmax_t{128} << 20U;
+
+/// Where the last results of a workspace lie.
+fs::path kept_folder(const Toolchain& tools, const fs::path& workspace) { return entry_of(checks_folder(tools.cache), sha256_hex(workspace.string())); }
+
+bool has_its_pictures(const UnitResult& unit, const fs::path& workspace)
+{
+    for (const CheckResult& check : unit.checks)
+        for (const auto& [what, path] : check.artefacts)
+            if (!fs::exists(workspace / path)) return false;
+    return true;
+}
+
+/// Part of what decides a result that UnitKeys does not know: a page has more than a result.
+std::string key_of(const UnitKeys& keys, const Exercise& exercise, const Handed& handed, const CheckPlan& plan)
+{
+    return keys.key(exercise, plan.pages ? "check with a page" : "check", handed);
+}
+
+/// A unit as it was checked last, if it would come out the same.
+struct Last {
+    KeptUnit unit;
+    std::string section;
+};
+std::optional<Last> last_check(const fs::path& file, const std::string& key, const CheckPlan& plan, const fs::path& workspace)
+{
+    if (plan.fresh) return std::nullopt;
+    std::optional<KeptUnit> unit = kept_unit(file);
+    if (!unit || unit->key != key || !has_its_pictures(unit->result, workspace)) return std::nullopt;
+    if (!plan.pages) return Last{*std::move(unit), ""};
+    std::optional<UnitSections> sections = kept_sections(file);
+    if (!sections) return std::nullopt;
+    return Last{*std::move(unit), std::move(sections->student)};
+}
+
+/// Keeping is for speed alone: a cache that cannot be written costs nobody a check.
+void try_to_keep(const fs::path& file, const KeptUnit& unit, const std::string& section)
+try {
+    fs::create_directories(file.parent_path());
+    if (unit.key.empty())
+        fs::remove(file);
+    else
+        keep_unit(file, unit, {section, ""});
+} catch (const std::exception&) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+}
+
+/// What a unit became, and its section of the page.
+struct Part {
+    UnitResult result;
+    std::string section;
+    bool kept = false;
+};
+
+Part check_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const CheckPlan& plan, const fs::path& workspace)
+{
+    GradeOptions options;
+    options.seeds.attempt = plan.attempt;
+    options.explain = plan.explain;
+    options.relative_to = workspace;
+    options.artefacts = workspace / "umbral-pictures";
+    html::Gallery gallery;
+    if (plan.pages) options.gallery = &gallery;
+    Part part;
+    part.result = grade_unit(workshop, exercise, handed, options);
+    if (plan.pages) part.section = html::section_html(part.result, gallery[exercise.id], html::Edition::student);
+    return part;
+}
+
+}
+
+Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, const CheckPlan& plan)
+{
+    const fs::path workspace = fs::absolute(plan.folder).lexically_normal();
+    const Toolchain& tools = crew.first().tools();
+    Checked checked;
+    checked.fingerprint = fingerprint(crew.first(), exercises);
+    KeyPlan key_plan{checked.fingerprint, {}, plan.explain, false};
+    key_plan.grading.attempt = plan.attempt;
+    const UnitKeys keys(tools, exercises, key_plan);
+    const SubmittedFiles submitted = read_submission(plan.folder, exercises, archive_tools(tools));
+    const fs::path folder = kept_folder(tools, workspace);
+
+    std::vector<Part> parts(exercises.size());
+    crew.share_out(exercises.size(), [&](Workshop& workshop, std::size_t i) {
+        const Exercise& exercise = exercises[i];
+        const Handed handed = collect(submitted, exercise);
+        const std::string key = key_of(keys, exercise, handed, plan);
+        const fs::path file = unit_file(folder, exercise.id);
+        if (std::optional<Last> last = last_check(file, key, plan, workspace)) {
+            parts[i] = {std::move(last->unit.result), std::move(last->section), true};
+            return;
+        }
+        parts[i] = check_unit(workshop, exercise, handed, plan, workspace);
+        const UnitResult& result = parts[i].result;
+        const bool lasting = result.settled && result.verdict != Verdict::grader_fault;
+        try_to_keep(file, {lasting ? key : "", machine_digest(checked.fingerprint), result}, parts[i].section);
+    });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        checked.kept += parts[i].kept ? 1 : 0;
+        checked.result.units.push_back(std::move(parts[i].result));
+        if (plan.pages) checked.sections.push_back(std::move(parts[i].section));
+    }
+    mark_used(folder);
+    if (checked.kept < parts.size()) prune_entries(checks_folder(tools.cache), most_kept);
+    add_up(checked.result);
+    checked.result = without_hidden_values(std::move(checked.result));
+    return checked;
+}
+
+}

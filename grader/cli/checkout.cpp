@@ -1,0 +1,120 @@
+#include "cli/checkout.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spawn.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "build/student_header.hpp"
+#include "model/caps.hpp"
+#include "report/paint.hpp"
+#include "run/descriptor.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_built(const Application& application, const Exercise& unit) { return fs::exists(unit_folder(application.tools, unit.id) / "built"); }
+
+std::string target_of(const Exercise& unit) { return "unit-" + unit.topic + "-" + unit.name; }
+
+/// The lines of a build's log that say what is wrong, or its last ones.
+std::string errors_in(const fs::path& log)
+{
+    std::vector<std::string> errors;
+    std::vector<std::string> all;
+    std::ifstream stream(log);
+    for (std::string line; std::getline(stream, line); all.push_back(line))
+        if (line.find("rror") != std::string::npos || line.starts_with("FAILED")) errors.push_back(line);
+    const std::vector<std::string>& shown = errors.empty() ? all : errors;
+    const auto first = errors.empty() ? all.end() - std::min<std::ptrdiff_t>(std::ssize(all), 10) : errors.begin();
+    std::string text;
+    for (auto line = first; line != shown.end() && line != first + std::min<std::ptrdiff_t>(shown.end() - first, 10); ++line) text += "\n  " + one_line(*line);
+    return text;
+}
+
+/// Runs a program with its output in `log`. Its exit status, or -1 if it cannot be started.
+int run_into(const fs::path& log, std::vector<std::string> words)
+{
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    pid_t child = -1;
+    const int failed = posix_spawnp(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    int status = 0;
+    if (failed != 0) return -1;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// Builds targets, one build of this folder at a time, as the launcher does too.
+void build_targets(const fs::path& folder, const std::vector<std::string>& targets)
+{
+    const Descriptor lock(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+    if (!lock || flock(lock.get(), LOCK_EX) != 0) throw std::runtime_error(fmt::format("cannot build in {}: {}", folder.string(), std::strerror(errno)));
+    const fs::path log = folder / "units.log";
+    std::vector<std::string> words{"cmake", "--build", folder.string(), "--target"};
+    words.insert(words.end(), targets.begin(), targets.end());
+    if (run_into(log, words) != 0)
+        throw std::runtime_error(fmt::format("building {} failed; the whole log is in {}{}", listed(targets), log.string(), errors_in(log)));
+}
+
+void say(const Application& application, const std::string& what)
+{
+    fmt::print(stderr, "umbral: {}\n", Paint(application.style).safe(what));
+    (void)std::fflush(stderr);
+}
+
+/// An installation has everything but the precompiled header.
+void have_header(const Application& application)
+{
+    if (is_header_ready(application.tools, application.layout.includes)) return;
+    say(application, "preparing headers for this compiler; this takes some seconds, once");
+    make_header(application.tools, application.layout.includes);
+}
+
+}
+
+void have_built(const Application& application, std::span<const Exercise> units)
+{
+    if (application.layout.installed) return have_header(application);
+    std::vector<std::string> names;
+    std::vector<std::string> targets;
+    for (const Exercise& unit : units) {
+        if (is_built(application, unit)) continue;
+        names.push_back(unit.name);
+        targets.push_back(target_of(unit));
+    }
+    if (targets.empty()) return;
+    say(application, fmt::format("building {} for the first time: {}", names.size() == 1 ? "a unit" : fmt::format("{} units", names.size()), listed(names)));
+    build_targets(application.layout.build, targets);
+}
+
+fs::path have_program(const Application& application, const std::string& name)
+{
+    const fs::path program = application.tools.programs / name;
+    if (!fs::exists(program) && application.layout.installed)
+        throw UsageError(fmt::format("this needs the program {}, which students' packages do not hold; install umbral-instructor", name));
+    if (!fs::exists(program)) {
+        say(application, fmt::format("building {} for the first time", name));
+        build_targets(application.layout.build, {name});
+    }
+    return program;
+}
+
+}

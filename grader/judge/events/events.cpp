@@ -1,0 +1,150 @@
+#include "judge/events/events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "judge/events/rule.hpp"
+#include "judge/rows/tolerance.hpp"
+
+namespace umbral::grader {
+namespace {
+
+Scale scale_of(std::span<const double> numbers, std::size_t index)
+{
+    double largest = 0;
+    for (const double value : numbers) largest = std::max(largest, std::abs(value));
+    return {float_ulp(numbers[index]), largest};
+}
+
+// Two numbers that are both not finite went wrong in the same way: that matters between a student and a mistake, since no right answer has them.
+bool same_number(const Tolerance& tolerance, std::span<const double> a, std::span<const double> b, std::size_t index)
+{
+    if (!std::isfinite(a[index]) || !std::isfinite(b[index])) return std::isfinite(a[index]) == std::isfinite(b[index]);
+    return deviation(tolerance, a[index], b[index], scale_of(b, index)).right;
+}
+
+bool same_event(const Tolerance& tolerance, std::span<const double> a, std::span<const double> b)
+{
+    if (a[0] != b[0]) return false;
+    for (std::size_t i = 1; i < b.size(); ++i)
+        if (!same_number(tolerance, a.subspan(1), b.subspan(1), i - 1)) return false;
+    return true;
+}
+
+/// Writes events with their names; numbers that no expected event of that code uses are left out where they are 0.
+class EventWriter {
+public:
+    EventWriter(const TensorView& expected, std::string_view names) : names_(event_names(names))
+    {
+        for (std::size_t i = 0; i < expected.cells(); ++i) used_[expected.cell(i)[0]] = std::max(used_[expected.cell(i)[0]], significant(expected.cell(i)));
+    }
+
+    [[nodiscard]] std::string operator()(std::span<const double> event) const
+    {
+        if (!std::isfinite(event[0])) return "an event whose code is no number";
+        const auto name = names_.find(event[0]);
+        const auto used = used_.find(event[0]);
+        const std::size_t size = std::max(significant(event), used == used_.end() ? 1 : used->second);
+        std::string text = name != names_.end() ? name->second : fmt::format("event of code {}", number_text(event[0]));
+        for (std::size_t i = 1; i < size; ++i) text += (i == 1 ? " (" : ", ") + number_text(event[i]);
+        return size > 1 ? text + ")" : text;
+    }
+
+private:
+    static std::size_t significant(std::span<const double> event)
+    {
+        std::size_t size = event.size();
+        while (size > 1 && event[size - 1] == 0) --size;
+        return size;
+    }
+
+    std::map<double, std::string> names_;
+    std::map<double, std::size_t> used_;
+};
+
+/// The first place where the sequences part: positions, and how many of each side stand there unmatched.
+struct Gap {
+    std::size_t yours = 0;
+    std::size_t expected = 0;
+    std::size_t surplus = 0;
+    std::size_t lost = 0;
+};
+
+std::optional<Gap> first_gap(const Alignment& alignment, std::size_t yours, std::size_t expected)
+{
+    std::size_t next = 0;
+    const auto gap = [&](std::size_t a, std::size_t b) { return Gap{next, next, a - next, b - next}; };
+    for (const auto& [a, b] : alignment.matches) {
+        if (a != next || b != next) return gap(a, b);
+        ++next;
+    }
+    if (next == yours && next == expected) return std::nullopt;
+    return gap(yours, expected);
+}
+
+}
+
+std::map<double, std::string> event_names(std::string_view lines)
+{
+    std::map<double, std::string> names;
+    while (!lines.empty()) {
+        const std::string_view line = lines.substr(0, lines.find('\n'));
+        lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+        double code = 0;
+        const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), code);
+        const auto used = static_cast<std::size_t>(end - line.data());
+        if (error == std::errc() && used + 1 < line.size() && line[used] == ' ') names[code] = line.substr(used + 1);
+    }
+    return names;
+}
+
+Alignment align_events(const Check& check, const TensorView& a, const TensorView& b)
+{
+    const std::size_t size = std::min(a.cells(), 10 * b.cells() + 1000);
+    Alignment alignment = align(size, b.cells(), [&](std::size_t i, std::size_t j) { return same_event(check.tolerance, a.cell(i), b.cell(j)); });
+    alignment.best = alignment.best && size == a.cells();
+    return alignment;
+}
+
+Judgement judge_events(const Check& check, const Tensor& student, const Tensor& expected_tensor, const Tensor* names)
+{
+    const TensorView expected(expected_tensor);
+    if (!all_finite(expected.values())) throw std::invalid_argument("check '" + check.name + "': an expected event is not finite, so nothing can match it");
+    const TensorView yours(student);
+    const Alignment alignment = align_events(check, yours, expected);
+    const std::size_t matched = alignment.matches.size();
+    const std::size_t lost = expected.cells() - matched;
+    const std::size_t surplus = yours.cells() - matched;
+
+    Judgement judgement;
+    judgement.right = 2.0 * static_cast<double>(matched) / static_cast<double>(yours.cells() + expected.cells());
+    judgement.metrics = {{"events", static_cast<double>(expected.cells())},
+                         {"matched", static_cast<double>(matched)},
+                         {"lost", static_cast<double>(lost)},
+                         {"surplus", static_cast<double>(surplus)}};
+    const std::optional<Gap> gap = first_gap(alignment, yours.cells(), expected.cells());
+    if (!gap) return judgement;
+
+    const EventWriter write(expected, text_of(names));
+    const std::string came = gap->surplus > 0 ? write(yours.cell(gap->yours)) : "nothing";
+    const std::string wanted = gap->lost > 0 ? write(expected.cell(gap->expected)) : "nothing";
+    const bool again = gap->lost == 0 && gap->yours > 0 && same_event(check.tolerance, yours.cell(gap->yours), yours.cell(gap->yours - 1));
+    judgement.first_difference = Difference{fmt::format("event {} of {}", gap->expected + 1, expected.cells()), came, wanted};
+    judgement.message = fmt::format("event {}: ", gap->expected + 1);
+    if (again)
+        judgement.message += came + " came once more";
+    else if (gap->lost == 0)
+        judgement.message += came + " came, nothing was expected";
+    else
+        judgement.message += fmt::format("expected {}, {} came{}", wanted, came, gap->surplus > 0 ? " instead" : "");
+    judgement.message += fmt::format(" ({} of {} expected events are right, {}{} of yours {} too much)", matched, expected.cells(),
+                                     alignment.best ? "" : "about ", surplus, surplus == 1 ? "is" : "are");
+    return judgement;
+}
+
+}

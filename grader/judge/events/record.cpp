@@ -1,0 +1,18 @@
+#include "judge/events/events.hpp"
+#include "judge/events/rule.hpp"
+#include "judge/judge_record.hpp"
+
+namespace umbral::grader {
+
+extern constinit const JudgeRecord events_judge;
+constinit const JudgeRecord events_judge{
+    .name = "events",
+    .place = 0,
+    .free_rows = true,
+    .nothing_is_empty = true,
+    .judge = [](const Question& q) { return judge_events(q.check, q.student, q.expected, q.names); },
+    .resemblance = same_events,
+    .evidence = events_evidence,
+};
+
+}

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "judge/evidence/kinds.hpp"
+#include "judge/explain/resemblances.hpp"
+#include "judge/rows/rows.hpp"
+#include "judge/rows/tolerance.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t most_rows = 6;
+constexpr std::size_t most_matrices = 1;
+
+struct Candidate {
+    std::size_t row = 0;
+    double error = 0;  ///< infinite where it cannot be measured
+};
+
+/// Draws rows of two tables beside each other.
+class RowWriter {
+public:
+    RowWriter(const Check& check, const TensorView& yours, const TensorView& expected, const RowKind& kind)
+        : check_(check), yours_(yours), expected_(expected), kind_(kind)
+    {
+    }
+
+    [[nodiscard]] double error(std::size_t row) const
+    {
+        if (!yours_.present(row) || !expected_.present(row)) return INFINITY;
+        double worst = 0;
+        for (std::size_t i = 0; i < expected_.components(); ++i) worst = std::max(worst, component(row, i).error);
+        return worst;
+    }
+
+    [[nodiscard]] RowPair operator()(std::size_t row) const
+    {
+        RowPair pair;
+        pair.name = fmt::format("{} {}", kind_.one, row);
+        const bool both = yours_.present(row) && expected_.present(row);
+        for (std::size_t i = 0; both && i < expected_.components(); ++i) {
+            const NumberPair texts = telling_apart(yours_.cell(row)[i], expected_.cell(row)[i]);
+            pair.yours.push_back(texts.yours);
+            pair.expected.push_back(texts.expected);
+            pair.differs.push_back(!component(row, i).right);
+        }
+        if (!both) {
+            pair.yours = texts_of(yours_, row);
+            pair.expected = texts_of(expected_, row);
+            pair.differs.assign(expected_.components(), true);
+            pair.note = yours_.present(row) ? "nothing is expected" : "missing";
+            return pair;
+        }
+        const double worst = error(row);
+        pair.note = std::isfinite(worst) ? short_error(worst) : "not comparable";
+        return pair;
+    }
+
+private:
+    [[nodiscard]] Deviation component(std::size_t row, std::size_t index) const
+    {
+        const auto target = expected_.cell(row);
+        return deviation(check_.tolerance, yours_.cell(row)[index], target[index], kind_.scale(target, index));
+    }
+
+    [[nodiscard]] std::string short_error(double error) const
+    {
+        switch (unit_of(check_.tolerance)) {
+            case Unit::ulps: return fmt::format("{:.3g} ulp", error);
+            case Unit::relative: return fmt::format("{:.3g} of its size", error);
+            case Unit::absolute: return fmt::format("{:.3g}", error);
+        }
+        return {};
+    }
+
+    static std::vector<std::string> texts_of(const TensorView& view, std::size_t row)
+    {
+        if (!view.present(row)) return {"nothing"};
+        std::vector<std::string> texts;
+        for (const double value : view.cell(row)) texts.push_back(number_text(value));
+        return texts;
+    }
+
+    const Check& check_;
+    const TensorView& yours_;
+    const TensorView& expected_;
+    const RowKind& kind_;
+};
+
+}
+
+NumberPair telling_apart(double yours, double expected)
+{
+    for (int digits = 6;; ++digits) {
+        NumberPair pair{fmt::format("{:.{}g}", yours, digits), fmt::format("{:.{}g}", expected, digits)};
+        if (digits >= 17 || yours == expected || pair.yours != pair.expected) return pair;
+    }
+}
+
+Evidence rows_evidence(const Check& check, const Observation& observation, bool right)
+{
+    if (right || shape_error(*observation.yours, *observation.expected)) return {};
+    const RowKind& kind = rows_of(check);
+    const bool matrices = &kind == &matrix_rows();
+    const TensorView yours(*observation.yours);
+    const TensorView expected(*observation.expected);
+    const RowWriter write(check, yours, expected, kind);
+
+    RowsEvidence result;
+    if (matrices) result.side = expected.components() == 9 ? 3 : expected.components() == 16 ? 4 : 0;
+    std::vector<Candidate> wrong;
+    const std::vector<RowState> states = row_states(check, *observation.yours, *observation.expected, observation.margin, kind);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        if (states[i] != RowState::left_out) ++result.rows;
+        if (states[i] == RowState::wrong) wrong.push_back({i, write.error(i)});
+    }
+    result.wrong = wrong.size();
+    const std::size_t most = matrices ? most_matrices : most_rows;
+    const std::size_t shown = std::min(wrong.size(), wrong.size() <= 2 * most && !matrices ? 2 * most : most);
+    for (std::size_t i = 0; i < shown; ++i) result.first.push_back(write(wrong[i].row));
+    wrong.erase(wrong.begin(), wrong.begin() + static_cast<std::ptrdiff_t>(shown));
+    std::stable_sort(wrong.begin(), wrong.end(), [](const Candidate& a, const Candidate& b) { return a.error > b.error; });
+    for (std::size_t i = 0; i < std::min(wrong.size(), most); ++i) result.worst.push_back(write(wrong[i].row));
+    return result;
+}
+
+}

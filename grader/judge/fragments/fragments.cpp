@@ -1,0 +1,114 @@
+#include "judge/fragments/fragments.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "judge/fragments/rule.hpp"
+#include "judge/rows/tolerance.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// The first place where something is wrong, with the fragments of both sides.
+struct BadPlace {
+    Place place;
+    Fragments yours;
+    Fragments expected;
+};
+
+struct Result {
+    FragmentTally tally;
+    std::size_t wrong_place = 0;
+    std::vector<MovedPrimitive> moved;
+    std::optional<BadPlace> first;
+    double error = 0;  ///< the worst of the fragments that both sides have
+};
+
+Result compare(const FragmentTable& yours, const FragmentTable& expected, const FragmentMatcher& matcher)
+{
+    Result result;
+    for_each_place(yours.sorted(), expected.sorted(), [&](const Place& place, Fragments here, Fragments there) {
+        const FragmentTally tally = matcher.at_place(here, there);
+        result.tally += tally;
+        for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) result.error = std::max(result.error, matcher.error(here[i], there[i]));
+        if (!tally.all_right() && !result.first) result.first = {place, here, there};
+    });
+    if (result.tally.missing > 0 && result.tally.extra > 0) result.moved = moved_primitives(yours, expected);
+    for (const MovedPrimitive& one : result.moved) result.wrong_place += one.fragments;
+    result.tally.missing -= result.wrong_place;
+    result.tally.extra += yours.unplaced();
+    result.tally.extra -= result.wrong_place;
+    return result;
+}
+
+std::string fragments_text(const FragmentTable& table, Fragments here)
+{
+    if (here.empty()) return "no fragment";
+    if (here.size() > 1) return fmt::format("{} fragments", here.size());
+    std::vector<std::string> values;
+    for (const double value : table.attributes(here[0])) values.push_back(number_text(value));
+    return values.empty() ? "one fragment" : fmt::format("({})", fmt::join(values, ", "));
+}
+
+std::string message(const Result& result, const FragmentTable& yours, const FragmentTable& expected, const std::string& noun)
+{
+    std::vector<std::string> parts;
+    const auto add = [&](std::size_t count, const char* what) {
+        if (count > 0) parts.push_back(fmt::format("{} {}", count, what));
+    };
+    add(result.tally.missing, "missing");
+    add(result.tally.extra, "extra");
+    add(result.tally.duplicated, "drawn again");
+    add(result.tally.wrong_value, "with a wrong value");
+    add(result.wrong_place, "in the wrong place");
+    std::string text = fmt::format("{} of {} fragments are right; {}", result.tally.matched, expected.sorted().size(), fmt::join(parts, ", "));
+    if (!result.moved.empty()) text += "; " + moved_sentence(result.moved, noun);
+    if (yours.unplaced() > 0) text += fmt::format("; {} of yours lie at no pixel: primitive, x or y is no whole number", yours.unplaced());
+    return text;
+}
+
+}
+
+Judgement judge_fragments(const Check& check, const Tensor& student, const Tensor& expected_tensor, const Tensor* names, bool with_sketch)
+{
+    const auto fault = [&](const char* what) { throw std::invalid_argument("check '" + check.name + "': " + what); };
+    if (expected_tensor.components < 3) fault("fragments need rows of at least three numbers: primitive, x, y");
+    const FragmentTable expected(expected_tensor);
+    if (!all_finite(expected.view().values()) || expected.unplaced() > 0) fault("an expected fragment is not finite, or lies at no pixel");
+    Tensor nothing = expected_tensor;
+    nothing.rows = 0;
+    nothing.bytes.clear();
+    nothing.present.clear();
+    const FragmentTable yours(student.cells() == 0 ? nothing : student);
+
+    const FragmentMatcher matcher(check, yours, expected);
+    const Result result = compare(yours, expected, matcher);
+    const FragmentTally& tally = result.tally;
+    Judgement judgement;
+    judgement.right = static_cast<double>(tally.matched) / static_cast<double>(expected.sorted().size() + tally.extra + tally.duplicated);
+    judgement.metrics = {{"fragments", static_cast<double>(expected.sorted().size())},
+                         {"missing", static_cast<double>(tally.missing)},
+                         {"extra", static_cast<double>(tally.extra)},
+                         {"duplicated", static_cast<double>(tally.duplicated)},
+                         {"wrong_value", static_cast<double>(tally.wrong_value)},
+                         {"wrong_place", static_cast<double>(result.wrong_place)}};
+    if (std::isfinite(result.error) && yours.unplaced() == 0) judgement.error = result.error;
+    if (tally.all_right() && result.wrong_place == 0) return judgement;
+
+    const std::string_view word = text_of(names);
+    const std::string noun(word.empty() ? "triangle" : word);
+    judgement.message = message(result, yours, expected, noun);
+    if (!result.first) return judgement;
+    const auto& [place, here, there] = *result.first;
+    judgement.first_difference = Difference{fmt::format("pixel ({}, {}) of {} {}", place.x, place.y, noun, place.primitive), fragments_text(yours, here),
+                                            fragments_text(expected, there)};
+    judgement.message += "; the first is " + judgement.first_difference->where;
+    if (with_sketch) judgement.sketch = fragment_sketch(matcher, yours, expected, place);
+    return judgement;
+}
+
+}

@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#include "judge/image/rule.hpp"
+#include "judge/picture/image_difference.hpp"
+#include "judge/picture/image_metrics.hpp"
+#include "judge/picture/image_rule.hpp"
+#include "judge/rows/tensor_view.hpp"
+
+namespace umbral::grader {
+namespace {
+
+std::string complaint(const ImageRule& rule)
+{
+    // What is wrong everywhere is the thing to say; a single spot only where the rest is right.
+    const auto everywhere = std::max_element(rule.ratios.begin(), rule.ratios.begin() + 4);
+    const auto worst = *everywhere > 1 ? everywhere : std::max_element(rule.ratios.begin(), rule.ratios.end());
+    switch (worst - rule.ratios.begin()) {
+        case 0: return fmt::format("{:.3g} % of the picture's content has no similar pixel next to its place", 100 * rule.edge_share);
+        case 1: return fmt::format("{:.3g} % of the smooth surfaces have another colour", 100 * rule.interior_share);
+        case 2: return fmt::format("the picture is too {} by {:.3g} levels of 255 on average", rule.bias > 0 ? "bright" : "dark", std::abs(rule.bias));
+        case 4:
+            return fmt::format("{} wrong pixels lie close together at ({}, {}): a hole, a crack, or something too much", rule.cluster.count,
+                               rule.cluster.x + window_side / 2, rule.cluster.y + window_side / 2);
+        case 5:
+            return fmt::format("round pixel ({}, {}) the surface is too {} by {:.3g} levels of 255", rule.surface.x + window_side / 2,
+                               rule.surface.y + window_side / 2, rule.surface.difference > 0 ? "bright" : "dark", std::abs(rule.surface.difference));
+        case 6:
+            return fmt::format("edges lie {:.2g} pixels to the right and {:.2g} down (negative: left, up): look at the sampling point, the pixel's centre",
+                               rule.displacement.x, rule.displacement.y);
+        default: return fmt::format("everything is shifted: {} pixel(s) to the right and {} down (negative: left, up)", rule.shift_x, rule.shift_y);
+    }
+}
+
+std::string pixel_text(const Tensor& picture, int x, int y)
+{
+    const auto size = static_cast<std::ptrdiff_t>(size_of(picture.element) * picture.components);
+    const auto start = picture.bytes.begin() + (static_cast<std::ptrdiff_t>(y) * picture.columns + x) * size;
+    return cell_text(TensorView(Tensor{picture.element, 1, 1, picture.components, {start, start + size}, {}}), 0);
+}
+
+Judgement identical()
+{
+    Judgement result;
+    result.right = 1;
+    result.error = 0;
+    result.metrics["worst_ratio"] = 0;
+    add_metrics(ImageMetrics{0, std::numeric_limits<double>::infinity(), 1, 0, 0}, result.metrics);
+    return result;
+}
+
+}
+
+Judgement judge_image(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor, bool with_metrics)
+{
+    if (!complete(expected_tensor)) throw std::invalid_argument("check '" + check.name + "': the expected picture holds values that are not finite");
+    if (!student_tensor.present.empty() && !complete(student_tensor)) {
+        Judgement wrong;
+        wrong.message = "Some pixels of the picture have no value.";
+        return wrong;
+    }
+    check_picture(check, expected_tensor);
+    // Both hold as many bytes: their shapes are the same.
+    if (std::memcmp(student_tensor.bytes.data(), expected_tensor.bytes.data(), expected_tensor.bytes.size()) == 0) return identical();
+    if (!complete(student_tensor)) {
+        Judgement wrong;
+        wrong.message = "The picture holds values that are not finite (NaN or infinity): look for a division by zero or the root of a negative number.";
+        return wrong;
+    }
+    const Picture student = to_picture(check, student_tensor);
+    const Picture expected = to_picture(check, expected_tensor);
+    const ImageRule rule = apply_image_rule(student, expected);
+
+    Judgement result;
+    result.right = rule.right();
+    result.error = rule.worst();
+    if (!with_metrics) return result;
+    result.metrics = {{"worst_ratio", rule.worst()},
+                      {"edge_percent", 100 * rule.edge_share},
+                      {"interior_percent", 100 * rule.interior_share},
+                      {"bias_levels", rule.bias},
+                      {"shift_x", rule.shift_x},
+                      {"shift_y", rule.shift_y},
+                      {"cluster_pixels", rule.cluster.count},
+                      {"window_levels", rule.surface.difference},
+                      {"content_pixels", rule.content}};
+    add_metrics(measure_image(student, expected), result.metrics);
+    if (result.right >= 1) return result;
+
+    const auto region = worst_region(check, student_tensor, expected_tensor);
+    result.message = "The picture differs: " + complaint(rule);
+    if (region) {
+        result.message += fmt::format("; look round pixel ({}, {})", region->peak_x, region->peak_y);
+        result.first_difference =
+            Difference{fmt::format("pixel ({}, {})", region->peak_x, region->peak_y), pixel_text(student_tensor, region->peak_x, region->peak_y),
+                       pixel_text(expected_tensor, region->peak_x, region->peak_y)};
+    }
+    return result;
+}
+
+}

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <umbral/core/grid.hpp>
+#include <utility>
+#include <vector>
+
+#include "judge/evidence/evidence.hpp"
+#include "judge/explain/sureness.hpp"
+#include "judge/judge.hpp"
+#include "model/caps.hpp"
+
+namespace umbral::grader {
+
+class Field;
+struct FailingCheck;
+struct NamedTransform;
+struct RowKind;
+
+/// How people look at what a check compares: not at all, as a buffer of values, as colours on a screen, or as amounts of light, which are
+/// noisy and shown as sRGB.
+enum class Look : std::uint8_t { none, values, colours, light };
+
+/// What a judge is asked. Both tensors are well formed and of one type; of one shape too, but for judges with free rows.
+struct Question {
+    const Check& check;
+    const Tensor& student;
+    const Tensor& expected;
+    const Tensor* margin = nullptr;  ///< see judge()
+    const Tensor* names = nullptr;
+    bool briefly = false;  ///< only `right` is needed
+};
+
+/// How a judge's checks can hold two values of the student's own run against each other (model/relation.hpp).
+struct RelationRules {
+    bool possible = false;
+    bool moves = false;                            ///< has pixels, which can be moved
+    bool scales = false;                           ///< has amounts, which can be multiplied …
+    bool whole_numbers_scale = false;              ///< … in tensors of whole numbers too
+    bool (*presentable)(const Tensor&) = nullptr;  ///< can it be held up as the expected side? Null: if all its values are finite
+    Tensor (*moved)(const Tensor& tensor, const std::array<int, 2>& shift) = nullptr;  ///< null: cells are moved
+};
+
+/// All that is particular to one judge. A new one is a folder grader/judge/<name> that defines such a record, and its line in judges.cpp:
+/// all else asks the record. Null pointers and false mean what is said there.
+struct JudgeRecord {
+    std::string_view name;
+    /// From exact to vague: exact lists 0, numbers 1, intermediate buffers 2, what is counted or derived 3, the colour picture 4. What a
+    /// student is shown first follows this, and checks of one place the manifest: a mistake that a number names, a picture only hints at.
+    int place = 3;
+
+    // What a check takes in the manifest, beside the fields that all take.
+    bool needs_tolerance = false;
+    bool pairs = false;                              ///< may rows 2k and 2k + 1 count together?
+    std::span<const std::string_view> own_fields{};  ///< demanded by this judge, refused with any other
+    void (*read_own)(const Field& check, Check& to) = nullptr;
+    int most_in_course = 0;  ///< checks in all units together; 0: any number
+
+    // What is recorded.
+    bool free_rows = false;                    ///< numbers of rows may differ
+    bool nothing_is_empty = false;             ///< recorded row by row: nothing at all is an empty table
+    bool plain_values = true;                  ///< the values themselves are compared, and not what is counted in them
+    std::size_t more_cells = caps::rows_more;  ///< so many more than expected are read
+    bool counts_work = false;                  ///< its values count the work of code that was compiled for it
+    Look look = Look::none;
+    bool (*can_be_drawn)(const Tensor&) = nullptr;  ///< null: whatever has a look
+
+    // Judging.
+    Judgement (*judge)(const Question& question) = nullptr;
+    /// Null: common_controls (controls.hpp).
+    std::vector<std::pair<std::string, Tensor>> (*controls)(const Check& check, const Tensor& expected, std::uint64_t seed) = nullptr;
+    /// What is borderline (Judgement::borderline) is run again with a fresh seed, and both runs decide. Null: nothing is.
+    Judgement (*judge_both)(const Judgement& first, const Judgement& second) = nullptr;
+
+    // Explaining.
+    /// resemblance() of a failing check, where both results can be judged.
+    Resemblance (*resemblance)(const FailingCheck& failing, const Tensor& mistake) = nullptr;
+    const RowKind& (*rows)() = nullptr;                                                           ///< how single rows are compared; null: as rows of numbers
+    std::vector<NamedTransform> (*transforms)() = nullptr;                                        ///< those that are tried on its results first
+    std::optional<double> (*likeness)(const Tensor& student, const Tensor& reference) = nullptr;  ///< null: by correlation
+
+    // Showing.
+    Grid<std::uint8_t> (*difference_map)(const Check& check, const Tensor& student, const Tensor& expected) = nullptr;  ///< null: pixel by pixel
+    Evidence (*evidence)(const Check& check, const Observation& observation, bool right) = nullptr;
+
+    RelationRules relation{};
+};
+
+}

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <numeric>
+#include <umbral/core/random.hpp>
+
+#include "judge/controls.hpp"
+#include "judge/evidence/kinds.hpp"
+#include "judge/explain/resemblances.hpp"
+#include "judge/judge_record.hpp"
+#include "judge/noise/noise.hpp"
+#include "judge/noise/rule.hpp"
+#include "judge/statistics/error_budget.hpp"
+#include "model/field.hpp"
+
+namespace umbral::grader {
+namespace {
+
+void read_bias(const Field& check, Check& to)
+{
+    if (to.tolerance.ulps || to.tolerance.band_ulps) check.member("tolerance").refuse("absolute or relative only, as the bias that \"noise\" forgives");
+}
+
+// What knows the scale of the estimates only. The mean of one quantity is its answer: of a single one, nothing is left that knows nothing.
+Controls estimate_controls(const Tensor& expected, std::uint64_t seed)
+{
+    const std::size_t components = expected.components;
+    const ComponentStatistics each = component_statistics(expected);
+    const double mean = std::accumulate(each.mean.begin(), each.mean.end(), 0.0) / static_cast<double>(components);
+    const double low = *std::min_element(each.low.begin(), each.low.end());
+    const double high = *std::max_element(each.high.begin(), each.high.end());
+    const ComponentStatistics all{std::vector<double>(components, mean), std::vector<double>(components, low), std::vector<double>(components, high)};
+    Controls result{{"zeros", filled(expected, std::vector<double>(components, 0))}, {"ones", filled(expected, std::vector<double>(components, 1))}};
+    if (components == 1) return result;
+    result.emplace_back("mean of all", filled(expected, all.mean));
+    result.emplace_back("noise", noise_within(expected, all, seed));
+    return result;
+}
+
+// The right colours with the right noise, each in a place that chance gave it.
+Tensor shuffled(const Tensor& expected, std::uint64_t seed)
+{
+    Random random(seed);
+    Tensor tensor = expected;
+    const auto size = static_cast<std::ptrdiff_t>(size_of(expected.element) * expected.components);
+    for (auto i = static_cast<std::ptrdiff_t>(expected.cells()) - 1; i > 0; --i) {
+        const auto other = static_cast<std::ptrdiff_t>(random.below(static_cast<std::uint32_t>(i) + 1));
+        if (other != i) std::swap_ranges(tensor.bytes.begin() + i * size, tensor.bytes.begin() + (i + 1) * size, tensor.bytes.begin() + other * size);
+    }
+    return tensor;
+}
+
+Controls noise_controls(const Check& check, const Tensor& expected, std::uint64_t seed)
+{
+    if (is_table(expected)) return estimate_controls(expected, seed);
+    Controls result = common_controls(check, expected, seed);
+    result.emplace_back("shuffled pixels", shuffled(expected, seed));
+    return result;
+}
+
+}
+
+extern constinit const JudgeRecord noise_judge;
+constinit const JudgeRecord noise_judge{
+    .name = "noise",
+    .place = 3,
+    .read_own = read_bias,
+    .most_in_course = most_noise_checks,
+    .look = Look::light,
+    .can_be_drawn = [](const Tensor& tensor) { return !is_table(tensor); },
+    .judge = [](const Question& q) { return judge_noise(q.check, q.student, q.expected, q.names); },
+    .controls = noise_controls,
+    .judge_both = judge_both,
+    .resemblance = same_picture,
+    .difference_map = noise_map,
+    .evidence = picture_evidence,
+};
+
+}

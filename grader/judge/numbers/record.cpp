@@ -1,0 +1,42 @@
+#include <algorithm>
+#include <cmath>
+
+#include "judge/evidence/kinds.hpp"
+#include "judge/explain/resemblances.hpp"
+#include "judge/explain/transforms.hpp"
+#include "judge/judge_record.hpp"
+#include "judge/rows/rows.hpp"
+
+namespace umbral::grader {
+namespace {
+
+Scale component_scale(std::span<const double> expected, std::size_t index)
+{
+    double largest = 0;
+    for (const double value : expected) largest = std::max(largest, std::abs(value));
+    return {float_ulp(expected[index]), largest};
+}
+
+constexpr RowKind numbers{"row", "rows", component_scale, [](std::size_t row, std::size_t, std::size_t) { return "row " + std::to_string(row); },
+                          [](const TensorView& view, std::size_t row, std::size_t) { return cell_text(view, row); }};
+
+}
+
+const RowKind& number_rows() { return numbers; }
+
+/// Rows of numbers, each within the check's tolerance.
+extern constinit const JudgeRecord numbers_judge;
+constinit const JudgeRecord numbers_judge{
+    .name = "numbers",
+    .place = 1,
+    .needs_tolerance = true,
+    .pairs = true,
+    .judge = [](const Question& q) { return judge_rows(q.check, q.student, q.expected, q.margin, numbers); },
+    .resemblance = same_rows,
+    .rows = number_rows,
+    .transforms = number_transforms,
+    .evidence = rows_evidence,
+    .relation = {.possible = true, .scales = true},
+};
+
+}

@@ -1,0 +1,149 @@
+#include "judge/rows/rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace umbral::grader {
+namespace {
+
+struct Row {
+    bool right = true;
+    bool comparable = false;    ///< both sides have a value
+    double error = 0;           ///< the worst of its components; infinite if not finite
+    std::size_t component = 0;  ///< the first wrong one
+};
+
+[[noreturn]] void fault(const Check& check, const std::string& what) { throw std::invalid_argument("check '" + check.name + "': " + what); }
+
+Row compare_row(const Check& check, const TensorView& student, const TensorView& expected, std::size_t index, const RowKind& kind)
+{
+    Row row;
+    if (!student.present(index) || !expected.present(index)) {
+        row.right = student.present(index) == expected.present(index);
+        return row;
+    }
+    row.comparable = true;
+    const auto target = expected.cell(index);
+    if (!all_finite(target)) fault(check, fmt::format("the expected {} {} is not finite, so nothing can match it", kind.one, index));
+    for (std::size_t i = 0; i < target.size(); ++i) {
+        const Deviation found = deviation(check.tolerance, student.cell(index)[i], target[i], kind.scale(target, i));
+        if (!found.right && row.right) {
+            row.right = false;
+            row.component = i;
+        }
+        if (!found.right || found.within) row.error = std::max(row.error, found.error);
+    }
+    return row;
+}
+
+std::vector<bool> counted_rows(const Check& check, const Tensor* margin, std::size_t rows)
+{
+    std::vector<bool> counted(rows, true);
+    if (check.pairs && rows % 2 != 0) fault(check, fmt::format("pairs need an even number of rows, the expected recording has {}", rows));
+    if (margin == nullptr || !check.tolerance.band_ulps) return counted;
+    if (!well_formed(*margin) || margin->count() != rows)
+        fault(check, fmt::format("its margin must hold one number a row: expected {}, got {}", rows, margin->count()));
+    const std::vector<double> margins = to_doubles(*margin);
+    // A margin that is not a number cannot vouch for its row.
+    for (std::size_t i = 0; i < rows; ++i) counted[i] = std::abs(margins[i]) >= *check.tolerance.band_ulps;
+    if (check.pairs)
+        for (std::size_t i = 0; i < rows; i += 2) counted[i] = counted[i + 1] = counted[i] && counted[i + 1];
+    return counted;
+}
+
+void add_quantiles(std::vector<double> errors, std::map<std::string, double>& metrics)
+{
+    if (errors.empty()) return;
+    std::sort(errors.begin(), errors.end());
+    // The nearest-rank quantile: always an error that occurred.
+    const auto quantile = [&](double share) { return errors[static_cast<std::size_t>(std::ceil(share * static_cast<double>(errors.size()))) - 1]; };
+    metrics["median_error"] = quantile(0.5);
+    metrics["p95_error"] = quantile(0.95);
+    metrics["max_error"] = errors.back();
+}
+
+}
+
+std::vector<RowState> row_states(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor, const Tensor* margin, const RowKind& kind)
+{
+    const TensorView student(student_tensor);
+    const TensorView expected(expected_tensor);
+    const std::vector<bool> counted = counted_rows(check, margin, expected.cells());
+    std::vector<RowState> states(expected.cells(), RowState::left_out);
+    for (std::size_t i = 0; i < states.size(); ++i)
+        if (counted[i]) states[i] = compare_row(check, student, expected, i, kind).right ? RowState::right : RowState::wrong;
+    return states;
+}
+
+Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor, const Tensor* margin, const RowKind& kind)
+{
+    if (!has_bound(check.tolerance)) fault(check, "a tolerance is needed: absolute, relative or ulps");
+    const TensorView student(student_tensor);
+    const TensorView expected(expected_tensor);
+    const std::vector<bool> counted = counted_rows(check, margin, expected.cells());
+    const std::size_t group = check.pairs ? 2 : 1;
+
+    std::size_t units = 0;
+    std::size_t wrong_units = 0;
+    std::size_t rows = 0;
+    std::size_t wrong = 0;
+    std::size_t missing = 0;
+    std::size_t extra = 0;
+    bool finite = true;
+    std::vector<double> errors;
+    std::optional<std::size_t> first_wrong;
+    std::optional<std::size_t> worst_wrong;
+    Row first;
+    Row worst;
+    for (std::size_t start = 0; start < expected.cells(); start += group) {
+        bool unit_right = true;
+        if (!counted[start]) continue;
+        for (std::size_t i = start; i < start + group; ++i) {
+            const Row row = compare_row(check, student, expected, i, kind);
+            ++rows;
+            if (row.comparable && std::isfinite(row.error)) errors.push_back(row.error);
+            if (!std::isfinite(row.error)) finite = false;
+            if (row.right) continue;
+            unit_right = false;
+            ++wrong;
+            if (!row.comparable) ++(expected.present(i) ? missing : extra);
+            if (!first_wrong) first_wrong = i, first = row;
+            if (!worst_wrong || row.error > worst.error) worst_wrong = i, worst = row;
+        }
+        ++units;
+        if (!unit_right) ++wrong_units;
+    }
+    if (units == 0) fault(check, "no row counts: the recording is empty, or every row lies in the band that is left out");
+
+    Judgement result;
+    result.right = static_cast<double>(units - wrong_units) / static_cast<double>(units);
+    if (finite && (!errors.empty() || wrong == 0)) result.error = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
+    result.metrics["rows"] = static_cast<double>(rows);
+    result.metrics["wrong"] = static_cast<double>(wrong);
+    if (check.pairs) {
+        result.metrics["pairs"] = static_cast<double>(units);
+        result.metrics["wrong_pairs"] = static_cast<double>(wrong_units);
+    }
+    if (student.optional() || expected.optional()) {
+        result.metrics["missing_hits"] = static_cast<double>(missing);
+        result.metrics["false_hits"] = static_cast<double>(extra);
+    }
+    add_quantiles(std::move(errors), result.metrics);
+    if (!first_wrong) return result;
+
+    const std::size_t columns = expected.components();
+    result.first_difference = Difference{kind.where(*first_wrong, columns, first.component), kind.show(student, *first_wrong, first.component),
+                                         kind.show(expected, *first_wrong, first.component)};
+    const std::string distance = worst.comparable && std::isfinite(worst.error) ? " (" + error_text(unit_of(check.tolerance), worst.error) + ")" : "";
+    const std::string of = rows == 1 ? fmt::format("The only {} is wrong: ", kind.one)
+                                     : fmt::format("{} of {} {} {} wrong; the worst is ", wrong, rows, kind.many, wrong == 1 ? "is" : "are");
+    result.message = fmt::format("{}{}: yours {}, expected {}{}", of, kind.where(*worst_wrong, columns, worst.component),
+                                 kind.show(student, *worst_wrong, worst.component), kind.show(expected, *worst_wrong, worst.component), distance);
+    return result;
+}
+
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "judge/judge.hpp"
+#include "judge/rows/tensor_view.hpp"
+#include "judge/rows/tolerance.hpp"
+
+namespace umbral::grader {
+
+/// What distinguishes the kinds of tables that are judged row by row.
+struct RowKind {
+    const char* one;   ///< "row"
+    const char* many;  ///< "rows"
+    /// What component `index` of an expected row is measured against.
+    Scale (*scale)(std::span<const double> expected, std::size_t index);
+    /// Where component `index` of a row is, and how the row is shown.
+    std::string (*where)(std::size_t row, std::size_t components, std::size_t index);
+    std::string (*show)(const TensorView& view, std::size_t row, std::size_t index);
+};
+
+enum class RowState : std::uint8_t { left_out, right, wrong };
+
+/// What became of each row, without pairing their results; `expected` must be finite where it counts.
+[[nodiscard]] std::vector<RowState> row_states(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin, const RowKind& kind);
+
+/// The kinds of rows of the judges numbers and matrices.
+[[nodiscard]] const RowKind& number_rows();
+[[nodiscard]] const RowKind& matrix_rows();
+
+/// Judges row by row: a component is right if any given bound holds, a row if all its components are and its presence agrees.
+///
+/// Rows whose margin is under the band do not count; with check.pairs, rows 2k and 2k + 1 count only together, and a pair is left out
+/// if either row is. The error leaves out components that are right by another bound than the one that gives the unit (an ulp of an
+/// expected 0 says nothing). Throws std::invalid_argument on what only the grader's side can have caused.
+[[nodiscard]] Judgement judge_rows(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin, const RowKind& kind);
+
+}

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "judge/parameters.hpp"
+#include "judge/rows/tensor_view.hpp"
+#include "judge/trace/rule.hpp"
+#include "judge/trace/trace_counts.hpp"
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::string_view draw_calls = "draw calls";
+constexpr std::string_view vertices = "vertices";
+constexpr std::string_view uploaded_bytes = "uploaded bytes";
+constexpr std::string_view objects_made = "objects created";
+constexpr std::string_view objects_gone = "objects deleted";
+constexpr std::string_view deprecated_calls = "deprecated calls";
+constexpr std::string_view state_changes = "state changes";
+
+const GlCall* first_of(const GlTrace& trace, std::string_view rule)
+{
+    const auto found = std::ranges::find_if(trace.calls, [&](const GlCall& call) { return share_of(call, rule) > 0; });
+    return found == trace.calls.end() ? nullptr : &*found;
+}
+
+/// What a teacher says of a broken rule.
+std::string complaint(std::string_view rule, double yours, double expected, const GlTrace& trace)
+{
+    const auto number = [](double count, const char* one, const char* many) { return fmt::format("{} {}", count_text(count), count == 1 ? one : many); };
+    const char* possible = expected == 1 ? "is" : "are";
+    if (rule == draw_calls) return fmt::format("{}, {} {} possible", number(yours, "draw call", "draw calls"), count_text(expected), possible);
+    if (rule == vertices) return fmt::format("{} drawn, expected {}", number(yours, "vertex is", "vertices are"), count_text(expected));
+    if (rule == uploaded_bytes && expected == 0) return fmt::format("data is uploaded again: {}, 0 are needed", number(yours, "byte", "bytes"));
+    if (rule == uploaded_bytes) return fmt::format("{} uploaded, {} {} needed", number(yours, "byte is", "bytes are"), count_text(expected), possible);
+    if (rule == objects_made) return fmt::format("{} created, expected {}", number(yours, "object is", "objects are"), count_text(expected));
+    if (rule == objects_gone) return fmt::format("{} deleted, expected {}", number(yours, "object is", "objects are"), count_text(expected));
+    if (rule == state_changes) return fmt::format("{}, {} {} enough", number(yours, "state change", "state changes"), count_text(expected), possible);
+    const GlCall* call = first_of(trace, rule);
+    return call == nullptr ? "" : fmt::format("{} is deprecated: {}", call->name, instead_of_deprecated(call->name));
+}
+
+/// The calls that a rule looks at, with their places in the trace.
+struct Looked {
+    const GlCall* call;
+    std::size_t index;
+};
+
+std::vector<Looked> looked_at(const GlTrace& trace, std::string_view rule)
+{
+    std::vector<Looked> calls;
+    for (std::size_t i = 0; i < trace.calls.size(); ++i)
+        if (share_of(trace.calls[i], rule) > 0 || (rule == vertices && draws(trace.calls[i]))) calls.push_back({&trace.calls[i], i});
+    return calls;
+}
+
+std::optional<Difference> first_difference(std::string_view rule, const GlTrace& yours, const GlTrace& expected)
+{
+    const std::vector<Looked> a = looked_at(yours, rule);
+    const std::vector<Looked> b = looked_at(expected, rule);
+    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+        if (i < a.size() && i < b.size() && same_call(*a[i].call, *b[i].call)) continue;
+        const std::string where = i < a.size() ? fmt::format("call {} of your {}", a[i].index + 1, yours.calls.size())
+                                  : a.empty()  ? "you make no such call"
+                                               : "after your last such call";
+        return Difference{fmt::format("{}: {}", rule, where), i < a.size() ? in_cpp(*a[i].call) : "nothing", i < b.size() ? in_cpp(*b[i].call) : "nothing"};
+    }
+    return std::nullopt;
+}
+
+}
+
+double share_of(const GlCall& call, std::string_view rule)
+{
+    if (rule == draw_calls) return draws(call) ? 1 : 0;
+    if (rule == vertices) return vertices_of(call);
+    if (rule == uploaded_bytes) return static_cast<double>(call.bytes);
+    if (rule == objects_made) return objects_created(call);
+    if (rule == objects_gone) return objects_deleted(call);
+    if (rule == deprecated_calls) return instead_of_deprecated(call.name) != nullptr ? 1 : 0;
+    if (rule == state_changes) return changes_state(call) ? 1 : 0;
+    throw std::invalid_argument(fmt::format("expected one of the rules \"{}\", got \"{}\"", fmt::join(trace_rules, "\", \""), rule));
+}
+
+double counted(const GlTrace& trace, std::string_view rule)
+{
+    double sum = 0;
+    for (const GlCall& call : trace.calls) sum += share_of(call, rule);
+    return sum;
+}
+
+bool must_equal(std::string_view rule) { return rule == vertices || rule == objects_made || rule == objects_gone; }
+
+Judgement judge_trace(const Check& check, const Tensor& student, const Tensor& expected_tensor)
+{
+    const auto fault = [&](const char* what) { throw std::invalid_argument("check '" + check.name + "': " + what); };
+    const std::vector<std::string>& wanted = parameters_of<TraceParameters>(check).rules;
+    if (wanted.empty()) fault("a trace is judged by at least one rule");
+    const auto expected = parse_gl_trace(text_of(&expected_tensor));
+    if (!expected || expected->truncated) fault("the expected trace is none of record_trace, or holds too many calls");
+    const auto yours = parse_gl_trace(text_of(&student));
+    Judgement judgement;
+    if (!yours) {
+        judgement.message = "the recorded calls are damaged: the run was disturbed";
+        return judgement;
+    }
+    std::vector<std::string> complaints;
+    for (const std::string& rule : wanted) {
+        const double mine = counted(*yours, rule);
+        const double theirs = counted(*expected, rule);
+        std::string key = rule;
+        std::ranges::replace(key, ' ', '_');
+        judgement.metrics[key] = mine;
+        judgement.metrics["expected_" + key] = theirs;
+        if (must_equal(rule) ? mine == theirs : mine <= theirs) continue;
+        complaints.push_back(complaint(rule, mine, theirs, *yours));
+        if (!judgement.first_difference) judgement.first_difference = first_difference(rule, *yours, *expected);
+    }
+    const auto rules = static_cast<double>(wanted.size());
+    judgement.right = (rules - static_cast<double>(complaints.size())) / rules;
+    if (yours->truncated) {
+        complaints.insert(complaints.begin(), fmt::format("more than {} calls, {} are enough", count_text(static_cast<double>(yours->calls.size())),
+                                                          count_text(static_cast<double>(expected->calls.size()))));
+        judgement.right = 0;
+    }
+    if (counted(*yours, draw_calls) == 0 && counted(*expected, draw_calls) > 0) {
+        complaints.insert(complaints.begin(), "nothing is drawn");
+        judgement.right = 0;
+        judgement.first_difference = first_difference(draw_calls, *yours, *expected);
+    }
+    judgement.message = fmt::format("{}", fmt::join(complaints, "; "));
+    return judgement;
+}
+
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbral::grader {
+
+/// What stands between the quotes or brackets of a text's include lines, in their order. Comments and conditions are not looked at.
+[[nodiscard]] std::vector<std::string> included_in(std::string_view text);
+
+}

@@ -1,0 +1,83 @@
+#include "manifest/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <tuple>
+
+#include "judge/judges.hpp"
+#include "manifest/unit_digest.hpp"
+#include "model/json_file.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// The course's order of topics; others come behind.
+constexpr std::array topics{"pipeline", "meshes", "transforms", "projections", "lighting", "texturing", "interaction", "raytracing"};
+
+std::vector<std::filesystem::path> folders_in(const std::filesystem::path& root)
+{
+    std::vector<std::filesystem::path> folders;
+    std::error_code loop;  // of symbolic links: no folder
+    for (const auto& entry : std::filesystem::directory_iterator(root))
+        if (entry.is_directory(loop)) folders.push_back(entry.path());
+    return folders;
+}
+
+auto place_in_course(const Exercise& exercise)
+{
+    const auto topic = std::find(topics.begin(), topics.end(), exercise.topic) - topics.begin();
+    return std::tuple(topic, exercise.topic, exercise.order.value_or(std::numeric_limits<double>::infinity()), exercise.id);
+}
+
+}
+
+Exercise load_exercise(const std::filesystem::path& folder)
+{
+    const std::filesystem::path file = folder / "exercise.json";
+    Exercise exercise = parse_exercise(read_json(file), file.string());
+    exercise.folder = std::filesystem::canonical(folder);
+    const std::string place = (exercise.folder.parent_path().filename() / exercise.folder.filename()).string();
+    if (exercise.id != place)
+        throw std::runtime_error(fmt::format("{}: id: expected \"{}\", as its folders are called, got \"{}\"", file.string(), place, exercise.id));
+    exercise.digest = unit_digest(exercise);
+    return exercise;
+}
+
+Units load_units(const std::filesystem::path& root)
+{
+    if (!std::filesystem::is_directory(root))
+        throw std::runtime_error(fmt::format("{}: expected a directory with units, topic/unit/exercise.json", root.string()));
+    Units units;
+    const auto keep_broken = [&](std::string id, const auto& load) {
+        try {
+            load();
+        } catch (const std::exception& error) {
+            units.broken.push_back({std::move(id), error.what()});
+        }
+    };
+    for (const auto& topic : folders_in(root))
+        keep_broken(topic.filename().string(), [&] {
+            for (const auto& folder : folders_in(topic))
+                keep_broken((topic.filename() / folder.filename()).string(), [&] {
+                    if (std::filesystem::exists(folder / "exercise.json")) units.exercises.push_back(load_exercise(folder));
+                });
+        });
+    for (const JudgeRecord* record : judges()) {
+        std::ptrdiff_t count = 0;
+        for (const Exercise& exercise : units.exercises)
+            count += std::ranges::count(exercise.checks, record->name, [](const Check& check) { return check.judge.name; });
+        if (record->most_in_course > 0 && count > record->most_in_course)
+            throw std::runtime_error(fmt::format("{}: expected at most {} checks of the judge \"{}\" in all units, which share one budget of errors, got {}",
+                                                 root.string(), record->most_in_course, record->name, count));
+    }
+    std::ranges::sort(units.exercises, {}, place_in_course);
+    std::ranges::sort(units.broken, {}, &BrokenUnit::id);
+    return units;
+}
+
+}
