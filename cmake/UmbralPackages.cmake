@@ -24,7 +24,8 @@ set(CPACK_DEBIAN_UMBRAL_PACKAGE_NAME umbral)
 set(CPACK_DEBIAN_UMBRAL_DESCRIPTION "Exercises in computer graphics, checked on your own machine
  Students write one function or one shader; Umbral runs it in a sandbox beside
  a reference, and says how far apart the two are, where, and why.")
-set(CPACK_DEBIAN_UMBRAL_PACKAGE_DEPENDS "g++, mold, libglm-dev, libgl-dev, libglfw3-dev, libosmesa6 | libegl-mesa0")
+get_property(UMBRAL_GL_PACKAGES GLOBAL PROPERTY UMBRAL_GL_PACKAGES)
+set(CPACK_DEBIAN_UMBRAL_PACKAGE_DEPENDS "g++, mold, libglm-dev, libgl-dev, libglfw3-dev, ${UMBRAL_GL_PACKAGES}")
 set(CPACK_DEBIAN_UMBRAL_PACKAGE_RECOMMENDS "gdb")
 set(CPACK_DEBIAN_UMBRAL_PACKAGE_SUGGESTS "umbral-instructor")
 

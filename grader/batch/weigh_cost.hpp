@@ -9,8 +9,7 @@ namespace umbral::grader {
 /// change as it can the count. A count that is contradicted loses its points, with a sentence that says by what.
 ///
 /// Nothing is measured while the run of the case took about as long as the reference's. Else student's and reference's runs alternate, with
-/// all sizes, some, and none, and the least time of each is compared; only what is contradicted in every one of several rounds is not
-/// believed, since anything may run beside. Throws std::runtime_error for a fault of ours.
+/// all sizes, some, and none, and the least time of each is compared, since anything may run beside. Throws std::runtime_error for a fault of ours.
 void weigh_costs(Workshop& workshop, const Exercise& exercise, const Built& built, const CaseResults& cases, UnitResult& result);
 
 }

@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cli/application.hpp"
 #include "cli/interface_block.hpp"
 #include "cli/paths.hpp"
 #include "collect/sources.hpp"
+#include "manifest/exercise_schema.hpp"
 #include "manifest/statements.hpp"
 #include "report/paint.hpp"
 
@@ -43,17 +45,31 @@ bool refresh_statement(const Application& application, const Exercise& exercise,
     }
 }
 
+/// The same for the schema of manifests, which lies in checkouts only.
+bool refresh_schema(const Application& application, bool check)
+{
+    const fs::path file = application.layout.data / "docs/schemas/exercise.schema.json";
+    if (!fs::exists(file)) return true;
+    const std::string before = read_text(file);
+    const std::string after = with_judges(nlohmann::ordered_json::parse(before)).dump(2) + "\n";
+    if (after == before) return true;
+    if (!check) write_output(file, after);
+    fmt::print("docs/schemas/exercise.schema.json: {}\n", check ? "not up to date with the judges" : "written anew from the judges");
+    return !check;
+}
+
 void refresh(Application& application, const Options& options)
 {
     const std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
     bool all_well = true;
     for (const Exercise& exercise : exercises)
         for (const Language& language : languages) all_well = refresh_statement(application, exercise, language, options.check) && all_well;
+    if (options.units.empty()) all_well = refresh_schema(application, options.check) && all_well;
     if (all_well) {
         fmt::print("The interface blocks of {} unit{} are up to date.\n", exercises.size(), exercises.size() == 1 ? "" : "s");
         return;
     }
-    if (options.check) fmt::print("\nTo write interface blocks anew: umbral refresh\n");
+    if (options.check) fmt::print("\nTo write all this anew: umbral refresh\n");
     application.exit_status = exit_not_right;
 }
 
@@ -62,7 +78,7 @@ void refresh(Application& application, const Options& options)
 void add_refresh(CLI::App& parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("refresh", "For authors: writes the interface blocks of statements anew from the headers");
+    CLI::App* command = parser.add_subcommand("refresh", "For authors: writes anew what is made: statements' interface blocks, the schema of manifests");
     command->add_option("UNIT", options->units, "Only these units");
     command->add_flag("--check", options->check, "Write nothing; say what is not up to date");
     command->callback([&application, options] { refresh(application, *options); });

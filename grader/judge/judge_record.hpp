@@ -46,6 +46,12 @@ struct RelationRules {
     Tensor (*moved)(const Tensor& tensor, const std::array<int, 2>& shift) = nullptr;  ///< null: cells are moved
 };
 
+/// A field of a check that one judge alone takes: demanded by it, refused with any other.
+struct OwnField {
+    std::string_view name;
+    std::string_view schema;  ///< its JSON schema, for docs/schemas/exercise.schema.json
+};
+
 /// All that is particular to one judge. A new one is a folder grader/judge/<name> that defines such a record, and its line in judges.cpp:
 /// all else asks the record. Null pointers and false mean what is said there.
 struct JudgeRecord {
@@ -53,13 +59,15 @@ struct JudgeRecord {
     /// From exact to vague: exact lists 0, numbers 1, intermediate buffers 2, what is counted or derived 3, the colour picture 4. What a
     /// student is shown first follows this, and checks of one place the manifest: a mistake that a number names, a picture only hints at.
     int place = 3;
+    std::string_view compares;  ///< what it compares, in a few words of a sentence: "numbers row by row"
 
     // What a check takes in the manifest, beside the fields that all take.
     bool needs_tolerance = false;
-    bool pairs = false;                              ///< may rows 2k and 2k + 1 count together?
-    std::span<const std::string_view> own_fields{};  ///< demanded by this judge, refused with any other
+    bool pairs = false;  ///< may rows 2k and 2k + 1 count together?
+    std::span<const OwnField> own_fields{};
     void (*read_own)(const Field& check, Check& to) = nullptr;
-    int most_in_course = 0;  ///< checks in all units together; 0: any number
+    std::string_view schema_of_check{};  ///< JSON schema of what else `read_own` demands of a check; empty: nothing
+    int most_in_course = 0;              ///< checks in all units together; 0: any number
 
     // What is recorded.
     bool free_rows = false;                    ///< numbers of rows may differ

@@ -20,6 +20,9 @@ namespace umbral::grader {
 /// The judge of a result, which may come from a file of another version: what is not known is shown like what is counted or derived.
 [[nodiscard]] const JudgeRecord& judge_of(const CheckResult& result);
 
+/// Does the judge look at colours or light, of which a check may say the range?
+[[nodiscard]] constexpr bool has_range(const JudgeRecord& record) { return record.look == Look::colours || record.look == Look::light; }
+
 /// Is what the check looks at a picture or a buffer?
 [[nodiscard]] inline bool is_picture(const Check& check) { return judge_of(check).look != Look::none; }
 /// … and this value of it one that can be drawn?

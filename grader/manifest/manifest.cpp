@@ -9,12 +9,14 @@
 #include <set>
 
 #include "judge/judges.hpp"
+#include "manifest/check_fields.hpp"
 #include "manifest/recorded_values.hpp"
 #include "manifest/units.hpp"
 #include "model/field.hpp"
 #include "model/forbidden_families.hpp"
 
-// The manifest exercise.json, field by field; what belongs to one judge alone is read by that judge. docs/schemas/exercise.schema.json says the same for editors; a test holds both together.
+// The manifest exercise.json, field by field; what belongs to one judge alone is read by that judge. docs/schemas/exercise.schema.json says
+// the same for editors; a test holds both together.
 namespace umbral::grader {
 namespace {
 
@@ -139,7 +141,6 @@ void read_shared(const Field& field, const JudgeRecord& judge, Check& check)
     if (tolerance.given() && check.why.empty()) field.member("why").refuse("where the tolerance comes from");
     if (check.pairs && !judge.pairs) field.member("pairs").refuse(fmt::format("no pairs: what \"{}\" judges has no rows that pair", judge.name));
     if (const Field range = field.member("range"); range.given()) {
-        const auto has_range = [](const JudgeRecord& one) { return one.look == Look::colours || one.look == Look::light; };
         if (!has_range(judge)) range.refuse(fmt::format("no range, since the judge is not {}", judges_with(has_range, "or")));
         const auto ends = range.items(2, 2);
         check.range_low = ends[0].number(-1e9, 1e9);
@@ -153,17 +154,17 @@ void read_shared(const Field& field, const JudgeRecord& judge, Check& check)
 void read_own(const Field& field, const JudgeRecord& judge, Check& check)
 {
     for (const JudgeRecord* other : judges())
-        for (const std::string_view name : other->own_fields)
-            if (const Field own = field.member(std::string(name)); own.given() != (other == &judge))
-                own.refuse(fmt::format("{} if, and only if, the judge is \"{}\"", name, other->name));
+        for (const OwnField& one : other->own_fields)
+            if (const Field own = field.member(std::string(one.name)); own.given() != (other == &judge))
+                own.refuse(fmt::format("{} if, and only if, the judge is \"{}\"", one.name, other->name));
     if (judge.read_own != nullptr) judge.read_own(field, check);
 }
 
 Check read_check(const Field& field)
 {
-    std::vector<std::string_view> allowed{"case",      "value", "judge", "points", "hard",     "hidden", "pairs",
-                                          "tolerance", "full",  "zero",  "range",  "relation", "why"};
-    for (const JudgeRecord* judge : judges()) allowed.insert(allowed.end(), judge->own_fields.begin(), judge->own_fields.end());
+    std::vector<std::string_view> allowed(check_fields.begin(), check_fields.end());
+    for (const JudgeRecord* judge : judges())
+        for (const OwnField& own : judge->own_fields) allowed.push_back(own.name);
     field.allow_only(allowed);
     Check check;
     check.case_name = field.member("case").text(64);

@@ -10,6 +10,7 @@ extern constinit const JudgeRecord buffer_judge;
 constinit const JudgeRecord buffer_judge{
     .name = "buffer",
     .place = 2,
+    .compares = "cells of a buffer exactly",
     .pairs = true,
     .look = Look::values,
     .judge = [](const Question& q) { return judge_buffer(q.check, q.student, q.expected, !q.briefly); },

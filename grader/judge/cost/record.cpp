@@ -57,7 +57,12 @@ Evidence cost_evidence(const Check& check, const Observation& observation, bool 
     return evidence;
 }
 
-constexpr std::string_view own_fields[] = {"growth"};
+constexpr OwnField own_fields[] = {{"growth", R"({
+  "description": "Costs: the largest exponent of the size with which the count may grow.",
+  "type": "number",
+  "minimum": 0,
+  "maximum": 8
+})"}};
 
 }
 
@@ -65,6 +70,7 @@ extern constinit const JudgeRecord cost_judge;
 constinit const JudgeRecord cost_judge{
     .name = "cost",
     .place = 3,
+    .compares = "how counted work grows",
     .own_fields = own_fields,
     .read_own = read_growth,
     .free_rows = true,

@@ -8,6 +8,7 @@ extern constinit const JudgeRecord events_judge;
 constinit const JudgeRecord events_judge{
     .name = "events",
     .place = 0,
+    .compares = "sequences of events",
     .free_rows = true,
     .nothing_is_empty = true,
     .judge = [](const Question& q) { return judge_events(q.check, q.student, q.expected, q.names); },

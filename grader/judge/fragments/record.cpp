@@ -32,6 +32,7 @@ extern constinit const JudgeRecord fragments_judge;
 constinit const JudgeRecord fragments_judge{
     .name = "fragments",
     .place = 0,
+    .compares = "fragments by their pixels",
     .free_rows = true,
     .nothing_is_empty = true,
     .judge = [](const Question& q) { return judge_fragments(q.check, q.student, q.expected, q.names, !q.briefly); },

@@ -11,6 +11,7 @@ extern constinit const JudgeRecord image_judge;
 constinit const JudgeRecord image_judge{
     .name = "image",
     .place = 4,
+    .compares = "pictures",
     .look = Look::colours,
     .judge = [](const Question& q) { return judge_image(q.check, q.student, q.expected, !q.briefly); },
     .resemblance = same_picture,

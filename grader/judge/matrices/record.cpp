@@ -72,6 +72,7 @@ extern constinit const JudgeRecord matrices_judge;
 constinit const JudgeRecord matrices_judge{
     .name = "matrices",
     .place = 1,
+    .compares = "matrices",
     .needs_tolerance = true,
     .pairs = true,
     .judge = judge_matrices,

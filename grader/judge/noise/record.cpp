@@ -62,7 +62,9 @@ extern constinit const JudgeRecord noise_judge;
 constinit const JudgeRecord noise_judge{
     .name = "noise",
     .place = 3,
+    .compares = "the means of Monte Carlo estimates",
     .read_own = read_bias,
+    .schema_of_check = R"({"properties": {"tolerance": {"properties": {"ulps": false, "band_ulps": false}}}})",
     .most_in_course = most_noise_checks,
     .look = Look::light,
     .can_be_drawn = [](const Tensor& tensor) { return !is_table(tensor); },

@@ -29,6 +29,7 @@ extern constinit const JudgeRecord numbers_judge;
 constinit const JudgeRecord numbers_judge{
     .name = "numbers",
     .place = 1,
+    .compares = "numbers row by row",
     .needs_tolerance = true,
     .pairs = true,
     .judge = [](const Question& q) { return judge_rows(q.check, q.student, q.expected, q.margin, numbers); },

@@ -83,7 +83,16 @@ Resemblance same_trace(const FailingCheck& failing, const Tensor& mistake_tensor
     return alike(2 * telling, counted(*yours, "draw calls") == 0 && counted(*expected, "draw calls") > 0);
 }
 
-constexpr std::string_view own_fields[] = {"rules"};
+constexpr OwnField own_fields[] = {{"rules", R"({
+  "description": "Traces: what is counted against the reference.",
+  "type": "array",
+  "items": {
+    "enum": ["draw calls", "vertices", "uploaded bytes", "objects created", "objects deleted", "deprecated calls", "state changes"]
+  },
+  "minItems": 1,
+  "maxItems": 7,
+  "uniqueItems": true
+})"}};
 
 }
 
@@ -91,6 +100,7 @@ extern constinit const JudgeRecord trace_judge;
 constinit const JudgeRecord trace_judge{
     .name = "trace",
     .place = 0,
+    .compares = "traces of OpenGL calls",
     .own_fields = own_fields,
     .read_own = read_rules,
     .free_rows = true,
