@@ -8,6 +8,7 @@
 
 #include "batch/case_results.hpp"
 #include "batch/evidence.hpp"
+#include "judge/cost/cost.hpp"
 #include "judge/judge.hpp"
 #include "judge/make.hpp"
 #include "judge/trace/trace_counts.hpp"
@@ -165,7 +166,9 @@ Scene everything()
         quadratic.insert(quadratic.end(), {size, 3 * size * size + 40});
         linear.insert(linear.end(), {size, 12 * size + 55});
     }
-    add(scene, check("growth/blocks", JudgeKind{"cost"}), table(Element::float64, 2, quadratic), table(Element::float64, 2, linear));
+    Check growth = check("growth/blocks", JudgeKind{"cost"});
+    growth.own = CostParameters{};
+    add(scene, growth, table(Element::float64, 2, quadratic), table(Element::float64, 2, linear));
     return scene;
 }
 
