@@ -1,8 +1,7 @@
 #include "batch/class_book.hpp"
 
 #include "model/faults.hpp"
-#include "report/html/pages.hpp"
-#include "report/json_files.hpp"
+#include "report/formats.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -46,9 +45,7 @@ ClassResult ClassBook::result() const
 void ClassBook::publish() const
 {
     const ClassResult all = result();
-    const std::filesystem::path& out = plan_.out.path();
-    write_class_json(out / "class.json", all);
-    html::write_page(out / "index.html", html::class_html(all, {english_titles(plan_.course), plan_.plan.instructor_edition}));
+    write_reports(plan_.out.path(), ClassReport{all, english_titles(plan_.course), plan_.plan.instructor_edition});
 }
 
 void ClassBook::publish_if_due()

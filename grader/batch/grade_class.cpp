@@ -16,6 +16,7 @@
 #include "model/digest.hpp"
 #include "model/faults.hpp"
 #include "model/recording.hpp"
+#include "report/formats.hpp"
 #include "store/distinct_folders.hpp"
 #include "store/refused_folder.hpp"
 #include "store/report_folder.hpp"
@@ -118,6 +119,7 @@ public:
     ClassGrading run()
     {
         agree_on_grading(out_, key_plan_.grading, submissions_, options_.fresh);
+        for (const auto& file : class_files()) out_.tidy(file.name);
         ClassGrading done;
         look(done);
         {

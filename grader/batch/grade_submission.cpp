@@ -9,9 +9,8 @@
 #include "batch/grade_unit.hpp"
 #include "batch/submission_parts.hpp"
 #include "model/faults.hpp"
-#include "report/hidden.hpp"
+#include "report/formats.hpp"
 #include "report/html/pages.hpp"
-#include "report/json_files.hpp"
 #include "report/paint.hpp"
 #include "store/kept_unit.hpp"
 #include "store/report_folder.hpp"
@@ -77,25 +76,14 @@ std::string change(const std::optional<KeptUnit>& before, const UnitResult& now)
 
 void write_reports(const SubmissionPlan& plan, const fs::path& folder, const SubmissionResult& result, const std::vector<Part>& parts)
 {
-    const Fingerprint& fingerprint = plan.plan.fingerprint;
-    write_report_json(folder / "report.json", result, fingerprint);
-    write_report_json(folder / "report.student.json", without_hidden_values(result), fingerprint);
-    html::ReportOptions options;
-    options.titles = english_titles(plan.course);
-    std::vector<std::string> sections;
-    for (const Part& part : parts) sections.push_back(part.sections.student);
-    html::write_page(folder / "report.html", html::report_from_sections(result, fingerprint, sections, options));
-    const fs::path instructors = folder / "report.instructor.html";
-    if (!plan.plan.instructor_edition) {
-        fs::remove(instructors);
-        return;
+    const auto titles = english_titles(plan.course);
+    SubmissionReport report{result, plan.plan.fingerprint, titles, plan.plan.instructor_edition};
+    for (const Part& part : parts) {
+        report.student_sections.push_back(part.sections.student);
+        // A unit of an earlier run may lack this edition: the student's says less, and nothing wrong.
+        report.instructor_sections.push_back(part.sections.instructor.empty() ? part.sections.student : part.sections.instructor);
     }
-    options.edition = html::Edition::instructor;
-    options.class_page = "../index.html";
-    // A unit of an earlier run may lack this edition: the student's says less, and nothing wrong.
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        if (!parts[i].sections.instructor.empty()) sections[i] = parts[i].sections.instructor;
-    html::write_page(instructors, html::report_from_sections(result, fingerprint, sections, options));
+    write_reports(folder, report);
 }
 
 }

@@ -84,8 +84,10 @@ ReportsFolder::ReportsFolder(const fs::path& out, const Grading& grading) : grad
             path_.string()));
     lock_ = locked_mark(grading, false);
     if (const std::optional<Mark> mark = read_mark(path_)) grading_ = mark->grading;
-    for (const char* const file : {mark_name, "class.json", "index.html"}) remove_temporaries(path_, file);
+    remove_temporaries(path_, mark_name);
 }
+
+void ReportsFolder::tidy(std::string_view file) const noexcept { remove_temporaries(path_, file); }
 
 void ReportsFolder::set_grading(const Grading& grading)
 {

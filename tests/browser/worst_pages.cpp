@@ -8,6 +8,7 @@
 
 #include "batch/case_results.hpp"
 #include "batch/evidence.hpp"
+#include "collect/sources.hpp"
 #include "judge/cost/cost.hpp"
 #include "judge/judge.hpp"
 #include "judge/make.hpp"
@@ -251,20 +252,20 @@ int main(int count, char** words)
     }
     add_up(submission);
     Fingerprint fingerprint{"0.1.0", "0123456789ab", "a processor", "a compiler", "what draws", "a library", {"landlock 4", "seccomp"}};
-    html::write_page(folder / "worst.html", html::report_html(submission, fingerprint, gallery));
+    write_text(folder / "worst.html", html::report_html(submission, fingerprint, gallery));
     Image goal(64, 48, glm::u8vec4(40, 120, 200, 255));
     const std::vector<html::CatalogueEntry> entries = {
         {"meshes", "meshes/one", "A <b>title</b> & \"more\"", 10000, {"problem 1", "lab <2>"}, "2 checks: numbers, image; 1 hidden", html::encode(goal)},
         {"meshes", "meshes/" + std::string(80, 'x'), std::string(200, 'w'), 1, {}, "1 check: numbers", {}},
         {"transforms", "transforms/two", "Two", 2500, {"problem 2"}, "1 check: image", html::encode(goal)}};
-    html::write_page(folder / "catalogue.html", html::catalogue_html(entries, "en", "0.1.0"));
+    write_text(folder / "catalogue.html", html::catalogue_html(entries, "en", "0.1.0"));
     for (const int units : {1, 8, 46}) {
         html::ClassPageOptions options;
         for (int u = 0; u < units; ++u)
             options.titles["transformations/unit-" + std::to_string(u + 1)] = "Where a ray meets a sphere, number " + std::to_string(u + 1);
-        html::write_page(folder / ("class-" + std::to_string(units) + ".html"), html::class_html(class_of(units), options));
+        write_text(folder / ("class-" + std::to_string(units) + ".html"), html::class_html(class_of(units), options));
     }
-    html::write_page(folder / "empty.html", html::report_html({}, {}, {}));
+    write_text(folder / "empty.html", html::report_html({}, {}, {}));
     std::printf("%s\n", (folder / "worst.html").c_str());
     return 0;
 }

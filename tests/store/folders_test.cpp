@@ -99,6 +99,7 @@ TEST(ReportsFolder, removes_its_own_temporaries_and_nothing_else)
     for (const char* name : {"notes.tmp-1-0", "class.json.tmp-1", "class.json.old", "grades.csv"}) folder.write(std::string("out/") + name, "mine");
     fs::create_directories(folder / "out/class.json.tmp-2-0");
     const ReportsFolder out(folder / "out", grading);
+    for (const char* name : {"class.json", "index.html"}) out.tidy(name);
     EXPECT_FALSE(fs::exists(folder / "out/class.json.tmp-1-0"));
     EXPECT_FALSE(fs::exists(folder / "out/index.html.tmp-77-3"));
     for (const char* name : {"notes.tmp-1-0", "class.json.tmp-1", "class.json.old", "grades.csv", "class.json.tmp-2-0"})

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "model/scorecard.hpp"
@@ -12,9 +10,6 @@
 #include "report/html/picture.hpp"
 
 namespace umbral::grader::html {
-
-/// Writes a page whole or not at all. Throws std::runtime_error with path and reason.
-void write_page(const std::filesystem::path& path, std::string_view page);
 
 /// Who reads a page: a student's shows no more of hidden checks than without_hidden_values leaves.
 enum class Edition { student, instructor };
