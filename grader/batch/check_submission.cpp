@@ -1,6 +1,7 @@
 #include "batch/check_submission.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <system_error>
 
 #include "batch/fingerprint.hpp"
@@ -19,6 +20,9 @@ namespace fs = std::filesystem;
 
 /// Results take some kilobytes a unit, pages some hundred.
 constexpr std::uintmax_t most_kept = std::uintmax_t{128} << 20U;
+
+/// Of 46 units, the runs of references and oracles take 41 MiB; those of mistakes come as they are needed.
+constexpr std::uintmax_t most_runs = std::uintmax_t{512} << 20U;
 
 /// Where the last results of a workspace lie.
 fs::path kept_folder(const Toolchain& tools, const fs::path& workspace) { return entry_of(checks_folder(tools.cache), sha256_hex(workspace.string())); }
@@ -98,15 +102,16 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
     checked.fingerprint = fingerprint(crew.first(), exercises);
     KeyPlan key_plan{checked.fingerprint, {}, plan.explain, false};
     key_plan.grading.attempt = plan.attempt;
-    const UnitKeys keys(tools, exercises, key_plan);
+    const auto keys = std::make_shared<const UnitKeys>(tools, exercises, key_plan);
     const SubmittedFiles submitted = read_submission(plan.folder, exercises, archive_tools(tools));
     const fs::path folder = kept_folder(tools, workspace);
+    if (!plan.fresh) crew.keep_runs(keys);
 
     std::vector<Part> parts(exercises.size());
     crew.share_out(exercises.size(), [&](Workshop& workshop, std::size_t i) {
         const Exercise& exercise = exercises[i];
         const Handed handed = collect(submitted, exercise);
-        const std::string key = key_of(keys, exercise, handed, plan);
+        const std::string key = key_of(*keys, exercise, handed, plan);
         const fs::path file = unit_file(folder, exercise.id);
         if (std::optional<Last> last = last_check(file, key, plan, workspace)) {
             parts[i] = {std::move(last->unit.result), std::move(last->section), true};
@@ -114,6 +119,7 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
         }
         parts[i] = check_unit(workshop, exercise, handed, plan, workspace);
         const UnitResult& result = parts[i].result;
+        mark_used(entry_of(runs_folder(tools.cache), keys->of_unit(exercise)));
         const bool lasting = result.settled && result.verdict != Verdict::grader_fault;
         try_to_keep(file, {lasting ? key : "", machine_digest(checked.fingerprint), result}, parts[i].section);
     });
@@ -123,7 +129,10 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
         if (plan.pages) checked.sections.push_back(std::move(parts[i].section));
     }
     mark_used(folder);
-    if (checked.kept < parts.size()) prune_entries(checks_folder(tools.cache), most_kept);
+    if (checked.kept < parts.size()) {
+        prune_entries(checks_folder(tools.cache), most_kept);
+        prune_entries(runs_folder(tools.cache), most_runs);
+    }
     add_up(checked.result);
     checked.result = without_hidden_values(std::move(checked.result));
     return checked;

@@ -16,10 +16,20 @@ Crew::Crew(Workshop& only) : only_(&only) {}
 std::vector<Workshop*> Crew::workshops(std::size_t count)
 {
     if (only_ != nullptr) return {only_};
-    while (own_.size() < std::min(count, jobs_)) own_.push_back(std::make_unique<Workshop>(*tools_));
+    while (own_.size() < std::min(count, jobs_)) {
+        own_.push_back(std::make_unique<Workshop>(*tools_));
+        own_.back()->keep_runs(keys_);
+    }
     std::vector<Workshop*> all;
     for (const auto& workshop : own_) all.push_back(workshop.get());
     return all;
+}
+
+void Crew::keep_runs(std::shared_ptr<const UnitKeys> keys)
+{
+    keys_ = std::move(keys);
+    if (only_ != nullptr) only_->keep_runs(keys_);
+    for (const auto& workshop : own_) workshop->keep_runs(keys_);
 }
 
 Workshop& Crew::first() { return *workshops(1).front(); }

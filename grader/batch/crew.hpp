@@ -20,6 +20,9 @@ public:
     /// One worker, with a workshop of somebody else's, which must outlive the crew.
     explicit Crew(Workshop& only);
 
+    /// Workshop::keep_runs for every worker, those to come too.
+    void keep_runs(std::shared_ptr<const UnitKeys> keys);
+
     /// Gives the numbers 0 to count - 1 to the workers, in order; each takes the next number when it is done with one. The first exception
     /// stops all, and is thrown again when every worker has ended.
     void share_out(std::size_t count, const Task& task);
@@ -33,6 +36,7 @@ private:
     const Toolchain* tools_ = nullptr;
     std::size_t jobs_ = 1;
     Workshop* only_ = nullptr;
+    std::shared_ptr<const UnitKeys> keys_;
     std::vector<std::unique_ptr<Workshop>> own_;
 };
 

@@ -31,14 +31,13 @@ void add_folder(Sha256& hash, const fs::path& folder)
     for (const fs::path& file : files) add_file(hash, file);
 }
 
+/// The programs that a result comes from; the engine's and the debugger's are not among them.
+constexpr const char* programs[] = {"umbral", "umbral-confine", "umbral-inspect", "umbral-spawner", "umbral-spawner-gl", "umbral-unpack"};
+
 /// The programs and libraries of Umbral itself: whatever was built anew may judge or draw otherwise.
 void add_installation(Sha256& hash, const Toolchain& tools)
 {
-    std::vector<fs::path> programs;
-    for (const auto& entry : fs::directory_iterator(tools.programs))
-        if (entry.path().filename().string().starts_with("umbral")) programs.push_back(entry.path());
-    std::ranges::sort(programs);
-    for (const fs::path& program : programs) add_file(hash, program);
+    for (const char* const program : programs) add_file(hash, tools.programs / program);
     add_folder(hash, tools.programs.parent_path() / "lib");
     add_file(hash, tools.student_header.string() + ".gch");
     add_file(hash, tools.units / "framework-exports.txt");

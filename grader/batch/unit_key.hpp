@@ -28,6 +28,9 @@ public:
     /// SHA-256 over all that decides the result of one of the exercises for what a student handed in.
     [[nodiscard]] std::string key(const Exercise& exercise, const std::string& student, const Handed& handed) const;
 
+    /// … and over all of that but what the student handed in.
+    [[nodiscard]] const std::string& of_unit(const Exercise& exercise) const { return by_unit_.at(exercise.id); }
+
     /// SHA-256 over all that decides how a submission's report looks, given its results and titles.
     [[nodiscard]] const std::string& of_reports() const noexcept { return reports_; }
 

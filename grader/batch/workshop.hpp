@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,6 +11,8 @@
 #include "run/spawner.hpp"
 
 namespace umbral::grader {
+
+class UnitKeys;
 
 /// Whose answers a run gives.
 enum class Tenant { reference, oracle };
@@ -28,6 +31,10 @@ public:
 
     /// The spawner for a unit: with a warm OpenGL context if it draws.
     [[nodiscard]] Spawner& spawner(bool gl);
+
+    /// From now on trusted runs of visible cases are kept in the user's cache too, under the unit's key, and not run again as long as that
+    /// holds. Null: they are not.
+    void keep_runs(std::shared_ptr<const UnitKeys> keys) noexcept { keys_ = std::move(keys); }
 
     /// Lets go of remembered runs if they take too much memory; references to them end. Called between units.
     void forget_if_full();
@@ -55,6 +62,10 @@ private:
     [[nodiscard]] RunRequest trusted_request(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed);
     [[nodiscard]] std::filesystem::path library_of(const Exercise& exercise, const std::string& name);
     [[nodiscard]] WantedTensors wanted(const Exercise& exercise, const std::string& case_name, std::uint64_t seed);
+    [[nodiscard]] std::filesystem::path kept_file(const Exercise& exercise, const std::string& who, const std::string& case_name, std::uint64_t seed) const;
+    /// The outcome of a run of known code, from memory, from the disk, or from running it now.
+    [[nodiscard]] const RunOutcome& known(const Exercise& exercise, const std::string& who, const std::string& case_name, std::uint64_t seed,
+                                          const std::function<RunOutcome()>& run);
     const RunOutcome& remember(const std::string& key, RunOutcome outcome);
 
     Toolchain tools_;
@@ -63,6 +74,7 @@ private:
     std::unique_ptr<ScratchFolder> unveiled_;  ///< libraries of answers, where the installation has them veiled; made when first needed
     std::unique_ptr<Spawner> plain_;
     std::unique_ptr<Spawner> gl_;
+    std::shared_ptr<const UnitKeys> keys_;
     std::map<std::string, RunOutcome> remembered_;
     std::size_t remembered_bytes_ = 0;
 };

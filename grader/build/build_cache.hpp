@@ -21,6 +21,9 @@ void prune_entries(const std::filesystem::path& folder, std::uintmax_t limit) no
 /// Where the last results of checked workspaces lie in a cache.
 [[nodiscard]] inline std::filesystem::path checks_folder(const std::filesystem::path& cache) { return cache / "checks"; }
 
+/// Where trusted runs are kept (batch/workshop.hpp), an entry for each unit.
+[[nodiscard]] inline std::filesystem::path runs_folder(const std::filesystem::path& cache) { return cache / "runs"; }
+
 /// Notes that an entry was used now.
 void mark_used(const std::filesystem::path& entry) noexcept;
 
