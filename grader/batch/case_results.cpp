@@ -88,6 +88,11 @@ const Tensor* tensor_of(const RunOutcome& run, const std::string& name)
     return found == run.recording.tensors.end() ? nullptr : &found->second;
 }
 
+Expected expected_of(const Check& check, const RunOutcome& run)
+{
+    return {tensor_of(run, check.value), tensor_of(run, check.value + ".margin"), tensor_of(run, check.value + ".names")};
+}
+
 const Tensor* observed(const Check& check, const RunOutcome& run)
 {
     static const Tensor nothing;
@@ -99,16 +104,14 @@ const Tensor* observed(const Check& check, const RunOutcome& run)
 CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run, const RunOutcome& reference_run)
 {
     CheckResult result = blank_result(check);
-    const Tensor* expected = tensor_of(expected_run, check.value);
+    const auto [expected, margin, names] = expected_of(check, expected_run);
     const Tensor* reference = tensor_of(reference_run, check.value);
     if (expected == nullptr || reference == nullptr)
         throw std::runtime_error(fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
-    const Tensor* margin = tensor_of(expected_run, check.value + ".margin");
     if (check.hard) result.reference_error = judge(check, *reference, *expected, margin).error;
 
     result.message = kept_from_judging(check, one, expected_run);
     if (!result.message.empty()) return result;
-    const Tensor* names = tensor_of(expected_run, check.value + ".names");
     Judgement judgement;
     BestControl control;
     if (check.relation) {

@@ -52,6 +52,14 @@ void take_judgement(const Check& check, const Judgement& judgement, double contr
 /// What a run recorded for this check, or null. Fragments and events come row by row: none at all is an empty table.
 [[nodiscard]] const Tensor* observed(const Check& check, const RunOutcome& run);
 
+/// What trusted code recorded for a check; null where it recorded nothing. judge() says what margin and names are.
+struct Expected {
+    const Tensor* value = nullptr;
+    const Tensor* margin = nullptr;
+    const Tensor* names = nullptr;
+};
+[[nodiscard]] Expected expected_of(const Check& check, const RunOutcome& run);
+
 /// The recorded tensor of that name, or null.
 [[nodiscard]] const Tensor* tensor_of(const RunOutcome& run, const std::string& name);
 

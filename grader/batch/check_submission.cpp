@@ -84,12 +84,10 @@ Part check_unit(Workshop& workshop, const Exercise& exercise, const Handed& hand
     options.explain = plan.explain;
     options.relative_to = workspace;
     options.artefacts = workspace / "umbral-pictures";
-    html::Gallery gallery;
-    if (plan.pages) options.gallery = &gallery;
-    Part part;
-    part.result = grade_unit(workshop, exercise, handed, options);
-    if (plan.pages) part.section = html::section_html(part.result, gallery[exercise.id], html::Edition::student);
-    return part;
+    if (!plan.pages) return {grade_unit(workshop, exercise, handed, options), ""};
+    auto [result, detail] = grade_with_evidence(workshop, exercise, handed, options);
+    std::string section = html::section_html(result, detail, html::Edition::student);
+    return {std::move(result), std::move(section)};
 }
 
 }

@@ -29,16 +29,6 @@ std::string bounds_in_words(const Tolerance& tolerance)
     return text;
 }
 
-}
-
-Evidence evidence_of(const Check& check, const Observation& observation, bool right)
-{
-    if (observation.yours == nullptr || observation.expected == nullptr) return {};
-    if (!well_formed(*observation.yours) || !well_formed(*observation.expected)) return {};
-    const auto make = judge_of(check).evidence;
-    return make == nullptr ? Evidence{} : make(check, observation, right);
-}
-
 html::CheckDetail describe(const Check& check)
 {
     html::CheckDetail detail;
@@ -53,18 +43,27 @@ html::CheckDetail describe(const Check& check)
     return detail;
 }
 
-void describe_unit(const Exercise& exercise, const GradeOptions& options)
-{
-    if (options.gallery == nullptr) return;
-    html::UnitDetail& unit = (*options.gallery)[exercise.id];
-    if (const auto english = exercise.title.find("en"); english != exercise.title.end()) unit.title = english->second;
-    for (const Check& check : exercise.checks) unit.checks[check.name] = describe(check);
 }
 
-void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, const UnitResult& result)
+Evidence evidence_of(const Check& check, const Observation& observation, bool right)
 {
-    if (options.gallery == nullptr) return;
-    html::UnitDetail& unit = (*options.gallery)[exercise.id];
+    if (observation.yours == nullptr || observation.expected == nullptr) return {};
+    if (!well_formed(*observation.yours) || !well_formed(*observation.expected)) return {};
+    const auto make = judge_of(check).evidence;
+    return make == nullptr ? Evidence{} : make(check, observation, right);
+}
+
+html::UnitDetail describe(const Exercise& exercise)
+{
+    html::UnitDetail unit;
+    if (const auto english = exercise.title.find("en"); english != exercise.title.end()) unit.title = english->second;
+    for (const Check& check : exercise.checks) unit.checks[check.name] = describe(check);
+    return unit;
+}
+
+void add_evidence(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, const UnitResult& result,
+                  html::UnitDetail& unit)
+{
     bool one_shown = false;
     int pictures = 0;
     // In the order in which a page shows them: where there are too many pictures, buffers come before colours.
@@ -81,8 +80,8 @@ void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseRe
         if (!of_interest || (check.hidden && !options.show_hidden) || !one.trouble().empty()) continue;
         const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
         const ExpectedSide side = expected_side(check, one.student, expected);
-        const Observation observation{observed(check, one.student), side.tensor.get(), tensor_of(expected, check.value + ".margin"),
-                                      tensor_of(expected, check.value + ".names"), result.checks[i].sketch};
+        const auto [value, margin, names] = expected_of(check, expected);
+        const Observation observation{observed(check, one.student), side.tensor.get(), margin, names, result.checks[i].sketch};
         Evidence evidence = evidence_of(check, observation, right);
         if (auto* picture = std::get_if<PictureEvidence>(&evidence)) picture->expected_side = side.words;
         if (is_picture(check)) ++pictures;

@@ -11,14 +11,12 @@ namespace umbral::grader {
 /// recorded.
 [[nodiscard]] Evidence evidence_of(const Check& check, const Observation& observation, bool right);
 
-/// What the manifest says of a check: bounds in words, and where they come from.
-[[nodiscard]] html::CheckDetail describe(const Check& check);
+/// What the manifest says of a unit and its checks: bounds in words, and where they come from.
+[[nodiscard]] html::UnitDetail describe(const Exercise& exercise);
 
-/// Puts what the manifest says of this unit into the options' gallery.
-void describe_unit(const Exercise& exercise, const GradeOptions& options);
-
-/// Puts evidence into the options' gallery: for every check that fails, and for one picture of a unit that is right. Hidden checks are
-/// left out unless the options ask for them.
-void collect_evidence(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, const UnitResult& result);
+/// Adds evidence to a unit's details: for every check that fails, and for one picture of a unit that is right. Hidden checks are left out
+/// unless the options ask for them.
+void add_evidence(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, const UnitResult& result,
+                  html::UnitDetail& unit);
 
 }

@@ -37,10 +37,10 @@ std::vector<CaseChecks> by_case(Workshop& workshop, const Exercise& exercise, co
         if (declared.relation && !fails) continue;
         const RunOutcome& expected = workshop.trusted(exercise, judged_against(declared), declared.case_name, group.result->seed);
         const Check& check = declared.relation ? plain.emplace_back(against_reference(declared, group.result->student, expected)) : declared;
-        group.checks.push_back(
-            {&check, observed(check, group.result->student), tensor_of(expected, check.value), tensor_of(expected, check.value + ".margin"), fails});
+        const Expected side = expected_of(check, expected);
+        group.checks.push_back({&check, observed(check, group.result->student), side.value, side.margin, fails});
         group.failing += fails ? 1 : 0;
-        if (const Tensor* right = tensor_of(expected, check.value)) group.cells += right->cells();
+        if (side.value != nullptr) group.cells += side.value->cells();
     }
     std::erase_if(groups, [](const CaseChecks& group) { return group.checks.empty(); });
     // Never by time: which mistakes are left out early depends on the order, and two gradings must agree.

@@ -42,12 +42,10 @@ Part grade_part(Workshop& workshop, const SubmissionPlan& plan, const Exercise& 
     options.show_hidden = plan.plan.instructor_edition;
     options.relative_to = folder;
     options.artefacts = folder / "pictures";
-    html::Gallery gallery;
-    options.gallery = &gallery;
+    auto [result, detail] = grade_with_evidence(workshop, exercise, handed, options);
     Part part;
     part.unit.machine = machine_digest(plan.plan.fingerprint);
-    part.unit.result = grade_unit(workshop, exercise, handed, options);
-    const html::UnitDetail& detail = gallery[exercise.id];
+    part.unit.result = std::move(result);
     part.sections.student = html::section_html(part.unit.result, detail, html::Edition::student);
     if (plan.plan.instructor_edition) part.sections.instructor = html::section_html(part.unit.result, detail, html::Edition::instructor);
     return part;

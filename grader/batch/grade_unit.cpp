@@ -129,7 +129,8 @@ std::size_t bytes_of(const Sources& files)
 /// Was this run stopped by the clock while it hardly computed? It may have waited, or the machine may have been busy with others.
 bool was_starved(const RunOutcome& run, const Limits& limits) { return run.verdict == Verdict::timeout && run.cpu_seconds < 0.5 * limits.wall_seconds; }
 
-UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built& built, const GradeOptions& options)
+/// `detail`, unless it is null, is given evidence.
+UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built& built, const GradeOptions& options, html::UnitDetail* detail)
 {
     if (built.verdict != Verdict::ok) {
         UnitResult result = without_points(exercise, built.verdict, built.message);
@@ -164,7 +165,7 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
     result.output = printed_text(exercise, cases);
     if (options.explain && result.verdict != Verdict::ok) result.explanations = explain_unit(workshop, exercise, result, cases);
     if (!options.artefacts.empty()) save_pictures(workshop, exercise, cases, options, result);
-    collect_evidence(workshop, exercise, cases, options, result);
+    if (detail != nullptr) add_evidence(workshop, exercise, cases, options, result, *detail);
     return result;
 }
 
@@ -175,7 +176,6 @@ UnitResult guarded(Workshop& workshop, const Exercise& exercise, const GradeOpti
     UnitResult result;
     try {
         workshop.forget_if_full();
-        describe_unit(exercise, options);
         result = grade();
     } catch (const std::exception& fault) {
         result = grader_fault(exercise, fault.what());
@@ -184,9 +184,7 @@ UnitResult guarded(Workshop& workshop, const Exercise& exercise, const GradeOpti
     return result;
 }
 
-}
-
-UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& given)
+UnitResult grade_handed(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& given, html::UnitDetail* detail)
 {
     GradeOptions options = given;
     UnitResult result = guarded(workshop, exercise, options, [&] {
@@ -198,11 +196,25 @@ UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed
                 exercise, Verdict::missing,
                 fmt::format("not read: the files of this unit take {} KiB together, and at most {} KiB are taken", bytes >> 10U, caps::unit_sources >> 10U));
         if (equals_stub(handed.files, exercise)) return without_points(exercise, Verdict::not_implemented, "the file is still the stub");
-        return grade_built(workshop, exercise, build(workshop.tools(), exercise, handed.files), options);
+        return grade_built(workshop, exercise, build(workshop.tools(), exercise, handed.files), options, detail);
     });
     // A fault's message is kept as it is: others look for its cause in it.
     if (!handed.notes.empty() && result.verdict != Verdict::grader_fault) result.message = fmt::format("{}\n{}", fmt::join(handed.notes, "\n"), result.message);
     return result;
+}
+
+}
+
+UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options)
+{
+    return grade_handed(workshop, exercise, handed, options, nullptr);
+}
+
+GradedUnit grade_with_evidence(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options)
+{
+    GradedUnit graded{{}, describe(exercise)};
+    graded.result = grade_handed(workshop, exercise, handed, options, &graded.detail);
+    return graded;
 }
 
 UnitResult grade_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, const GradeOptions& options)
@@ -213,8 +225,8 @@ UnitResult grade_mistake(Workshop& workshop, const Exercise& exercise, const Spe
         const std::filesystem::path library = unit_folder(workshop.tools(), exercise.id) / "mistakes" / (mistake.name + ".so");
         const bool is_there = std::filesystem::exists(library);
         return grade_built(workshop, exercise,
-                           is_there ? adopt(workshop.tools(), exercise, mistake.sources, library) : build(workshop.tools(), exercise, mistake.sources),
-                           options);
+                           is_there ? adopt(workshop.tools(), exercise, mistake.sources, library) : build(workshop.tools(), exercise, mistake.sources), options,
+                           nullptr);
     });
 }
 

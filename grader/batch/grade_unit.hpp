@@ -20,15 +20,23 @@ struct GradeOptions {
     bool explain = true;
     std::filesystem::path artefacts;    ///< where pictures go; empty for none
     std::filesystem::path relative_to;  ///< pictures are named relative to this in the report
-    html::Gallery* gallery = nullptr;   ///< receives what pages show of the unit beside its result; null for nothing
-    bool show_hidden = false;           ///< of hidden checks too: for instructors only
+    bool show_hidden = false;           ///< evidence of hidden checks too: for instructors only
 };
 
 /// Grades what was handed in for one unit. Never throws for what a student did; what goes wrong on our side becomes the verdict
 /// grader_fault, which takes the unit out of the sum.
 [[nodiscard]] UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options);
 
-/// The same for one of the unit's mistakes, which was compiled with the project: what explains students' results is itself graded.
+/// A graded unit, and what pages show of it beside its result.
+struct GradedUnit {
+    UnitResult result;
+    html::UnitDetail detail;
+};
+
+/// The same with evidence.
+[[nodiscard]] GradedUnit grade_with_evidence(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options);
+
+/// grade_unit for one of the unit's mistakes, which was compiled with the project: what explains students' results is itself graded.
 [[nodiscard]] UnitResult grade_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, const GradeOptions& options);
 
 }

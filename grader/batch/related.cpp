@@ -45,8 +45,8 @@ Check against_reference(const Check& check, const RunOutcome& student, const Run
 {
     const auto wrong = [&](const Check& plain) {
         const Tensor* yours = observed(plain, student);
-        const Tensor* target = tensor_of(expected, plain.value);
-        return yours != nullptr && target != nullptr && judge(plain, *yours, *target, tensor_of(expected, plain.value + ".margin")).right < 1;
+        const Expected target = expected_of(plain, expected);
+        return yours != nullptr && target.value != nullptr && judge(plain, *yours, *target.value, target.margin).right < 1;
     };
     const Check own = with_value(check, check.value);
     const Check other = with_value(check, check.relation->to);

@@ -12,12 +12,12 @@ namespace {
 Judgement judged(Workshop& workshop, const Exercise& exercise, const Check& check, const CaseResult& one)
 {
     Judgement judgement;
-    const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
-    const Tensor* right = tensor_of(expected, check.value);
-    if (right == nullptr) throw std::runtime_error(fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
-    judgement.message = kept_from_judging(check, one, expected);
+    const RunOutcome& run = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
+    const Expected expected = expected_of(check, run);
+    if (expected.value == nullptr) throw std::runtime_error(fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
+    judgement.message = kept_from_judging(check, one, run);
     if (!judgement.message.empty()) return judgement;
-    return judge(check, *observed(check, one.student), *right, nullptr, tensor_of(expected, check.value + ".names"));
+    return judge(check, *observed(check, one.student), *expected.value, nullptr, expected.names);
 }
 
 }

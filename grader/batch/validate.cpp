@@ -107,16 +107,15 @@ struct ControlShares {
 ControlShares control_shares(const Check& check, const RunOutcome& run, std::uint64_t seed)
 {
     ControlShares shares;
-    const Tensor* margin = tensor_of(run, check.value + ".margin");
+    const auto [value, margin, names] = expected_of(check, run);
     if (check.relation) {
         const RelationJudge relation(check, related_tensors(check, run), margin, seed);
         for (const RelatedControl& control : relation.controls()) shares.right.emplace_back(control.name, relation.judge(control.tensors()).right);
         shares.best = relation.best_control().right;
         return shares;
     }
-    const Tensor& expected = *tensor_of(run, check.value);
-    for (const auto& [name, tensor] : controls(check, expected, seed)) shares.right.emplace_back(name, judge(check, tensor, expected, margin).right);
-    shares.best = best_control(check, expected, margin, seed).right;
+    for (const auto& [name, tensor] : controls(check, *value, seed)) shares.right.emplace_back(name, judge(check, tensor, *value, margin).right);
+    shares.best = best_control(check, *value, margin, seed).right;
     return shares;
 }
 

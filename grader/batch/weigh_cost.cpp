@@ -59,7 +59,7 @@ std::optional<std::string> objection_to(Workshop& workshop, const Exercise& exer
     if (!cost) throw std::runtime_error("check '" + check.name + "': the reference recorded no table of costs");
     std::vector<double> sizes;
     for (const CostRow& row : *cost) sizes.push_back(row.size);
-    return measured_objection(workshop, exercise, check, built, one.seed, sizes, text_of(tensor_of(reference, check.value + ".names")));
+    return measured_objection(workshop, exercise, check, built, one.seed, sizes, text_of(expected_of(check, reference).names));
 }
 
 }

@@ -60,10 +60,10 @@ private:
         for (const Check& check : exercise_.checks) {
             const CaseResult& one = cases.at(check.case_name);
             const RunOutcome& run = workshop_.trusted(exercise_, judged_against(check), check.case_name, one.seed);
-            const Tensor* expected = tensor_of(run, check.value);
+            const auto [expected, margin, names] = expected_of(check, run);
             const Tensor* yours = observed(check, one.student);
             const bool right = one.trouble().empty() && yours != nullptr && expected != nullptr && !shape_error(check, *yours, *expected) &&
-                               fraction_right(check, *yours, *expected, tensor_of(run, check.value + ".margin")) >= check.full;
+                               fraction_right(check, *yours, *expected, margin) >= check.full;
             result.checks.push_back(blank_result(check));
             result.checks.back().score = right ? check.points : 0;
             result.score += result.checks.back().score;
@@ -97,9 +97,8 @@ private:
         for (const Check& check : exercise_.checks) {
             if (check.case_name != name || !judge_of(check).plain_values) continue;
             const RunOutcome& run = workshop_.trusted(exercise_, judged_against(check), name, seed);
-            const Tensor* expected = tensor_of(run, check.value);
-            if (expected == nullptr || fraction_right(check, rounded_otherwise(*expected, random), *expected, tensor_of(run, check.value + ".margin")) < 1)
-                values.insert(check.value);
+            const auto [expected, margin, names] = expected_of(check, run);
+            if (expected == nullptr || fraction_right(check, rounded_otherwise(*expected, random), *expected, margin) < 1) values.insert(check.value);
         }
         return values;
     }

@@ -43,6 +43,19 @@ std::string_view to_string(Verdict verdict) { return names_of(verdict).in_json; 
 
 std::string_view in_words(Verdict verdict) { return names_of(verdict).in_words; }
 
+bool never_ran(Verdict verdict)
+{
+    switch (verdict) {
+        case Verdict::missing:
+        case Verdict::compile_error:
+        case Verdict::interface_mismatch:
+        case Verdict::forbidden:
+        case Verdict::not_implemented:
+        case Verdict::grader_fault: return true;
+        default: return false;
+    }
+}
+
 Verdict verdict_from(std::string_view name)
 {
     std::string known;

@@ -25,6 +25,8 @@ enum class Verdict {
 [[nodiscard]] std::string_view to_string(Verdict verdict);
 /// The same in words for people: "not implemented yet".
 [[nodiscard]] std::string_view in_words(Verdict verdict);
+/// Did no case run, so that listing checks would only repeat the verdict?
+[[nodiscard]] bool never_ran(Verdict verdict);
 /// The verdict of that JSON name. Throws std::invalid_argument for any other text.
 [[nodiscard]] Verdict verdict_from(std::string_view name);
 

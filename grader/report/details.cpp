@@ -109,20 +109,6 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
     }
 }
 
-/// Did no case run, so that listing checks would only repeat the verdict?
-bool never_ran(const UnitResult& unit)
-{
-    switch (unit.verdict) {
-        case Verdict::missing:
-        case Verdict::compile_error:
-        case Verdict::interface_mismatch:
-        case Verdict::forbidden:
-        case Verdict::not_implemented:
-        case Verdict::grader_fault: return true;
-        default: return false;
-    }
-}
-
 std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* failing, const Paint& paint)
 {
     const std::string id = shell_word(unit.id);
@@ -168,7 +154,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
     const std::string id = shorten(paint.safe(unit.id), width - display_width(words) - 6, paint.ellipsis());
     std::string result = fmt::format("\n  {} {}  {}", paint.mark(verdict), paint(Tone::strong, id), paint(tone_of(verdict), words));
     block.labelled("", excerpt(unit.message, block.room(), paint));
-    const bool ran = !never_ran(unit);
+    const bool ran = !never_ran(unit.verdict);
     if (ran && shown != nullptr) add_first_failing(block, *shown, paint);
     if (shown == nullptr && hidden_fails) block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
     add_reasons(block, unit);

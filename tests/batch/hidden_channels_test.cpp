@@ -78,30 +78,24 @@ struct StudentsEdition {
     std::string terminal;
 };
 
-StudentsEdition edition_of(UnitResult unit, const html::Gallery& gallery)
+StudentsEdition edition_of(UnitResult unit, const html::UnitDetail& detail)
 {
     unit.seconds = unit.reference_seconds = 0;
     SubmissionResult submission{"ada", 0, 0, {std::move(unit)}};
     add_up(submission);
-    return {to_json(without_hidden_values(submission), {}).dump(1), html::report_html(submission, {}, gallery), terminal_report(submission, {})};
+    return {to_json(without_hidden_values(submission), {}).dump(1), html::report_html(submission, {}, {{submission.units.front().id, detail}}),
+            terminal_report(submission, {})};
 }
 
 class HiddenChannel : public testing::TestWithParam<Channel> {
 protected:
-    struct Graded {
-        UnitResult unit;
-        html::Gallery gallery;
-    };
-    Graded grade(const Sources& files, const std::string& secret)
+    GradedUnit grade(const Sources& files, const std::string& secret)
     {
-        Graded graded;
         GradeOptions options;
         options.seeds.secret = secret;
-        options.gallery = &graded.gallery;
         // What instructors get must not change what students do.
         options.show_hidden = true;
-        graded.unit = grade_unit(workshop, exercise, {files, {}, ""}, options);
-        return graded;
+        return grade_with_evidence(workshop, exercise, {files, {}, ""}, options);
     }
 
     Workbench bench;
@@ -115,20 +109,20 @@ TEST_P(HiddenChannel, says_nothing_to_students)
     const bool ordinary = code.find("raw(") == std::string::npos && code.find("find()") == std::string::npos;
     const Sources files = ordinary ? Sources{{"sphere.cpp", sphere_with(secret_of_inputs, code)}}
                                    : planted(bench, sphere_with(raw_calls + find_recording + secret_of_inputs, code));
-    const Graded one = grade(files, "one secret");
-    const StudentsEdition a = edition_of(one.unit, one.gallery);
-    const auto full = [](const Graded& graded) { return to_json(graded.unit)["checks"].dump(); };
+    const GradedUnit one = grade(files, "one secret");
+    const StudentsEdition a = edition_of(one.result, one.detail);
+    const auto full = [](const GradedUnit& graded) { return to_json(graded.result)["checks"].dump(); };
     bool carried = !GetParam().in_instructors;
     // A channel of a bit or two says the same of many secrets.
     for (int i = 0; i < 8 && (i == 0 || !carried); ++i) {
-        const Graded other = grade(files, "another " + std::to_string(i));
-        for (const Graded* graded : {&one, &other}) {
-            ASSERT_NE(to_string(graded->unit.verdict), "grader_fault") << graded->unit.message;
-            ASSERT_NE(to_string(graded->unit.verdict), "compile_error") << graded->unit.message;
-            ASSERT_NE(to_string(graded->unit.verdict), "forbidden") << graded->unit.message;
+        const GradedUnit other = grade(files, "another " + std::to_string(i));
+        for (const GradedUnit* graded : {&one, &other}) {
+            ASSERT_NE(to_string(graded->result.verdict), "grader_fault") << graded->result.message;
+            ASSERT_NE(to_string(graded->result.verdict), "compile_error") << graded->result.message;
+            ASSERT_NE(to_string(graded->result.verdict), "forbidden") << graded->result.message;
         }
-        ASSERT_EQ(one.unit.score, other.unit.score) << "points are no part of this comparison";
-        const StudentsEdition b = edition_of(other.unit, other.gallery);
+        ASSERT_EQ(one.result.score, other.result.score) << "points are no part of this comparison";
+        const StudentsEdition b = edition_of(other.result, other.detail);
         EXPECT_EQ(a.json, b.json);
         EXPECT_EQ(a.terminal, b.terminal);
         EXPECT_TRUE(a.html == b.html) << "the pages differ";

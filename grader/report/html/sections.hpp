@@ -30,9 +30,6 @@ inline constexpr char number_slot = '\x01';
 /// The verdict's sign in front of its words.
 [[nodiscard]] Markup verdict_chip(Verdict verdict);
 
-/// Does the unit's verdict mean that no case ran?
-[[nodiscard]] bool never_ran(Verdict verdict);
-
 /// What stands above a class's table: whose points are in no sum and why, what is unfinished. Empty if there is nothing.
 [[nodiscard]] Markup class_notices(const ClassResult& result);
 

@@ -124,19 +124,6 @@ Sorted sorted(const UnitResult& unit, const Details& details)
 
 }
 
-bool never_ran(Verdict verdict)
-{
-    switch (verdict) {
-        case Verdict::missing:
-        case Verdict::compile_error:
-        case Verdict::interface_mismatch:
-        case Verdict::forbidden:
-        case Verdict::not_implemented:
-        case Verdict::grader_fault: return true;
-        default: return false;
-    }
-}
-
 Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition edition)
 {
     const Verdict verdict = shown_verdict(unit);
