@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <kit/drawing.hpp>
 #include <umbral/meshes/euler.hpp>
 #include <utility>
 
-#include "../../drawing.hpp"
 #include "../show.hpp"
 #include "../zoo.hpp"
 

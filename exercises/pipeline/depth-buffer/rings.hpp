@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <numbers>
 #include <umbral/core/grid.hpp>
 #include <umbral/pipeline/depth.hpp>
-
-#include "../../drawing.hpp"
 
 /// The goal picture of pipeline/depth-buffer: two rings, each drawn into a layer of its own, that are linked once the layers are merged.
 namespace umbral::pipeline {
@@ -84,17 +83,13 @@ inline Image draw_rings()
     const Layer flat = detail::linked_rings(state, ShadeModel::flat);
     const Layer smooth = detail::linked_rings(state, ShadeModel::smooth);
     Image picture(3 * detail::panel, detail::panel);
-    const auto byte = [](const glm::vec3& linear) {
-        const glm::vec3 curve = glm::pow(glm::clamp(linear, 0.0F, 1.0F), glm::vec3(1 / 2.2F));
-        return glm::u8vec4(glm::u8vec3(255.0F * curve + 0.5F), 255);
-    };
     for (int y = 0; y < detail::panel; ++y)
         for (int x = 0; x < detail::panel; ++x) {
             const float depth = smooth.depths.at(x, y);
             const float near = 1.25F - 1.5F * std::clamp(depth, 0.0F, 1.0F);
-            picture.at(x, y) = byte(flat.colors.at(x, y));
-            picture.at(detail::panel + x, y) = byte(smooth.colors.at(x, y));
-            picture.at(2 * detail::panel + x, y) = byte(depth < 1 ? near * near * glm::vec3(0.95F, 0.96F, 0.98F) : glm::vec3(0.004F, 0.005F, 0.009F));
+            picture.at(x, y) = pixel_of(flat.colors.at(x, y));
+            picture.at(detail::panel + x, y) = pixel_of(smooth.colors.at(x, y));
+            picture.at(2 * detail::panel + x, y) = pixel_of(depth < 1 ? near * near * glm::vec3(0.95F, 0.96F, 0.98F) : glm::vec3(0.004F, 0.005F, 0.009F));
         }
     return picture;
 }

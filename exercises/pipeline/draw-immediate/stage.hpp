@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <meshes/halved.hpp>
+#include <kit/picture.hpp>
 #include <numbers>
 #include <umbral/core/random.hpp>
 #include <umbral/gl/framebuffer.hpp>
@@ -24,7 +24,7 @@ public:
         clear();
     }
 
-    void clear() const { frame_.clear({0.055F, 0.06F, 0.09F, 1}); }
+    void clear() const { frame_.clear({ink::night, 1}); }
     [[nodiscard]] Image pixels() const { return frame_.read_pixels(); }
     [[nodiscard]] Image picture() const { return halved(pixels()); }
 
@@ -92,13 +92,6 @@ inline void draw(const Piece& piece)
     } else {
         draw_polygon(polygon(piece.corners), piece.fill, piece.edges);
     }
-}
-
-/// A colour of the rainbow: hue in turns, any number.
-inline glm::vec3 rainbow(float hue, float saturation, float value)
-{
-    const glm::vec3 phase = glm::fract(glm::vec3(hue) + glm::vec3(0, 2.0F / 3, 1.0F / 3)) * 6.0F;
-    return value * glm::mix(glm::vec3(1), glm::clamp(glm::abs(phase - 3.0F) - 1.0F, 0.0F, 1.0F), saturation);
 }
 
 /// A sunflower's head: polygons along Fermat's spiral, each turned by the golden angle against the one before.

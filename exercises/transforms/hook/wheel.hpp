@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cmath>
+#include <kit/picture.hpp>
 #include <numbers>
 #include <umbral/gl/framebuffer.hpp>
 #include <umbral/transforms/hook.hpp>
 
-#include "../../meshes/halved.hpp"
 #include "../gl_pipelines.hpp"
 
 namespace umbral::transforms {

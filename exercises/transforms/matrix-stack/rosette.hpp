@@ -1,9 +1,9 @@
 #pragma once
 
+#include <kit/picture.hpp>
 #include <numbers>
 #include <umbral/gl/framebuffer.hpp>
 
-#include "../../meshes/halved.hpp"
 #include "../gl_pipelines.hpp"
 
 namespace umbral::transforms {

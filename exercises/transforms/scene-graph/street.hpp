@@ -1,10 +1,10 @@
 #pragma once
 
 #include <array>
+#include <kit/picture.hpp>
 #include <numbers>
 #include <umbral/gl/framebuffer.hpp>
 
-#include "../../meshes/halved.hpp"
 #include "../gl_pipelines.hpp"
 #include "graphs.hpp"
 
