@@ -101,7 +101,7 @@ struct Look {
 /// Triangles that name no vertex, and places that are not finite, are not drawn: a student's mesh must not stop a picture.
 class Show {
 public:
-    Show(int columns, int rows, int pane_width, int pane_height, const glm::vec3& background = {0.075F, 0.085F, 0.115F})
+    Show(int columns, int rows, int pane_width, int pane_height, const glm::vec3& background = ink::night)
         : width_(2 * pane_width),
           height_(2 * pane_height),
           rows_(rows),

@@ -69,7 +69,7 @@ inline Image picture()
 {
     constexpr int width = 200;
     constexpr int height = 260;
-    const Stage stage(3 * width, height, {0.075F, 0.085F, 0.115F}, patterns);
+    const Stage stage(3 * width, height, ink::night, patterns);
     const Profile profiles[] = {pawn(), vase(), semicircle(25)};
     const float middles[] = {0.95F, 0.82F, 0};
     stage.set({.gloss = 0.35F});

@@ -45,7 +45,7 @@ inline shapes::Shape flat(const IndexedMesh& mesh, std::vector<glm::vec3> face_n
 /// 512 x 256 pixels: `left` and `right` from the same point of view.
 inline Image draw_side_by_side(const shapes::Shape& left, const shapes::Shape& right)
 {
-    const Stage stage(512, 256, {0.075F, 0.085F, 0.115F}, two_colors);
+    const Stage stage(512, 256, ink::night, two_colors);
     stage.look({0.6F, -2.6F, 9.4F}, {0, 0, 0}, 42);
     int column = 0;
     for (const shapes::Shape* shape : {&left, &right}) {
