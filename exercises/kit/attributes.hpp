@@ -23,7 +23,8 @@ struct Attribute {
     const void* data;
 };
 
-/// Triangles in the memory of the graphics card whose vertices have any attributes, for one program. A context must be current while it lives.
+/// Triangles in the memory of the graphics card whose vertices have any attributes, for one program. A context must
+/// be current while it lives.
 class AttributeMesh {
 public:
     /// Attributes that the program does not use are passed over.

@@ -34,7 +34,8 @@ inline glm::u8vec4 pixel_of(const glm::dvec3& linear)
     return pixel;
 }
 
-/// Colours of diagrams, sRGB in [0, 1]: they go with the pages of the reports, and can be told apart by the colour-blind.
+/// Colours of diagrams, sRGB in [0, 1]: they go with the pages of the reports, and can be told apart by the
+/// colour-blind.
 namespace ink {
 inline constexpr glm::vec3 night(0.055F, 0.06F, 0.09F);
 inline constexpr glm::vec3 slate(0.20F, 0.23F, 0.31F);

@@ -12,7 +12,8 @@
 
 #include "color.hpp"
 
-/// Diagrams for the goal pictures of units whose answers are numbers: smooth lines, discs, arrows and areas over a grid.
+/// Diagrams for the goal pictures of units whose answers are numbers: smooth lines, discs, arrows and areas over a
+/// grid.
 namespace umbral {
 
 /// A picture of a rectangle of the plane, y up. Places are in the plane's units; widths and radii are in pixels.
@@ -20,7 +21,8 @@ namespace umbral {
 /// What is drawn later lies on top. Places that are not finite draw nothing: a student's NaN must not stop a picture.
 class Drawing {
 public:
-    /// `low` and `high` are opposite corners of the rectangle; one that is narrower or flatter than the picture is centred in it.
+    /// `low` and `high` are opposite corners of the rectangle; one that is narrower or flatter than the picture is
+    /// centred in it.
     Drawing(int width, int height, glm::dvec2 low, glm::dvec2 high, glm::vec3 background = ink::night)
         : pixels_(width, height, srgb_decoded(background)), middle_(0.5 * (low + high)), scale_(std::min(width / (high.x - low.x), height / (high.y - low.y)))
     {

@@ -8,8 +8,8 @@
 
 namespace umbral {
 
-/// A small scene to look at through a student's view matrix: a chequered floor, the world's axes as arrows (red x, green y, blue z), and some boxes.
-/// In perspective, 256 x 256 pixels. A context must be current.
+/// A small scene to look at through a student's view matrix: a chequered floor, the world's axes as arrows (red x,
+/// green y, blue z), and some boxes. In perspective, 256 x 256 pixels. A context must be current.
 inline Image draw_scene(const glm::mat4& view)
 {
     const Stage stage(256, 256, {0.62F, 0.74F, 0.86F});

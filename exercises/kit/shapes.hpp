@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-/// Shapes for pictures: triangles with unit normals that point outwards. Vertices where a surface meets itself come twice.
+/// Shapes for pictures: triangles with unit normals that point outwards. Vertices where a surface meets itself come
+/// twice.
 namespace umbral::shapes {
 
 /// A full turn, in radians.
@@ -160,7 +161,8 @@ inline Shape box()
     return cube;
 }
 
-/// An arrow along z from the origin, of length 1: the profile (height, radius) of shaft and head, turned round the axis.
+/// An arrow along z from the origin, of length 1: the profile (height, radius) of shaft and head, turned round the
+/// axis.
 inline Shape arrow()
 {
     constexpr glm::vec2 profile[] = {{0, 0.022F}, {0.78F, 0.022F}, {0.78F, 0.065F}, {1, 0}};

@@ -62,7 +62,8 @@ out vec4 fragment_color;
 
 vec3 paint();
 
-// Tiles of half a unit, a little below the surface, so that the sides of a floor do not lie on the border between two of them.
+// Tiles of half a unit, a little below the surface, so that the sides of a floor do not lie on the border between two
+// of them.
 vec3 tiles()
 {
     ivec2 tile = ivec2(floor((place.xz - 0.001 * world_normal.xz) * 2.0));
@@ -115,7 +116,8 @@ public:
         Finish finish;
     };
 
-    /// `background` is sRGB. `paint` is GLSL for the linear colour at `place` (in the world) or `st` (texture coordinates).
+    /// `background` is sRGB. `paint` is GLSL that defines `vec3 paint()`, the linear colour at `place` (in the world)
+    /// or `st` (texture coordinates).
     Stage(int width, int height, const glm::vec3& background, const std::string& paint = "vec3 paint() { return tiles(); }\n")
         : frame_(2 * width, 2 * height), program_({"stage.vert", stage_vertex_shader}, lit_fragment_shader("stage.frag", stage_fragment_shader + paint))
     {
@@ -157,7 +159,8 @@ public:
         thing.mesh.draw(program_);
     }
 
-    /// The things on a ground whose upper side is y = 0, with their shadows: the things once more in the ground's colours, flat, a hair above it.
+    /// The things on a ground whose upper side is y = 0, with their shadows: the things once more in the ground's
+    /// colours, flat, a hair above it.
     void draw_on(const Thing& ground, std::span<const Thing> things) const
     {
         draw(ground);
