@@ -5,12 +5,11 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/mesh.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 
-#include "picture.hpp"
+#include "double_frame.hpp"
 #include "shading.hpp"
 #include "shapes.hpp"
 
@@ -119,9 +118,8 @@ public:
     /// `background` is sRGB. `paint` is GLSL that defines `vec3 paint()`, the linear colour at `place` (in the world)
     /// or `st` (texture coordinates).
     Stage(int width, int height, const glm::vec3& background, const std::string& paint = "vec3 paint() { return tiles(); }\n")
-        : frame_(2 * width, 2 * height), program_({"stage.vert", stage_vertex_shader}, lit_fragment_shader("stage.frag", stage_fragment_shader + paint))
+        : frame_(width, height, background), program_({"stage.vert", stage_vertex_shader}, lit_fragment_shader("stage.frag", stage_fragment_shader + paint))
     {
-        frame_.clear({background, 1});
         glEnable(GL_DEPTH_TEST);
         program_.set("sky", glm::vec3(srgb_decoded(glm::dvec3(background))));
         program_.set("sun", sun());
@@ -129,7 +127,11 @@ public:
     }
 
     /// Draws from now on go into one of several columns of the picture.
-    void column(int column, int columns) const { glViewport(frame_.width() / columns * column, 0, frame_.width() / columns, frame_.height()); }
+    void column(int column, int columns) const
+    {
+        const int width = frame_.large().width() / columns;
+        glViewport(width * column, 0, width, frame_.large().height());
+    }
 
     /// Seen by a camera whose field of view is that high and `aspect` times as wide.
     void look(const glm::mat4& view, float fovy_degrees, float aspect = 1) const
@@ -171,13 +173,13 @@ public:
     /// For what the functions above do not set: "two_sided", say, or uniforms of `paint`.
     [[nodiscard]] const gl::Program& program() const { return program_; }
 
-    [[nodiscard]] Image picture() const { return halved(frame_.read_pixels()); }
+    [[nodiscard]] Image picture() const { return frame_.picture(); }
 
 private:
     /// Towards the light.
     static glm::vec3 sun() { return glm::normalize(glm::vec3(-0.72F, 1.15F, 0.65F)); }
 
-    gl::Framebuffer frame_;
+    DoubleFrame frame_;
     gl::Program program_;
 };
 

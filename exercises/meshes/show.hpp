@@ -6,11 +6,10 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <kit/picture.hpp>
+#include <kit/double_frame.hpp>
 #include <kit/shading.hpp>
 #include <span>
 #include <umbral/core/grid.hpp>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/mesh.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
@@ -105,18 +104,17 @@ public:
         : width_(2 * pane_width),
           height_(2 * pane_height),
           rows_(rows),
-          frame_(columns * width_, rows * height_),
+          frame_(columns * pane_width, rows * pane_height, background),
           lit_({"show.vert", show_vertex_shader}, lit_fragment_shader("show.frag", show_fragment_shader)),
           plain_({"plain.vert", show_plain_vertex_shader}, {"plain.frag", show_plain_fragment_shader})
     {
-        frame_.clear({background, 1});
         pane(0, 0, {});
     }
 
     /// What is drawn from now on goes into this pane; (0, 0) is at the top left.
     void pane(int column, int row, const Camera& camera)
     {
-        frame_.bind();
+        frame_.large().bind();
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LEQUAL);
         glViewport(column * width_, (rows_ - 1 - row) * height_, width_, height_);
@@ -182,7 +180,7 @@ public:
         draw(places, std::vector<glm::vec3>(places.size(), color), plain_);
     }
 
-    [[nodiscard]] Image picture() const { return halved(frame_.read_pixels()); }
+    [[nodiscard]] Image picture() const { return frame_.picture(); }
 
 private:
     static bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -204,7 +202,7 @@ private:
     int width_;
     int height_;
     int rows_;
-    gl::Framebuffer frame_;
+    DoubleFrame frame_;
     gl::Program lit_;
     gl::Program plain_;
     glm::mat4 view_{1};

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <kit/picture.hpp>
+#include <kit/double_frame.hpp>
 #include <string>
 #include <umbral/core/grid.hpp>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 
@@ -27,24 +26,23 @@ out vec4 pixel;
 void main() { pixel = vec4(shade, 1.0); }
 )";
 
-/// A picture of twice the size to draw into with the program above, and how it is brought down to its own size: edges come out smooth.
+/// A picture to draw into with the program above.
 class Canvas {
 public:
-    explicit Canvas(int size) : program_({"driver.vert", vertex_shader}, {"driver.frag", fragment_shader}), target_(2 * size, 2 * size)
+    explicit Canvas(int size) : program_({"driver.vert", vertex_shader}, {"driver.frag", fragment_shader}), target_(size, size)
     {
-        target_.clear({ink::night, 1});
         program_.use();
         glEnable(GL_DEPTH_TEST);
     }
 
-    void clear() const { target_.clear({ink::night, 1}); }
+    void clear() const { target_.clear(); }
     void use() const { program_.use(); }
 
-    [[nodiscard]] Image picture() const { return halved(target_.read_pixels()); }
+    [[nodiscard]] Image picture() const { return target_.picture(); }
 
 private:
     gl::Program program_;
-    gl::Framebuffer target_;
+    DoubleFrame target_;
 };
 
 /// A parameter of OpenGL's state, as a number to record.

@@ -3,9 +3,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <kit/attributes.hpp>
 #include <kit/color.hpp>
-#include <kit/picture.hpp>
+#include <kit/double_frame.hpp>
 #include <kit/shapes.hpp>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 #include <umbral/record/case.hpp>
@@ -97,8 +96,7 @@ inline void paint_water(const glm::mat4& view, const glm::mat4& projection, int 
 
 inline Image draw(const Scene& scene, const gl::Program& program, int width, int height)
 {
-    const gl::Framebuffer frame(2 * width, 2 * height);
-    frame.clear(glm::vec4(ink::night, 1));
+    const DoubleFrame frame(width, height);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CLIP_DISTANCE0);
     const glm::mat4 view = glm::lookAt(scene.eye, scene.target, glm::vec3(0, 1, 0));
@@ -115,7 +113,7 @@ inline Image draw(const Scene& scene, const gl::Program& program, int width, int
         program.set("inside_color", thing.inside);
         AttributeMesh(program, thing.shape.indices, {{"position", thing.shape.positions}, {"normal", thing.shape.normals}}).draw(scene.instances);
     }
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

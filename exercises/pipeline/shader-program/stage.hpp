@@ -3,10 +3,9 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <kit/attributes.hpp>
+#include <kit/double_frame.hpp>
 #include <kit/drawing.hpp>
-#include <kit/picture.hpp>
 #include <kit/shapes.hpp>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 #include <umbral/pipeline/program.hpp>
@@ -106,9 +105,8 @@ inline void draw(const Shot& shot, const AttributeMesh& model, const gl::Program
 /// Four parts of a square picture, each another shot of the same knot; one shot alone fills the picture. Without texts it stays empty.
 inline Image draw(const std::vector<Shot>& shots, const ShaderTexts& texts, const gl::Interface& interface, int size)
 {
-    const gl::Framebuffer frame(2 * size, 2 * size);
-    frame.clear(glm::vec4(ink::night, 1));
-    if (texts.vertex.empty() && texts.fragment.empty()) return halved(frame.read_pixels());
+    const DoubleFrame frame(size, size);
+    if (texts.vertex.empty() && texts.fragment.empty()) return frame.picture();
     const gl::Program program({"your vertex shader", texts.vertex}, {"your fragment shader", texts.fragment});
     program.require_interface(interface);
     const Tile tile(2);
@@ -121,7 +119,7 @@ inline Image draw(const std::vector<Shot>& shots, const ShaderTexts& texts, cons
         glViewport(part * (k % 2), 2 * size - part * (1 + k / 2), part, part);
         draw(shots[i], knot, program);
     }
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

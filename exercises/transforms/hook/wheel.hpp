@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cmath>
-#include <kit/picture.hpp>
+#include <kit/double_frame.hpp>
 #include <numbers>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/transforms/hook.hpp>
 
 #include "../gl_pipelines.hpp"
@@ -63,12 +62,11 @@ inline constexpr float wheel_reach = 7.6F;
 /// 384 x 384 pixels, by the programmable pipeline.
 inline Image draw_wheel()
 {
-    const gl::Framebuffer frame(768, 768);
-    frame.clear(glm::vec4(ink::night, 1));
+    const DoubleFrame frame(384, 384);
     ProgrammablePipeline pipeline(make_matrix_stack(), glm::ortho(-wheel_reach, wheel_reach, -wheel_reach, wheel_reach), ink::night, 2);
     pipeline.set_view(glm::mat4(1));
     paint_wheel(pipeline);
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

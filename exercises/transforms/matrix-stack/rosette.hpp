@@ -1,8 +1,7 @@
 #pragma once
 
-#include <kit/picture.hpp>
+#include <kit/double_frame.hpp>
 #include <numbers>
-#include <umbral/gl/framebuffer.hpp>
 
 #include "../gl_pipelines.hpp"
 
@@ -11,10 +10,8 @@ namespace umbral::transforms {
 /// Three rings of complex figures, turned one inside the other, in the programmable pipeline with `stack` for its matrices: 384 x 384 pixels.
 inline Image draw_rosette(std::unique_ptr<MatrixStack> stack)
 {
-    constexpr int size = 768;
-    const gl::Framebuffer frame(size, size);
-    frame.clear({ink::night, 1});
-    if (!stack) return halved(frame.read_pixels());
+    const DoubleFrame frame(384, 384);
+    if (!stack) return frame.picture();
 
     constexpr glm::vec3 colors[] = {ink::blue, ink::orange, ink::pink};
     constexpr int counts[] = {20, 14, 8};
@@ -35,7 +32,7 @@ inline Image draw_rosette(std::unique_ptr<MatrixStack> stack)
         }
         pipeline.pop();
     }
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }
