@@ -6,16 +6,15 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <kit/double_frame.hpp>
+#include <kit/shading.hpp>
 #include <span>
 #include <umbral/core/grid.hpp>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/mesh.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 #include <umbral/meshes/mesh.hpp>
 #include <vector>
-
-#include "halved.hpp"
 
 /// Pictures of meshes by OpenGL: triangles lit flat in colours of their own, their edges over them, and lines and points of any width.
 namespace umbral::meshes {
@@ -27,20 +26,20 @@ uniform mat4 view;
 uniform mat4 projection;
 out vec3 eye_position;
 out vec3 corner;
-flat out vec3 color;
+flat out vec3 color;  // sRGB
 
 void main()
 {
     vec4 eye = view * vec4(position, 1.0);
     eye_position = eye.xyz;
-    color = pow(normal, vec3(2.2));
+    color = normal;
     int place = gl_VertexID % 3;
     corner = vec3(place == 0, place == 1, place == 2);
     gl_Position = projection * eye;
 }
 )";
 
-inline constexpr const char* show_fragment_shader = R"(#version 330 core
+inline constexpr const char* show_fragment_shader = R"(
 in vec3 eye_position;
 in vec3 corner;
 flat in vec3 color;
@@ -53,14 +52,13 @@ void main()
     vec3 n = normalize(cross(dFdx(eye_position), dFdy(eye_position)));
     vec3 v = normalize(-eye_position);
     if (dot(n, v) < 0.0) n = -n;
-    vec3 albedo = gl_FrontFacing ? color : mix(color, pow(back.rgb, vec3(2.2)), back.a);
-    vec3 key = normalize(vec3(-0.4, 0.75, 0.6));
-    vec3 light = mix(vec3(0.16, 0.13, 0.12), vec3(0.34, 0.38, 0.46), 0.5 + 0.5 * n.y) + vec3(0.85, 0.80, 0.72) * max(dot(n, key), 0.0);
-    vec3 lit = albedo * light + 0.12 * pow(max(dot(n, normalize(key + v)), 0.0), 40.0);
+    vec3 front = srgb_decoded(color);
+    vec3 albedo = gl_FrontFacing ? front : mix(front, srgb_decoded(back.rgb), back.a);
+    vec3 shade = lit(albedo, 0.12, n, v, normalize(vec3(-0.4, 0.75, 0.6)), 1.0);
     vec3 distance = corner / max(fwidth(corner), vec3(1e-9));
     float nearest = min(min(distance.x, distance.y), distance.z);
-    lit *= mix(0.22, 1.0, smoothstep(0.5 * edge_width - 0.5, 0.5 * edge_width + 0.5, nearest));
-    fragment_color = vec4(pow(lit, vec3(1.0 / 2.2)), 1.0);
+    shade *= mix(0.22, 1.0, smoothstep(0.5 * edge_width - 0.5, 0.5 * edge_width + 0.5, nearest));
+    fragment_color = vec4(srgb_encoded(shade), 1.0);
 }
 )";
 
@@ -102,22 +100,21 @@ struct Look {
 /// Triangles that name no vertex, and places that are not finite, are not drawn: a student's mesh must not stop a picture.
 class Show {
 public:
-    Show(int columns, int rows, int pane_width, int pane_height, const glm::vec3& background = {0.075F, 0.085F, 0.115F})
+    Show(int columns, int rows, int pane_width, int pane_height, const glm::vec3& background = ink::night)
         : width_(2 * pane_width),
           height_(2 * pane_height),
           rows_(rows),
-          frame_(columns * width_, rows * height_),
-          lit_({"show.vert", show_vertex_shader}, {"show.frag", show_fragment_shader}),
+          frame_(columns * pane_width, rows * pane_height, background),
+          lit_({"show.vert", show_vertex_shader}, lit_fragment_shader("show.frag", show_fragment_shader)),
           plain_({"plain.vert", show_plain_vertex_shader}, {"plain.frag", show_plain_fragment_shader})
     {
-        frame_.clear({background, 1});
         pane(0, 0, {});
     }
 
     /// What is drawn from now on goes into this pane; (0, 0) is at the top left.
     void pane(int column, int row, const Camera& camera)
     {
-        frame_.bind();
+        frame_.large().bind();
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LEQUAL);
         glViewport(column * width_, (rows_ - 1 - row) * height_, width_, height_);
@@ -183,7 +180,7 @@ public:
         draw(places, std::vector<glm::vec3>(places.size(), color), plain_);
     }
 
-    [[nodiscard]] Image picture() const { return halved(frame_.read_pixels()); }
+    [[nodiscard]] Image picture() const { return frame_.picture(); }
 
 private:
     static bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
@@ -205,7 +202,7 @@ private:
     int width_;
     int height_;
     int rows_;
-    gl::Framebuffer frame_;
+    DoubleFrame frame_;
     gl::Program lit_;
     gl::Program plain_;
     glm::mat4 view_{1};

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kit/double_frame.hpp>
 #include <string>
 #include <umbral/core/grid.hpp>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 
@@ -26,39 +26,23 @@ out vec4 pixel;
 void main() { pixel = vec4(shade, 1.0); }
 )";
 
-inline constexpr glm::vec4 night(0.055F, 0.06F, 0.09F, 1);
-
-/// A picture of twice the size to draw into with the program above, and how it is brought down to its own size: edges come out smooth.
+/// A picture to draw into with the program above.
 class Canvas {
 public:
-    explicit Canvas(int size) : size_(size), program_({"driver.vert", vertex_shader}, {"driver.frag", fragment_shader}), target_(2 * size, 2 * size)
+    explicit Canvas(int size) : program_({"driver.vert", vertex_shader}, {"driver.frag", fragment_shader}), target_(size, size)
     {
-        target_.clear(night);
         program_.use();
         glEnable(GL_DEPTH_TEST);
     }
 
-    void clear() const { target_.clear(night); }
+    void clear() const { target_.clear(); }
     void use() const { program_.use(); }
 
-    /// The mean of each four pixels.
-    [[nodiscard]] Image picture() const
-    {
-        const Image large = target_.read_pixels();
-        Image small(size_, size_);
-        for (int y = 0; y < size_; ++y)
-            for (int x = 0; x < size_; ++x) {
-                glm::uvec4 sum(2);
-                for (int i = 0; i < 4; ++i) sum += glm::uvec4(large.at(2 * x + i % 2, 2 * y + i / 2));
-                small.at(x, y) = glm::u8vec4(sum / 4U);
-            }
-        return small;
-    }
+    [[nodiscard]] Image picture() const { return target_.picture(); }
 
 private:
-    int size_;
     gl::Program program_;
-    gl::Framebuffer target_;
+    DoubleFrame target_;
 };
 
 /// A parameter of OpenGL's state, as a number to record.

@@ -116,7 +116,7 @@ private:
     }
     void draw_solid(Primitive primitive) override
     {
-        const Solid& solid = primitive == Primitive::cylinder ? cylinder_ : half_sphere_;
+        const shapes::Shape& solid = primitive == Primitive::cylinder ? cylinder_ : half_sphere_;
         glEnable(GL_LIGHTING);
         glBegin(GL_TRIANGLES);
         for (const std::uint32_t i : solid.indices) {
@@ -126,8 +126,8 @@ private:
         glEnd();
     }
 
-    Solid half_sphere_ = solid_of(Primitive::half_sphere);
-    Solid cylinder_ = solid_of(Primitive::cylinder);
+    shapes::Shape half_sphere_ = solid_of(Primitive::half_sphere);
+    shapes::Shape cylinder_ = solid_of(Primitive::cylinder);
     int depth_ = 0;
 };
 
@@ -215,7 +215,7 @@ private:
         program_.set("normal_matrix", stack_->normal_matrix());
         (primitive == Primitive::cylinder ? cylinder_ : half_sphere_).draw(program_);
     }
-    static gl::Mesh upload(const Solid& solid) { return gl::Mesh(solid.positions, solid.normals, solid.indices); }
+    static gl::Mesh upload(const shapes::Shape& solid) { return gl::Mesh(solid.positions, solid.normals, solid.indices); }
 
     std::unique_ptr<MatrixStack> stack_;
     gl::Program program_;

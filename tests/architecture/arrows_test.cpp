@@ -162,5 +162,29 @@ TEST(Arrows, of_the_exercises)
     EXPECT_GT(seen, 10U);
 }
 
+// A topic's drivers have its own files and the kit; the kit has the framework below the topics.
+TEST(Arrows, exercises_share_the_kit_and_nothing_else)
+{
+    std::set<std::string> rooms;
+    for (const fs::path& file : files_below("exercises")) rooms.insert(part(file, 1));
+    ASSERT_TRUE(rooms.contains("kit"));
+    std::size_t seen = 0;
+    for (const Include& include : includes_below("exercises")) {
+        const fs::path file(include.line.file);
+        const std::string room = part(file, 1);
+        const fs::path near = (file.parent_path() / include.target).lexically_normal();
+        if (!include.system) {
+            EXPECT_EQ(part(near, 0) + "/" + part(near, 1), "exercises/" + room) << include.line.where();
+        } else if (rooms.contains(part(include.target, 0))) {
+            ++seen;
+            EXPECT_EQ(part(include.target, 0), "kit") << include.line.where();
+        } else if (room == "kit" && include.target.starts_with("umbral/")) {
+            const std::string below = part(include.target, 1);
+            EXPECT_TRUE(below == "core" || below == "gl" || below == "record") << include.line.where();
+        }
+    }
+    EXPECT_GT(seen, 30U);
+}
+
 }
 }

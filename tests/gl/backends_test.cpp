@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <projections/scene.hpp>
+#include <kit/scene.hpp>
 #include <umbral/gl/trace.hpp>
 
 #include "fixture.hpp"
@@ -109,7 +109,7 @@ std::string text_of(const std::string& path)
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-Image draw_projections() { return projections::draw_scene(glm::lookAt(glm::vec3(2.6F, 2.1F, 4.3F), glm::vec3(0, 0.2F, 0), glm::vec3(0, 1, 0))); }
+Image draw_projections() { return draw_scene(glm::lookAt(glm::vec3(2.6F, 2.1F, 4.3F), glm::vec3(0, 0.2F, 0), glm::vec3(0, 1, 0))); }
 
 /// Every scene there is, drawn in the current context.
 Gallery gallery()
@@ -199,7 +199,7 @@ TEST(Backends, TraceTheSameCalls)
         forbid_driver_threads();
         const OffscreenContext context(kind);
         begin_trace();
-        (void)projections::draw_scene(glm::mat4(1));
+        (void)draw_scene(glm::mat4(1));
         traces.push_back(end_trace());
     }
     EXPECT_GT(traces[0].calls.size(), 100U);

@@ -62,14 +62,15 @@ TEST(LoadExercise, the_digest_changes_with_what_decides_the_score_and_nothing_el
     std::filesystem::create_directories(folder.path() / "exercises");
     std::filesystem::rename(folder.path() / "meshes", folder.path() / "exercises/meshes");
     folder.write("exercises/meshes/normals/driver.cpp",
-                 "#include \"shapes.hpp\"\n  #  include \"lighting/gloss.hpp\"\n#include <umbral/meshes/mesh.hpp>\n#include <vector>\n#include \"lost.hpp\"\n");
+                 "#include \"shapes.hpp\"\n  #  include <kit/stage.hpp>\n#include <umbral/meshes/mesh.hpp>\n#include <vector>\n#include \"lost.hpp\"\n");
     const auto digest = [&] { return load_exercise(folder.path() / "exercises/meshes/normals").digest; };
     std::set<std::string> seen{digest()};
     EXPECT_EQ(seen.begin()->size(), 64U);
     // Each ingredient once, also those that only others include, and those that come in a circle.
     for (const auto& [file, text] : std::vector<std::pair<const char*, const char*>>{{"exercises/meshes/normals/shapes.hpp", "#include \"../stage.hpp\"\n"},
                                                                                      {"exercises/meshes/stage.hpp", "#include \"normals/shapes.hpp\"\n"},
-                                                                                     {"exercises/lighting/gloss.hpp", "int gloss;\n"},
+                                                                                     {"exercises/kit/stage.hpp", "#include \"color.hpp\"\n"},
+                                                                                     {"exercises/kit/color.hpp", "int color;\n"},
                                                                                      {"framework/umbral/meshes/mesh.hpp", "#include <umbral/core/ray.hpp>\n"},
                                                                                      {"framework/umbral/core/ray.hpp", "struct Ray;\n"},
                                                                                      {"reference/meshes/normals.cpp", "#include \"render/depth.hpp\"\n"},

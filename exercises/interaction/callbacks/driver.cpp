@@ -1,7 +1,7 @@
 #include <cmath>
 #include <functional>
+#include <kit/scene.hpp>
 #include <optional>
-#include <projections/scene.hpp>
 #include <umbral/input/headless.hpp>
 #include <umbral/input/random_script.hpp>
 #include <umbral/input/script.hpp>
@@ -247,7 +247,7 @@ public:
     void view_mode(int) override {}
     void viewport(int, int, double) override {}
 
-    [[nodiscard]] Image picture() const { return projections::draw_scene(glm::translate(glm::mat4(1), glm::vec3(shift_, 0)) * camera_->view()); }
+    [[nodiscard]] Image picture() const { return draw_scene(glm::translate(glm::mat4(1), glm::vec3(shift_, 0)) * camera_->view()); }
 
 private:
     std::unique_ptr<OrbitCamera> camera_ = make_orbit_camera({.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256});

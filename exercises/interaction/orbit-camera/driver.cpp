@@ -1,5 +1,5 @@
+#include <kit/scene.hpp>
 #include <numbers>
-#include <projections/scene.hpp>
 #include <umbral/interaction/orbit_camera.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -117,7 +117,7 @@ Image picture_after(const std::vector<CameraEvent>& events)
     const std::unique_ptr<OrbitCamera> camera = make_orbit_camera({.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256});
     if (!camera) return Image(256, 256);
     for (const CameraEvent& event : events) apply(*camera, event);
-    return projections::draw_scene(camera->view());
+    return draw_scene(camera->view());
 }
 
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <umbral/meshes/area.hpp>
 
-#include "../../drawing.hpp"
 #include "../bodies.hpp"
 
 namespace umbral::meshes {

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <glm/glm.hpp>
+#include <kit/drawing.hpp>
 #include <umbral/meshes/mesh.hpp>
 #include <vector>
-
-#include "../../drawing.hpp"
 
 namespace umbral::meshes {
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <kit/drawing.hpp>
 #include <umbral/meshes/euler.hpp>
 #include <utility>
 
-#include "../../drawing.hpp"
 #include "../show.hpp"
 #include "../zoo.hpp"
 
@@ -38,7 +38,7 @@ inline void draw_marks(const Show& show, const std::vector<Mark>& marks)
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const glm::vec3 place(step * (static_cast<double>(i) - 0.5 * static_cast<double>(marks.size() - 1)), -1.25, 0.6);
         show.points(std::array{place}, marks[i].color, 6);
-        if (!marks[i].is_disc) show.points(std::array{place}, {0.075F, 0.085F, 0.115F}, 3.5F, 6e-3F);
+        if (!marks[i].is_disc) show.points(std::array{place}, ink::night, 3.5F, 6e-3F);
     }
 }
 

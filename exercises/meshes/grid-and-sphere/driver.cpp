@@ -1,8 +1,8 @@
+#include <kit/canonical.hpp>
 #include <optional>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../../canonical.hpp"
 #include "../show.hpp"
 #include "voxels.hpp"
 

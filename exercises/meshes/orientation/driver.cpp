@@ -1,8 +1,8 @@
+#include <kit/canonical.hpp>
 #include <umbral/meshes/orientation.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../../canonical.hpp"
 #include "cases.hpp"
 #include "show_sides.hpp"
 

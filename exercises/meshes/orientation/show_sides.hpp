@@ -9,7 +9,7 @@
 /// The picture: fronts are bright, backs are red; what was separated is drawn apart.
 namespace umbral::meshes {
 
-inline constexpr glm::vec3 front_color(0.34F, 0.71F, 0.91F);
+inline constexpr glm::vec3 front_color = ink::blue;
 inline constexpr glm::vec3 back_color(0.90F, 0.25F, 0.16F);
 
 /// Half a body, so that its inside can be seen.

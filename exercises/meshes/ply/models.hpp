@@ -46,7 +46,7 @@ inline Image picture_of(std::span<const PolygonMesh> models)
     for (int column = 0; column < static_cast<int>(models.size()); ++column) {
         const PolygonMesh& model = models[static_cast<std::size_t>(column)];
         show.pane(column, 0, {{1.6F, 2.6F, 4.4F}, {0, 0, 0}, 27});
-        const glm::vec3 of_corners[] = {{0.34F, 0.71F, 0.91F}, {0.90F, 0.62F, 0.10F}, {0.16F, 0.18F, 0.24F}, {0.93F, 0.93F, 0.90F}};
+        const glm::vec3 of_corners[] = {ink::blue, ink::orange, {0.16F, 0.18F, 0.24F}, {0.93F, 0.93F, 0.90F}};
         std::vector<glm::vec3> colors;
         std::vector<std::array<glm::vec3, 2>> edges;
         for (const auto& face : model.faces) {

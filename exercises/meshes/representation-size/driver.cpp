@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <umbral/meshes/sizes.hpp>
 #include <umbral/record/driver.hpp>
 #include <utility>
-
-#include "../../drawing.hpp"
 
 namespace umbral {
 namespace {

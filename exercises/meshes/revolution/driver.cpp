@@ -1,8 +1,8 @@
+#include <kit/canonical.hpp>
 #include <stdexcept>
 #include <umbral/meshes/revolution.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../../canonical.hpp"
 #include "profiles.hpp"
 #include "stage.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <umbral/meshes/strips.hpp>
 
-#include "../../drawing.hpp"
 #include "../show.hpp"
 #include "../zoo.hpp"
 #include "strip_log.hpp"

@@ -1,9 +1,9 @@
+#include <kit/drawing.hpp>
 #include <map>
 #include <umbral/meshes/weld.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../../drawing.hpp"
 #include "../show.hpp"
 #include "soups.hpp"
 

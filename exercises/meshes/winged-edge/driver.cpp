@@ -119,8 +119,8 @@ void draw_round(const Show& show, const PolygonMesh& mesh, std::uint32_t number,
     for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
         const std::size_t place = static_cast<std::size_t>(std::ranges::find(faces, face) - faces.begin());
         const float share = static_cast<float>(place) / static_cast<float>(std::max<std::size_t>(faces.size(), 1));
-        const glm::vec3 near = glm::mix(glm::vec3(0.34F, 0.71F, 0.91F), glm::vec3(0.10F, 0.28F, 0.55F), share);
-        const glm::vec3 own = is_face && face == number ? glm::vec3(0.90F, 0.62F, 0.10F) : glm::vec3(0.86F, 0.87F, 0.88F);
+        const glm::vec3 near = glm::mix(ink::blue, glm::vec3(0.10F, 0.28F, 0.55F), share);
+        const glm::vec3 own = is_face && face == number ? ink::orange : glm::vec3(0.86F, 0.87F, 0.88F);
         const auto& corners = mesh.faces[face];
         colors.insert(colors.end(), corners.size() - 2, place < faces.size() ? near : own);
         for (std::size_t i = 0; i < corners.size(); ++i) lines.push_back({mesh.positions[corners[i]], mesh.positions[corners[(i + 1) % corners.size()]]});

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <kit/drawing.hpp>
 #include <umbral/pipeline/clip.hpp>
-
-#include "../../drawing.hpp"
 
 /// Hills that a camera stands in: many triangles cross the sides of its view volume, and some reach behind it. The goal picture shows them from outside.
 namespace umbral::pipeline {

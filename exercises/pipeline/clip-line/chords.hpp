@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <numbers>
 #include <umbral/pipeline/clip_line.hpp>
-
-#include "../../drawing.hpp"
 
 /// The goal picture of pipeline/clip-line: chords of a circle, each from a point to the one at twice its angle, and a window that they are cut to.
 namespace umbral::pipeline {

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <numbers>
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/clip_polygon.hpp>
-
-#include "../../drawing.hpp"
 
 /// Polygons and windows for pipeline/clip-polygon, and its goal picture.
 namespace umbral::pipeline {

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <kit/drawing.hpp>
+#include <kit/shapes.hpp>
 #include <umbral/core/grid.hpp>
 #include <umbral/pipeline/depth.hpp>
-
-#include "../../drawing.hpp"
 
 /// The goal picture of pipeline/depth-buffer: two rings, each drawn into a layer of its own, that are linked once the layers are merged.
 namespace umbral::pipeline {
@@ -28,44 +28,38 @@ namespace detail {
 
 inline constexpr int panel = 210;
 
-struct RingVertex {
-    WindowVertex window;
-    glm::vec3 color;
-};
+/// Where the unit sees a point in a parallel projection: x and y in panels, z towards the viewer from -1 to 1.
+inline WindowVertex in_window(const glm::vec3& place) { return {0.5F * panel * glm::vec2(1 + place.x, 1 - place.y), 0.5F - 0.5F * place.z, 1}; }
 
-/// A parallel projection: x and y in panels, z towards the viewer from -1 to 1.
-inline RingVertex ring_vertex(const Ring& ring, float turn, float tube)
+inline glm::vec3 shaded(const glm::vec3& normal, const glm::vec3& color)
 {
-    const glm::vec3 outwards = std::cos(turn) * ring.along + std::sin(turn) * ring.across;
-    const glm::vec3 normal = std::cos(tube) * outwards + std::sin(tube) * glm::cross(ring.along, ring.across);
-    const glm::vec3 place = ring.centre + 0.5F * outwards + 0.17F * normal;
-    const glm::vec2 window = 0.5F * panel * glm::vec2(1 + place.x, 1 - place.y);
     const glm::vec3 light = glm::normalize(glm::vec3(-0.5F, 0.7F, 0.75F));
     const float shine = std::pow(std::max(0.0F, glm::dot(normal, glm::normalize(light + glm::vec3(0, 0, 1)))), 40.0F);
-    const float diffuse = 0.12F + 0.88F * std::max(0.0F, glm::dot(normal, light));
-    return {{window, 0.5F - 0.5F * place.z, 1}, diffuse * ring.color + 0.5F * shine};
+    return (0.12F + 0.88F * std::max(0.0F, glm::dot(normal, light))) * color + 0.5F * shine;
 }
 
 inline void draw_ring(const Ring& ring, const DepthState& state, ShadeModel model, Layer& layer)
 {
-    constexpr int steps = 34;
-    constexpr int sides = 14;
-    constexpr float whole = 2 * std::numbers::pi_v<float>;
-    const auto vertex = [&](int i, int k) { return ring_vertex(ring, whole * static_cast<float>(i) / steps, whole * static_cast<float>(k) / sides); };
+    const glm::mat3 axes(ring.along, ring.across, glm::cross(ring.along, ring.across));
+    const shapes::Shape torus = shapes::torus(34, 14, 0.34F);
     std::vector<Fragment> fragments;
-    for (int i = 0; i < steps; ++i)
-        for (int k = 0; k < sides; ++k)
-            for (const auto& [a, b, c] :
-                 {std::array{vertex(i, k), vertex(i + 1, k), vertex(i + 1, k + 1)}, {vertex(i, k), vertex(i + 1, k + 1), vertex(i, k + 1)}}) {
-                fragments.clear();
-                rasterize_triangle({a.window, b.window, c.window}, panel, panel, fragments);
-                draw_fragments(state, model, {a.color, b.color, c.color}, fragments, layer);
-            }
+    for (std::size_t i = 0; i < torus.indices.size(); i += 3) {
+        std::array<WindowVertex, 3> corners{};
+        std::array<glm::vec3, 3> colors{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = torus.indices[i + k];
+            corners[k] = in_window(ring.centre + 0.5F * (axes * torus.positions[vertex]));
+            colors[k] = shaded(axes * torus.normals[vertex], ring.color);
+        }
+        fragments.clear();
+        rasterize_triangle(corners, panel, panel, fragments);
+        draw_fragments(state, model, colors, fragments, layer);
+    }
 }
 
 inline Layer linked_rings(const DepthState& state, ShadeModel model)
 {
-    const Layer empty{{panel, panel, glm::vec3(0.004F, 0.005F, 0.009F)}, {panel, panel, 1.0F}};
+    const Layer empty{{panel, panel, glm::vec3(srgb_decoded(glm::dvec3(ink::night)))}, {panel, panel, 1.0F}};
     const glm::vec3 tilt = glm::normalize(glm::vec3(0, 0.55F, 0.84F));
     Layer left = empty;
     Layer right = empty;
@@ -84,17 +78,13 @@ inline Image draw_rings()
     const Layer flat = detail::linked_rings(state, ShadeModel::flat);
     const Layer smooth = detail::linked_rings(state, ShadeModel::smooth);
     Image picture(3 * detail::panel, detail::panel);
-    const auto byte = [](const glm::vec3& linear) {
-        const glm::vec3 curve = glm::pow(glm::clamp(linear, 0.0F, 1.0F), glm::vec3(1 / 2.2F));
-        return glm::u8vec4(glm::u8vec3(255.0F * curve + 0.5F), 255);
-    };
     for (int y = 0; y < detail::panel; ++y)
         for (int x = 0; x < detail::panel; ++x) {
             const float depth = smooth.depths.at(x, y);
             const float near = 1.25F - 1.5F * std::clamp(depth, 0.0F, 1.0F);
-            picture.at(x, y) = byte(flat.colors.at(x, y));
-            picture.at(detail::panel + x, y) = byte(smooth.colors.at(x, y));
-            picture.at(2 * detail::panel + x, y) = byte(depth < 1 ? near * near * glm::vec3(0.95F, 0.96F, 0.98F) : glm::vec3(0.004F, 0.005F, 0.009F));
+            picture.at(x, y) = pixel_of(flat.colors.at(x, y));
+            picture.at(detail::panel + x, y) = pixel_of(smooth.colors.at(x, y));
+            picture.at(2 * detail::panel + x, y) = pixel_of(depth < 1 ? near * near * ink::white : smooth.colors.at(x, y));
         }
     return picture;
 }

@@ -2,9 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <umbral/pipeline/depth_precision.hpp>
-
-#include "../../drawing.hpp"
 
 /// The goal picture of pipeline/depth-precision: what each format resolves at all distances, and what that does to two floors, one just above the other.
 namespace umbral::pipeline {

@@ -1,20 +1,13 @@
 #pragma once
 
 #include <cmath>
+#include <kit/color.hpp>
 #include <numbers>
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/draw.hpp>
 
 /// The meshes of the cases.
 namespace umbral::pipeline {
-
-/// A colour of the rainbow: hue in turns, any number.
-inline glm::vec3 rainbow(float hue, float saturation, float value)
-{
-    const glm::vec3 phase = glm::fract(glm::vec3(hue) + glm::vec3(0, 2.0F / 3, 1.0F / 3)) * 6.0F;
-    const glm::vec3 pure = glm::clamp(glm::abs(phase - 3.0F) - 1.0F, 0.0F, 1.0F);
-    return value * glm::mix(glm::vec3(1), pure, saturation);
-}
 
 /// Problem 1.2 grown into a rose window: a centre, and rings of vertices round it that swell and shrink into petals. Each ring is turned
 /// against the one before by half a step, and its colours alternate between light and dark, so that every triangle shows.

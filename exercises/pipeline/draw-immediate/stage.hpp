@@ -4,32 +4,30 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <meshes/halved.hpp>
+#include <kit/double_frame.hpp>
 #include <numbers>
 #include <umbral/core/random.hpp>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/pipeline/immediate.hpp>
 
 /// Where the cases draw, and what: the tables of problems 1.1 and 1.2.
 namespace umbral::pipeline {
 
-/// A picture of twice the size, drawn by the fixed functionality in clip coordinates, and how it is brought down to its own size.
+/// Where the fixed functionality draws in clip coordinates.
 class Stage {
 public:
-    explicit Stage(int size) : frame_(2 * size, 2 * size)
+    explicit Stage(int size) : frame_(size, size)
     {
         glUseProgram(0);
         glLineWidth(5);
-        clear();
     }
 
-    void clear() const { frame_.clear({0.055F, 0.06F, 0.09F, 1}); }
-    [[nodiscard]] Image pixels() const { return frame_.read_pixels(); }
-    [[nodiscard]] Image picture() const { return halved(pixels()); }
+    void clear() const { frame_.clear(); }
+    [[nodiscard]] Image pixels() const { return frame_.large().read_pixels(); }
+    [[nodiscard]] Image picture() const { return frame_.picture(); }
 
 private:
-    gl::Framebuffer frame_;
+    DoubleFrame frame_;
 };
 
 /// Problem 1.1: the corners of a regular polygon of radius 1.
@@ -92,13 +90,6 @@ inline void draw(const Piece& piece)
     } else {
         draw_polygon(polygon(piece.corners), piece.fill, piece.edges);
     }
-}
-
-/// A colour of the rainbow: hue in turns, any number.
-inline glm::vec3 rainbow(float hue, float saturation, float value)
-{
-    const glm::vec3 phase = glm::fract(glm::vec3(hue) + glm::vec3(0, 2.0F / 3, 1.0F / 3)) * 6.0F;
-    return value * glm::mix(glm::vec3(1), glm::clamp(glm::abs(phase - 3.0F) - 1.0F, 0.0F, 1.0F), saturation);
 }
 
 /// A sunflower's head: polygons along Fermat's spiral, each turned by the golden angle against the one before.

@@ -11,7 +11,7 @@ inline glm::mat4 placed(glm::vec3 place, glm::vec3 stretch = glm::vec3(1), float
     return glm::rotate(glm::scale(glm::translate(glm::mat4(1), place), stretch), angle, axis);
 }
 
-inline lighting::Shape bowl() { return lighting::sphere(48, 32, 0.25F); }
+inline shapes::Shape bowl() { return shapes::sphere(48, 32, 0.25F); }
 
 /// Dusk on a lake: a knot and rings stand in the water, bowls swim on it.
 inline Scene lake()
@@ -21,12 +21,12 @@ inline Scene lake()
     scene.eye = {0, 1.25F, 6.6F};
     scene.target = {0, 0.12F, 0};
     scene.light = {5, 7, 6};
-    scene.things = {{lighting::trefoil(180, 24, 0.19F), placed({0, 0.72F, -0.4F}, glm::vec3(1.05F), 0.35F), ink::orange, ink::red},
-                    {lighting::torus(80, 20, 0.16F), placed({-2.3F, 0.25F, -1.2F}, glm::vec3(0.85F), 0.7F), ink::blue, ink::white},
-                    {lighting::torus(80, 20, 0.16F), placed({2.4F, 0.1F, -1.6F}, glm::vec3(1), -0.8F), ink::green, ink::white},
+    scene.things = {{shapes::trefoil(180, 24, 0.19F), placed({0, 0.72F, -0.4F}, glm::vec3(1.05F), 0.35F), ink::orange, ink::red},
+                    {shapes::torus(80, 20, 0.16F), placed({-2.3F, 0.25F, -1.2F}, glm::vec3(0.85F), 0.7F), ink::blue, ink::white},
+                    {shapes::torus(80, 20, 0.16F), placed({2.4F, 0.1F, -1.6F}, glm::vec3(1), -0.8F), ink::green, ink::white},
                     {bowl(), placed({-1.35F, 0.2F, 1.1F}, glm::vec3(0.42F), 0.25F, {0, 0, 1}), ink::pink, ink::white},
                     {bowl(), placed({1.35F, 0.24F, 1.2F}, glm::vec3(0.38F), -0.35F, {1, 0, 1}), ink::red, ink::white},
-                    {lighting::icosphere(4), placed({0.3F, 0.1F, 2.1F}, glm::vec3(0.2F)), ink::white, ink::blue}};
+                    {shapes::icosphere(4), placed({0.3F, 0.1F, 2.1F}, glm::vec3(0.2F)), ink::white, ink::blue}};
     return scene;
 }
 
@@ -39,8 +39,8 @@ inline Scene wall(Look look)
     scene.mirror = glm::vec4(normal, 1.2F);
     scene.eye = {2.2F, 1.2F, 5.5F};
     scene.target = {-0.1F, 0, -0.8F};
-    scene.things = {{lighting::trefoil(160, 20, 0.2F), placed({0.1F, 0, 0.2F}, glm::vec3(0.7F), 0.5F), ink::blue, ink::red},
-                    {lighting::icosphere(3), placed({1.1F, -0.5F, 0.4F}, glm::vec3(0.3F)), ink::orange, ink::red}};
+    scene.things = {{shapes::trefoil(160, 20, 0.2F), placed({0.1F, 0, 0.2F}, glm::vec3(0.7F), 0.5F), ink::blue, ink::red},
+                    {shapes::icosphere(3), placed({1.1F, -0.5F, 0.4F}, glm::vec3(0.3F)), ink::orange, ink::red}};
     return scene;
 }
 
@@ -52,8 +52,8 @@ inline Scene cut()
     scene.mirror = {0, 1, 0, -0.3F};
     scene.eye = {0.4F, 2.6F, 4.4F};
     scene.target = {0, 0.2F, 0};
-    scene.things = {{lighting::icosphere(4), placed({-0.9F, 0.35F, 0}, glm::vec3(0.7F)), ink::green, ink::orange},
-                    {lighting::torus(64, 20, 0.2F), placed({0.9F, 0.4F, -0.1F}, glm::vec3(0.75F), 0.4F, {1, 0, 0}), ink::pink, ink::orange}};
+    scene.things = {{shapes::icosphere(4), placed({-0.9F, 0.35F, 0}, glm::vec3(0.7F)), ink::green, ink::orange},
+                    {shapes::torus(64, 20, 0.2F), placed({0.9F, 0.4F, -0.1F}, glm::vec3(0.75F), 0.4F, {1, 0, 0}), ink::pink, ink::orange}};
     return scene;
 }
 
@@ -88,8 +88,8 @@ inline Scene stretched()
     scene.mirror = {0, 1, 0, 1};
     scene.eye = {0, 0.9F, 4};
     scene.target = {0, -0.1F, 0};
-    scene.things = {{lighting::icosphere(4), placed({-1.1F, 0, 0}, {0.9F, 0.25F, 0.7F}), ink::orange, ink::blue},
-                    {lighting::torus(64, 20, 0.3F), placed({1.1F, 0, 0}, {0.35F, 0.7F, 1.2F}, 0.6F, {1, 1, 0}), ink::green, ink::blue}};
+    scene.things = {{shapes::icosphere(4), placed({-1.1F, 0, 0}, {0.9F, 0.25F, 0.7F}), ink::orange, ink::blue},
+                    {shapes::torus(64, 20, 0.3F), placed({1.1F, 0, 0}, {0.35F, 0.7F, 1.2F}, 0.6F, {1, 1, 0}), ink::green, ink::blue}};
     return scene;
 }
 
@@ -115,8 +115,8 @@ inline Scene random_scene(Random& random, Look look)
                               random.uniform(-0.4F, 0.4F));
         constexpr glm::vec3 colors[] = {ink::blue, ink::orange, ink::green, ink::pink};
         scene.things.push_back({kind == 0   ? bowl()
-                                : kind == 1 ? lighting::torus(64, 20, 0.3F)
-                                            : lighting::icosphere(3),
+                                : kind == 1 ? shapes::torus(64, 20, 0.3F)
+                                            : shapes::icosphere(3),
                                 placed(place, {x, y, z}, turn, axis), colors[i], ink::white});
     }
     return scene;

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <array>
 #include <glm/gtc/matrix_transform.hpp>
-#include <lighting/support.hpp>
-#include <meshes/halved.hpp>
-#include <umbral/gl/framebuffer.hpp>
+#include <kit/attributes.hpp>
+#include <kit/color.hpp>
+#include <kit/double_frame.hpp>
+#include <kit/shapes.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 #include <umbral/record/case.hpp>
-
-#include "../../drawing.hpp"
 
 /// Where the student's vertex shader meets OpenGL: its interface, the fragment shader behind it, and how a scene is drawn in two instances.
 namespace umbral::pipeline {
@@ -56,47 +54,8 @@ inline gl::Interface mirror_interface()
              {"look", GL_INT, 1}}};
 }
 
-/// A shape in the memory of the graphics card.
-class InstancedShape {
-public:
-    InstancedShape(const lighting::Shape& shape, const gl::Program& program) : count_(static_cast<GLsizei>(shape.indices.size()))
-    {
-        glGenVertexArrays(1, &array_);
-        glGenBuffers(3, buffers_.data());
-        glBindVertexArray(array_);
-        feed(program.attribute_location("position"), buffers_[0], shape.positions);
-        feed(program.attribute_location("normal"), buffers_[1], shape.normals);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[2]);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * shape.indices.size()), shape.indices.data(), GL_STATIC_DRAW);
-    }
-    InstancedShape(const InstancedShape&) = delete;
-    InstancedShape& operator=(const InstancedShape&) = delete;
-    ~InstancedShape()
-    {
-        glDeleteVertexArrays(1, &array_);
-        glDeleteBuffers(3, buffers_.data());
-    }
-
-    /// Draws it several times in one call.
-    void draw(int instances) const { glDrawElementsInstanced(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr, instances); }
-
-private:
-    static void feed(int location, GLuint buffer, const std::vector<glm::vec3>& items)
-    {
-        if (location < 0) return;
-        glBindBuffer(GL_ARRAY_BUFFER, buffer);
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(12 * items.size()), items.data(), GL_STATIC_DRAW);
-        glVertexAttribPointer(static_cast<GLuint>(location), 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-        glEnableVertexAttribArray(static_cast<GLuint>(location));
-    }
-
-    GLsizei count_;
-    GLuint array_ = 0;
-    std::array<GLuint, 3> buffers_{};
-};
-
 struct Thing {
-    lighting::Shape shape;
+    shapes::Shape shape;
     glm::mat4 model{1};
     glm::vec3 outside{0.8F};
     glm::vec3 inside{0.3F};
@@ -137,8 +96,7 @@ inline void paint_water(const glm::mat4& view, const glm::mat4& projection, int 
 
 inline Image draw(const Scene& scene, const gl::Program& program, int width, int height)
 {
-    const gl::Framebuffer frame(2 * width, 2 * height);
-    frame.clear(glm::vec4(ink::night, 1));
+    const DoubleFrame frame(width, height);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CLIP_DISTANCE0);
     const glm::mat4 view = glm::lookAt(scene.eye, scene.target, glm::vec3(0, 1, 0));
@@ -153,9 +111,9 @@ inline Image draw(const Scene& scene, const gl::Program& program, int width, int
         program.set("model", thing.model);
         program.set("outside_color", thing.outside);
         program.set("inside_color", thing.inside);
-        InstancedShape(thing.shape, program).draw(scene.instances);
+        AttributeMesh(program, thing.shape.indices, {{"position", thing.shape.positions}, {"normal", thing.shape.normals}}).draw(scene.instances);
     }
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

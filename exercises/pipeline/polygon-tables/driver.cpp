@@ -1,10 +1,9 @@
+#include <kit/canonical.hpp>
+#include <kit/drawing.hpp>
 #include <map>
 #include <umbral/pipeline/polygon.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
-
-#include "../../canonical.hpp"
-#include "../../drawing.hpp"
 
 namespace umbral {
 namespace {

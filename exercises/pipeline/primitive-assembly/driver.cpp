@@ -1,6 +1,6 @@
+#include <kit/drawing.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../../drawing.hpp"
 #include "sequences.hpp"
 
 namespace umbral {

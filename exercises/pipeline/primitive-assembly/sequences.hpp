@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <kit/canonical.hpp>
 #include <numeric>
 #include <span>
 #include <string>
 #include <umbral/pipeline/assembly.hpp>
 #include <umbral/record/recorder.hpp>
 
-#include "../../canonical.hpp"
 #include "../support.hpp"
 
 /// Sequences of vertices, and how the driver writes down what becomes of them.

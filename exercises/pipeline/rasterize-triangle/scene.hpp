@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kit/picture.hpp>
+
 #include "../support.hpp"
 
 /// The goal picture of pipeline/rasterize-triangle: a knot over a polished floor, each pixel drawn by the unit.
@@ -141,14 +143,6 @@ inline Canvas scene(int width, int height)
         draw(canvas, {lens.project(places[0]), lens.project(places[1]), lens.project(places[2])}, half + 1, tiles);
     }
     return canvas;
-}
-
-inline Image encoded(const Grid<glm::vec3>& linear)
-{
-    Image image(linear.width, linear.height);
-    for (std::size_t i = 0; i < image.cells.size(); ++i)
-        image.cells[i] = glm::u8vec4(255.0F * glm::pow(glm::clamp(linear.cells[i], 0.0F, 1.0F), glm::vec3(1 / 2.2F)) + 0.5F, 255);
-    return image;
 }
 
 }

@@ -1,16 +1,14 @@
 #pragma once
 
-#include <array>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <lighting/support.hpp>
-#include <meshes/halved.hpp>
-#include <umbral/gl/framebuffer.hpp>
+#include <kit/attributes.hpp>
+#include <kit/double_frame.hpp>
+#include <kit/drawing.hpp>
+#include <kit/shapes.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 #include <umbral/pipeline/program.hpp>
-
-#include "../../drawing.hpp"
 
 /// Where the student's shaders draw. They are compiled by gl::Program here, so that pictures do not depend on the student's own class.
 namespace umbral::pipeline {
@@ -33,57 +31,21 @@ inline gl::Interface lit_interface()
              {"textured", GL_INT, 1}}};
 }
 
-/// A shape with colours and texture coordinates, in the memory of the graphics card.
-class Model {
-public:
-    /// The shape's vertices are a grid of `columns` cells.
-    Model(const lighting::Shape& shape, int columns, glm::vec2 repeat, const gl::Program& program) : count_(static_cast<GLsizei>(shape.indices.size()))
-    {
-        std::vector<glm::vec2> tex_coords;
-        std::vector<glm::vec3> colors;
-        const auto width = static_cast<std::size_t>(columns) + 1;
-        const float rows = static_cast<float>(shape.positions.size() / width - 1);
-        for (std::size_t i = 0; i < shape.positions.size(); ++i) {
-            const float u = static_cast<float>(i % width) / static_cast<float>(columns);
-            tex_coords.push_back(repeat * glm::vec2(u, static_cast<float>(i / width) / rows));
-            const glm::vec3 wave = 0.5F + 0.5F * glm::cos(lighting::turn * (2 * u + glm::vec3(0, 0.33F, 0.67F)));
-            colors.push_back(glm::mix(wave, glm::vec3(0.9F, 0.8F, 0.6F), 0.25F));
-        }
-        glGenVertexArrays(1, &array_);
-        glGenBuffers(5, buffers_.data());
-        glBindVertexArray(array_);
-        feed(program.attribute_location("position"), buffers_[0], shape.positions);
-        feed(program.attribute_location("normal"), buffers_[1], shape.normals);
-        feed(program.attribute_location("color"), buffers_[2], colors);
-        feed(program.attribute_location("tex_coord"), buffers_[3], tex_coords);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[4]);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(4 * shape.indices.size()), shape.indices.data(), GL_STATIC_DRAW);
+/// A shape with colours and texture coordinates; its vertices are a grid of `columns` cells.
+inline AttributeMesh painted(const shapes::Shape& shape, int columns, glm::vec2 repeat, const gl::Program& program)
+{
+    std::vector<glm::vec2> tex_coords;
+    std::vector<glm::vec3> colors;
+    const auto width = static_cast<std::size_t>(columns) + 1;
+    const float rows = static_cast<float>(shape.positions.size() / width - 1);
+    for (std::size_t i = 0; i < shape.positions.size(); ++i) {
+        const float u = static_cast<float>(i % width) / static_cast<float>(columns);
+        tex_coords.push_back(repeat * glm::vec2(u, static_cast<float>(i / width) / rows));
+        const glm::vec3 wave = 0.5F + 0.5F * glm::cos(shapes::turn * (2 * u + glm::vec3(0, 0.33F, 0.67F)));
+        colors.push_back(glm::mix(wave, glm::vec3(0.9F, 0.8F, 0.6F), 0.25F));
     }
-    Model(const Model&) = delete;
-    Model& operator=(const Model&) = delete;
-    ~Model()
-    {
-        glDeleteVertexArrays(1, &array_);
-        glDeleteBuffers(5, buffers_.data());
-    }
-
-    void draw() const { glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr); }
-
-private:
-    template <class Item>
-    static void feed(int location, GLuint buffer, const std::vector<Item>& items)
-    {
-        if (location < 0) return;
-        glBindBuffer(GL_ARRAY_BUFFER, buffer);
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(), GL_STATIC_DRAW);
-        glVertexAttribPointer(static_cast<GLuint>(location), sizeof(Item) / sizeof(float), GL_FLOAT, GL_FALSE, 0, nullptr);
-        glEnableVertexAttribArray(static_cast<GLuint>(location));
-    }
-
-    GLsizei count_;
-    GLuint array_ = 0;
-    std::array<GLuint, 5> buffers_{};
-};
+    return {program, shape.indices, {{"position", shape.positions}, {"normal", shape.normals}, {"color", colors}, {"tex_coord", tex_coords}}};
+}
 
 /// A tile with a star, bound to texture unit `unit` while it lives.
 class Tile {
@@ -128,7 +90,7 @@ struct Shot {
     bool textured = false;
 };
 
-inline void draw(const Shot& shot, const Model& model, const gl::Program& program)
+inline void draw(const Shot& shot, const AttributeMesh& model, const gl::Program& program)
 {
     program.set("modelview", shot.modelview);
     program.set("normal_matrix", glm::inverseTranspose(glm::mat3(shot.modelview)));
@@ -143,13 +105,12 @@ inline void draw(const Shot& shot, const Model& model, const gl::Program& progra
 /// Four parts of a square picture, each another shot of the same knot; one shot alone fills the picture. Without texts it stays empty.
 inline Image draw(const std::vector<Shot>& shots, const ShaderTexts& texts, const gl::Interface& interface, int size)
 {
-    const gl::Framebuffer frame(2 * size, 2 * size);
-    frame.clear(glm::vec4(ink::night, 1));
-    if (texts.vertex.empty() && texts.fragment.empty()) return halved(frame.read_pixels());
+    const DoubleFrame frame(size, size);
+    if (texts.vertex.empty() && texts.fragment.empty()) return frame.picture();
     const gl::Program program({"your vertex shader", texts.vertex}, {"your fragment shader", texts.fragment});
     program.require_interface(interface);
     const Tile tile(2);
-    const Model knot(lighting::trefoil(72, 12, 0.3F), 72, {24, 4}, program);
+    const AttributeMesh knot = painted(shapes::trefoil(72, 12, 0.3F), 72, {24, 4}, program);
     glEnable(GL_DEPTH_TEST);
     program.set("projection", glm::perspective(glm::radians(32.0F), 1.0F, 1.0F, 20.0F));
     const int part = shots.size() > 1 ? size : 2 * size;
@@ -158,7 +119,7 @@ inline Image draw(const std::vector<Shot>& shots, const ShaderTexts& texts, cons
         glViewport(part * (k % 2), 2 * size - part * (1 + k / 2), part, part);
         draw(shots[i], knot, program);
     }
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <glm/gtc/type_precision.hpp>
+#include <kit/picture.hpp>
+#include <kit/shapes.hpp>
 
 #include "scenes.hpp"
 
@@ -13,21 +14,14 @@ struct Model {
     std::vector<glm::uvec3> triangles;
 };
 
-/// A grid of `columns` x `rows` cells: `vertex(u, v)` for u, v in [0, 1].
-template <class Vertex>
-Model woven(int columns, int rows, const Vertex& vertex)
+/// A shape in the colours that `color(vertex, number)` gives.
+template <class Color>
+Model colored(const shapes::Shape& shape, const Color& color)
 {
     Model model;
-    for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i)
-            model.vertices.push_back(vertex(static_cast<float>(i) / static_cast<float>(columns), static_cast<float>(j) / static_cast<float>(rows)));
-    const auto width = static_cast<unsigned>(columns) + 1;
-    for (unsigned j = 0; j < static_cast<unsigned>(rows); ++j)
-        for (unsigned i = 0; i + 1 < width; ++i) {
-            const unsigned corner = j * width + i;
-            model.triangles.emplace_back(corner, corner + 1, corner + width + 1);
-            model.triangles.emplace_back(corner, corner + width + 1, corner + width);
-        }
+    for (std::size_t i = 0; i < shape.positions.size(); ++i)
+        model.vertices.push_back({shape.positions[i], color(shapes::Vertex{shape.positions[i], shape.normals[i]}, i)});
+    for (std::size_t i = 0; i < shape.indices.size(); i += 3) model.triangles.emplace_back(shape.indices[i], shape.indices[i + 1], shape.indices[i + 2]);
     return model;
 }
 
@@ -39,30 +33,29 @@ inline Model country()
         const float valley = std::min(1.0F, 0.09F * x * x);
         return -1.35F + valley * (0.75F + 0.5F * std::sin(1.7F * x + 0.4F * z) * std::cos(1.1F * z)) + 0.1F * std::sin(2.3F * z + 1.4F * x);
     };
-    return woven(70, 90, [&](float u, float v) {
+    const shapes::Shape ground = shapes::surface(70, 90, [&](float u, float v) {
         const float x = -11 + 22 * u;
         const float z = 3 - 21 * v;
-        const float y = height(x, z);
-        const glm::vec3 normal = normalize(glm::vec3(height(x - 0.1F, z) - height(x + 0.1F, z), 0.2F, height(x, z - 0.1F) - height(x, z + 0.1F)));
+        return glm::vec3(x, height(x, z), z);
+    });
+    return colored(ground, [](const shapes::Vertex& vertex, std::size_t) {
+        const auto& [place, normal] = vertex;
         const float light = std::max(0.0F, dot(normal, normalize(glm::vec3(-0.6F, 0.45F, 0.5F))));
-        const glm::vec3 ground = glm::mix(glm::vec3(0.05F, 0.16F, 0.07F), glm::vec3(0.42F, 0.24F, 0.13F), glm::smoothstep(-1.25F, -0.1F, y));
-        return ColoredVertex{{x, y, z}, glm::mix(ground * (0.15F + 1.3F * light), sky(0.05F), 1 - std::exp(0.035F * std::min(z, 0.0F)))};
+        const glm::vec3 soil = glm::mix(glm::vec3(0.05F, 0.16F, 0.07F), glm::vec3(0.42F, 0.24F, 0.13F), glm::smoothstep(-1.25F, -0.1F, place.y));
+        return glm::mix(soil * (0.15F + 1.3F * light), sky(0.05F), 1 - std::exp(0.035F * std::min(place.z, 0.0F)));
     });
 }
 
 inline Model knot()
 {
-    constexpr float turn = 6.2831853F;
-    const auto core = [](float t) {
-        return glm::vec3(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -1.1F * std::sin(3 * t)) * 0.5F + glm::vec3(0, 0.52F, -5);
-    };
-    return woven(96, 12, [&](float u, float v) {
-        const glm::vec3 tangent = normalize(core(turn * u + 0.01F) - core(turn * u - 0.01F));
-        const glm::vec3 side = normalize(cross(tangent, glm::vec3(0, 0, 1)));
-        const glm::vec3 normal = std::cos(turn * v) * side + std::sin(turn * v) * cross(tangent, side);
-        const float light = std::max(0.0F, dot(normal, normalize(glm::vec3(-0.6F, 0.5F, 0.6F))));
-        const glm::vec3 hue = 0.5F + 0.5F * cos(turn * u + glm::vec3(0.2F, 2.4F, 4.2F));
-        return ColoredVertex{core(turn * u) + 0.3F * normal, (hue * hue + 0.04F) * (0.2F + 0.8F * light) + 0.3F * std::pow(light, 24.0F)};
+    constexpr std::size_t along = 96;
+    shapes::Shape tube = shapes::trefoil(along, 12, 0.2F);
+    for (glm::vec3& position : tube.positions) position = 1.45F * position + glm::vec3(0, 0.52F, -5);
+    return colored(tube, [](const shapes::Vertex& vertex, std::size_t i) {
+        const float light = std::max(0.0F, dot(vertex.normal, normalize(glm::vec3(-0.6F, 0.5F, 0.6F))));
+        const float u = static_cast<float>(i % (along + 1)) / along;
+        const glm::vec3 hue = 0.5F + 0.5F * cos(shapes::turn * u + glm::vec3(0.2F, 2.4F, 4.2F));
+        return (hue * hue + 0.04F) * (0.2F + 0.8F * light) + 0.3F * std::pow(light, 24.0F);
     });
 }
 
@@ -96,14 +89,6 @@ inline Layer scenery(int width, int height)
     state.to_clip[3] = state.to_clip * glm::vec4(0, -0.52F, 0, 1);
     draw_triangles(state, tube.vertices, tube.triangles, layer);
     return layer;
-}
-
-inline Image encoded(const Grid<glm::vec3>& linear)
-{
-    Image image(linear.width, linear.height);
-    for (std::size_t i = 0; i < image.cells.size(); ++i)
-        image.cells[i] = glm::u8vec4(255.0F * glm::pow(glm::clamp(linear.cells[i], 0.0F, 1.0F), glm::vec3(1 / 2.2F)) + 0.5F, 255);
-    return image;
 }
 
 }

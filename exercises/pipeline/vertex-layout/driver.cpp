@@ -1,8 +1,8 @@
+#include <kit/drawing.hpp>
 #include <limits>
 #include <optional>
 #include <umbral/record/driver.hpp>
 
-#include "../../drawing.hpp"
 #include "buffers.hpp"
 
 namespace umbral {

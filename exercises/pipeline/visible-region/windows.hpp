@@ -1,11 +1,10 @@
 #pragma once
 
+#include <kit/drawing.hpp>
 #include <numbers>
 #include <umbral/input/headless.hpp>
 #include <umbral/pipeline/region.hpp>
 #include <vector>
-
-#include "../../drawing.hpp"
 
 /// Windows that are played to, and windows that are drawn.
 namespace umbral::pipeline {

@@ -1,8 +1,8 @@
+#include <kit/scene.hpp>
 #include <umbral/projections/view.hpp>
 #include <umbral/record/driver.hpp>
 #include <vector>
 
-#include "../scene.hpp"
 #include "../support.hpp"
 
 namespace umbral {

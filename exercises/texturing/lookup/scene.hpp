@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kit/color.hpp>
+
 #include "../support.hpp"
 
 /// The goal picture of texturing/lookup: a ring on a tiled floor, with nearest texels on the left and blended ones on the right.
@@ -91,16 +93,6 @@ struct Painter {
     }
 };
 
-inline glm::u8vec4 encoded(const glm::vec3& linear)
-{
-    glm::u8vec4 pixel(255);
-    for (int i = 0; i < 3; ++i) {
-        const float c = glm::clamp(linear[i], 0.0F, 1.0F);
-        pixel[i] = static_cast<std::uint8_t>(255 * (c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F) + 0.5F);
-    }
-    return pixel;
-}
-
 inline Image picture(int width, int height)
 {
     const Painter painter;
@@ -113,7 +105,7 @@ inline Image picture(int width, int height)
         for (int x = 0; x < width; ++x) {
             const glm::vec2 at = (glm::vec2(x, y) + 0.5F - 0.5F * glm::vec2(width, height)) / static_cast<float>(height);
             const glm::vec3 direction = normalize(forward + 0.92F * (at.x * right - at.y * up));
-            image.at(x, y) = encoded(painter.colour(eye, direction, 2 * x < width ? Filter::nearest : Filter::bilinear));
+            image.at(x, y) = pixel_of(painter.colour(eye, direction, 2 * x < width ? Filter::nearest : Filter::bilinear));
         }
     for (int y = 0; y < height; ++y)
         for (int x = width / 2 - 1; x <= width / 2; ++x) image.at(x, y) = glm::u8vec4(255);

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/transforms/about_a_point.hpp>
-
-#include "../../drawing.hpp"
 
 /// A kaleidoscope: shards of glass in a wedge of 30 degrees, its mirror image, and six turns of both about a point that is not the origin.
 namespace umbral::transforms {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <umbral/gl/framebuffer.hpp>
+#include <kit/double_frame.hpp>
 #include <umbral/transforms/android.hpp>
 
-#include "../../meshes/halved.hpp"
 #include "../gl_pipelines.hpp"
 
 namespace umbral::transforms {
@@ -50,13 +49,12 @@ inline void paint_parade(Pipeline& pipeline, Android& android)
 /// 560 x 320 pixels, by the programmable pipeline.
 inline Image draw_parade()
 {
-    const gl::Framebuffer frame(1120, 640);
-    frame.clear(glm::vec4(parade_background, 1));
+    const DoubleFrame frame(560, 320, parade_background);
     glEnable(GL_DEPTH_TEST);
     const std::unique_ptr<Android> android = make_android();
     ProgrammablePipeline pipeline(make_matrix_stack(), parade_projection(), parade_background, 2);
     if (android) paint_parade(pipeline, *android);
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

@@ -79,10 +79,7 @@ const Driver driver = {
     {"known", [](Case&, Recorder& out) { record_known(out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
-    {"picture",
-     [](Case&, Recorder& out) {
-         out.image("tower", draw_blocks(tower(), {3.4F, 4.7F, 8.3F}, {0, 2.5F, 0}));
-     }},
+    {"picture", [](Case&, Recorder& out) { out.image("tower", draw_tower()); }},
 };
 
 }

@@ -1,14 +1,20 @@
 #pragma once
 
 #include <cmath>
+#include <kit/stage.hpp>
 #include <umbral/transforms/basic_matrices.hpp>
-
-#include "../blocks.hpp"
+#include <vector>
 
 /// A spiral staircase: every step, post and bead of it is one box under the student's matrices.
 namespace umbral::transforms {
 
 inline constexpr glm::vec3 box_middle{0.5F, 0.5F, 0.5F};
+
+/// A box under one matrix, in linear colour.
+struct Block {
+    glm::mat4 model;
+    glm::vec3 color;
+};
 
 inline Block block(std::initializer_list<glm::mat4> steps, const glm::vec3& color) { return {compose_matrices(std::span(steps.begin(), steps.size())), color}; }
 
@@ -45,6 +51,18 @@ inline std::vector<Block> tower()
                             translation_matrix({0, rise * steps + 0.62F, 0})},
                            {0.80F, 0.08F, 0.10F}));
     return blocks;
+}
+
+/// 320 x 320 pixels.
+inline Image draw_tower()
+{
+    const Stage stage(320, 320, {0.61F, 0.735F, 0.85F});
+    stage.look({3.4F, 4.7F, 8.3F}, {0, 2.5F, 0}, 40);
+    const gl::Mesh box = uploaded(shapes::box());
+    std::vector<Stage::Thing> things;
+    for (const auto& [model, color] : tower()) things.push_back({box, model, {.color = color}});
+    stage.draw_on({box, slab(60), {.color = {0.36F, 0.36F, 0.34F}, .fade = 0.0035F}}, things);
+    return stage.picture();
 }
 
 }

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <umbral/transforms/frames.hpp>
-
-#include "../../drawing.hpp"
 
 /// A whirl of frames, each a little smaller and turned beside the last one, as someone sees it who stands in an oblique frame.
 namespace umbral::transforms {

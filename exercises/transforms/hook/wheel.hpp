@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cmath>
+#include <kit/double_frame.hpp>
 #include <numbers>
-#include <umbral/gl/framebuffer.hpp>
 #include <umbral/transforms/hook.hpp>
 
-#include "../../meshes/halved.hpp"
 #include "../gl_pipelines.hpp"
 
 namespace umbral::transforms {
@@ -29,7 +28,7 @@ inline void paint_wheel(Pipeline& pipeline)
     pipeline.set_line_width(3);
     scaled(0.24F, [&] {
         pipeline.compose(glm::translate(glm::mat4(1), {1, -1, 0}));
-        pipeline.set_color({0.95F, 0.96F, 0.98F});
+        pipeline.set_color(ink::white);
         draw_four_hooks(pipeline, draw_hook);
     });
     constexpr unsigned counts[] = {5, 8, 13};
@@ -59,17 +58,15 @@ inline void paint_wheel(Pipeline& pipeline)
 }
 
 inline constexpr float wheel_reach = 7.6F;
-inline constexpr glm::vec3 wheel_background(0.055F, 0.06F, 0.09F);
 
 /// 384 x 384 pixels, by the programmable pipeline.
 inline Image draw_wheel()
 {
-    const gl::Framebuffer frame(768, 768);
-    frame.clear(glm::vec4(wheel_background, 1));
-    ProgrammablePipeline pipeline(make_matrix_stack(), glm::ortho(-wheel_reach, wheel_reach, -wheel_reach, wheel_reach), wheel_background, 2);
+    const DoubleFrame frame(384, 384);
+    ProgrammablePipeline pipeline(make_matrix_stack(), glm::ortho(-wheel_reach, wheel_reach, -wheel_reach, wheel_reach), ink::night, 2);
     pipeline.set_view(glm::mat4(1));
     paint_wheel(pipeline);
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <kit/double_frame.hpp>
 #include <numbers>
-#include <umbral/gl/framebuffer.hpp>
 
-#include "../../meshes/halved.hpp"
 #include "../gl_pipelines.hpp"
 
 namespace umbral::transforms {
@@ -11,17 +10,14 @@ namespace umbral::transforms {
 /// Three rings of complex figures, turned one inside the other, in the programmable pipeline with `stack` for its matrices: 384 x 384 pixels.
 inline Image draw_rosette(std::unique_ptr<MatrixStack> stack)
 {
-    constexpr int size = 768;
-    constexpr glm::vec3 background(0.055F, 0.06F, 0.09F);
-    const gl::Framebuffer frame(size, size);
-    frame.clear(glm::vec4(background, 1));
-    if (!stack) return halved(frame.read_pixels());
+    const DoubleFrame frame(384, 384);
+    if (!stack) return frame.picture();
 
-    constexpr glm::vec3 colors[] = {{0.34F, 0.71F, 0.91F}, {0.90F, 0.62F, 0.10F}, {0.85F, 0.52F, 0.72F}};
+    constexpr glm::vec3 colors[] = {ink::blue, ink::orange, ink::pink};
     constexpr int counts[] = {20, 14, 8};
     constexpr float sizes[] = {0.62F, 0.52F, 0.44F};
     constexpr float radii[] = {6.0F, 3.2F, 0.85F};
-    ProgrammablePipeline pipeline(std::move(stack), glm::ortho(-9.3F, 9.3F, -9.3F, 9.3F), background, 2);
+    ProgrammablePipeline pipeline(std::move(stack), glm::ortho(-9.3F, 9.3F, -9.3F, 9.3F), ink::night, 2);
     pipeline.set_view(glm::mat4(1));
     for (int ring = 0; ring < 3; ++ring) {
         pipeline.set_color(colors[ring]);
@@ -36,7 +32,7 @@ inline Image draw_rosette(std::unique_ptr<MatrixStack> stack)
         }
         pipeline.pop();
     }
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

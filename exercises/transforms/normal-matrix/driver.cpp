@@ -1,7 +1,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../../projections/scene.hpp"
 #include "../support.hpp"
 #include "pebbles.hpp"
 
@@ -72,7 +71,7 @@ void record_flattened(Random& random, Recorder& out)
         glm::vec3 sizes(2, 3, 0.5F);
         sizes[i % 3] = 0;
         glm::mat4 flat = glm::scale(glm::mat4(1), sizes);
-        if (i % 5 == 1) flat = projections::shadow_matrix({random.uniform(-1, 1), 1, random.uniform(-1, 1)}, 0.01F);
+        if (i % 5 == 1) flat = shadow_matrix({random.uniform(-1, 1), 1, random.uniform(-1, 1)}, 0.01F);
         if (i % 5 == 2 && i % 3 != 0) flat[2] = flat[1] = glm::vec4(random.unit_vector(), 0);
         if (i % 5 == 3) flat = glm::scale(glm::mat4(1), {0, 0, 2});
         const glm::mat4 solid = random_model(false, random);
@@ -123,10 +122,7 @@ const Driver driver = {
     {"flattened", [](Case& c, Recorder& out) { record_flattened(c.random, out); }},
     {"tiny and huge", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"nearly flat", [](Case& c, Recorder& out) { record_nearly_flat(c.random, out); }},
-    {"picture",
-     [](Case&, Recorder& out) {
-         out.image("pebbles", draw_gloss(pebbles(), {2.2F, 2.6F, 5.6F}, {0.1F, 0.9F, 0.1F}));
-     }},
+    {"picture", [](Case&, Recorder& out) { out.image("pebbles", draw_pebbles()); }},
 };
 
 }

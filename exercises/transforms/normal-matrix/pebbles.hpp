@@ -1,27 +1,33 @@
 #pragma once
 
 #include <cmath>
+#include <kit/stage.hpp>
+#include <list>
 #include <umbral/transforms/normal_matrix.hpp>
-
-#include "../gloss.hpp"
+#include <vector>
 
 /// A pile of pebbles: one sphere, scaled, sheared, turned and mirrored; the student's normals say how the light falls.
 namespace umbral::transforms {
 
-inline GlossySurface pebble(const glm::mat4& model, const glm::vec3& color)
+/// One of them in the world, and its colour in linear light.
+struct Pebble {
+    shapes::Shape shape;
+    glm::vec3 color;
+};
+
+inline Pebble pebble(const glm::mat4& model, const glm::vec3& color)
 {
-    return woven(64, 40, color, [&](GlossySurface& surface, float u, float v) {
-        const float longitude = -6.2831853F * u;
-        const float latitude = 3.1415927F * (v - 0.5F);
-        const glm::vec3 n(std::cos(latitude) * std::cos(longitude), std::sin(latitude), std::cos(latitude) * std::sin(longitude));
-        surface.positions.push_back(glm::vec3(model * glm::vec4(n, 1)));
-        surface.normals.push_back(transformed_normal(model, n));
-    });
+    shapes::Shape shape = shapes::sphere(64, 40);
+    for (std::size_t i = 0; i < shape.positions.size(); ++i) {
+        shape.normals[i] = transformed_normal(model, shape.positions[i]);
+        shape.positions[i] = glm::vec3(model * glm::vec4(shape.positions[i], 1));
+    }
+    return {shape, color};
 }
 
-inline std::vector<GlossySurface> pebbles()
+inline std::vector<Pebble> pebbles()
 {
-    std::vector<GlossySurface> pile;
+    std::vector<Pebble> pile;
     // Sizes from the ground up; `lean` shears x by y, `tilt` turns about z, `spin` about y.
     const auto add = [&](glm::vec3 middle, glm::vec3 size, float lean, float tilt, float spin, glm::vec3 color) {
         glm::mat4 shear(1);
@@ -40,6 +46,20 @@ inline std::vector<GlossySurface> pebbles()
     add({1.55F, 0.17F, 0.55F}, {0.42F, 0.18F, 0.3F}, 0.4F, 0, 0.9F, {0.60F, 0.56F, 0.50F});
     add({-1.35F, 0.13F, 1.05F}, {0.2F, 0.14F, 0.5F}, 0.2F, 0, 0.7F, {0.25F, 0.06F, 0.08F});
     return pile;
+}
+
+/// 320 x 320 pixels.
+inline Image draw_pebbles()
+{
+    const Stage stage(320, 320, {0.675F, 0.743F, 0.806F});
+    stage.look({2.2F, 2.6F, 5.6F}, {0.1F, 0.9F, 0.1F}, 36);
+    const gl::Mesh box = uploaded(shapes::box());
+    std::list<gl::Mesh> meshes;
+    std::vector<Stage::Thing> things;
+    for (const auto& [shape, color] : pebbles())
+        things.push_back({meshes.emplace_back(shape.positions, shape.normals, shape.indices), glm::mat4(1), {.color = color, .gloss = 0.6F}});
+    stage.draw_on({box, slab(40), {.color = {0.48F, 0.44F, 0.38F}, .fade = 0.008F}}, things);
+    return stage.picture();
 }
 
 }

@@ -2,9 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <umbral/transforms/perpendicular.hpp>
-
-#include "../../drawing.hpp"
 
 /// A tree of Pythagoras: on every square a right-angled triangle, on its legs two smaller squares, all by P and rotations.
 namespace umbral::transforms {

@@ -2,9 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <umbral/transforms/rotation_identities.hpp>
-
-#include "../../drawing.hpp"
 
 /// What a point draws on a sphere that turns about two axes at once: the far side faint, the near side bright.
 namespace umbral::transforms {

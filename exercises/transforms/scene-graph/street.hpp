@@ -1,10 +1,9 @@
 #pragma once
 
 #include <array>
+#include <kit/double_frame.hpp>
 #include <numbers>
-#include <umbral/gl/framebuffer.hpp>
 
-#include "../../meshes/halved.hpp"
 #include "../gl_pipelines.hpp"
 #include "graphs.hpp"
 
@@ -48,8 +47,7 @@ inline Image draw_street(const std::vector<Instance>& instances)
     constexpr glm::vec3 night(0.055F, 0.06F, 0.13F);
     constexpr std::array walls{glm::vec3(0.20F, 0.33F, 0.50F), glm::vec3(0.42F, 0.25F, 0.40F), glm::vec3(0.18F, 0.42F, 0.42F), glm::vec3(0.48F, 0.32F, 0.24F)};
     constexpr std::array<glm::vec3, 4> fills{glm::vec3(0.96F, 0.80F, 0.42F), glm::vec3(0.80F, 0.32F, 0.26F), glm::vec3(0.97F, 0.95F, 0.85F), glm::vec3(0)};
-    const gl::Framebuffer frame(1120, 480);
-    frame.clear(glm::vec4(night, 1));
+    const DoubleFrame frame(560, 240, night);
     ProgrammablePipeline pipeline(make_matrix_stack(), glm::ortho(-0.4F, 8.95F, -0.25F, 3.757F), night, 2);
     pipeline.set_line_width(1);
     std::size_t houses = 0;
@@ -67,7 +65,7 @@ inline Image draw_street(const std::vector<Instance>& instances)
         pipeline.set_color(night);
         pipeline.draw_polyline(closed);
     }
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <umbral/gl/framebuffer.hpp>
+#include <kit/double_frame.hpp>
 #include <umbral/transforms/tree.hpp>
 
-#include "../../meshes/halved.hpp"
 #include "../gl_pipelines.hpp"
 
 namespace umbral::transforms {
@@ -38,13 +37,12 @@ inline glm::mat4 grove_window() { return glm::ortho(-2.9137F, 9.0863F, -0.6071F,
 /// 480 x 280 pixels, by the programmable pipeline.
 inline Image draw_grove()
 {
-    const gl::Framebuffer frame(960, 560);
-    frame.clear(glm::vec4(grove_background, 1));
+    const DoubleFrame frame(480, 280, grove_background);
     ProgrammablePipeline pipeline(make_matrix_stack(), grove_window(), grove_background, 2);
     pipeline.set_view(glm::mat4(1));
     pipeline.set_line_width(1.5F);
     paint_grove(pipeline);
-    return halved(frame.read_pixels());
+    return frame.picture();
 }
 
 }

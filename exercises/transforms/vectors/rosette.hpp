@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <kit/drawing.hpp>
 #include <numbers>
 #include <umbral/transforms/vectors.hpp>
-
-#include "../../drawing.hpp"
 
 /// Thales' theorem as a flower: the feet of the perpendiculars from the tip of a vector onto all directions lie on a circle over it.
 namespace umbral::transforms {

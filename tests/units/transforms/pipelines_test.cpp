@@ -62,7 +62,7 @@ void expect_same(const Difference& difference)
 TEST_F(PipelinesTest, DrawTheSameHooks)
 {
     const glm::mat4 window = glm::ortho(-wheel_reach, wheel_reach, -wheel_reach, wheel_reach);
-    expect_same(compare_pipelines(window, wheel_background, false, paint_wheel));
+    expect_same(compare_pipelines(window, ink::night, false, paint_wheel));
 }
 
 TEST_F(PipelinesTest, DrawTheSameTrees) { expect_same(compare_pipelines(grove_window(), grove_background, false, paint_grove)); }

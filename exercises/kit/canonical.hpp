@@ -11,10 +11,12 @@
 #include <umbral/record/recorder.hpp>
 #include <vector>
 
-/// One way to write down what may be written in many: tables of a known length, lists of triangles and edges in no particular order.
+/// One way to write down what may be written in many: tables of a known length, lists of triangles and edges in no
+/// particular order.
 namespace umbral {
 
-/// Records the first `count` rows of a table; rows that it lacks are recorded as not a number. Its size is another observation.
+/// Records the first `count` rows of a table; rows that it lacks are recorded as not a number. Its size is another
+/// observation.
 template <class Row>
 void record_rows(Recorder& out, std::string_view name, const std::vector<Row>& table, std::size_t count)
 {
@@ -31,8 +33,8 @@ inline glm::uvec3 canonical(const glm::uvec3& t)
 /// The same edge, begun at its smaller index: it has no sense.
 inline glm::uvec2 canonical(const glm::uvec2& e) { return e.x <= e.y ? e : glm::uvec2(e.y, e.x); }
 
-/// Records a list of triangles or edges as events of this code, each in its canonical form, sorted if their order is free. Of a list that is far
-/// longer than it should be, only the beginning is looked at.
+/// Records a list of triangles or edges as events of this code, each in its canonical form, sorted if their order is
+/// free. Of a list that is far longer than it should be, only the beginning is looked at.
 template <int size>
 void record_indices(Recorder& out, std::string_view name, float code, const std::vector<glm::vec<size, std::uint32_t>>& list, std::size_t expected_count,
                     bool any_order = true)

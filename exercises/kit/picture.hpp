@@ -1,10 +1,22 @@
 #pragma once
 
+#include <algorithm>
 #include <glm/glm.hpp>
 #include <umbral/core/grid.hpp>
 #include <utility>
 
+#include "color.hpp"
+
+/// Pictures as files hold them, from light, and from pictures drawn at twice their size.
 namespace umbral {
+
+/// The picture of linear light, opaque.
+inline Image encoded(const Grid<glm::vec3>& linear)
+{
+    Image image(linear.width, linear.height);
+    std::transform(linear.cells.begin(), linear.cells.end(), image.cells.begin(), [](const glm::vec3& light) { return pixel_of(light); });
+    return image;
+}
 
 /// Each pixel is the mean of 2 x 2: edges without steps.
 inline Image halved(const Image& picture)

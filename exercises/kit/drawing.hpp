@@ -10,30 +10,21 @@
 #include <utility>
 #include <vector>
 
-/// Diagrams for the goal pictures of units whose answers are numbers: smooth lines, discs, arrows and areas over a grid.
-namespace umbral {
+#include "color.hpp"
 
-/// Colours of diagrams, sRGB in [0, 1]: they go with the pages of the reports, and can be told apart by the colour-blind.
-namespace ink {
-inline constexpr glm::vec3 night(0.055F, 0.06F, 0.09F);
-inline constexpr glm::vec3 slate(0.20F, 0.23F, 0.31F);
-inline constexpr glm::vec3 mist(0.55F, 0.60F, 0.70F);
-inline constexpr glm::vec3 white(0.95F, 0.96F, 0.98F);
-inline constexpr glm::vec3 blue(0.34F, 0.71F, 0.91F);
-inline constexpr glm::vec3 orange(0.90F, 0.62F, 0.10F);
-inline constexpr glm::vec3 green(0.15F, 0.75F, 0.55F);
-inline constexpr glm::vec3 red(0.90F, 0.40F, 0.25F);
-inline constexpr glm::vec3 pink(0.85F, 0.52F, 0.72F);
-}
+/// Diagrams for the goal pictures of units whose answers are numbers: smooth lines, discs, arrows and areas over a
+/// grid.
+namespace umbral {
 
 /// A picture of a rectangle of the plane, y up. Places are in the plane's units; widths and radii are in pixels.
 ///
 /// What is drawn later lies on top. Places that are not finite draw nothing: a student's NaN must not stop a picture.
 class Drawing {
 public:
-    /// `low` and `high` are opposite corners of the rectangle; one that is narrower or flatter than the picture is centred in it.
+    /// `low` and `high` are opposite corners of the rectangle; one that is narrower or flatter than the picture is
+    /// centred in it.
     Drawing(int width, int height, glm::dvec2 low, glm::dvec2 high, glm::vec3 background = ink::night)
-        : pixels_(width, height, to_linear(background)), middle_(0.5 * (low + high)), scale_(std::min(width / (high.x - low.x), height / (high.y - low.y)))
+        : pixels_(width, height, srgb_decoded(background)), middle_(0.5 * (low + high)), scale_(std::min(width / (high.x - low.x), height / (high.y - low.y)))
     {
     }
 
@@ -116,15 +107,11 @@ public:
     [[nodiscard]] Image picture() const
     {
         Image result(pixels_.width, pixels_.height);
-        std::transform(pixels_.cells.begin(), pixels_.cells.end(), result.cells.begin(), [](glm::dvec3 linear) {
-            const glm::dvec3 curve = glm::pow(glm::clamp(linear, 0.0, 1.0), glm::dvec3(1 / 2.2));
-            return glm::u8vec4(glm::u8vec3(255.0 * curve + 0.5), 255);
-        });
+        std::transform(pixels_.cells.begin(), pixels_.cells.end(), result.cells.begin(), pixel_of);
         return result;
     }
 
 private:
-    static glm::dvec3 to_linear(glm::vec3 color) { return glm::pow(glm::dvec3(color), glm::dvec3(2.2)); }
     static bool is_drawable(glm::dvec2 p) { return std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6; }
     static double smooth(double depth) { return std::clamp(depth + 0.5, 0.0, 1.0); }
 
@@ -150,7 +137,7 @@ private:
     void paint(glm::dvec2 low, glm::dvec2 high, glm::vec3 color, double alpha, Cover cover)
     {
         if (!is_drawable(low) || !is_drawable(high)) return;
-        const glm::dvec3 paint = to_linear(color);
+        const glm::dvec3 paint = srgb_decoded(color);
         const int right = std::min(pixels_.width - 1, static_cast<int>(std::ceil(high.x)));
         const int bottom = std::min(pixels_.height - 1, static_cast<int>(std::ceil(high.y)));
         for (int y = std::max(0, static_cast<int>(std::floor(low.y)) - 1); y <= bottom; ++y)
