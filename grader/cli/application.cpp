@@ -10,7 +10,7 @@
 #include <umbral/gl/context.hpp>
 
 #include "cli/config.hpp"
-#include "cli/nearest.hpp"
+#include "model/nearest.hpp"
 #include "model/caps.hpp"
 #include "model/digest.hpp"
 #include "report/paint.hpp"

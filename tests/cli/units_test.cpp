@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "cli/application.hpp"
-#include "cli/nearest.hpp"
+#include "model/nearest.hpp"
 #include "manifest/units.hpp"
 #include "support/temporary_folder.hpp"
 
