@@ -170,7 +170,8 @@ TEST(NewUnit, ValidatesAtOnce)
     if (std::getenv("UMBRAL_TEST_ALL") == nullptr) GTEST_SKIP() << "set UMBRAL_TEST_ALL: A NEW UNIT WAS NOT BUILT AND VALIDATED";
     const test::TemporaryFolder folder;
     const fs::path source = make_application().layout.data;
-    for (const char* const part : {"CMakeLists.txt", "CMakePresets.json", "umbral", "cmake", "framework", "reference", "exercises", "grader", "docs", "tests"})
+    for (const char* const part :
+         {"CMakeLists.txt", "CMakePresets.json", "umbral", "cmake", "framework", "reference", "exercises", "grader", "docs", "LICENSE"})
         fs::copy(source / part, folder / part, fs::copy_options::recursive);
     const std::string umbral = "cd " + folder.path().string() + " && ./umbral --no-install ";
     for (const char* const unit : {"raytracing/two-words", "shadows/two-words"}) {
