@@ -1,4 +1,12 @@
-# Flags that hold for every target, and the two interface targets that the others link.
+# All options of the build, and the flags that hold for every target. CONTRIBUTING.md has the same list; BUILD_TESTING is CTest's.
+
+set(UMBRAL_UNITS "*/*" CACHE STRING "The units to build, as glob patterns topic/unit: meshes/*;pipeline/clip-line. Of the tests only theirs are built then")
+option(UMBRAL_WARNINGS_AS_ERRORS "Stop at a warning; on in the presets, whose compilers are tested" OFF)
+set(UMBRAL_SANITIZERS "" CACHE STRING "Sanitizers for everything but students' files, as for -fsanitize=")
+option(UMBRAL_SANITIZE_ENGINE "Also the engine and all that draws with OpenGL, which reads nothing foreign: `./umbral test --all` does" OFF)
+set(UMBRAL_FP_CONTRACT off CACHE STRING "-ffp-contract: off everywhere; `fast` only in the preset that shows what survives it")
+option(UMBRAL_FUZZ "Build fuzz targets instead of their replays; needs clang" OFF)
+set(UMBRAL_PACKAGE_CONTACT "Umbral <umbral@localhost>" CACHE STRING "Who maintains the packages that cpack makes, as NAME <ADDRESS>")
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -13,10 +21,6 @@ set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 
 # -O2 instead of -O3: what users wait for is the first build, and the hot loops here are in OSMesa and OpenCV.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
-
-set(UMBRAL_SANITIZERS "" CACHE STRING "Sanitizers for everything but students' files, as for -fsanitize=")
-option(UMBRAL_SANITIZE_ENGINE "Also the engine and all that draws with OpenGL, which reads nothing foreign: `./umbral test --all` does" OFF)
-set(UMBRAL_FP_CONTRACT off CACHE STRING "-ffp-contract: off everywhere; `fast` only in the preset that shows what survives it")
 
 find_program(CCACHE ccache)
 find_program(ENV_PROGRAM env)
@@ -44,7 +48,7 @@ if(UMBRAL_SANITIZERS)
 endif()
 
 add_library(umbral-warnings INTERFACE)
-target_compile_options(umbral-warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror)
+target_compile_options(umbral-warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow $<$<BOOL:${UMBRAL_WARNINGS_AS_ERRORS}>:-Werror>)
 # g++ 12 warns of overlapping copies inside std::string at -O3 where there are none (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 AND NOT CMAKE_CXX_CLANG_TIDY)
   target_compile_options(umbral-warnings INTERFACE -Wno-restrict)

@@ -1,7 +1,5 @@
 # Debian packages of the two components: `cpack --config build/release/CPackConfig.cmake`, after the target `installable`.
 
-set(UMBRAL_PACKAGE_CONTACT "Umbral <umbral@localhost>" CACHE STRING "Who maintains the packages that cpack makes, as NAME <ADDRESS>")
-
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME umbral)
 set(CPACK_PACKAGE_CONTACT ${UMBRAL_PACKAGE_CONTACT})

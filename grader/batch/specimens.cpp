@@ -97,12 +97,19 @@ std::vector<Specimen> read_folder(const fs::path& reference, const Exercise& exe
 
 }
 
-Sources reference_sources(const fs::path& reference, const Exercise& exercise)
+std::map<std::string, fs::path> reference_files(const fs::path& reference, const Exercise& exercise)
 {
     const fs::path place = reference / exercise.topic / with_underscores(exercise.name);
-    Sources sources;
+    std::map<std::string, fs::path> files;
     for (const std::string& file : exercise.files)
-        sources[file] = read_text(exercise.files.size() == 1 && exercise.is_cpp() ? fs::path(place.string() + ".cpp") : place / file);
+        files[file] = exercise.files.size() == 1 && exercise.is_cpp() ? fs::path(place.string() + ".cpp") : place / file;
+    return files;
+}
+
+Sources reference_sources(const fs::path& reference, const Exercise& exercise)
+{
+    Sources sources;
+    for (const auto& [file, path] : reference_files(reference, exercise)) sources[file] = read_text(path);
     return sources;
 }
 

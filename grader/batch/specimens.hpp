@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct Specimen {
     std::filesystem::path file;
     Sources sources;  ///< the whole unit: this file, the rest from the reference
 };
+
+/// Where the reference's own files are expected below the folder `reference`, by the names that students use.
+[[nodiscard]] std::map<std::string, std::filesystem::path> reference_files(const std::filesystem::path& reference, const Exercise& exercise);
 
 /// The reference's own files, under the names that students use.
 [[nodiscard]] Sources reference_sources(const std::filesystem::path& reference, const Exercise& exercise);

@@ -155,6 +155,24 @@ std::vector<Finding> expect_controls(Workshop& workshop, const Exercise& exercis
     return findings;
 }
 
+/// The cases that the checks name and the reference does not finish: mistyped in the manifest, as a rule. Empty if it finishes all.
+std::vector<Finding> expect_cases(Workshop& workshop, const Exercise& exercise, unsigned seed)
+{
+    const GradeOptions options = options_for(seed);
+    std::vector<Finding> findings;
+    for (const std::string& name : exercise.cases()) {
+        try {
+            (void)workshop.trusted(exercise, Tenant::reference, name, options.seeds.seed_of(exercise, name));
+        } catch (const std::exception& error) {
+            const std::string message = error.what();
+            const std::size_t unknown = message.find("the driver has no case");
+            findings.push_back({exercise.id, "case: " + name, seed, false, 0, "a case",
+                                unknown == std::string::npos ? message : "in exercise.json: " + message.substr(unknown)});
+        }
+    }
+    return findings;
+}
+
 }
 
 Finding expect_statements(const Exercise& exercise, unsigned seed)
@@ -163,6 +181,14 @@ Finding expect_statements(const Exercise& exercise, unsigned seed)
     for (const Language& language : languages)
         if (!std::filesystem::is_regular_file(exercise.folder / language.statement)) missing += (missing.empty() ? "" : ", ") + language.statement;
     return {exercise.id, "statements", seed, missing.empty(), 0, "both", missing.empty() ? "" : "missing: " + missing};
+}
+
+Finding expect_reference(const std::filesystem::path& reference, const Exercise& exercise, unsigned seed)
+{
+    std::string missing;
+    for (const auto& [file, path] : reference_files(reference, exercise))
+        if (!std::filesystem::is_regular_file(path)) missing += (missing.empty() ? "" : ", ") + path.string();
+    return {exercise.id, "reference", seed, missing.empty(), 0, "100", missing.empty() ? "" : "expected " + missing + ", which is not there"};
 }
 
 void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seed, const Report& report)
@@ -176,6 +202,11 @@ void validate_unit(Workshop& workshop, const Exercise& exercise, unsigned seed, 
     };
     const std::filesystem::path& reference = workshop.tools().reference;
     if (const Finding statements = expect_statements(exercise, seed); !statements.holds) report(statements);
+    if (const Finding answers = expect_reference(reference, exercise, seed); !answers.holds) return report(answers);
+    if (const std::vector<Finding> cases = expect_cases(workshop, exercise, seed); !cases.empty()) {
+        for (const Finding& one : cases) report(one);
+        return;
+    }
     guarded("reference", [&] { report(expect_all(workshop, exercise, "reference", reference_sources(reference, exercise), seed)); });
     guarded("alternatives", [&] {
         for (const Specimen& other : alternatives_of(reference, exercise)) {

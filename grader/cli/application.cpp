@@ -10,9 +10,9 @@
 #include <umbral/gl/context.hpp>
 
 #include "cli/config.hpp"
-#include "cli/nearest.hpp"
 #include "model/caps.hpp"
 #include "model/digest.hpp"
+#include "model/nearest.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {

@@ -62,6 +62,7 @@ struct Application {
 /// Each adds one command. The application must outlive the parser.
 void add_list(CLI::App& parser, Application& application);
 void add_new(CLI::App& parser, Application& application);
+void add_new_unit(CLI::App& parser, Application& application);
 void add_check(CLI::App& parser, Application& application);
 void add_hint(CLI::App& parser, Application& application);
 void add_reset(CLI::App& parser, Application& application);

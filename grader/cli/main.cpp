@@ -7,7 +7,7 @@
 
 #include "cli/application.hpp"
 #include "cli/config.hpp"
-#include "cli/nearest.hpp"
+#include "model/nearest.hpp"
 #include "report/escape.hpp"
 
 namespace umbral::grader {
@@ -32,6 +32,7 @@ void add_commands(CLI::App& parser, Application& application)
     add_grade(parser, application);
     add_demo(parser, application);
     add_validate(parser, application);
+    add_new_unit(parser, application);
     add_refresh(parser, application);
     add_bench(parser, application);
     add_doctor(parser, application);

@@ -42,10 +42,18 @@ void validate(Application& application, const Options& options)
     const Paint paint(application.style);
     application.require_answers();
     expect_writable(options.table);
-    const std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
-    have_built(application, exercises);
+    std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
     std::mutex mutex;
     std::vector<Finding> findings;
+    // What has no reference cannot be built; the others can.
+    std::erase_if(exercises, [&](const Exercise& exercise) {
+        const Finding reference = expect_reference(application.tools.reference, exercise, 0);
+        if (reference.holds) return false;
+        findings.push_back(reference);
+        if (!options.json) print(reference, paint);
+        return true;
+    });
+    have_built(application, exercises);
     // The slowest units have the most seeds to wait for: seeds are shared out, not units.
     Crew(application.tools, options.jobs).share_out(exercises.size() * options.seeds, [&](Workshop& workshop, std::size_t index) {
         validate_unit(workshop, exercises[index / options.seeds], static_cast<unsigned>(index % options.seeds), [&](const Finding& finding) {

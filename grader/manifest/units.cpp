@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -16,8 +16,15 @@
 namespace umbral::grader {
 namespace {
 
-/// The course's order of topics; others come behind.
-constexpr std::array topics{"pipeline", "meshes", "transforms", "projections", "lighting", "texturing", "interaction", "raytracing"};
+/// The course's order of topics, from `root`/topics.txt; none if there is no such file.
+std::vector<std::string> topics_in_order(const std::filesystem::path& root)
+{
+    std::vector<std::string> topics;
+    std::ifstream stream(root / "topics.txt");
+    for (std::string line; std::getline(stream, line);)
+        if (!line.empty() && !line.starts_with('#')) topics.push_back(line);
+    return topics;
+}
 
 std::vector<std::filesystem::path> folders_in(const std::filesystem::path& root)
 {
@@ -28,9 +35,9 @@ std::vector<std::filesystem::path> folders_in(const std::filesystem::path& root)
     return folders;
 }
 
-auto place_in_course(const Exercise& exercise)
+auto place_in_course(const Exercise& exercise, const std::vector<std::string>& topics)
 {
-    const auto topic = std::find(topics.begin(), topics.end(), exercise.topic) - topics.begin();
+    const auto topic = std::ranges::find(topics, exercise.topic) - topics.begin();
     return std::tuple(topic, exercise.topic, exercise.order.value_or(std::numeric_limits<double>::infinity()), exercise.id);
 }
 
@@ -75,7 +82,8 @@ Units load_units(const std::filesystem::path& root)
             throw std::runtime_error(fmt::format("{}: expected at most {} checks of the judge \"{}\" in all units, which share one budget of errors, got {}",
                                                  root.string(), record->most_in_course, record->name, count));
     }
-    std::ranges::sort(units.exercises, {}, place_in_course);
+    const std::vector<std::string> topics = topics_in_order(root);
+    std::ranges::sort(units.exercises, {}, [&](const Exercise& exercise) { return place_in_course(exercise, topics); });
     std::ranges::sort(units.broken, {}, &BrokenUnit::id);
     return units;
 }

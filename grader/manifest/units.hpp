@@ -28,8 +28,8 @@ struct Units {
     std::vector<BrokenUnit> broken;  ///< sorted by id
 };
 
-/// All units below `root` (topic/unit/exercise.json), sorted by topic in the course's order (other topics behind, by name), then `order`,
-/// then id. A unit that cannot be loaded keeps no other from being loaded. Throws std::runtime_error if `root` is no folder that can be
+/// All units below `root` (topic/unit/exercise.json), sorted by topic in the order of `root`/topics.txt (a name a line, # begins a comment;
+/// other topics behind, by name), then `order`, then id. A unit that cannot be loaded keeps no other from being loaded. Throws std::runtime_error if `root` is no folder that can be
 /// read, and if the units have more checks of a judge than it allows in all of a course (JudgeRecord::most_in_course).
 [[nodiscard]] Units load_units(const std::filesystem::path& root);
 

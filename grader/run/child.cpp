@@ -19,6 +19,7 @@
 #include <umbral/record/driver.hpp>
 #include <umbral/record/wire.hpp>
 
+#include "model/nearest.hpp"
 #include "run/descriptor.hpp"
 #include "run/emulated_calls.hpp"
 #include "run/last_words.hpp"
@@ -116,6 +117,16 @@ const DriverCase* find_case(const Driver& driver, const std::string& name)
     return found == driver.cases.end() ? nullptr : &*found;
 }
 
+/// Of interest to whoever wrote the manifest: what the case may have been meant to be called, and what there is.
+std::string no_such_case(const Driver& driver, const std::string& name)
+{
+    std::vector<std::string> known;
+    for (const DriverCase& one : driver.cases) known.emplace_back(one.name);
+    std::string text = "the driver has no case '" + name + "'" + did_you_mean(nearest(name, known)) + " its cases:";
+    for (const std::string& one : known) text += (&one == &known.front() ? " " : ", ") + one;
+    return text;
+}
+
 // Exceptions of the student's code end in std::terminate on purpose: unwinding would lose the place where they were thrown.
 // The stack goes on from a whole step, whatever lies at its end: the spawner's path, say, which is longer in one installation than in
 // another, and would have a function that calls itself without end stop at another line.
@@ -179,9 +190,13 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     if (!job.tenant.empty()) last_words::set_library(header, load(header, job.tenant));
     void* driver_library = load(header, job.driver);
     const auto* cases = static_cast<const Driver*>(dlsym(driver_library, "_ZN6umbral6driverE"));
-    const DriverCase* one = cases == nullptr ? nullptr : find_case(*cases, what.name);
+    if (cases == nullptr) {
+        note(header, wire::Note::load_failure, "the driver library defines no umbral::driver");
+        _exit(exit_load_failure);
+    }
+    const DriverCase* one = find_case(*cases, what.name);
     if (one == nullptr) {
-        note(header, wire::Note::load_failure, "the driver library defines no umbral::driver with this case");
+        note(header, wire::Note::load_failure, no_such_case(*cases, what.name).c_str());
         _exit(exit_load_failure);
     }
     header.stage = static_cast<std::uint32_t>(wire::Stage::loaded);

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "cli/application.hpp"
-#include "cli/nearest.hpp"
 #include "manifest/units.hpp"
+#include "model/nearest.hpp"
 #include "support/temporary_folder.hpp"
 
 // Commands on a course of their own, in which one unit is whole and another is half written.

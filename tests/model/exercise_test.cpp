@@ -109,6 +109,7 @@ TEST(LoadUnits, come_in_the_order_of_the_course)
     write_unit(folder, "lighting/c", 10);
     write_unit(folder, "lighting/b", 10);
     write_unit(folder, "lighting/aa");
+    folder.write("topics.txt", "# The order.\npipeline\nmeshes\ntransforms\n\nprojections\nlighting\ntexturing\ninteraction\nraytracing\nnone\n");
     folder.write("lighting/support.hpp", "");
     folder.write("CMakeLists.txt", "");
     folder.write("lighting/draft/notes.txt", "");

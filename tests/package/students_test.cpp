@@ -71,9 +71,9 @@ bool is_code(const fs::path& file)
 Lines telling_lines()
 {
     Lines lines;
-    for (const char* const topic : {"pipeline", "meshes", "transforms", "projections", "lighting", "texturing", "interaction", "raytracing"})
-        if (fs::is_directory(source / "reference" / topic))
-            for (const fs::path& file : files_below(source / "reference" / topic))
+    for (const auto& topic : fs::directory_iterator(source / "exercises"))
+        if (const fs::path answers = source / "reference" / topic.path().filename(); fs::is_directory(answers))
+            for (const fs::path& file : files_below(answers))
                 if (is_code(file)) add_lines(lines, file);
     Lines given;
     Lines drivers;

@@ -22,7 +22,7 @@ int main(int count, char** arguments)
     std::printf("seed %llu; worst entry of the rotation, against the oracle\n%-28s", static_cast<unsigned long long>(seed), "turns, 5 with each drag");
     for (const int shown : turns) std::printf(" %9d", shown);
     for (const auto& [name, module] :
-         {std::pair{"reference", REFERENCE_MODULE}, {"double, never wrapped", DOUBLE_MODULE}, {"float, wrapped each time", NAIVE_MODULE}}) {
+         {std::pair{"reference", REFERENCE_MODULE}, {"double, never wrapped", LOOK_AT_MODULE}, {"float, wrapped each time", ANGLES_IN_FLOAT_MODULE}}) {
         const auto camera = tests::tenant<MakeCamera>(module)(settings);
         const auto exact = tests::tenant<MakeCamera>(ORACLE_MODULE)(settings);
         Random random(seed);

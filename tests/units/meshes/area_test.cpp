@@ -90,7 +90,7 @@ TEST(AreaAccuracy, ReferenceKeepsItsGuarantee)
 // The hard cases must tell the forms apart.
 TEST(AreaAccuracy, OthersFail)
 {
-    const auto naive = *tests::tenant<const tests::Areas>(NAIVE_MODULE);
+    const auto naive = *tests::tenant<const tests::Areas>(IN_FLOAT_MODULE);
     const auto heron = *tests::tenant<const tests::Areas>(HERON_MODULE);
     const auto oracle = *tests::tenant<const tests::Areas>(ORACLE_MODULE);
     Random random(20603);

@@ -131,7 +131,7 @@ TEST(Ply, DamagedFilesAreRefusedOrRead)
 TEST(Ply, CorpusOfTheFuzzer)
 {
     std::size_t read = 0;
-    const std::vector<fs::path> files = files_in(PLY_CORPUS);
+    const std::vector<fs::path> files = files_in(UMBRAL_SOURCE_DIR "/tests/fuzz/corpus/ply");
     for (const fs::path& path : files) ASSERT_NO_THROW(read += tests::holds_for(text_of(path)) ? 1 : 0) << path;
     EXPECT_GT(read, 0U);
     EXPECT_LT(read, files.size());

@@ -43,7 +43,7 @@ int main(int count, char** arguments)
     const int triangles = count > 2 ? std::atoi(arguments[2]) : 200'000;
     const tests::Normals oracle = *tests::tenant<const tests::Normals>(ORACLE_MODULE);
     std::printf("seed %llu, %d triangles or folds a line, largest angle to the oracle's normal in radians\n", static_cast<unsigned long long>(seed), triangles);
-    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"in float", NAIVE_MODULE}}) {
+    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"in float", IN_FLOAT_MODULE}}) {
         const tests::Normals normals = *tests::tenant<const tests::Normals>(module);
         for (const double sine : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
             Random random(seed);

@@ -169,7 +169,7 @@ TEST(NormalsAccuracy, ReferenceKeepsItsGuarantee)
 // The hard cases must tell the forms apart.
 TEST(NormalsAccuracy, FloatFailsOnSliversAndFolds)
 {
-    const auto naive = *tests::tenant<const tests::Normals>(NAIVE_MODULE);
+    const auto naive = *tests::tenant<const tests::Normals>(IN_FLOAT_MODULE);
     const auto oracle = *tests::tenant<const tests::Normals>(ORACLE_MODULE);
     Random random(20264);
     const IndexedMesh slivers = sliver_triangles(1e-4, 1000, random);

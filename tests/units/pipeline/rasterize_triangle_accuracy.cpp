@@ -63,7 +63,7 @@ int main(int count, char** arguments)
     std::printf("seed %llu, %d needles and as many large triangles a line, w from 1 to 8, picture %d x %d\n", static_cast<unsigned long long>(seed), triangles,
                 width, height);
     std::printf("%-12s %8s %24s %24s %14s\n", "tenant", "reach", "pixels of needles lost, %", "pixels too many, %", "worst weight");
-    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"float edges", NAIVE_MODULE}}) {
+    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"float edges", FLOAT_EDGES_MODULE}}) {
         Rasterize* const rasterize = tests::tenant<Rasterize>(module);
         for (const int reach : {16, 64, 256, 1024, 4096, 16000}) {
             Random random(seed);

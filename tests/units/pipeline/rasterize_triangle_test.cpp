@@ -228,7 +228,7 @@ TEST(RasterizeInputs, NeedlesPassACentreClosely)
 // The hard cases must tell the forms apart: edge functions in float get most needles wrong.
 TEST(RasterizeAccuracy, FloatFailsOnNeedles)
 {
-    const auto naive = tests::tenant<Rasterize>(NAIVE_MODULE);
+    const auto naive = tests::tenant<Rasterize>(FLOAT_EDGES_MODULE);
     const auto oracle = tests::tenant<Rasterize>(ORACLE_MODULE);
     Random random(20273);
     int wrong = 0;

@@ -17,7 +17,8 @@ int main(int count, char** arguments)
     const std::uint64_t seed = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1;
     const int cameras = count > 2 ? std::atoi(arguments[2]) : 200'000;
     View* const oracle = tests::tenant<View>(ORACLE_MODULE);
-    const std::pair<const char*, View*> tenants[] = {{"reference", tests::tenant<View>(REFERENCE_MODULE)}, {"in float", tests::tenant<View>(NAIVE_MODULE)}};
+    const std::pair<const char*, View*> tenants[] = {{"reference", tests::tenant<View>(REFERENCE_MODULE)},
+                                                     {"in float", tests::tenant<View>(FLOAT_CROSS_MODULE)}};
     std::printf("seed %llu, %d cameras a line, worst errors against the oracle\n", static_cast<unsigned long long>(seed), cameras);
 
     for (const auto& [name, view_matrix] : tenants) {

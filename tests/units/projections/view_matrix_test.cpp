@@ -130,7 +130,7 @@ TEST(ViewAccuracy, ReferenceKeepsItsGuarantee)
 // The hard cases must tell the forms apart.
 TEST(ViewAccuracy, FloatFailsNearTheParallel)
 {
-    View* const naive = tests::tenant<View>(NAIVE_MODULE);
+    View* const naive = tests::tenant<View>(FLOAT_CROSS_MODULE);
     View* const oracle = tests::tenant<View>(ORACLE_MODULE);
     Random random(20267);
     int wrong = 0;

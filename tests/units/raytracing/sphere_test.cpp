@@ -101,7 +101,7 @@ TEST(SphereAccuracy, ReferenceKeepsItsGuarantee)
 // The hard cases must tell the forms apart: the school formula fails most of them.
 TEST(SphereAccuracy, SchoolFormulaFailsFarAway)
 {
-    const auto naive = tests::tenant<Intersect>(NAIVE_MODULE);
+    const auto naive = tests::tenant<Intersect>(SCHOOL_FORMULA_MODULE);
     const auto oracle = tests::tenant<Intersect>(ORACLE_MODULE);
     EXPECT_EQ(oracle({{0.5F, 0, 5000}}, unit_ball).value(), 4999.134F);
     EXPECT_EQ(naive({{0.5F, 0, 5000}}, unit_ball).value(), 5000.0F) << "b² and 4ac agree in all their digits: discriminant 0";

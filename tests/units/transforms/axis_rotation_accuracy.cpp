@@ -53,7 +53,7 @@ int main(int count, char** arguments)
     const int turns = count > 2 ? std::atoi(arguments[2]) : 20'000;
     const tests::Rotations oracle = *tests::tenant<const tests::Rotations>(ORACLE_MODULE);
     std::printf("seed %llu, %d tiny turns a line\n", static_cast<unsigned long long>(seed), turns);
-    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"in float", NAIVE_MODULE}}) {
+    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"in float", IN_FLOAT_MODULE}}) {
         const tests::Rotations rotate = *tests::tenant<const tests::Rotations>(module);
         for (const float angle : {1.0F, 1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F, 1e-8F}) {
             Random random(seed);

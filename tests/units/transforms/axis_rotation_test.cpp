@@ -167,7 +167,7 @@ TEST(RotationAccuracy, ReferenceKeepsItsGuarantee)
 // The hard cases must tell the forms apart.
 TEST(RotationAccuracy, FloatFails)
 {
-    const auto naive = *tests::tenant<const tests::Rotations>(NAIVE_MODULE);
+    const auto naive = *tests::tenant<const tests::Rotations>(IN_FLOAT_MODULE);
     EXPECT_EQ(naive.matrix({{3, 4, 0}, 1e-4F})[1][0], 0) << "1 - cosθ is 0";
     EXPECT_EQ(naive.matrix({{0, 0, 1e-30F}, 1}), glm::mat4(1)) << "the square of the axis is 0";
     const std::vector<AxisAngle> chain(3'600'000, {{1, -2, 2}, 1e-4F});

@@ -1,5 +1,5 @@
 // Prints how often the reference and the naive form differ from the oracle: the table in the statement of texturing/lookup.
-// Usage: texture-lookup-accuracy [SEED [LOOKUPS]]
+// Usage: lookup-accuracy [SEED [LOOKUPS]]
 
 #include <cstdio>
 #include <cstdlib>
@@ -47,7 +47,7 @@ int main(int count, char** arguments)
     constexpr float reaches[] = {1, 10, 1e2F, 1e3F, 1e4F, 1e5F, 1e6F};
     for (const float reach : reaches) std::printf(" %9.0f", double{reach});
     std::printf("\n");
-    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"u * n first", NAIVE_MODULE}}) {
+    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"u * n first", FLOAT_PRODUCT_MODULE}}) {
         Lookup* const lookup = tests::tenant<Lookup>(module);
         for (const Filter filter : both_filters) {
             const bool blends = filter == Filter::bilinear;

@@ -183,7 +183,7 @@ TEST(LookupAccuracy, ReferenceKeepsItsGuarantee)
 // The hard cases must tell the forms apart.
 TEST(LookupAccuracy, MultiplyingFirstFailsFarOut)
 {
-    const auto naive = tests::tenant<Lookup>(NAIVE_MODULE);
+    const auto naive = tests::tenant<Lookup>(FLOAT_PRODUCT_MODULE);
     const auto oracle = tests::tenant<Lookup>(ORACLE_MODULE);
     const Grid<glm::vec4> texture = numbered(300);
     Random random(20268);

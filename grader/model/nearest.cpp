@@ -1,6 +1,4 @@
-#include "cli/nearest.hpp"
-
-#include <fmt/format.h>
+#include "model/nearest.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -78,7 +76,10 @@ std::string did_you_mean(std::span<const std::string> names)
 {
     if (names.empty()) return ";";
     std::string text = "; did you mean ";
-    for (std::size_t i = 0; i < names.size(); ++i) text += fmt::format("{}`{}`", i == 0 ? "" : i + 1 == names.size() ? " or " : ", ", names[i]);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        text += i == 0 ? "`" : i + 1 == names.size() ? " or `" : ", `";
+        text += names[i] + "`";
+    }
     return text + "?";
 }
 
