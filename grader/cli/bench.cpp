@@ -14,12 +14,12 @@ void add_bench(CLI::App& parser, Application& application)
     command->set_help_flag();
     command->prefix_command();
     add_bench_explanations(*command, application);
-    add_bench_judge(*command, application);
+    add_bench_judges(*command, application);
     command->callback([&application, command] {
         if (!command->get_subcommands().empty()) return;
-        std::vector<std::string> words = {have_program(application, "umbral-bench").string()};
+        std::vector<std::string> words = {have_program(application, "umbral-bench-accuracy").string()};
         for (const std::string& word : command->remaining()) words.push_back(word);
-        become(std::move(words), "build the target umbral-bench");
+        become(std::move(words), "build the target umbral-bench-accuracy");
     });
 }
 

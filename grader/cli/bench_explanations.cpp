@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "batch/crew.hpp"
-#include "calibrate/explanations.hpp"
-#include "calibrate/picture_pair.hpp"
+#include "bench/explanations/explanations.hpp"
+#include "bench/held_out.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
 #include "cli/numbers.hpp"

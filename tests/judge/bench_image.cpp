@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <opencv2/core.hpp>
 
-#include "calibrate/best_time.hpp"
+#include "bench/best_time.hpp"
 #include "judge/picture/image_difference.hpp"
 #include "judge/picture/image_metrics.hpp"
 #include "judge/picture/image_rule.hpp"
