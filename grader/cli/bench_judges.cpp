@@ -28,7 +28,15 @@ struct Options {
     std::size_t jobs = default_jobs();
     bool no_units = false;
     bool no_scenes = false;
+    bool quick = false;
 };
+
+/// A look of some seconds: one unit's pictures.
+void shorten(Options& options)
+{
+    options.no_scenes = true;
+    if (options.units.empty()) options.units = {"sphere"};
+}
 
 void write(const std::string& file, const std::string& text)
 {
@@ -93,7 +101,11 @@ void add_bench_judges(CLI::App& bench, Application& application)
     command->add_option("--jobs", options->jobs, "How many at a time")->check(possible_jobs)->capture_default_str();
     command->add_option("--markdown", options->markdown, "Write the tables to this file too")->type_name("FILE");
     command->add_option("--json", options->json, "Write every pair's measures to this file")->type_name("FILE");
-    command->callback([&application, options] { bench_judges(application, *options); });
+    command->add_flag("--quick", options->quick, "A look of some seconds: no scenes, and of the units the sphere, if no other is named");
+    command->callback([&application, options] {
+        if (options->quick) shorten(*options);
+        bench_judges(application, *options);
+    });
 }
 
 }

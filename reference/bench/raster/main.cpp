@@ -75,31 +75,53 @@ std::string to_line(const Row& row)
                        row.gl / row.ours, row.different);
 }
 
+/// The table of the README: meshes alone, a column a size.
+std::string readme_table(const std::vector<Row>& rows)
+{
+    std::string legs = "| legs of the triangles, pixels |";
+    std::string line = "\n|---|";
+    std::string ours = "\n| million triangles a second, ours |";
+    std::string ratio = "\n| ours over llvmpipe's |";
+    for (const Row& row : rows) {
+        if (row.scattered) continue;
+        legs += fmt::format(" {} |", row.legs);
+        line += "---|";
+        ours += fmt::format(" {:#.2g} |", 1e-6 * row.triangles / row.ours);
+        ratio += fmt::format(" {:.2f} |", row.gl / row.ours);
+    }
+    return legs + line + ours + ratio + "\n";
+}
+
 }
 
 int main(int count, char** words)
 {
-    CLI::App app("Measures the engine's rasteriser against Mesa's llvmpipe: the same triangles, in turns, one thread each.");
+    CLI::App app("Measures the engine's rasteriser against Mesa's llvmpipe: the same triangles, in turns, one thread each.", "umbral bench raster");
     double seconds = 8;
     bool json = false;
     std::vector<int> sizes = {2, 4, 8, 16, 32, 64, 128, 256};
-    app.add_option("--seconds", seconds, "How long to measure a row, about")->capture_default_str();
+    app.add_option("--seconds", seconds, "How long to measure a row, about")->capture_default_str()->take_last();
     app.add_option("--legs", sizes, "Legs of the triangles, in pixels")->check(CLI::Range(1, 512));
     app.add_flag("--json", json, "Say it in JSON");
     CLI11_PARSE(app, count, words);
 
     gl::forbid_driver_threads();
     const gl::OffscreenContext context;
-    nlohmann::json rows = nlohmann::json::array();
+    std::vector<Row> rows;
     if (!json)
         fmt::print("{}, {} x {}; legs in pixels; ratio: ours to llvmpipe\n{:9} {:>5} {:>12} {:>10} {:>12} {:>10} {:>8} {:>10}\n", gl::backend_description(),
                    side, side, "order", "legs", "ours Mtri/s", "llvmpipe", "ours Mpix/s", "llvmpipe", "ratio", "different");
     for (const bool scattered : {false, true})
         for (const int legs : sizes) {
-            const Row row = measure(legs, scattered, seconds);
-            rows.push_back(to_json(row));
-            if (!json) fmt::print("{}", to_line(row));
+            rows.push_back(measure(legs, scattered, seconds));
+            if (!json) fmt::print("{}", to_line(rows.back()));
             (void)std::fflush(stdout);
         }
-    if (json) fmt::print("{}\n", nlohmann::json{{"gl", gl::backend_description()}, {"side", side}, {"rows", rows}}.dump(2));
+    if (!json) {
+        fmt::print("\n{}", readme_table(rows));
+        return 0;
+    }
+    nlohmann::json all = nlohmann::json::array();
+    for (const Row& row : rows) all.push_back(to_json(row));
+    fmt::print("{}\n", nlohmann::json{{"gl", gl::backend_description()}, {"side", side}, {"rows", all}}.dump(2));
 }
