@@ -156,7 +156,7 @@ fs::path have_fresh_program(const Application& application, const std::string& n
 {
     if (of_tests) configure_tests(application);
     const fs::path program = application.tools.programs / name;
-    if (!fs::exists(program)) say(application, fmt::format("building {} for the first time", name));
+    say(application, fs::exists(program) ? fmt::format("bringing {} up to date", name) : fmt::format("building {} for the first time", name));
     build_targets(application.layout.build, {name});
     return program;
 }

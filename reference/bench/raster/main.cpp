@@ -86,7 +86,7 @@ std::string readme_table(const std::vector<Row>& rows)
         if (row.scattered) continue;
         legs += fmt::format(" {} |", row.legs);
         line += "---|";
-        ours += fmt::format(" {:#.2g} |", 1e-6 * row.triangles / row.ours);
+        ours += fmt::format(" {:#.3g} |", 1e-6 * row.triangles / row.ours);
         ratio += fmt::format(" {:.2f} |", row.gl / row.ours);
     }
     return legs + line + ours + ratio + "\n";

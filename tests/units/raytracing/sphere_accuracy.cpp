@@ -82,7 +82,7 @@ int main(int count, char** arguments)
             std::array<char, 32> percent{};
             std::snprintf(percent.data(), percent.size(), " %.2g |", 100.0 * errors.wrong / rays);
             wrong += percent.data();
-            worst += " " + with_commas(errors.worst_all) + " |";
+            worst += " " + with_commas(errors.worst) + " |";
         }
         table += wrong + "\n" + worst + "\n";
     }
