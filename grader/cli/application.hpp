@@ -76,7 +76,7 @@ void add_refresh(CLI::App& parser, Application& application);
 void add_bench(CLI::App& parser, Application& application);
 /// Added to the command bench, not to the parser.
 void add_bench_explanations(CLI::App& bench, Application& application);
-void add_bench_judge(CLI::App& bench, Application& application);
+void add_bench_judges(CLI::App& bench, Application& application);
 void add_doctor(CLI::App& parser, Application& application);
 
 }

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "batch/crew.hpp"
-#include "calibrate/explanations.hpp"
-#include "calibrate/picture_pair.hpp"
+#include "bench/explanations/explanations.hpp"
+#include "bench/held_out.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
 #include "cli/numbers.hpp"
@@ -23,7 +23,15 @@ struct Options {
     unsigned seeds = 2;
     std::size_t jobs = default_jobs();
     std::string json;
+    bool quick = false;
 };
+
+/// A look of some seconds: one unit, one set of inputs.
+void shorten(Options& options)
+{
+    options.seeds = 1;
+    if (options.units.empty()) options.units = {"sphere"};
+}
 
 nlohmann::json to_json(const ExplainedWork& work)
 {
@@ -81,8 +89,12 @@ void add_bench_explanations(CLI::App& bench, Application& application)
     command->add_option("--seeds", options->seeds, "How many sets of random inputs")->check(possible_seeds)->capture_default_str();
     command->add_option("--jobs", options->jobs, "How many at a time")->check(possible_jobs)->capture_default_str();
     command->add_option("--json", options->json, "Write everything that was said, too")->type_name("FILE");
+    command->add_flag("--quick", options->quick, "A look of some seconds: one set of inputs, of the sphere if no other unit is named");
     command->footer("Exit status: 0 the targets are met (95 % right; less than 1 % wrong of work that matches no reason), 1 they are not.");
-    command->callback([&application, options] { measure(application, *options); });
+    command->callback([&application, options] {
+        if (options->quick) shorten(*options);
+        measure(application, *options);
+    });
 }
 
 }

@@ -62,11 +62,18 @@ int run_into(const fs::path& log, std::vector<std::string> words)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/// No other build in this folder until it goes out of scope; the launcher takes the same lock.
+Descriptor lock_build(const fs::path& folder)
+{
+    Descriptor lock(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
+    if (!lock || flock(lock.get(), LOCK_EX) != 0) throw std::runtime_error(fmt::format("cannot build in {}: {}", folder.string(), std::strerror(errno)));
+    return lock;
+}
+
 /// Builds targets, one build of this folder at a time, as the launcher does too.
 void build_targets(const fs::path& folder, const std::vector<std::string>& targets)
 {
-    const Descriptor lock(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
-    if (!lock || flock(lock.get(), LOCK_EX) != 0) throw std::runtime_error(fmt::format("cannot build in {}: {}", folder.string(), std::strerror(errno)));
+    const Descriptor lock = lock_build(folder);
     const fs::path log = folder / "units.log";
     std::vector<std::string> words{"cmake", "--build", folder.string(), "--target"};
     words.insert(words.end(), targets.begin(), targets.end());
@@ -78,6 +85,34 @@ void say(const Application& application, const std::string& what)
 {
     fmt::print(stderr, "umbral: {}\n", Paint(application.style).safe(what));
     (void)std::fflush(stderr);
+}
+
+bool has_tests(const fs::path& folder)
+{
+    std::ifstream cache(folder / "CMakeCache.txt");
+    for (std::string line; std::getline(cache, line);)
+        if (line.starts_with("BUILD_TESTING:")) return line.ends_with("=ON");
+    return true;
+}
+
+/// Has the build know the tests' targets too.
+void configure_tests(const Application& application)
+{
+    const fs::path& folder = application.layout.build;
+    if (has_tests(folder)) return;
+    say(application, "configuring the build with its tests");
+    const Descriptor lock = lock_build(folder);
+    const fs::path log = folder / "units.log";
+    const auto configure = [&](const fs::path& into, const char* testing) {
+        return run_into(into, {"cmake", "-S", application.layout.data.string(), "-B", folder.string(), testing}) == 0;
+    };
+    if (configure(log, "-DBUILD_TESTING=ON")) return;
+    // What was switched on stays so after a failure, and then nothing could be built any more.
+    (void)configure(folder / "tests-off.log", "-DBUILD_TESTING=OFF");
+    throw UsageError(
+        fmt::format("this is one of the tests' programs, and they cannot be configured here; they need the packages of "
+                    "cmake/debian-packages-test.txt, which `./umbral test` installs. The whole log is in {}{}",
+                    log.string(), errors_in(log)));
 }
 
 /// An installation has everything but the precompiled header.
@@ -114,6 +149,15 @@ fs::path have_program(const Application& application, const std::string& name)
         say(application, fmt::format("building {} for the first time", name));
         build_targets(application.layout.build, {name});
     }
+    return program;
+}
+
+fs::path have_fresh_program(const Application& application, const std::string& name, bool of_tests)
+{
+    if (of_tests) configure_tests(application);
+    const fs::path program = application.tools.programs / name;
+    say(application, fs::exists(program) ? fmt::format("bringing {} up to date", name) : fmt::format("building {} for the first time", name));
+    build_targets(application.layout.build, {name});
     return program;
 }
 

@@ -17,4 +17,9 @@ void have_built(const Application& application, std::span<const Exercise> units)
 /// Builds the program `name` if it was not built yet. Its path. Throws UsageError in an installation that does not hold it.
 [[nodiscard]] std::filesystem::path have_program(const Application& application, const std::string& name);
 
+/// In a checkout: builds the program `name` anew if its sources changed, so that what is measured is what they say. Those
+/// `of_tests` have targets only if the build was configured with the tests: if it was not, it is now. Throws UsageError,
+/// and leaves the build as it was, if that is not possible. The program's path.
+[[nodiscard]] std::filesystem::path have_fresh_program(const Application& application, const std::string& name, bool of_tests);
+
 }

@@ -61,10 +61,10 @@ TEST(Arrows, of_the_grader)
                                {"manifest", {"model", "judge"}},
                                {"report", {"model", "judge"}},
                                {"batch", {"model", "manifest", "run", "store", "collect", "build", "judge", "report"}},
-                               {"calibrate", {"model", "run", "collect", "build", "judge", "report", "batch"}},
+                               {"bench", {"model", "run", "collect", "build", "judge", "report", "batch"}},
                                {"inspect", {"model"}},
                                {"attack", {"model"}},
-                               {"cli", {"model", "manifest", "run", "store", "collect", "build", "judge", "report", "batch", "calibrate", "attack"}}};
+                               {"cli", {"model", "manifest", "run", "store", "collect", "build", "judge", "report", "batch", "bench", "attack"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
         const std::string room = part(include.line.file, 1);
@@ -86,11 +86,11 @@ TEST(Arrows, judges_are_known_by_their_records)
         if (file.filename() == "record.cpp") judges.insert(file.parent_path().filename());
     EXPECT_GE(judges.size(), 9U);
     const std::set<std::string> allowed{
-        "grader/batch/pictures.cpp judge/image/rule.hpp",         // what is drawn is compared as a colour picture
-        "grader/report/triptych.hpp judge/image/rule.hpp",        // the same
-        "grader/calibrate/judge_bench.cpp judge/image/rule.hpp",  // measures that judge
-        "grader/cli/compare.cpp judge/image/rule.hpp",            // compares two files of pictures
-        "grader/batch/weigh_cost.cpp judge/cost/cost.hpp",        // weighs counts against processor time
+        "grader/batch/pictures.cpp judge/image/rule.hpp",        // what is drawn is compared as a colour picture
+        "grader/report/triptych.hpp judge/image/rule.hpp",       // the same
+        "grader/bench/judges/results.cpp judge/image/rule.hpp",  // measures that judge
+        "grader/cli/compare.cpp judge/image/rule.hpp",           // compares two files of pictures
+        "grader/batch/weigh_cost.cpp judge/cost/cost.hpp",       // weighs counts against processor time
         "grader/batch/weigh_cost.cpp judge/cost/outside_cost.hpp",
         "grader/judge/noise/noise.cpp judge/events/events.hpp",  // names of quantities are written like names of events
     };

@@ -222,6 +222,8 @@ const char* const impossible[] = {
     "bench judge --markdown $D",
     "bench judge --json $F/page",
     "bench judge --seeds x",
+    "bench judges --seeds x",
+    "bench outcomes --quick",
     "doctor extra",
     "doctor --json=x",
     "--zzz",

@@ -76,6 +76,20 @@ TEST_F(StudentsPackage, says_what_else_to_install)
     }
 }
 
+// What is built from the tests, or from sources that no package holds, is measured in the checkout.
+TEST(InstructorsPackage, says_what_is_measured_in_the_checkout_only)
+{
+    const TemporaryFolder folder;
+    const std::string umbral = installed(everything(), folder);
+    for (const char* const name : {"run", "raster", "fuzz"}) {
+        const Printed refused = run(umbral + "bench " + name);
+        EXPECT_EQ(refused.status, 2) << name << refused.text;
+        EXPECT_NE(refused.text.find("needs the checkout"), std::string::npos) << name << refused.text;
+    }
+    const Printed quick = run("cd " + folder.path().string() + " && " + umbral + "bench accuracy --quick --knob ray-sphere");
+    EXPECT_EQ(quick.status, 0) << quick.text;
+}
+
 TEST(InstructorsPackage, grades_the_sample_class_as_the_checkout_does)
 {
     const TemporaryFolder folder;

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "batch/crew.hpp"
+#include "bench/judges/results.hpp"
+#include "bench/judges/scene_pairs.hpp"
+#include "bench/judges/unit_pairs.hpp"
+#include "cli/application.hpp"
+#include "cli/checkout.hpp"
+#include "cli/numbers.hpp"
+#include "cli/paths.hpp"
+#include "judge/judges.hpp"
+#include "model/scratch.hpp"
+
+namespace umbral::grader {
+namespace {
+
+struct Options {
+    std::vector<std::string> units;
+    std::string scenes;
+    std::string json;
+    std::string markdown;
+    unsigned seeds = 1;
+    std::size_t jobs = default_jobs();
+    bool no_units = false;
+    bool no_scenes = false;
+    bool quick = false;
+};
+
+/// A look of some seconds: one unit's pictures.
+void shorten(Options& options)
+{
+    options.no_scenes = true;
+    if (options.units.empty()) options.units = {"sphere"};
+}
+
+void write(const std::string& file, const std::string& text)
+{
+    if (!file.empty()) write_output(file, text);
+}
+
+void bench_judges(Application& application, const Options& options)
+{
+    application.require_answers();
+    expect_writable(options.markdown);
+    expect_writable(options.json);
+    JudgeBench bench;
+    std::mutex mutex;
+    const VisitPair keep = [&](const PicturePair& pair) {
+        MeasuredPair measured = measure(pair);
+        const std::lock_guard lock(mutex);
+        bench.pairs.push_back(std::move(measured));
+    };
+    const std::vector<Exercise> exercises = options.no_units ? std::vector<Exercise>{} : application.chosen(options.units);
+    have_built(application, exercises);
+    for (const Exercise& exercise : exercises)
+        bench.pictures_per_submission +=
+            static_cast<double>(std::ranges::count_if(exercise.checks, [](const Check& check) { return judge_of(check).look == Look::colours; }));
+
+    std::optional<ScratchFolder> scratch;
+    std::filesystem::path folder = options.scenes;
+    if (folder.empty() && !options.no_scenes) {
+        scratch.emplace(std::filesystem::temp_directory_path() / "umbral-scenes");
+        folder = scratch->path();
+        draw_scenes(have_program(application, "umbral-bench-scenes"), folder);
+    }
+    // The scenes are one task, each unit's seed is another.
+    const std::size_t tasks = exercises.size() * options.seeds + (options.no_scenes ? 0 : 1);
+    Crew(application.tools, options.jobs).share_out(tasks, [&](Workshop& workshop, std::size_t index) {
+        if (!options.no_scenes && index == 0) return visit_scenes(folder, keep);
+        const std::size_t unit = options.no_scenes ? index : index - 1;
+        Workshop egl(application.tools, "egl");
+        visit_unit(workshop, egl, exercises[unit / options.seeds], static_cast<unsigned>(unit % options.seeds), keep);
+    });
+    // Workers finish in any order; the report has one.
+    std::ranges::stable_sort(bench.pairs, {}, [](const MeasuredPair& pair) { return std::tie(pair.scene, pair.change); });
+    bench.times = time_image_rule();
+    const std::string text = as_markdown(bench);
+    fmt::print("{}", text);
+    write(options.markdown, text);
+    if (!options.json.empty()) write(options.json, as_json(bench).dump());
+}
+
+}
+
+void add_bench_judges(CLI::App& bench, Application& application)
+{
+    auto options = std::make_shared<Options>();
+    CLI::App* command = bench.add_subcommand("judges", "How often the image rule catches wrong pictures, and blames right ones, beside other rules");
+    command->alias("judge");
+    command->set_help_flag("-h,--help", "Print this help message and exit");
+    command->add_option("UNIT", options->units, "Only these units' pictures");
+    command->add_option("--scenes", options->scenes, "Scenes that umbral-bench-scenes has drawn already")->type_name("FOLDER")->check(CLI::ExistingDirectory);
+    command->add_flag("--no-units", options->no_units, "Only the scenes drawn for this, and no unit");
+    command->add_flag("--no-scenes", options->no_scenes, "Only the units");
+    command->add_option("--seeds", options->seeds, "How many sets of random inputs of each unit")->check(possible_seeds)->capture_default_str();
+    command->add_option("--jobs", options->jobs, "How many at a time")->check(possible_jobs)->capture_default_str();
+    command->add_option("--markdown", options->markdown, "Write the tables to this file too")->type_name("FILE");
+    command->add_option("--json", options->json, "Write every pair's measures to this file")->type_name("FILE");
+    command->add_flag("--quick", options->quick, "A look of some seconds: no scenes, and of the units the sphere, if no other is named");
+    command->callback([&application, options] {
+        if (options->quick) shorten(*options);
+        bench_judges(application, *options);
+    });
+}
+
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "opengl.hpp"
+#include "software.hpp"
+
+namespace umbral::bench::scenes {
+
+/// All that can draw here.
+class Painters {
+public:
+    /// OpenGL is drawn by `kind`; the other back end is loaded too where there is one.
+    explicit Painters(gl::BackendKind kind);
+
+    [[nodiscard]] Image opengl(const Model& model, Flaw flaw, Way way);
+    /// The build that the way asks for; the plain one for ways that ask for none.
+    [[nodiscard]] static SoftwareBuild software(Way way);
+    /// Can this way be drawn on this machine, with this build?
+    [[nodiscard]] bool has(Way way) const;
+    [[nodiscard]] std::string description() { return main_.description(); }
+
+private:
+    OpenGlPainter main_;
+    std::unique_ptr<OpenGlPainter> other_;
+};
+
+}
