@@ -12,10 +12,6 @@
 #include "manifest/units.hpp"
 #include "report/terminal.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace umbral::grader {
 
 /// What a command ends with; documented in --help and in docs.
@@ -58,25 +54,5 @@ struct Application {
 
 /// Where this Umbral lies, and its units. Throws std::runtime_error, and UsageError if there is no folder for what it keeps.
 [[nodiscard]] Application make_application();
-
-/// Each adds one command. The application must outlive the parser.
-void add_list(CLI::App& parser, Application& application);
-void add_new(CLI::App& parser, Application& application);
-void add_new_unit(CLI::App& parser, Application& application);
-void add_check(CLI::App& parser, Application& application);
-void add_hint(CLI::App& parser, Application& application);
-void add_reset(CLI::App& parser, Application& application);
-void add_debug(CLI::App& parser, Application& application);
-void add_render(CLI::App& parser, Application& application);
-void add_compare(CLI::App& parser, Application& application);
-void add_grade(CLI::App& parser, Application& application);
-void add_demo(CLI::App& parser, Application& application);
-void add_validate(CLI::App& parser, Application& application);
-void add_refresh(CLI::App& parser, Application& application);
-void add_bench(CLI::App& parser, Application& application);
-/// Added to the command bench, not to the parser.
-void add_bench_explanations(CLI::App& bench, Application& application);
-void add_bench_judges(CLI::App& bench, Application& application);
-void add_doctor(CLI::App& parser, Application& application);
 
 }

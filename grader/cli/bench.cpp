@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 #include <stdlib.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "cli/application.hpp"
 #include "cli/become.hpp"
 #include "cli/benchmarks.hpp"
 #include "cli/checkout.hpp"
+#include "cli/commands.hpp"
 #include "model/nearest.hpp"
 
 namespace umbral::grader {
@@ -63,16 +63,15 @@ std::string program_of(const Application& application, const Benchmark& benchmar
 
 // What measures the grader itself are commands; all else is a program of its own, with options of its own, that knows what the grader must
 // not hold: the reference.
-void add_bench(CLI::App& parser, Application& application)
+void add_bench(Command parser, Application& application)
 {
-    CLI::App* command = parser.add_subcommand("bench", "Prints the figures of the documents, measured here: umbral bench NAME; without a name, lists them");
-    command->set_help_flag();
-    command->prefix_command();
-    add_bench_explanations(*command, application);
-    add_bench_judges(*command, application);
-    command->callback([&application, command] {
-        if (!command->get_subcommands().empty()) return;
-        std::vector<std::string> words = command->remaining();
+    const Command command = parser.command("bench", "Prints the figures of the documents, measured here: umbral bench NAME; without a name, lists them");
+    command.passes_words_on();
+    add_bench_explanations(command, application);
+    add_bench_judges(command, application);
+    command.runs([&application, command] {
+        if (command.has_named_command()) return;
+        std::vector<std::string> words = command.rest();
         if (words.empty() || words.front() == "--help" || words.front() == "-h") return fmt::print("{}", list_of_benchmarks());
         const Benchmark& benchmark = benchmark_named(words.front());
         words.erase(words.begin());

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <mutex>
@@ -12,7 +11,7 @@
 #include "bench/held_out.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
-#include "cli/numbers.hpp"
+#include "cli/commands.hpp"
 #include "cli/paths.hpp"
 
 namespace umbral::grader {
@@ -80,18 +79,18 @@ void measure(Application& application, const Options& options)
 
 }
 
-void add_bench_explanations(CLI::App& bench, Application& application)
+void add_bench_explanations(Command bench, Application& application)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = bench.add_subcommand("explanations", "How often the right reason is given for a mistake, and a wrong one for other work");
-    command->set_help_flag("-h,--help", "Print this help message and exit");
-    command->add_option("UNIT", options->units, "Only these units");
-    command->add_option("--seeds", options->seeds, "How many sets of random inputs")->check(possible_seeds)->capture_default_str();
-    command->add_option("--jobs", options->jobs, "How many at a time")->check(possible_jobs)->capture_default_str();
-    command->add_option("--json", options->json, "Write everything that was said, too")->type_name("FILE");
-    command->add_flag("--quick", options->quick, "A look of some seconds: one set of inputs, of the sphere if no other unit is named");
-    command->footer("Exit status: 0 the targets are met (95 % right; less than 1 % wrong of work that matches no reason), 1 they are not.");
-    command->callback([&application, options] {
+    const Command command = bench.command("explanations", "How often the right reason is given for a mistake, and a wrong one for other work");
+    command.has_help();
+    command.option("UNIT", options->units, "Only these units");
+    command.option("--seeds", options->seeds, "How many sets of random inputs").between(1, most_seeds).with_default();
+    command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();
+    command.option("--json", options->json, "Write everything that was said, too").called("FILE");
+    command.flag("--quick", options->quick, "A look of some seconds: one set of inputs, of the sphere if no other unit is named");
+    command.footer("Exit status: 0 the targets are met (95 % right; less than 1 % wrong of work that matches no reason), 1 they are not.");
+    command.runs([&application, options] {
         if (options->quick) shorten(*options);
         measure(application, *options);
     });

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -11,7 +10,7 @@
 #include "bench/judges/unit_pairs.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
-#include "cli/numbers.hpp"
+#include "cli/commands.hpp"
 #include "cli/paths.hpp"
 #include "judge/judges.hpp"
 #include "model/scratch.hpp"
@@ -87,22 +86,22 @@ void bench_judges(Application& application, const Options& options)
 
 }
 
-void add_bench_judges(CLI::App& bench, Application& application)
+void add_bench_judges(Command bench, Application& application)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = bench.add_subcommand("judges", "How often the image rule catches wrong pictures, and blames right ones, beside other rules");
+    const Command command = bench.command("judges", "How often the image rule catches wrong pictures, and blames right ones, beside other rules");
     command->alias("judge");
-    command->set_help_flag("-h,--help", "Print this help message and exit");
-    command->add_option("UNIT", options->units, "Only these units' pictures");
-    command->add_option("--scenes", options->scenes, "Scenes that umbral-bench-scenes has drawn already")->type_name("FOLDER")->check(CLI::ExistingDirectory);
-    command->add_flag("--no-units", options->no_units, "Only the scenes drawn for this, and no unit");
-    command->add_flag("--no-scenes", options->no_scenes, "Only the units");
-    command->add_option("--seeds", options->seeds, "How many sets of random inputs of each unit")->check(possible_seeds)->capture_default_str();
-    command->add_option("--jobs", options->jobs, "How many at a time")->check(possible_jobs)->capture_default_str();
-    command->add_option("--markdown", options->markdown, "Write the tables to this file too")->type_name("FILE");
-    command->add_option("--json", options->json, "Write every pair's measures to this file")->type_name("FILE");
-    command->add_flag("--quick", options->quick, "A look of some seconds: no scenes, and of the units the sphere, if no other is named");
-    command->callback([&application, options] {
+    command.has_help();
+    command.option("UNIT", options->units, "Only these units' pictures");
+    command.option("--scenes", options->scenes, "Scenes that umbral-bench-scenes has drawn already").called("FOLDER").existing_folder();
+    command.flag("--no-units", options->no_units, "Only the scenes drawn for this, and no unit");
+    command.flag("--no-scenes", options->no_scenes, "Only the units");
+    command.option("--seeds", options->seeds, "How many sets of random inputs of each unit").between(1, most_seeds).with_default();
+    command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();
+    command.option("--markdown", options->markdown, "Write the tables to this file too").called("FILE");
+    command.option("--json", options->json, "Write every pair's measures to this file").called("FILE");
+    command.flag("--quick", options->quick, "A look of some seconds: no scenes, and of the units the sphere, if no other is named");
+    command.runs([&application, options] {
         if (options->quick) shorten(*options);
         bench_judges(application, *options);
     });

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -13,7 +12,7 @@
 #include "batch/check_submission.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
-#include "cli/numbers.hpp"
+#include "cli/commands.hpp"
 #include "cli/paths.hpp"
 #include "cli/watch.hpp"
 #include "report/html/pages.hpp"
@@ -134,20 +133,20 @@ void check(Application& application, const Options& options)
 
 }
 
-void add_check(CLI::App& parser, Application& application)
+void add_check(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("check", "Checks your units against the reference, here and offline");
-    command->add_option("UNIT", options->units, "Only these units, as raytracing/sphere or sphere");
-    command->add_option("--dir", options->folder, "The workspace")->capture_default_str();
-    command->add_option("--attempt", options->attempt, "Another number gives other random inputs")->capture_default_str();
-    command->add_flag("--json", options->json, "As JSON (docs/schemas/report.schema.json)");
-    command->add_option("--html", options->html, "Also writes the report as one page that opens in any browser, without a network");
-    command->add_flag("--watch", options->watch, "Checks again whatever you save, until you press Ctrl+C; with --json, one line a check");
-    command->add_flag("--fresh", options->fresh, "Run everything again, also what has not changed since the last check");
-    command->add_option("--jobs", options->jobs, "Units at a time")->check(possible_jobs)->capture_default_str();
-    command->add_flag("--no-explanation", options->no_explanation, "Only points");
-    command->callback([&application, options] { check(application, *options); });
+    const Command command = parser.command("check", "Checks your units against the reference, here and offline");
+    command.option("UNIT", options->units, "Only these units, as raytracing/sphere or sphere");
+    command.option("--dir", options->folder, "The workspace").with_default();
+    command.option("--attempt", options->attempt, "Another number gives other random inputs").with_default();
+    command.flag("--json", options->json, "As JSON (docs/schemas/report.schema.json)");
+    command.option("--html", options->html, "Also writes the report as one page that opens in any browser, without a network");
+    command.flag("--watch", options->watch, "Checks again whatever you save, until you press Ctrl+C; with --json, one line a check");
+    command.flag("--fresh", options->fresh, "Run everything again, also what has not changed since the last check");
+    command.option("--jobs", options->jobs, "Units at a time").between(1, most_jobs).with_default();
+    command.flag("--no-explanation", options->no_explanation, "Only points");
+    command.runs([&application, options] { check(application, *options); });
 }
 
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,6 +7,7 @@
 
 #include "batch/evidence.hpp"
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "cli/config.hpp"
 #include "cli/paths.hpp"
 #include "judge/image/rule.hpp"
@@ -164,18 +164,17 @@ void run(Application& application, const Options& options)
 
 }
 
-void add_compare(CLI::App& parser, Application& application)
+void add_compare(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("compare", "Compares two PNG files as a check of a picture would");
-    command->add_option("YOURS", options->yours, "The picture in question")->required();
-    command->add_option("REFERENCE", options->reference, "The picture that is right")->required();
-    command->add_flag("--stochastic", options->stochastic,
-                      "For Monte Carlo pictures: compares the light of tiles, beyond what noise explains, instead of pixels");
-    command->add_flag("--json", options->json, "As JSON");
-    command->add_option("--html", options->html, "Also writes a page that shows both pictures and where they differ");
-    command->footer("Exit status: 0 the pictures agree; 1 they do not, or differ in size; 2 a file is missing, empty or no PNG.");
-    command->callback([&application, options] { run(application, *options); });
+    const Command command = parser.command("compare", "Compares two PNG files as a check of a picture would");
+    command.option("YOURS", options->yours, "The picture in question").required();
+    command.option("REFERENCE", options->reference, "The picture that is right").required();
+    command.flag("--stochastic", options->stochastic, "For Monte Carlo pictures: compares the light of tiles, beyond what noise explains, instead of pixels");
+    command.flag("--json", options->json, "As JSON");
+    command.option("--html", options->html, "Also writes a page that shows both pictures and where they differ");
+    command.footer("Exit status: 0 the pictures agree; 1 they do not, or differ in size; 2 a file is missing, empty or no PNG.");
+    command.runs([&application, options] { run(application, *options); });
 }
 
 }

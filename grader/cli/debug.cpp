@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "cli/application.hpp"
 #include "cli/become.hpp"
 #include "cli/checkout.hpp"
+#include "cli/commands.hpp"
 #include "cli/paths.hpp"
 
 namespace umbral::grader {
@@ -58,15 +58,15 @@ void debug(const Application& application, const Options& options)
 
 }
 
-void add_debug(CLI::App& parser, Application& application)
+void add_debug(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("debug", "Runs one case under gdb: an ordinary program, without sandbox and limits");
-    command->add_option("UNIT", options->unit, "Which unit")->required();
-    command->add_option("CASE", options->case_name, "Which case; the first if not given");
-    command->add_option("--dir", options->folder, "The workspace")->capture_default_str();
-    command->add_flag("--no-debugger", options->no_debugger, "Run it alone");
-    command->callback([&application, options] { debug(application, *options); });
+    const Command command = parser.command("debug", "Runs one case under gdb: an ordinary program, without sandbox and limits");
+    command.option("UNIT", options->unit, "Which unit").required();
+    command.option("CASE", options->case_name, "Which case; the first if not given");
+    command.option("--dir", options->folder, "The workspace").with_default();
+    command.flag("--no-debugger", options->no_debugger, "Run it alone");
+    command.runs([&application, options] { debug(application, *options); });
 }
 
 }

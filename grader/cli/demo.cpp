@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "cli/grading.hpp"
 
 namespace umbral::grader {
@@ -20,12 +20,12 @@ std::filesystem::path demo_secret(const Application& application)
 
 }
 
-void add_demo(CLI::App& parser, Application& application)
+void add_demo(Command parser, Application& application)
 {
     auto out = std::make_shared<std::string>("out/demo");
-    CLI::App* command = parser.add_subcommand("demo", "Grades the sample class: ten submissions, from flawless to hostile");
-    command->add_option("--out", *out, "Where reports go")->capture_default_str();
-    command->callback([&application, out] {
+    const Command command = parser.command("demo", "Grades the sample class: ten submissions, from flawless to hostile");
+    command.option("--out", *out, "Where reports go").with_default();
+    command.runs([&application, out] {
         if (!std::filesystem::is_directory(application.layout.samples))
             throw UsageError(fmt::format("the sample class is not in {}; it comes with the package umbral-instructor", application.layout.samples.string()));
         GradeCommand grade;

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +10,7 @@
 
 #include "batch/fingerprint.hpp"
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "cli/doctor_attacks.hpp"
 #include "report/paint.hpp"
 
@@ -102,15 +102,14 @@ std::vector<Symptom> examine(const Application& application)
 
 }
 
-void add_doctor(CLI::App& parser, Application& application)
+void add_doctor(Command parser, Application& application)
 {
     auto json = std::make_shared<bool>(false);
     auto attack = std::make_shared<bool>(false);
-    CLI::App* command = parser.add_subcommand("doctor", "Looks at this machine: compiler, OpenGL, sandbox; a remedy for each thing that is missing");
-    command->add_flag("--json", *json, "As JSON");
-    command->add_flag("--attack", *attack, "Instead: grades hostile submissions that do no harm, and says of each whether this machine held")
-        ->excludes("--json");
-    command->callback([&application, json, attack] {
+    const Command command = parser.command("doctor", "Looks at this machine: compiler, OpenGL, sandbox; a remedy for each thing that is missing");
+    command.flag("--json", *json, "As JSON");
+    command.flag("--attack", *attack, "Instead: grades hostile submissions that do no harm, and says of each whether this machine held").excludes("--json");
+    command.runs([&application, json, attack] {
         if (*attack) return attack_this_machine(application);
         const std::vector<Symptom> symptoms = examine(application);
         const Paint paint(application.style);

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -13,8 +12,8 @@
 #include "batch/grade_class.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
+#include "cli/commands.hpp"
 #include "cli/grading.hpp"
-#include "cli/numbers.hpp"
 #include "cli/paths.hpp"
 #include "cli/secret.hpp"
 #include "model/caps.hpp"
@@ -163,26 +162,26 @@ void grade_and_print(Application& application, const GradeCommand& command)
     }
 }
 
-void add_grade(CLI::App& parser, Application& application)
+void add_grade(Command parser, Application& application)
 {
     auto options = std::make_shared<GradeCommand>();
-    CLI::App* command = parser.add_subcommand("grade", "Grades a class: a folder with one folder a submission");
-    command->add_option("CLASS_DIR", options->submissions, "The class")->required();
-    command->add_option("--out", options->out, "Where reports go")->required();
-    command->add_option("--only", options->only, "Only these submissions, by id; the others' results stay as they are");
-    command->add_option("--roster", options->roster, "A CSV file with the columns folder,id or folder,id,name: how folders are called in reports");
-    command->add_flag("--fresh", options->fresh, "Grade everything again, also what has not changed since the last time");
-    command->add_option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor")->check(CLI::Range(0, most_jobs))->capture_default_str();
-    command->add_option("--unit", options->units, "Only these units");
-    command->add_flag("--handed-in", options->handed_in, "Only units that somebody handed in");
-    command->add_option("--course", options->course, "Part of what hidden seeds follow from")->capture_default_str();
-    command->add_option("--attempt", options->attempt, "Another number gives other random inputs")->capture_default_str();
-    command->add_option("--secret-file", options->secret_file,
-                        "The secret that hidden seeds follow from; made if missing. Default: umbral/secret in your configuration folder");
-    command->add_flag("--allow-weak-sandbox", options->allow_weak_sandbox, "Grade even where the sandbox is incomplete");
-    command->add_flag("--json", options->json, "Print class.json instead of a table");
-    command->add_flag("--with-hidden", options->with_hidden, "Also write report.instructor.html, in which hidden checks show their values: not for students");
-    command->callback([&application, options] { grade_and_print(application, *options); });
+    const Command command = parser.command("grade", "Grades a class: a folder with one folder a submission");
+    command.option("CLASS_DIR", options->submissions, "The class").required();
+    command.option("--out", options->out, "Where reports go").required();
+    command.option("--only", options->only, "Only these submissions, by id; the others' results stay as they are");
+    command.option("--roster", options->roster, "A CSV file with the columns folder,id or folder,id,name: how folders are called in reports");
+    command.flag("--fresh", options->fresh, "Grade everything again, also what has not changed since the last time");
+    command.option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor").between(0, most_jobs).with_default();
+    command.option("--unit", options->units, "Only these units");
+    command.flag("--handed-in", options->handed_in, "Only units that somebody handed in");
+    command.option("--course", options->course, "Part of what hidden seeds follow from").with_default();
+    command.option("--attempt", options->attempt, "Another number gives other random inputs").with_default();
+    command.option("--secret-file", options->secret_file,
+                   "The secret that hidden seeds follow from; made if missing. Default: umbral/secret in your configuration folder");
+    command.flag("--allow-weak-sandbox", options->allow_weak_sandbox, "Grade even where the sandbox is incomplete");
+    command.flag("--json", options->json, "Print class.json instead of a table");
+    command.flag("--with-hidden", options->with_hidden, "Also write report.instructor.html, in which hidden checks show their values: not for students");
+    command.runs([&application, options] { grade_and_print(application, *options); });
 }
 
 }

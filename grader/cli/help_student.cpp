@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <sstream>
 
 #include "build/submission.hpp"
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "cli/paths.hpp"
 #include "manifest/statements.hpp"
 #include "report/paint.hpp"
@@ -77,7 +77,7 @@ void reset_unit(const Application& application, const std::string& unit, const s
 
 }
 
-void add_hint(CLI::App& parser, Application& application)
+void add_hint(Command parser, Application& application)
 {
     struct Options {
         std::string unit;
@@ -85,24 +85,24 @@ void add_hint(CLI::App& parser, Application& application)
         std::string language = "en";
     };
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("hint", "Shows a hint for a unit, each a step more than the one before");
-    command->add_option("UNIT", options->unit, "Which unit")->required();
-    command->add_option("STEP", options->step, "Which hint")->capture_default_str();
-    command->add_option("--language", options->language, "Of the hint")->check(CLI::IsMember({"en", "es"}))->capture_default_str();
-    command->callback([&application, options] { print_hint(application, options->unit, options->step, language_of(options->language)); });
+    const Command command = parser.command("hint", "Shows a hint for a unit, each a step more than the one before");
+    command.option("UNIT", options->unit, "Which unit").required();
+    command.option("STEP", options->step, "Which hint").with_default();
+    command.option("--language", options->language, "Of the hint").one_of({"en", "es"}).with_default();
+    command.runs([&application, options] { print_hint(application, options->unit, options->step, language_of(options->language)); });
 }
 
-void add_reset(CLI::App& parser, Application& application)
+void add_reset(Command parser, Application& application)
 {
     struct Options {
         std::string unit;
         std::string folder = ".";
     };
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("reset", "Puts a unit's stub back; your file is kept beside it");
-    command->add_option("UNIT", options->unit, "Which unit")->required();
-    command->add_option("--dir", options->folder, "The workspace")->capture_default_str();
-    command->callback([&application, options] { as_given([&] { reset_unit(application, options->unit, options->folder); }); });
+    const Command command = parser.command("reset", "Puts a unit's stub back; your file is kept beside it");
+    command.option("UNIT", options->unit, "Which unit").required();
+    command.option("--dir", options->folder, "The workspace").with_default();
+    command.runs([&application, options] { as_given([&] { reset_unit(application, options->unit, options->folder); }); });
 }
 
 }

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "batch/pictures.hpp"
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "cli/config.hpp"
 #include "cli/paths.hpp"
 #include "report/html/pages.hpp"
@@ -91,7 +91,7 @@ nlohmann::json as_json(const std::vector<Exercise>& exercises)
 
 }
 
-void add_list(CLI::App& parser, Application& application)
+void add_list(Command parser, Application& application)
 {
     struct Options {
         bool json = false;
@@ -100,12 +100,12 @@ void add_list(CLI::App& parser, Application& application)
         std::string html;
     };
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("list", "Shows all units in an order that a student can follow");
-    command->add_flag("--json", options->json, "As JSON");
-    command->add_option("--language", options->language, "Of the titles")->check(CLI::IsMember({"en", "es"}))->capture_default_str();
-    command->add_flag("--markdown", options->markdown, "As a page of Markdown, which docs/units.md is");
-    command->add_option("--html", options->html, "Write a page with the pictures that the reference draws")->type_name("FILE");
-    command->callback([&application, options] {
+    const Command command = parser.command("list", "Shows all units in an order that a student can follow");
+    command.flag("--json", options->json, "As JSON");
+    command.option("--language", options->language, "Of the titles").one_of({"en", "es"}).with_default();
+    command.flag("--markdown", options->markdown, "As a page of Markdown, which docs/units.md is");
+    command.option("--html", options->html, "Write a page with the pictures that the reference draws").called("FILE");
+    command.runs([&application, options] {
         application.warn_of_broken();
         if (!options->html.empty())
             write_catalogue(application, options->language, options->html);

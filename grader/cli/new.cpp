@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
 #include "batch/pictures.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
+#include "cli/commands.hpp"
 #include "cli/framework_copy.hpp"
 #include "cli/paths.hpp"
 #include "manifest/statements.hpp"
@@ -55,13 +55,13 @@ void make_workspace(const Application& application, const Options& options)
 
 }
 
-void add_new(CLI::App& parser, Application& application)
+void add_new(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("new", "Makes a workspace: stubs, statements and goal pictures. Never overwrites your code");
-    command->add_option("DIR", options->folder, "Where")->required();
-    command->add_option("UNIT", options->units, "Only these units");
-    command->callback([&application, options] { make_workspace(application, *options); });
+    const Command command = parser.command("new", "Makes a workspace: stubs, statements and goal pictures. Never overwrites your code");
+    command.option("DIR", options->folder, "Where").required();
+    command.option("UNIT", options->units, "Only these units");
+    command.runs([&application, options] { make_workspace(application, *options); });
 }
 
 }

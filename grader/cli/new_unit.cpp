@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "cli/interface_block.hpp"
 #include "cli/paths.hpp"
 #include "cli/unit_template.hpp"
@@ -73,12 +73,12 @@ void make_unit(const Application& application, const std::string& id)
 
 }
 
-void add_new_unit(CLI::App& parser, Application& application)
+void add_new_unit(Command parser, Application& application)
 {
     auto id = std::make_shared<std::string>();
-    CLI::App* command = parser.add_subcommand("new-unit", "For authors: writes all files of a new unit, which validates at once. Overwrites nothing");
-    command->add_option("TOPIC/NAME", *id, "What it is called; the topic may be new")->required();
-    command->callback([&application, id] { make_unit(application, *id); });
+    const Command command = parser.command("new-unit", "For authors: writes all files of a new unit, which validates at once. Overwrites nothing");
+    command.option("TOPIC/NAME", *id, "What it is called; the topic may be new").required();
+    command.runs([&application, id] { make_unit(application, *id); });
 }
 
 }

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "cli/interface_block.hpp"
 #include "cli/paths.hpp"
 #include "collect/sources.hpp"
@@ -75,13 +75,13 @@ void refresh(Application& application, const Options& options)
 
 }
 
-void add_refresh(CLI::App& parser, Application& application)
+void add_refresh(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("refresh", "For authors: writes anew what is made: statements' interface blocks, the schema of manifests");
-    command->add_option("UNIT", options->units, "Only these units");
-    command->add_flag("--check", options->check, "Write nothing; say what is not up to date");
-    command->callback([&application, options] { refresh(application, *options); });
+    const Command command = parser.command("refresh", "For authors: writes anew what is made: statements' interface blocks, the schema of manifests");
+    command.option("UNIT", options->units, "Only these units");
+    command.flag("--check", options->check, "Write nothing; say what is not up to date");
+    command.runs([&application, options] { refresh(application, *options); });
 }
 
 }

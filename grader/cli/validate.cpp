@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <mutex>
@@ -13,7 +12,7 @@
 #include "batch/validation_table.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
-#include "cli/numbers.hpp"
+#include "cli/commands.hpp"
 #include "cli/paths.hpp"
 #include "report/paint.hpp"
 
@@ -91,17 +90,17 @@ void validate(Application& application, const Options& options)
 
 }
 
-void add_validate(CLI::App& parser, Application& application)
+void add_validate(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = parser.add_subcommand("validate", "For authors and CI: proves that each unit's checks tell right from wrong");
-    command->add_option("UNIT", options->units, "Only these units");
-    command->add_option("--seeds", options->seeds, "How many sets of random inputs")->check(possible_seeds)->capture_default_str();
-    command->add_option("--jobs", options->jobs, "How many at a time")->check(possible_jobs)->capture_default_str();
-    command->add_flag("--quiet", options->quiet, "Print only what fails");
-    command->add_flag("--json", options->json, "As JSON");
-    command->add_option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown")->type_name("FILE");
-    command->callback([&application, options] { validate(application, *options); });
+    const Command command = parser.command("validate", "For authors and CI: proves that each unit's checks tell right from wrong");
+    command.option("UNIT", options->units, "Only these units");
+    command.option("--seeds", options->seeds, "How many sets of random inputs").between(1, most_seeds).with_default();
+    command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();
+    command.flag("--quiet", options->quiet, "Print only what fails");
+    command.flag("--json", options->json, "As JSON");
+    command.option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown").called("FILE");
+    command.runs([&application, options] { validate(application, *options); });
 }
 
 }

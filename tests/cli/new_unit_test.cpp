@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include "batch/specimens.hpp"
 #include "batch/validate.hpp"
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "cli/unit_template.hpp"
 #include "manifest/units.hpp"
 #include "support/printed.hpp"
@@ -38,12 +38,12 @@ struct Checkout {
     /// What the command printed, or its complaint.
     std::string new_unit(const std::string& id)
     {
-        CLI::App parser;
-        add_new_unit(parser, application);
+        CommandLine program("umbral", "", "");
+        add_new_unit(program.program(), application);
         testing::internal::CaptureStdout();
         std::string complaint;
         try {
-            parser.parse("new-unit " + id);
+            EXPECT_EQ(program.run("new-unit " + id), "");
         } catch (const UsageError& error) {
             complaint = error.what();
         }
@@ -155,10 +155,10 @@ TEST(NewUnit, WithoutItsReferenceIsAnErrorThatNamesTheFile)
     fs::remove(checkout.folder / "reference/shadows/one.cpp");
     checkout.application.tools.reference = checkout.folder / "reference";
     checkout.application.exercises = {load_exercise(checkout.folder / "exercises/shadows/one")};
-    CLI::App parser;
-    add_validate(parser, checkout.application);
+    CommandLine program("umbral", "", "");
+    add_validate(program.program(), checkout.application);
     testing::internal::CaptureStdout();
-    parser.parse("validate shadows/one");
+    EXPECT_EQ(program.run("validate shadows/one"), "");
     const std::string printed = testing::internal::GetCapturedStdout();
     EXPECT_NE(printed.find("expected " + (checkout.folder / "reference/shadows/one.cpp").string() + ", which is not there"), std::string::npos) << printed;
     EXPECT_EQ(checkout.application.exit_status, exit_not_right);

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "batch/validate.hpp"
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "cli/interface_block.hpp"
 #include "collect/sources.hpp"
 #include "manifest/statements.hpp"
@@ -139,10 +139,10 @@ TEST(Statements, ShowTheirInterfacesAsTheyAre)
 /// What `umbral hint` prints of a unit in a language.
 std::string hint_of(Application& application, const std::string& line)
 {
-    CLI::App parser;
-    add_hint(parser, application);
+    CommandLine program("umbral", "", "");
+    add_hint(program.program(), application);
     testing::internal::CaptureStdout();
-    parser.parse(line);
+    EXPECT_EQ(program.run(line), "");
     return testing::internal::GetCapturedStdout();
 }
 

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "cli/application.hpp"
+#include "cli/commands.hpp"
 #include "manifest/units.hpp"
 #include "model/nearest.hpp"
 #include "support/temporary_folder.hpp"
@@ -42,15 +42,15 @@ struct Course {
 };
 
 /// What a command printed on both streams, behind it the complaint if it threw one.
-std::string printed_by(Course& course, void (*add)(CLI::App&, Application&), const std::string& line)
+std::string printed_by(Course& course, void (*add)(Command, Application&), const std::string& line)
 {
-    CLI::App parser;
-    add(parser, course.application);
+    CommandLine program("umbral", "", "");
+    add(program.program(), course.application);
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     std::string complaint;
     try {
-        parser.parse(line);
+        EXPECT_EQ(program.run(line), "");
     } catch (const UsageError& error) {
         complaint = error.what();
     }
