@@ -90,7 +90,7 @@ void add_bench_judges(Command bench, Application& application)
 {
     auto options = std::make_shared<Options>();
     const Command command = bench.command("judges", "How often the image rule catches wrong pictures, and blames right ones, beside other rules");
-    command->alias("judge");
+    command.also_called("judge");
     command.has_help();
     command.option("UNIT", options->units, "Only these units' pictures");
     command.option("--scenes", options->scenes, "Scenes that umbral-bench-scenes has drawn already").called("FOLDER").existing_folder();

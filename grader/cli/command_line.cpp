@@ -61,6 +61,7 @@ Option Command::option(const std::string& name, int& to, const std::string& mean
 Option Command::option(const std::string& name, double& to, const std::string& meaning) const { return Option(*app_->add_option(name, to, meaning)); }
 Option Command::flag(const std::string& name, bool& to, const std::string& meaning) const { return Option(*app_->add_flag(name, to, meaning)); }
 
+void Command::also_called(const std::string& name) const { app_->alias(name); }
 void Command::footer(const std::string& text) const { app_->footer(text); }
 void Command::runs(std::function<void()> action) const { app_->callback(std::move(action)); }
 

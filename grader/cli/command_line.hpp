@@ -50,6 +50,9 @@ public:
     /// A command below this one.
     [[nodiscard]] Command command(const std::string& name, const std::string& summary) const;
 
+    /// Another name, which --help shows beside it.
+    void also_called(const std::string& name) const;
+
     /// An argument ("UNIT") or option ("--out"), and where its value goes, which must outlive the command. Of several values, where `to` is
     /// a list, an argument takes all that stand there.
     Option option(const std::string& name, std::string& to, const std::string& meaning) const;
