@@ -36,7 +36,6 @@ const std::map<std::string, Instead> not_as_it_stands{
     {"umbral validate --table FILE", {"umbral validate sphere --seeds 1 --table FILE", "all units take minutes"}},
     {"umbral bench findings", {"umbral bench findings --help", "umbral validate --table runs"}},
     {"umbral bench outcomes", {"umbral bench outcomes --help", "all attacks take hours, and attacks-test runs a third of them"}},
-    {"umbral bench attacks", {"umbral bench attacks --help", "it grades whole classes"}},
     {"umbral bench fuzz", {"umbral bench fuzz --help", "it needs a build of its own"}},
     {"umbral bench raster --seconds 5", {"umbral bench raster --quick", "five seconds for each of sixteen rows"}},
 };
