@@ -1,4 +1,5 @@
-# What CMake reads of a unit's manifest, exercise.json. The grader reads all of it, and says what is wrong in it (grader/manifest).
+# What CMake reads of a unit's manifest, exercise.json. The grader reads all of it, and says what is wrong in it
+# (grader/manifest).
 
 # umbral_read_manifest(FILE RESULT): its text. What is no JSON stops the configuration, naming the file.
 function(umbral_read_manifest file result)
@@ -50,8 +51,8 @@ function(umbral_manifest_has_judge json judge result)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# umbral_expected_references(UNIT JSON ROOT RESULT): the files below ROOT in which the unit's reference is expected: ROOT/topic/my_unit.cpp, or
-# of a unit in GLSL its shaders' names in the folder ROOT/topic/my_unit.
+# umbral_expected_references(UNIT JSON ROOT RESULT): the files below ROOT in which the unit's reference is expected:
+# ROOT/topic/my_unit.cpp, or of a unit in GLSL its shaders' names in the folder ROOT/topic/my_unit.
 function(umbral_expected_references unit json root result)
   string(REPLACE "-" "_" place "${root}/${unit}")
   umbral_manifest_list("${json}" files files)

@@ -15,8 +15,8 @@ struct UnitName {
     std::string test;   ///< "MyUnit"
 };
 
-/// The name in "transforms/my-unit". Throws UsageError that says what was expected: a word for the topic, and words joined by single hyphens
-/// for the unit, all in a-z and 0-9, beginning with a letter.
+/// The name in "transforms/my-unit". Throws UsageError that says what was expected: a word for the topic, and words
+/// joined by single hyphens for the unit, all in a-z and 0-9, beginning with a letter.
 [[nodiscard]] UnitName read_unit_name(const std::string& id);
 
 /// A template's text, or the name of its file, with @topic@, @unit@, @file@, @title@ and @test@ filled in.
@@ -28,8 +28,9 @@ struct NewFile {
     std::string text;
 };
 
-/// The files of a new unit, sorted by name: for each template NAME.in below the folder `templates` the file NAME, filled in, with its blocks of
-/// includes sorted as the project's format wants them. Throws std::filesystem::filesystem_error if the folder cannot be read.
+/// The files of a new unit, sorted by name: for each template NAME.in below the folder `templates` the file NAME,
+/// filled in, with its blocks of includes sorted as the project's format wants them. Throws
+/// std::filesystem::filesystem_error if the folder cannot be read.
 [[nodiscard]] std::vector<NewFile> files_of_new_unit(const std::filesystem::path& templates, const UnitName& name);
 
 }

@@ -1,5 +1,5 @@
-# cmake -DROOT=… -DCOMPILER=… -DFOLDER=… -P: configurations that must stop, with the path that was expected; and one unit without a reference,
-# which stops no other.
+# cmake -DROOT=… -DCOMPILER=… -DFOLDER=… -P: configurations that must stop, with the path that was expected; and one
+# unit without a reference, which stops no other.
 cmake_minimum_required(VERSION 3.25)
 
 # expect_failure(SOURCE TEXT ARGUMENT…): configuring SOURCE fails, and says TEXT.
