@@ -4,7 +4,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
-#include <umbral/scene/node.hpp>
+
+#include "scene/node.hpp"
 
 namespace umbral::scenegraph {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <umbral/scene/limits.hpp>
 
+#include "scene/limits.hpp"
 #include "scene_json_text.hpp"
 #include "scenes.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <umbral/scene/node.hpp>
-#include <umbral/scene/scene.hpp>
+
+#include "scene/node.hpp"
+#include "scene/scene.hpp"
 
 /// Pieces of the parser of scenes.
 namespace umbral::scene {

@@ -3,7 +3,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <umbral/scene/scene.hpp>
+
+#include "scene/scene.hpp"
 
 namespace umbral::scene {
 

@@ -1,10 +1,12 @@
+#include "scene/scene_json.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <umbral/scene/limits.hpp>
-#include <umbral/scene/node.hpp>
-#include <umbral/scene/parts.hpp>
-#include <umbral/scene/scene_json.hpp>
+
+#include "scene/limits.hpp"
+#include "scene/node.hpp"
+#include "scene/parts.hpp"
 
 namespace umbral::scene {
 namespace {

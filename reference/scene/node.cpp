@@ -1,3 +1,5 @@
+#include "scene/node.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
-#include <umbral/scene/node.hpp>
 
 namespace umbral::scene {
 namespace {

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
-#include <umbral/scene/limits.hpp>
-#include <umbral/scene/parts.hpp>
+
+#include "scene/limits.hpp"
+#include "scene/parts.hpp"
 
 namespace umbral::scene {
 namespace {
