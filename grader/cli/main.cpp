@@ -8,7 +8,7 @@
 #include "cli/application.hpp"
 #include "cli/config.hpp"
 #include "cli/nearest.hpp"
-#include "report/escape.hpp"
+#include "text/escape.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -21,7 +21,7 @@ bool is_submission(const fs::path& file)
 std::vector<fs::path> our_cpp_files()
 {
     std::vector<fs::path> all;
-    for (const char* const folder : {"framework", "reference", "exercises", "grader", "tests"})
+    for (const char* const folder : {"framework", "shared", "reference", "exercises", "grader", "tests"})
         for (const fs::path& file : files_below(folder))
             if (is_cpp(file) && !is_submission(file)) all.push_back(file);
     return all;
@@ -42,7 +42,7 @@ TEST(Tidiness, only_stubs_leave_something_to_do)
                           R"re(DO|FIX)re"
                           R"re(ME|X)re"
                           R"re(XX)\b)re");
-    for (const char* const folder : {"framework", "reference", "exercises", "grader", "tests", "cmake"}) {
+    for (const char* const folder : {"framework", "shared", "reference", "exercises", "grader", "tests", "cmake"}) {
         for (const fs::path& file : files_below(folder)) {
             if (is_stub(file) || is_submission(file)) continue;
             for (const Line& line : lines_of(file)) EXPECT_FALSE(std::regex_search(line.text, left)) << line.where();
@@ -75,7 +75,7 @@ TEST(Tidiness, no_regular_expressions_on_foreign_text)
 {
     const std::string header = std::string("<reg") + "ex>";
     std::size_t seen = 0;
-    for (const char* const folder : {"grader", "framework", "reference", "exercises"})
+    for (const char* const folder : {"grader", "framework", "shared", "reference", "exercises"})
         for (const fs::path& file : files_below(folder)) {
             // Generators read the system's own headers, when the project is built.
             if (!is_cpp(file) || file.parent_path().filename() == "generate") continue;
@@ -90,7 +90,7 @@ TEST(Tidiness, only_umbral_gl_knows_the_back_end)
 {
     const std::regex back_end("OSMesa|OpenGL::|GLESv|GL::GL|PkgConfig::(GL|EGL)|-l(GL|EGL)\\b|find_package\\((OpenGL|GLEW)", std::regex::icase);
     std::vector<fs::path> files = {"CMakeLists.txt"};
-    for (const char* const folder : {"framework", "exercises", "reference", "grader", "tests", "cmake"})
+    for (const char* const folder : {"framework", "shared", "exercises", "reference", "grader", "tests", "cmake"})
         for (const fs::path& file : files_below(folder))
             if (file.filename() == "CMakeLists.txt" || file.extension() == ".cmake") files.push_back(file);
     for (const fs::path& file : files) {
