@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "attack/generators.hpp"
-#include "model/field.hpp"
-#include "model/json_file.hpp"
+#include "text/field.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::grader::attack {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "attack/generators.hpp"
-#include "model/json_file.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::grader::attack {
 namespace {

@@ -20,6 +20,7 @@
 #include "store/distinct_folders.hpp"
 #include "store/refused_folder.hpp"
 #include "store/report_folder.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {

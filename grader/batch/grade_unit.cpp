@@ -17,6 +17,7 @@
 #include "model/caps.hpp"
 #include "model/digest.hpp"
 #include "model/faults.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "model/digest.hpp"
-#include "model/json_file.hpp"
 #include "model/recording.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::grader {
 namespace {

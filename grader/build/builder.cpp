@@ -22,6 +22,7 @@
 #include "model/recording.hpp"
 #include "model/scratch.hpp"
 #include "run/descriptor.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -14,6 +14,7 @@
 #include "model/caps.hpp"
 #include "model/recording.hpp"
 #include "run/confine.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {

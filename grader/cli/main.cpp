@@ -6,7 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/config.hpp"
 #include "model/nearest.hpp"
-#include "report/escape.hpp"
+#include "text/escape.hpp"
 
 namespace umbral::grader {
 namespace {

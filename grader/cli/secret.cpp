@@ -14,8 +14,8 @@
 #include <filesystem>
 
 #include "cli/application.hpp"
-#include "report/escape.hpp"
 #include "run/descriptor.hpp"
+#include "text/escape.hpp"
 
 namespace umbral::grader {
 namespace {

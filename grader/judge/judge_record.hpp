@@ -15,9 +15,12 @@
 #include "judge/judge.hpp"
 #include "model/caps.hpp"
 
+namespace umbral {
+class Field;
+}
+
 namespace umbral::grader {
 
-class Field;
 struct FailingCheck;
 struct NamedTransform;
 struct RowKind;

@@ -12,8 +12,8 @@
 #include "manifest/check_fields.hpp"
 #include "manifest/recorded_values.hpp"
 #include "manifest/units.hpp"
-#include "model/field.hpp"
 #include "model/forbidden_families.hpp"
+#include "text/field.hpp"
 
 // The manifest exercise.json, field by field; what belongs to one judge alone is read by that judge. docs/schemas/exercise.schema.json says
 // the same for editors; a test holds both together.

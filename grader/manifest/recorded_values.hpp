@@ -3,7 +3,7 @@
 #include <string>
 
 #include "model/exercise.hpp"
-#include "model/field.hpp"
+#include "text/field.hpp"
 
 // The parts of the manifest that say which recorded values a check looks at.
 namespace umbral::grader {

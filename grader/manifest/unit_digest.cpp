@@ -11,7 +11,7 @@
 
 #include "manifest/include_lines.hpp"
 #include "model/digest.hpp"
-#include "model/json_file.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::grader {
 namespace {

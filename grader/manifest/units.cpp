@@ -11,7 +11,7 @@
 
 #include "judge/judges.hpp"
 #include "manifest/unit_digest.hpp"
-#include "model/json_file.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/recording.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 

@@ -1,5 +1,7 @@
 #include "model/recording.hpp"
 
+#include "text/printable.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -47,8 +47,4 @@ public:
 /// If names are `wanted`, only those tensors are copied and checked, as far as they have no more cells than they may.
 [[nodiscard]] Recording parse_recording(std::span<const std::byte> bytes, const WantedTensors& wanted = {});
 
-/// Text from a student's process made fit to print and store: invalid UTF-8 and control characters but \n and \t are replaced, and
-/// what exceeds `limit` bytes is cut, saying so.
-[[nodiscard]] std::string printable(std::string_view text, std::size_t limit);
-
 }

@@ -6,6 +6,7 @@
 
 #include "model/faults.hpp"
 #include "model/recording.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -2,8 +2,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "model/field.hpp"
 #include "model/scorecard.hpp"
+#include "text/field.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "report/layout.hpp"
-#include "report/utf8.hpp"
+#include "text/utf8.hpp"
 
 namespace umbral::grader {
 namespace {

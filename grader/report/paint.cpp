@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "report/escape.hpp"
+#include "text/escape.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -12,6 +12,7 @@
 #include "run/machine_trouble.hpp"
 #include "run/run_text.hpp"
 #include "run/sandbox.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -6,8 +6,8 @@
 #include <umbral/core/png.hpp>
 
 #include "model/digest.hpp"
-#include "model/field.hpp"
-#include "model/json_file.hpp"
+#include "text/field.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::grader {
 namespace {

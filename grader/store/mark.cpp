@@ -6,11 +6,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "model/field.hpp"
-#include "model/json_file.hpp"
 #include "model/recording.hpp"
 #include "store/refused_folder.hpp"
 #include "store/temporaries.hpp"
+#include "text/field.hpp"
+#include "text/json_file.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 #include <umbral/core/grid.hpp>
-#include <umbral/scene/scene.hpp>
 #include <umbral/texturing/lookup.hpp>
 #include <vector>
 
 #include "render/surface.hpp"
+#include "scene/scene.hpp"
 
 namespace umbral::render {
 

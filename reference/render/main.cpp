@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <umbral/core/png.hpp>
 #include <umbral/gl/context.hpp>
-#include <umbral/scene/scene_json.hpp>
 
 #include "render/buffers.hpp"
 #include "render/opengl.hpp"
@@ -13,6 +12,7 @@
 #include "render/picture.hpp"
 #include "render/report.hpp"
 #include "render/software.hpp"
+#include "scene/scene_json.hpp"
 
 namespace umbral::render {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <glm/glm.hpp>
 #include <umbral/core/grid.hpp>
-#include <umbral/scene/scene.hpp>
 
 #include "render/frame.hpp"
+#include "scene/scene.hpp"
 
 namespace umbral::render {
 

@@ -1,9 +1,7 @@
 #pragma once
 
-// The one rasteriser: what a unit hands in is a single file, so the unit's reference is read here as a header. Exactly one file of a
-// program may include this one, and takes the place of the unit's object file there.
-#include "pipeline/rasterize_triangle.cpp"  // NOLINT(bugprone-suspicious-include)
 #include "render/lanes.hpp"
+#include "render/rows.hpp"
 
 namespace umbral::render {
 
@@ -18,12 +16,12 @@ struct Passed {
 /// `shade(passed)` is called for eight pixels or fewer at a time, `covered(n)` with the length of each row.
 ///
 /// Depths are as exact as the unit's: affine from the row's first pixel, in double, rounded once. Weights are affine shares in float over
-/// their sum: off by a few 2^-24, since the shares are positive.
+/// their sum: off by a few 2^-24, times w over the least w of a corner, since the shares are positive.
 template <class Covered, class Shade>
-[[gnu::always_inline]] inline void draw_triangle(const std::array<pipeline::WindowVertex, 3>& triangle, const pipeline::Window& window, int width,
-                                                 float* depths, const Covered& covered, const Shade& shade)
+[[gnu::always_inline]] inline void draw_triangle(const std::array<pipeline::WindowVertex, 3>& triangle, const Window& window, int width, float* depths,
+                                                 const Covered& covered, const Shade& shade)
 {
-    const pipeline::Setup setup = pipeline::set_up(triangle, window);
+    const Setup setup = set_up(triangle, window);
     const auto& [a, b, c] = triangle;
     const auto& [ea, eb, ec] = setup.edges;
     // Whole numbers below 2^53, as all that is made of them by adding a pixel: exact.
@@ -35,7 +33,7 @@ template <class Covered, class Shade>
     const double depth_step = dot(step_x, depth_of);
     const glm::vec3 share_step(step_x * share_of);
 
-    pipeline::for_each_run(
+    for_each_run(
         setup, [&](int y, int first, int last) __attribute__((always_inline)) {
             covered(last - first + 1);
             const glm::dvec3 edges = origin + static_cast<double>(first) * step_x + static_cast<double>(y) * step_y;

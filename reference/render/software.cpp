@@ -27,7 +27,7 @@ struct Item {
 };
 
 struct Target;
-using FragmentKernel = void (*)(const DrawList&, const Item&, const pipeline::Window&, Target&);
+using FragmentKernel = void (*)(const DrawList&, const Item&, const Window&, Target&);
 using TriangleKernel = void (*)(const DrawList&, const Draw&, Target&);
 
 /// What all triangles of a picture share.
@@ -62,7 +62,7 @@ SurfacePoint surface_point(const Draw& draw, const Corners& corners, const glm::
 }
 
 template <EffectSet effects>
-void draw_fragments(const DrawList& list, const Item& item, const pipeline::Window& window, Target& target)
+void draw_fragments(const DrawList& list, const Item& item, const Window& window, Target& target)
 {
     Frame& frame = target.frame;
     Counters& counters = target.counters;

@@ -2,8 +2,9 @@
 
 #include <glm/glm.hpp>
 #include <umbral/meshes/mesh.hpp>
-#include <umbral/scene/scene.hpp>
 #include <vector>
+
+#include "scene/scene.hpp"
 
 namespace umbral::render {
 

@@ -2,7 +2,8 @@
 
 #include <glm/glm.hpp>
 #include <umbral/core/grid.hpp>
-#include <umbral/scene/scene.hpp>
+
+#include "scene/scene.hpp"
 
 namespace umbral::render {
 

@@ -4,12 +4,13 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
-#include <umbral/scene/node.hpp>
+
+#include "scene/values.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::scenegraph {
 namespace {
 
-using scene::Node;
 using transforms::Entry;
 using transforms::Primitive;
 
@@ -20,52 +21,53 @@ constexpr std::size_t maximum_corners = 10'000;
 constexpr std::size_t maximum_name_length = 200;
 constexpr double maximum_number = 1e6;
 
-glm::vec3 vector(const Node& node) { return node.vector3(-maximum_number, maximum_number); }
+glm::vec3 vector(const Field& node) { return scene::vector3(node, -maximum_number, maximum_number); }
 
-Shape parse_shape(const Node& node)
+Shape parse_shape(const Field& node)
 {
     node.allow_only({"primitive", "polygon"});
-    const Node primitive = node.member("primitive");
-    const Node polygon = node.member("polygon");
+    const Field primitive = node.member("primitive");
+    const Field polygon = node.member("polygon");
     if (primitive.given() == polygon.given()) node.refuse("either \"primitive\" or \"polygon\"");
     if (primitive.given()) return primitive.one_of({"half-sphere", "cylinder"}) == 0 ? Primitive::half_sphere : Primitive::cylinder;
     std::vector<glm::vec2> corners;
-    for (const Node& corner : polygon.items(3, maximum_corners)) corners.push_back(corner.vector2(-maximum_number, maximum_number));
+    for (const Field& corner : polygon.items(3, maximum_corners)) corners.push_back(scene::vector2(corner, -maximum_number, maximum_number));
     return corners;
 }
 
-glm::mat4 parse_rotation(const Node& node)
+glm::mat4 parse_rotation(const Field& node)
 {
     node.allow_only({"degrees", "axis"});
-    const Node axis = node.member("axis");
+    const Field axis = node.member("axis");
     const glm::vec3 direction = vector(axis);
     if (dot(direction, direction) < 1e-20F) axis.refuse("a direction of length 1e-10 or more");
-    const double angle = glm::radians(double{node.member("degrees").number(-maximum_number, maximum_number)});
+    const double angle = glm::radians(node.member("degrees").number(-maximum_number, maximum_number));
     return glm::mat4(glm::rotate(glm::dmat4(1), angle, glm::dvec3(direction)));
 }
 
 // As on paper: four rows of four numbers.
-glm::mat4 parse_matrix(const Node& node)
+glm::mat4 parse_matrix(const Field& node)
 {
     glm::mat4 matrix(1);
-    const std::vector<Node> rows = node.items(4, 4);
+    const std::vector<Field> rows = node.items(4, 4);
     for (int row = 0; row < 4; ++row) {
-        const std::vector<Node> numbers = rows[static_cast<std::size_t>(row)].items(4, 4);
-        for (int column = 0; column < 4; ++column) matrix[column][row] = numbers[static_cast<std::size_t>(column)].number(-maximum_number, maximum_number);
+        const std::vector<Field> numbers = rows[static_cast<std::size_t>(row)].items(4, 4);
+        for (int column = 0; column < 4; ++column)
+            matrix[column][row] = scene::real(numbers[static_cast<std::size_t>(column)], -maximum_number, maximum_number);
     }
     return matrix;
 }
 
 class Reader {
 public:
-    explicit Reader(const Node& root) : root_(root) {}
+    explicit Reader(const Field& root) : root_(root) {}
 
     GraphFile read()
     {
         root_.allow_only({"format", "version", "title", "objects", "nodes", "root"});
         (void)root_.member("format").one_of({"umbral-scene-graph"});
         (void)root_.member("version").integer(1, 1);
-        if (const Node title = root_.member("title"); title.given()) file_.title = title.text(maximum_name_length);
+        if (const Field title = root_.member("title"); title.given()) file_.title = title.text(maximum_name_length);
         for (const auto& [name, shape] : root_.member("objects").members(maximum_names)) {
             file_.object_names.push_back(name);
             file_.shapes.push_back(parse_shape(shape));
@@ -74,14 +76,14 @@ public:
         for (const auto& [name, entries] : nodes) file_.node_names.push_back(name);
         for (const auto& [name, entries] : nodes) {
             std::vector<Entry>& node = file_.graph.nodes.emplace_back();
-            for (const Node& entry : entries.items(0, maximum_entries)) node.push_back(parse_entry(entry));
+            for (const Field& entry : entries.items(0, maximum_entries)) node.push_back(parse_entry(entry));
         }
         file_.graph.root = static_cast<std::uint32_t>(root_.member("root").one_of(file_.node_names));
         return std::move(file_);
     }
 
 private:
-    Entry parse_entry(const Node& node)
+    Entry parse_entry(const Field& node)
     {
         node.allow_only({"object", "node", "translate", "scale", "rotate", "matrix"});
         const auto members = node.members(6);
@@ -100,7 +102,7 @@ private:
         return {Entry::Kind::transformation, static_cast<std::uint32_t>(file_.graph.transformations.size() - 1)};
     }
 
-    const Node& root_;
+    const Field& root_;
     GraphFile file_;
 };
 
@@ -108,14 +110,14 @@ private:
 
 GraphFile read_graph(const std::filesystem::path& file)
 {
-    const nlohmann::json json = scene::read_json_file(file, maximum_bytes);
-    return Reader(Node(json, file.string())).read();
+    const nlohmann::json json = read_json(file, maximum_bytes);
+    return Reader(Field(json, file.string())).read();
 }
 
 GraphFile parse_graph(std::string_view text, const std::string& file)
 {
-    const nlohmann::json json = scene::parse_json_text(text, file);
-    return Reader(Node(json, file)).read();
+    const nlohmann::json json = parse_json(text, file);
+    return Reader(Field(json, file)).read();
 }
 
 std::string path_text(const GraphFile& file, const transforms::CycleError& error)

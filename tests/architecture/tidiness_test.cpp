@@ -58,6 +58,19 @@ TEST(Tidiness, files_fit_one_sitting)
     for (const fs::path& file : files) EXPECT_LT(lines_of(file).size(), 300U) << file;
 }
 
+// What a header holds must not depend on which file of a program includes it first.
+TEST(Tidiness, no_header_includes_a_source_file)
+{
+    const std::regex include(R"re(^\s*#\s*include\s*[<"].*\.(cpp|cc|c)[>"].*)re");
+    std::size_t seen = 0;
+    for (const fs::path& file : our_cpp_files()) {
+        if (file.extension() != ".hpp") continue;
+        ++seen;
+        for (const Line& line : lines_of(file)) EXPECT_FALSE(std::regex_match(line.text, include)) << line.where();
+    }
+    EXPECT_GT(seen, 200U);
+}
+
 // libstdc++'s regular expressions call themselves once for each character: a comment of 26 KB in a shader overflowed the stack.
 TEST(Tidiness, no_regular_expressions_on_foreign_text)
 {

@@ -2,13 +2,13 @@
 
 #include "fuzz.hpp"
 #include "manifest/units.hpp"
-#include "model/json_file.hpp"
+#include "text/json_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace umbral;
     (void)tests::reads<std::runtime_error>([&] {
-        const grader::Exercise exercise = grader::parse_exercise(grader::parse_json(tests::text_of(data, size), "exercise.json"), "exercise.json");
+        const grader::Exercise exercise = grader::parse_exercise(parse_json(tests::text_of(data, size), "exercise.json"), "exercise.json");
         tests::expect(exercise.id == exercise.topic + "/" + exercise.name, "an id that is not its parts");
         for (const std::string& file : exercise.files)
             tests::expect(!file.empty() && file.find('/') == std::string::npos && file != "..", "a file outside the unit's folder");

@@ -4,6 +4,7 @@
 
 #include "fuzz.hpp"
 #include "model/recording.hpp"
+#include "text/printable.hpp"
 
 // Recordings, as hostile code leaves them. Two parts are cut out, so that what is left is short enough to try millions of: of the header's
 // text up to 255 bytes are there, after their number, and what lies between header and tensors is zero.

@@ -1,6 +1,6 @@
-#include <umbral/scene/scene_json.hpp>
 
 #include "fuzz.hpp"
+#include "scene/scene_json.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -9,7 +9,7 @@
 #include "manifest_json.hpp"
 #include "message_of.hpp"
 #include "model/forbidden_families.hpp"
-#include "model/json_file.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::grader {
 namespace {

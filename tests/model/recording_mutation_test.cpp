@@ -5,6 +5,7 @@
 
 #include "model/recording.hpp"
 #include "recording_bytes.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {

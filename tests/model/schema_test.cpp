@@ -7,8 +7,8 @@
 #include "manifest/units.hpp"
 #include "manifest_json.hpp"
 #include "message_of.hpp"
-#include "model/json_file.hpp"
 #include "results.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::grader {
 namespace {

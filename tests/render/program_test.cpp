@@ -75,10 +75,10 @@ TEST(RenderProgram, refuses_scenes)
     const TemporaryFolder folder;
     folder.write("not.json", "{");
     folder.write("unknown.json", R"({"format": "umbral-scene", "version": 1, "fog": 3})");
-    expect_refused((folder / "none.json").string() + " --explain", "expected a file, got nothing");
+    expect_refused((folder / "none.json").string() + " --explain", "expected a readable regular file, got nothing");
     expect_refused(folder.path().string() + " --explain", "expected a readable regular file");
     expect_refused((folder / "not.json").string() + " --explain", "expected JSON");
-    expect_refused((folder / "unknown.json").string() + " --explain", "unknown.json: /fog: expected one of the fields");
+    expect_refused((folder / "unknown.json").string() + " --explain", "unknown.json: fog: expected no field of this name");
 }
 
 TEST(RenderProgram, refuses_what_it_cannot_write)

@@ -10,10 +10,11 @@
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 
+#include "render/rows.hpp"
 #include "render/vertex_stage.hpp"
 
-// Which pixels random triangles in clip coordinates cover: by the engine's division, viewport and rasteriser, and by Mesa's. The environment
-// variable UMBRAL_COVERAGE_TRIANGLES says how many to draw: 20,000 if it is not set; a million takes minutes.
+// Which pixels random triangles in clip coordinates cover: by the engine's division, viewport and rows, by the reference of
+// pipeline/rasterize-triangle, which must be the same ones, and by Mesa's. The environment variable UMBRAL_COVERAGE_TRIANGLES says how many to draw: 20,000 if it is not set; a million takes minutes.
 namespace umbral::render::test {
 namespace {
 
@@ -76,21 +77,29 @@ private:
     unsigned buffer_ = 0;
 };
 
-/// As Mesa::draw; `twice` counts pixels that are covered again.
+/// As Mesa::draw; `twice` counts pixels that are covered again. The reference must cover the same ones.
 Ids drawn_here(const std::vector<Triangle>& triangles, int side, std::size_t& twice)
 {
     Ids ids(side, side);
+    std::size_t unlike_the_unit = 0;
     std::vector<pipeline::Fragment> fragments;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto corner = [&](std::size_t k) { return to_window(triangles[i][k], side, side); };
+        const std::array<pipeline::WindowVertex, 3> triangle = {corner(0), corner(1), corner(2)};
         fragments.clear();
-        pipeline::rasterize_triangle({corner(0), corner(1), corner(2)}, side, side, fragments);
-        for (const pipeline::Fragment& fragment : fragments) {
-            std::uint32_t& id = ids.at(fragment.pixel.x, fragment.pixel.y);
-            twice += id == 0 ? 0U : 1U;
-            id = static_cast<std::uint32_t>(i + 1);
-        }
+        pipeline::rasterize_triangle(triangle, side, side, fragments);
+        auto expected = fragments.begin();
+        for_each_run(set_up(triangle, {{0, side - 1}, {0, side - 1}}), [&](int y, int first, int last) {
+            for (int x = first; x <= last; ++x) {
+                if (expected == fragments.end() || expected++->pixel != glm::ivec2(x, y)) ++unlike_the_unit;
+                std::uint32_t& id = ids.at(x, y);
+                twice += id == 0 ? 0U : 1U;
+                id = static_cast<std::uint32_t>(i + 1);
+            }
+        });
+        unlike_the_unit += static_cast<std::size_t>(fragments.end() - expected);
     }
+    EXPECT_EQ(unlike_the_unit, 0U);
     return ids;
 }
 

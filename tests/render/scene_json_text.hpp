@@ -3,7 +3,8 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <umbral/scene/scene_json.hpp>
+
+#include "scene/scene_json.hpp"
 
 namespace umbral::scene::test {
 

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cmath>
-#include <umbral/scene/scene.hpp>
-#include <umbral/scene/scene_json.hpp>
+
+#include "scene/scene.hpp"
+#include "scene/scene_json.hpp"
 
 /// Small scenes that several tests draw. Each is called by what is special about it.
 namespace umbral::render::test {

@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "report/escape.hpp"
 #include "report/layout.hpp"
-#include "report/utf8.hpp"
+#include "text/escape.hpp"
+#include "text/utf8.hpp"
 
 namespace umbral::grader {
 namespace {

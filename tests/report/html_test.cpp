@@ -6,8 +6,8 @@
 #include "report/html/base64.hpp"
 #include "report/html/class_statistics.hpp"
 #include "report/html/pages.hpp"
-#include "report/utf8.hpp"
 #include "results.hpp"
+#include "text/utf8.hpp"
 
 namespace umbral::grader::html {
 namespace {

@@ -10,7 +10,7 @@
 #include <umbral/core/png.hpp>
 
 #include "bench/judges/picture_operators.hpp"
-#include "model/json_file.hpp"
+#include "text/json_file.hpp"
 
 namespace umbral::grader {
 

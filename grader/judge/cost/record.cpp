@@ -9,7 +9,7 @@
 #include "judge/parameters.hpp"
 #include "judge/rows/tensor_view.hpp"
 #include "judge/rules.hpp"
-#include "model/field.hpp"
+#include "text/field.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -9,7 +9,7 @@
 #include "judge/noise/noise.hpp"
 #include "judge/noise/rule.hpp"
 #include "judge/statistics/error_budget.hpp"
-#include "model/field.hpp"
+#include "text/field.hpp"
 
 namespace umbral::grader {
 namespace {

@@ -14,7 +14,7 @@
 #include "judge/rules.hpp"
 #include "judge/trace/rule.hpp"
 #include "judge/trace/trace_counts.hpp"
-#include "model/field.hpp"
+#include "text/field.hpp"
 
 namespace umbral::grader {
 namespace {

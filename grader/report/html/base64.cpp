@@ -1,6 +1,9 @@
 #include "report/html/base64.hpp"
 
-#include <cstdint>
+#include <openssl/evp.h>
+
+#include <limits>
+#include <stdexcept>
 
 #include "model/digest.hpp"
 
@@ -8,14 +11,10 @@ namespace umbral::grader::html {
 
 std::string base64(std::string_view bytes)
 {
-    static constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string result;
-    result.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t at) { return at < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at])) : 0U; };
-        const std::uint32_t group = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-        for (unsigned k = 0; k < 4; ++k) result += i + k > bytes.size() ? '=' : digits[group >> (18U - 6U * k) & 63U];
-    }
+    if (bytes.size() > std::numeric_limits<int>::max() / 2) throw std::length_error("base64: expected less than 1 GiB, got more");
+    std::string result((bytes.size() + 2) / 3 * 4 + 1, '\0');  // EVP_EncodeBlock ends it with a zero
+    EVP_EncodeBlock(reinterpret_cast<unsigned char*>(result.data()), reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
+    result.pop_back();
     return result;
 }
 

@@ -5,7 +5,7 @@
 
 namespace umbral::grader::html {
 
-/// Bytes in base 64, with padding. Based on: S. Josefsson. The Base16, Base32, and Base64 Data Encodings. RFC 4648, 2006.
+/// Bytes in base 64 (RFC 4648), with padding. Throws std::length_error if they are 1 GiB or more.
 [[nodiscard]] std::string base64(std::string_view bytes);
 
 /// What Content-Security-Policy calls the hash of an inline style or script: "sha256-…".

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "report/escape.hpp"
+#include "text/escape.hpp"
 
 namespace umbral::grader::html {
 

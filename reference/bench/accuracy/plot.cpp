@@ -11,6 +11,7 @@
 #include "axis.hpp"
 #include "knee.hpp"
 #include "labels.hpp"
+#include "text/escape.hpp"
 
 namespace umbral::bench {
 namespace {
@@ -108,9 +109,9 @@ std::string axes(const Plot& plot, const Frame& frame)
     }
     text += "</g><g class=\"axis\">" + words;
     text += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", (left + frame.right) / 2, plot.height - 12,
-                        escaped(plot.x_label));
+                        escape_html(plot.x_label));
     text += fmt::format("<text class=\"name\" transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">{}</text></g>", (top + frame.bottom) / 2,
-                        escaped(plot.y_label));
+                        escape_html(plot.y_label));
     return text;
 }
 
@@ -164,10 +165,10 @@ std::string target(const Mark& mark, double x, double y, double width)
     std::string text = fmt::format(
         "<g class=\"target\" tabindex=\"0\" role=\"img\" aria-label=\"{}\"><circle class=\"hit\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"9\"/>"
         "<g class=\"tip\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"6\"/>",
-        escaped(mark.tip), x, y, note_x, note_y, note_width, note_height);
+        escape_html(mark.tip), x, y, note_x, note_y, note_width, note_height);
     for (std::size_t i = 0; i < lines.size(); ++i)
         text += fmt::format("<text{} x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", i == 0 ? " class=\"first\"" : "", note_x + 8,
-                            note_y + 20 + 17 * static_cast<double>(i), escaped(lines[i]));
+                            note_y + 20 + 17 * static_cast<double>(i), escape_html(lines[i]));
     return text + "</g></g>";
 }
 
@@ -179,7 +180,7 @@ std::string written(const std::vector<Series>& series, const Frame& frame)
         for (const Mark& mark : one.marks) labels.keep_free(frame.x_of(mark), frame.y_of(mark), mark.quiet ? 3 : 6);
     std::string text;
     const auto write = [&](const std::optional<Place>& place, const std::string& words, const char* kind) {
-        if (place) text += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", kind, place->x, place->y, escaped(words));
+        if (place) text += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", kind, place->x, place->y, escape_html(words));
     };
     std::vector<NamedEnd> ends;
     for (const Series& one : series) {
@@ -202,29 +203,13 @@ std::string written(const std::vector<Series>& series, const Frame& frame)
 
 }
 
-std::string escaped(std::string_view text)
-{
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            case '\'': safe += "&#39;"; break;
-            default: safe += c;
-        }
-    }
-    return safe;
-}
-
 std::string svg_of(const Plot& plot)
 {
     std::vector<Series> series = plot.series;
     for (Series& one : series) std::erase_if(one.marks, [](const Mark& mark) { return !is_drawn(mark); });
     const Frame frame = frame_of(plot, series);
     std::string text = fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"group\" aria-labelledby=\"{}-title\"><title id=\"{}-title\">{}</title>",
-                                   plot.width, plot.height, plot.id, plot.id, escaped(plot.title));
+                                   plot.width, plot.height, plot.id, plot.id, escape_html(plot.title));
     text += axes(plot, frame);
     std::string targets;
     Rings rings;

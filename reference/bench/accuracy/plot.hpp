@@ -38,7 +38,4 @@ struct Plot {
 /// Marks whose x is not a positive number, or whose y is negative or not finite, are left out.
 [[nodiscard]] std::string svg_of(const Plot& plot);
 
-/// Text fit for HTML and SVG, in content and quoted attributes.
-[[nodiscard]] std::string escaped(std::string_view text);
-
 }

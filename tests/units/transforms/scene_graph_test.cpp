@@ -192,11 +192,11 @@ TEST(GraphFile, SaysWhereItIsWrong)
         nlohmann::json value;
         const char* complaint;
     };
-    const Wrong wrongs[] = {{"/root", "c", "g.json: /root: expected one of \"a\", \"b\", got \"c\""},
-                            {"/nodes/a/0", {{"node", "c"}}, "g.json: /nodes/a/0/node: expected one of \"a\", \"b\", got \"c\""},
-                            {"/nodes/a/2/object", "ball", "g.json: /nodes/a/2/object: expected one of \"disc\", got \"ball\""},
-                            {"/nodes/a/1/scale", {1, 2}, "g.json: /nodes/a/1/scale: expected a list of 3 to 3 items, got [1,2]"},
-                            {"/version", 2, "g.json: /version: expected a whole number from 1 to 1, got 2"}};
+    const Wrong wrongs[] = {{"/root", "c", "g.json: root: expected one of \"a\", \"b\", got \"c\""},
+                            {"/nodes/a/0", {{"node", "c"}}, "g.json: nodes.a[0].node: expected one of \"a\", \"b\", got \"c\""},
+                            {"/nodes/a/2/object", "ball", "g.json: nodes.a[2].object: expected one of \"disc\", got \"ball\""},
+                            {"/nodes/a/1/scale", {1, 2}, "g.json: nodes.a[1].scale: expected a list of 3 to 3 items, got [1,2]"},
+                            {"/version", 2, "g.json: version: expected a whole number from 1 to 1, got 2"}};
     for (const Wrong& wrong : wrongs) {
         nlohmann::json json = small_graph();
         json[nlohmann::json::json_pointer(wrong.place)] = wrong.value;
@@ -206,7 +206,7 @@ TEST(GraphFile, SaysWhereItIsWrong)
          {"{}", R"({"node": "b", "object": "disc"})", R"({"shear": [1, 0, 0]})", R"({"rotate": {"degrees": 5, "axis": [0, 0, 0]}})"}) {
         nlohmann::json json = small_graph();
         json["nodes"]["a"][0] = nlohmann::json::parse(entry);
-        EXPECT_NE(refusal(json.dump()).find("/nodes/a/0"), std::string::npos) << entry;
+        EXPECT_NE(refusal(json.dump()).find("nodes.a[0]"), std::string::npos) << entry;
     }
 }
 

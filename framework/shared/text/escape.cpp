@@ -1,12 +1,13 @@
+#include "text/escape.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
 #include <utility>
 
-#include "report/escape.hpp"
-#include "report/utf8.hpp"
+#include "text/utf8.hpp"
 
-namespace umbral::grader {
+namespace umbral {
 namespace {
 
 /// Characters that change how their neighbours look, or that cannot be seen: tools of deception in a report.

@@ -3,7 +3,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <umbral/scene/scene.hpp>
+
+#include "scene/scene.hpp"
 
 namespace umbral::scene {
 
@@ -11,7 +12,7 @@ namespace umbral::scene {
 ///
 /// What is read can be drawn: names refer to things that exist, indices are in range, numbers are finite, and no factor or direction is zero.
 /// Names stand for places in Scene's lists, so that nothing can refer to itself.
-/// Throws std::runtime_error "file: /json/pointer: expected …, got …".
+/// Throws std::runtime_error "file: instances[2].geometry: expected …, got …".
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file);
 
 /// The same from a text; `file` is what complaints call it.

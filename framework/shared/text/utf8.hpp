@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace umbral::grader {
+namespace umbral {
 
 /// One character of a UTF-8 text. What is not valid UTF-8 (also overlong forms and surrogates) comes byte by byte with `valid` false.
 struct Character {
@@ -15,6 +15,9 @@ struct Character {
 
 /// The first character of `text`, which is not empty.
 [[nodiscard]] Character first_character(std::string_view text);
+
+/// Is it a byte that no character begins with?
+[[nodiscard]] inline bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 /// How many terminal cells a character takes: 0 (combining), 1 or 2 (East Asian wide, most emoji).
 [[nodiscard]] int cells_of(char32_t code);

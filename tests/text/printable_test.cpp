@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "model/recording.hpp"
+#include "text/printable.hpp"
 
-namespace umbral::grader {
+namespace umbral {
 namespace {
 
 constexpr std::size_t plenty = 1 << 20;

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <umbral/scene/node.hpp>
-#include <umbral/scene/scene.hpp>
+
+#include "scene/scene.hpp"
+#include "text/field.hpp"
 
 /// Pieces of the parser of scenes.
 namespace umbral::scene {
@@ -10,7 +11,7 @@ namespace umbral::scene {
 using Shape = decltype(Geometry::shape);
 
 /// A geometry's shape, generated or written out.
-[[nodiscard]] Shape parse_shape(const Node& node);
+[[nodiscard]] Shape parse_shape(const Field& field);
 
 /// How many triangles it has at most (some that are generated are left out at a sphere's poles).
 [[nodiscard]] std::size_t triangle_count(const Shape& shape);

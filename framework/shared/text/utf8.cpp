@@ -1,8 +1,8 @@
+#include "text/utf8.hpp"
+
 #include <array>
 
-#include "report/utf8.hpp"
-
-namespace umbral::grader {
+namespace umbral {
 namespace {
 
 struct Range {

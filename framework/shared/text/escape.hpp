@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace umbral::grader {
+namespace umbral {
 
 /// What may stay in a text that is escaped for a terminal.
 struct TerminalText {

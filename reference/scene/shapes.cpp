@@ -1,0 +1,88 @@
+#include <nlohmann/json.hpp>
+
+#include "scene/limits.hpp"
+#include "scene/parts.hpp"
+#include "scene/values.hpp"
+
+namespace umbral::scene {
+namespace {
+
+int subdivisions(const Field& field, int least, int fallback) { return field.given() ? field.integer(least, maximum_subdivisions) : fallback; }
+
+Shape parse_sphere(const Field& field)
+{
+    field.allow_only({"kind", "rings", "sectors"});
+    const Sphere usual;
+    return Sphere{subdivisions(field.member("rings"), 2, usual.rings), subdivisions(field.member("sectors"), 3, usual.sectors)};
+}
+
+Shape parse_torus(const Field& field)
+{
+    field.allow_only({"kind", "rings", "sectors", "tube"});
+    const Torus usual;
+    return Torus{subdivisions(field.member("rings"), 3, usual.rings), subdivisions(field.member("sectors"), 3, usual.sectors),
+                 field.member("tube").given() ? real(field.member("tube"), 0.001, 0.999) : usual.tube};
+}
+
+Shape parse_plane(const Field& field)
+{
+    field.allow_only({"kind", "rows", "columns"});
+    return Plane{subdivisions(field.member("rows"), 1, 1), subdivisions(field.member("columns"), 1, 1)};
+}
+
+Shape parse_wave(const Field& field)
+{
+    field.allow_only({"kind", "rows", "columns", "amplitude", "waves"});
+    const Wave usual;
+    return Wave{subdivisions(field.member("rows"), 1, usual.rows), subdivisions(field.member("columns"), 1, usual.columns),
+                real(field.member("amplitude"), -10, 10), vector2(field.member("waves"), -100, 100)};
+}
+
+glm::uvec3 parse_triangle(const Field& field, std::size_t positions)
+{
+    const std::vector<Field> corners = field.items(3, 3);
+    glm::uvec3 triangle;
+    for (int i = 0; i < 3; ++i) {
+        const Field& corner = corners[static_cast<std::size_t>(i)];
+        if (positions == 0) corner.refuse("no index: there are no positions");
+        triangle[i] = static_cast<unsigned>(corner.integer(0, static_cast<int>(positions) - 1));
+    }
+    return triangle;
+}
+
+Shape parse_triangles(const Field& field)
+{
+    field.allow_only({"kind", "positions", "triangles", "uvs"});
+    Triangles mesh;
+    for (const Field& position : field.member("positions").items(0, maximum_vertices))
+        mesh.positions.push_back(vector3(position, -maximum_coordinate, maximum_coordinate));
+    for (const Field& triangle : field.member("triangles").items(0, maximum_vertices))
+        mesh.triangles.push_back(parse_triangle(triangle, mesh.positions.size()));
+    if (const Field uvs = field.member("uvs"); uvs.given())
+        for (const Field& uv : uvs.items(mesh.positions.size(), mesh.positions.size())) mesh.uvs.push_back(vector2(uv, -1000, 1000));
+    return mesh;
+}
+
+}
+
+Shape parse_shape(const Field& field)
+{
+    constexpr Shape (*parsers[])(const Field&) = {parse_sphere, parse_torus, parse_plane, parse_wave, parse_triangles};
+    return parsers[field.member("kind").one_of({"sphere", "torus", "plane", "wave", "triangles"})](field);
+}
+
+std::size_t triangle_count(const Shape& shape)
+{
+    const auto sheet = [](int a, int b) { return 2 * static_cast<std::size_t>(a) * static_cast<std::size_t>(b); };
+    struct Count {
+        decltype(sheet) of;
+        std::size_t operator()(const Sphere& sphere) const { return of(sphere.rings, sphere.sectors); }
+        std::size_t operator()(const Torus& torus) const { return of(torus.rings, torus.sectors); }
+        std::size_t operator()(const Plane& plane) const { return of(plane.rows, plane.columns); }
+        std::size_t operator()(const Wave& wave) const { return of(wave.rows, wave.columns); }
+        std::size_t operator()(const Triangles& mesh) const { return mesh.triangles.size(); }
+    };
+    return std::visit(Count{sheet}, shape);
+}
+
+}
