@@ -54,7 +54,8 @@ endfunction()
 # umbral_expected_references(UNIT JSON ROOT RESULT): the files below ROOT in which the unit's reference is expected:
 # ROOT/topic/my_unit.cpp, or of a unit in GLSL its shaders' names in the folder ROOT/topic/my_unit.
 function(umbral_expected_references unit json root result)
-  string(REPLACE "-" "_" place "${root}/${unit}")
+  string(REPLACE "-" "_" place "${unit}")
+  set(place ${root}/${place})
   umbral_manifest_list("${json}" files files)
   set(shaders ${files})
   list(FILTER shaders EXCLUDE REGEX "[.][ch]pp$")
