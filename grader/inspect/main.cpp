@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "inspect/names.hpp"
+#include "inspect/open.hpp"
 #include "inspect/places.hpp"
 
 // umbral-inspect names FILE INTERFACE: its dynamic symbols and the functions that left code in it, as JSON; INTERFACE lists the names
@@ -39,7 +40,7 @@ int main(int count, char** words)
     elf_version(EV_CURRENT);
     const int file = open(words[2], O_RDONLY | O_CLOEXEC);
     Elf* elf = file < 0 ? nullptr : elf_begin(file, ELF_C_READ_MMAP, nullptr);
-    Dwarf* dwarf = elf == nullptr ? nullptr : dwarf_begin_elf(elf, DWARF_C_READ, nullptr);
+    Dwarf* dwarf = elf == nullptr ? nullptr : open_debug_information(elf);
     if (dwarf == nullptr) {
         (void)std::fprintf(stderr, "%s: no ELF file with debug information\n", words[2]);
         return 1;

@@ -7,6 +7,7 @@
 
 #include "fuzz.hpp"
 #include "inspect/names.hpp"
+#include "inspect/open.hpp"
 #include "inspect/places.hpp"
 
 // What umbral-inspect does with a compiled library: hostile ELF and DWARF. The library that takes them apart is not instrumented, so that
@@ -17,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     elf_version(EV_CURRENT);
     std::vector<char> image(data, data + size);
     Elf* const elf = elf_memory(image.data(), image.size());
-    Dwarf* const dwarf = elf == nullptr ? nullptr : dwarf_begin_elf(elf, DWARF_C_READ, nullptr);
+    Dwarf* const dwarf = elf == nullptr ? nullptr : grader::open_debug_information(elf);
     if (dwarf != nullptr) {
         const std::string json = grader::names_as_json(elf, dwarf, {"_Z6spherev"});
         for (const Dwarf_Addr address : {Dwarf_Addr{0}, Dwarf_Addr{0x1000}, Dwarf_Addr{0x1139}, ~Dwarf_Addr{0}})
