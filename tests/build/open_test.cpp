@@ -25,8 +25,9 @@ std::string compiled(const std::string& options)
 {
     const TemporaryFolder folder;
     folder.write("one.cpp", "int one(int x) { return x + 1; }\n");
-    const std::string command =
-        std::string(UMBRAL_COMPILER) + " -g -gdwarf-5 -shared -fPIC " + options + " -o " + (folder / "one.so").string() + " " + (folder / "one.cpp").string();
+    std::string command = UMBRAL_COMPILER;
+    for (const std::string& word : {std::string("-g -gdwarf-5 -shared -fPIC"), options, "-o " + (folder / "one.so").string(), (folder / "one.cpp").string()})
+        command += " " + word;
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     return read(folder / "one.so");
 }
