@@ -1,6 +1,6 @@
 # Builds what the grader loads for one unit, into ${CMAKE_BINARY_DIR}/units/<topic>/<unit>/:
 #   driver.so       the driver and the reference objects of the units in `uses` (their closure); the unit itself stays undefined
-#   reference.so, oracle.so    the tenants whose answers students' are compared with
+#   reference.so, oracle.so    the solutions whose answers students' are compared with
 #   mistakes/*.so   known wrong solutions, loaded only to explain a failing result
 #   exports.map, exports.txt   the names that a student's library may define: those of the reference object, no other
 #
@@ -8,9 +8,9 @@
 #
 # The target unit-<topic>-<unit> makes all of it.
 #
-# Units lie below UMBRAL_EXERCISES_ROOT, their tenants below UMBRAL_REFERENCE_ROOT; tests that bring units of their own set both.
+# Units lie below UMBRAL_EXERCISES_ROOT, their solutions below UMBRAL_REFERENCE_ROOT; tests that bring units of their own set both.
 #
-# A unit's tenants are built alike and loaded alike, so that nothing can depend on who lives there.
+# A unit's solutions are built alike and loaded alike, so that nothing can depend on who lives there.
 #
 # A unit that is half written stops no other: without its reference its own target fails, with the path that was expected.
 
@@ -26,7 +26,7 @@ set(UMBRAL_STUDENT_FLAGS -std=c++20 -g -O1 -fPIC -fno-gnu-unique -ffp-contract=o
 # One header before their first line, precompiled with exactly those flags by exercises/CMakeLists.txt.
 set(UMBRAL_STUDENT_HEADER ${CMAKE_BINARY_DIR}/student/umbral_student.hpp)
 
-# Added to the tenants of units with a check of the judge "cost": each basic block counts itself.
+# Added to the solutions of units with a check of the judge "cost": each basic block counts itself.
 set(UMBRAL_COUNTED_FLAGS -fsanitize-coverage=trace-pc)
 
 # umbral_reference_objects(UNIT RESULT [FLAGS…]): the object library of a unit's reference, made on first need.

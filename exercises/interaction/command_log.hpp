@@ -12,7 +12,8 @@ namespace umbral::interaction {
 using CommandRow = std::array<float, 4>;
 
 /// What the codes mean, for reports.
-inline constexpr std::string_view command_names = "1 orbit\n2 pan\n3 zoom\n4 reset\n5 view mode\n6 viewport\n7 closing\n8 key passed on\n";
+inline constexpr std::string_view command_names =
+    "1 orbit\n2 pan\n3 zoom\n4 reset\n5 view mode\n6 viewport\n7 closing\n8 key passed on\n";
 
 class CommandLog : public Commands {
 public:
@@ -34,15 +35,20 @@ private:
     }
 };
 
-/// A window whose commands are logged: what was there before install_callbacks, and what is to be looked at after each wait.
+/// A window whose commands are logged: what was there before install_callbacks, and what is to be looked at after each
+/// wait.
 class LoggedWindow {
 public:
-    /// The window stays the caller's, and must live as long. `listens`: a key callback was there before, and logs what is passed on to it.
+    /// The window stays the caller's, and must live as long. `listens`: a key callback was there before, and logs what
+    /// is passed on to it.
     LoggedWindow(GLFWwindow* window, bool listens) : window_(window)
     {
         listener_.commands = &listener_.log;
         glfwSetWindowUserPointer(window, static_cast<Controls*>(&listener_));
-        if (listens) glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int) { listener_of(from).log.key_passed_on(key, action); });
+        if (listens)
+            glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int) {
+                listener_of(from).log.key_passed_on(key, action);
+            });
         // Only what the callbacks ask for counts as closing; a user who clicks at the cross is not heard.
         glfwSetWindowCloseCallback(window, [](GLFWwindow* from) { glfwSetWindowShouldClose(from, GLFW_FALSE); });
         install_callbacks(window);
@@ -66,7 +72,10 @@ private:
         CommandLog log;
     };
 
-    static Listener& listener_of(GLFWwindow* window) { return static_cast<Listener&>(*static_cast<Controls*>(glfwGetWindowUserPointer(window))); }
+    static Listener& listener_of(GLFWwindow* window)
+    {
+        return static_cast<Listener&>(*static_cast<Controls*>(glfwGetWindowUserPointer(window)));
+    }
 
     GLFWwindow* window_;
     Listener listener_;

@@ -20,7 +20,10 @@ struct CameraEvent {
 
 inline CameraEvent drag(double right, double up) { return {CameraEvent::Kind::drag, right, up}; }
 inline CameraEvent scroll(double steps) { return {CameraEvent::Kind::scroll, steps}; }
-inline CameraEvent resize(int width, int height) { return {CameraEvent::Kind::resize, static_cast<double>(width), static_cast<double>(height)}; }
+inline CameraEvent resize(int width, int height)
+{
+    return {CameraEvent::Kind::resize, static_cast<double>(width), static_cast<double>(height)};
+}
 inline CameraEvent reset() { return {CameraEvent::Kind::reset}; }
 
 inline void apply(OrbitCamera& camera, const CameraEvent& event)
@@ -34,7 +37,10 @@ inline void apply(OrbitCamera& camera, const CameraEvent& event)
 }
 
 /// A number of 64ths of a pixel in [-reach, reach): exact, whatever is added to it.
-inline double random_pixels(Random& random, double reach) { return std::floor(64 * reach * (2 * random.uniform_double() - 1)) / 64; }
+inline double random_pixels(Random& random, double reach)
+{
+    return std::floor(64 * reach * (2 * random.uniform_double() - 1)) / 64;
+}
 
 /// A camera somewhere within 3 of the origin, 2 to 8 away from its target.
 inline OrbitCameraSettings random_settings(Random& random)
@@ -50,7 +56,8 @@ inline OrbitCameraSettings random_settings(Random& random)
     return settings;
 }
 
-/// A session: mostly drags, then the wheel, and now and then a new size of the window (or none of it), a reset, and nonsense.
+/// A session: mostly drags, then the wheel, and now and then a new size of the window (or none of it), a reset, and
+/// nonsense.
 inline std::vector<CameraEvent> random_session(Random& random, int count)
 {
     constexpr double nonsense[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};

@@ -13,7 +13,10 @@ namespace umbral {
 struct Attribute {
     template <int size>
     Attribute(const char* its_name, const std::vector<glm::vec<size, float>>& items)
-        : name(its_name), components(size), bytes(static_cast<GLsizeiptr>(items.size() * sizeof(items[0]))), data(items.data())
+        : name(its_name),
+          components(size),
+          bytes(static_cast<GLsizeiptr>(items.size() * sizeof(items[0]))),
+          data(items.data())
     {
     }
 
@@ -28,7 +31,8 @@ struct Attribute {
 class AttributeMesh {
 public:
     /// Attributes that the program does not use are passed over.
-    AttributeMesh(const gl::Program& program, const std::vector<std::uint32_t>& indices, std::initializer_list<Attribute> attributes)
+    AttributeMesh(const gl::Program& program, const std::vector<std::uint32_t>& indices,
+                  std::initializer_list<Attribute> attributes)
         : program_(program), count_(static_cast<GLsizei>(indices.size()))
     {
         glGenVertexArrays(1, &array_);

@@ -20,7 +20,8 @@ namespace umbral {
 template <class Row>
 void record_rows(Recorder& out, std::string_view name, const std::vector<Row>& table, std::size_t count)
 {
-    for (std::size_t i = 0; i < count; ++i) out.append(name, i < table.size() ? table[i] : Row(std::numeric_limits<float>::quiet_NaN()));
+    for (std::size_t i = 0; i < count; ++i)
+        out.append(name, i < table.size() ? table[i] : Row(std::numeric_limits<float>::quiet_NaN()));
 }
 
 /// The same triangle, begun at its smallest index: its sense stays.
@@ -36,7 +37,8 @@ inline glm::uvec2 canonical(const glm::uvec2& e) { return e.x <= e.y ? e : glm::
 /// Records a list of triangles or edges as events of this code, each in its canonical form, sorted if their order is
 /// free. Of a list that is far longer than it should be, only the beginning is looked at.
 template <int size>
-void record_indices(Recorder& out, std::string_view name, float code, const std::vector<glm::vec<size, std::uint32_t>>& list, std::size_t expected_count,
+void record_indices(Recorder& out, std::string_view name, float code,
+                    const std::vector<glm::vec<size, std::uint32_t>>& list, std::size_t expected_count,
                     bool any_order = true)
 {
     const auto count = static_cast<std::ptrdiff_t>(std::min(list.size(), 2 * expected_count + 16));

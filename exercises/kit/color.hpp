@@ -15,7 +15,10 @@ inline double srgb_encoded(double linear)
     const double light = std::clamp(linear, 0.0, 1.0);
     return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
 }
-inline glm::dvec3 srgb_encoded(const glm::dvec3& linear) { return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)}; }
+inline glm::dvec3 srgb_encoded(const glm::dvec3& linear)
+{
+    return {srgb_encoded(linear.r), srgb_encoded(linear.g), srgb_encoded(linear.b)};
+}
 
 /// Its inverse: the light that a stored value in [0, 1] stands for.
 inline double srgb_decoded(double encoded)
@@ -23,7 +26,10 @@ inline double srgb_decoded(double encoded)
     const double value = std::clamp(encoded, 0.0, 1.0);
     return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
-inline glm::dvec3 srgb_decoded(const glm::dvec3& encoded) { return {srgb_decoded(encoded.r), srgb_decoded(encoded.g), srgb_decoded(encoded.b)}; }
+inline glm::dvec3 srgb_decoded(const glm::dvec3& encoded)
+{
+    return {srgb_decoded(encoded.r), srgb_decoded(encoded.g), srgb_decoded(encoded.b)};
+}
 
 /// The opaque pixel of a colour in linear light, rounded. Places that are not a number are black.
 inline glm::u8vec4 pixel_of(const glm::dvec3& linear)

@@ -11,7 +11,11 @@ namespace umbral {
 class DoubleFrame {
 public:
     /// For a picture of this size. Draws go here from now on, over the whole size; `background` is sRGB.
-    DoubleFrame(int width, int height, const glm::vec3& background = ink::night) : large_(2 * width, 2 * height), background_(background, 1) { clear(); }
+    DoubleFrame(int width, int height, const glm::vec3& background = ink::night)
+        : large_(2 * width, 2 * height), background_(background, 1)
+    {
+        clear();
+    }
 
     void clear() const { large_.clear(background_); }
 

@@ -24,7 +24,9 @@ public:
     /// `low` and `high` are opposite corners of the rectangle; one that is narrower or flatter than the picture is
     /// centred in it.
     Drawing(int width, int height, glm::dvec2 low, glm::dvec2 high, glm::vec3 background = ink::night)
-        : pixels_(width, height, srgb_decoded(background)), middle_(0.5 * (low + high)), scale_(std::min(width / (high.x - low.x), height / (high.y - low.y)))
+        : pixels_(width, height, srgb_decoded(background)),
+          middle_(0.5 * (low + high)),
+          scale_(std::min(width / (high.x - low.x), height / (high.y - low.y)))
     {
     }
 
@@ -34,10 +36,12 @@ public:
         const glm::dvec2 along = to_pixels(to) - a;
         if (!is_drawable(a) || !is_drawable(a + along)) return;
         const double length_squared = glm::dot(along, along);
-        paint(glm::min(a, a + along) - 0.5 * width, glm::max(a, a + along) + 0.5 * width, color, alpha, [&](glm::dvec2 p) {
-            const double t = length_squared > 0 ? std::clamp(glm::dot(p - a, along) / length_squared, 0.0, 1.0) : 0.0;
-            return smooth(0.5 * width - glm::length(p - a - t * along));
-        });
+        paint(glm::min(a, a + along) - 0.5 * width, glm::max(a, a + along) + 0.5 * width, color, alpha,
+              [&](glm::dvec2 p) {
+                  const double t =
+                      length_squared > 0 ? std::clamp(glm::dot(p - a, along) / length_squared, 0.0, 1.0) : 0.0;
+                  return smooth(0.5 * width - glm::length(p - a - t * along));
+              });
     }
 
     /// A line with a head at `to`.
@@ -60,14 +64,16 @@ public:
     void disc(glm::dvec2 place, double radius, glm::vec3 color, double alpha = 1)
     {
         const glm::dvec2 middle = to_pixels(place);
-        paint(middle - radius, middle + radius, color, alpha, [&](glm::dvec2 p) { return smooth(radius - glm::length(p - middle)); });
+        paint(middle - radius, middle + radius, color, alpha,
+              [&](glm::dvec2 p) { return smooth(radius - glm::length(p - middle)); });
     }
 
     void ring(glm::dvec2 place, double radius, glm::vec3 color, double width = 2)
     {
         const glm::dvec2 middle = to_pixels(place);
         const double outside = radius + 0.5 * width;
-        paint(middle - outside, middle + outside, color, 1, [&](glm::dvec2 p) { return smooth(0.5 * width - std::abs(glm::length(p - middle) - radius)); });
+        paint(middle - outside, middle + outside, color, 1,
+              [&](glm::dvec2 p) { return smooth(0.5 * width - std::abs(glm::length(p - middle) - radius)); });
     }
 
     /// The inside of a polygon of any shape, by the even-odd rule.

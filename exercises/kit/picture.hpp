@@ -14,7 +14,8 @@ namespace umbral {
 inline Image encoded(const Grid<glm::vec3>& linear)
 {
     Image image(linear.width, linear.height);
-    std::transform(linear.cells.begin(), linear.cells.end(), image.cells.begin(), [](const glm::vec3& light) { return pixel_of(light); });
+    std::transform(linear.cells.begin(), linear.cells.end(), image.cells.begin(),
+                   [](const glm::vec3& light) { return pixel_of(light); });
     return image;
 }
 
@@ -25,7 +26,8 @@ inline Image halved(const Image& picture)
     for (int y = 0; y < result.height; ++y) {
         for (int x = 0; x < result.width; ++x) {
             glm::uvec4 sum(2);
-            for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}}) sum += glm::uvec4(picture.at(2 * x + dx, 2 * y + dy));
+            for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+                sum += glm::uvec4(picture.at(2 * x + dx, 2 * y + dy));
             result.at(x, y) = glm::u8vec4(sum / 4U);
         }
     }

@@ -18,7 +18,9 @@ inline Image draw_scene(const glm::mat4& view)
     const gl::Mesh arrow = uploaded(shapes::arrow());
     std::vector<Stage::Thing> things;
     const auto add_box = [&](glm::vec3 corner, glm::vec3 size, float turn, glm::vec3 color) {
-        things.push_back({box, glm::scale(glm::rotate(glm::translate(glm::mat4(1), corner), turn, {0, 1, 0}), size), {.color = color}});
+        things.push_back({box,
+                          glm::scale(glm::rotate(glm::translate(glm::mat4(1), corner), turn, {0, 1, 0}), size),
+                          {.color = color}});
     };
     add_box({-1.5F, 0, -1.4F}, {0.7F, 1.3F, 0.7F}, 0.3F, {0.68F, 0.14F, 0.06F});
     add_box({0.7F, 0, -1.3F}, {0.9F, 0.6F, 0.6F}, -0.35F, {0.88F, 0.50F, 0.05F});

@@ -35,10 +35,13 @@ struct Shape {
 inline void join_grid(Shape& shape, int columns, int rows)
 {
     const auto first = static_cast<int>(shape.positions.size()) - (columns + 1) * (rows + 1);
-    const auto at = [&](int column, int row) { return static_cast<std::uint32_t>(first + row * (columns + 1) + column); };
+    const auto at = [&](int column, int row) {
+        return static_cast<std::uint32_t>(first + row * (columns + 1) + column);
+    };
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
-            const std::uint32_t corners[] = {at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)};
+            const std::uint32_t corners[] = {at(column, row), at(column + 1, row), at(column + 1, row + 1),
+                                             at(column, row + 1)};
             for (const int i : {0, 1, 2, 0, 2, 3}) shape.indices.push_back(corners[i]);
         }
 }
@@ -56,7 +59,8 @@ Shape woven(int columns, int rows, At vertex)
     Shape shape;
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column <= columns; ++column) {
-            const Vertex next = vertex(static_cast<float>(column) / static_cast<float>(columns), static_cast<float>(row) / static_cast<float>(rows));
+            const Vertex next = vertex(static_cast<float>(column) / static_cast<float>(columns),
+                                       static_cast<float>(row) / static_cast<float>(rows));
             shape.positions.push_back(next.position);
             shape.normals.push_back(next.normal);
         }
@@ -70,7 +74,8 @@ Shape surface(int columns, int rows, Point point)
 {
     constexpr float step = 1e-3F;
     return woven(columns, rows, [&](float u, float v) {
-        const glm::vec3 normal = cross(point(u + step, v) - point(u - step, v), point(u, v + step) - point(u, v - step));
+        const glm::vec3 normal =
+            cross(point(u + step, v) - point(u - step, v), point(u, v + step) - point(u, v - step));
         return Vertex{point(u, v), normalize(normal)};
     });
 }
@@ -81,7 +86,8 @@ inline Shape sphere(int longitudes, int latitudes, float top = 1)
     const float last = std::acos(-top);
     return woven(longitudes, latitudes, [&](float u, float v) {
         const float polar = last * v;
-        const glm::vec3 place(std::sin(polar) * std::sin(turn * u), -std::cos(polar), std::sin(polar) * std::cos(turn * u));
+        const glm::vec3 place(std::sin(polar) * std::sin(turn * u), -std::cos(polar),
+                              std::sin(polar) * std::cos(turn * u));
         return Vertex{place, place};
     });
 }
@@ -91,14 +97,17 @@ inline Shape icosphere(int times)
 {
     const float golden = (1 + std::sqrt(5.0F)) / 2;
     Shape shape;
-    shape.positions = {{-1, golden, 0},  {1, golden, 0},  {-1, -golden, 0}, {1, -golden, 0}, {0, -1, golden},  {0, 1, golden},
-                       {0, -1, -golden}, {0, 1, -golden}, {golden, 0, -1},  {golden, 0, 1},  {-golden, 0, -1}, {-golden, 0, 1}};
-    shape.indices = {0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4,  11, 10, 2,  10, 7, 6, 7, 1, 8,
-                     3, 9,  4, 3, 4, 2, 3, 2, 6, 3, 6, 8,  3, 8,  9,  4, 9, 5, 2, 4,  11, 6,  2,  10, 8,  6, 7, 9, 8, 1};
+    shape.positions = {{-1, golden, 0}, {1, golden, 0}, {-1, -golden, 0}, {1, -golden, 0},
+                       {0, -1, golden}, {0, 1, golden}, {0, -1, -golden}, {0, 1, -golden},
+                       {golden, 0, -1}, {golden, 0, 1}, {-golden, 0, -1}, {-golden, 0, 1}};
+    shape.indices = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                     4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                     6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
     for (int i = 0; i < times; ++i) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
         const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-            const auto [found, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(shape.positions.size()));
+            const auto [found, fresh] =
+                middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(shape.positions.size()));
             if (fresh) shape.positions.push_back(normalize(shape.positions[a]) + normalize(shape.positions[b]));
             return found->second;
         };
@@ -144,7 +153,8 @@ inline Shape trefoil(int along, int around, float thickness)
 {
     return tube(along, around, thickness, [](float u) {
         const float distance = 0.72F + 0.3F * std::cos(3 * turn * u);
-        return glm::vec3(distance * std::cos(2 * turn * u), distance * std::sin(2 * turn * u), 0.34F * std::sin(3 * turn * u));
+        return glm::vec3(distance * std::cos(2 * turn * u), distance * std::sin(2 * turn * u),
+                         0.34F * std::sin(3 * turn * u));
     });
 }
 

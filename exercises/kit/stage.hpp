@@ -87,7 +87,7 @@ struct Finish {
     glm::vec3 color{0.8F};
     float gloss = 0;                              ///< 0 for matt, about 0.5 for polished
     std::optional<glm::vec3> odd = std::nullopt;  ///< the other colour of a floor in tiles
-    float fade = 0;                               ///< how fast it fades into the background with the square of the distance from the y axis
+    float fade = 0;  ///< how fast it fades into the background with the square of the distance from the y axis
 };
 
 /// The matrix that throws every point on the plane y = height along the light that comes from `sun`.
@@ -103,7 +103,10 @@ inline glm::mat4 shadow_matrix(const glm::vec3& sun, float height)
 inline gl::Mesh uploaded(const shapes::Shape& shape) { return gl::Mesh(shape.positions, shape.normals, shape.indices); }
 
 /// Places a box so that it is a ground whose upper side is y = 0.
-inline glm::mat4 slab(float reach) { return glm::scale(glm::translate(glm::mat4(1), {-reach, -0.1F, -reach}), {2 * reach, 0.1F, 2 * reach}); }
+inline glm::mat4 slab(float reach)
+{
+    return glm::scale(glm::translate(glm::mat4(1), {-reach, -0.1F, -reach}), {2 * reach, 0.1F, 2 * reach});
+}
 
 /// A picture of things in the light of a sun that stands at the upper left. It is drawn at twice its size.
 class Stage {
@@ -117,8 +120,11 @@ public:
 
     /// `background` is sRGB. `paint` is GLSL that defines `vec3 paint()`, the linear colour at `place` (in the world)
     /// or `st` (texture coordinates).
-    Stage(int width, int height, const glm::vec3& background, const std::string& paint = "vec3 paint() { return tiles(); }\n")
-        : frame_(width, height, background), program_({"stage.vert", stage_vertex_shader}, lit_fragment_shader("stage.frag", stage_fragment_shader + paint))
+    Stage(int width, int height, const glm::vec3& background,
+          const std::string& paint = "vec3 paint() { return tiles(); }\n")
+        : frame_(width, height, background),
+          program_({"stage.vert", stage_vertex_shader},
+                   lit_fragment_shader("stage.frag", stage_fragment_shader + paint))
     {
         glEnable(GL_DEPTH_TEST);
         program_.set("sky", glm::vec3(srgb_decoded(glm::dvec3(background))));
@@ -166,7 +172,8 @@ public:
     void draw_on(const Thing& ground, std::span<const Thing> things) const
     {
         draw(ground);
-        for (const Thing& thing : things) draw({thing.mesh, shadow_matrix(sun(), 0.003F) * thing.model, ground.finish}, 0);
+        for (const Thing& thing : things)
+            draw({thing.mesh, shadow_matrix(sun(), 0.003F) * thing.model, ground.finish}, 0);
         for (const Thing& thing : things) draw(thing);
     }
 

@@ -16,13 +16,17 @@ inline PolygonMesh football()
     const double golden = (1 + std::sqrt(5.0)) / 2;
     std::vector<glm::dvec3> corners;
     for (const double one : {1.0, -1.0})
-        for (const double other : {golden, -golden}) corners.insert(corners.end(), {{0, one, other}, {one, other, 0}, {other, 0, one}});
+        for (const double other : {golden, -golden})
+            corners.insert(corners.end(), {{0, one, other}, {one, other, 0}, {other, 0, one}});
     std::map<std::pair<int, int>, std::uint32_t> places;  // on the edge (from, to), a third of the way
     PolygonMesh mesh;
-    const auto is_edge = [&](int a, int b) { return a != b && distance(corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)]) < 2.1; };
+    const auto is_edge = [&](int a, int b) {
+        return a != b && distance(corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)]) < 2.1;
+    };
     const auto at = [&](int from, int to) {
         const auto [found, is_new] = places.try_emplace({from, to}, static_cast<std::uint32_t>(mesh.positions.size()));
-        const glm::dvec3 place = (2.0 * corners[static_cast<std::size_t>(from)] + corners[static_cast<std::size_t>(to)]) / 3.0;
+        const glm::dvec3 place =
+            (2.0 * corners[static_cast<std::size_t>(from)] + corners[static_cast<std::size_t>(to)]) / 3.0;
         if (is_new) mesh.positions.emplace_back(0.64 * place);
         return found->second;
     };
@@ -30,7 +34,8 @@ inline PolygonMesh football()
         // The neighbours of a corner, counter-clockwise: each is a neighbour of the next.
         const auto turns_left = [&](int b, int c) {
             return is_edge(b, c) &&
-                   dot(corners[static_cast<std::size_t>(a)], cross(corners[static_cast<std::size_t>(b)], corners[static_cast<std::size_t>(c)])) > 0;
+                   dot(corners[static_cast<std::size_t>(a)],
+                       cross(corners[static_cast<std::size_t>(b)], corners[static_cast<std::size_t>(c)])) > 0;
         };
         std::vector<int> ring;
         for (int b = 0; ring.empty(); ++b)

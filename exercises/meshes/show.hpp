@@ -16,7 +16,8 @@
 #include <umbral/meshes/mesh.hpp>
 #include <vector>
 
-/// Pictures of meshes by OpenGL: triangles lit flat in colours of their own, their edges over them, and lines and points of any width.
+/// Pictures of meshes by OpenGL: triangles lit flat in colours of their own, their edges over them, and lines and
+/// points of any width.
 namespace umbral::meshes {
 
 inline constexpr const char* show_vertex_shader = R"(#version 330 core
@@ -97,7 +98,8 @@ struct Look {
 
 /// A picture of panes side by side, each with its own camera. A context must be current while it lives.
 ///
-/// Triangles that name no vertex, and places that are not finite, are not drawn: a student's mesh must not stop a picture.
+/// Triangles that name no vertex, and places that are not finite, are not drawn: a student's mesh must not stop a
+/// picture.
 class Show {
 public:
     Show(int columns, int rows, int pane_width, int pane_height, const glm::vec3& background = ink::night)
@@ -119,7 +121,8 @@ public:
         glDepthFunc(GL_LEQUAL);
         glViewport(column * width_, (rows_ - 1 - row) * height_, width_, height_);
         view_ = glm::lookAt(camera.eye, camera.target, glm::vec3(0, 1, 0));
-        projection_ = glm::perspective(glm::radians(camera.fovy_degrees), static_cast<float>(width_) / static_cast<float>(height_), 1.0F, 40.0F);
+        projection_ = glm::perspective(glm::radians(camera.fovy_degrees),
+                                       static_cast<float>(width_) / static_cast<float>(height_), 1.0F, 40.0F);
     }
 
     /// One colour a triangle; the last one stands for those that are missing, white if there is none.
@@ -132,7 +135,9 @@ public:
             const std::size_t count = mesh.positions.size();
             if (t.x >= count || t.y >= count || t.z >= count) continue;
             const glm::vec3 color = colors.empty() ? glm::vec3(0.9F) : colors[std::min(i, colors.size() - 1)];
-            if (!is_finite(color) || !is_finite(mesh.positions[t.x]) || !is_finite(mesh.positions[t.y]) || !is_finite(mesh.positions[t.z])) continue;
+            if (!is_finite(color) || !is_finite(mesh.positions[t.x]) || !is_finite(mesh.positions[t.y]) ||
+                !is_finite(mesh.positions[t.z]))
+                continue;
             for (int corner = 0; corner < 3; ++corner) {
                 places.push_back(mesh.positions[t[corner]]);
                 shades.push_back(clamp(color, 0.0F, 1.0F));
@@ -145,8 +150,10 @@ public:
         draw(places, shades, lit_);
     }
 
-    /// Lines between pairs of places, of a width in pixels; `lift` draws them that much nearer (in depth, 0 to 1), so that they lie on the surface.
-    void lines(std::span<const std::array<glm::vec3, 2>> segments, const glm::vec3& color, float width, float lift = 2e-3F) const
+    /// Lines between pairs of places, of a width in pixels; `lift` draws them that much nearer (in depth, 0 to 1), so
+    /// that they lie on the surface.
+    void lines(std::span<const std::array<glm::vec3, 2>> segments, const glm::vec3& color, float width,
+               float lift = 2e-3F) const
     {
         std::vector<glm::vec3> places;
         for (const auto& [from, to] : segments) {
@@ -173,7 +180,9 @@ public:
             if (!is_finite(middle)) continue;
             const auto rim = [&](int side) {
                 const float angle = 6.2831853F * static_cast<float>(side) / sides;
-                return middle + 4 * radius * glm::vec3(std::cos(angle) / static_cast<float>(width_), std::sin(angle) / static_cast<float>(height_), 0);
+                return middle + 4 * radius *
+                                    glm::vec3(std::cos(angle) / static_cast<float>(width_),
+                                              std::sin(angle) / static_cast<float>(height_), 0);
             };
             for (int side = 0; side < sides; ++side) places.insert(places.end(), {middle, rim(side), rim(side + 1)});
         }
@@ -192,7 +201,8 @@ private:
         return clip.w > 1.0F ? glm::vec3(clip) / clip.w - glm::vec3(0, 0, lift) : glm::vec3(std::nanf(""));
     }
 
-    static void draw(const std::vector<glm::vec3>& places, const std::vector<glm::vec3>& colors, const gl::Program& program)
+    static void draw(const std::vector<glm::vec3>& places, const std::vector<glm::vec3>& colors,
+                     const gl::Program& program)
     {
         std::vector<std::uint32_t> indices(places.size());
         for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<std::uint32_t>(i);

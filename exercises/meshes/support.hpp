@@ -44,7 +44,8 @@ inline IndexedMesh hills(std::uint32_t columns, std::uint32_t rows, Random& rand
     return sheet(columns, rows, [&](std::uint32_t column, std::uint32_t row) {
         const auto stretched = [](float cell) { return cell + 0.15F * cell * cell; };
         const glm::vec3 shift = 0.3F * random.in_cube();
-        return glm::vec3(stretched(static_cast<float>(column)), 2 * shift.y, stretched(static_cast<float>(row))) + glm::vec3(shift.x, 0, shift.z);
+        return glm::vec3(stretched(static_cast<float>(column)), 2 * shift.y, stretched(static_cast<float>(row))) +
+               glm::vec3(shift.x, 0, shift.z);
     });
 }
 
@@ -80,7 +81,8 @@ inline void add_triangle(IndexedMesh& mesh, const glm::vec3& a, const glm::vec3&
     mesh.triangles.emplace_back(first, first + 1, first + 2);
 }
 
-/// `count` triangles with corners within 3 of the origin; the angle at their first corner has this sine, but for the rounding of the corners.
+/// `count` triangles with corners within 3 of the origin; the angle at their first corner has this sine, but for the
+/// rounding of the corners.
 inline IndexedMesh sliver_triangles(double sine, int count, Random& random)
 {
     IndexedMesh mesh;
@@ -89,18 +91,21 @@ inline IndexedMesh sliver_triangles(double sine, int count, Random& random)
         const glm::dvec3 aside = aside_of(along, random);
         const glm::dvec3 corner(random.in_cube());
         const double stretch = 0.5 + random.uniform_double();
-        add_triangle(mesh, glm::vec3(corner), glm::vec3(corner + along), glm::vec3(corner + stretch * (along + sine * aside)));
+        add_triangle(mesh, glm::vec3(corner), glm::vec3(corner + along),
+                     glm::vec3(corner + stretch * (along + sine * aside)));
     }
     return mesh;
 }
 
-/// `count` folds of two triangles each: the two enclose this angle (radians), so that their normals all but cancel along the edge they share.
+/// `count` folds of two triangles each: the two enclose this angle (radians), so that their normals all but cancel
+/// along the edge they share.
 inline IndexedMesh sharp_folds(double angle, int count, Random& random)
 {
     IndexedMesh mesh;
     for (int i = 0; i < count; ++i) {
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        IndexedMesh fold{{{0, 0, 0}, {0, 0, 1}, {1, 0, random.uniform()}, {std::cos(angle), std::sin(angle), random.uniform()}}, {}};
+        IndexedMesh fold{
+            {{0, 0, 0}, {0, 0, 1}, {1, 0, random.uniform()}, {std::cos(angle), std::sin(angle), random.uniform()}}, {}};
         turn(fold, random);
         mesh.positions.insert(mesh.positions.end(), fold.positions.begin(), fold.positions.end());
         mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2}, {first, first + 3, first + 1}});
@@ -137,9 +142,11 @@ inline IndexedMesh trefoil(std::uint32_t along, std::uint32_t around, double rad
             const std::uint32_t j = (i + 1) % around;
             // Odd rings are turned by half a step: two triangles that are as equilateral as the curve allows.
             if (shift == 0)
-                mesh.triangles.insert(mesh.triangles.end(), {{here + i, here + j, next + i}, {here + j, next + j, next + i}});
+                mesh.triangles.insert(mesh.triangles.end(),
+                                      {{here + i, here + j, next + i}, {here + j, next + j, next + i}});
             else
-                mesh.triangles.insert(mesh.triangles.end(), {{here + i, next + j, next + i}, {here + i, here + j, next + j}});
+                mesh.triangles.insert(mesh.triangles.end(),
+                                      {{here + i, next + j, next + i}, {here + i, here + j, next + j}});
         }
     }
     return mesh;

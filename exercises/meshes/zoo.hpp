@@ -11,10 +11,12 @@
 #include "bodies.hpp"
 #include "support.hpp"
 
-/// A zoo of meshes for questions about topology: what each of them is stands beside it. All have a size of about 2 round the origin.
+/// A zoo of meshes for questions about topology: what each of them is stands beside it. All have a size of about 2
+/// round the origin.
 namespace umbral::meshes {
 
-/// A strip of `cells` (3 or more) quadrilaterals with half a twist: one side, one boundary loop of 2 `cells` edges, characteristic 0. Not orientable.
+/// A strip of `cells` (3 or more) quadrilaterals with half a twist: one side, one boundary loop of 2 `cells` edges,
+/// characteristic 0. Not orientable.
 inline IndexedMesh moebius(std::uint32_t cells, std::uint32_t across = 1)
 {
     IndexedMesh mesh;
@@ -26,28 +28,37 @@ inline IndexedMesh moebius(std::uint32_t cells, std::uint32_t across = 1)
             mesh.positions.emplace_back(distance * std::sin(u), shift * std::sin(u / 2), distance * std::cos(u));
         }
     }
-    const auto at = [&](std::uint32_t cell, std::uint32_t row) { return cell < cells ? cell * (across + 1) + row : across - row; };
+    const auto at = [&](std::uint32_t cell, std::uint32_t row) {
+        return cell < cells ? cell * (across + 1) + row : across - row;
+    };
     for (std::uint32_t cell = 0; cell < cells; ++cell)
-        for (std::uint32_t row = 0; row < across; ++row) add_quad(mesh, {at(cell, row), at(cell + 1, row), at(cell + 1, row + 1), at(cell, row + 1)});
+        for (std::uint32_t row = 0; row < across; ++row)
+            add_quad(mesh, {at(cell, row), at(cell + 1, row), at(cell + 1, row + 1), at(cell, row + 1)});
     return mesh;
 }
 
-/// A torus whose last join is turned over: closed, not orientable, characteristic 0. Its positions are a torus's, so that it cuts itself.
+/// A torus whose last join is turned over: closed, not orientable, characteristic 0. Its positions are a torus's, so
+/// that it cuts itself.
 inline IndexedMesh klein_bottle(std::uint32_t columns, std::uint32_t rows)
 {
     IndexedMesh mesh = torus(columns, rows);
     mesh.triangles.clear();
-    const auto at = [&](std::uint32_t column, std::uint32_t row) { return column < columns ? column * rows + row % rows : (2 * rows - row) % rows; };
+    const auto at = [&](std::uint32_t column, std::uint32_t row) {
+        return column < columns ? column * rows + row % rows : (2 * rows - row) % rows;
+    };
     for (std::uint32_t column = 0; column < columns; ++column)
-        for (std::uint32_t row = 0; row < rows; ++row) add_quad(mesh, {at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)});
+        for (std::uint32_t row = 0; row < rows; ++row)
+            add_quad(mesh, {at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)});
     return mesh;
 }
 
-/// The projective plane with the fewest triangles: V 6, E 15, F 10; closed, not orientable, characteristic 1. Its positions are any.
+/// The projective plane with the fewest triangles: V 6, E 15, F 10; closed, not orientable, characteristic 1. Its
+/// positions are any.
 inline IndexedMesh projective_plane()
 {
-    return {{{1, 0, 0}, {-1, 0, 0.1F}, {0, 1, 0}, {0, -1, 0.2F}, {0, 0, 1}, {0.1F, 0, -1}},
-            {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}}};
+    return {
+        {{1, 0, 0}, {-1, 0, 0.1F}, {0, 1, 0}, {0, -1, 0.2F}, {0, 0, 1}, {0.1F, 0, -1}},
+        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}}};
 }
 
 /// `pages` triangles that share one edge: a manifold for one and two, none from three on.
@@ -63,7 +74,10 @@ inline IndexedMesh book(std::uint32_t pages)
 }
 
 /// Two triangles that share one vertex and no edge: a bow-tie vertex on the boundary.
-inline IndexedMesh bow_tie() { return {{{0, 0, 0}, {1, 0.6F, 0}, {1, -0.6F, 0}, {-1, 0.6F, 0}, {-1, -0.6F, 0}}, {{0, 2, 1}, {0, 3, 4}}}; }
+inline IndexedMesh bow_tie()
+{
+    return {{{0, 0, 0}, {1, 0.6F, 0}, {1, -0.6F, 0}, {-1, 0.6F, 0}, {-1, -0.6F, 0}}, {{0, 2, 1}, {0, 3, 4}}};
+}
 
 /// A disc of `slices` (3 or more) triangles round one vertex, whose degree grows with it.
 inline IndexedMesh disc(std::uint32_t slices)
@@ -77,7 +91,8 @@ inline IndexedMesh disc(std::uint32_t slices)
     return mesh;
 }
 
-/// Cones that share their apex, a bow tie; the apex is the last of 131,072 vertices, and their rims begin at 0, 32,768 and 65,536.
+/// Cones that share their apex, a bow tie; the apex is the last of 131,072 vertices, and their rims begin at 0, 32,768
+/// and 65,536.
 ///
 /// Two vertices packed into 32 bits, as a * V + b or as a << 16 | b, are the same number for edges of different cones.
 inline IndexedMesh cones_with_large_indices(std::uint32_t slices)
@@ -87,7 +102,8 @@ inline IndexedMesh cones_with_large_indices(std::uint32_t slices)
     for (const std::uint32_t first : {0U, 32'768U, 65'536U}) {
         for (std::uint32_t slice = 0; slice < slices; ++slice) {
             const double angle = 6.283185307179586 * slice / slices;
-            mesh.positions[first + slice] = glm::vec3(glm::dvec3(std::sin(angle), first / 32'768.0 - 1.5, std::cos(angle)));
+            mesh.positions[first + slice] =
+                glm::vec3(glm::dvec3(std::sin(angle), first / 32'768.0 - 1.5, std::cos(angle)));
             mesh.triangles.emplace_back(apex, first + slice, first + (slice + 1) % slices);
         }
     }
@@ -107,7 +123,8 @@ inline IndexedMesh tube(std::uint32_t columns, std::uint32_t rows)
     for (std::uint32_t row = 0; row < rows; ++row) {
         for (std::uint32_t column = 0; column < columns; ++column) {
             const std::uint32_t next = (column + 1) % columns;
-            add_quad(mesh, {row * columns + column, row * columns + next, (row + 1) * columns + next, (row + 1) * columns + column});
+            add_quad(mesh, {row * columns + column, row * columns + next, (row + 1) * columns + next,
+                            (row + 1) * columns + column});
         }
     }
     return mesh;
@@ -117,7 +134,8 @@ inline IndexedMesh tube(std::uint32_t columns, std::uint32_t rows)
 inline IndexedMesh flat_sheet(std::uint32_t columns, std::uint32_t rows)
 {
     return sheet(columns, rows, [&](std::uint32_t column, std::uint32_t row) {
-        return glm::vec3(2.0F * static_cast<float>(column) / static_cast<float>(columns) - 1, 0, 2.0F * static_cast<float>(row) / static_cast<float>(rows) - 1);
+        return glm::vec3(2.0F * static_cast<float>(column) / static_cast<float>(columns) - 1, 0,
+                         2.0F * static_cast<float>(row) / static_cast<float>(rows) - 1);
     });
 }
 
@@ -130,7 +148,8 @@ inline IndexedMesh joined(IndexedMesh first, const IndexedMesh& second, const gl
     return first;
 }
 
-/// The same mesh in another order: vertices and triangles are permuted, and triangles start at any of their corners. Winding stays.
+/// The same mesh in another order: vertices and triangles are permuted, and triangles start at any of their corners.
+/// Winding stays.
 inline IndexedMesh shuffled(const IndexedMesh& mesh, Random& random)
 {
     const auto count = static_cast<std::uint32_t>(mesh.positions.size());
@@ -139,7 +158,8 @@ inline IndexedMesh shuffled(const IndexedMesh& mesh, Random& random)
     for (std::uint32_t i = count; i > 1; --i) std::swap(place[i - 1], place[random.below(i)]);
     IndexedMesh result{std::vector<glm::vec3>(count), mesh.triangles};
     for (std::uint32_t i = 0; i < count; ++i) result.positions[place[i]] = mesh.positions[i];
-    for (auto i = static_cast<std::uint32_t>(result.triangles.size()); i > 1; --i) std::swap(result.triangles[i - 1], result.triangles[random.below(i)]);
+    for (auto i = static_cast<std::uint32_t>(result.triangles.size()); i > 1; --i)
+        std::swap(result.triangles[i - 1], result.triangles[random.below(i)]);
     for (glm::uvec3& t : result.triangles) {
         t = {place[t.x], place[t.y], place[t.z]};
         for (std::uint32_t turns = random.below(3); turns > 0; --turns) t = {t.y, t.z, t.x};
@@ -163,13 +183,14 @@ inline IndexedMesh with_lonely_vertices(IndexedMesh mesh, int count)
 }
 
 /// A mesh of the zoo, and its name for reports and tests.
-struct Specimen {
+struct Sample {
     const char* name;
     IndexedMesh mesh;
 };
 
-/// One of each kind that is coherently wound and a 2-manifold (every edge has one or two triangles, the triangles round a vertex form one fan).
-inline std::vector<Specimen> tame_meshes()
+/// One of each kind that is coherently wound and a 2-manifold (every edge has one or two triangles, the triangles round
+/// a vertex form one fan).
+inline std::vector<Sample> tame_meshes()
 {
     return {{"tetrahedron", tetrahedron()},
             {"octahedron", octahedron()},
@@ -187,7 +208,7 @@ inline std::vector<Specimen> tame_meshes()
 }
 
 /// One of each kind that is not orientable, not a manifold, or not what one expects of a mesh.
-inline std::vector<Specimen> wild_meshes()
+inline std::vector<Sample> wild_meshes()
 {
     IndexedMesh doubled = flat_sheet(2, 2);
     doubled.triangles.push_back(doubled.triangles[3]);

@@ -29,7 +29,8 @@ void main() { pixel = vec4(shade, 1.0); }
 /// A picture to draw into with the program above.
 class Canvas {
 public:
-    explicit Canvas(int size) : program_({"driver.vert", vertex_shader}, {"driver.frag", fragment_shader}), target_(size, size)
+    explicit Canvas(int size)
+        : program_({"driver.vert", vertex_shader}, {"driver.frag", fragment_shader}), target_(size, size)
     {
         program_.use();
         glEnable(GL_DEPTH_TEST);

@@ -21,8 +21,8 @@ struct BallShot {
     Sphere ball;
 };
 
-/// Distance between the sphere's centre and the line of the ray, in double: the products of the float inputs are exact, so
-/// that for origins up to 1e6 radii away the result is good to 1e-9 radii.
+/// Distance between the sphere's centre and the line of the ray, in double: the products of the float inputs are exact,
+/// so that for origins up to 1e6 radii away the result is good to 1e-9 radii.
 inline double miss_distance(const BallShot& shot)
 {
     const glm::dvec3 direction(shot.ray.direction);
@@ -82,7 +82,8 @@ inline Sphere random_ball(Random& random)
     return {centre, random.uniform(0.5F, 2)};
 }
 
-/// `count` pairs from origins 2 to 10 radii away; hits keep 1 % of the radius from the silhouette, so that no rounding decides.
+/// `count` pairs from origins 2 to 10 radii away; hits keep 1 % of the radius from the silhouette, so that no rounding
+/// decides.
 inline std::vector<BallShot> random_pairs(Random& random, int count)
 {
     std::vector<BallShot> shots;
@@ -96,25 +97,30 @@ inline std::vector<BallShot> random_pairs(Random& random, int count)
     return shots;
 }
 
-/// `count` pairs from `distance` radii away: hits uniform over a disc of at most 0.99 radii, misses up to 0.3 radii outside. Both pass
-/// the silhouette at `margin` ulps of the distance at least: they are aimed two ulps farther off, and rounding the direction moves them by one.
+/// `count` pairs from `distance` radii away: hits uniform over a disc of at most 0.99 radii, misses up to 0.3 radii
+/// outside. Both pass the silhouette at `margin` ulps of the distance at least: they are aimed two ulps farther off,
+/// and rounding the direction moves them by one.
 inline std::vector<BallShot> silhouette_pairs(Random& random, double distance, int count, double margin)
 {
     std::vector<BallShot> shots;
     for (int i = 0; i < count; ++i) {
         const Sphere ball{random.in_cube(), random.uniform(0.5F, 2)};
         const double band = (margin + 2) * ulp_of(distance * double{ball.radius}) / double{ball.radius};
-        const BallShot hit = aimed(ball, distance, std::min(0.99, 1 - band) * std::sqrt(random.uniform_double()), random);
+        const BallShot hit =
+            aimed(ball, distance, std::min(0.99, 1 - band) * std::sqrt(random.uniform_double()), random);
         const BallShot miss = aimed(ball, distance, 1 + band + 0.3 * random.uniform_double(), random);
         add_pair(shots, hit, miss, random);
     }
     return shots;
 }
 
-/// The ray of unit direction from `eye` through the centre of pixel (x, y) of a square picture `size` pixels wide that shows 2 * `half_width` at distance 1 along -z.
+/// The ray of unit direction from `eye` through the centre of pixel (x, y) of a square picture `size` pixels wide that
+/// shows 2 * `half_width` at distance 1 along -z.
 inline Ray pixel_ray(const glm::vec3& eye, float half_width, int size, int x, int y)
 {
-    const auto centred = [&](int pixel) { return half_width * (2 * (static_cast<float>(pixel) + 0.5F) / static_cast<float>(size) - 1); };
+    const auto centred = [&](int pixel) {
+        return half_width * (2 * (static_cast<float>(pixel) + 0.5F) / static_cast<float>(size) - 1);
+    };
     return Ray{eye, normalize(glm::vec3(centred(x), -centred(y), -1))};
 }
 

@@ -32,7 +32,8 @@ inline Grid<glm::vec4> random_texture(Random& random, int width, int height)
 
 inline Wrap random_wrap(Random& random) { return both_wraps[random.below(2)]; }
 
-/// A coordinate in the lower half of one of `count` texels, 2 % of a texel from its border and its centre at least, up to `turns` times round.
+/// A coordinate in the lower half of one of `count` texels, 2 % of a texel from its border and its centre at least, up
+/// to `turns` times round.
 inline float inside_texel(Random& random, int count, int turns)
 {
     const auto texel = static_cast<int>(random.below(static_cast<std::uint32_t>(count)));

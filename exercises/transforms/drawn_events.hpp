@@ -12,15 +12,22 @@ namespace umbral::transforms {
 using EventRow = std::array<float, 15>;
 
 inline constexpr std::string_view drawn_event_names =
-    "1 a copy of the figure\n2 a line\n3 push\n4 pop\n5 pop of an empty stack\n6 set_view\n7 triangles\n8 a solid\n9 afterwards\n";
+    "1 a copy of the figure\n2 a line\n3 push\n4 pop\n5 pop of an empty stack\n6 set_view\n7 triangles\n8 a solid\n9 "
+    "afterwards\n";
 
-inline glm::dvec3 seen_at(const glm::dmat4& modelview, glm::vec2 place) { return glm::dvec3(modelview * glm::dvec4(place, 0, 1)); }
+inline glm::dvec3 seen_at(const glm::dmat4& modelview, glm::vec2 place)
+{
+    return glm::dvec3(modelview * glm::dvec4(place, 0, 1));
+}
 
 /// `a`, `b`, `c` are what the modelview makes of x axis, y axis and origin, or the places of a line.
-inline EventRow event_row(float code, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::vec3& color, float width, std::size_t depth = 0)
+inline EventRow event_row(float code, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                          const glm::vec3& color, float width, std::size_t depth = 0)
 {
     const auto f = [](double value) { return static_cast<float>(value); };
-    return {code, f(a.x), f(a.y), f(a.z), f(b.x), f(b.y), f(b.z), f(c.x), f(c.y), f(c.z), color.x, color.y, color.z, width, static_cast<float>(depth)};
+    return {code,    f(a.x),  f(a.y),  f(a.z), f(b.x),
+            f(b.y),  f(b.z),  f(c.x),  f(c.y), f(c.z),
+            color.x, color.y, color.z, width,  static_cast<float>(depth)};
 }
 
 /// As `event_row`, of what a matrix does to the plane z = 0; its third column is free.
@@ -45,7 +52,8 @@ inline void record_events(Recorder& out, const std::string& name, const Recordin
             case Call::Kind::figure: matrix(1); break;
             case Call::Kind::polyline:
                 for (std::size_t i = 1; i < call.places.size(); ++i)
-                    add(event_row(2, seen_at(call.modelview, call.places[i - 1]), seen_at(call.modelview, call.places[i]), {}, call.color, call.line_width));
+                    add(event_row(2, seen_at(call.modelview, call.places[i - 1]),
+                                  seen_at(call.modelview, call.places[i]), {}, call.color, call.line_width));
                 break;
             case Call::Kind::push: bare(3); break;
             case Call::Kind::pop: bare(4); break;
@@ -68,8 +76,10 @@ inline std::uint32_t packed(const glm::vec3& color)
     return 0x1000000U | (bytes.x << 16U) | (bytes.y << 8U) | bytes.z;
 }
 
-/// Which colour the middle of each cell of a rectangle is filled with, if any, row by row from above: whatever triangles were used to fill it.
-inline Grid<std::uint32_t> filled_cells(const RecordingPipeline& drawn, int width, int height, glm::dvec2 low, glm::dvec2 high)
+/// Which colour the middle of each cell of a rectangle is filled with, if any, row by row from above: whatever
+/// triangles were used to fill it.
+inline Grid<std::uint32_t> filled_cells(const RecordingPipeline& drawn, int width, int height, glm::dvec2 low,
+                                        glm::dvec2 high)
 {
     Grid<std::uint32_t> cells(width, height);
     const glm::dvec2 cell = (high - low) / glm::dvec2(width, height);
@@ -77,10 +87,15 @@ inline Grid<std::uint32_t> filled_cells(const RecordingPipeline& drawn, int widt
         if (call.kind != Call::Kind::triangles) continue;
         for (std::size_t i = 0; i + 2 < call.places.size(); i += 3) {
             std::array<glm::dvec2, 3> corner;
-            for (std::size_t k = 0; k < 3; ++k) corner[k] = (glm::dvec2(seen_at(call.modelview, call.places[i + k])) - low) / cell;
-            const auto side = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
-            const glm::dvec2 least = glm::clamp(glm::min(corner[0], glm::min(corner[1], corner[2])), glm::dvec2(0), glm::dvec2(width, height));
-            const glm::dvec2 most = glm::clamp(glm::max(corner[0], glm::max(corner[1], corner[2])), glm::dvec2(0), glm::dvec2(width, height));
+            for (std::size_t k = 0; k < 3; ++k)
+                corner[k] = (glm::dvec2(seen_at(call.modelview, call.places[i + k])) - low) / cell;
+            const auto side = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) {
+                return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+            };
+            const glm::dvec2 least = glm::clamp(glm::min(corner[0], glm::min(corner[1], corner[2])), glm::dvec2(0),
+                                                glm::dvec2(width, height));
+            const glm::dvec2 most = glm::clamp(glm::max(corner[0], glm::max(corner[1], corner[2])), glm::dvec2(0),
+                                               glm::dvec2(width, height));
             if (!(least.x <= most.x) || !(least.y <= most.y)) continue;
             for (int y = static_cast<int>(least.y); y < std::min(height, static_cast<int>(most.y) + 1); ++y) {
                 for (int x = static_cast<int>(least.x); x < std::min(width, static_cast<int>(most.x) + 1); ++x) {
@@ -88,7 +103,8 @@ inline Grid<std::uint32_t> filled_cells(const RecordingPipeline& drawn, int widt
                     const double a = side(corner[0], corner[1], p);
                     const double b = side(corner[1], corner[2], p);
                     const double c = side(corner[2], corner[0], p);
-                    if ((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0)) cells.at(x, height - 1 - y) = packed(call.color);
+                    if ((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0))
+                        cells.at(x, height - 1 - y) = packed(call.color);
                 }
             }
         }

@@ -11,7 +11,8 @@
 /// The two pipelines of the course, in real OpenGL: they draw the same picture. A context must be current.
 namespace umbral::transforms {
 
-/// One light that comes from a direction, in camera coordinates, and some from everywhere: the same numbers in both pipelines.
+/// One light that comes from a direction, in camera coordinates, and some from everywhere: the same numbers in both
+/// pipelines.
 inline constexpr float ambient_light = 0.35F;
 inline constexpr float direct_light = 0.75F;
 inline glm::vec3 light_direction() { return normalize(glm::vec3(-0.45F, 0.7F, 0.55F)); }
@@ -66,7 +67,8 @@ private:
 /// OpenGL as it was until 2008: it keeps matrices, stack, colour and lights itself. Its stack holds 32 matrices.
 class FixedPipeline final : public OpenGlPipeline {
 public:
-    FixedPipeline(const glm::mat4& projection, const glm::vec3& background, float scale) : OpenGlPipeline(background, scale)
+    FixedPipeline(const glm::mat4& projection, const glm::vec3& background, float scale)
+        : OpenGlPipeline(background, scale)
     {
         glUseProgram(0);
         glMatrixMode(GL_PROJECTION);
@@ -161,7 +163,8 @@ void main() { pixel = vec4(shade, 1.0); }
 class ProgrammablePipeline final : public OpenGlPipeline {
 public:
     /// `stack` is what keeps them; it must not be null.
-    ProgrammablePipeline(std::unique_ptr<MatrixStack> stack, const glm::mat4& projection, const glm::vec3& background, float scale)
+    ProgrammablePipeline(std::unique_ptr<MatrixStack> stack, const glm::mat4& projection, const glm::vec3& background,
+                         float scale)
         : OpenGlPipeline(background, scale),
           stack_(std::move(stack)),
           program_({"pipeline.vert", pipeline_vertex_shader}, {"pipeline.frag", pipeline_fragment_shader})
@@ -215,7 +218,10 @@ private:
         program_.set("normal_matrix", stack_->normal_matrix());
         (primitive == Primitive::cylinder ? cylinder_ : half_sphere_).draw(program_);
     }
-    static gl::Mesh upload(const shapes::Shape& solid) { return gl::Mesh(solid.positions, solid.normals, solid.indices); }
+    static gl::Mesh upload(const shapes::Shape& solid)
+    {
+        return gl::Mesh(solid.positions, solid.normals, solid.indices);
+    }
 
     std::unique_ptr<MatrixStack> stack_;
     gl::Program program_;

@@ -21,7 +21,8 @@ struct Start {
     std::size_t depth = 0;
 };
 
-/// A start that no function can have expected: any affine map of the plane, any colours, and somebody else's matrices on the stack.
+/// A start that no function can have expected: any affine map of the plane, any colours, and somebody else's matrices
+/// on the stack.
 inline Start random_start(Random& random)
 {
     const auto component = [&] { return random.uniform(-2, 2); };
@@ -54,7 +55,11 @@ public:
     static constexpr std::size_t maximum_places = 100'000;  ///< of all lines and triangles
 
     explicit RecordingPipeline(const Start& start = {})
-        : modelview_(start.modelview), stack_(start.depth, modelview_), color_(start.color), line_width_(start.line_width), background_(start.background)
+        : modelview_(start.modelview),
+          stack_(start.depth, modelview_),
+          color_(start.color),
+          line_width_(start.line_width),
+          background_(start.background)
     {
     }
 
@@ -85,7 +90,10 @@ public:
     [[nodiscard]] glm::vec3 background() const override { return background_; }
 
     void draw_polyline(std::span<const glm::vec2> places) override { add(Call::Kind::polyline).places = copy(places); }
-    void fill_triangles(std::span<const glm::vec2> corners) override { add(Call::Kind::triangles).places = copy(corners); }
+    void fill_triangles(std::span<const glm::vec2> corners) override
+    {
+        add(Call::Kind::triangles).places = copy(corners);
+    }
     void draw(Primitive primitive) override { add(Call::Kind::primitive).primitive = primitive; }
 
     /// A figure to hand to a function under test: drawing it leaves an entry of its own kind.
@@ -109,7 +117,9 @@ private:
 
     Call& add(Call::Kind kind)
     {
-        if (calls_.size() == maximum_calls) throw std::length_error("more than 20,000 calls of the pipeline: does the drawing function come to an end?");
+        if (calls_.size() == maximum_calls)
+            throw std::length_error(
+                "more than 20,000 calls of the pipeline: does the drawing function come to an end?");
         return calls_.emplace_back(Call{kind, modelview_, color_, line_width_, {}, {}});
     }
 

@@ -35,7 +35,9 @@ inline shapes::Shape swept(const std::vector<ProfilePoint>& profile)
 
 inline shapes::Shape solid_of(Primitive primitive)
 {
-    if (primitive == Primitive::cylinder) return swept({{0, 0, {0, -1}}, {1, 0, {0, -1}}, {1, 0, {1, 0}}, {1, 1, {1, 0}}, {1, 1, {0, 1}}, {0, 1, {0, 1}}});
+    if (primitive == Primitive::cylinder)
+        return swept(
+            {{0, 0, {0, -1}}, {1, 0, {0, -1}}, {1, 0, {1, 0}}, {1, 1, {1, 0}}, {1, 1, {0, 1}}, {0, 1, {0, 1}}});
     constexpr int rings = 16;
     std::vector<ProfilePoint> profile = {{0, 0, {0, -1}}, {1, 0, {0, -1}}};
     for (int i = 0; i <= rings; ++i) {

@@ -24,7 +24,8 @@ inline std::vector<AxisAngle> random_turns(Random& random, std::size_t count)
     return turns;
 }
 
-/// An axis without a component under 0.2, or, if `flat`, one that lies in a plane of coordinates: then an entry of the matrix consists of (1 - cosθ) e_i e_j alone.
+/// An axis without a component under 0.2, or, if `flat`, one that lies in a plane of coordinates: then an entry of the
+/// matrix consists of (1 - cosθ) e_i e_j alone.
 inline glm::vec3 clear_axis(bool flat, Random& random)
 {
     glm::vec3 axis;

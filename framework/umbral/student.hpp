@@ -1,8 +1,8 @@
 #pragma once
 
-// What every student's file sees before its first line, with the interfaces of all topics (framework/umbral/<topic>/*.hpp): they are
-// precompiled and force-included, so that a macro of the student's cannot change the layout of anything the driver shares with it.
-// Keep them light: they are read on every check.
+// What every student's file sees before its first line, with the interfaces of all topics
+// (framework/umbral/<topic>/*.hpp): they are precompiled and force-included, so that a macro of the student's cannot
+// change the layout of anything the driver shares with it. Keep them light: they are read on every check.
 
 #include <algorithm>
 #include <array>

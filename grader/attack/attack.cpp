@@ -18,7 +18,10 @@ namespace fs = std::filesystem;
 
 constexpr std::array areas = {"build", "collect", "run", "judge", "report", "store", "cli", "gl"};
 
-std::vector<std::string> texts_of(const Field& field) { return field.given() ? field.texts(1, 32, 200) : std::vector<std::string>{}; }
+std::vector<std::string> texts_of(const Field& field)
+{
+    return field.given() ? field.texts(1, 32, 200) : std::vector<std::string>{};
+}
 
 double number_or(const Field& field, double otherwise) { return field.given() ? field.number(0, 1e6) : otherwise; }
 
@@ -62,20 +65,23 @@ Attack load_attack(const fs::path& folder)
     const fs::path file = folder / "attack.json";
     const nlohmann::json json = read_json(file);
     const Field root(json, file.string());
-    root.allow_only({"what", "area", "harmless", "ci", "draws", "knows_paths", "make", "units", "lacks", "student_lacks", "bounds"});
+    root.allow_only({"what", "area", "harmless", "ci", "draws", "knows_paths", "make", "units", "lacks",
+                     "student_lacks", "bounds"});
     Attack attack;
     attack.folder = folder;
     attack.name = folder.filename().string();
     attack.theme = folder.parent_path().filename().string();
     attack.what = root.member("what").text(240);
     attack.area = root.member("area").text(16);
-    if (std::ranges::find(areas, attack.area) == areas.end()) root.member("area").refuse(fmt::format("one of {}", fmt::join(areas, ", ")));
+    if (std::ranges::find(areas, attack.area) == areas.end())
+        root.member("area").refuse(fmt::format("one of {}", fmt::join(areas, ", ")));
     attack.harmless = flag(root.member("harmless"));
     attack.ci = flag(root.member("ci"));
     attack.draws = flag(root.member("draws"));
     attack.knows_paths = flag(root.member("knows_paths"));
     if (root.member("make").given()) attack.make = root.member("make").text(64);
-    if (!attack.make.empty() && !has_generator(attack.make)) root.member("make").refuse("the name of a generator in grader/attack/generators.cpp");
+    if (!attack.make.empty() && !has_generator(attack.make))
+        root.member("make").refuse("the name of a generator in grader/attack/generators.cpp");
     const Field units = root.member("units");
     for (const std::string& id : units.names()) attack.units[id] = read_unit(units.member(id));
     if (attack.units.empty()) units.refuse("what must come of at least one unit");
@@ -87,7 +93,9 @@ Attack load_attack(const fs::path& folder)
 
 std::vector<Attack> load_attacks(const fs::path& root)
 {
-    if (!fs::is_directory(root)) throw std::runtime_error(fmt::format("{}: expected the folder with the attacks, one folder a theme", root.string()));
+    if (!fs::is_directory(root))
+        throw std::runtime_error(
+            fmt::format("{}: expected the folder with the attacks, one folder a theme", root.string()));
     std::vector<Attack> attacks;
     for (const auto& theme : fs::directory_iterator(root)) {
         if (!theme.is_directory()) continue;

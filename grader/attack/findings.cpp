@@ -30,7 +30,8 @@ int control_character(const std::string& text)
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto c = static_cast<unsigned char>(text[i]);
         if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7f) return c;
-        if (c == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0) return static_cast<unsigned char>(text[i + 1]);
+        if (c == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0)
+            return static_cast<unsigned char>(text[i + 1]);
     }
     for (const char* const turn : {"\xe2\x80\xae", "\xe2\x80\xad", "\xe2\x81\xa6", "\xe2\x81\xa7"})
         if (text.find(turn) != std::string::npos) return 0x202e;
@@ -53,23 +54,28 @@ public:
             look_at(name, text);
             const bool for_student = std::string_view(name) != "report.json";
             for (const std::string& leak : attack_.student_lacks)
-                if (for_student && text.find(leak) != std::string::npos) found_.push_back(fmt::format("{} holds '{}'", name, leak));
+                if (for_student && text.find(leak) != std::string::npos)
+                    found_.push_back(fmt::format("{} holds '{}'", name, leak));
             struct stat status {};
             if (stat((folder_ / name).c_str(), &status) == 0 && (status.st_mode & S_IROTH) != 0 && others_enter())
                 found_.push_back(fmt::format("every user of this machine can read {}", name));
         }
         if (const double kib = disk_kib(folder_); kib > attack_.bounds.report_kib)
-            found_.push_back(fmt::format("its reports take {:.0f} KiB; at most {:.0f} were expected", kib, attack_.bounds.report_kib));
+            found_.push_back(fmt::format("its reports take {:.0f} KiB; at most {:.0f} were expected", kib,
+                                         attack_.bounds.report_kib));
     }
 
 private:
     void look_at(const std::string& name, const std::string& text) const
     {
-        if (const int c = control_character(text); c >= 0) found_.push_back(fmt::format("{} holds the control character {:#x}", name, c));
-        if (name.ends_with(".html") && text.find(markup) != std::string::npos) found_.push_back(fmt::format("{} holds markup of the submission's", name));
+        if (const int c = control_character(text); c >= 0)
+            found_.push_back(fmt::format("{} holds the control character {:#x}", name, c));
+        if (name.ends_with(".html") && text.find(markup) != std::string::npos)
+            found_.push_back(fmt::format("{} holds markup of the submission's", name));
         const fs::path scratch = graded_.out.parent_path();
         for (const std::string& path : {fs::path(scratch / "cache").string(), graded_.source.string() + "/"})
-            if (!attack_.knows_paths && text.find(path) != std::string::npos) found_.push_back(fmt::format("{} names the path {} of this machine", name, path));
+            if (!attack_.knows_paths && text.find(path) != std::string::npos)
+                found_.push_back(fmt::format("{} names the path {} of this machine", name, path));
         for (const std::string& leak : attack_.lacks)
             if (text.find(leak) != std::string::npos) found_.push_back(fmt::format("{} holds '{}'", name, leak));
         if (text.find(graded_.secret) != std::string::npos) found_.push_back(fmt::format("{} holds the secret", name));
@@ -90,7 +96,8 @@ private:
     std::vector<std::string>& found_;
 };
 
-void look_at_unit(const std::string& id, const ExpectedUnit& expected, const Json& unit, std::vector<std::string>& found)
+void look_at_unit(const std::string& id, const ExpectedUnit& expected, const Json& unit,
+                  std::vector<std::string>& found)
 {
     const std::string verdict = unit.value("verdict", "");
     const std::string message = unit.value("message", "");
@@ -99,14 +106,21 @@ void look_at_unit(const std::string& id, const ExpectedUnit& expected, const Jso
     if (!expected.verdicts.empty() && std::ranges::none_of(expected.verdicts, is)) {
         std::vector<std::string_view> names;
         for (const Verdict one : expected.verdicts) names.push_back(to_string(one));
-        found.push_back(fmt::format("{}: the verdict is {}, expected was {}: {}", id, verdict, fmt::join(names, " or "), message.substr(0, 200)));
+        found.push_back(fmt::format("{}: the verdict is {}, expected was {}: {}", id, verdict, fmt::join(names, " or "),
+                                    message.substr(0, 200)));
     }
-    if (points > expected.most_points) found.push_back(fmt::format("{}: it earned {} points, at most {} were expected", id, points, expected.most_points));
-    if (points < expected.least_points) found.push_back(fmt::format("{}: it earned {} points, its work is worth {}", id, points, expected.least_points));
+    if (points > expected.most_points)
+        found.push_back(
+            fmt::format("{}: it earned {} points, at most {} were expected", id, points, expected.most_points));
+    if (points < expected.least_points)
+        found.push_back(
+            fmt::format("{}: it earned {} points, its work is worth {}", id, points, expected.least_points));
     for (const std::string& text : expected.message_has)
-        if (message.find(text) == std::string::npos) found.push_back(fmt::format("{}: the message lacks '{}': {}", id, text, message.substr(0, 200)));
+        if (message.find(text) == std::string::npos)
+            found.push_back(fmt::format("{}: the message lacks '{}': {}", id, text, message.substr(0, 200)));
     for (const std::string& text : expected.message_lacks)
-        if (message.find(text) != std::string::npos) found.push_back(fmt::format("{}: the message holds '{}'", id, text));
+        if (message.find(text) != std::string::npos)
+            found.push_back(fmt::format("{}: the message holds '{}'", id, text));
 }
 
 /// What the student reads of the time; of hidden cases it may tell nothing.
@@ -116,7 +130,8 @@ void look_at_times(const Attack& attack, const Json& report, std::vector<std::st
         const Json* unit = unit_in(report, id);
         if (unit == nullptr || expected.most_seconds == 0) continue;
         if (const double seconds = unit->value("seconds", 0.0); seconds > expected.most_seconds)
-            found.push_back(fmt::format("{}: the student's report tells of {:.1f} s, at most {} were expected", id, seconds, expected.most_seconds));
+            found.push_back(fmt::format("{}: the student's report tells of {:.1f} s, at most {} were expected", id,
+                                        seconds, expected.most_seconds));
     }
 }
 
@@ -138,10 +153,13 @@ std::vector<std::string> findings(const Attack& attack, const Graded& graded)
 {
     std::vector<std::string> found;
     if (!graded.complete()) return {graded.how_it_ended()};
-    if (const int c = control_character(graded.run.printed); c >= 0) found.push_back(fmt::format("the terminal got the control character {:#x}", c));
+    if (const int c = control_character(graded.run.printed); c >= 0)
+        found.push_back(fmt::format("the terminal got the control character {:#x}", c));
     for (const std::string& leak : attack.lacks)
-        if (graded.run.printed.find(leak) != std::string::npos) found.push_back(fmt::format("the terminal shows '{}'", leak));
-    if (bytes_of_file(graded.out / "index.html").find(markup) != std::string::npos) found.emplace_back("the class page holds markup of a submission's");
+        if (graded.run.printed.find(leak) != std::string::npos)
+            found.push_back(fmt::format("the terminal shows '{}'", leak));
+    if (bytes_of_file(graded.out / "index.html").find(markup) != std::string::npos)
+        found.emplace_back("the class page holds markup of a submission's");
 
     const auto report = graded.reports.find(attack.id());
     if (report == graded.reports.end()) {
@@ -159,10 +177,12 @@ std::vector<std::string> findings(const Attack& attack, const Graded& graded)
             continue;
         }
         if (unit->value("verdict", "") == to_string(Verdict::grader_fault))
-            found.push_back(fmt::format("{}: a fault of the grader's: {}", id, unit->value("message", "").substr(0, 200)));
+            found.push_back(
+                fmt::format("{}: a fault of the grader's: {}", id, unit->value("message", "").substr(0, 200)));
         const Json* model = good == graded.reports.end() ? nullptr : unit_in(good->second, id);
         if (model != nullptr && model->value("max_score", 0) != unit->value("max_score", 0))
-            found.push_back(fmt::format("{}: it counts for {} instead of {}", id, unit->value("max_score", 0), model->value("max_score", 0)));
+            found.push_back(fmt::format("{}: it counts for {} instead of {}", id, unit->value("max_score", 0),
+                                        model->value("max_score", 0)));
         look_at_unit(id, expected, *unit, found);
     }
     const Json for_student = Json::parse(bytes_of_file(folder / "report.student.json"), nullptr, false);
@@ -177,7 +197,8 @@ std::vector<std::string> changes_of_good(const Graded& before, const Graded& aft
         for (const char* const name : {"report.json", "report.student.json"}) {
             const auto read = [&](const Graded& graded) {
                 const Json json = Json::parse(bytes_of_file(graded.out / id / name), nullptr, false);
-                return json.is_object() ? without_times(json).dump(1, ' ', false, Json::error_handler_t::replace) : std::string();
+                return json.is_object() ? without_times(json).dump(1, ' ', false, Json::error_handler_t::replace)
+                                        : std::string();
             };
             const std::string one = read(before);
             const std::string other = read(after);
@@ -185,8 +206,9 @@ std::vector<std::string> changes_of_good(const Graded& before, const Graded& aft
             const auto [at, there] = std::ranges::mismatch(one, other);
             if (one == other) continue;
             const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, at - one.begin() - 100));
-            changes.push_back(
-                fmt::format("{}/{}: …{}… became …{}…", id, name, one.substr(std::min(from, one.size()), 200), other.substr(std::min(from, other.size()), 200)));
+            changes.push_back(fmt::format("{}/{}: …{}… became …{}…", id, name,
+                                          one.substr(std::min(from, one.size()), 200),
+                                          other.substr(std::min(from, other.size()), 200)));
         }
     }
     return changes;
@@ -199,7 +221,8 @@ std::string outcome_of(const Attack& attack, const Graded& graded)
     if (report == graded.reports.end()) return "refused";
     std::vector<std::string> parts;
     for (const auto& [id, expected] : attack.units)
-        if (const Json* unit = unit_in(report->second, id)) parts.push_back(fmt::format("{} {}", unit->value("verdict", ""), unit->value("score", 0.0) / 1000));
+        if (const Json* unit = unit_in(report->second, id))
+            parts.push_back(fmt::format("{} {}", unit->value("verdict", ""), unit->value("score", 0.0) / 1000));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -26,7 +26,8 @@ fs::path unit(const fs::path& submission) { return submission / "raytracing" / "
 void write(const fs::path& file, std::string_view text)
 {
     fs::create_directories(file.parent_path());
-    if (!(std::ofstream(file, std::ios::binary) << text).flush()) throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
+    if (!(std::ofstream(file, std::ios::binary) << text).flush())
+        throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", file.string()));
 }
 
 /// A link with the name of the unit's file.
@@ -39,7 +40,8 @@ void link_file(const fs::path& submission, const fs::path& to)
 void make_pipe(const fs::path& file)
 {
     fs::create_directories(file.parent_path());
-    if (mkfifo(file.c_str(), S_IRUSR | S_IWUSR) != 0) throw std::runtime_error(fmt::format("cannot make the pipe {}: {}", file.string(), std::strerror(errno)));
+    if (mkfifo(file.c_str(), S_IRUSR | S_IWUSR) != 0)
+        throw std::runtime_error(fmt::format("cannot make the pipe {}: {}", file.string(), std::strerror(errno)));
 }
 
 void make_socket(const fs::path& file)
@@ -64,7 +66,8 @@ void link_chain(const fs::path& submission)
 {
     link_file(submission, "link0");
     for (int i = 0; i < 60; ++i)
-        fs::create_symlink(i == 59 ? fs::path("/etc/passwd") : fs::path(fmt::format("link{}", i + 1)), unit(submission) / fmt::format("link{}", i));
+        fs::create_symlink(i == 59 ? fs::path("/etc/passwd") : fs::path(fmt::format("link{}", i + 1)),
+                           unit(submission) / fmt::format("link{}", i));
 }
 
 void deep_tree(const fs::path& submission)
@@ -83,13 +86,15 @@ void deep_tree(const fs::path& submission)
 void many_files(const fs::path& submission)
 {
     for (int i = 0; i < 100; ++i)
-        for (int k = 0; k < 1000; ++k) write(submission / fmt::format("folder{}", i) / fmt::format("file{}.txt", k), "");
+        for (int k = 0; k < 1000; ++k)
+            write(submission / fmt::format("folder{}", i) / fmt::format("file{}.txt", k), "");
 }
 
 void many_folders(const fs::path& submission)
 {
     for (int i = 0; i < 200; ++i)
-        for (int k = 0; k < 100; ++k) fs::create_directories(submission / fmt::format("a{}", i) / fmt::format("b{}", k));
+        for (int k = 0; k < 100; ++k)
+            fs::create_directories(submission / fmt::format("a{}", i) / fmt::format("b{}", k));
 }
 
 void names_of_bytes(const fs::path& folder)
@@ -108,7 +113,10 @@ void folders_of_bytes(const fs::path& submission)
 }
 
 /// The submission gets another name within its class.
-void rename_to(const fs::path& submission, const std::string& name) { fs::rename(submission, submission.parent_path() / name); }
+void rename_to(const fs::path& submission, const std::string& name)
+{
+    fs::rename(submission, submission.parent_path() / name);
+}
 
 struct Generator {
     std::string_view name;
@@ -157,7 +165,8 @@ constexpr Generator generators[] = {
     {"deep-tree", deep_tree},
     {"many-candidates",
      [](const fs::path& s) {
-         for (int i = 0; i < 300; ++i) write(s / fmt::format("try{}", i) / "sphere.cpp", fmt::format("int number = {};\n", i));
+         for (int i = 0; i < 300; ++i)
+             write(s / fmt::format("try{}", i) / "sphere.cpp", fmt::format("int number = {};\n", i));
      }},
     {"huge-file",
      [](const fs::path& s) {

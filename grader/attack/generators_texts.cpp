@@ -40,7 +40,9 @@ std::string numbered(std::string_view form, int count)
 
 void files_of_ones(const fs::path& submission)
 {
-    for (int i = 0; i < 31; ++i) append(sphere(submission).parent_path() / fmt::format("ones{}.glsl", i), std::string(std::size_t{512} << 10U, '\1'));
+    for (int i = 0; i < 31; ++i)
+        append(sphere(submission).parent_path() / fmt::format("ones{}.glsl", i),
+               std::string(std::size_t{512} << 10U, '\1'));
 }
 
 struct Generator {
@@ -49,14 +51,26 @@ struct Generator {
 };
 
 constexpr Generator generators[] = {
-    {"shader-open-comment", [](const fs::path& s) { append(shader(s), "#version 330\n/* " + repeated("* never closed ", 20000)); }},
-    {"shader-parentheses", [](const fs::path& s) { append(shader(s), "\nint deep() { return " + parentheses(40000) + "; }\n"); }},
+    {"shader-open-comment",
+     [](const fs::path& s) { append(shader(s), "#version 330\n/* " + repeated("* never closed ", 20000)); }},
+    {"shader-parentheses",
+     [](const fs::path& s) { append(shader(s), "\nint deep() { return " + parentheses(40000) + "; }\n"); }},
     {"shader-uniforms", [](const fs::path& s) { append(shader(s), numbered("uniform vec4 u{0};\n", 20000)); }},
-    {"shader-errors", [](const fs::path& s) { append(shader(s), "\nvoid wrong()\n{\n" + repeated("    E = E(E, E);\n", 20000) + "}\n"); }},
-    {"shader-blocks", [](const fs::path& s) { append(shader(s), "\nvoid deep() { " + repeated("{", 20000) + repeated("}", 20000) + " }\n"); }},
-    {"shader-terms", [](const fs::path& s) { append(shader(s), "\nfloat wide(float x) { return x" + repeated(" + x", 60000) + "; }\n"); }},
+    {"shader-errors",
+     [](const fs::path& s) {
+         append(shader(s), "\nvoid wrong()\n{\n" + repeated("    E = E(E, E);\n", 20000) + "}\n");
+     }},
+    {"shader-blocks",
+     [](const fs::path& s) {
+         append(shader(s), "\nvoid deep() { " + repeated("{", 20000) + repeated("}", 20000) + " }\n");
+     }},
+    {"shader-terms",
+     [](const fs::path& s) {
+         append(shader(s), "\nfloat wide(float x) { return x" + repeated(" + x", 60000) + "; }\n");
+     }},
     {"functions", [](const fs::path& s) { append(sphere(s), numbered("int flood_{0}() {{ return {0}; }}\n", 14000)); }},
-    {"cpp-parentheses", [](const fs::path& s) { append(sphere(s), "\nint deep() { return " + parentheses(100000) + "; }\n"); }},
+    {"cpp-parentheses",
+     [](const fs::path& s) { append(sphere(s), "\nint deep() { return " + parentheses(100000) + "; }\n"); }},
     {"cpp-errors", [](const fs::path& s) { append(sphere(s), numbered("int wrong_{0} = nobody_{0};\n", 12000)); }},
     {"files-of-ones", files_of_ones},
 };

@@ -30,7 +30,7 @@ std::vector<char*> pointers(const std::vector<std::string>& words)
     return result;
 }
 
-[[noreturn]] void become(const Call& call)
+[[noreturn]] void replace_process(const Call& call)
 {
     try {
         const int output = open(call.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, S_IRUSR | S_IWUSR);
@@ -68,7 +68,7 @@ Measured run_measured(const Call& call)
     const auto start = Clock::now();
     const pid_t process = fork();
     if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
-    if (process == 0) become(call);
+    if (process == 0) replace_process(call);
     Measured measured;
     int status = 0;
     for (;;) {
@@ -97,7 +97,8 @@ double disk_kib(const fs::path& folder)
     const auto options = fs::directory_options::skip_permission_denied;
     for (fs::recursive_directory_iterator at(folder, options, error), end; !error && at != end; at.increment(error)) {
         struct stat status {};
-        if (lstat(at->path().c_str(), &status) == 0 && S_ISREG(status.st_mode)) kib += static_cast<double>(status.st_blocks) / 2;
+        if (lstat(at->path().c_str(), &status) == 0 && S_ISREG(status.st_mode))
+            kib += static_cast<double>(status.st_blocks) / 2;
     }
     return kib;
 }
@@ -107,7 +108,8 @@ std::string bytes_of_file(const fs::path& file, std::size_t limit)
     std::ifstream stream(file, std::ios::binary);
     std::string bytes;
     char buffer[65536];
-    while (bytes.size() < limit && (stream.read(buffer, sizeof buffer), stream.gcount() > 0)) bytes.append(buffer, static_cast<std::size_t>(stream.gcount()));
+    while (bytes.size() < limit && (stream.read(buffer, sizeof buffer), stream.gcount() > 0))
+        bytes.append(buffer, static_cast<std::size_t>(stream.gcount()));
     return bytes;
 }
 

@@ -26,12 +26,15 @@ struct Rehearsal {
     double reports_mib = 0;
 };
 
-/// Grades the good work alone, then beside all the attacks at once. If that class does not come to its end, its halves are graded, and so on,
-/// until those that end it are alone. Needs an empty folder; what it leaves there is the caller's to remove. `say` is told what happens.
-[[nodiscard]] Rehearsal rehearse(const Target& target, const Setting& setting, std::span<const Attack> attacks, const std::filesystem::path& scratch,
+/// Grades the good work alone, then beside all the attacks at once. If that class does not come to its end, its halves
+/// are graded, and so on, until those that end it are alone. Needs an empty folder; what it leaves there is the
+/// caller's to remove. `say` is told what happens.
+[[nodiscard]] Rehearsal rehearse(const Target& target, const Setting& setting, std::span<const Attack> attacks,
+                                 const std::filesystem::path& scratch,
                                  const std::function<void(const std::string&)>& say = {});
 
 /// Grades good work beside one attack alone: what it costs is held against its bounds.
-[[nodiscard]] Outcome rehearse_alone(const Target& target, const Setting& setting, const Attack& attack, const std::filesystem::path& scratch);
+[[nodiscard]] Outcome rehearse_alone(const Target& target, const Setting& setting, const Attack& attack,
+                                     const std::filesystem::path& scratch);
 
 }

@@ -21,8 +21,8 @@ void check(bool good, const char* what)
     if (!good) throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// unshare and clone with CLONE_NEWUSER fail with EPERM, as where the kernel forbids them. clone3 keeps its flags in memory, where a filter
-/// cannot read them: it does not exist, and the C library takes clone instead.
+/// unshare and clone with CLONE_NEWUSER fail with EPERM, as where the kernel forbids them. clone3 keeps its flags in
+/// memory, where a filter cannot read them: it does not exist, and the C library takes clone instead.
 void refuse_user_namespaces()
 {
     const std::unique_ptr<void, decltype(&seccomp_release)> rules(seccomp_init(SCMP_ACT_ALLOW), &seccomp_release);
@@ -46,7 +46,8 @@ std::string Setting::name() const
                        as_nobody        ? "nobody"
                        : geteuid() == 0 ? "root"
                                         : "user",
-                       without_namespaces ? "no user namespaces" : "user namespaces", gl.empty() ? "default back end" : gl);
+                       without_namespaces ? "no user namespaces" : "user namespaces",
+                       gl.empty() ? "default back end" : gl);
 }
 
 std::vector<Setting> all_settings()

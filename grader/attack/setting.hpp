@@ -21,8 +21,8 @@ struct Setting {
 /// Why this setting cannot be made by this user; empty: it can.
 [[nodiscard]] std::string why_not(const Setting& setting);
 
-/// For a fresh child before exec: becomes nobody, and lets the kernel refuse user namespaces to it and all its children. Changes nothing
-/// for other processes. Throws std::system_error.
+/// For a fresh child before exec: becomes nobody, and lets the kernel refuse user namespaces to it and all its
+/// children. Changes nothing for other processes. Throws std::system_error.
 void enter(const Setting& setting);
 
 }

@@ -19,10 +19,12 @@ namespace fs = std::filesystem;
 
 constexpr unsigned nobody = 65534;
 constexpr const char* reference_id = "good-reference";
-constexpr std::pair<const char*, const char*> samples[] = {{"good-diego", "diego-different"}, {"good-carla", "carla-typical-mistakes"}};
+constexpr std::pair<const char*, const char*> samples[] = {{"good-diego", "diego-different"},
+                                                           {"good-carla", "carla-typical-mistakes"}};
 
 /// The reference as a student would hand it in, for each of the units.
-void hand_in_reference(const Target& target, const std::vector<std::string>& units, const fs::path& submission, const std::string& comment = "")
+void hand_in_reference(const Target& target, const std::vector<std::string>& units, const fs::path& submission,
+                       const std::string& comment = "")
 {
     for (const std::string& unit : units) {
         const fs::path topic = fs::path(unit).parent_path();
@@ -39,8 +41,10 @@ void hand_in_reference(const Target& target, const std::vector<std::string>& uni
 /// What an attacker cannot know, told all the same: @SECRET@ and its like in sources become paths of this very grading.
 std::string with_places(std::string text, const Target& target, const fs::path& scratch)
 {
-    const std::pair<std::string_view, fs::path> places[] = {
-        {"@SECRET@", scratch / "secret"}, {"@REFERENCE@", target.reference}, {"@NEIGHBOUR@", scratch / "class" / reference_id}, {"@SCRATCH@", scratch}};
+    const std::pair<std::string_view, fs::path> places[] = {{"@SECRET@", scratch / "secret"},
+                                                            {"@REFERENCE@", target.reference},
+                                                            {"@NEIGHBOUR@", scratch / "class" / reference_id},
+                                                            {"@SCRATCH@", scratch}};
     for (const auto& [word, path] : places)
         for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + path.native().size()))
             text.replace(at, word.size(), path.native());
@@ -56,7 +60,8 @@ void copy_attack(const Attack& attack, const Target& target, const fs::path& scr
         if (entry.path().filename() == "attack.json") continue;
         if (entry.is_directory()) {
             fs::create_directories(to);
-        } else if (!(std::ofstream(to, std::ios::binary) << with_places(bytes_of_file(entry.path()), target, scratch)).flush()) {
+        } else if (!(std::ofstream(to, std::ios::binary) << with_places(bytes_of_file(entry.path()), target, scratch))
+                        .flush()) {
             throw std::runtime_error(fmt::format("cannot write {}: is the disk full?", to.string()));
         }
     }
@@ -69,8 +74,10 @@ void give_to_nobody(const fs::path& folder)
     for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
         // Trees may be deeper than a path may be long: what lies there stays another user's.
         if (lchown(at->path().c_str(), nobody, nobody) != 0 && errno != ENAMETOOLONG)
-            throw std::runtime_error(fmt::format("cannot give {} to nobody: {}", at->path().string(), std::strerror(errno)));
-    if (lchown(folder.c_str(), nobody, nobody) != 0) throw std::runtime_error(fmt::format("cannot give {} to nobody", folder.string()));
+            throw std::runtime_error(
+                fmt::format("cannot give {} to nobody: {}", at->path().string(), std::strerror(errno)));
+    if (lchown(folder.c_str(), nobody, nobody) != 0)
+        throw std::runtime_error(fmt::format("cannot give {} to nobody", folder.string()));
 }
 
 void read_results(Graded& graded)
@@ -79,7 +86,8 @@ void read_results(Graded& graded)
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(graded.out, error)) {
         nlohmann::json report = nlohmann::json::parse(bytes_of_file(entry.path() / "report.json"), nullptr, false);
-        if (report.is_object() && report.contains("submission")) graded.reports[entry.path().filename().string()] = std::move(report["submission"]);
+        if (report.is_object() && report.contains("submission"))
+            graded.reports[entry.path().filename().string()] = std::move(report["submission"]);
     }
 }
 
@@ -89,7 +97,9 @@ std::string Graded::how_it_ended() const
 {
     if (run.timed_out) return fmt::format("grading did not end within {:.0f} s", run.seconds);
     const std::string last = run.printed.size() > 400 ? run.printed.substr(run.printed.size() - 400) : run.printed;
-    if (run.signal != 0) return fmt::format("signal {} ({}) ended the grader; the last it said: {}", run.signal, strsignal(run.signal), last);
+    if (run.signal != 0)
+        return fmt::format("signal {} ({}) ended the grader; the last it said: {}", run.signal, strsignal(run.signal),
+                           last);
     if (run.status != 0) return fmt::format("the grader ended with status {}; the last it said: {}", run.status, last);
     return class_json.is_object() ? "" : "there is no class.json";
 }
@@ -109,8 +119,8 @@ std::vector<std::string> units_of(std::span<const Attack> attacks)
     return {units.begin(), units.end()};
 }
 
-Graded grade_beside_good(const Target& target, const Setting& setting, std::span<const Attack> attacks, const std::vector<std::string>& units,
-                         const fs::path& scratch, double seconds)
+Graded grade_beside_good(const Target& target, const Setting& setting, std::span<const Attack> attacks,
+                         const std::vector<std::string>& units, const fs::path& scratch, double seconds)
 {
     Graded graded;
     graded.submissions = scratch / "class";
@@ -122,8 +132,10 @@ Graded grade_beside_good(const Target& target, const Setting& setting, std::span
     fs::permissions(scratch / "secret", fs::perms::owner_read | fs::perms::owner_write);
     hand_in_reference(target, units, graded.submissions / reference_id);
     for (int i = 0; i < target.more_good; ++i)
-        hand_in_reference(target, units, graded.submissions / fmt::format("more-{}", i), fmt::format("\n// of number {}\n", i));
-    for (const auto& [id, folder] : samples) fs::copy(target.sample_class / folder, graded.submissions / id, fs::copy_options::recursive);
+        hand_in_reference(target, units, graded.submissions / fmt::format("more-{}", i),
+                          fmt::format("\n// of number {}\n", i));
+    for (const auto& [id, folder] : samples)
+        fs::copy(target.sample_class / folder, graded.submissions / id, fs::copy_options::recursive);
     for (const Attack& attack : attacks) copy_attack(attack, target, scratch);
     if (setting.as_nobody) give_to_nobody(scratch);
 
@@ -138,8 +150,8 @@ Graded grade_beside_good(const Target& target, const Setting& setting, std::span
                   "--jobs",
                   "8"};
     for (const std::string& unit : units) call.words.insert(call.words.end(), {"--unit", unit});
-    call.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=" + (scratch / "home").string(), "TMPDIR=" + (scratch / "tmp").string(),
-                        "UMBRAL_CACHE=" + (scratch / "cache").string()};
+    call.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=" + (scratch / "home").string(),
+                        "TMPDIR=" + (scratch / "tmp").string(), "UMBRAL_CACHE=" + (scratch / "cache").string()};
     if (!setting.gl.empty()) call.environment.push_back("UMBRAL_GL=" + setting.gl);
     call.output = scratch / "printed.txt";
     call.seconds = seconds;

@@ -42,10 +42,11 @@ struct Graded {
 /// Names of the good submissions that stand in every class.
 [[nodiscard]] std::vector<std::string> good_ids();
 
-/// Puts good work and the attacks into one class below `scratch`, an empty folder, and grades it with the real program under --jobs 8. `units`
-/// are the units that are graded.
-[[nodiscard]] Graded grade_beside_good(const Target& target, const Setting& setting, std::span<const Attack> attacks, const std::vector<std::string>& units,
-                                       const std::filesystem::path& scratch, double seconds = 1800);
+/// Puts good work and the attacks into one class below `scratch`, an empty folder, and grades it with the real program
+/// under --jobs 8. `units` are the units that are graded.
+[[nodiscard]] Graded grade_beside_good(const Target& target, const Setting& setting, std::span<const Attack> attacks,
+                                       const std::vector<std::string>& units, const std::filesystem::path& scratch,
+                                       double seconds = 1800);
 
 /// The units of all these attacks, sorted.
 [[nodiscard]] std::vector<std::string> units_of(std::span<const Attack> attacks);

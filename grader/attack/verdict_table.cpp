@@ -23,8 +23,10 @@ std::string markdown(std::span<const Attack> attacks, const std::map<std::string
 {
     std::string text = "| setting | attacks that held | seconds | grader's MiB |\n|---|---|---|---|\n";
     for (const auto& [setting, rehearsal] : rehearsals) {
-        const auto held = std::ranges::count_if(rehearsal.outcomes, [](const auto& one) { return one.second.findings.empty(); });
-        text += fmt::format("| {} | {} of {} | {:.0f} | {:.0f} |\n", setting, held, rehearsal.outcomes.size(), rehearsal.run.seconds, rehearsal.run.peak_mib);
+        const auto held =
+            std::ranges::count_if(rehearsal.outcomes, [](const auto& one) { return one.second.findings.empty(); });
+        text += fmt::format("| {} | {} of {} | {:.0f} | {:.0f} |\n", setting, held, rehearsal.outcomes.size(),
+                            rehearsal.run.seconds, rehearsal.run.peak_mib);
     }
     text += "\n| attack | what it does | what came of it | in settings |\n|---|---|---|---|\n";
     for (const Attack& attack : attacks) {
@@ -32,10 +34,12 @@ std::string markdown(std::span<const Attack> attacks, const std::map<std::string
         std::map<std::string, std::vector<std::string>> settings;
         for (const auto& [setting, rehearsal] : rehearsals)
             if (const auto found = rehearsal.outcomes.find(attack.id()); found != rehearsal.outcomes.end())
-                settings[(found->second.findings.empty() ? "" : "**did not hold:** ") + cell(found->second.came)].push_back(setting);
+                settings[(found->second.findings.empty() ? "" : "**did not hold:** ") + cell(found->second.came)]
+                    .push_back(setting);
         for (const auto& [came, where] : settings)
-            text += fmt::format("| {}/{} | {} | {} | {} |\n", attack.theme, attack.name, cell(attack.what), came,
-                                settings.size() == 1 ? fmt::format("{}", where.size()) : fmt::format("{}", fmt::join(where, "; ")));
+            text += fmt::format(
+                "| {}/{} | {} | {} | {} |\n", attack.theme, attack.name, cell(attack.what), came,
+                settings.size() == 1 ? fmt::format("{}", where.size()) : fmt::format("{}", fmt::join(where, "; ")));
     }
     return text;
 }

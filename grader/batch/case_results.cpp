@@ -22,7 +22,8 @@ std::string too_many(const std::string& value, const RunOutcome& student, const 
     const Oversized& shape = found->second;
     if (shape.columns == 1) return fmt::format("recorded {} rows, expected {}", shape.rows, right->rows);
     if (shape.rows == 1) return fmt::format("recorded {} bytes, expected {}", shape.columns, right->columns);
-    return fmt::format("recorded {} x {} cells, expected {} x {}", shape.columns, shape.rows, right->columns, right->rows);
+    return fmt::format("recorded {} x {} cells, expected {} x {}", shape.columns, shape.rows, right->columns,
+                       right->rows);
 }
 
 bool ran_into_the_limit(const CaseResult& one) { return one.reached && one.student.verdict == Verdict::timeout; }
@@ -31,7 +32,8 @@ bool ran_into_the_limit(const CaseResult& one) { return one.reached && one.stude
 
 bool may_run_another(const CaseResults& cases)
 {
-    return std::count_if(cases.begin(), cases.end(), [](const auto& entry) { return ran_into_the_limit(entry.second); }) < caps::timeouts;
+    return std::count_if(cases.begin(), cases.end(),
+                         [](const auto& entry) { return ran_into_the_limit(entry.second); }) < caps::timeouts;
 }
 
 CaseResult not_reached(std::uint64_t seed, bool hidden)
@@ -47,7 +49,10 @@ CaseResult not_reached(std::uint64_t seed, bool hidden)
 std::string CaseResult::trouble() const
 {
     if (!reached)
-        return fmt::format("not reached: {} cases ran into the time limit, so this one was not run; it earns nothing until that loop ends", caps::timeouts);
+        return fmt::format(
+            "not reached: {} cases ran into the time limit, so this one was not run; it earns nothing until that loop "
+            "ends",
+            caps::timeouts);
     if (is_stub()) return std::string(in_words(Verdict::not_implemented));
     if (student.verdict == Verdict::ok) return "";
     std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);
@@ -90,7 +95,8 @@ const Tensor* tensor_of(const RunOutcome& run, const std::string& name)
 
 Expected expected_of(const Check& check, const RunOutcome& run)
 {
-    return {tensor_of(run, check.value), tensor_of(run, check.value + ".margin"), tensor_of(run, check.value + ".names")};
+    return {tensor_of(run, check.value), tensor_of(run, check.value + ".margin"),
+            tensor_of(run, check.value + ".names")};
 }
 
 const Tensor* observed(const Check& check, const RunOutcome& run)
@@ -101,13 +107,15 @@ const Tensor* observed(const Check& check, const RunOutcome& run)
     return tensor == nullptr && judge_of(check).nothing_is_empty ? &nothing : tensor;
 }
 
-CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run, const RunOutcome& reference_run)
+CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run,
+                        const RunOutcome& reference_run)
 {
     CheckResult result = blank_result(check);
     const auto [expected, margin, names] = expected_of(check, expected_run);
     const Tensor* reference = tensor_of(reference_run, check.value);
     if (expected == nullptr || reference == nullptr)
-        throw std::runtime_error(fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
+        throw std::runtime_error(
+            fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
     if (check.hard) result.reference_error = judge(check, *reference, *expected, margin).error;
 
     result.message = kept_from_judging(check, one, expected_run);

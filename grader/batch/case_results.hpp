@@ -20,20 +20,23 @@ struct CaseResult {
     std::string place;  ///< where it crashed: "sphere.cpp:17"
     double reference_seconds = 0;
 
-    [[nodiscard]] bool is_stub() const { return student.verdict == Verdict::ok && student.recording.not_implemented > 0; }
+    [[nodiscard]] bool is_stub() const
+    {
+        return student.verdict == Verdict::ok && student.recording.not_implemented > 0;
+    }
     /// What kept the case from being judged, in words; empty if nothing did.
     [[nodiscard]] std::string trouble() const;
 };
 using CaseResults = std::map<std::string, CaseResult>;
 
-/// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit: a submission in which everything hangs
-/// costs that many limits and no more.
+/// May another case of the unit be run? Not after caps::timeouts of them ran into the time limit: a submission in which
+/// everything hangs costs that many limits and no more.
 [[nodiscard]] bool may_run_another(const CaseResults& cases);
 /// A case that was not run for that reason. It earns nothing.
 [[nodiscard]] CaseResult not_reached(std::uint64_t seed, bool hidden);
 
-/// What kept a check from being judged by its case's run, in words, and nothing if it can be: the case's trouble, values of which far more
-/// rows were recorded than expected, or which are missing.
+/// What kept a check from being judged by its case's run, in words, and nothing if it can be: the case's trouble,
+/// values of which far more rows were recorded than expected, or which are missing.
 [[nodiscard]] std::string kept_from_judging(const Check& check, const CaseResult& one, const RunOutcome& expected);
 
 /// The names under which a case records what this check looks at.
@@ -42,11 +45,13 @@ using CaseResults = std::map<std::string, CaseResult>;
 /// A check that earned nothing yet.
 [[nodiscard]] CheckResult blank_result(const Check& check);
 
-/// Judges one check of a case against what was expected (the oracle's or the reference's run), with the best control earning nothing.
-/// Throws std::runtime_error if the expected run lacks the value: a grader fault.
-[[nodiscard]] CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected, const RunOutcome& reference);
+/// Judges one check of a case against what was expected (the oracle's or the reference's run), with the best control
+/// earning nothing. Throws std::runtime_error if the expected run lacks the value: a grader fault.
+[[nodiscard]] CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected,
+                                      const RunOutcome& reference);
 
-/// Puts what a judge found into a check's result, with the best control (the fraction right that it gets) earning nothing.
+/// Puts what a judge found into a check's result, with the best control (the fraction right that it gets) earning
+/// nothing.
 void take_judgement(const Check& check, const Judgement& judgement, double control, CheckResult& result);
 
 /// What a run recorded for this check, or null. Fragments and events come row by row: none at all is an empty table.

@@ -25,7 +25,10 @@ constexpr std::uintmax_t most_kept = std::uintmax_t{128} << 20U;
 constexpr std::uintmax_t most_runs = std::uintmax_t{512} << 20U;
 
 /// Where the last results of a workspace lie.
-fs::path kept_folder(const Toolchain& tools, const fs::path& workspace) { return entry_of(checks_folder(tools.cache), sha256_hex(workspace.string())); }
+fs::path kept_folder(const Toolchain& tools, const fs::path& workspace)
+{
+    return entry_of(checks_folder(tools.cache), sha256_hex(workspace.string()));
+}
 
 bool has_its_pictures(const UnitResult& unit, const fs::path& workspace)
 {
@@ -46,7 +49,8 @@ struct Last {
     KeptUnit unit;
     std::string section;
 };
-std::optional<Last> last_check(const fs::path& file, const std::string& key, const CheckPlan& plan, const fs::path& workspace)
+std::optional<Last> last_check(const fs::path& file, const std::string& key, const CheckPlan& plan,
+                               const fs::path& workspace)
 {
     if (plan.fresh) return std::nullopt;
     std::optional<KeptUnit> unit = kept_unit(file);
@@ -77,15 +81,16 @@ struct Part {
     bool kept = false;
 };
 
-Part check_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const CheckPlan& plan, const fs::path& workspace)
+Part check_unit(Worker& worker, const Exercise& exercise, const Handed& handed, const CheckPlan& plan,
+                const fs::path& workspace)
 {
     GradeOptions options;
     options.seeds.attempt = plan.attempt;
     options.explain = plan.explain;
     options.relative_to = workspace;
     options.artefacts = workspace / "umbral-pictures";
-    if (!plan.pages) return {grade_unit(workshop, exercise, handed, options), ""};
-    auto [result, detail] = grade_with_evidence(workshop, exercise, handed, options);
+    if (!plan.pages) return {grade_unit(worker, exercise, handed, options), ""};
+    auto [result, detail] = grade_with_evidence(worker, exercise, handed, options);
     std::string section = html::section_html(result, detail, html::Edition::student);
     return {std::move(result), std::move(section)};
 }
@@ -106,7 +111,7 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
     if (!plan.fresh) crew.keep_runs(keys);
 
     std::vector<Part> parts(exercises.size());
-    crew.share_out(exercises.size(), [&](Workshop& workshop, std::size_t i) {
+    crew.share_out(exercises.size(), [&](Worker& worker, std::size_t i) {
         const Exercise& exercise = exercises[i];
         const Handed handed = collect(submitted, exercise);
         const std::string key = key_of(*keys, exercise, handed, plan);
@@ -115,7 +120,7 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
             parts[i] = {std::move(last->unit.result), std::move(last->section), true};
             return;
         }
-        parts[i] = check_unit(workshop, exercise, handed, plan, workspace);
+        parts[i] = check_unit(worker, exercise, handed, plan, workspace);
         const UnitResult& result = parts[i].result;
         mark_used(entry_of(runs_folder(tools.cache), keys->of_unit(exercise)));
         const bool lasting = result.settled && result.verdict != Verdict::grader_fault;

@@ -24,12 +24,13 @@ struct Checked {
     SubmissionResult result;            ///< what the student may see
     Fingerprint fingerprint;            ///< of the machine it was checked on
     std::vector<std::string> sections;  ///< for html::report_from_sections, one a unit, if asked for
-    std::size_t kept = 0;               ///< so many units were as they had been at the last check, and were not run again
+    std::size_t kept = 0;  ///< so many units were as they had been at the last check, and were not run again
 };
 
-/// Checks units of a workspace, on all workers of the crew. Of each unit the last result is kept in the user's cache, under the digest of all that
-/// decides it (UnitKeys): unchanged files give it again at once, if the pictures that it names still lie there. What comes out by chance of
-/// the machine (a fault, a run that starved) is asked again. Throws as read_submission does.
+/// Checks units of a workspace, on all workers of the crew. Of each unit the last result is kept in the user's cache,
+/// under the digest of all that decides it (UnitKeys): unchanged files give it again at once, if the pictures that it
+/// names still lie there. What comes out by chance of the machine (a fault, a run that starved) is asked again. Throws
+/// as read_submission does.
 [[nodiscard]] Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, const CheckPlan& plan);
 
 }

@@ -11,8 +11,8 @@
 
 namespace umbral::grader {
 
-/// The results of a class while it is graded, and class.json and index.html, which show them. Not for use by several threads at once, but
-/// for is_shut().
+/// The results of a class while it is graded, and class.json and index.html, which show them. Not for use by several
+/// threads at once, but for is_shut().
 class ClassBook {
 public:
     explicit ClassBook(const SubmissionPlan& plan) : plan_(plan) {}
@@ -21,8 +21,8 @@ public:
     void await(const std::string& id) { awaited_.insert(id); }
     /// Results that hold: they take the place of what was there of the submission.
     void enter(const Graded& graded);
-    /// The submission's reports could not be written. If the folder itself cannot be written (`of_the_folder`: maybe that is why) the book
-    /// is shut: nothing that is graded now would be kept.
+    /// The submission's reports could not be written. If the folder itself cannot be written (`of_the_folder`: maybe
+    /// that is why) the book is shut: nothing that is graded now would be kept.
     void enter_trouble(const std::string& id, const std::string& cause, bool of_the_folder);
 
     /// Grading begins now.
@@ -32,7 +32,8 @@ public:
 
     /// Writes class.json and index.html if they have not been written for a few seconds; a failure shuts the book.
     void publish_if_due();
-    /// Writes them for the last time; false if that fails, or any reports could not be written. The reasons are in the result.
+    /// Writes them for the last time; false if that fails, or any reports could not be written. The reasons are in the
+    /// result.
     bool close();
 
     /// Is there no sense in grading on?

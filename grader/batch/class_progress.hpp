@@ -16,7 +16,8 @@ struct ClassProgress {
     double seconds = 0;              ///< since grading began
 };
 
-/// "12/200 submissions, 3.1 units/s, about 4 min left". Rate and time are left out while there is too little to tell them from.
+/// "12/200 submissions, 3.1 units/s, about 4 min left". Rate and time are left out while there is too little to tell
+/// them from.
 [[nodiscard]] std::string progress_text(const ClassProgress& progress);
 
 }

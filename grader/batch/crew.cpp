@@ -11,17 +11,17 @@ namespace umbral::grader {
 
 Crew::Crew(const Toolchain& tools, std::size_t jobs) : tools_(&tools), jobs_(std::max<std::size_t>(jobs, 1)) {}
 
-Crew::Crew(Workshop& only) : only_(&only) {}
+Crew::Crew(Worker& only) : only_(&only) {}
 
-std::vector<Workshop*> Crew::workshops(std::size_t count)
+std::vector<Worker*> Crew::workers(std::size_t count)
 {
     if (only_ != nullptr) return {only_};
     while (own_.size() < std::min(count, jobs_)) {
-        own_.push_back(std::make_unique<Workshop>(*tools_));
+        own_.push_back(std::make_unique<Worker>(*tools_));
         own_.back()->keep_runs(keys_);
     }
-    std::vector<Workshop*> all;
-    for (const auto& workshop : own_) all.push_back(workshop.get());
+    std::vector<Worker*> all;
+    for (const auto& worker : own_) all.push_back(worker.get());
     return all;
 }
 
@@ -29,10 +29,10 @@ void Crew::keep_runs(std::shared_ptr<const UnitKeys> keys)
 {
     keys_ = std::move(keys);
     if (only_ != nullptr) only_->keep_runs(keys_);
-    for (const auto& workshop : own_) workshop->keep_runs(keys_);
+    for (const auto& worker : own_) worker->keep_runs(keys_);
 }
 
-Workshop& Crew::first() { return *workshops(1).front(); }
+Worker& Crew::first() { return *workers(1).front(); }
 
 void Crew::share_out(std::size_t count, const Task& task)
 {
@@ -40,16 +40,16 @@ void Crew::share_out(std::size_t count, const Task& task)
     std::atomic<bool> stop = false;
     std::mutex mutex;
     std::exception_ptr fault;
-    const auto work = [&](Workshop& workshop) {
+    const auto work = [&](Worker& worker) {
         try {
-            for (std::size_t i = next++; i < count && !stop; i = next++) task(workshop, i);
+            for (std::size_t i = next++; i < count && !stop; i = next++) task(worker, i);
         } catch (...) {
             const std::lock_guard lock(mutex);
             if (!fault) fault = std::current_exception();
             stop = true;
         }
     };
-    const std::vector<Workshop*> all = workshops(count);
+    const std::vector<Worker*> all = workers(count);
     {
         std::vector<std::jthread> others;
         try {

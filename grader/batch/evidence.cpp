@@ -61,8 +61,8 @@ html::UnitDetail describe(const Exercise& exercise)
     return unit;
 }
 
-void add_evidence(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, const UnitResult& result,
-                  html::UnitDetail& unit)
+void add_evidence(Worker& worker, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options,
+                  const UnitResult& result, html::UnitDetail& unit)
 {
     bool one_shown = false;
     int pictures = 0;
@@ -70,7 +70,9 @@ void add_evidence(Workshop& workshop, const Exercise& exercise, const CaseResult
     std::vector<std::size_t> order(exercise.checks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     // Hidden ones come last: what a student sees of the others must not depend on them.
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::pair(exercise.checks[i].hidden, judge_of(exercise.checks[i]).place); });
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+        return std::pair(exercise.checks[i].hidden, judge_of(exercise.checks[i]).place);
+    });
     for (const std::size_t i : order) {
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
@@ -78,10 +80,11 @@ void add_evidence(Workshop& workshop, const Exercise& exercise, const CaseResult
         if (is_picture(check) && pictures == most_pictures) continue;
         const bool of_interest = !right || (is_picture(check) && !one_shown && result.verdict == Verdict::ok);
         if (!of_interest || (check.hidden && !options.show_hidden) || !one.trouble().empty()) continue;
-        const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
+        const RunOutcome& expected = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
         const ExpectedSide side = expected_side(check, one.student, expected);
         const auto [value, margin, names] = expected_of(check, expected);
-        const Observation observation{observed(check, one.student), side.tensor.get(), margin, names, result.checks[i].sketch};
+        const Observation observation{observed(check, one.student), side.tensor.get(), margin, names,
+                                      result.checks[i].sketch};
         Evidence evidence = evidence_of(check, observation, right);
         if (auto* picture = std::get_if<PictureEvidence>(&evidence)) picture->expected_side = side.words;
         if (is_picture(check)) ++pictures;

@@ -22,9 +22,11 @@ struct CaseChecks {
     std::size_t cells = 0;  ///< that are expected: how much work the case is, the same on every machine and day
 };
 
-/// By case: those with failing checks first, of both kinds the smallest first, for most mistakes are told apart by one case. A failing check
-/// with a relation is explained by what is wrong with one of its values, as a check of its own that `plain` keeps; one that holds says nothing.
-std::vector<CaseChecks> by_case(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases, std::list<Check>& plain)
+/// By case: those with failing checks first, of both kinds the smallest first, for most mistakes are told apart by one
+/// case. A failing check with a relation is explained by what is wrong with one of its values, as a check of its own
+/// that `plain` keeps; one that holds says nothing.
+std::vector<CaseChecks> by_case(Worker& worker, const Exercise& exercise, const UnitResult& result,
+                                const CaseResults& cases, std::list<Check>& plain)
 {
     std::vector<CaseChecks> groups;
     for (const std::string& name : exercise.cases()) groups.push_back({name, &cases.at(name), {}, 0, 0});
@@ -35,8 +37,11 @@ std::vector<CaseChecks> by_case(Workshop& workshop, const Exercise& exercise, co
         if (group.result->is_stub() || !group.result->reached) continue;
         const bool fails = result.checks[i].score < declared.points;
         if (declared.relation && !fails) continue;
-        const RunOutcome& expected = workshop.trusted(exercise, judged_against(declared), declared.case_name, group.result->seed);
-        const Check& check = declared.relation ? plain.emplace_back(against_reference(declared, group.result->student, expected)) : declared;
+        const RunOutcome& expected =
+            worker.trusted(exercise, judged_against(declared), declared.case_name, group.result->seed);
+        const Check& check = declared.relation
+                                 ? plain.emplace_back(against_reference(declared, group.result->student, expected))
+                                 : declared;
         const Expected side = expected_of(check, expected);
         group.checks.push_back({&check, observed(check, group.result->student), side.value, side.margin, fails});
         group.failing += fails ? 1 : 0;
@@ -44,85 +49,98 @@ std::vector<CaseChecks> by_case(Workshop& workshop, const Exercise& exercise, co
     }
     std::erase_if(groups, [](const CaseChecks& group) { return group.checks.empty(); });
     // Never by time: which mistakes are left out early depends on the order, and two gradings must agree.
-    std::ranges::stable_sort(groups, {}, [](const CaseChecks& group) { return std::tuple(group.failing == 0, group.cells, group.name); });
+    std::ranges::stable_sort(
+        groups, {}, [](const CaseChecks& group) { return std::tuple(group.failing == 0, group.cells, group.name); });
     return groups;
 }
 
 struct Candidate {
-    const Specimen* mistake = nullptr;
-    Testimony testimony{};
+    const KnownSolution* mistake = nullptr;
+    Tally tally{};
     bool fits_here = false;  ///< a failing check of the case looked at speaks for it
 };
 
-/// What a check says of a candidate's run. A crash has no signature: the same end speaks neither way, another one against.
+/// What a check says of a candidate's run. A crash has no signature: the same end speaks neither way, another one
+/// against.
 Resemblance says_of(const FailingCheck& one, const CaseResult& yours, const RunOutcome& its)
 {
-    if (yours.student.verdict != its.verdict) return differently;
+    if (yours.student.verdict != its.verdict) return not_alike;
     if (its.verdict != Verdict::ok) return {};
     const Tensor* tensor = observed(*one.check, its);
-    if (tensor == nullptr) return one.student == nullptr ? Resemblance{} : differently;
-    return one.student == nullptr ? differently : resemblance(one, *tensor);
+    if (tensor == nullptr) return one.student == nullptr ? Resemblance{} : not_alike;
+    return one.student == nullptr ? not_alike : resemblance(one, *tensor);
 }
 
-std::vector<Explanation> by_mistakes(Workshop& workshop, const Exercise& exercise, const std::vector<CaseChecks>& groups, std::span<const Specimen> mistakes)
+std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, const std::vector<CaseChecks>& groups,
+                                     std::span<const KnownSolution> mistakes)
 {
     std::vector<Candidate> candidates;
-    for (const Specimen& mistake : mistakes) candidates.push_back({&mistake});
+    for (const KnownSolution& mistake : mistakes) candidates.push_back({&mistake});
     std::size_t undecided = 0;
     for (const CaseChecks& group : groups) undecided += group.failing;
 
     for (const CaseChecks& group : groups) {
         undecided -= group.failing;
         for (Candidate& candidate : candidates) {
-            const Specimen& mistake = *candidate.mistake;
-            const RunOutcome& run = workshop.run_mistake(exercise, mistake.name, mistake.sources, group.name, group.result->seed);
+            const KnownSolution& mistake = *candidate.mistake;
+            const RunOutcome& run =
+                worker.run_mistake(exercise, mistake.name, mistake.sources, group.name, group.result->seed);
             candidate.fits_here = false;
             for (const FailingCheck& one : group.checks) {
                 const Resemblance said = says_of(one, *group.result, run);
-                candidate.testimony += said;
+                candidate.tally += said;
                 candidate.fits_here = candidate.fits_here || said.says == Says::for_it;
             }
         }
-        std::erase_if(candidates, [&](const Candidate& one) { return most_sureness(one.testimony, undecided) < thresholds::least_sure; });
-        // A unit's mistakes may be many and slow: one that fits no failing check of a case is out, as long as another fits there.
-        if (group.failing > 0 && std::ranges::any_of(candidates, &Candidate::fits_here)) std::erase_if(candidates, std::not_fn(&Candidate::fits_here));
+        std::erase_if(candidates, [&](const Candidate& one) {
+            return most_confidence(one.tally, undecided) < thresholds::least_sure;
+        });
+        // A unit's mistakes may be many and slow: one that fits no failing check of a case is out, as long as another
+        // fits there.
+        if (group.failing > 0 && std::ranges::any_of(candidates, &Candidate::fits_here))
+            std::erase_if(candidates, std::not_fn(&Candidate::fits_here));
     }
     std::vector<Explanation> found;
     for (const Candidate& candidate : candidates)
-        found.push_back({mistake_title(candidate.mistake->name), candidate.mistake->hint, sureness(candidate.testimony), fit(candidate.testimony)});
+        found.push_back({mistake_title(candidate.mistake->name), candidate.mistake->hint, confidence(candidate.tally),
+                         fit(candidate.tally)});
     return found;
 }
 
 }
 
-std::vector<Specimen> telling_mistakes(const Workshop& workshop, const Exercise& exercise)
+std::vector<KnownSolution> explaining_mistakes(const Worker& worker, const Exercise& exercise)
 {
-    std::vector<Specimen> mistakes = known_mistakes(workshop.tools(), exercise);
-    std::erase_if(mistakes, [](const Specimen& one) { return one.verdict && *one.verdict != Verdict::wrong && *one.verdict != Verdict::partial; });
+    std::vector<KnownSolution> mistakes = known_mistakes(worker.tools(), exercise);
+    std::erase_if(mistakes, [](const KnownSolution& one) {
+        return one.verdict && *one.verdict != Verdict::wrong && *one.verdict != Verdict::partial;
+    });
     return mistakes;
 }
 
-std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases,
-                                      std::span<const Specimen> mistakes)
+std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, const UnitResult& result,
+                                      const CaseResults& cases, std::span<const KnownSolution> mistakes)
 {
     std::list<Check> plain;
-    const std::vector<CaseChecks> groups = by_case(workshop, exercise, result, cases, plain);
+    const std::vector<CaseChecks> groups = by_case(worker, exercise, result, cases, plain);
     // What crashed or was stopped has no result to explain.
     std::vector<FailingCheck> ran;
     for (const CaseChecks& group : groups)
         if (group.result->trouble().empty())
-            std::ranges::copy_if(group.checks, std::back_inserter(ran), [](const FailingCheck& one) { return one.student != nullptr; });
+            std::ranges::copy_if(group.checks, std::back_inserter(ran),
+                                 [](const FailingCheck& one) { return one.student != nullptr; });
     if (std::ranges::none_of(ran, &FailingCheck::fails)) return {};
-    std::vector<Explanation> all = by_mistakes(workshop, exercise, groups, mistakes);
+    std::vector<Explanation> all = by_mistakes(worker, exercise, groups, mistakes);
     for (Explanation& other : explain_by_transform(ran)) all.push_back(std::move(other));
     return ranked(std::move(all));
 }
 
-std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exercise, const UnitResult& result, const CaseResults& cases)
+std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, const UnitResult& result,
+                                      const CaseResults& cases)
 {
     if (result.score == result.max_score) return {};
-    const std::vector<Specimen> mistakes = telling_mistakes(workshop, exercise);
-    std::vector<Explanation> all = explain_unit(workshop, exercise, result, cases, mistakes);
+    const std::vector<KnownSolution> mistakes = explaining_mistakes(worker, exercise);
+    std::vector<Explanation> all = explain_unit(worker, exercise, result, cases, mistakes);
     Exercise seen = exercise;
     UnitResult seen_result;
     seen.checks.clear();
@@ -132,7 +150,7 @@ std::vector<Explanation> explain_unit(Workshop& workshop, const Exercise& exerci
         seen_result.checks.push_back(result.checks[i]);
     }
     if (seen.checks.size() == exercise.checks.size()) return all;
-    std::vector<Explanation> found = explain_unit(workshop, seen, seen_result, cases, mistakes);
+    std::vector<Explanation> found = explain_unit(worker, seen, seen_result, cases, mistakes);
     const std::size_t from_seen = found.size();
     for (Explanation& one : all) {
         if (std::ranges::any_of(found, [&](const Explanation& other) { return other.name == one.name; })) continue;

@@ -27,7 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How often a cause of faults is met again by units that are graded alone, before the rest of its units is left for another day.
+/// How often a cause of faults is met again by units that are graded alone, before the rest of its units is left for
+/// another day.
 constexpr int most_retries = 2;
 
 ClassFolder find_class(const ClassOptions& options)
@@ -36,7 +37,8 @@ ClassFolder find_class(const ClassOptions& options)
         expect_distinct(options.submissions, options.out);
         ClassFolder found = class_folder(options.submissions, options.roster);
         if (found.submissions.empty())
-            throw std::runtime_error(fmt::format("{}: no submission in it; expected one folder or archive each", options.submissions.string()));
+            throw std::runtime_error(fmt::format("{}: no submission in it; expected one folder or archive each",
+                                                 options.submissions.string()));
         return found;
     } catch (const RefusedFolder&) {
         throw;
@@ -55,8 +57,8 @@ std::vector<SubmissionFolder> chosen(const ClassFolder& folder, const ClassOptio
         if (std::ranges::find(result, id, &SubmissionFolder::id) != result.end()) continue;
         std::vector<std::string> known;
         for (const SubmissionFolder& one : folder.submissions) known.push_back(one.id);
-        throw RefusedFolder(
-            fmt::format("--only {}: there is no such submission in {}; there are {}", one_line(id), options.submissions.string(), listed(known)));
+        throw RefusedFolder(fmt::format("--only {}: there is no such submission in {}; there are {}", one_line(id),
+                                        options.submissions.string(), listed(known)));
     }
     return result;
 }
@@ -64,24 +66,28 @@ std::vector<SubmissionFolder> chosen(const ClassFolder& folder, const ClassOptio
 std::string difference(const Grading& there, const Grading& now)
 {
     std::vector<std::string> words;
-    if (there.course != now.course) words.push_back(fmt::format("course '{}' instead of '{}'", there.course, now.course));
-    if (there.attempt != now.attempt) words.push_back(fmt::format("attempt {} instead of {}", there.attempt, now.attempt));
+    if (there.course != now.course)
+        words.push_back(fmt::format("course '{}' instead of '{}'", there.course, now.course));
+    if (there.attempt != now.attempt)
+        words.push_back(fmt::format("attempt {} instead of {}", there.attempt, now.attempt));
     if (there.secret != now.secret) words.emplace_back("another secret");
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
 /// Makes sure that a table never mixes results of different gradings, whose hidden inputs differ.
-void agree_on_grading(ReportsFolder& out, const Grading& grading, const std::vector<SubmissionFolder>& submissions, bool fresh)
+void agree_on_grading(ReportsFolder& out, const Grading& grading, const std::vector<SubmissionFolder>& submissions,
+                      bool fresh)
 {
     if (out.grading() == grading) return;
-    const std::string what =
-        fmt::format("--out {}: its results were graded with other hidden inputs: {}", out.path().string(), difference(out.grading(), grading));
+    const std::string what = fmt::format("--out {}: its results were graded with other hidden inputs: {}",
+                                         out.path().string(), difference(out.grading(), grading));
     if (!fresh) throw RefusedFolder(what + "; name another folder, or add --fresh to grade all of them again");
     std::vector<std::string> others;
     for (const std::string& id : out.submissions())
         if (std::ranges::find(submissions, id, &SubmissionFolder::id) == submissions.end()) others.push_back(id);
     if (!others.empty())
-        throw RefusedFolder(fmt::format("{}; not all of them would be graded again ({} would not): name another folder", what, listed(others)));
+        throw RefusedFolder(fmt::format("{}; not all of them would be graded again ({} would not): name another folder",
+                                        what, listed(others)));
     out.set_grading(grading);
 }
 
@@ -112,7 +118,8 @@ public:
                     options.instructor_edition},
           out_(options.out, key_plan_.grading),
           keys_(tools, exercises, key_plan_),
-          plan_{tools, exercises, options.course_units.empty() ? exercises : options.course_units, out_, keys_, key_plan_, options.secret},
+          plan_{tools,     exercises,     options.course_units.empty() ? exercises : options.course_units, out_, keys_,
+                key_plan_, options.secret},
           book_(plan_)
     {
     }
@@ -130,8 +137,8 @@ public:
         }
         // Where there are fewer submissions than workers, several share the units of each.
         const std::size_t each = options_.jobs / std::max<std::size_t>(todo_.size(), 1);
-        Crew(tools_, options_.jobs).share_out(todo_.size(), [&](Workshop& workshop, std::size_t index) {
-            Crew crew = each > 1 ? Crew(tools_, each) : Crew(workshop);
+        Crew(tools_, options_.jobs).share_out(todo_.size(), [&](Worker& worker, std::size_t index) {
+            Crew crew = each > 1 ? Crew(tools_, each) : Crew(worker);
             grade(crew, todo_[index]);
         });
         retry_faults();
@@ -146,7 +153,7 @@ public:
 private:
     [[nodiscard]] Fingerprint asked_fingerprint() const
     {
-        Workshop first(tools_);
+        Worker first(tools_);
         return fingerprint(first, exercises_);
     }
 
@@ -191,7 +198,9 @@ private:
             const std::lock_guard lock(mutex_);
             book_.enter(graded);
             faulty_.erase(index);
-            if (std::ranges::find(graded.result.units, Verdict::grader_fault, &UnitResult::verdict) != graded.result.units.end()) faulty_.insert(index);
+            if (std::ranges::find(graded.result.units, Verdict::grader_fault, &UnitResult::verdict) !=
+                graded.result.units.end())
+                faulty_.insert(index);
         } catch (const RefusedFolder& refused) {
             const std::lock_guard lock(mutex_);
             book_.enter_trouble(submission.id, refused.what(), false);
@@ -212,7 +221,9 @@ private:
         std::map<std::string, int> again;
         for (const std::size_t index : std::set<std::size_t>(faulty_)) {
             const auto causes = [&] { return book_.causes_of(submissions_[index].id); };
-            if (book_.is_shut() || std::ranges::all_of(causes(), [&](const std::string& cause) { return again[cause] >= most_retries; })) continue;
+            if (book_.is_shut() ||
+                std::ranges::all_of(causes(), [&](const std::string& cause) { return again[cause] >= most_retries; }))
+                continue;
             now_.units_to_grade += causes().size();
             Crew alone(tools_, 1);
             grade(alone, index);

@@ -30,8 +30,8 @@ UnitResult fault_of(const Exercise& exercise, const std::string& what)
     return result;
 }
 
-Part grade_part(Workshop& workshop, const SubmissionPlan& plan, const Exercise& exercise, const Handed& handed, const std::string& student,
-                const fs::path& folder)
+Part grade_part(Worker& worker, const SubmissionPlan& plan, const Exercise& exercise, const Handed& handed,
+                const std::string& student, const fs::path& folder)
 {
     GradeOptions options;
     options.seeds.secret = plan.secret;
@@ -42,16 +42,18 @@ Part grade_part(Workshop& workshop, const SubmissionPlan& plan, const Exercise& 
     options.show_hidden = plan.plan.instructor_edition;
     options.relative_to = folder;
     options.artefacts = folder / "pictures";
-    auto [result, detail] = grade_with_evidence(workshop, exercise, handed, options);
+    auto [result, detail] = grade_with_evidence(worker, exercise, handed, options);
     Part part;
     part.unit.machine = machine_digest(plan.plan.fingerprint);
     part.unit.result = std::move(result);
     part.sections.student = html::section_html(part.unit.result, detail, html::Edition::student);
-    if (plan.plan.instructor_edition) part.sections.instructor = html::section_html(part.unit.result, detail, html::Edition::instructor);
+    if (plan.plan.instructor_edition)
+        part.sections.instructor = html::section_html(part.unit.result, detail, html::Edition::instructor);
     return part;
 }
 
-/// Keeps what was found of a unit: a fault, and what may come out otherwise, only to be shown, anything else for as long as its key holds.
+/// Keeps what was found of a unit: a fault, and what may come out otherwise, only to be shown, anything else for as
+/// long as its key holds.
 void keep(const fs::path& folder, const Exercise& exercise, const std::string& key, Part& part)
 {
     const std::string& id = exercise.id;
@@ -67,26 +69,31 @@ void keep(const fs::path& folder, const Exercise& exercise, const std::string& k
 
 std::string change(const std::optional<KeptUnit>& before, const UnitResult& now)
 {
-    if (!before || now.verdict == Verdict::grader_fault || (before->result.score == now.score && before->result.max_score == now.max_score)) return "";
-    return fmt::format("{}: {} of {} before, {} of {} now", now.id, points_text(before->result.score), points_text(before->result.max_score),
-                       points_text(now.score), points_text(now.max_score));
+    if (!before || now.verdict == Verdict::grader_fault ||
+        (before->result.score == now.score && before->result.max_score == now.max_score))
+        return "";
+    return fmt::format("{}: {} of {} before, {} of {} now", now.id, points_text(before->result.score),
+                       points_text(before->result.max_score), points_text(now.score), points_text(now.max_score));
 }
 
-void write_reports(const SubmissionPlan& plan, const fs::path& folder, const SubmissionResult& result, const std::vector<Part>& parts)
+void write_reports(const SubmissionPlan& plan, const fs::path& folder, const SubmissionResult& result,
+                   const std::vector<Part>& parts)
 {
     const auto titles = english_titles(plan.course);
     SubmissionReport report{result, plan.plan.fingerprint, titles, plan.plan.instructor_edition};
     for (const Part& part : parts) {
         report.student_sections.push_back(part.sections.student);
         // A unit of an earlier run may lack this edition: the student's says less, and nothing wrong.
-        report.instructor_sections.push_back(part.sections.instructor.empty() ? part.sections.student : part.sections.instructor);
+        report.instructor_sections.push_back(part.sections.instructor.empty() ? part.sections.student
+                                                                              : part.sections.instructor);
     }
     write_reports(folder, report);
 }
 
 }
 
-Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const SubmissionFolder& submission, const std::function<void()>& graded)
+Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const SubmissionFolder& submission,
+                        const std::function<void()>& graded)
 {
     const fs::path folder = plan.out.folder_of(submission.id);
     Mark mark = open_report_folder(folder, submission.id);
@@ -107,7 +114,7 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
     std::vector<Part> parts(plan.exercises.size());
     std::vector<std::string> changes(parts.size());
     std::mutex mutex;
-    crew.share_out(parts.size(), [&](Workshop& workshop, std::size_t i) {
+    crew.share_out(parts.size(), [&](Worker& worker, std::size_t i) {
         const Exercise& exercise = plan.exercises[i];
         const Handed handed = submitted ? collect(*submitted, exercise) : Handed{};
         const std::string key = submitted ? plan.keys.key(exercise, submission.id, handed) : "";
@@ -120,7 +127,7 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
             }
         Part& part = parts[i];
         if (submitted) {
-            part = grade_part(workshop, plan, exercise, handed, submission.id, folder);
+            part = grade_part(worker, plan, exercise, handed, submission.id, folder);
         } else {
             part.unit.machine = machine_digest(plan.plan.fingerprint);
             part.unit.result = fault_of(exercise, trouble);

@@ -44,40 +44,47 @@ UnitResult grader_fault(const Exercise& exercise, const std::string& what)
     return result;
 }
 
-/// Cases in an order that differs from student to student but not between two gradings of the same submission: code that waits for
-/// one special case cannot know which comes next.
+/// Cases in an order that differs from student to student but not between two gradings of the same submission: code
+/// that waits for one special case cannot know which comes next.
 std::vector<std::string> shuffled_cases(const Exercise& exercise, const SeedPlan& seeds)
 {
     std::vector<std::string> cases = exercise.cases();
     Random random(case_seed(seeds.secret, seeds.course, seeds.student, exercise.id, "order of cases", seeds.attempt));
-    for (std::size_t i = cases.size(); i > 1; --i) std::swap(cases[i - 1], cases[random.below(static_cast<std::uint32_t>(i))]);
+    for (std::size_t i = cases.size(); i > 1; --i)
+        std::swap(cases[i - 1], cases[random.below(static_cast<std::uint32_t>(i))]);
     return cases;
 }
 
-/// Of several kinds of trouble, what was refused says most about the submission; and what visible cases ended by is told before hidden
-/// ones', of which the student is told the kind only.
+/// Of several kinds of trouble, what was refused says most about the submission; and what visible cases ended by is
+/// told before hidden ones', of which the student is told the kind only.
 Verdict verdict_of(const UnitResult& result, const CaseResults& cases)
 {
     if (result.score == result.max_score) return Verdict::ok;
     if (result.score > 0) return Verdict::partial;
-    const bool all_stubs = std::all_of(cases.begin(), cases.end(), [](const auto& entry) { return entry.second.is_stub(); });
+    const bool all_stubs =
+        std::all_of(cases.begin(), cases.end(), [](const auto& entry) { return entry.second.is_stub(); });
     if (all_stubs) return Verdict::not_implemented;
     for (const bool hidden : {false, true}) {
-        const auto refused = [&](const auto& entry) { return entry.second.hidden == hidden && !entry.second.student.refused.empty(); };
+        const auto refused = [&](const auto& entry) {
+            return entry.second.hidden == hidden && !entry.second.student.refused.empty();
+        };
         if (std::any_of(cases.begin(), cases.end(), refused)) return Verdict::blocked;
-        const auto failed = [&](const auto& entry) { return entry.second.hidden == hidden && entry.second.student.verdict != Verdict::ok; };
+        const auto failed = [&](const auto& entry) {
+            return entry.second.hidden == hidden && entry.second.student.verdict != Verdict::ok;
+        };
         const auto stopped = std::find_if(cases.begin(), cases.end(), failed);
         if (stopped != cases.end()) return stopped->second.student.verdict;
     }
     return Verdict::wrong;
 }
 
-/// What kept a case from being judged, or what was refused on the way, as the student may read it. Whatever a hidden case's run said or chose
-/// may hold its inputs: of it only the kind of trouble is told.
+/// What kept a case from being judged, or what was refused on the way, as the student may read it. Whatever a hidden
+/// case's run said or chose may hold its inputs: of it only the kind of trouble is told.
 std::string told_trouble(const CaseResult& one)
 {
     const bool refused = !one.student.refused.empty();
-    if (one.hidden && one.reached && one.student.verdict != Verdict::ok) return std::string(in_words(one.student.verdict));
+    if (one.hidden && one.reached && one.student.verdict != Verdict::ok)
+        return std::string(in_words(one.student.verdict));
     if (std::string trouble = one.trouble(); !trouble.empty()) return trouble;
     if (!refused) return "";
     return one.hidden ? "the sandbox refused calls" : "the sandbox refused " + listed(one.student.refused);
@@ -108,15 +115,16 @@ std::string printed_text(const Exercise& exercise, const CaseResults& cases)
 }
 
 /// The student's run of one case. Throws std::runtime_error for a fault of the grader's.
-CaseResult run_case(Workshop& workshop, const Exercise& exercise, const Built& built, const std::string& name, const SeedPlan& seeds)
+CaseResult run_case(Worker& worker, const Exercise& exercise, const Built& built, const std::string& name,
+                    const SeedPlan& seeds)
 {
     CaseResult one;
     one.seed = seeds.seed_of(exercise, name);
     one.hidden = is_hidden_case(exercise, name);
-    one.student = workshop.run(exercise, built, name, one.seed);
+    one.student = worker.run(exercise, built, name, one.seed);
     if (one.student.verdict == Verdict::grader_fault) throw std::runtime_error(one.student.message);
     if (one.student.verdict == Verdict::crashed && !one.student.recording.frames.empty() && !built.library.empty())
-        one.place = place_of(workshop.tools(), built.library, one.student.recording.frames);
+        one.place = place_of(worker.tools(), built.library, one.student.recording.frames);
     return one;
 }
 
@@ -127,11 +135,16 @@ std::size_t bytes_of(const Sources& files)
     return bytes;
 }
 
-/// Was this run stopped by the clock while it hardly computed? It may have waited, or the machine may have been busy with others.
-bool was_starved(const RunOutcome& run, const Limits& limits) { return run.verdict == Verdict::timeout && run.cpu_seconds < 0.5 * limits.wall_seconds; }
+/// Was this run stopped by the clock while it hardly computed? It may have waited, or the machine may have been busy
+/// with others.
+bool was_starved(const RunOutcome& run, const Limits& limits)
+{
+    return run.verdict == Verdict::timeout && run.cpu_seconds < 0.5 * limits.wall_seconds;
+}
 
 /// `detail`, unless it is null, is given evidence.
-UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built& built, const GradeOptions& options, html::UnitDetail* detail)
+UnitResult grade_built(Worker& worker, const Exercise& exercise, const Built& built, const GradeOptions& options,
+                       html::UnitDetail* detail)
 {
     if (built.verdict != Verdict::ok) {
         UnitResult result = without_points(exercise, built.verdict, built.message);
@@ -140,19 +153,20 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
     }
     CaseResults cases;
     for (const std::string& name : shuffled_cases(exercise, options.seeds))
-        cases.emplace(name, may_run_another(cases) ? run_case(workshop, exercise, built, name, options.seeds)
-                                                   : not_reached(options.seeds.seed_of(exercise, name), is_hidden_case(exercise, name)));
+        cases.emplace(name, may_run_another(cases)
+                                ? run_case(worker, exercise, built, name, options.seeds)
+                                : not_reached(options.seeds.seed_of(exercise, name), is_hidden_case(exercise, name)));
     UnitResult result = without_points(exercise, Verdict::wrong, "");
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         CaseResult& one = cases.at(check.case_name);
-        const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
-        const RunOutcome& reference = workshop.trusted(exercise, Tenant::reference, check.case_name, one.seed);
+        const RunOutcome& expected = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
+        const RunOutcome& reference = worker.trusted(exercise, Answers::reference, check.case_name, one.seed);
         result.checks[i] = judge_check(check, one, expected, reference);
         one.reference_seconds = reference.wall_seconds;
     }
-    settle_borderline(workshop, exercise, built, cases, options, result);
-    weigh_costs(workshop, exercise, built, cases, result);
+    rerun_borderline(worker, exercise, built, cases, options, result);
+    weigh_costs(worker, exercise, built, cases, result);
     for (const CheckResult& check : result.checks) result.score += check.score;
     // How long a hidden case took is up to its run, and may tell its inputs.
     for (const auto& [name, one] : cases) {
@@ -161,22 +175,25 @@ UnitResult grade_built(Workshop& workshop, const Exercise& exercise, const Built
         result.reference_seconds += one.reference_seconds;
     }
     result.verdict = verdict_of(result, cases);
-    result.settled = built.repeatable && std::ranges::none_of(cases, [&](const auto& entry) { return was_starved(entry.second.student, exercise.limits); });
+    result.settled = built.repeatable && std::ranges::none_of(cases, [&](const auto& entry) {
+                         return was_starved(entry.second.student, exercise.limits);
+                     });
     result.message = troubles(cases);
     result.output = printed_text(exercise, cases);
-    if (options.explain && result.verdict != Verdict::ok) result.explanations = explain_unit(workshop, exercise, result, cases);
-    if (!options.artefacts.empty()) save_pictures(workshop, exercise, cases, options, result);
-    if (detail != nullptr) add_evidence(workshop, exercise, cases, options, result, *detail);
+    if (options.explain && result.verdict != Verdict::ok)
+        result.explanations = explain_unit(worker, exercise, result, cases);
+    if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, options, result);
+    if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);
     return result;
 }
 
 /// Grades by `grade`; what goes wrong on our side becomes a result.
 template <class Grade>
-UnitResult guarded(Workshop& workshop, const Exercise& exercise, const GradeOptions& options, const Grade& grade)
+UnitResult guarded(Worker& worker, const Exercise& exercise, const GradeOptions& options, const Grade& grade)
 {
     UnitResult result;
     try {
-        workshop.forget_if_full();
+        worker.forget_if_full();
         result = grade();
     } catch (const std::exception& fault) {
         result = grader_fault(exercise, fault.what());
@@ -185,49 +202,59 @@ UnitResult guarded(Workshop& workshop, const Exercise& exercise, const GradeOpti
     return result;
 }
 
-UnitResult grade_handed(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& given, html::UnitDetail* detail)
+UnitResult grade_handed(Worker& worker, const Exercise& exercise, const Handed& handed, const GradeOptions& given,
+                        html::UnitDetail* detail)
 {
     GradeOptions options = given;
-    UnitResult result = guarded(workshop, exercise, options, [&] {
+    UnitResult result = guarded(worker, exercise, options, [&] {
         if (options.seeds.work.empty()) options.seeds.work = work_digest(handed.files);
-        if (!handed.missing.empty()) return without_points(exercise, Verdict::missing, fmt::format("not handed in: {}", fmt::join(handed.missing, ", ")));
+        if (!handed.missing.empty())
+            return without_points(exercise, Verdict::missing,
+                                  fmt::format("not handed in: {}", fmt::join(handed.missing, ", ")));
         if (!handed.refused.empty()) return without_points(exercise, Verdict::missing, "not read: " + handed.refused);
         if (const std::size_t bytes = bytes_of(handed.files); bytes > caps::unit_sources)
             return without_points(
                 exercise, Verdict::missing,
-                fmt::format("not read: the files of this unit take {} KiB together, and at most {} KiB are taken", bytes >> 10U, caps::unit_sources >> 10U));
-        if (equals_stub(handed.files, exercise)) return without_points(exercise, Verdict::not_implemented, "the file is still the stub");
-        return grade_built(workshop, exercise, build(workshop.tools(), exercise, handed.files), options, detail);
+                fmt::format("not read: the files of this unit take {} KiB together, and at most {} KiB are taken",
+                            bytes >> 10U, caps::unit_sources >> 10U));
+        if (equals_stub(handed.files, exercise))
+            return without_points(exercise, Verdict::not_implemented, "the file is still the stub");
+        return grade_built(worker, exercise, build(worker.tools(), exercise, handed.files), options, detail);
     });
     // A fault's message is kept as it is: others look for its cause in it.
-    if (!handed.notes.empty() && result.verdict != Verdict::grader_fault) result.message = fmt::format("{}\n{}", fmt::join(handed.notes, "\n"), result.message);
+    if (!handed.notes.empty() && result.verdict != Verdict::grader_fault)
+        result.message = fmt::format("{}\n{}", fmt::join(handed.notes, "\n"), result.message);
     return result;
 }
 
 }
 
-UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options)
+UnitResult grade_unit(Worker& worker, const Exercise& exercise, const Handed& handed, const GradeOptions& options)
 {
-    return grade_handed(workshop, exercise, handed, options, nullptr);
+    return grade_handed(worker, exercise, handed, options, nullptr);
 }
 
-GradedUnit grade_with_evidence(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options)
+GradedUnit grade_with_evidence(Worker& worker, const Exercise& exercise, const Handed& handed,
+                               const GradeOptions& options)
 {
     GradedUnit graded{{}, describe(exercise)};
-    graded.result = grade_handed(workshop, exercise, handed, options, &graded.detail);
+    graded.result = grade_handed(worker, exercise, handed, options, &graded.detail);
     return graded;
 }
 
-UnitResult grade_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, const GradeOptions& options)
+UnitResult grade_mistake(Worker& worker, const Exercise& exercise, const KnownSolution& mistake,
+                         const GradeOptions& options)
 {
-    if (!exercise.is_cpp()) return grade_unit(workshop, exercise, {mistake.sources, {}, ""}, options);
-    return guarded(workshop, exercise, options, [&] {
+    if (!exercise.is_cpp()) return grade_unit(worker, exercise, {mistake.sources, {}, ""}, options);
+    return guarded(worker, exercise, options, [&] {
         // An installation has it veiled and without debug information, so that it cannot be looked through.
-        const std::filesystem::path library = unit_folder(workshop.tools(), exercise.id) / "mistakes" / (mistake.name + ".so");
+        const std::filesystem::path library =
+            unit_folder(worker.tools(), exercise.id) / "mistakes" / (mistake.name + ".so");
         const bool is_there = std::filesystem::exists(library);
-        return grade_built(workshop, exercise,
-                           is_there ? adopt(workshop.tools(), exercise, mistake.sources, library) : build(workshop.tools(), exercise, mistake.sources), options,
-                           nullptr);
+        return grade_built(worker, exercise,
+                           is_there ? adopt(worker.tools(), exercise, mistake.sources, library)
+                                    : build(worker.tools(), exercise, mistake.sources),
+                           options, nullptr);
     });
 }
 

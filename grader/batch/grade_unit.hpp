@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "batch/known_solutions.hpp"
 #include "batch/seeds.hpp"
-#include "batch/specimens.hpp"
-#include "batch/workshop.hpp"
+#include "batch/worker.hpp"
 #include "build/submission.hpp"
 #include "model/exercise.hpp"
 #include "model/scorecard.hpp"
@@ -23,9 +23,10 @@ struct GradeOptions {
     bool show_hidden = false;           ///< evidence of hidden checks too: for instructors only
 };
 
-/// Grades what was handed in for one unit. Never throws for what a student did; what goes wrong on our side becomes the verdict
-/// grader_fault, which takes the unit out of the sum.
-[[nodiscard]] UnitResult grade_unit(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options);
+/// Grades what was handed in for one unit. Never throws for what a student did; what goes wrong on our side becomes the
+/// verdict grader_fault, which takes the unit out of the sum.
+[[nodiscard]] UnitResult grade_unit(Worker& worker, const Exercise& exercise, const Handed& handed,
+                                    const GradeOptions& options);
 
 /// A graded unit, and what pages show of it beside its result.
 struct GradedUnit {
@@ -34,9 +35,12 @@ struct GradedUnit {
 };
 
 /// The same with evidence.
-[[nodiscard]] GradedUnit grade_with_evidence(Workshop& workshop, const Exercise& exercise, const Handed& handed, const GradeOptions& options);
+[[nodiscard]] GradedUnit grade_with_evidence(Worker& worker, const Exercise& exercise, const Handed& handed,
+                                             const GradeOptions& options);
 
-/// grade_unit for one of the unit's mistakes, which was compiled with the project: what explains students' results is itself graded.
-[[nodiscard]] UnitResult grade_mistake(Workshop& workshop, const Exercise& exercise, const Specimen& mistake, const GradeOptions& options);
+/// grade_unit for one of the unit's mistakes, which was compiled with the project: what explains students' results is
+/// itself graded.
+[[nodiscard]] UnitResult grade_mistake(Worker& worker, const Exercise& exercise, const KnownSolution& mistake,
+                                       const GradeOptions& options);
 
 }

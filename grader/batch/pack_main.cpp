@@ -7,9 +7,9 @@
 #include "batch/packaged_unit.hpp"
 #include "manifest/units.hpp"
 
-// umbral-pack EXERCISES REFERENCE FOLDER UNIT…   writes what students' packages hold of the units' answers into FOLDER/UNIT
-// umbral-pack --veil UNITS                       veils the libraries of answers below the folder UNITS
-// Run when a package is made (packaged_unit.hpp).
+// umbral-pack EXERCISES REFERENCE FOLDER UNIT…   writes what students' packages hold of the units' answers into
+// FOLDER/UNIT umbral-pack --veil UNITS                       veils the libraries of answers below the folder UNITS Run
+// when a package is made (packaged_unit.hpp).
 int main(int count, char** words)
 {
     namespace fs = std::filesystem;

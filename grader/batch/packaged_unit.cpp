@@ -29,7 +29,10 @@ std::string veiled(std::string text, const std::string& name)
     return text;
 }
 
-fs::path shaders_file(const Toolchain& tools, const Exercise& exercise) { return unit_folder(tools, exercise.id) / "shaders"; }
+fs::path shaders_file(const Toolchain& tools, const Exercise& exercise)
+{
+    return unit_folder(tools, exercise.id) / "shaders";
+}
 
 /// {"reference": {FILE: TEXT}, "mistakes": {NAME: {FILE: TEXT}}}; nothing of units in C++.
 json packaged_shaders(const Toolchain& tools, const Exercise& exercise)
@@ -55,15 +58,18 @@ void write_packaged(const fs::path& reference, const Exercise& exercise, const f
     json mistakes = json::array();
     json shaders = {{"reference", json::object()}, {"mistakes", json::object()}};
     if (!exercise.is_cpp()) shaders["reference"] = texts_of(reference_sources(reference, exercise));
-    for (const Specimen& mistake : mistakes_of(reference, exercise)) {
+    for (const KnownSolution& mistake : mistakes_of(reference, exercise)) {
         json one = {{"name", mistake.name}, {"mistake", mistake.what}, {"hint", mistake.hint}};
         if (mistake.verdict) one["verdict"] = to_string(*mistake.verdict);
         mistakes.push_back(std::move(one));
         if (!exercise.is_cpp()) shaders["mistakes"][mistake.name] = texts_of(mistake.sources);
     }
     fs::create_directories(folder);
-    write_text(folder / packaged_file,
-               json{{"format", "umbral-packaged-unit"}, {"version", 1}, {"digest", exercise.digest}, {"mistakes", mistakes}}.dump(1) + "\n");
+    write_text(
+        folder / packaged_file,
+        json{{"format", "umbral-packaged-unit"}, {"version", 1}, {"digest", exercise.digest}, {"mistakes", mistakes}}
+                .dump(1) +
+            "\n");
     if (!exercise.is_cpp()) write_text(folder / "shaders", veiled(shaders.dump(), exercise.id));
 }
 
@@ -71,7 +77,8 @@ void veil_libraries(const fs::path& units)
 {
     std::vector<fs::path> libraries;
     for (const auto& entry : fs::recursive_directory_iterator(units))
-        if (entry.path().extension() == ".so" && entry.path().filename() != "driver.so") libraries.push_back(entry.path());
+        if (entry.path().extension() == ".so" && entry.path().filename() != "driver.so")
+            libraries.push_back(entry.path());
     for (const fs::path& library : libraries) {
         const std::string name = fs::relative(library, units).replace_extension().string();
         write_text(fs::path(library).replace_extension(".veiled"), veiled(read_text(library), name));
@@ -85,7 +92,8 @@ bool is_veiled(const Toolchain& tools, const Exercise& exercise, const std::stri
     return !fs::exists(folder / (name + ".so")) && fs::exists(folder / (name + ".veiled"));
 }
 
-fs::path answer_library(const Toolchain& tools, const Exercise& exercise, const std::string& name, const fs::path& scratch)
+fs::path answer_library(const Toolchain& tools, const Exercise& exercise, const std::string& name,
+                        const fs::path& scratch)
 {
     if (!is_veiled(tools, exercise, name)) return unit_folder(tools, exercise.id) / (name + ".so");
     const fs::path kept = unit_folder(tools, exercise.id) / (name + ".veiled");
@@ -96,22 +104,23 @@ fs::path answer_library(const Toolchain& tools, const Exercise& exercise, const 
     return unveiled;
 }
 
-std::vector<Specimen> known_mistakes(const Toolchain& tools, const Exercise& exercise)
+std::vector<KnownSolution> known_mistakes(const Toolchain& tools, const Exercise& exercise)
 {
     const fs::path file = exercise.folder / packaged_file;
     if (fs::is_directory(tools.reference) || !fs::exists(file)) return mistakes_of(tools.reference, exercise);
     return read_packaged(file, [&] {
         const json unit = read_json(file);
         const json shaders = packaged_shaders(tools, exercise);
-        std::vector<Specimen> mistakes;
+        std::vector<KnownSolution> mistakes;
         for (const json& one : unit.at("mistakes")) {
-            Specimen mistake;
+            KnownSolution mistake;
             mistake.name = one.at("name").get<std::string>();
             mistake.what = one.at("mistake").get<std::string>();
             mistake.hint = one.at("hint").get<std::string>();
             if (one.contains("verdict")) mistake.verdict = verdict_from(one.at("verdict").get<std::string>());
             if (!exercise.is_cpp())
-                for (const auto& [name, text] : shaders.at("mistakes").at(mistake.name).items()) mistake.sources[name] = text.get<std::string>();
+                for (const auto& [name, text] : shaders.at("mistakes").at(mistake.name).items())
+                    mistake.sources[name] = text.get<std::string>();
             mistakes.push_back(std::move(mistake));
         }
         return mistakes;

@@ -23,16 +23,20 @@ std::string file_name(const Exercise& exercise, const Check& check)
 
 }
 
-void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, UnitResult& result)
+void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options,
+                   UnitResult& result)
 {
     bool one_saved = false;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
         const bool failing = result.checks[i].score < check.points;
-        if (!is_picture(check) || check.hidden || !one.trouble().empty() || (!failing && (one_saved || result.verdict != Verdict::ok))) continue;
+        if (!is_picture(check) || check.hidden || !one.trouble().empty() ||
+            (!failing && (one_saved || result.verdict != Verdict::ok)))
+            continue;
         const Tensor* student = tensor_of(one.student, check.value);
-        const ExpectedSide expected = expected_side(check, one.student, workshop.trusted(exercise, judged_against(check), check.case_name, one.seed));
+        const ExpectedSide expected = expected_side(
+            check, one.student, worker.trusted(exercise, judged_against(check), check.case_name, one.seed));
         if (student == nullptr || expected.tensor == nullptr || !can_be_drawn(check, *expected.tensor)) continue;
         try {
             std::filesystem::create_directories(options.artefacts);
@@ -42,30 +46,33 @@ void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResul
             result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();
             one_saved = true;
         } catch (const std::exception& error) {
-            result.message += "a picture is missing: " + without_roots(error.what(), std::array{options.relative_to.string()}) + "\n";
+            result.message +=
+                "a picture is missing: " + without_roots(error.what(), std::array{options.relative_to.string()}) + "\n";
         }
     }
 }
 
-std::optional<Image> goal_picture(Workshop& workshop, const Exercise& exercise)
+std::optional<Image> goal_picture(Worker& worker, const Exercise& exercise)
 {
     // The colour picture says most; a buffer serves where there is none.
     const auto looks = [&](Look look) {
-        return std::ranges::find_if(exercise.checks, [&](const Check& check) { return judge_of(check).look == look && !check.hidden; });
+        return std::ranges::find_if(exercise.checks,
+                                    [&](const Check& check) { return judge_of(check).look == look && !check.hidden; });
     };
     auto chosen = looks(Look::colours);
     if (chosen == exercise.checks.end()) chosen = looks(Look::values);
     if (chosen == exercise.checks.end()) chosen = looks(Look::light);
     if (chosen == exercise.checks.end()) return std::nullopt;
-    const RunOutcome& run = workshop.trusted(exercise, Tenant::reference, chosen->case_name, SeedPlan{}.seed_of(exercise, chosen->case_name));
+    const RunOutcome& run = worker.trusted(exercise, Answers::reference, chosen->case_name,
+                                           SeedPlan{}.seed_of(exercise, chosen->case_name));
     const Tensor* tensor = tensor_of(run, chosen->value);
     if (tensor == nullptr || !can_be_drawn(*chosen, *tensor)) return std::nullopt;
     return to_image(*tensor, *chosen);
 }
 
-bool save_goal(Workshop& workshop, const Exercise& exercise, const std::filesystem::path& file)
+bool save_goal(Worker& worker, const Exercise& exercise, const std::filesystem::path& file)
 {
-    const std::optional<Image> goal = goal_picture(workshop, exercise);
+    const std::optional<Image> goal = goal_picture(worker, exercise);
     if (goal) write_png(file, *goal);
     return goal.has_value();
 }

@@ -8,13 +8,15 @@
 
 namespace umbral::grader {
 
-/// Writes a triptych (yours, reference, difference) for every failing picture that is not hidden, and one for a unit that passes;
-/// notes their paths in the result. A picture that cannot be written is left out: points do not depend on it.
-void save_pictures(Workshop& workshop, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options, UnitResult& result);
+/// Writes a triptych (yours, reference, difference) for every failing picture that is not hidden, and one for a unit
+/// that passes; notes their paths in the result. A picture that cannot be written is left out: points do not depend on
+/// it.
+void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options,
+                   UnitResult& result);
 
 /// The goal picture of a unit: its first picture or buffer, as the reference draws it. None if it has no such check.
-[[nodiscard]] std::optional<Image> goal_picture(Workshop& workshop, const Exercise& exercise);
+[[nodiscard]] std::optional<Image> goal_picture(Worker& worker, const Exercise& exercise);
 /// Writes it as a PNG; false if there is none.
-bool save_goal(Workshop& workshop, const Exercise& exercise, const std::filesystem::path& file);
+bool save_goal(Worker& worker, const Exercise& exercise, const std::filesystem::path& file);
 
 }

@@ -9,12 +9,14 @@
 namespace umbral::grader {
 namespace {
 
-Judgement judged(Workshop& workshop, const Exercise& exercise, const Check& check, const CaseResult& one)
+Judgement judged(Worker& worker, const Exercise& exercise, const Check& check, const CaseResult& one)
 {
     Judgement judgement;
-    const RunOutcome& run = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
+    const RunOutcome& run = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
     const Expected expected = expected_of(check, run);
-    if (expected.value == nullptr) throw std::runtime_error(fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
+    if (expected.value == nullptr)
+        throw std::runtime_error(
+            fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
     judgement.message = kept_from_judging(check, one, run);
     if (!judgement.message.empty()) return judgement;
     return judge(check, *observed(check, one.student), *expected.value, nullptr, expected.names);
@@ -22,8 +24,8 @@ Judgement judged(Workshop& workshop, const Exercise& exercise, const Check& chec
 
 }
 
-void settle_borderline(Workshop& workshop, const Exercise& exercise, const Built& built, const CaseResults& cases, const GradeOptions& options,
-                       UnitResult& result)
+void rerun_borderline(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
+                      const GradeOptions& options, UnitResult& result)
 {
     CaseResults again;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
@@ -37,15 +39,18 @@ void settle_borderline(Workshop& workshop, const Exercise& exercise, const Built
         } else if (added) {
             fresh->second.seed = options.seeds.fresh_seed_of(exercise, check.case_name);
             fresh->second.hidden = one.hidden;
-            fresh->second.student = workshop.run(exercise, built, check.case_name, fresh->second.seed);
-            if (fresh->second.student.verdict == Verdict::grader_fault) throw std::runtime_error(fresh->second.student.message);
+            fresh->second.student = worker.run(exercise, built, check.case_name, fresh->second.seed);
+            if (fresh->second.student.verdict == Verdict::grader_fault)
+                throw std::runtime_error(fresh->second.student.message);
         }
-        const Judgement both = judge_of(check).judge_both(judged(workshop, exercise, check, one), judged(workshop, exercise, check, fresh->second));
-        const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
+        const Judgement both = judge_of(check).judge_both(judged(worker, exercise, check, one),
+                                                          judged(worker, exercise, check, fresh->second));
+        const RunOutcome& expected = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
         const BestControl control = best_control(check, *tensor_of(expected, check.value), nullptr, one.seed);
         take_judgement(check, both, control.right, before);
         before.seeds.push_back(fresh->second.seed);
-        before.message += fmt::format("{}Borderline at first, so it was run again with seed {}.", before.message.empty() ? "" : ". ", fresh->second.seed);
+        before.message += fmt::format("{}Borderline at first, so it was run again with seed {}.",
+                                      before.message.empty() ? "" : ". ", fresh->second.seed);
     }
 }
 

@@ -9,18 +9,26 @@ namespace umbral::grader {
 namespace {
 
 /// `word` tells seeds of one case apart; the name of a case is one line, so that no other case has this one's.
-std::uint64_t seed_for(const SeedPlan& plan, const Exercise& exercise, const std::string& case_name, const std::string& word)
+std::uint64_t seed_for(const SeedPlan& plan, const Exercise& exercise, const std::string& case_name,
+                       const std::string& word)
 {
-    if (!is_hidden_case(exercise, case_name)) return case_seed("visible", plan.course, "", exercise.id, case_name + word, plan.attempt);
+    if (!is_hidden_case(exercise, case_name))
+        return case_seed("visible", plan.course, "", exercise.id, case_name + word, plan.attempt);
     const std::string work = plan.work.empty() ? "" : "\nwork " + plan.work;
     return case_seed(plan.secret, plan.course, plan.student, exercise.id, case_name + word + work, plan.attempt);
 }
 
 }
 
-std::uint64_t SeedPlan::seed_of(const Exercise& exercise, const std::string& case_name) const { return seed_for(*this, exercise, case_name, ""); }
+std::uint64_t SeedPlan::seed_of(const Exercise& exercise, const std::string& case_name) const
+{
+    return seed_for(*this, exercise, case_name, "");
+}
 
-std::uint64_t SeedPlan::fresh_seed_of(const Exercise& exercise, const std::string& case_name) const { return seed_for(*this, exercise, case_name, "\nagain"); }
+std::uint64_t SeedPlan::fresh_seed_of(const Exercise& exercise, const std::string& case_name) const
+{
+    return seed_for(*this, exercise, case_name, "\nagain");
+}
 
 std::string work_digest(const Sources& files)
 {
@@ -44,7 +52,8 @@ std::uint64_t stream_of(const Exercise& exercise, const std::string& case_name, 
 
 bool is_hidden_case(const Exercise& exercise, const std::string& case_name)
 {
-    return std::any_of(exercise.checks.begin(), exercise.checks.end(), [&](const Check& check) { return check.hidden && check.case_name == case_name; });
+    return std::any_of(exercise.checks.begin(), exercise.checks.end(),
+                       [&](const Check& check) { return check.hidden && check.case_name == case_name; });
 }
 
 }

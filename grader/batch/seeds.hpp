@@ -8,15 +8,15 @@
 
 namespace umbral::grader {
 
-/// Which random inputs a submission meets. Visible cases have the same for all; hidden ones follow from a secret, the student, and
-/// what the student handed in for the unit.
+/// Which random inputs a submission meets. Visible cases have the same for all; hidden ones follow from a secret, the
+/// student, and what the student handed in for the unit.
 struct SeedPlan {
     std::string secret = "practice";
     std::string course = "course";
     std::string student = "student";
     unsigned attempt = 0;
-    /// work_digest() of the unit's files: what a run gives away about its hidden inputs describes inputs that no other files will ever
-    /// meet, while the same files meet the same. Left empty, grade_unit fills it in.
+    /// work_digest() of the unit's files: what a run gives away about its hidden inputs describes inputs that no other
+    /// files will ever meet, while the same files meet the same. Left empty, grade_unit fills it in.
     std::string work{};
 
     /// The seed of a unit's case.
@@ -28,8 +28,9 @@ struct SeedPlan {
 /// SHA-256 over names and texts.
 [[nodiscard]] std::string work_digest(const Sources& files);
 
-/// The number that a run of a case is given, from which its random numbers follow. Of a visible case it is the seed; of a hidden one a
-/// one-way function of the seed, so that the memory of a run holds nothing from which another run's inputs could be computed.
+/// The number that a run of a case is given, from which its random numbers follow. Of a visible case it is the seed; of
+/// a hidden one a one-way function of the seed, so that the memory of a run holds nothing from which another run's
+/// inputs could be computed.
 [[nodiscard]] std::uint64_t stream_of(const Exercise& exercise, const std::string& case_name, std::uint64_t seed);
 
 /// Is any check of this case hidden?

@@ -34,11 +34,14 @@ SubmittedFiles read_files(const SubmissionPlan& plan, const SubmissionFolder& su
 
 void put_in_order(const SubmissionPlan& plan, std::vector<Part>& parts)
 {
-    const auto place = [&](const Part& part) { return std::ranges::find(plan.course, part.unit.result.id, &Exercise::id) - plan.course.begin(); };
+    const auto place = [&](const Part& part) {
+        return std::ranges::find(plan.course, part.unit.result.id, &Exercise::id) - plan.course.begin();
+    };
     std::ranges::stable_sort(parts, {}, place);
 }
 
-Graded result_of(const SubmissionPlan& plan, const std::string& id, const std::string& shown, const std::vector<Part>& parts)
+Graded result_of(const SubmissionPlan& plan, const std::string& id, const std::string& shown,
+                 const std::vector<Part>& parts)
 {
     const std::string here = machine_digest(plan.plan.fingerprint);
     Graded graded;
@@ -56,7 +59,8 @@ std::string reports_digest(const SubmissionPlan& plan, const SubmissionResult& r
 {
     Sha256 hash;
     hash.update_field(plan.keys.of_reports());
-    hash.update_field(to_json(result, plan.plan.fingerprint).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    hash.update_field(
+        to_json(result, plan.plan.fingerprint).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     return hash.finish();
 }
 
@@ -67,7 +71,9 @@ void add_units_of_earlier_runs(const SubmissionPlan& plan, const fs::path& folde
         const fs::path file = kept_unit(fault_file(folder, unit)) ? fault_file(folder, unit) : unit_file(folder, unit);
         std::optional<KeptUnit> kept = kept_unit(file);
         std::optional<UnitSections> sections = kept_sections(file);
-        if (!kept || !sections) throw std::runtime_error(fmt::format("{}: the kept result is damaged; grade {} again", file.string(), unit));
+        if (!kept || !sections)
+            throw std::runtime_error(
+                fmt::format("{}: the kept result is damaged; grade {} again", file.string(), unit));
         parts.push_back({*std::move(kept), *std::move(sections)});
     }
 }
@@ -88,11 +94,13 @@ Graded look_at(const SubmissionPlan& plan, const SubmissionFolder& submission)
                 parts.push_back({*std::move(kept), {}});
         const std::size_t missing = plan.exercises.size() - parts.size();
         for (const std::string& unit : kept_units(folder))
-            if (auto kept = is_asked_for(plan, unit) ? std::nullopt : shown_before(folder, unit)) parts.push_back({*std::move(kept), {}});
+            if (auto kept = is_asked_for(plan, unit) ? std::nullopt : shown_before(folder, unit))
+                parts.push_back({*std::move(kept), {}});
         put_in_order(plan, parts);
         Graded seen = result_of(plan, submission.id, submission.shown, parts);
         seen.missing = missing;
-        seen.current = missing == 0 && mark->grading == plan.plan.grading && mark->reports == reports_digest(plan, seen.result);
+        seen.current =
+            missing == 0 && mark->grading == plan.plan.grading && mark->reports == reports_digest(plan, seen.result);
         return seen;
     } catch (const std::exception&) {  // grading it will meet the same, and tell it
         return nothing;

@@ -32,7 +32,8 @@ void add_folder(Sha256& hash, const fs::path& folder)
 }
 
 /// The programs that a result comes from; the engine's and the debugger's are not among them.
-constexpr const char* programs[] = {"umbral", "umbral-confine", "umbral-inspect", "umbral-spawner", "umbral-spawner-gl", "umbral-unpack"};
+constexpr const char* programs[] = {"umbral",         "umbral-confine",    "umbral-inspect",
+                                    "umbral-spawner", "umbral-spawner-gl", "umbral-unpack"};
 
 /// The programs and libraries of Umbral itself: whatever was built anew may judge or draw otherwise.
 void add_installation(Sha256& hash, const Toolchain& tools)
@@ -48,7 +49,8 @@ void add_installation(Sha256& hash, const Toolchain& tools)
 
 void add_fingerprint(Sha256& hash, const Fingerprint& fingerprint)
 {
-    for (const std::string* const field : {&fingerprint.version, &fingerprint.commit, &fingerprint.cpu, &fingerprint.compiler, &fingerprint.libm})
+    for (const std::string* const field :
+         {&fingerprint.version, &fingerprint.commit, &fingerprint.cpu, &fingerprint.compiler, &fingerprint.libm})
         hash.update_field(*field);
     hash.update(std::uint64_t{fingerprint.protections.size()});
     for (const std::string& protection : fingerprint.protections) hash.update_field(protection);

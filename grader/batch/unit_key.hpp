@@ -19,8 +19,8 @@ struct KeyPlan {
     bool instructor_edition = false;
 };
 
-/// Tells whether a result that was kept is still the answer: equal keys, equal results. Looks at the files of the installation (by size
-/// and time of their last change) once, when it is made.
+/// Tells whether a result that was kept is still the answer: equal keys, equal results. Looks at the files of the
+/// installation (by size and time of their last change) once, when it is made.
 class UnitKeys {
 public:
     UnitKeys(const Toolchain& tools, const std::vector<Exercise>& exercises, const KeyPlan& plan);

@@ -26,17 +26,19 @@ double milliseconds_of(const RunOutcome& run)
 /// One side of the comparison: the student's library, or the reference if there is none.
 struct Side {
     const Built* built;
-    OutsideCost least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+    OutsideCost least{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+                      std::numeric_limits<double>::max()};
 };
 
-std::optional<std::string> measured_objection(Workshop& workshop, const Exercise& exercise, const Check& check, const Built& built, std::uint64_t seed,
-                                              const std::vector<double>& sizes, std::string_view names)
+std::optional<std::string> measured_objection(Worker& worker, const Exercise& exercise, const Check& check,
+                                              const Built& built, std::uint64_t seed, const std::vector<double>& sizes,
+                                              std::string_view names)
 {
     Side student{&built};
     Side reference{nullptr};
     bool left_out = false;
     const auto take = [&](Side& side, std::size_t count, double OutsideCost::*least) {
-        const RunOutcome run = workshop.run_limited(exercise, side.built, check.case_name, seed, {check.value, count});
+        const RunOutcome run = worker.run_limited(exercise, side.built, check.case_name, seed, {check.value, count});
         const Tensor* table = tensor_of(run, check.value);
         left_out = left_out || (table == nullptr ? 0 : table->rows) != count;
         side.least.*least = std::min(side.least.*least, milliseconds_of(run));
@@ -48,29 +50,33 @@ std::optional<std::string> measured_objection(Workshop& workshop, const Exercise
             take(*side, sizes.size(), &OutsideCost::all_sizes);
         }
     if (left_out) return "when the work was asked for again, to measure its time, it was not done";
-    return objection_from_outside(student.least, reference.least, sizes, parameters_of<CostParameters>(check).growth, names);
+    return objection_from_outside(student.least, reference.least, sizes, parameters_of<CostParameters>(check).growth,
+                                  names);
 }
 
-std::optional<std::string> objection_to(Workshop& workshop, const Exercise& exercise, const Check& check, const Built& built, const CaseResult& one)
+std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise, const Check& check,
+                                        const Built& built, const CaseResult& one)
 {
-    const RunOutcome& reference = workshop.trusted(exercise, Tenant::reference, check.case_name, one.seed);
+    const RunOutcome& reference = worker.trusted(exercise, Answers::reference, check.case_name, one.seed);
     if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
     const auto cost = cost_of(*tensor_of(reference, check.value));
     if (!cost) throw std::runtime_error("check '" + check.name + "': the reference recorded no table of costs");
     std::vector<double> sizes;
     for (const CostRow& row : *cost) sizes.push_back(row.size);
-    return measured_objection(workshop, exercise, check, built, one.seed, sizes, text_of(expected_of(check, reference).names));
+    return measured_objection(worker, exercise, check, built, one.seed, sizes,
+                              text_of(expected_of(check, reference).names));
 }
 
 }
 
-void weigh_costs(Workshop& workshop, const Exercise& exercise, const Built& built, const CaseResults& cases, UnitResult& result)
+void weigh_costs(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
+                 UnitResult& result)
 {
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         CheckResult& earned = result.checks[i];
         if (!judge_of(check).counts_work || earned.score == 0) continue;
-        auto objection = objection_to(workshop, exercise, check, built, cases.at(check.case_name));
+        auto objection = objection_to(worker, exercise, check, built, cases.at(check.case_name));
         if (!objection) continue;
         earned.score = 0;
         earned.metrics["right"] = 0;

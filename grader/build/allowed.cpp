@@ -8,11 +8,14 @@ namespace {
 
 using Name = std::string_view;
 
-/// Prefixes of the C++ library's mangled names (std::, its vtables, type information and guards) and of the compiler's own helpers.
-constexpr Name prefixes[] = {"_ZSt",          "_ZNS",  "_ZNKS", "_ZTVS", "_ZTVNS", "_ZTIS", "_ZTINS", "_ZTSS", "_ZTTS", "_ZTTNS", "_ZGVNS", "_ZTVN10__cxxabiv1",
+/// Prefixes of the C++ library's mangled names (std::, its vtables, type information and guards) and of the compiler's
+/// own helpers.
+constexpr Name prefixes[] = {"_ZSt",          "_ZNS",  "_ZNKS", "_ZTVS",  "_ZTVNS", "_ZTIS",
+                             "_ZTINS",        "_ZTSS", "_ZTTS", "_ZTTNS", "_ZGVNS", "_ZTVN10__cxxabiv1",
                              "_ZN9__gnu_cxx", "_ZTIN", "_Zn",   "_Zd"};
 
-/// C functions without files, processes, threads or dynamic loading, and what the compiler and linker add by themselves.
+/// C functions without files, processes, threads or dynamic loading, and what the compiler and linker add by
+/// themselves.
 constexpr Name functions[] = {"__assert_fail",
                               "__cxa_allocate_exception",
                               "__cxa_atexit",
@@ -113,23 +116,33 @@ constexpr Name functions[] = {"__assert_fail",
                               "vsnprintf"};
 
 /// Mathematics by the names for double; each also ends in f or l.
-constexpr Name mathematics[] = {"acos",  "acosh",   "asin",   "asinh", "atan",   "atan2",     "atanh",     "cbrt",       "ceil",  "copysign",  "cos",    "cosh",
-                                "erf",   "erfc",    "exp",    "exp10", "exp2",   "expm1",     "fabs",      "fdim",       "floor", "fma",       "fmax",   "fmin",
-                                "fmod",  "frexp",   "hypot",  "ilogb", "ldexp",  "lgamma",    "llrint",    "llround",    "log",   "log10",     "log1p",  "log2",
-                                "logb",  "lrint",   "lround", "modf",  "nan",    "nearbyint", "nextafter", "nexttoward", "pow",   "remainder", "remquo", "rint",
-                                "round", "scalbln", "scalbn", "sin",   "sincos", "sinh",      "sqrt",      "tan",        "tanh",  "tgamma"};
+constexpr Name mathematics[] = {
+    "acos",   "acosh",     "asin",      "asinh",      "atan",  "atan2",     "atanh",  "cbrt",  "ceil",   "copysign",
+    "cos",    "cosh",      "erf",       "erfc",       "exp",   "exp10",     "exp2",   "expm1", "fabs",   "fdim",
+    "floor",  "fma",       "fmax",      "fmin",       "fmod",  "frexp",     "hypot",  "ilogb", "ldexp",  "lgamma",
+    "llrint", "llround",   "log",       "log10",      "log1p", "log2",      "logb",   "lrint", "lround", "modf",
+    "nan",    "nearbyint", "nextafter", "nexttoward", "pow",   "remainder", "remquo", "rint",  "round",  "scalbln",
+    "scalbn", "sin",       "sincos",    "sinh",       "sqrt",  "tan",       "tanh",   "tgamma"};
 
-/// What the compiler calls for arithmetic that the processor lacks: complex products, integers of 128 bits, __float128, whole powers.
+/// What the compiler calls for arithmetic that the processor lacks: complex products, integers of 128 bits, __float128,
+/// whole powers.
 constexpr Name arithmetic[] = {
-    "__mulsc3",      "__muldc3",      "__mulxc3",      "__multc3",      "__divsc3",      "__divdc3",      "__divxc3",      "__divtc3",      "__multi3",
-    "__divti3",      "__modti3",      "__udivti3",     "__umodti3",     "__divmodti4",   "__udivmodti4",  "__fixsfti",     "__fixdfti",     "__fixxfti",
-    "__fixunssfti",  "__fixunsdfti",  "__fixunsxfti",  "__floattisf",   "__floattidf",   "__floattixf",   "__floatuntisf", "__floatuntidf", "__floatuntixf",
-    "__addtf3",      "__subtf3",      "__multf3",      "__divtf3",      "__negtf2",      "__eqtf2",       "__netf2",       "__lttf2",       "__letf2",
-    "__gttf2",       "__getf2",       "__unordtf2",    "__extendsftf2", "__extenddftf2", "__extendxftf2", "__trunctfsf2",  "__trunctfdf2",  "__trunctfxf2",
-    "__fixtfsi",     "__fixtfdi",     "__fixtfti",     "__fixunstfsi",  "__fixunstfdi",  "__fixunstfti",  "__floatsitf",   "__floatditf",   "__floattitf",
-    "__floatunsitf", "__floatunditf", "__floatuntitf", "__powisf2",     "__powidf2",     "__powixf2",     "__powitf2",     "__popcountdi2", "__popcountti2"};
+    "__mulsc3",      "__muldc3",      "__mulxc3",      "__multc3",      "__divsc3",      "__divdc3",
+    "__divxc3",      "__divtc3",      "__multi3",      "__divti3",      "__modti3",      "__udivti3",
+    "__umodti3",     "__divmodti4",   "__udivmodti4",  "__fixsfti",     "__fixdfti",     "__fixxfti",
+    "__fixunssfti",  "__fixunsdfti",  "__fixunsxfti",  "__floattisf",   "__floattidf",   "__floattixf",
+    "__floatuntisf", "__floatuntidf", "__floatuntixf", "__addtf3",      "__subtf3",      "__multf3",
+    "__divtf3",      "__negtf2",      "__eqtf2",       "__netf2",       "__lttf2",       "__letf2",
+    "__gttf2",       "__getf2",       "__unordtf2",    "__extendsftf2", "__extenddftf2", "__extendxftf2",
+    "__trunctfsf2",  "__trunctfdf2",  "__trunctfxf2",  "__fixtfsi",     "__fixtfdi",     "__fixtfti",
+    "__fixunstfsi",  "__fixunstfdi",  "__fixunstfti",  "__floatsitf",   "__floatditf",   "__floattitf",
+    "__floatunsitf", "__floatunditf", "__floatuntitf", "__powisf2",     "__powidf2",     "__powixf2",
+    "__powitf2",     "__popcountdi2", "__popcountti2"};
 
-bool contains(std::span<const Name> names, Name name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool contains(std::span<const Name> names, Name name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// Type information of a fundamental type or a pointer to one, as `throw "text"` needs.
 bool is_fundamental_type_information(Name name)
@@ -145,13 +158,18 @@ bool is_fundamental_type_information(Name name)
 
 bool is_allowed_symbol(std::string_view name, bool with_gl, bool with_glfw)
 {
-    if (contains(functions, name) || contains(arithmetic, name) || contains(mathematics, name) || name == "trunc" || name == "truncf" || name == "truncl")
+    if (contains(functions, name) || contains(arithmetic, name) || contains(mathematics, name) || name == "trunc" ||
+        name == "truncf" || name == "truncl")
         return true;
-    if (!name.empty() && (name.back() == 'f' || name.back() == 'l') && contains(mathematics, name.substr(0, name.size() - 1))) return true;
-    if (std::any_of(std::begin(prefixes), std::end(prefixes), [&](Name prefix) { return name.starts_with(prefix); })) return true;
+    if (!name.empty() && (name.back() == 'f' || name.back() == 'l') &&
+        contains(mathematics, name.substr(0, name.size() - 1)))
+        return true;
+    if (std::any_of(std::begin(prefixes), std::end(prefixes), [&](Name prefix) { return name.starts_with(prefix); }))
+        return true;
     if (is_fundamental_type_information(name)) return true;
     const auto has_prefix = [&](Name prefix) {
-        return name.starts_with(prefix) && name.size() > prefix.size() && name[prefix.size()] >= 'A' && name[prefix.size()] <= 'Z';
+        return name.starts_with(prefix) && name.size() > prefix.size() && name[prefix.size()] >= 'A' &&
+               name[prefix.size()] <= 'Z';
     };
     // Functions that find others by name would get around what the traces see.
     if (name.find("ProcAddress") != Name::npos || name.starts_with("glX")) return false;

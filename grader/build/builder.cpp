@@ -37,15 +37,19 @@ std::vector<std::string> lines_of(const fs::path& file)
     return lines;
 }
 
-/// Everything that decides what a build gives. The precompiled header stands for all headers: it is rebuilt when one changes.
+/// Everything that decides what a build gives. The precompiled header stands for all headers: it is rebuilt when one
+/// changes.
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("5\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw, exercise.counts_work,
-                                  tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
+    std::string all =
+        fmt::format("5\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw,
+                    exercise.counts_work, tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
-    all += read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");
-    for (const std::string& used : exercise.uses) all += fmt::format("{}\n{}", used, read_text(unit_folder(tools, used) / "exports.txt"));
+    all +=
+        read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");
+    for (const std::string& used : exercise.uses)
+        all += fmt::format("{}\n{}", used, read_text(unit_folder(tools, used) / "exports.txt"));
     for (const auto& [name, text] : files) all += fmt::format("{} {}\n{}\n", name, text.size(), text);
     return sha256_hex(std::as_bytes(std::span(all)));
 }
@@ -88,10 +92,12 @@ Built keep(const Built& built, const fs::path& work, const fs::path& folder)
     fs::rename(folder, damaged.path() / "entry", ignored);
     fs::rename(work, folder, taken);
     if (const auto result = kept(folder)) return *result;
-    throw std::runtime_error(fmt::format("cannot keep a build in {}: {}; is the disk full?", folder.string(), taken.message()));
+    throw std::runtime_error(
+        fmt::format("cannot keep a build in {}: {}; is the disk full?", folder.string(), taken.message()));
 }
 
-/// Is there room on the disk for what compiling writes? Linkers do not always say that it was missing. Throws std::runtime_error.
+/// Is there room on the disk for what compiling writes? Linkers do not always say that it was missing. Throws
+/// std::runtime_error.
 void require_room(const fs::path& folder)
 {
     constexpr off_t bytes = off_t{8} << 20U;
@@ -100,22 +106,28 @@ void require_room(const fs::path& folder)
     const int failed = !probe ? errno : posix_fallocate(probe.get(), 0, bytes);
     std::error_code ignored;
     fs::remove(file, ignored);
-    if (failed != 0) throw std::runtime_error(fmt::format("nothing can be compiled in {}: {}", folder.parent_path().string(), std::strerror(failed)));
+    if (failed != 0)
+        throw std::runtime_error(
+            fmt::format("nothing can be compiled in {}: {}", folder.parent_path().string(), std::strerror(failed)));
 }
 
-/// Does this machine compile at all, now? A file that cannot fail, compiled like a student's. Throws std::runtime_error with what the
-/// compiler says: then it is the machine that fails, and nobody's work.
+/// Does this machine compile at all, now? A file that cannot fail, compiled like a student's. Throws std::runtime_error
+/// with what the compiler says: then it is the machine that fails, and nobody's work.
 void require_a_working_compiler(const Toolchain& tools, const Exercise& exercise)
 {
     const ScratchFolder work(tools.cache);
     require_room(work.path());
-    const Compilation canary = compile(tools, exercise, {{"canary.cpp", "int canary(int x) { return x + 1; }\n"}}, work.path());
+    const Compilation canary =
+        compile(tools, exercise, {{"canary.cpp", "int canary(int x) { return x + 1; }\n"}}, work.path());
     if (canary.outcome == Compilation::Outcome::built) return;
-    throw std::runtime_error(fmt::format("the compiler fails on this machine, whatever it compiles: {}", one_line(canary.diagnostics, 1024)));
+    throw std::runtime_error(fmt::format("the compiler fails on this machine, whatever it compiles: {}",
+                                         one_line(canary.diagnostics, 1024)));
 }
 
-/// Compiles; if that fails without a word about the student's files, makes sure that it is not the machine, and compiles once more.
-Compilation compile_surely(const Toolchain& tools, const Exercise& exercise, const Sources& files, const ScratchFolder& work)
+/// Compiles; if that fails without a word about the student's files, makes sure that it is not the machine, and
+/// compiles once more.
+Compilation compile_surely(const Toolchain& tools, const Exercise& exercise, const Sources& files,
+                           const ScratchFolder& work)
 {
     Compilation compilation = compile(tools, exercise, files, work.path());
     if (compilation.outcome != Compilation::Outcome::unexplained) return compilation;
@@ -151,7 +163,9 @@ bool look_at(const Toolchain& tools, const Exercise& exercise, const fs::path& l
     const auto inspection = inspect(tools, library, unit_folder(tools, exercise.id) / "exports.txt");
     if (!inspection) {
         built.verdict = Verdict::forbidden;
-        built.message = "what your code compiles to cannot be read: it holds more names than are looked at, or damaged debug information";
+        built.message =
+            "what your code compiles to cannot be read: it holds more names than are looked at, or damaged debug "
+            "information";
         return false;
     }
     const auto objection = object_to(*inspection, offered_names(tools, exercise), exercise);
@@ -165,10 +179,12 @@ Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sour
     Built built;
     const Compilation compilation = compile_surely(tools, exercise, files, work);
     if (!compilation.library) {
-        built.verdict = compilation.outcome == Compilation::Outcome::not_allowed ? Verdict::forbidden : Verdict::compile_error;
+        built.verdict =
+            compilation.outcome == Compilation::Outcome::not_allowed ? Verdict::forbidden : Verdict::compile_error;
         built.message = compilation.diagnostics;
         using Outcome = Compilation::Outcome;
-        built.repeatable = compilation.outcome == Outcome::refused_by_compiler || compilation.outcome == Outcome::not_allowed;
+        built.repeatable =
+            compilation.outcome == Outcome::refused_by_compiler || compilation.outcome == Outcome::not_allowed;
         return built;
     }
     if (!look_at(tools, exercise, *compilation.library, built)) require_a_working_compiler(tools, exercise);
@@ -181,7 +197,7 @@ Built build(const Toolchain& tools, const Exercise& exercise, const Sources& fil
 {
     Built built;
     if (!exercise.is_cpp()) {
-        const auto objection = object_to_words(files, exercise);
+        const auto objection = check_words(files, exercise);
         built.verdict = objection ? objection->verdict : Verdict::ok;
         if (objection) built.message = objection->message;
         built.sources = files;

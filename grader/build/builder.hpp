@@ -16,16 +16,18 @@ struct Built {
     std::string message;                      ///< diagnostics for the student
     std::filesystem::path library;            ///< empty for a unit without C++, or if not ok
     Sources sources;                          ///< the texts that are not C++, for the run
-    bool repeatable = true;                   ///< would it come out so on every machine? Not if the compiler ran out of time, or failed without saying why
+    bool repeatable = true;  ///< would it come out so on every machine? Not if the compiler ran out of time, or failed
+                             ///< without saying why
 };
 
-/// Turns a unit's files into a library that defines the unit and can override nothing else. Results, also bad ones, are kept by
-/// content, if they are repeatable: the same files, flags and headers are compiled once. Several threads and processes may build at the same time.
-/// Throws std::runtime_error only for faults of the grader's.
+/// Turns a unit's files into a library that defines the unit and can override nothing else. Results, also bad ones, are
+/// kept by content, if they are repeatable: the same files, flags and headers are compiled once. Several threads and
+/// processes may build at the same time. Throws std::runtime_error only for faults of the grader's.
 [[nodiscard]] Built build(const Toolchain& tools, const Exercise& exercise, const Sources& files);
 
-/// The same from a library that CMake made of the files as a student's library is made: one of the unit's mistakes. It is looked at like a
-/// student's, but for what only sources show. Nothing is kept.
-[[nodiscard]] Built adopt(const Toolchain& tools, const Exercise& exercise, const Sources& files, const std::filesystem::path& library);
+/// The same from a library that CMake made of the files as a student's library is made: one of the unit's mistakes. It
+/// is looked at like a student's, but for what only sources show. Nothing is kept.
+[[nodiscard]] Built adopt(const Toolchain& tools, const Exercise& exercise, const Sources& files,
+                          const std::filesystem::path& library);
 
 }

@@ -28,40 +28,49 @@ std::optional<Objection> missing_interface(const Inspection& inspection)
     const std::string bare = last_part(without_arguments(declared));
     std::vector<std::string> written;
     for (const InspectedFunction& function : inspection.functions)
-        if (function.name.find('(') != std::string::npos && last_part(without_arguments(function.name)) == bare) written.push_back(as_written(function.name));
+        if (function.name.find('(') != std::string::npos && last_part(without_arguments(function.name)) == bare)
+            written.push_back(as_written(function.name));
     if (written.empty())
-        return Objection{Verdict::interface_mismatch, fmt::format("your file does not define {}, which the header declares", as_written(declared))};
+        return Objection{Verdict::interface_mismatch,
+                         fmt::format("your file does not define {}, which the header declares", as_written(declared))};
     return Objection{Verdict::interface_mismatch,
-                     fmt::format("you wrote {}; the header declares {}: make them equal, namespace and const included", listed(written), as_written(declared))};
+                     fmt::format("you wrote {}; the header declares {}: make them equal, namespace and const included",
+                                 listed(written), as_written(declared))};
 }
 
 }
 
-std::optional<Objection> object_to(const Inspection& inspection, const std::set<std::string>& offered, const Exercise& exercise)
+std::optional<Objection> object_to(const Inspection& inspection, const std::set<std::string>& offered,
+                                   const Exercise& exercise)
 {
     // A forbidden name comes first: it is the reason to tell, even if the interface is wrong as well.
-    if (auto forbidden = find_forbidden(inspection, exercise.forbid)) return Objection{Verdict::forbidden, *std::move(forbidden)};
+    if (auto forbidden = find_forbidden(inspection, exercise.forbid))
+        return Objection{Verdict::forbidden, *std::move(forbidden)};
     if (auto missing = missing_interface(inspection)) return missing;
     if (exercise.counts_work && !inspection.uncounted.empty())
-        return Objection{Verdict::forbidden,
-                         fmt::format("{}: the work of this unit is counted, and all of it must be; write its functions in plain C++, without "
-                                     "attributes, assembler or a counter of your own",
-                                     listed(inspection.uncounted))};
+        return Objection{Verdict::forbidden, fmt::format("{}: the work of this unit is counted, and all of it must be; "
+                                                         "write its functions in plain C++, without "
+                                                         "attributes, assembler or a counter of your own",
+                                                         listed(inspection.uncounted))};
     std::vector<std::string> wanted;
     for (const InspectedSymbol& symbol : inspection.undefined)
-        if (!is_allowed_symbol(symbol.name, exercise.gl_calls, exercise.glfw) && !offered.contains(symbol.name)) wanted.push_back(symbol.readable);
+        if (!is_allowed_symbol(symbol.name, exercise.gl_calls, exercise.glfw) && !offered.contains(symbol.name))
+            wanted.push_back(symbol.readable);
     if (wanted.empty()) return std::nullopt;
-    return Objection{Verdict::forbidden, fmt::format("{}: no unit may call {}; allowed are the C++ library, mathematics, the framework and "
-                                                     "the units this one uses",
-                                                     listed(wanted), wanted.size() == 1 ? "it" : "them")};
+    return Objection{Verdict::forbidden,
+                     fmt::format("{}: no unit may call {}; allowed are the C++ library, mathematics, the framework and "
+                                 "the units this one uses",
+                                 listed(wanted), wanted.size() == 1 ? "it" : "them")};
 }
 
-std::optional<Objection> object_to_words(const Sources& files, const Exercise& exercise)
+std::optional<Objection> check_words(const Sources& files, const Exercise& exercise)
 {
     for (const auto& [file, text] : files) {
         const std::string bare = without_comments(text);
         for (const std::string& name : exercise.forbid)
-            if (holds_word(bare, name)) return Objection{Verdict::forbidden, fmt::format("{}: {} is not allowed in this unit", one_line(file), name)};
+            if (holds_word(bare, name))
+                return Objection{Verdict::forbidden,
+                                 fmt::format("{}: {} is not allowed in this unit", one_line(file), name)};
     }
     return std::nullopt;
 }

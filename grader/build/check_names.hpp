@@ -18,11 +18,12 @@ struct Objection {
     std::string message;
 };
 
-/// Does the library define the whole interface, want only what is allowed or in `offered` (mangled), and use nothing that the exercise
-/// forbids?
-[[nodiscard]] std::optional<Objection> object_to(const Inspection& inspection, const std::set<std::string>& offered, const Exercise& exercise);
+/// Does the library define the whole interface, want only what is allowed or in `offered` (mangled), and use nothing
+/// that the exercise forbids?
+[[nodiscard]] std::optional<Objection> object_to(const Inspection& inspection, const std::set<std::string>& offered,
+                                                 const Exercise& exercise);
 
 /// The same for GLSL: forbidden names among the words outside comments.
-[[nodiscard]] std::optional<Objection> object_to_words(const Sources& files, const Exercise& exercise);
+[[nodiscard]] std::optional<Objection> check_words(const Sources& files, const Exercise& exercise);
 
 }

@@ -22,13 +22,20 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What compilers, assemblers and linkers print when the machine is at its end, not the student.
-constexpr std::array<std::string_view, 10> machine_troubles{
-    "No space left on device",          "Disk quota exceeded", "Read-only file system", "Input/output error", "Too many open files",
-    "Resource temporarily unavailable", "Killed signal",       "Cannot fork",           "cannot fork",        "vfork: "};
+constexpr std::array<std::string_view, 10> machine_troubles{"No space left on device",
+                                                            "Disk quota exceeded",
+                                                            "Read-only file system",
+                                                            "Input/output error",
+                                                            "Too many open files",
+                                                            "Resource temporarily unavailable",
+                                                            "Killed signal",
+                                                            "Cannot fork",
+                                                            "cannot fork",
+                                                            "vfork: "};
 
 /// The compiler on the student's files, up to what it is to do with them.
-ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work,
-                                 const std::vector<std::string>& task)
+ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercise, const Sources& files,
+                                 const fs::path& work, const std::vector<std::string>& task)
 {
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";
@@ -38,13 +45,15 @@ ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercis
     command.disk_limit = caps::build_folder;
     command.read = compiler_files(tools.compiler);
     // Of the unit only the version script: beside it lie the libraries with the answers.
-    for (const fs::path& path : {tools.framework, tools.student_header.parent_path(), unit_folder(tools, exercise.id) / "exports.map"})
+    for (const fs::path& path :
+         {tools.framework, tools.student_header.parent_path(), unit_folder(tools, exercise.id) / "exports.map"})
         command.read.push_back(path.string());
     command.arguments = {tools.compiler};
     command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
     if (exercise.counts_work) command.arguments.emplace_back("-fsanitize-coverage=trace-pc");
-    for (const std::string& word : {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"), "-I" + tools.framework.string(),
-                                    "-ffile-prefix-map=" + work.string() + "=.", std::string("-include"), tools.student_header.string()})
+    for (const std::string& word :
+         {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"), "-I" + tools.framework.string(),
+          "-ffile-prefix-map=" + work.string() + "=.", std::string("-include"), tools.student_header.string()})
         command.arguments.push_back(word);
     command.arguments.insert(command.arguments.end(), task.begin(), task.end());
     // With a folder before it, no name can be taken for an option.
@@ -53,12 +62,14 @@ ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercis
     return command;
 }
 
-/// Diagnostics name the student's files as written and headers as they are included, not where things lie on this machine.
+/// Diagnostics name the student's files as written and headers as they are included, not where things lie on this
+/// machine.
 std::string without_our_paths(std::string text, const Toolchain& tools, const fs::path& work)
 {
     for (const fs::path& folder : {work, tools.framework, tools.student_header.parent_path()}) {
         const std::string prefix = folder.string() + "/";
-        for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) text.erase(at, prefix.size());
+        for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at))
+            text.erase(at, prefix.size());
     }
     // Where a line begins with a file, as it was given to the compiler.
     for (std::size_t at = 0; at != std::string::npos; at = text.find('\n', at + 1)) {
@@ -93,7 +104,9 @@ std::string first_errors(std::string_view output, std::size_t lines)
 bool blames_own_file(std::string_view output, const Sources& files)
 {
     std::istringstream stream{std::string(output)};
-    const auto is_error = [](const std::string& line, std::size_t from) { return line.find(" error: ", from) != std::string::npos; };
+    const auto is_error = [](const std::string& line, std::size_t from) {
+        return line.find(" error: ", from) != std::string::npos;
+    };
     for (std::string line; std::getline(stream, line);) {
         if (line.find("duplicate symbol: ") != std::string::npos) return true;
         for (const auto& [name, text] : files)
@@ -107,31 +120,36 @@ namespace {
 using Outcome = Compilation::Outcome;
 using Stopped = ConfinedResult::Stopped;
 
-/// Looks through the files as the compiler sees them. Built only says that nothing is in the way. Files that cannot be preprocessed are
-/// unexplained: compiling says what is wrong with them.
+/// Looks through the files as the compiler sees them. Built only says that nothing is in the way. Files that cannot be
+/// preprocessed are unexplained: compiling says what is wrong with them.
 Compilation look_through(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
 {
     ConfinedCommand command = compiler_command(tools, exercise, files, work, {"-E", "-fpch-preprocess", "-w"});
     command.output_limit = caps::preprocessed;
     command.stop_at_limit = true;
     const ConfinedResult result = run_confined(command);
-    if (result.stopped == Stopped::too_much_output) return {Outcome::refused_by_compiler, {}, "your files include more text than the compiler is given"};
-    if (result.exit_status != 0) return {Outcome::unexplained, {}, "your files cannot be looked through before they are compiled"};
-    if (auto assembler = find_assembler(result.output, tools.student_header.string() + ".gch")) return {Outcome::not_allowed, {}, *std::move(assembler)};
+    if (result.stopped == Stopped::too_much_output)
+        return {Outcome::refused_by_compiler, {}, "your files include more text than the compiler is given"};
+    if (result.exit_status != 0)
+        return {Outcome::unexplained, {}, "your files cannot be looked through before they are compiled"};
+    if (auto assembler = find_assembler(result.output, tools.student_header.string() + ".gch"))
+        return {Outcome::not_allowed, {}, *std::move(assembler)};
     return {Outcome::built, {}, ""};
 }
 
 /// By what the clock says, or by the compiler's word about a process of its own.
 bool ran_out_of_processor_time(const ConfinedResult& result)
 {
-    return result.stopped == Stopped::out_of_processor_time || result.output.find("CPU time limit exceeded signal") != std::string::npos;
+    return result.stopped == Stopped::out_of_processor_time ||
+           result.output.find("CPU time limit exceeded signal") != std::string::npos;
 }
 
 std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result)
 {
     if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time)
         return fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
-    if (result.stopped == Stopped::too_much_disk) return fmt::format("compiling your files takes more than {} MiB on the disk\n", caps::build_folder >> 20U);
+    if (result.stopped == Stopped::too_much_disk)
+        return fmt::format("compiling your files takes more than {} MiB on the disk\n", caps::build_folder >> 20U);
     std::string text = first_errors(result.output, 24);
     if (text.empty()) text = first_errors(": error:\n" + result.output, 24).substr(9);
     return printable(text, caps::message);
@@ -141,8 +159,11 @@ Outcome outcome_of(const ConfinedResult& result, const Sources& files)
 {
     if (ran_out_of_processor_time(result) || result.stopped == Stopped::too_much_disk) return Outcome::too_expensive;
     // What the machine lacks may also show as an error in a student's line.
-    const bool machine = std::ranges::any_of(machine_troubles, [&](std::string_view sign) { return result.output.find(sign) != std::string::npos; });
-    return result.stopped == Stopped::no && !machine && blames_own_file(result.output, files) ? Outcome::refused_by_compiler : Outcome::unexplained;
+    const bool machine = std::ranges::any_of(
+        machine_troubles, [&](std::string_view sign) { return result.output.find(sign) != std::string::npos; });
+    return result.stopped == Stopped::no && !machine && blames_own_file(result.output, files)
+               ? Outcome::refused_by_compiler
+               : Outcome::unexplained;
 }
 
 }
@@ -153,9 +174,11 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
     Compilation compilation = look_through(tools, exercise, files, work);
     if (compilation.outcome != Outcome::built && compilation.outcome != Outcome::unexplained) return compilation;
     const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
-    ConfinedResult result = run_confined(
-        compiler_command(tools, exercise, files, work, {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script, "-o", "student.so"}));
-    if (result.exit_status == confinement_failed) throw std::runtime_error("the compiler cannot be run: " + result.output);
+    ConfinedResult result = run_confined(compiler_command(
+        tools, exercise, files, work,
+        {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script, "-o", "student.so"}));
+    if (result.exit_status == confinement_failed)
+        throw std::runtime_error("the compiler cannot be run: " + result.output);
     const fs::path library = work / "student.so";
     if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {
         result.output = without_our_paths(std::move(result.output), tools, work);
@@ -165,7 +188,8 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
     }
     if (fs::file_size(library) > caps::library) {
         compilation.outcome = Outcome::refused_by_compiler;
-        compilation.diagnostics = fmt::format("your files compile to {} bytes; at most {} are taken", fs::file_size(library), caps::library);
+        compilation.diagnostics =
+            fmt::format("your files compile to {} bytes; at most {} are taken", fs::file_size(library), caps::library);
         return compilation;
     }
     // Nothing is run that was not looked through.

@@ -14,26 +14,28 @@ struct Compilation {
     /// Why there is no library, if there is none.
     enum class Outcome {
         built,
-        refused_by_compiler,  ///< with a diagnostic in one of the student's own files, or for its size: so would any other machine
+        refused_by_compiler,  ///< with a diagnostic in one of the student's own files, or for its size: so would any
+                              ///< other machine
         not_allowed,          ///< holds assembler or the like
         too_expensive,        ///< ran out of processor time or disk: a faster machine may think otherwise
         unexplained           ///< failed without a diagnostic in the student's files: the machine may be in trouble
     };
     Outcome outcome = Outcome::unexplained;
     std::optional<std::filesystem::path> library;  ///< if built
-    std::string diagnostics;                       ///< for the student: the first errors, with the student's own file names
+    std::string diagnostics;  ///< for the student: the first errors, with the student's own file names
 };
 
-/// Writes `files` into the empty folder `work` and makes `work/student.so` of its .cpp files, in confinement: the compiler sees the folder,
-/// what it needs of the system, and the framework's headers. Exported are exactly the names in the unit's exports.map. Throws
-/// std::runtime_error if the files cannot be written or the compiler cannot be run.
-[[nodiscard]] Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files, const std::filesystem::path& work);
+/// Writes `files` into the empty folder `work` and makes `work/student.so` of its .cpp files, in confinement: the
+/// compiler sees the folder, what it needs of the system, and the framework's headers. Exported are exactly the names
+/// in the unit's exports.map. Throws std::runtime_error if the files cannot be written or the compiler cannot be run.
+[[nodiscard]] Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files,
+                                  const std::filesystem::path& work);
 
 /// The first errors of g++ output, with their notes and source lines, at most `lines` lines.
 [[nodiscard]] std::string first_errors(std::string_view output, std::size_t lines);
 
-/// Does g++ output, without this machine's paths, hold an error whose place is one of these files: "sphere.cpp:3:5: error: …"?
-/// Or one about two definitions of the same name, which only the linker sees.
+/// Does g++ output, without this machine's paths, hold an error whose place is one of these files: "sphere.cpp:3:5:
+/// error: …"? Or one about two definitions of the same name, which only the linker sees.
 [[nodiscard]] bool blames_own_file(std::string_view output, const Sources& files);
 
 }

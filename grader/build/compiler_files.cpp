@@ -20,9 +20,11 @@ std::vector<std::string> ask(const std::string& compiler)
     const fs::path own = ask_program(compiler, "-print-file-name=include");
     const fs::path start = ask_program(compiler, "-print-file-name=crti.o");
     if (!own.is_absolute() || !start.is_absolute())
-        throw std::runtime_error(fmt::format("the compiler {} does not say where its files lie; `umbral doctor` says what is missing", compiler));
+        throw std::runtime_error(fmt::format(
+            "the compiler {} does not say where its files lie; `umbral doctor` says what is missing", compiler));
     const fs::path libraries = fs::canonical(start).parent_path();
-    return {fs::canonical(own.parent_path()).string(), own.parent_path().lexically_normal().string(), libraries.string() + "/*", "/usr/include", "/usr/bin/*"};
+    return {fs::canonical(own.parent_path()).string(), own.parent_path().lexically_normal().string(),
+            libraries.string() + "/*", "/usr/include", "/usr/bin/*"};
 }
 
 }

@@ -14,7 +14,11 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Bytes of UTF-8 count as letters, as the compiler takes most of them.
-bool is_name_start(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' || static_cast<unsigned char>(c) >= 0x80; }
+bool is_name_start(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' ||
+           static_cast<unsigned char>(c) >= 0x80;
+}
 
 bool is_name(char c) { return is_name_start(c) || is_digit(c); }
 
@@ -38,7 +42,9 @@ std::string_view CppToken::content() const
     if (open == 0 || text[open - 1] != 'R') return inside;
     const std::size_t from = inside.find('(');
     const std::size_t to = inside.rfind(')');
-    return from == std::string_view::npos || to == std::string_view::npos || to < from ? std::string_view{} : inside.substr(from + 1, to - from - 1);
+    return from == std::string_view::npos || to == std::string_view::npos || to < from
+               ? std::string_view{}
+               : inside.substr(from + 1, to - from - 1);
 }
 
 CppToken CppTokens::next()
@@ -62,7 +68,8 @@ CppToken CppTokens::next()
     if (is_name_start(c)) {
         const auto end = std::ranges::find_if_not(text_, is_name);
         const auto size = static_cast<std::size_t>(end - text_.begin());
-        if (at(size) == '"' && is_string_prefix(text_.substr(0, size))) return text_[size - 1] == 'R' ? take_raw_string(size) : take_string(size);
+        if (at(size) == '"' && is_string_prefix(text_.substr(0, size)))
+            return text_[size - 1] == 'R' ? take_raw_string(size) : take_string(size);
         return take(CppToken::Kind::name, size);
     }
     if (is_digit(c) || (c == '.' && is_digit(at(1)))) {
@@ -71,7 +78,8 @@ CppToken CppTokens::next()
         const auto goes_on = [&] {
             const char before = at(size - 1);
             const bool exponent = before == 'e' || before == 'E' || before == 'p' || before == 'P';
-            return is_name(at(size)) || at(size) == '.' || (at(size) == '\'' && is_name(at(size + 1))) || (exponent && (at(size) == '+' || at(size) == '-'));
+            return is_name(at(size)) || at(size) == '.' || (at(size) == '\'' && is_name(at(size + 1))) ||
+                   (exponent && (at(size) == '+' || at(size) == '-'));
         };
         while (size < text_.size() && goes_on()) ++size;
         return take(CppToken::Kind::number, size);
@@ -99,7 +107,8 @@ CppToken CppTokens::take_string(std::size_t prefix)
 {
     const char quote = text_[prefix];
     std::size_t end = prefix + 1;
-    while (end < text_.size() && text_[end] != quote && text_[end] != '\n') end += text_[end] == '\\' && at(end + 1) != '\n' ? 2U : 1U;
+    while (end < text_.size() && text_[end] != quote && text_[end] != '\n')
+        end += text_[end] == '\\' && at(end + 1) != '\n' ? 2U : 1U;
     if (at(end) == quote) ++end;
     return take(quote == '"' ? CppToken::Kind::string : CppToken::Kind::other, end);
 }

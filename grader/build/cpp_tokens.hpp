@@ -14,8 +14,8 @@ struct CppToken {
     [[nodiscard]] std::string_view content() const;
 };
 
-/// Cuts preprocessed C++ into tokens, one after the other. Never fails: what is no token is a token of one character. A string or a
-/// character that is not closed ends with its line, a raw string with the text.
+/// Cuts preprocessed C++ into tokens, one after the other. Never fails: what is no token is a token of one character. A
+/// string or a character that is not closed ends with its line, a raw string with the text.
 class CppTokens {
 public:
     explicit CppTokens(std::string_view text) : text_(text) {}
@@ -23,7 +23,8 @@ public:
     /// The next token; Kind::end, as often as one likes, behind the last.
     CppToken next();
 
-    /// The file and the line of the last token, as line markers tell: "sphere.cpp:12". A hint for people: markers may lie.
+    /// The file and the line of the last token, as line markers tell: "sphere.cpp:12". A hint for people: markers may
+    /// lie.
     [[nodiscard]] std::string place() const;
 
 private:

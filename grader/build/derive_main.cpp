@@ -1,4 +1,5 @@
-// umbral-derive CHANGE BASE OUTPUT: writes the solution that a .change file describes, so that it can be compiled when the project is built.
+// umbral-derive CHANGE BASE OUTPUT: writes the solution that a .change file describes, so that it can be compiled when
+// the project is built.
 
 #include <exception>
 #include <filesystem>
@@ -26,7 +27,8 @@ try {
     const std::filesystem::path file = arguments[1];
     const umbral::grader::Change change = umbral::grader::parse_change(read(file), file.string());
     const auto from = change.header.find("from");
-    const std::filesystem::path base = from == change.header.end() ? std::filesystem::path(arguments[2]) : file.parent_path().parent_path() / from->second;
+    const std::filesystem::path base = from == change.header.end() ? std::filesystem::path(arguments[2])
+                                                                   : file.parent_path().parent_path() / from->second;
     std::ofstream stream(arguments[3]);
     stream << umbral::grader::apply_change(change, read(base), file.string());
     if (!stream.flush()) throw std::runtime_error("umbral-derive: cannot write '" + std::string(arguments[3]) + "'");

@@ -26,8 +26,10 @@ std::string_view below_include(std::string_view path)
 
 std::string sentence(std::string_view name, const ForbiddenFamily* family)
 {
-    if (family == nullptr) return fmt::format("{} is not allowed in this unit: it is what you are to write yourself", one_line(name));
-    return fmt::format("{} is not allowed in this unit: what {} is what you are to write yourself", one_line(name), family->what);
+    if (family == nullptr)
+        return fmt::format("{} is not allowed in this unit: it is what you are to write yourself", one_line(name));
+    return fmt::format("{} is not allowed in this unit: what {} is what you are to write yourself", one_line(name),
+                       family->what);
 }
 
 }
@@ -39,7 +41,8 @@ std::string qualified_name(std::string_view signature)
     for (std::size_t i = 0; i < signature.size(); ++i) {
         const char c = signature[i];
         // "operator<" and its like open nothing.
-        const bool of_operator = bare.ends_with("operator") || bare.ends_with("operator<") || bare.ends_with("operator-") || bare.ends_with("operator>");
+        const bool of_operator = bare.ends_with("operator") || bare.ends_with("operator<") ||
+                                 bare.ends_with("operator-") || bare.ends_with("operator>");
         if (depth == 0 && (c == '<' || c == '>') && of_operator)
             bare += c;
         else if (c == '<')
@@ -67,14 +70,17 @@ std::optional<std::string> find_forbidden(const Inspection& inspection, const st
         for (const std::string& entry : forbid) {
             const ForbiddenFamily* family = forbidden_family(entry);
             if (family == nullptr && matches_pattern(name, entry)) return sentence(name, nullptr);
-            if (family == nullptr || matches_any(name, family->except) || !matches_any(below_include(function.file), family->headers)) continue;
+            if (family == nullptr || matches_any(name, family->except) ||
+                !matches_any(below_include(function.file), family->headers))
+                continue;
             return sentence(name, family);
         }
     }
     for (const InspectedSymbol& symbol : inspection.undefined)
         for (const std::string& entry : forbid) {
             const ForbiddenFamily* family = forbidden_family(entry);
-            if (family == nullptr ? matches_pattern(symbol.name, entry) : matches_any(symbol.name, family->symbols)) return sentence(symbol.name, family);
+            if (family == nullptr ? matches_pattern(symbol.name, entry) : matches_any(symbol.name, family->symbols))
+                return sentence(symbol.name, family);
         }
     return std::nullopt;
 }

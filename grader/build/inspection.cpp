@@ -10,8 +10,8 @@
 namespace umbral::grader {
 namespace {
 
-ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path& library, const std::vector<std::string>& arguments,
-                             std::vector<std::string> also_read = {})
+ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path& library,
+                             const std::vector<std::string>& arguments, std::vector<std::string> also_read = {})
 {
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";
@@ -27,10 +27,13 @@ ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path
 
 }
 
-std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library, const std::filesystem::path& interface_names)
+std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library,
+                                  const std::filesystem::path& interface_names)
 {
-    const ConfinedResult result = run_inspector(tools, library, {"names", library.string(), interface_names.string()}, {interface_names.string()});
-    if (result.exit_status == confinement_failed) throw std::runtime_error(fmt::format("umbral-inspect cannot be run: {}", result.output));
+    const ConfinedResult result = run_inspector(tools, library, {"names", library.string(), interface_names.string()},
+                                                {interface_names.string()});
+    if (result.exit_status == confinement_failed)
+        throw std::runtime_error(fmt::format("umbral-inspect cannot be run: {}", result.output));
     if (result.exit_status != 0) return std::nullopt;
     const nlohmann::json json = nlohmann::json::parse(result.output, nullptr, false);
     if (!json.is_object()) return std::nullopt;
@@ -42,7 +45,8 @@ std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem:
     return inspection;
 }
 
-std::string place_of(const Toolchain& tools, const std::filesystem::path& library, const std::vector<std::uint64_t>& frames)
+std::string place_of(const Toolchain& tools, const std::filesystem::path& library,
+                     const std::vector<std::uint64_t>& frames)
 {
     std::vector<std::string> arguments{"lines", library.string()};
     for (const std::uint64_t frame : frames) arguments.push_back(std::to_string(frame));

@@ -22,21 +22,25 @@ struct InspectedFunction {
     std::string file;  ///< where it is declared, as the compiler knew it
 };
 
-/// What a built library says about itself. It was made from hostile sources, so it is read by umbral-inspect in confinement, never in
-/// the grader, which demangles nothing: lists and names are bounded where they are made.
+/// What a built library says about itself. It was made from hostile sources, so it is read by umbral-inspect in
+/// confinement, never in the grader, which demangles nothing: lists and names are bounded where they are made.
 struct Inspection {
     std::vector<std::string> missing;          ///< of the interface: names that it does not define, as C++ writes them
     std::vector<InspectedSymbol> undefined;    ///< what it wants from others, without versions
     std::vector<InspectedFunction> functions;  ///< of its debug information
-    std::vector<std::string> uncounted;        ///< functions, as C++ writes them, and other reasons why its work would not be counted as a whole
+    std::vector<std::string>
+        uncounted;  ///< functions, as C++ writes them, and other reasons why its work would not be counted as a whole
 };
 
-/// Reads `library`, which is to define the names listed in the file `interface_names` (mangled, one a line). Nothing if the file cannot be
-/// read, by its own fault: a compiler's output always can. Throws std::runtime_error if the inspector cannot be run.
-[[nodiscard]] std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library, const std::filesystem::path& interface_names);
+/// Reads `library`, which is to define the names listed in the file `interface_names` (mangled, one a line). Nothing if
+/// the file cannot be read, by its own fault: a compiler's output always can. Throws std::runtime_error if the
+/// inspector cannot be run.
+[[nodiscard]] std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem::path& library,
+                                                const std::filesystem::path& interface_names);
 
-/// The first of `frames` (addresses in the library, return addresses but for the first) that lies in a file of `folder`'s own:
-/// "sphere.cpp:17"; empty if there is none.
-[[nodiscard]] std::string place_of(const Toolchain& tools, const std::filesystem::path& library, const std::vector<std::uint64_t>& frames);
+/// The first of `frames` (addresses in the library, return addresses but for the first) that lies in a file of
+/// `folder`'s own: "sphere.cpp:17"; empty if there is none.
+[[nodiscard]] std::string place_of(const Toolchain& tools, const std::filesystem::path& library,
+                                   const std::vector<std::uint64_t>& frames);
 
 }

@@ -20,7 +20,8 @@ bool contains(const std::array<std::string_view, Size>& words, std::string_view 
 }
 
 constexpr std::array<std::string_view, 3> asm_words{"asm", "__asm", "__asm__"};
-constexpr std::array<std::string_view, 7> asm_qualifiers{"volatile", "__volatile", "__volatile__", "inline", "__inline__", "goto", "const"};
+constexpr std::array<std::string_view, 7> asm_qualifiers{"volatile",   "__volatile", "__volatile__", "inline",
+                                                         "__inline__", "goto",       "const"};
 
 /// Instructions that <immintrin.h> of GCC 12 writes as assembler, for lack of builtins.
 constexpr std::array<std::string_view, 4> compilers_own{"pconfig", "encls", "enclu", "enclv"};
@@ -41,8 +42,9 @@ constexpr std::array<std::string_view, 3> naming_attributes{"alias", "ifunc", "w
 bool is_plain_name(std::string_view text)
 {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-    return !text.empty() && letter(text.front()) &&
-           std::ranges::all_of(text, [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '@' || c == '$'; });
+    return !text.empty() && letter(text.front()) && std::ranges::all_of(text, [&](char c) {
+        return letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '@' || c == '$';
+    });
 }
 
 /// "pconfig" of "pconfig\n\t" as written.
@@ -83,7 +85,8 @@ private:
     {
         if (current_.kind == Kind::directive) return check_directive();
         if (current_.kind == Kind::name && contains(asm_words, current_.text)) return check_asm();
-        if (current_.kind == Kind::name && (current_.text == "__attribute__" || current_.text == "__attribute")) return check_attributes("(", ")");
+        if (current_.kind == Kind::name && (current_.text == "__attribute__" || current_.text == "__attribute"))
+            return check_attributes("(", ")");
         if (current_.text == "[" && before_.text == "[") return check_attributes("[", "]");
         advance();
     }
@@ -93,7 +96,8 @@ private:
     {
         // A label stands behind the name of what it labels, or its brackets.
         constexpr std::array<std::string_view, 2> before_statement{"else", "do"};
-        const bool behind_a_name = before_.text == ")" || before_.text == "]" || (before_.kind == Kind::name && !contains(before_statement, before_.text));
+        const bool behind_a_name = before_.text == ")" || before_.text == "]" ||
+                                   (before_.kind == Kind::name && !contains(before_statement, before_.text));
         advance();
         while (current_.kind == Kind::name && contains(asm_qualifiers, current_.text)) advance();
         if (current_.text != "(") return object("assembler is not allowed");
@@ -114,9 +118,11 @@ private:
             if (current_.text == close && --depth <= 0) break;
             if (current_.kind == Kind::name && contains(attributes, bare(current_.text)))
                 return object(fmt::format("the attribute {} is not allowed", bare(current_.text)));
-            if (current_.kind == Kind::name && contains(asm_words, current_.text)) return object("assembler is not allowed");
+            if (current_.kind == Kind::name && contains(asm_words, current_.text))
+                return object("assembler is not allowed");
             if (current_.kind == Kind::name) named = bare(current_.text);
-            if (current_.kind == Kind::string && contains(naming_attributes, named) && !is_plain_name(current_.content()))
+            if (current_.kind == Kind::string && contains(naming_attributes, named) &&
+                !is_plain_name(current_.content()))
                 return object(fmt::format("the attribute {} takes a plain name", named));
         }
         if (!found_) advance();
@@ -152,6 +158,9 @@ private:
 
 }
 
-std::optional<std::string> find_assembler(std::string_view text, std::string_view header) { return Scan(text, header).run(); }
+std::optional<std::string> find_assembler(std::string_view text, std::string_view header)
+{
+    return Scan(text, header).run();
+}
 
 }

@@ -12,7 +12,8 @@ bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') |
 
 void replace_all(std::string& text, std::string_view old, std::string_view with)
 {
-    for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size())) text.replace(at, old.size(), with);
+    for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
+        text.replace(at, old.size(), with);
 }
 
 using Spelling = std::pair<std::string, std::string>;
@@ -20,14 +21,18 @@ using Spelling = std::pair<std::string, std::string>;
 std::vector<Spelling> spellings()
 {
     std::vector<Spelling> list;
-    for (const auto& [type, letter] :
-         {std::pair("float", ""), std::pair("double", "d"), std::pair("int", "i"), std::pair("unsigned int", "u"), std::pair("bool", "b")})
+    for (const auto& [type, letter] : {std::pair("float", ""), std::pair("double", "d"), std::pair("int", "i"),
+                                       std::pair("unsigned int", "u"), std::pair("bool", "b")})
         for (int size = 1; size <= 4; ++size) {
-            list.emplace_back(fmt::format("glm::vec<{}, {}, (glm::qualifier)0>", size, type), fmt::format("glm::{}vec{}", letter, size));
-            list.emplace_back(fmt::format("glm::mat<{0}, {0}, {1}, (glm::qualifier)0>", size, type), fmt::format("glm::{}mat{}", letter, size));
+            list.emplace_back(fmt::format("glm::vec<{}, {}, (glm::qualifier)0>", size, type),
+                              fmt::format("glm::{}vec{}", letter, size));
+            list.emplace_back(fmt::format("glm::mat<{0}, {0}, {1}, (glm::qualifier)0>", size, type),
+                              fmt::format("glm::{}mat{}", letter, size));
         }
     for (const char* space : {"", " "})
-        list.emplace_back(fmt::format("std::__cxx11::basic_string<char, std::char_traits<char>, std::allocator<char>{}>", space), "std::string");
+        list.emplace_back(
+            fmt::format("std::__cxx11::basic_string<char, std::char_traits<char>, std::allocator<char>{}>", space),
+            "std::string");
     return list;
 }
 

@@ -27,7 +27,8 @@ constexpr const char* dependencies = "dependencies.txt";
 fs::path precompiled(const Toolchain& tools) { return tools.student_header.string() + ".gch"; }
 fs::path stamp(const Toolchain& tools) { return tools.student_header.parent_path() / "made-from.txt"; }
 
-/// Size and time of a file's last change, in one line with its name. A package manager sets times back, so it is equality that counts.
+/// Size and time of a file's last change, in one line with its name. A package manager sets times back, so it is
+/// equality that counts.
 std::string state_of(const fs::path& file)
 {
     std::error_code missing;
@@ -42,7 +43,8 @@ std::string state_of_tools(const Toolchain& tools, const fs::path& text)
     // The compiler's name is a link; the program behind it changes with every version.
     std::error_code missing;
     const fs::path program = fs::canonical(tools.compiler, missing);
-    return fmt::format("{}\n", fmt::join(tools.flags, " ")) + state_of(missing ? fs::path(tools.compiler) : program) + state_of(text);
+    return fmt::format("{}\n", fmt::join(tools.flags, " ")) + state_of(missing ? fs::path(tools.compiler) : program) +
+           state_of(text);
 }
 
 /// The files in a rule for make, "target: file file \", in which a space within a name stands behind a backslash.
@@ -74,13 +76,15 @@ void compile_header(const Toolchain& tools, const fs::path& text)
     command.read.push_back(tools.framework.string());
     command.arguments = {tools.compiler};
     command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
-    for (const std::string& word : {"-I" + tools.framework.string(), std::string("-MD"), std::string("-MF"), std::string(dependencies), std::string("-x"),
-                                    std::string("c++-header"), tools.student_header.string(), std::string("-o"), std::string(made)})
+    for (const std::string& word : {"-I" + tools.framework.string(), std::string("-MD"), std::string("-MF"),
+                                    std::string(dependencies), std::string("-x"), std::string("c++-header"),
+                                    tools.student_header.string(), std::string("-o"), std::string(made)})
         command.arguments.push_back(word);
     const ConfinedResult result = run_confined(command);
     if (result.exit_status != 0)
-        throw std::runtime_error(fmt::format("{} cannot prepare the headers of students' files in {}; `umbral doctor` says what is missing. It says: {}",
-                                             tools.compiler, folder.string(), one_line(result.output, 1024)));
+        throw std::runtime_error(fmt::format(
+            "{} cannot prepare the headers of students' files in {}; `umbral doctor` says what is missing. It says: {}",
+            tools.compiler, folder.string(), one_line(result.output, 1024)));
 }
 
 }
@@ -110,7 +114,8 @@ void make_header(const Toolchain& tools, const fs::path& text)
     fs::create_directories(folder);
     const Descriptor lock(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
     if (!lock || flock(lock.get(), LOCK_EX) != 0)
-        throw std::runtime_error(fmt::format("cannot write in {}: {}; UMBRAL_CACHE chooses another folder", folder.string(), std::strerror(errno)));
+        throw std::runtime_error(fmt::format("cannot write in {}: {}; UMBRAL_CACHE chooses another folder",
+                                             folder.string(), std::strerror(errno)));
     if (is_header_ready(tools, text)) return;
     compile_header(tools, text);
     std::string state = state_of_tools(tools, text);

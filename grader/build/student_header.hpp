@@ -6,14 +6,15 @@
 
 namespace umbral::grader {
 
-/// A precompiled header works with one compiler only, so a package cannot bring one: it is made on first use, from `text`, as
-/// `tools.student_header` and the file beside it.
+/// A precompiled header works with one compiler only, so a package cannot bring one: it is made on first use, from
+/// `text`, as `tools.student_header` and the file beside it.
 ///
-/// Is it there, made by the compiler as it is now, of the headers as they are now? Looks at sizes and times of all of them.
+/// Is it there, made by the compiler as it is now, of the headers as they are now? Looks at sizes and times of all of
+/// them.
 [[nodiscard]] bool is_header_ready(const Toolchain& tools, const std::filesystem::path& text);
 
-/// Makes it if it is not there; takes some seconds. One at a time: a second call waits for the first. Throws std::runtime_error that says what
-/// the compiler said.
+/// Makes it if it is not there; takes some seconds. One at a time: a second call waits for the first. Throws
+/// std::runtime_error that says what the compiler said.
 void make_header(const Toolchain& tools, const std::filesystem::path& text);
 
 }

@@ -13,21 +13,29 @@ namespace umbral::grader {
 struct Toolchain {
     std::filesystem::path exercises;       ///< the folder of units' sources
     std::filesystem::path reference;       ///< the folder of the reference's sources (for GLSL units and listing only)
-    std::filesystem::path units;           ///< the folder of built drivers and tenants
+    std::filesystem::path units;           ///< the folder of built drivers and solutions
     std::filesystem::path programs;        ///< umbral-spawner, umbral-confine, umbral-inspect …
     std::filesystem::path framework;       ///< include folder
     std::filesystem::path student_header;  ///< force-included, with its precompiled form beside it
     std::filesystem::path cache;           ///< built submissions, by content
     std::string compiler;
     std::vector<std::string> flags;
-    std::uintmax_t cache_bytes = std::uintmax_t{1} << 30U;  ///< beyond which builds that were not used for long are dropped
-    double compile_seconds = 30;                            ///< of processor time, and four times as many by the clock; then the compiler is stopped
+    std::uintmax_t cache_bytes = std::uintmax_t{1}
+                                 << 30U;  ///< beyond which builds that were not used for long are dropped
+    double compile_seconds =
+        30;  ///< of processor time, and four times as many by the clock; then the compiler is stopped
 };
 
 /// What opens archives in a submission.
-[[nodiscard]] inline ArchiveTools archive_tools(const Toolchain& tools) { return {tools.programs, tools.cache / "unpacked"}; }
+[[nodiscard]] inline ArchiveTools archive_tools(const Toolchain& tools)
+{
+    return {tools.programs, tools.cache / "unpacked"};
+}
 
 /// The folder in `units` of a unit's built libraries.
-[[nodiscard]] inline std::filesystem::path unit_folder(const Toolchain& tools, const std::string& id) { return tools.units / id; }
+[[nodiscard]] inline std::filesystem::path unit_folder(const Toolchain& tools, const std::string& id)
+{
+    return tools.units / id;
+}
 
 }

@@ -24,16 +24,20 @@ fs::path cache_folder(const Layout& layout)
 {
     if (const char* own = std::getenv("UMBRAL_CACHE")) return own;
     if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg == '/') return fs::path(xdg) / "umbral";
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return fs::path(home) / ".cache" / "umbral";
+    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
+        return fs::path(home) / ".cache" / "umbral";
     if (!layout.installed) return layout.build / "cache";
-    throw UsageError("there is no folder for what Umbral keeps: HOME is not set. Set UMBRAL_CACHE to a folder of your own");
+    throw UsageError(
+        "there is no folder for what Umbral keeps: HOME is not set. Set UMBRAL_CACHE to a folder of your own");
 }
 
-/// In a checkout the build makes it; an installation, which belongs to somebody else, makes its own in the user's cache.
+/// In a checkout the build makes it; an installation, which belongs to somebody else, makes its own in the user's
+/// cache.
 fs::path student_header(const Layout& layout, const fs::path& cache)
 {
     if (!layout.installed) return layout.includes;
-    return fs::absolute(cache) / "student" / sha256_hex(layout.data.string()).substr(0, 16) / layout.includes.filename();
+    return fs::absolute(cache) / "student" / sha256_hex(layout.data.string()).substr(0, 16) /
+           layout.includes.filename();
 }
 
 std::vector<std::string> words(const char* text)
@@ -52,12 +56,16 @@ TerminalStyle style_of_terminal()
     const char* no_color = std::getenv("NO_COLOR");
     style.color = isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == 0);
     winsize size{};
-    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 60) style.width = std::min<int>(size.ws_col, 120);
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= 60)
+        style.width = std::min<int>(size.ws_col, 120);
     return style;
 }
 
 /// Does `name` mean the unit `id`: "raytracing/sphere", "sphere", or a path that ends so?
-bool is_meant(const std::string& id, const std::string& name) { return name == id || id.ends_with("/" + name) || name.ends_with("/" + id); }
+bool is_meant(const std::string& id, const std::string& name)
+{
+    return name == id || id.ends_with("/" + name) || name.ends_with("/" + id);
+}
 
 std::string without_slashes(std::string name)
 {
@@ -65,7 +73,10 @@ std::string without_slashes(std::string name)
     return name;
 }
 
-std::string cannot_be_read(const BrokenUnit& unit) { return fmt::format("the unit {} cannot be read: {}", unit.id, unit.reason); }
+std::string cannot_be_read(const BrokenUnit& unit)
+{
+    return fmt::format("the unit {} cannot be read: {}", unit.id, unit.reason);
+}
 
 [[noreturn]] void refuse_unknown(const std::vector<Exercise>& exercises, const std::string& name)
 {
@@ -76,11 +87,13 @@ std::string cannot_be_read(const BrokenUnit& unit) { return fmt::format("the uni
         if (exercise.topic == name) of_topic.push_back(exercise.id);
         known.push_back(is_path ? exercise.id : exercise.name);
     }
-    if (!of_topic.empty()) throw UsageError(fmt::format("'{}' is a topic, not a unit; its units: {}", name, listed(of_topic)));
+    if (!of_topic.empty())
+        throw UsageError(fmt::format("'{}' is a topic, not a unit; its units: {}", name, listed(of_topic)));
     // Behind the names, so that of two that are as near the unit comes first.
     if (!is_path)
         for (const Exercise& exercise : exercises) known.push_back(exercise.topic);
-    throw UsageError(fmt::format("there is no unit '{}'{} `umbral list` shows them all", one_line(name), did_you_mean(nearest(name, known))));
+    throw UsageError(fmt::format("there is no unit '{}'{} `umbral list` shows them all", one_line(name),
+                                 did_you_mean(nearest(name, known))));
 }
 
 /// What the spawner would refuse later, as a fault: the user's own variable is the user's to mend.
@@ -96,13 +109,15 @@ void check_gl_choice()
 std::vector<Exercise> Application::chosen(const std::vector<std::string>& names) const
 {
     check_gl_choice();
-    if (names.empty() && !broken.empty()) throw UsageError(cannot_be_read(broken.front()) + "\nMend it, or name the units that you mean.");
+    if (names.empty() && !broken.empty())
+        throw UsageError(cannot_be_read(broken.front()) + "\nMend it, or name the units that you mean.");
     if (names.empty()) return exercises;
     std::vector<Exercise> result;
     for (const std::string& typed : names) {
         const std::string name = without_slashes(typed);
         const auto before = result.size();
-        std::ranges::copy_if(exercises, std::back_inserter(result), [&](const Exercise& exercise) { return is_meant(exercise.id, name); });
+        std::ranges::copy_if(exercises, std::back_inserter(result),
+                             [&](const Exercise& exercise) { return is_meant(exercise.id, name); });
         if (result.size() > before) continue;
         for (const BrokenUnit& unit : broken)
             if (is_meant(unit.id, name)) throw UsageError(cannot_be_read(unit));
@@ -121,13 +136,16 @@ std::vector<Exercise> Application::readable() const
 void Application::require_answers() const
 {
     if (!fs::is_directory(tools.reference))
-        throw UsageError(fmt::format("this needs the sources of the reference in {}, which students' packages do not hold; install umbral-instructor",
-                                     tools.reference.string()));
+        throw UsageError(
+            fmt::format("this needs the sources of the reference in {}, which students' packages do not hold; install "
+                        "umbral-instructor",
+                        tools.reference.string()));
 }
 
 void Application::warn_of_broken() const
 {
-    for (const BrokenUnit& unit : broken) fmt::print(stderr, "umbral: warning: {}\n", Paint(style).safe(cannot_be_read(unit)));
+    for (const BrokenUnit& unit : broken)
+        fmt::print(stderr, "umbral: warning: {}\n", Paint(style).safe(cannot_be_read(unit)));
 }
 
 Application make_application()

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "batch/workshop.hpp"
+#include "batch/worker.hpp"
 #include "build/toolchain.hpp"
 #include "cli/layout.hpp"
 #include "manifest/units.hpp"
@@ -37,12 +37,13 @@ struct Application {
     TerminalStyle style;
     int exit_status = exit_ok;  ///< set by the command that ran
 
-    /// The exercises named (as "raytracing/sphere", "sphere", or a path that ends so); all if none is. Throws UsageError with near names, or
-    /// with the reason if one of them cannot be read, or if UMBRAL_GL names no back end of OpenGL.
+    /// The exercises named (as "raytracing/sphere", "sphere", or a path that ends so); all if none is. Throws
+    /// UsageError with near names, or with the reason if one of them cannot be read, or if UMBRAL_GL names no back end
+    /// of OpenGL.
     [[nodiscard]] std::vector<Exercise> chosen(const std::vector<std::string>& names) const;
 
-    /// All exercises that can be read, for commands that get along without the others: which those are is said on the standard error stream.
-    /// Throws UsageError if UMBRAL_GL names no back end of OpenGL.
+    /// All exercises that can be read, for commands that get along without the others: which those are is said on the
+    /// standard error stream. Throws UsageError if UMBRAL_GL names no back end of OpenGL.
     [[nodiscard]] std::vector<Exercise> readable() const;
 
     /// For commands that grade the answers themselves. Throws UsageError where their sources are not installed.
@@ -52,7 +53,8 @@ struct Application {
     void warn_of_broken() const;
 };
 
-/// Where this Umbral lies, and its units. Throws std::runtime_error, and UsageError if there is no folder for what it keeps.
+/// Where this Umbral lies, and its units. Throws std::runtime_error, and UsageError if there is no folder for what it
+/// keeps.
 [[nodiscard]] Application make_application();
 
 }

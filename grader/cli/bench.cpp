@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "cli/application.hpp"
-#include "cli/become.hpp"
 #include "cli/benchmarks.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
+#include "cli/replace_process.hpp"
 #include "model/nearest.hpp"
 
 namespace umbral::grader {
@@ -20,7 +20,8 @@ const Benchmark& benchmark_named(const std::string& name)
     if (const Benchmark* const found = find_benchmark(name)) return *found;
     std::vector<std::string> known;
     for (const Benchmark& one : benchmarks()) known.push_back(one.name);
-    throw UsageError(fmt::format("expected the name of a benchmark, and got '{}'{} `umbral bench` lists them all", name, did_you_mean(nearest(name, known))));
+    throw UsageError(fmt::format("expected the name of a benchmark, and got '{}'{} `umbral bench` lists them all", name,
+                                 did_you_mean(nearest(name, known))));
 }
 
 /// The program's path, up to date.
@@ -35,8 +36,10 @@ std::string program_of(const Application& application, const Benchmark& benchmar
         case BenchmarkHome::tests: break;
     }
     if (application.layout.installed)
-        throw UsageError(fmt::format("umbral bench {} needs the checkout: packages do not hold {}; get the sources, and call ./umbral bench {} there",
-                                     benchmark.name, benchmark.program, benchmark.name));
+        throw UsageError(
+            fmt::format("umbral bench {} needs the checkout: packages do not hold {}; get the sources, and call "
+                        "./umbral bench {} there",
+                        benchmark.name, benchmark.program, benchmark.name));
     if (benchmark.program.find('/') != std::string::npos) return (application.layout.data / benchmark.program).string();
     return have_fresh_program(application, benchmark.program, benchmark.home == BenchmarkHome::tests).string();
 }
@@ -44,7 +47,8 @@ std::string program_of(const Application& application, const Benchmark& benchmar
 [[noreturn]] void start(const Application& application, const Benchmark& benchmark, std::vector<std::string> given)
 {
     const bool quick = take(given, "--quick");
-    if (quick && !benchmark.quick) throw UsageError(fmt::format("umbral bench {} has no --quick: it takes minutes in any case", benchmark.name));
+    if (quick && !benchmark.quick)
+        throw UsageError(fmt::format("umbral bench {} has no --quick: it takes minutes in any case", benchmark.name));
     std::vector<std::string> words{program_of(application, benchmark)};
     words.insert(words.end(), benchmark.always.begin(), benchmark.always.end());
     const BenchmarkCall& call = quick ? *benchmark.quick : benchmark.usual;
@@ -56,26 +60,29 @@ std::string program_of(const Application& application, const Benchmark& benchmar
         const std::size_t equals = variable.find('=');
         (void)setenv(variable.substr(0, equals).c_str(), variable.c_str() + equals + 1, 0);
     }
-    become(std::move(words), "call ./umbral test, which builds everything");
+    replace_process(std::move(words), "call ./umbral test, which builds everything");
 }
 
 }
 
-// What measures the grader itself are commands; all else is a program of its own, with options of its own, that knows what the grader must
-// not hold: the reference.
+// What measures the grader itself are commands; all else is a program of its own, with options of its own, that knows
+// what the grader must not hold: the reference.
 void add_bench(Command parser, Application& application)
 {
-    const Command command = parser.command("bench", "Prints the figures of the documents, measured here: umbral bench NAME; without a name, lists them");
+    const Command command = parser.command(
+        "bench", "Prints the figures of the documents, measured here: umbral bench NAME; without a name, lists them");
     command.passes_words_on();
     add_bench_explanations(command, application);
     add_bench_judges(command, application);
     command.runs([&application, command] {
         if (command.has_named_command()) return;
         std::vector<std::string> words = command.rest();
-        if (words.empty() || words.front() == "--help" || words.front() == "-h") return fmt::print("{}", list_of_benchmarks());
+        if (words.empty() || words.front() == "--help" || words.front() == "-h")
+            return fmt::print("{}", list_of_benchmarks());
         const Benchmark& benchmark = benchmark_named(words.front());
         words.erase(words.begin());
-        if (!benchmark.has_help && (take(words, "--help") || take(words, "-h"))) return fmt::print("{}", help_of(benchmark));
+        if (!benchmark.has_help && (take(words, "--help") || take(words, "-h")))
+            return fmt::print("{}", help_of(benchmark));
         start(application, benchmark, std::move(words));
     });
 }

@@ -36,7 +36,8 @@ nlohmann::json to_json(const ExplainedWork& work)
 {
     nlohmann::json said = nlohmann::json::array();
     for (const Explanation& one : work.explanations)
-        said.push_back({{"name", one.name}, {"confidence", one.confidence}, {"fit", one.fit}, {"ambiguous", one.ambiguous}});
+        said.push_back(
+            {{"name", one.name}, {"confidence", one.confidence}, {"fit", one.fit}, {"ambiguous", one.ambiguous}});
     return {{"unit", work.unit},
             {"seed", work.seed},
             {"held_out", held_out(work.unit)},
@@ -50,7 +51,10 @@ void write_json(const std::string& file, const std::vector<ExplainedWork>& work,
 {
     nlohmann::json all = nlohmann::json::array();
     for (const ExplainedWork& one : work) all.push_back(to_json(one));
-    write_output(file, nlohmann::json{{"format", "umbral-explanations"}, {"version", 1}, {"seeds", seeds}, {"work", all}}.dump(1) + "\n");
+    write_output(
+        file,
+        nlohmann::json{{"format", "umbral-explanations"}, {"version", 1}, {"seeds", seeds}, {"work", all}}.dump(1) +
+            "\n");
 }
 
 void measure(Application& application, const Options& options)
@@ -63,9 +67,10 @@ void measure(Application& application, const Options& options)
     std::vector<ExplainedWork> work;
     std::size_t finished = 0;
     const std::size_t total = exercises.size() * options.seeds;
-    Crew(application.tools, options.jobs).share_out(total, [&](Workshop& workshop, std::size_t index) {
+    Crew(application.tools, options.jobs).share_out(total, [&](Worker& worker, std::size_t index) {
         const Exercise& exercise = exercises[index / options.seeds];
-        std::vector<ExplainedWork> some = explain_known_work(workshop, exercise, static_cast<unsigned>(index % options.seeds));
+        std::vector<ExplainedWork> some =
+            explain_known_work(worker, exercise, static_cast<unsigned>(index % options.seeds));
         const std::lock_guard lock(mutex);
         fmt::print(stderr, "{} of {}: {}\n{}", ++finished, total, exercise.id, explanation_misses(some));
         std::ranges::move(some, std::back_inserter(work));
@@ -82,14 +87,18 @@ void measure(Application& application, const Options& options)
 void add_bench_explanations(Command bench, Application& application)
 {
     auto options = std::make_shared<Options>();
-    const Command command = bench.command("explanations", "How often the right reason is given for a mistake, and a wrong one for other work");
+    const Command command = bench.command(
+        "explanations", "How often the right reason is given for a mistake, and a wrong one for other work");
     command.has_help();
     command.option("UNIT", options->units, "Only these units");
     command.option("--seeds", options->seeds, "How many sets of random inputs").between(1, most_seeds).with_default();
     command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();
     command.option("--json", options->json, "Write everything that was said, too").called("FILE");
-    command.flag("--quick", options->quick, "A look of some seconds: one set of inputs, of the sphere if no other unit is named");
-    command.footer("Exit status: 0 the targets are met (95 % right; less than 1 % wrong of work that matches no reason), 1 they are not.");
+    command.flag("--quick", options->quick,
+                 "A look of some seconds: one set of inputs, of the sphere if no other unit is named");
+    command.footer(
+        "Exit status: 0 the targets are met (95 % right; less than 1 % wrong of work that matches no reason), 1 they "
+        "are not.");
     command.runs([&application, options] {
         if (options->quick) shorten(*options);
         measure(application, *options);

@@ -54,11 +54,12 @@ void bench_judges(Application& application, const Options& options)
         const std::lock_guard lock(mutex);
         bench.pairs.push_back(std::move(measured));
     };
-    const std::vector<Exercise> exercises = options.no_units ? std::vector<Exercise>{} : application.chosen(options.units);
+    const std::vector<Exercise> exercises =
+        options.no_units ? std::vector<Exercise>{} : application.chosen(options.units);
     have_built(application, exercises);
     for (const Exercise& exercise : exercises)
-        bench.pictures_per_submission +=
-            static_cast<double>(std::ranges::count_if(exercise.checks, [](const Check& check) { return judge_of(check).look == Look::colours; }));
+        bench.pictures_per_submission += static_cast<double>(std::ranges::count_if(
+            exercise.checks, [](const Check& check) { return judge_of(check).look == Look::colours; }));
 
     std::optional<ScratchFolder> scratch;
     std::filesystem::path folder = options.scenes;
@@ -69,14 +70,15 @@ void bench_judges(Application& application, const Options& options)
     }
     // The scenes are one task, each unit's seed is another.
     const std::size_t tasks = exercises.size() * options.seeds + (options.no_scenes ? 0 : 1);
-    Crew(application.tools, options.jobs).share_out(tasks, [&](Workshop& workshop, std::size_t index) {
+    Crew(application.tools, options.jobs).share_out(tasks, [&](Worker& worker, std::size_t index) {
         if (!options.no_scenes && index == 0) return visit_scenes(folder, keep);
         const std::size_t unit = options.no_scenes ? index : index - 1;
-        Workshop egl(application.tools, "egl");
-        visit_unit(workshop, egl, exercises[unit / options.seeds], static_cast<unsigned>(unit % options.seeds), keep);
+        Worker egl(application.tools, "egl");
+        visit_unit(worker, egl, exercises[unit / options.seeds], static_cast<unsigned>(unit % options.seeds), keep);
     });
     // Workers finish in any order; the report has one.
-    std::ranges::stable_sort(bench.pairs, {}, [](const MeasuredPair& pair) { return std::tie(pair.scene, pair.change); });
+    std::ranges::stable_sort(bench.pairs, {},
+                             [](const MeasuredPair& pair) { return std::tie(pair.scene, pair.change); });
     bench.times = time_image_rule();
     const std::string text = as_markdown(bench);
     fmt::print("{}", text);
@@ -89,18 +91,24 @@ void bench_judges(Application& application, const Options& options)
 void add_bench_judges(Command bench, Application& application)
 {
     auto options = std::make_shared<Options>();
-    const Command command = bench.command("judges", "How often the image rule catches wrong pictures, and blames right ones, beside other rules");
+    const Command command = bench.command(
+        "judges", "How often the image rule catches wrong pictures, and blames right ones, beside other rules");
     command.also_called("judge");
     command.has_help();
     command.option("UNIT", options->units, "Only these units' pictures");
-    command.option("--scenes", options->scenes, "Scenes that umbral-bench-scenes has drawn already").called("FOLDER").existing_folder();
+    command.option("--scenes", options->scenes, "Scenes that umbral-bench-scenes has drawn already")
+        .called("FOLDER")
+        .existing_folder();
     command.flag("--no-units", options->no_units, "Only the scenes drawn for this, and no unit");
     command.flag("--no-scenes", options->no_scenes, "Only the units");
-    command.option("--seeds", options->seeds, "How many sets of random inputs of each unit").between(1, most_seeds).with_default();
+    command.option("--seeds", options->seeds, "How many sets of random inputs of each unit")
+        .between(1, most_seeds)
+        .with_default();
     command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();
     command.option("--markdown", options->markdown, "Write the tables to this file too").called("FILE");
     command.option("--json", options->json, "Write every pair's measures to this file").called("FILE");
-    command.flag("--quick", options->quick, "A look of some seconds: no scenes, and of the units the sphere, if no other is named");
+    command.flag("--quick", options->quick,
+                 "A look of some seconds: no scenes, and of the units the sphere, if no other is named");
     command.runs([&application, options] {
         if (options->quick) shorten(*options);
         bench_judges(application, *options);

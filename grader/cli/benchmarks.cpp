@@ -14,7 +14,9 @@ std::vector<Benchmark> make_benchmarks()
 {
     const BenchmarkCall flag{{"--quick"}, {}};
     const BenchmarkCall terse{{"--gtest_brief=1"}, {}};
-    const auto triangles = [&](const char* count) { return BenchmarkCall{terse.words, {std::string("UMBRAL_COVERAGE_TRIANGLES=") + count}}; };
+    const auto triangles = [&](const char* count) {
+        return BenchmarkCall{terse.words, {std::string("UMBRAL_COVERAGE_TRIANGLES=") + count}};
+    };
     return {
         {.name = "accuracy",
          .measures = "what accuracy costs in time: a page with curves and their knees",
@@ -47,7 +49,11 @@ std::vector<Benchmark> make_benchmarks()
          .home = tests,
          .program = "bench-check",
          .quick = flag},
-        {.name = "run", .measures = "what one sandboxed run costs, beside a bare fork", .home = tests, .program = "bench-run", .quick = flag},
+        {.name = "run",
+         .measures = "what one sandboxed run costs, beside a bare fork",
+         .home = tests,
+         .program = "bench-run",
+         .quick = flag},
         {.name = "image-judge",
          .measures = "processor time of the judges of pictures, 512 x 512",
          .home = tests,
@@ -72,7 +78,8 @@ std::vector<Benchmark> make_benchmarks()
          .usual = terse,
          .quick = terse},
         {.name = "raster-coverage",
-         .measures = "the same of the engine, a million triangles; the variable UMBRAL_COVERAGE_TRIANGLES says how many",
+         .measures =
+             "the same of the engine, a million triangles; the variable UMBRAL_COVERAGE_TRIANGLES says how many",
          .home = tests,
          .program = "raster-coverage-test",
          .usual = triangles("1000000"),
@@ -133,7 +140,8 @@ const Benchmark* find_benchmark(std::string_view name)
 std::string list_of_benchmarks()
 {
     std::string text =
-        "umbral bench NAME measures one of these, and builds what that needs. `--quick` is a look of some seconds; any other words\n"
+        "umbral bench NAME measures one of these, and builds what that needs. `--quick` is a look of some seconds; any "
+        "other words\n"
         "are handed on in place of the usual ones; `umbral bench NAME --help` says which there are.\n\n";
     for (const Benchmark& one : benchmarks()) text += fmt::format("  {:16} {}\n", one.name, one.measures);
     return text;
@@ -141,9 +149,10 @@ std::string list_of_benchmarks()
 
 std::string help_of(const Benchmark& benchmark)
 {
-    std::string text = fmt::format("umbral bench {}: {}.\nIt starts {}, which is given {} if nothing else is said", benchmark.name, benchmark.measures,
-                                   benchmark.program, call_text(benchmark.usual));
-    if (benchmark.quick && !benchmark.quick->words.empty()) text += fmt::format(", and with --quick {}", call_text(*benchmark.quick));
+    std::string text = fmt::format("umbral bench {}: {}.\nIt starts {}, which is given {} if nothing else is said",
+                                   benchmark.name, benchmark.measures, benchmark.program, call_text(benchmark.usual));
+    if (benchmark.quick && !benchmark.quick->words.empty())
+        text += fmt::format(", and with --quick {}", call_text(*benchmark.quick));
     return text + (benchmark.quick ? ".\n" : ". It has no --quick: it takes minutes in any case.\n");
 }
 

@@ -24,14 +24,15 @@ struct BenchmarkCall {
 
 /// What measures something of which a document shows figures.
 struct Benchmark {
-    std::string name;                         ///< as in `umbral bench NAME`
-    std::string measures;                     ///< what, in one line
-    BenchmarkHome home;                       ///< decides how its program is found
-    std::string program = {};                 ///< its target, which is its file's name too; of a script its path
-    std::vector<std::string> always = {};     ///< words that begin every call
-    BenchmarkCall usual = {};                 ///< what follows if the caller says nothing else: made the documents' figures
-    std::optional<BenchmarkCall> quick = {};  ///< what follows with --quick, for some seconds; none: it takes minutes anyway
-    bool has_help = false;                    ///< its --help says what it can be told
+    std::string name;                      ///< as in `umbral bench NAME`
+    std::string measures;                  ///< what, in one line
+    BenchmarkHome home;                    ///< decides how its program is found
+    std::string program = {};              ///< its target, which is its file's name too; of a script its path
+    std::vector<std::string> always = {};  ///< words that begin every call
+    BenchmarkCall usual = {};  ///< what follows if the caller says nothing else: made the documents' figures
+    std::optional<BenchmarkCall> quick =
+        {};                 ///< what follows with --quick, for some seconds; none: it takes minutes anyway
+    bool has_help = false;  ///< its --help says what it can be told
 };
 
 /// All of them, in the order in which they are listed.

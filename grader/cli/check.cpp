@@ -42,15 +42,18 @@ std::vector<Exercise> units_to_check(const Application& application, const Optio
     const SubmittedFiles submitted = read_submission(options.folder, chosen, archive_tools(application.tools));
     std::erase_if(chosen, [&](const Exercise& exercise) { return collect(submitted, exercise).nothing(); });
     if (chosen.empty())
-        throw UsageError(fmt::format("{} holds no unit's files; `umbral new DIR` makes a workspace, then check there or with --dir DIR",
-                                     fs::absolute(options.folder).string()));
+        throw UsageError(fmt::format(
+            "{} holds no unit's files; `umbral new DIR` makes a workspace, then check there or with --dir DIR",
+            fs::absolute(options.folder).string()));
     return chosen;
 }
 
 /// One pass over some units, printed. Says how it went by an exit status.
 int check_once(Application& application, Crew& crew, const std::vector<Exercise>& exercises, const Options& options)
 {
-    const Checked checked = check_submission(crew, exercises, {options.folder, options.attempt, !options.no_explanation, !options.html.empty(), options.fresh});
+    const Checked checked = check_submission(
+        crew, exercises,
+        {options.folder, options.attempt, !options.no_explanation, !options.html.empty(), options.fresh});
     SubmissionResult result = checked.result;
     if (!options.html.empty()) {
         result.id = fs::absolute(options.folder).lexically_normal().filename().string();
@@ -61,15 +64,18 @@ int check_once(Application& application, Crew& crew, const std::vector<Exercise>
     // While watching, a line is a document, so that a program can read them one by one.
     const int indentation = options.watch ? -1 : 2;
     if (options.json) {
-        fmt::print("{}\n", to_json(result, checked.fingerprint).dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n", to_json(result, checked.fingerprint)
+                               .dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
     } else {
         fmt::print("{}", terminal_report(result, application.style));
         if (checked.kept > 0 && !options.watch)
-            fmt::print("\n{} of {} unit{} unchanged since the last check, and not run again (--fresh runs all).\n", checked.kept, exercises.size(),
-                       exercises.size() == 1 ? "" : "s");
+            fmt::print("\n{} of {} unit{} unchanged since the last check, and not run again (--fresh runs all).\n",
+                       checked.kept, exercises.size(), exercises.size() == 1 ? "" : "s");
     }
 
-    const auto is = [](Verdict verdict) { return [verdict](const UnitResult& unit) { return unit.verdict == verdict; }; };
+    const auto is = [](Verdict verdict) {
+        return [verdict](const UnitResult& unit) { return unit.verdict == verdict; };
+    };
     if (std::any_of(result.units.begin(), result.units.end(), is(Verdict::grader_fault))) return exit_fault;
     return std::all_of(result.units.begin(), result.units.end(), is(Verdict::ok)) ? exit_ok : exit_not_right;
 }
@@ -86,13 +92,15 @@ std::map<std::string, Sources> texts_of_units(const std::vector<Exercise>& exerc
 std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const fs::path& root)
 {
     std::vector<fs::path> folders{root};
-    for (const Exercise& exercise : exercises) folders.insert(folders.end(), {root / exercise.topic, root / exercise.topic / exercise.name});
+    for (const Exercise& exercise : exercises)
+        folders.insert(folders.end(), {root / exercise.topic, root / exercise.topic / exercise.name});
     return folders;
 }
 
-/// Checks again what is saved, until the program is stopped. The spawners stay warm and the reference's runs are remembered, so that
-/// little more than the compiler's time lies between a save and its verdict.
-[[noreturn]] void watch(Application& application, Crew& crew, const std::vector<Exercise>& exercises, const Options& options)
+/// Checks again what is saved, until the program is stopped. The spawners stay warm and the reference's runs are
+/// remembered, so that little more than the compiler's time lies between a save and its verdict.
+[[noreturn]] void watch(Application& application, Crew& crew, const std::vector<Exercise>& exercises,
+                        const Options& options)
 {
     constexpr std::chrono::milliseconds quiet{15};
     FolderWatch saves;
@@ -116,7 +124,8 @@ std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const f
         if (changed.empty()) continue;
         if (!options.json && isatty(STDOUT_FILENO) != 0) fmt::print("\x1b[2J\x1b[H");
         (void)check_once(application, crew, changed, options);
-        say(fmt::format("{:.2f} s after the save. Watching; Ctrl+C ends.", std::chrono::duration<double>(std::chrono::steady_clock::now() - saved).count()));
+        say(fmt::format("{:.2f} s after the save. Watching; Ctrl+C ends.",
+                        std::chrono::duration<double>(std::chrono::steady_clock::now() - saved).count()));
     }
 }
 
@@ -141,8 +150,10 @@ void add_check(Command parser, Application& application)
     command.option("--dir", options->folder, "The workspace").with_default();
     command.option("--attempt", options->attempt, "Another number gives other random inputs").with_default();
     command.flag("--json", options->json, "As JSON (docs/schemas/report.schema.json)");
-    command.option("--html", options->html, "Also writes the report as one page that opens in any browser, without a network");
-    command.flag("--watch", options->watch, "Checks again whatever you save, until you press Ctrl+C; with --json, one line a check");
+    command.option("--html", options->html,
+                   "Also writes the report as one page that opens in any browser, without a network");
+    command.flag("--watch", options->watch,
+                 "Checks again whatever you save, until you press Ctrl+C; with --json, one line a check");
     command.flag("--fresh", options->fresh, "Run everything again, also what has not changed since the last check");
     command.option("--jobs", options->jobs, "Units at a time").between(1, most_jobs).with_default();
     command.flag("--no-explanation", options->no_explanation, "Only points");

@@ -23,7 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_built(const Application& application, const Exercise& unit) { return fs::exists(unit_folder(application.tools, unit.id) / "built"); }
+bool is_built(const Application& application, const Exercise& unit)
+{
+    return fs::exists(unit_folder(application.tools, unit.id) / "built");
+}
 
 std::string target_of(const Exercise& unit) { return "unit-" + unit.topic + "-" + unit.name; }
 
@@ -38,7 +41,9 @@ std::string errors_in(const fs::path& log)
     const std::vector<std::string>& shown = errors.empty() ? all : errors;
     const auto first = errors.empty() ? all.end() - std::min<std::ptrdiff_t>(std::ssize(all), 10) : errors.begin();
     std::string text;
-    for (auto line = first; line != shown.end() && line != first + std::min<std::ptrdiff_t>(shown.end() - first, 10); ++line) text += "\n  " + one_line(*line);
+    for (auto line = first; line != shown.end() && line != first + std::min<std::ptrdiff_t>(shown.end() - first, 10);
+         ++line)
+        text += "\n  " + one_line(*line);
     return text;
 }
 
@@ -66,7 +71,8 @@ int run_into(const fs::path& log, std::vector<std::string> words)
 Descriptor lock_build(const fs::path& folder)
 {
     Descriptor lock(open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
-    if (!lock || flock(lock.get(), LOCK_EX) != 0) throw std::runtime_error(fmt::format("cannot build in {}: {}", folder.string(), std::strerror(errno)));
+    if (!lock || flock(lock.get(), LOCK_EX) != 0)
+        throw std::runtime_error(fmt::format("cannot build in {}: {}", folder.string(), std::strerror(errno)));
     return lock;
 }
 
@@ -78,7 +84,8 @@ void build_targets(const fs::path& folder, const std::vector<std::string>& targe
     std::vector<std::string> words{"cmake", "--build", folder.string(), "--target"};
     words.insert(words.end(), targets.begin(), targets.end());
     if (run_into(log, words) != 0)
-        throw std::runtime_error(fmt::format("building {} failed; the whole log is in {}{}", listed(targets), log.string(), errors_in(log)));
+        throw std::runtime_error(
+            fmt::format("building {} failed; the whole log is in {}{}", listed(targets), log.string(), errors_in(log)));
 }
 
 void say(const Application& application, const std::string& what)
@@ -136,7 +143,8 @@ void have_built(const Application& application, std::span<const Exercise> units)
         targets.push_back(target_of(unit));
     }
     if (targets.empty()) return;
-    say(application, fmt::format("building {} for the first time: {}", names.size() == 1 ? "a unit" : fmt::format("{} units", names.size()), listed(names)));
+    say(application, fmt::format("building {} for the first time: {}",
+                                 names.size() == 1 ? "a unit" : fmt::format("{} units", names.size()), listed(names)));
     build_targets(application.layout.build, targets);
 }
 
@@ -144,7 +152,8 @@ fs::path have_program(const Application& application, const std::string& name)
 {
     const fs::path program = application.tools.programs / name;
     if (!fs::exists(program) && application.layout.installed)
-        throw UsageError(fmt::format("this needs the program {}, which students' packages do not hold; install umbral-instructor", name));
+        throw UsageError(fmt::format(
+            "this needs the program {}, which students' packages do not hold; install umbral-instructor", name));
     if (!fs::exists(program)) {
         say(application, fmt::format("building {} for the first time", name));
         build_targets(application.layout.build, {name});
@@ -156,7 +165,8 @@ fs::path have_fresh_program(const Application& application, const std::string& n
 {
     if (of_tests) configure_tests(application);
     const fs::path program = application.tools.programs / name;
-    say(application, fs::exists(program) ? fmt::format("bringing {} up to date", name) : fmt::format("building {} for the first time", name));
+    say(application, fs::exists(program) ? fmt::format("bringing {} up to date", name)
+                                         : fmt::format("building {} for the first time", name));
     build_targets(application.layout.build, {name});
     return program;
 }

@@ -7,19 +7,23 @@
 
 namespace umbral::grader {
 
-// In an installation all is built but the precompiled header of students' files, which fits one compiler only and lies in the user's cache.
-// In a checkout only what somebody asked for is built: the program by the launcher, units and further programs by the commands that need them.
-// A line on the standard error stream says what is being built. Both throw std::runtime_error, with the compiler's first errors, if it cannot be.
+// In an installation all is built but the precompiled header of students' files, which fits one compiler only and lies
+// in the user's cache. In a checkout only what somebody asked for is built: the program by the launcher, units and
+// further programs by the commands that need them. A line on the standard error stream says what is being built. Both
+// throw std::runtime_error, with the compiler's first errors, if it cannot be.
 
-/// Builds those of the units that were not built yet; in an installation the precompiled header, if this compiler has none yet.
+/// Builds those of the units that were not built yet; in an installation the precompiled header, if this compiler has
+/// none yet.
 void have_built(const Application& application, std::span<const Exercise> units);
 
-/// Builds the program `name` if it was not built yet. Its path. Throws UsageError in an installation that does not hold it.
+/// Builds the program `name` if it was not built yet. Its path. Throws UsageError in an installation that does not hold
+/// it.
 [[nodiscard]] std::filesystem::path have_program(const Application& application, const std::string& name);
 
-/// In a checkout: builds the program `name` anew if its sources changed, so that what is measured is what they say. Those
-/// `of_tests` have targets only if the build was configured with the tests: if it was not, it is now. Throws UsageError,
-/// and leaves the build as it was, if that is not possible. The program's path.
-[[nodiscard]] std::filesystem::path have_fresh_program(const Application& application, const std::string& name, bool of_tests);
+/// In a checkout: builds the program `name` anew if its sources changed, so that what is measured is what they say.
+/// Those `of_tests` have targets only if the build was configured with the tests: if it was not, it is now. Throws
+/// UsageError, and leaves the build as it was, if that is not possible. The program's path.
+[[nodiscard]] std::filesystem::path have_fresh_program(const Application& application, const std::string& name,
+                                                       bool of_tests);
 
 }

@@ -48,18 +48,39 @@ const Option& Option::excludes(const std::string& other) const
     return *this;
 }
 
-Command Command::command(const std::string& name, const std::string& summary) const { return Command(*app_->add_subcommand(name, summary)); }
+Command Command::command(const std::string& name, const std::string& summary) const
+{
+    return Command(*app_->add_subcommand(name, summary));
+}
 
-Option Command::option(const std::string& name, std::string& to, const std::string& meaning) const { return Option(*app_->add_option(name, to, meaning)); }
+Option Command::option(const std::string& name, std::string& to, const std::string& meaning) const
+{
+    return Option(*app_->add_option(name, to, meaning));
+}
 Option Command::option(const std::string& name, std::vector<std::string>& to, const std::string& meaning) const
 {
     return Option(*app_->add_option(name, to, meaning));
 }
-Option Command::option(const std::string& name, std::size_t& to, const std::string& meaning) const { return Option(*app_->add_option(name, to, meaning)); }
-Option Command::option(const std::string& name, unsigned& to, const std::string& meaning) const { return Option(*app_->add_option(name, to, meaning)); }
-Option Command::option(const std::string& name, int& to, const std::string& meaning) const { return Option(*app_->add_option(name, to, meaning)); }
-Option Command::option(const std::string& name, double& to, const std::string& meaning) const { return Option(*app_->add_option(name, to, meaning)); }
-Option Command::flag(const std::string& name, bool& to, const std::string& meaning) const { return Option(*app_->add_flag(name, to, meaning)); }
+Option Command::option(const std::string& name, std::size_t& to, const std::string& meaning) const
+{
+    return Option(*app_->add_option(name, to, meaning));
+}
+Option Command::option(const std::string& name, unsigned& to, const std::string& meaning) const
+{
+    return Option(*app_->add_option(name, to, meaning));
+}
+Option Command::option(const std::string& name, int& to, const std::string& meaning) const
+{
+    return Option(*app_->add_option(name, to, meaning));
+}
+Option Command::option(const std::string& name, double& to, const std::string& meaning) const
+{
+    return Option(*app_->add_option(name, to, meaning));
+}
+Option Command::flag(const std::string& name, bool& to, const std::string& meaning) const
+{
+    return Option(*app_->add_flag(name, to, meaning));
+}
 
 void Command::also_called(const std::string& name) const { app_->alias(name); }
 void Command::footer(const std::string& text) const { app_->footer(text); }
@@ -91,7 +112,8 @@ std::string complaint_of(CLI::App& app, const Parse& parse)
 
 }
 
-CommandLine::CommandLine(const std::string& name, const std::string& summary, const std::string& version) : app_(std::make_unique<CLI::App>(summary, name))
+CommandLine::CommandLine(const std::string& name, const std::string& summary, const std::string& version)
+    : app_(std::make_unique<CLI::App>(summary, name))
 {
     app_->set_version_flag("--version", version);
     app_->require_subcommand(1);

@@ -41,8 +41,8 @@ private:
     CLI::Option* option_;
 };
 
-/// A command of the program, while it is declared. CLI11 reads the command line; its header takes four seconds to compile, and so is known to
-/// command_line.cpp alone.
+/// A command of the program, while it is declared. CLI11 reads the command line; its header takes four seconds to
+/// compile, and so is known to command_line.cpp alone.
 class Command {
 public:
     explicit Command(CLI::App& app) : app_(&app) {}
@@ -53,8 +53,8 @@ public:
     /// Another name, which --help shows beside it.
     void also_called(const std::string& name) const;
 
-    /// An argument ("UNIT") or option ("--out"), and where its value goes, which must outlive the command. Of several values, where `to` is
-    /// a list, an argument takes all that stand there.
+    /// An argument ("UNIT") or option ("--out"), and where its value goes, which must outlive the command. Of several
+    /// values, where `to` is a list, an argument takes all that stand there.
     Option option(const std::string& name, std::string& to, const std::string& meaning) const;
     Option option(const std::string& name, std::vector<std::string>& to, const std::string& meaning) const;
     Option option(const std::string& name, std::size_t& to, const std::string& meaning) const;
@@ -92,8 +92,9 @@ public:
     /// The names of its commands.
     [[nodiscard]] std::vector<std::string> commands() const;
 
-    /// Reads the words behind the program's name, and runs the command that they name; prints help and version where they are asked for.
-    /// Returns what is wrong with the words, ready to be shown; empty if nothing is. Throws what the command throws.
+    /// Reads the words behind the program's name, and runs the command that they name; prints help and version where
+    /// they are asked for. Returns what is wrong with the words, ready to be shown; empty if nothing is. Throws what
+    /// the command throws.
     [[nodiscard]] std::string run(std::span<char* const> words);
     /// The same from one line, for tests.
     [[nodiscard]] std::string run(const std::string& line);

@@ -8,8 +8,8 @@ namespace umbral::grader {
 
 struct Application;
 
-// Each adds one command to the program; the application must outlive the command line. A new command is a file with such a function, its
-// declaration, and its place in the order of --help.
+// Each adds one command to the program; the application must outlive the command line. A new command is a file with
+// such a function, its declaration, and its place in the order of --help.
 void add_list(Command parser, Application& application);
 void add_new(Command parser, Application& application);
 void add_new_unit(Command parser, Application& application);
@@ -27,8 +27,9 @@ void add_bench(Command parser, Application& application);
 void add_doctor(Command parser, Application& application);
 
 /// All commands, in the order of --help.
-inline constexpr std::array add_commands{add_list,    add_new,   add_new_unit, add_check,    add_hint,    add_reset, add_debug, add_render,
-                                         add_compare, add_grade, add_demo,     add_validate, add_refresh, add_bench, add_doctor};
+inline constexpr std::array add_commands{add_list,  add_new,      add_new_unit, add_check,   add_hint,
+                                         add_reset, add_debug,    add_render,   add_compare, add_grade,
+                                         add_demo,  add_validate, add_refresh,  add_bench,   add_doctor};
 
 // Added to the command bench.
 void add_bench_explanations(Command bench, Application& application);

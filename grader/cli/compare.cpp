@@ -87,11 +87,13 @@ Found compare(const Check& check, const Tensor& yours, const Tensor& reference, 
     Found found;
     if (yours.rows != reference.rows || yours.columns != reference.columns) {
         found.result = blank(options);
-        found.result.message = fmt::format("The sizes differ: {} has {} x {} pixels, {} has {} x {}.", options.yours, yours.columns, yours.rows,
-                                           options.reference, reference.columns, reference.rows);
+        found.result.message =
+            fmt::format("The sizes differ: {} has {} x {} pixels, {} has {} x {}.", options.yours, yours.columns,
+                        yours.rows, options.reference, reference.columns, reference.rows);
         return found;
     }
-    found = options.stochastic ? by_tiles(check, yours, reference, options) : by_pixels(check, yours, reference, options);
+    found =
+        options.stochastic ? by_tiles(check, yours, reference, options) : by_pixels(check, yours, reference, options);
     found.result.score = found.agree ? found.result.max_score : 0;
     found.worst = worst_region(check, yours, reference);
     return found;
@@ -123,7 +125,8 @@ void print_text(const Application& application, const Found& found, const Option
     if (!found.result.message.empty()) fmt::print("    {}\n", paint.safe(found.result.message));
     const auto& metrics = found.result.metrics;
     const auto line = [&](const char* key, const char* words, const char* unit) {
-        if (const auto metric = metrics.find(key); metric != metrics.end()) fmt::print("    {:<28}{:.4g}{}\n", words, metric->second, unit);
+        if (const auto metric = metrics.find(key); metric != metrics.end())
+            fmt::print("    {:<28}{:.4g}{}\n", words, metric->second, unit);
     };
     if (!metrics.empty()) fmt::print("\n");
     line("ssim", "SSIM (1: the same)", "");
@@ -134,7 +137,8 @@ void print_text(const Application& application, const Found& found, const Option
     line("worst_z", "worst tile", " standard deviations");
     if (found.worst) {
         const Window& worst = found.worst->worst;
-        fmt::print("    {:<28}{} x {} pixels from ({}, {})\n", "they differ most in", worst.width, worst.height, worst.x, worst.y);
+        fmt::print("    {:<28}{} x {} pixels from ({}, {})\n", "they differ most in", worst.width, worst.height,
+                   worst.x, worst.y);
     }
     if (!options.html.empty()) fmt::print("\n    {}\n", paint.safe(options.html));
     fmt::print("\n");
@@ -152,8 +156,11 @@ void run(Application& application, const Options& options)
     if (!options.html.empty()) {
         html::CheckDetail detail;
         detail.evidence = evidence_of(check, {&yours, &reference}, found.agree);
-        if (options.stochastic) detail.why = fmt::format("a right picture fails once in {:.0f}: noise explains everything else", 1 / stochastic_alpha);
-        write_output(options.html, html::comparison_html({options.yours, options.reference, found.result, detail, found.agree, config::version}));
+        if (options.stochastic)
+            detail.why = fmt::format("a right picture fails once in {:.0f}: noise explains everything else",
+                                     1 / stochastic_alpha);
+        write_output(options.html, html::comparison_html({options.yours, options.reference, found.result, detail,
+                                                          found.agree, config::version}));
     }
     if (options.json)
         print_json(found, options);
@@ -170,10 +177,13 @@ void add_compare(Command parser, Application& application)
     const Command command = parser.command("compare", "Compares two PNG files as a check of a picture would");
     command.option("YOURS", options->yours, "The picture in question").required();
     command.option("REFERENCE", options->reference, "The picture that is right").required();
-    command.flag("--stochastic", options->stochastic, "For Monte Carlo pictures: compares the light of tiles, beyond what noise explains, instead of pixels");
+    command.flag(
+        "--stochastic", options->stochastic,
+        "For Monte Carlo pictures: compares the light of tiles, beyond what noise explains, instead of pixels");
     command.flag("--json", options->json, "As JSON");
     command.option("--html", options->html, "Also writes a page that shows both pictures and where they differ");
-    command.footer("Exit status: 0 the pictures agree; 1 they do not, or differ in size; 2 a file is missing, empty or no PNG.");
+    command.footer(
+        "Exit status: 0 the pictures agree; 1 they do not, or differ in size; 2 a file is missing, empty or no PNG.");
     command.runs([&application, options] { run(application, *options); });
 }
 

@@ -8,10 +8,10 @@
 #include "batch/grade_unit.hpp"
 #include "build/builder.hpp"
 #include "cli/application.hpp"
-#include "cli/become.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
 #include "cli/paths.hpp"
+#include "cli/replace_process.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -33,9 +33,11 @@ void debug(const Application& application, const Options& options)
     if (std::find(cases.begin(), cases.end(), chosen) == cases.end())
         throw UsageError(fmt::format("{} has no case '{}'; it has: {}", exercise.id, chosen, fmt::join(cases, ", ")));
     expect_folder(options.folder, "a workspace");
-    const Handed handed = collect(read_submission(options.folder, {&exercise, 1}, archive_tools(application.tools)), exercise);
+    const Handed handed =
+        collect(read_submission(options.folder, {&exercise, 1}, archive_tools(application.tools)), exercise);
     if (!handed.refused.empty()) throw UsageError(fmt::format("not read in {}: {}", options.folder, handed.refused));
-    if (!handed.missing.empty()) throw UsageError(fmt::format("not found in {}: {}", options.folder, fmt::join(handed.missing, ", ")));
+    if (!handed.missing.empty())
+        throw UsageError(fmt::format("not found in {}: {}", options.folder, fmt::join(handed.missing, ", ")));
     have_built(application, {&exercise, 1});
     const Built built = build(application.tools, exercise, handed.files);
     if (built.verdict != Verdict::ok) throw UsageError(fmt::format("{}:\n{}", in_words(built.verdict), built.message));
@@ -48,12 +50,15 @@ void debug(const Application& application, const Options& options)
     const fs::path sources = fs::is_directory(own) ? own : fs::path(options.folder);
     std::vector<std::string> words;
     if (!options.no_debugger)
-        words = {"gdb", "-q", "-ex", "set breakpoint pending on", "-ex", "directory " + fs::absolute(sources).string(), "-ex", "run", "--args"};
+        words = {
+            "gdb", "-q",  "-ex",   "set breakpoint pending on", "-ex", "directory " + fs::absolute(sources).string(),
+            "-ex", "run", "--args"};
     words.push_back((application.tools.programs / (exercise.gl ? "umbral-debug-gl" : "umbral-debug")).string());
-    for (const std::string& word : {(unit_folder(application.tools, exercise.id) / "driver.so").string(), built.library.string(), chosen,
-                                    std::to_string(stream), fs::absolute(sources).string()})
+    for (const std::string& word :
+         {(unit_folder(application.tools, exercise.id) / "driver.so").string(), built.library.string(), chosen,
+          std::to_string(stream), fs::absolute(sources).string()})
         words.push_back(word);
-    become(std::move(words), "is it installed? --no-debugger does without");
+    replace_process(std::move(words), "is it installed? --no-debugger does without");
 }
 
 }
@@ -61,7 +66,8 @@ void debug(const Application& application, const Options& options)
 void add_debug(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    const Command command = parser.command("debug", "Runs one case under gdb: an ordinary program, without sandbox and limits");
+    const Command command =
+        parser.command("debug", "Runs one case under gdb: an ordinary program, without sandbox and limits");
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("CASE", options->case_name, "Which case; the first if not given");
     command.option("--dir", options->folder, "The workspace").with_default();

@@ -11,7 +11,8 @@
 #include <umbral/gl/context.hpp>
 #endif
 
-// umbral-debug DRIVER STUDENT CASE SEED SOURCES: the student's own code in an ordinary program, with what it records listed at the end.
+// umbral-debug DRIVER STUDENT CASE SEED SOURCES: the student's own code in an ordinary program, with what it records
+// listed at the end.
 namespace {
 
 using namespace umbral;
@@ -47,7 +48,8 @@ void run(char** words)
     for (const DriverCase& one : driver->cases)
         if (what.name == one.name) one.run(what, recorder);
     for (const auto& [name, tensor] : recorder.tensors())
-        std::printf("recorded %s: %u x %u cells of %u components\n", name.c_str(), tensor.rows, tensor.columns, tensor.components);
+        std::printf("recorded %s: %u x %u cells of %u components\n", name.c_str(), tensor.rows, tensor.columns,
+                    tensor.components);
 }
 
 }

@@ -23,11 +23,13 @@ std::filesystem::path demo_secret(const Application& application)
 void add_demo(Command parser, Application& application)
 {
     auto out = std::make_shared<std::string>("out/demo");
-    const Command command = parser.command("demo", "Grades the sample class: ten submissions, from flawless to hostile");
+    const Command command =
+        parser.command("demo", "Grades the sample class: ten submissions, from flawless to hostile");
     command.option("--out", *out, "Where reports go").with_default();
     command.runs([&application, out] {
         if (!std::filesystem::is_directory(application.layout.samples))
-            throw UsageError(fmt::format("the sample class is not in {}; it comes with the package umbral-instructor", application.layout.samples.string()));
+            throw UsageError(fmt::format("the sample class is not in {}; it comes with the package umbral-instructor",
+                                         application.layout.samples.string()));
         GradeCommand grade;
         grade.submissions = application.layout.samples.string();
         grade.out = std::filesystem::absolute(*out).string();
@@ -35,7 +37,9 @@ void add_demo(Command parser, Application& application)
         grade.course = "demo";
         // A secret of its own: nothing of the user's is touched, and every machine sees the same demo.
         grade.secret_file = demo_secret(application).string();
-        fmt::print("Grading the sample class of ten: flawless, untouched, mistaken, different, broken, endless, crashing, greedy, half done and hostile.\n\n");
+        fmt::print(
+            "Grading the sample class of ten: flawless, untouched, mistaken, different, broken, endless, crashing, "
+            "greedy, half done and hostile.\n\n");
         (void)std::fflush(stdout);
         grade_and_print(application, grade);
     });

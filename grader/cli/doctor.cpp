@@ -28,25 +28,34 @@ struct Symptom {
     std::string remedy;  ///< what to do if it is missing
 };
 
-bool on_path(const std::string& program) { return std::system(fmt::format("command -v {} >/dev/null 2>&1", program).c_str()) == 0; }
-
-Symptom protection(const std::vector<std::string>& active, const std::string& name, bool needed, const std::string& remedy)
+bool on_path(const std::string& program)
 {
-    const auto found = std::find_if(active.begin(), active.end(), [&](const std::string& one) { return one.starts_with(name); });
+    return std::system(fmt::format("command -v {} >/dev/null 2>&1", program).c_str()) == 0;
+}
+
+Symptom protection(const std::vector<std::string>& active, const std::string& name, bool needed,
+                   const std::string& remedy)
+{
+    const auto found =
+        std::find_if(active.begin(), active.end(), [&](const std::string& one) { return one.starts_with(name); });
     return {"sandbox: " + name, found != active.end(), needed, found != active.end() ? *found : "", remedy};
 }
 
 void examine_spawners(const Application& application, std::vector<Symptom>& symptoms)
 {
-    Workshop workshop(application.tools);
+    Worker worker(application.tools);
     try {
-        const auto& active = workshop.spawner(false).protections();
-        symptoms.push_back(
-            protection(active, "seccomp", false, "grade only work that you trust: this kernel does not filter system calls (CONFIG_SECCOMP_FILTER)"));
-        symptoms.push_back(
-            protection(active, "landlock", false, "grade only work that you trust: use Linux 5.13 or newer, with landlock in the kernel's lsm= list"));
+        const auto& active = worker.spawner(false).protections();
+        symptoms.push_back(protection(
+            active, "seccomp", false,
+            "grade only work that you trust: this kernel does not filter system calls (CONFIG_SECCOMP_FILTER)"));
+        symptoms.push_back(protection(
+            active, "landlock", false,
+            "grade only work that you trust: use Linux 5.13 or newer, with landlock in the kernel's lsm= list"));
         for (const char* name : {"user namespace", "network namespace", "process namespace"})
-            symptoms.push_back(protection(active, name, false, "optional: allow unprivileged user namespaces (sysctl kernel.unprivileged_userns_clone=1)"));
+            symptoms.push_back(
+                protection(active, name, false,
+                           "optional: allow unprivileged user namespaces (sysctl kernel.unprivileged_userns_clone=1)"));
     } catch (const std::exception& error) {
         symptoms.push_back({"sandbox", false, true, error.what(), "build again: ./umbral test says what fails"});
     }
@@ -61,10 +70,12 @@ void examine_back_ends(const Application& application, std::vector<Symptom>& sym
         const char* remedy;
     };
     std::vector<Symptom> found;
-    for (const BackEnd& one : {BackEnd{"osmesa", "OpenGL by OSMesa", "apt install libosmesa6 (not in Mesa 25.1 and later: EGL draws the same there)"},
+    for (const BackEnd& one : {BackEnd{"osmesa", "OpenGL by OSMesa",
+                                       "apt install libosmesa6 (not in Mesa 25.1 and later: EGL draws the same there)"},
                                BackEnd{"egl", "OpenGL by EGL", "apt install libegl1 libegl-mesa0 libgl1-mesa-dri"}}) {
         try {
-            found.push_back({one.name, true, false, Spawner(application.tools.programs / "umbral-spawner-gl", one.choice).gl(), ""});
+            found.push_back({one.name, true, false,
+                             Spawner(application.tools.programs / "umbral-spawner-gl", one.choice).gl(), ""});
         } catch (const std::exception&) {
             found.push_back({one.name, false, false, "", one.remedy});
         }
@@ -73,10 +84,12 @@ void examine_back_ends(const Application& application, std::vector<Symptom>& sym
     for (Symptom& one : found) one.needed = none;
     symptoms.insert(symptoms.end(), found.begin(), found.end());
     try {
-        symptoms.push_back({"OpenGL offscreen", true, true, Spawner(application.tools.programs / "umbral-spawner-gl").gl(), ""});
-    } catch (const std::exception&) {
         symptoms.push_back(
-            {"OpenGL offscreen", false, true, "", none ? "install one of the two above" : "UMBRAL_GL must be osmesa or egl, and name one that is installed"});
+            {"OpenGL offscreen", true, true, Spawner(application.tools.programs / "umbral-spawner-gl").gl(), ""});
+    } catch (const std::exception&) {
+        symptoms.push_back({"OpenGL offscreen", false, true, "",
+                            none ? "install one of the two above"
+                                 : "UMBRAL_GL must be osmesa or egl, and name one that is installed"});
     }
 }
 
@@ -88,13 +101,14 @@ std::vector<Symptom> examine(const Application& application)
     symptoms.push_back({"linker mold", on_path("mold"), true, "", "apt install mold"});
     const fs::path header = application.tools.student_header.string() + ".gch";
     const bool installed = application.layout.installed;
-    symptoms.push_back({"precompiled header", fs::exists(header), !installed, header.string(), installed ? "made at first use" : "build again: ./umbral list"});
+    symptoms.push_back({"precompiled header", fs::exists(header), !installed, header.string(),
+                        installed ? "made at first use" : "build again: ./umbral list"});
     symptoms.push_back({"debugger gdb", on_path("gdb"), false, "", "for `umbral debug`: apt install gdb"});
     const fs::path& cache = application.tools.cache;
     std::error_code error;
     fs::create_directories(cache, error);
-    symptoms.push_back(
-        {"cache", !error && access(cache.c_str(), W_OK) == 0, true, cache.string(), "make this folder writable, or set UMBRAL_CACHE to one that is"});
+    symptoms.push_back({"cache", !error && access(cache.c_str(), W_OK) == 0, true, cache.string(),
+                        "make this folder writable, or set UMBRAL_CACHE to one that is"});
     examine_spawners(application, symptoms);
     examine_back_ends(application, symptoms);
     return symptoms;
@@ -106,9 +120,13 @@ void add_doctor(Command parser, Application& application)
 {
     auto json = std::make_shared<bool>(false);
     auto attack = std::make_shared<bool>(false);
-    const Command command = parser.command("doctor", "Looks at this machine: compiler, OpenGL, sandbox; a remedy for each thing that is missing");
+    const Command command = parser.command(
+        "doctor", "Looks at this machine: compiler, OpenGL, sandbox; a remedy for each thing that is missing");
     command.flag("--json", *json, "As JSON");
-    command.flag("--attack", *attack, "Instead: grades hostile submissions that do no harm, and says of each whether this machine held").excludes("--json");
+    command
+        .flag("--attack", *attack,
+              "Instead: grades hostile submissions that do no harm, and says of each whether this machine held")
+        .excludes("--json");
     command.runs([&application, json, attack] {
         if (*attack) return attack_this_machine(application);
         const std::vector<Symptom> symptoms = examine(application);
@@ -125,9 +143,11 @@ void add_doctor(Command parser, Application& application)
             const std::string mark = symptom.present  ? paint(Tone::good, paint.symbol("✓", "ok"))
                                      : symptom.needed ? paint(Tone::bad, paint.symbol("✗", "NO"))
                                                       : paint(Tone::part, paint.symbol("○", "--"));
-            fmt::print("{} {:<30} {}\n", mark, symptom.name, paint.safe(symptom.present ? symptom.detail : symptom.remedy));
+            fmt::print("{} {:<30} {}\n", mark, symptom.name,
+                       paint.safe(symptom.present ? symptom.detail : symptom.remedy));
         }
-        if (*json) fmt::print("{}\n", nlohmann::json{{"format", "umbral-doctor"}, {"version", 1}, {"symptoms", rows}}.dump(2));
+        if (*json)
+            fmt::print("{}\n", nlohmann::json{{"format", "umbral-doctor"}, {"version", 1}, {"symptoms", rows}}.dump(2));
     });
 }
 

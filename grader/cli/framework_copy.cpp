@@ -22,11 +22,13 @@ std::set<std::string> headers_for(const Toolchain& tools, std::span<const Exerci
     std::deque<std::string> waiting{first_header};
     for (const Exercise& exercise : exercises)
         for (const std::string& stub : exercise.files)
-            for (const std::string& header : framework_includes(read_text(exercise.folder / stub))) waiting.push_back(header);
+            for (const std::string& header : framework_includes(read_text(exercise.folder / stub)))
+                waiting.push_back(header);
     std::set<std::string> all;
     for (; !waiting.empty(); waiting.pop_front()) {
         if (!fs::exists(tools.framework / waiting.front()) || !all.insert(waiting.front()).second) continue;
-        for (const std::string& header : framework_includes(read_text(tools.framework / waiting.front()))) waiting.push_back(header);
+        for (const std::string& header : framework_includes(read_text(tools.framework / waiting.front())))
+            waiting.push_back(header);
     }
     return all;
 }

@@ -32,21 +32,25 @@ namespace fs = std::filesystem;
 void refuse_weak_sandbox(const Fingerprint& machine, bool allowed)
 {
     const auto has = [&](std::string_view name) {
-        return std::any_of(machine.protections.begin(), machine.protections.end(), [&](const std::string& one) { return one.starts_with(name); });
+        return std::any_of(machine.protections.begin(), machine.protections.end(),
+                           [&](const std::string& one) { return one.starts_with(name); });
     };
     if (allowed || (has("seccomp") && has("landlock"))) return;
     throw UsageError(
-        "this machine lacks seccomp or Landlock, so that submissions could read your files (`umbral doctor` says more); grade on a Linux 5.13 or "
+        "this machine lacks seccomp or Landlock, so that submissions could read your files (`umbral doctor` says "
+        "more); grade on a Linux 5.13 or "
         "newer with both, or add --allow-weak-sandbox if you trust every submission");
 }
 
 /// The units of which some submission has a file.
-std::vector<Exercise> handed_in(const Application& application, const std::vector<Exercise>& exercises, const GradeCommand& command)
+std::vector<Exercise> handed_in(const Application& application, const std::vector<Exercise>& exercises,
+                                const GradeCommand& command)
 {
     std::vector<bool> seen(exercises.size(), false);
     for (const SubmissionFolder& submission : class_folder(command.submissions, command.roster).submissions) {
         const SubmittedFiles files = read_submission(submission.folder, exercises, archive_tools(application.tools));
-        for (std::size_t i = 0; i < exercises.size(); ++i) seen[i] = seen[i] || !collect(files, exercises[i]).files.empty();
+        for (std::size_t i = 0; i < exercises.size(); ++i)
+            seen[i] = seen[i] || !collect(files, exercises[i]).files.empty();
     }
     std::vector<Exercise> result;
     for (std::size_t i = 0; i < exercises.size(); ++i)
@@ -55,7 +59,8 @@ std::vector<Exercise> handed_in(const Application& application, const std::vecto
     return result;
 }
 
-/// Tells how far a class is: one line that is written over and over on a terminal, otherwise a line for each submission.
+/// Tells how far a class is: one line that is written over and over on a terminal, otherwise a line for each
+/// submission.
 class Teller {
 public:
     Teller(const TerminalStyle& style, bool silent) : style_(style), live_(style.color && !silent), silent_(silent) {}
@@ -71,12 +76,13 @@ public:
         const Paint paint(style_);
         if (live_) {
             if (!progress.finished.empty()) last_ = progress.finished;
-            const std::string bar =
-                paint.bar(static_cast<Millipoints>(progress.units_graded), static_cast<Millipoints>(progress.units_to_grade), 16, Tone::good);
+            const std::string bar = paint.bar(static_cast<Millipoints>(progress.units_graded),
+                                              static_cast<Millipoints>(progress.units_to_grade), 16, Tone::good);
             const std::string text = progress_text(progress) + (last_.empty() ? "" : "  " + paint.safe(last_));
             fmt::print("\r\x1b[K{} {}", bar, shorten(text, style_.width - 20, paint.ellipsis()));
         } else if (!silent_ && !progress.finished.empty()) {
-            fmt::print("graded {}{}  {}\n", progress.again ? "again, alone: " : "", paint.safe(progress.finished), progress_text(progress));
+            fmt::print("graded {}{}  {}\n", progress.again ? "again, alone: " : "", paint.safe(progress.finished),
+                       progress_text(progress));
         }
         (void)std::fflush(stdout);
     }
@@ -93,7 +99,8 @@ void print_summary(const ClassGrading& graded, const Paint& paint)
 {
     if (graded.units_kept > 0) fmt::print("\n{} units kept, {} graded\n", graded.units_kept, graded.units_graded);
     if (graded.earlier > 0)
-        fmt::print("{} {} not asked for: their results stay as they are\n", graded.earlier, graded.earlier == 1 ? "submission was" : "submissions were");
+        fmt::print("{} {} not asked for: their results stay as they are\n", graded.earlier,
+                   graded.earlier == 1 ? "submission was" : "submissions were");
     if (!graded.changed.empty()) fmt::print("\nOther points than before:\n");
     for (const std::string& line : graded.changed) fmt::print("  {}\n", paint.safe(line));
     if (!graded.ignored.empty()) fmt::print("\nIgnored, since no submissions:\n");
@@ -108,8 +115,10 @@ void print(const ClassGrading& graded, const fs::path& out, const TerminalStyle&
     fmt::print("{}\n{}", class_notices(graded.result, style), class_table(graded.result, style));
     print_summary(graded, paint);
     const auto path = [&](const fs::path& below) { return paint.safe((out / below).string()); };
-    fmt::print("\nIn a browser: {}\n              {}\nAs data:      {}\n              {} (for students: report.student.json)\n", path("index.html"),
-               path("ID/report.html"), path("class.json"), path("ID/report.json"));
+    fmt::print(
+        "\nIn a browser: {}\n              {}\nAs data:      {}\n              {} (for students: "
+        "report.student.json)\n",
+        path("index.html"), path("ID/report.html"), path("class.json"), path("ID/report.json"));
 }
 
 ClassOptions options_of(const Application& application, const GradeCommand& command)
@@ -144,7 +153,7 @@ void grade_and_print(Application& application, const GradeCommand& command)
         ClassOptions options = options_of(application, command);
         options.secret = secret_from(command.secret_file);
         options.fingerprint = [&] {
-            Workshop first(application.tools);
+            Worker first(application.tools);
             return fingerprint(first, exercises);
         }();
         refuse_weak_sandbox(*options.fingerprint, command.allow_weak_sandbox);
@@ -169,18 +178,23 @@ void add_grade(Command parser, Application& application)
     command.option("CLASS_DIR", options->submissions, "The class").required();
     command.option("--out", options->out, "Where reports go").required();
     command.option("--only", options->only, "Only these submissions, by id; the others' results stay as they are");
-    command.option("--roster", options->roster, "A CSV file with the columns folder,id or folder,id,name: how folders are called in reports");
+    command.option("--roster", options->roster,
+                   "A CSV file with the columns folder,id or folder,id,name: how folders are called in reports");
     command.flag("--fresh", options->fresh, "Grade everything again, also what has not changed since the last time");
-    command.option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor").between(0, most_jobs).with_default();
+    command.option("--jobs", options->jobs, "Submissions at a time; 0: one for each processor")
+        .between(0, most_jobs)
+        .with_default();
     command.option("--unit", options->units, "Only these units");
     command.flag("--handed-in", options->handed_in, "Only units that somebody handed in");
     command.option("--course", options->course, "Part of what hidden seeds follow from").with_default();
     command.option("--attempt", options->attempt, "Another number gives other random inputs").with_default();
     command.option("--secret-file", options->secret_file,
-                   "The secret that hidden seeds follow from; made if missing. Default: umbral/secret in your configuration folder");
+                   "The secret that hidden seeds follow from; made if missing. Default: umbral/secret in your "
+                   "configuration folder");
     command.flag("--allow-weak-sandbox", options->allow_weak_sandbox, "Grade even where the sandbox is incomplete");
     command.flag("--json", options->json, "Print class.json instead of a table");
-    command.flag("--with-hidden", options->with_hidden, "Also write report.instructor.html, in which hidden checks show their values: not for students");
+    command.flag("--with-hidden", options->with_hidden,
+                 "Also write report.instructor.html, in which hidden checks show their values: not for students");
     command.runs([&application, options] { grade_and_print(application, *options); });
 }
 

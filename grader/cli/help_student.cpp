@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The numbered entries of a statement's section `heading`; an entry may go over several lines. Each may be folded: lines that begin with
-/// a tag, such as <details>, belong to none.
+/// The numbered entries of a statement's section `heading`; an entry may go over several lines. Each may be folded:
+/// lines that begin with a tag, such as <details>, belong to none.
 std::vector<std::string> hints_in(const std::string& statement, const std::string& heading)
 {
     std::vector<std::string> hints;
@@ -42,11 +42,15 @@ void print_hint(const Application& application, const std::string& unit, std::si
     const fs::path statement = exercise.folder / language.statement;
     const bool english = language.code == "en";
     if (!fs::exists(statement) && !english)
-        throw UsageError(fmt::format("{0} has no statement in that language; in English: umbral hint {1} {2}", exercise.id, exercise.name, step));
+        throw UsageError(fmt::format("{0} has no statement in that language; in English: umbral hint {1} {2}",
+                                     exercise.id, exercise.name, step));
     const std::vector<std::string> hints = hints_in(as_given([&] { return read_text(statement); }), language.hints);
     if (hints.empty()) throw UsageError(fmt::format("{} has no hints", exercise.id));
-    if (step == 0 || step > hints.size()) throw UsageError(fmt::format("{} has hints 1 to {}, each a step more; got {}", exercise.id, hints.size(), step));
-    fmt::print("{} {} {} {}: {}\n", english ? "Hint" : "Pista", step, english ? "of" : "de", hints.size(), hints[step - 1]);
+    if (step == 0 || step > hints.size())
+        throw UsageError(
+            fmt::format("{} has hints 1 to {}, each a step more; got {}", exercise.id, hints.size(), step));
+    fmt::print("{} {} {} {}: {}\n", english ? "Hint" : "Pista", step, english ? "of" : "de", hints.size(),
+               hints[step - 1]);
     if (step == hints.size()) return;
     if (english)
         fmt::print("\nOne step more: umbral hint {} {}\n", exercise.name, step + 1);
@@ -89,7 +93,9 @@ void add_hint(Command parser, Application& application)
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("STEP", options->step, "Which hint").with_default();
     command.option("--language", options->language, "Of the hint").one_of({"en", "es"}).with_default();
-    command.runs([&application, options] { print_hint(application, options->unit, options->step, language_of(options->language)); });
+    command.runs([&application, options] {
+        print_hint(application, options->unit, options->step, language_of(options->language));
+    });
 }
 
 void add_reset(Command parser, Application& application)
@@ -102,7 +108,8 @@ void add_reset(Command parser, Application& application)
     const Command command = parser.command("reset", "Puts a unit's stub back; your file is kept beside it");
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("--dir", options->folder, "The workspace").with_default();
-    command.runs([&application, options] { as_given([&] { reset_unit(application, options->unit, options->folder); }); });
+    command.runs(
+        [&application, options] { as_given([&] { reset_unit(application, options->unit, options->folder); }); });
 }
 
 }

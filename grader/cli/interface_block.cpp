@@ -87,7 +87,8 @@ std::string declared_in(const Lines& part)
     const std::vector<std::string> words = words_of(std::string_view(code).substr(0, code.find_first_of("({;=")));
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         if (words[i] == "enum" && words[i + 1] == "class") continue;
-        if (words[i] == "struct" || words[i] == "class" || words[i] == "enum" || words[i] == "using") return words[i + 1];
+        if (words[i] == "struct" || words[i] == "class" || words[i] == "enum" || words[i] == "using")
+            return words[i + 1];
     }
     return words.empty() ? "" : words.back();
 }
@@ -130,7 +131,8 @@ std::string code_block(const Mark& mark, const InterfaceSources& sources)
     const bool header = mark.file.find('/') != std::string::npos;
     const std::string text = read_text((header ? sources.framework : sources.exercise.folder) / mark.file);
     if (!header) return fmt::format("```glsl\n// {}\n{}```\n", mark.file, shown_of_shader(text));
-    return fmt::format("```cpp\n// <{}>, namespace {}\n\n{}```\n", mark.file, namespace_of(text), shown_of_header(text, mark.names));
+    return fmt::format("```cpp\n// <{}>, namespace {}\n\n{}```\n", mark.file, namespace_of(text),
+                       shown_of_header(text, mark.names));
 }
 
 /// The place of a section's end: of the next one's heading, or the text's end.
@@ -192,8 +194,11 @@ std::string shown_of_header(std::string_view text, const std::vector<std::string
     }
     std::vector<Lines> parts = parts_of(lines);
     for (const std::string& name : names)
-        if (std::ranges::find(parts, name, declared_in) == parts.end()) throw std::runtime_error(fmt::format("nothing called {} is declared there", name));
-    if (!names.empty()) std::erase_if(parts, [&](const Lines& part) { return std::ranges::find(names, declared_in(part)) == names.end(); });
+        if (std::ranges::find(parts, name, declared_in) == parts.end())
+            throw std::runtime_error(fmt::format("nothing called {} is declared there", name));
+    if (!names.empty())
+        std::erase_if(parts,
+                      [&](const Lines& part) { return std::ranges::find(names, declared_in(part)) == names.end(); });
     for (Lines& part : parts) drop_private(part);
     return joined(parts);
 }
@@ -220,7 +225,8 @@ std::string with_interfaces(const std::string& statement, const std::string& hea
         const std::size_t begin = i;
         while (++i < lines.size() && lines[i] != end_mark)
             if (begins_block(lines[i])) i = lines.size();
-        if (i >= lines.size()) throw std::runtime_error(fmt::format("line {}: expected a line {} behind it", begin + 1, end_mark));
+        if (i >= lines.size())
+            throw std::runtime_error(fmt::format("line {}: expected a line {} behind it", begin + 1, end_mark));
         try {
             result += code_block(mark_in(lines[begin]), sources);
         } catch (const std::runtime_error& error) {

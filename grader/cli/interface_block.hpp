@@ -22,8 +22,9 @@ struct InterfaceSources {
 /// The headers of the framework that a text includes, in its order: "umbral/core/ray.hpp".
 [[nodiscard]] std::vector<std::string> framework_includes(std::string_view text);
 
-/// What a statement shows of a header: without #pragma once, includes, the namespace's lines and private members. With `names`, only the
-/// declarations of those, in the header's order. Throws std::runtime_error if the header declares no such name.
+/// What a statement shows of a header: without #pragma once, includes, the namespace's lines and private members. With
+/// `names`, only the declarations of those, in the header's order. Throws std::runtime_error if the header declares no
+/// such name.
 [[nodiscard]] std::string shown_of_header(std::string_view text, const std::vector<std::string>& names);
 
 /// What a statement shows of a shader's stub: all before main() but what is to be done.
@@ -34,9 +35,11 @@ struct InterfaceSources {
 ///     <!-- interface umbral/pipeline/depth.hpp: DepthState, Layer -->
 ///     <!-- /interface -->
 ///
-/// Without names all of the header is shown; a name without a folder ("phong.vert") is a stub of the unit. Files that interface_files()
-/// names and no block shows get one in the section `heading` ("## Interface"), which is made before the second section if it is missing.
-/// Throws std::runtime_error that names the line if a block has no end, or its file or a name in it does not exist.
-[[nodiscard]] std::string with_interfaces(const std::string& statement, const std::string& heading, const InterfaceSources& sources);
+/// Without names all of the header is shown; a name without a folder ("phong.vert") is a stub of the unit. Files that
+/// interface_files() names and no block shows get one in the section `heading` ("## Interface"), which is made before
+/// the second section if it is missing. Throws std::runtime_error that names the line if a block has no end, or its
+/// file or a name in it does not exist.
+[[nodiscard]] std::string with_interfaces(const std::string& statement, const std::string& heading,
+                                          const InterfaceSources& sources);
 
 }

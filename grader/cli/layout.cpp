@@ -14,10 +14,10 @@ namespace fs = std::filesystem;
 Layout in_checkout(const fs::path& build, const fs::path& source)
 {
     if (!fs::is_directory(source / "exercises"))
-        throw std::runtime_error(
-            fmt::format("{}: expected the folder of the sources that this was built from, got {}, which has no folder exercises; "
-                        "if it was moved, configure the build again",
-                        (build / "checkout.txt").string(), source.string()));
+        throw std::runtime_error(fmt::format(
+            "{}: expected the folder of the sources that this was built from, got {}, which has no folder exercises; "
+            "if it was moved, configure the build again",
+            (build / "checkout.txt").string(), source.string()));
     return {.installed = false,
             .build = build,
             .data = source,
@@ -39,8 +39,9 @@ Layout layout_around(const fs::path& program)
     const fs::path data = build.parent_path().parent_path() / "share" / "umbral";
     if (!fs::is_directory(data / "exercises"))
         throw std::runtime_error(
-            fmt::format("{}: expected the units of this installation in {}, where nothing is; install the package again, or copy all of it", program.string(),
-                        (data / "exercises").string()));
+            fmt::format("{}: expected the units of this installation in {}, where nothing is; install the package "
+                        "again, or copy all of it",
+                        program.string(), (data / "exercises").string()));
     return {.installed = true,
             .build = build,
             .data = data,

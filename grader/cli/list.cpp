@@ -28,7 +28,8 @@ void print_table(const std::vector<Exercise>& exercises, const std::string& lang
     const Paint paint(style);
     std::string topic;
     for (const Exercise& exercise : exercises) {
-        if (exercise.topic != topic) fmt::print("{}{}\n", topic.empty() ? "" : "\n", paint(Tone::strong, topic = exercise.topic));
+        if (exercise.topic != topic)
+            fmt::print("{}{}\n", topic.empty() ? "" : "\n", paint(Tone::strong, topic = exercise.topic));
         fmt::print("  {:<28}{:>5}  {}\n", exercise.id, points_text(exercise.points), title_in(exercise, language));
     }
 }
@@ -38,7 +39,8 @@ std::string checks_in_words(const Exercise& exercise)
 {
     std::vector<std::string> kinds;
     for (const Check& check : exercise.checks)
-        if (const std::string kind = to_string(check.judge); std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
+        if (const std::string kind = to_string(check.judge); std::ranges::find(kinds, kind) == kinds.end())
+            kinds.push_back(kind);
     std::string text = fmt::format("{} checks: {}", exercise.checks.size(), fmt::join(kinds, ", "));
     const auto hidden = std::ranges::count(exercise.checks, true, &Check::hidden);
     const auto hard = std::ranges::count(exercise.checks, true, &Check::hard);
@@ -50,26 +52,31 @@ std::string checks_in_words(const Exercise& exercise)
 /// docs/units.md: paths are relative to that folder.
 void print_markdown(const std::vector<Exercise>& exercises, const std::string& language)
 {
-    fmt::print("# The units\n\nMade by `umbral list --markdown`; `umbral list --html FILE` shows them with the pictures that the reference draws.\n");
+    fmt::print(
+        "# The units\n\nMade by `umbral list --markdown`; `umbral list --html FILE` shows them with the pictures that "
+        "the reference draws.\n");
     std::string topic;
     for (const Exercise& exercise : exercises) {
         if (exercise.topic != topic)
-            fmt::print("\n## {0}\n![The goal pictures of {0}](pictures/units-{0}.png)\n\n| unit | | course | checked |\n|---|---|---|---|\n", exercise.topic);
+            fmt::print(
+                "\n## {0}\n![The goal pictures of {0}](pictures/units-{0}.png)\n\n| unit | | course | checked "
+                "|\n|---|---|---|---|\n",
+                exercise.topic);
         topic = exercise.topic;
-        fmt::print("| [{}](../exercises/{}/README.md) | {} | {} | {} |\n", exercise.name, exercise.id, title_in(exercise, language),
-                   fmt::join(exercise.course, ", "), checks_in_words(exercise));
+        fmt::print("| [{}](../exercises/{}/README.md) | {} | {} | {} |\n", exercise.name, exercise.id,
+                   title_in(exercise, language), fmt::join(exercise.course, ", "), checks_in_words(exercise));
     }
 }
 
 void write_catalogue(const Application& application, const std::string& language, const std::string& file)
 {
     expect_writable(file);
-    Workshop workshop(application.tools);
+    Worker worker(application.tools);
     std::vector<html::CatalogueEntry> entries;
     for (const Exercise& exercise : application.exercises) {
-        const std::optional<Image> goal = goal_picture(workshop, exercise);
-        entries.push_back({exercise.topic, exercise.id, title_in(exercise, language), exercise.points, exercise.course, checks_in_words(exercise),
-                           goal ? html::encode(*goal) : html::Picture()});
+        const std::optional<Image> goal = goal_picture(worker, exercise);
+        entries.push_back({exercise.topic, exercise.id, title_in(exercise, language), exercise.points, exercise.course,
+                           checks_in_words(exercise), goal ? html::encode(*goal) : html::Picture()});
     }
     write_output(file, html::catalogue_html(entries, language, config::version));
     fmt::print("{}\n", Paint(application.style).safe(file));

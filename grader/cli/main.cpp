@@ -14,13 +14,15 @@ namespace {
 /// Names and paths of the user's may hold anything; a terminal gets nothing of it that it would obey.
 void say(const std::string& text) { (void)std::fputs(escape_terminal(text, {.lines = true}).c_str(), stderr); }
 
-/// An empty name or number is a variable of a script that was never set. To a file system it is the current folder, or nothing at all.
+/// An empty name or number is a variable of a script that was never set. To a file system it is the current folder, or
+/// nothing at all.
 void refuse_empty(std::span<char* const> words)
 {
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string_view word = words[i];
         if (word.empty()) throw UsageError("the argument after '" + std::string(words[i - 1]) + "' is empty");
-        if (word.starts_with("--") && word.find('=') == word.size() - 1) throw UsageError("'" + std::string(word) + "' gives no value");
+        if (word.starts_with("--") && word.find('=') == word.size() - 1)
+            throw UsageError("'" + std::string(word) + "' gives no value");
     }
 }
 
@@ -28,15 +30,19 @@ void refuse_unknown_command(const std::vector<std::string>& known, std::span<cha
 {
     if (words.size() < 2 || *words[1] == '-') return;
     if (std::ranges::find(known, words[1]) != known.end()) return;
-    throw UsageError("there is no command '" + std::string(words[1]) + "'" + did_you_mean(nearest(words[1], known)) + " `umbral --help` shows them all");
+    throw UsageError("there is no command '" + std::string(words[1]) + "'" + did_you_mean(nearest(words[1], known)) +
+                     " `umbral --help` shows them all");
 }
 
 int run(int count, char** words)
 {
     Application application = make_application();
-    CommandLine line("umbral", "Umbral: exercises in computer graphics, checked against a reference that runs beside your code.",
+    CommandLine line("umbral",
+                     "Umbral: exercises in computer graphics, checked against a reference that runs beside your code.",
                      std::string("umbral ") + config::version);
-    line.program().footer("Exit status: 0 all right; 1 the work falls short; 2 the command cannot be carried out as given; 3 a fault of Umbral's own.");
+    line.program().footer(
+        "Exit status: 0 all right; 1 the work falls short; 2 the command cannot be carried out as given; 3 a fault of "
+        "Umbral's own.");
     for (const auto add : add_commands) add(line.program(), application);
     const std::span<char* const> all(words, static_cast<std::size_t>(count));
     refuse_empty(all);

@@ -23,26 +23,29 @@ struct Options {
 };
 
 /// Copies a unit's stubs and statements; what is there already is a student's work and stays.
-void make_unit(Workshop& workshop, const Exercise& exercise, const fs::path& folder)
+void make_unit(Worker& worker, const Exercise& exercise, const fs::path& folder)
 {
     make_folder(folder);
     as_given([&] {
-        for (const std::string& file : exercise.files) fs::copy_file(exercise.folder / file, folder / file, fs::copy_options::skip_existing);
+        for (const std::string& file : exercise.files)
+            fs::copy_file(exercise.folder / file, folder / file, fs::copy_options::skip_existing);
         for (const auto& [code, statement, interface, hints] : languages)
-            if (fs::exists(exercise.folder / statement)) fs::copy_file(exercise.folder / statement, folder / statement, fs::copy_options::overwrite_existing);
+            if (fs::exists(exercise.folder / statement))
+                fs::copy_file(exercise.folder / statement, folder / statement, fs::copy_options::overwrite_existing);
     });
     expect_writable(folder / "goal.png");
-    (void)save_goal(workshop, exercise, folder / "goal.png");
+    (void)save_goal(worker, exercise, folder / "goal.png");
 }
 
 void make_workspace(const Application& application, const Options& options)
 {
     const fs::path root = options.folder;
-    const std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
+    const std::vector<Exercise> exercises =
+        options.units.empty() ? application.readable() : application.chosen(options.units);
     make_folder(root);
     have_built(application, exercises);
-    Workshop workshop(application.tools);
-    for (const Exercise& exercise : exercises) make_unit(workshop, exercise, root / exercise.id);
+    Worker worker(application.tools);
+    for (const Exercise& exercise : exercises) make_unit(worker, exercise, root / exercise.id);
     as_given([&] { copy_framework(application.tools, exercises, root); });
     const Paint paint(application.style);
     fmt::print(
@@ -50,7 +53,8 @@ void make_workspace(const Application& application, const Options& options)
         "Editors find the headers in include/ by compile_flags.txt; neither is handed in.\n\n",
         paint.safe(root.string()), exercises.size(), exercises.size() == 1 ? "" : "s");
     const Exercise& first = exercises.front();
-    fmt::print("Begin with {}, then, in that folder:\n  umbral check {}\n", paint.safe((root / first.id / first.files.front()).string()), first.name);
+    fmt::print("Begin with {}, then, in that folder:\n  umbral check {}\n",
+               paint.safe((root / first.id / first.files.front()).string()), first.name);
 }
 
 }
@@ -58,7 +62,8 @@ void make_workspace(const Application& application, const Options& options)
 void add_new(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    const Command command = parser.command("new", "Makes a workspace: stubs, statements and goal pictures. Never overwrites your code");
+    const Command command =
+        parser.command("new", "Makes a workspace: stubs, statements and goal pictures. Never overwrites your code");
     command.option("DIR", options->folder, "Where").required();
     command.option("UNIT", options->units, "Only these units");
     command.runs([&application, options] { make_workspace(application, *options); });

@@ -23,8 +23,9 @@ void expect_topic(const fs::path& root, const std::string& topic)
     if (fs::is_directory(root / "exercises" / topic)) return;
     for (const fs::path& folder : {fs::path("framework/umbral") / topic, fs::path("reference") / topic})
         if (fs::exists(root / folder))
-            throw UsageError(
-                fmt::format("'{}' cannot be a topic: {} is something else; expected a topic of exercises/, or a new name", topic, folder.string()));
+            throw UsageError(fmt::format(
+                "'{}' cannot be a topic: {} is something else; expected a topic of exercises/, or a new name", topic,
+                folder.string()));
 }
 
 /// Nothing of an author's is overwritten, and no unit is made half.
@@ -34,10 +35,12 @@ void expect_free(const fs::path& root, const std::vector<NewFile>& files, const 
     const fs::path folder = fs::path("exercises") / name.topic / name.unit;
     if (fs::exists(fs::symlink_status(root / folder))) taken.push_back(folder.string());
     for (const NewFile& file : files)
-        if (!file.name.string().starts_with(folder.string() + "/") && fs::exists(fs::symlink_status(root / file.name))) taken.push_back(file.name.string());
+        if (!file.name.string().starts_with(folder.string() + "/") && fs::exists(fs::symlink_status(root / file.name)))
+            taken.push_back(file.name.string());
     if (!taken.empty())
-        throw UsageError(fmt::format("{}/{} cannot be made, nothing was written; in the way: {}\nChoose another name, or move it away.", name.topic, name.unit,
-                                     fmt::join(taken, ", ")));
+        throw UsageError(fmt::format(
+            "{}/{} cannot be made, nothing was written; in the way: {}\nChoose another name, or move it away.",
+            name.topic, name.unit, fmt::join(taken, ", ")));
 }
 
 void fill_interface_blocks(const fs::path& root, const UnitName& name)
@@ -45,7 +48,8 @@ void fill_interface_blocks(const fs::path& root, const UnitName& name)
     const Exercise exercise = load_exercise(root / "exercises" / name.topic / name.unit);
     for (const Language& language : languages) {
         const fs::path statement = exercise.folder / language.statement;
-        write_output(statement, with_interfaces(read_text(statement), language.interface, {exercise, root / "framework"}));
+        write_output(statement,
+                     with_interfaces(read_text(statement), language.interface, {exercise, root / "framework"}));
     }
 }
 
@@ -54,7 +58,8 @@ void make_unit(const Application& application, const std::string& id)
     const Layout& layout = application.layout;
     if (layout.installed)
         throw UsageError(
-            fmt::format("a unit is written into the sources of Umbral; this is an installation, without them, in {}. Call ./umbral new-unit in "
+            fmt::format("a unit is written into the sources of Umbral; this is an installation, without them, in {}. "
+                        "Call ./umbral new-unit in "
                         "a checkout",
                         layout.data.string()));
     const UnitName name = read_unit_name(id);
@@ -76,7 +81,8 @@ void make_unit(const Application& application, const std::string& id)
 void add_new_unit(Command parser, Application& application)
 {
     auto id = std::make_shared<std::string>();
-    const Command command = parser.command("new-unit", "For authors: writes all files of a new unit, which validates at once. Overwrites nothing");
+    const Command command = parser.command(
+        "new-unit", "For authors: writes all files of a new unit, which validates at once. Overwrites nothing");
     command.option("TOPIC/NAME", *id, "What it is called; the topic may be new").required();
     command.runs([&application, id] { make_unit(application, *id); });
 }

@@ -13,9 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& path, const std::string& reason) { throw UsageError(fmt::format("{}: {}", path.string(), reason)); }
+[[noreturn]] void refuse(const fs::path& path, const std::string& reason)
+{
+    throw UsageError(fmt::format("{}: {}", path.string(), reason));
+}
 
-/// Refuses a path that the system cannot even look up: a loop of links, a name too long, a folder on the way that is closed.
+/// Refuses a path that the system cannot even look up: a loop of links, a name too long, a folder on the way that is
+/// closed.
 void expect_known(const fs::path& path, const fs::file_status& status, const std::error_code& error)
 {
     if (status.type() == fs::file_type::none) refuse(path, error.message());
@@ -41,7 +45,8 @@ void expect_folder(const fs::path& folder, std::string_view meaning)
 void make_folder(const fs::path& folder)
 {
     std::error_code error;
-    if (fs::exists(folder, error) && !fs::is_directory(folder, error)) refuse(folder, "expected a folder, or a new name; this is not a folder");
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+        refuse(folder, "expected a folder, or a new name; this is not a folder");
     fs::create_directories(folder, error);
     if (error) refuse(folder, fmt::format("cannot make this folder: {}", error.message()));
     expect_access(folder, W_OK | X_OK);
@@ -54,7 +59,8 @@ void expect_writable(const fs::path& file)
     const fs::file_status status = fs::symlink_status(file, error);
     expect_known(file, status, error);
     // Writing renames a new file over the old name: a device would be replaced, not written to.
-    if (fs::exists(status) && !fs::is_regular_file(status)) refuse(file, "expected a file to write, or a new name; this is a folder, a link or a device");
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        refuse(file, "expected a file to write, or a new name; this is a folder, a link or a device");
     if (!file.has_filename()) refuse(file, "expected the name of a file, got a folder's");
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     expect_folder(folder, fmt::format("the folder of {}", file.filename().string()));

@@ -8,7 +8,8 @@
 
 namespace umbral::grader {
 
-// What users name on the command line is theirs to mend: whatever is wrong with it throws UsageError with the path and the reason.
+// What users name on the command line is theirs to mend: whatever is wrong with it throws UsageError with the path and
+// the reason.
 
 /// Expects a folder that can be read; `meaning` says what for, as "a workspace".
 void expect_folder(const std::filesystem::path& folder, std::string_view meaning);
@@ -16,8 +17,8 @@ void expect_folder(const std::filesystem::path& folder, std::string_view meaning
 /// Makes a folder, and those above it, where they are missing.
 void make_folder(const std::filesystem::path& folder);
 
-/// Expects that write_output(file, …) will find a folder in which it can write, and no folder, device or link in its way: asked before
-/// hours of work, not after them. An empty name means no output, and is right.
+/// Expects that write_output(file, …) will find a folder in which it can write, and no folder, device or link in its
+/// way: asked before hours of work, not after them. An empty name means no output, and is right.
 void expect_writable(const std::filesystem::path& file);
 
 /// Writes a file, whole or not at all.

@@ -54,19 +54,23 @@ bool refresh_schema(const Application& application, bool check)
     const std::string after = with_judges(nlohmann::ordered_json::parse(before)).dump(2) + "\n";
     if (after == before) return true;
     if (!check) write_output(file, after);
-    fmt::print("docs/schemas/exercise.schema.json: {}\n", check ? "not up to date with the judges" : "written anew from the judges");
+    fmt::print("docs/schemas/exercise.schema.json: {}\n",
+               check ? "not up to date with the judges" : "written anew from the judges");
     return !check;
 }
 
 void refresh(Application& application, const Options& options)
 {
-    const std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
+    const std::vector<Exercise> exercises =
+        options.units.empty() ? application.readable() : application.chosen(options.units);
     bool all_well = true;
     for (const Exercise& exercise : exercises)
-        for (const Language& language : languages) all_well = refresh_statement(application, exercise, language, options.check) && all_well;
+        for (const Language& language : languages)
+            all_well = refresh_statement(application, exercise, language, options.check) && all_well;
     if (options.units.empty()) all_well = refresh_schema(application, options.check) && all_well;
     if (all_well) {
-        fmt::print("The interface blocks of {} unit{} are up to date.\n", exercises.size(), exercises.size() == 1 ? "" : "s");
+        fmt::print("The interface blocks of {} unit{} are up to date.\n", exercises.size(),
+                   exercises.size() == 1 ? "" : "s");
         return;
     }
     if (options.check) fmt::print("\nTo write all this anew: umbral refresh\n");
@@ -78,7 +82,8 @@ void refresh(Application& application, const Options& options)
 void add_refresh(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    const Command command = parser.command("refresh", "For authors: writes anew what is made: statements' interface blocks, the schema of manifests");
+    const Command command = parser.command(
+        "refresh", "For authors: writes anew what is made: statements' interface blocks, the schema of manifests");
     command.option("UNIT", options->units, "Only these units");
     command.flag("--check", options->check, "Write nothing; say what is not up to date");
     command.runs([&application, options] { refresh(application, *options); });

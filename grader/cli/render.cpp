@@ -1,20 +1,22 @@
 
 #include "cli/application.hpp"
-#include "cli/become.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
+#include "cli/replace_process.hpp"
 
 namespace umbral::grader {
 
-// The engine is the reference, which the grader must not hold: it is a program of its own, with its own options and its own --help.
+// The engine is the reference, which the grader must not hold: it is a program of its own, with its own options and its
+// own --help.
 void add_render(Command parser, Application& application)
 {
-    const Command command = parser.command("render", "Draws a scene with the reference engine: umbral render SCENE.json --out PNG");
+    const Command command =
+        parser.command("render", "Draws a scene with the reference engine: umbral render SCENE.json --out PNG");
     command.passes_words_on();
     command.runs([&application, command] {
         std::vector<std::string> words = {have_program(application, "umbral-render").string()};
         for (const std::string& word : command.rest()) words.push_back(word);
-        become(std::move(words), "build the target umbral-render");
+        replace_process(std::move(words), "build the target umbral-render");
     });
 }
 

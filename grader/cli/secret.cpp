@@ -25,15 +25,24 @@ namespace fs = std::filesystem;
 constexpr std::size_t shortest = 16;
 constexpr std::size_t longest = 4096;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason) { throw UsageError(fmt::format("the secret {}: {}", file.string(), reason)); }
+[[noreturn]] void refuse(const fs::path& file, const std::string& reason)
+{
+    throw UsageError(fmt::format("the secret {}: {}", file.string(), reason));
+}
 
-[[noreturn]] void refuse_for_errno(const fs::path& file, const char* action) { refuse(file, fmt::format("cannot {} it: {}", action, std::strerror(errno))); }
+[[noreturn]] void refuse_for_errno(const fs::path& file, const char* action)
+{
+    refuse(file, fmt::format("cannot {} it: {}", action, std::strerror(errno)));
+}
 
 fs::path default_file()
 {
-    if (const char* xdg = std::getenv("XDG_CONFIG_HOME"); xdg != nullptr && *xdg == '/') return fs::path(xdg) / "umbral" / "secret";
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return fs::path(home) / ".config" / "umbral" / "secret";
-    throw UsageError("neither XDG_CONFIG_HOME nor HOME is set: name a file for the secret of hidden cases with --secret-file");
+    if (const char* xdg = std::getenv("XDG_CONFIG_HOME"); xdg != nullptr && *xdg == '/')
+        return fs::path(xdg) / "umbral" / "secret";
+    if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
+        return fs::path(home) / ".config" / "umbral" / "secret";
+    throw UsageError(
+        "neither XDG_CONFIG_HOME nor HOME is set: name a file for the secret of hidden cases with --secret-file");
 }
 
 /// `folder`, or the first of those above it that exists.
@@ -48,14 +57,17 @@ void expect_folder_of(const fs::path& file)
 {
     std::error_code error;
     if (fs::is_directory(file.parent_path(), error)) return;
-    refuse(file, fmt::format("expected its folder to exist; of that path there is only {}. Make the folder, or correct --secret-file",
-                             nearest_existing(file.parent_path()).string()));
+    refuse(file,
+           fmt::format(
+               "expected its folder to exist; of that path there is only {}. Make the folder, or correct --secret-file",
+               nearest_existing(file.parent_path()).string()));
 }
 
 std::string random_text()
 {
     std::array<unsigned char, 32> bytes{};
-    if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) throw std::runtime_error("no random numbers from the kernel");
+    if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+        throw std::runtime_error("no random numbers from the kernel");
     std::string text;
     for (const unsigned char byte : bytes) text += fmt::format("{:02x}", byte);
     return text;
@@ -78,7 +90,8 @@ public:
     {
         const ssize_t written = write(descriptor_.get(), text.data(), text.size());
         if (written >= 0 && written != static_cast<ssize_t>(text.size())) errno = ENOSPC;
-        if (written != static_cast<ssize_t>(text.size()) || fsync(descriptor_.get()) != 0) refuse_for_errno(file, "write");
+        if (written != static_cast<ssize_t>(text.size()) || fsync(descriptor_.get()) != 0)
+            refuse_for_errno(file, "write");
         if (link(name_.c_str(), file.c_str()) == 0) return true;
         if (errno != EEXIST) refuse_for_errno(file, "make");
         return false;
@@ -92,7 +105,9 @@ private:
 void make(const fs::path& file)
 {
     if (Draft(file).publish(random_text(), file))
-        fmt::print(stderr, "umbral: made a new secret for the hidden cases: {}\n        Keep it: with another one, grading again gives other hidden inputs.\n",
+        fmt::print(stderr,
+                   "umbral: made a new secret for the hidden cases: {}\n        Keep it: with another one, grading "
+                   "again gives other hidden inputs.\n",
                    escape_terminal(file.string()));
 }
 
@@ -100,7 +115,10 @@ void warn_of_readers(const fs::path& file, mode_t mode)
 {
     if ((mode & (S_IRWXG | S_IRWXO)) == 0) return;
     const std::string name = escape_terminal(file.string());
-    fmt::print(stderr, "umbral: warning: other users can read or change the secret of the hidden cases; `chmod 600 {}` stops that\n", name);
+    fmt::print(
+        stderr,
+        "umbral: warning: other users can read or change the secret of the hidden cases; `chmod 600 {}` stops that\n",
+        name);
 }
 
 std::string read_secret(const fs::path& file)
@@ -113,7 +131,8 @@ std::string read_secret(const fs::path& file)
     const ssize_t got = read(opened.get(), text.data(), text.size());
     if (got < 0) refuse_for_errno(file, "read");
     text.resize(static_cast<std::size_t>(got));
-    if (text.size() < shortest) refuse(file, fmt::format("expected at least {} characters, got {}", shortest, text.size()));
+    if (text.size() < shortest)
+        refuse(file, fmt::format("expected at least {} characters, got {}", shortest, text.size()));
     if (text.size() > longest) refuse(file, fmt::format("expected at most {} bytes, got more", longest));
     warn_of_readers(file, status.st_mode);
     return text;
@@ -127,7 +146,9 @@ std::string secret_from(const std::string& named)
     std::error_code error;
     if (named.empty()) {
         fs::create_directories(file.parent_path(), error);
-        if (error) refuse(file, fmt::format("cannot make its folder: {}. Name another file with --secret-file", error.message()));
+        if (error)
+            refuse(file,
+                   fmt::format("cannot make its folder: {}. Name another file with --secret-file", error.message()));
     }
     expect_folder_of(file);
     if (!fs::exists(file, error)) make(file);

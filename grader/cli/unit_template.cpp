@@ -28,25 +28,30 @@ bool is_word(std::string_view word, bool hyphens)
 {
     if (word.empty() || word.size() > longest_word || !is_letter(word.front()) || word.ends_with('-')) return false;
     if (word.find("--") != std::string_view::npos) return false;
-    return std::ranges::all_of(word, [&](char letter) { return is_letter(letter) || is_digit(letter) || (hyphens && letter == '-'); });
+    return std::ranges::all_of(
+        word, [&](char letter) { return is_letter(letter) || is_digit(letter) || (hyphens && letter == '-'); });
 }
 
 /// A topic is a namespace's name as well.
 bool is_keyword(const std::string& word)
 {
     static const std::set<std::string> keywords{
-        "alignas",  "alignof", "and",     "asm",      "auto",     "bitand",  "bitor",  "bool",     "break",     "case",    "catch",    "char",      "class",
-        "compl",    "concept", "const",   "continue", "default",  "delete",  "do",     "double",   "else",      "enum",    "explicit", "export",    "extern",
-        "false",    "float",   "for",     "friend",   "goto",     "if",      "inline", "int",      "long",      "main",    "mutable",  "namespace", "new",
-        "noexcept", "not",     "nullptr", "operator", "or",       "private", "public", "register", "requires",  "return",  "short",    "signed",    "sizeof",
-        "static",   "std",     "struct",  "switch",   "template", "this",    "throw",  "true",     "try",       "typedef", "typeid",   "typename",  "union",
-        "unsigned", "using",   "virtual", "void",     "volatile", "while",   "xor",    "glm",      "protected", "umbral",  "testing"};
+        "alignas",  "alignof",   "and",      "asm",      "auto",    "bitand",   "bitor",    "bool",     "break",
+        "case",     "catch",     "char",     "class",    "compl",   "concept",  "const",    "continue", "default",
+        "delete",   "do",        "double",   "else",     "enum",    "explicit", "export",   "extern",   "false",
+        "float",    "for",       "friend",   "goto",     "if",      "inline",   "int",      "long",     "main",
+        "mutable",  "namespace", "new",      "noexcept", "not",     "nullptr",  "operator", "or",       "private",
+        "public",   "register",  "requires", "return",   "short",   "signed",   "sizeof",   "static",   "std",
+        "struct",   "switch",    "template", "this",     "throw",   "true",     "try",      "typedef",  "typeid",
+        "typename", "union",     "unsigned", "using",    "virtual", "void",     "volatile", "while",    "xor",
+        "glm",      "protected", "umbral",   "testing"};
     return keywords.contains(word);
 }
 
 std::string replaced(std::string text, std::string_view from, std::string_view to)
 {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) text.replace(at, from.size(), to);
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
     return text;
 }
 
@@ -79,9 +84,12 @@ UnitName read_unit_name(const std::string& id)
         throw UsageError(fmt::format("'{}' cannot be a unit's name: expected {}", one_line(id), expected));
     };
     if (!is_word(topic, false) || !is_word(unit, true))
-        refuse(fmt::format("TOPIC/NAME as in transforms/two-frames: a-z and 0-9, a letter first, single hyphens inside NAME only, at most {} characters each",
-                           longest_word));
-    if (is_keyword(topic)) refuse(fmt::format("a topic that can be a namespace; '{}' means something else in C++", topic));
+        refuse(
+            fmt::format("TOPIC/NAME as in transforms/two-frames: a-z and 0-9, a letter first, single hyphens inside "
+                        "NAME only, at most {} characters each",
+                        longest_word));
+    if (is_keyword(topic))
+        refuse(fmt::format("a topic that can be a namespace; '{}' means something else in C++", topic));
     if (unit == "driver") refuse("another name; the file driver.cpp is the unit's driver");
     if (unit.ends_with("-oracle")) refuse("a name without -oracle at its end; such a file is another unit's oracle");
     UnitName name{topic, unit, replaced(unit, "-", "_"), replaced(unit, "-", " "), ""};
@@ -97,8 +105,11 @@ UnitName read_unit_name(const std::string& id)
 
 std::string filled_in(std::string text, const UnitName& name)
 {
-    const std::pair<std::string_view, const std::string&> values[] = {
-        {"@topic@", name.topic}, {"@unit@", name.unit}, {"@file@", name.file}, {"@title@", name.title}, {"@test@", name.test}};
+    const std::pair<std::string_view, const std::string&> values[] = {{"@topic@", name.topic},
+                                                                      {"@unit@", name.unit},
+                                                                      {"@file@", name.file},
+                                                                      {"@title@", name.title},
+                                                                      {"@test@", name.test}};
     for (const auto& [mark, value] : values) text = replaced(std::move(text), mark, value);
     return text;
 }

@@ -30,9 +30,10 @@ struct Options {
 
 void print(const Finding& finding, const Paint& paint)
 {
-    const std::string mark = finding.holds ? paint(Tone::good, paint.symbol("✓", "ok")) : paint(Tone::bad, paint.symbol("✗", "NO"));
-    fmt::print("{} {:<24} {:<38} seed {}  {:6.1f} %  expected {:<16} {}\n", mark, finding.unit, finding.subject, finding.seed, finding.credit, finding.expected,
-               paint.safe(finding.message));
+    const std::string mark =
+        finding.holds ? paint(Tone::good, paint.symbol("✓", "ok")) : paint(Tone::bad, paint.symbol("✗", "NO"));
+    fmt::print("{} {:<24} {:<38} seed {}  {:6.1f} %  expected {:<16} {}\n", mark, finding.unit, finding.subject,
+               finding.seed, finding.credit, finding.expected, paint.safe(finding.message));
     (void)std::fflush(stdout);
 }
 
@@ -41,7 +42,8 @@ void validate(Application& application, const Options& options)
     const Paint paint(application.style);
     application.require_answers();
     expect_writable(options.table);
-    std::vector<Exercise> exercises = options.units.empty() ? application.readable() : application.chosen(options.units);
+    std::vector<Exercise> exercises =
+        options.units.empty() ? application.readable() : application.chosen(options.units);
     std::mutex mutex;
     std::vector<Finding> findings;
     // What has no reference cannot be built; the others can.
@@ -54,13 +56,15 @@ void validate(Application& application, const Options& options)
     });
     have_built(application, exercises);
     // The slowest units have the most seeds to wait for: seeds are shared out, not units.
-    Crew(application.tools, options.jobs).share_out(exercises.size() * options.seeds, [&](Workshop& workshop, std::size_t index) {
-        validate_unit(workshop, exercises[index / options.seeds], static_cast<unsigned>(index % options.seeds), [&](const Finding& finding) {
-            const std::lock_guard lock(mutex);
-            findings.push_back(finding);
-            if (!options.json && (!options.quiet || !finding.holds)) print(finding, paint);
+    Crew(application.tools, options.jobs)
+        .share_out(exercises.size() * options.seeds, [&](Worker& worker, std::size_t index) {
+            validate_unit(worker, exercises[index / options.seeds], static_cast<unsigned>(index % options.seeds),
+                          [&](const Finding& finding) {
+                              const std::lock_guard lock(mutex);
+                              findings.push_back(finding);
+                              if (!options.json && (!options.quiet || !finding.holds)) print(finding, paint);
+                          });
         });
-    });
     // Workers finish in any order; what other programs read has one.
     std::ranges::stable_sort(findings, {}, [](const Finding& finding) { return std::tie(finding.unit, finding.seed); });
     const auto failing = std::ranges::count(findings, false, &Finding::holds);
@@ -76,10 +80,11 @@ void validate(Application& application, const Options& options)
                         {"blind", finding.blind},
                         {"hard_share", finding.hard_share ? nlohmann::json(*finding.hard_share) : nlohmann::json()}});
     if (options.json)
-        fmt::print("{}\n", nlohmann::json{{"format", "umbral-validation"}, {"version", 1}, {"findings", rows}}.dump(2, ' ', false,
-                                                                                                                    nlohmann::json::error_handler_t::replace));
+        fmt::print("{}\n", nlohmann::json{{"format", "umbral-validation"}, {"version", 1}, {"findings", rows}}.dump(
+                               2, ' ', false, nlohmann::json::error_handler_t::replace));
     else
-        fmt::print("{} findings with {} seeds, {} of them not as they should be\n", findings.size(), options.seeds, failing);
+        fmt::print("{} findings with {} seeds, {} of them not as they should be\n", findings.size(), options.seeds,
+                   failing);
     if (!options.table.empty()) {
         const std::string table = validation_table(findings, exercises);
         write_output(options.table, table);
@@ -93,13 +98,15 @@ void validate(Application& application, const Options& options)
 void add_validate(Command parser, Application& application)
 {
     auto options = std::make_shared<Options>();
-    const Command command = parser.command("validate", "For authors and CI: proves that each unit's checks tell right from wrong");
+    const Command command =
+        parser.command("validate", "For authors and CI: proves that each unit's checks tell right from wrong");
     command.option("UNIT", options->units, "Only these units");
     command.option("--seeds", options->seeds, "How many sets of random inputs").between(1, most_seeds).with_default();
     command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();
     command.flag("--quiet", options->quiet, "Print only what fails");
     command.flag("--json", options->json, "As JSON");
-    command.option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown").called("FILE");
+    command.option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown")
+        .called("FILE");
     command.runs([&application, options] { validate(application, *options); });
 }
 

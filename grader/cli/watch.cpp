@@ -34,7 +34,8 @@ void discard_events(int descriptor)
 
 FolderWatch::FolderWatch() : inotify_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC))
 {
-    if (!inotify_) throw std::system_error(errno, std::generic_category(), "--watch: the system gives no inotify instance");
+    if (!inotify_)
+        throw std::system_error(errno, std::generic_category(), "--watch: the system gives no inotify instance");
 }
 
 void FolderWatch::watch(const std::vector<std::filesystem::path>& folders)

@@ -100,7 +100,9 @@ Unpacked unpack(const ArchiveTools& tools, std::string_view archive)
     const std::filesystem::path copy = scratch.path() / "archive";
     std::ofstream stream(copy, std::ios::binary);
     stream << archive;
-    if (!stream.flush()) throw std::runtime_error(fmt::format("cannot copy an archive to {}: is the disk full?", tools.scratch.string()));
+    if (!stream.flush())
+        throw std::runtime_error(
+            fmt::format("cannot copy an archive to {}: is the disk full?", tools.scratch.string()));
 
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";
@@ -110,13 +112,16 @@ Unpacked unpack(const ArchiveTools& tools, std::string_view archive)
     command.cpu_seconds = 10;
     command.wall_seconds = 60;
     command.memory_mib = 1024;
-    command.output_limit = caps::submission_bytes + caps::archive_file + caps::submission_files * (caps::archive_path + 64);
+    command.output_limit =
+        caps::submission_bytes + caps::archive_file + caps::submission_files * (caps::archive_path + 64);
     const ConfinedResult result = run_confined(command);
     if (result.exit_status == confinement_failed)
-        throw std::runtime_error(fmt::format("umbral-unpack cannot be run: {}", one_line(result.output, caps::message)));
+        throw std::runtime_error(
+            fmt::format("umbral-unpack cannot be run: {}", one_line(result.output, caps::message)));
     // However it ended, what it printed before counts.
     Unpacked unpacked = parse_unpacked(result.output);
-    if (result.stopped != ConfinedResult::Stopped::no) unpacked.notes.emplace_back("unpacking it takes too much time or memory");
+    if (result.stopped != ConfinedResult::Stopped::no)
+        unpacked.notes.emplace_back("unpacking it takes too much time or memory");
     return unpacked;
 }
 

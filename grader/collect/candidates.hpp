@@ -25,7 +25,8 @@ struct Candidate {
 };
 
 /// All files that could be the unit's file `name`, the best places first.
-[[nodiscard]] std::vector<Candidate> candidates_for(const SubmittedFiles& submitted, const Exercise& exercise, const std::string& name);
+[[nodiscard]] std::vector<Candidate> candidates_for(const SubmittedFiles& submitted, const Exercise& exercise,
+                                                    const std::string& name);
 
 /// Is the folder the unit's own, by its name ("Sphere", "view_matrix")?
 [[nodiscard]] bool is_own_folder(std::string_view folder, const Exercise& exercise);
@@ -33,10 +34,12 @@ struct Candidate {
 /// What was chosen for one file.
 struct Choice {
     const Candidate* chosen = nullptr;  ///< null if there is none, or several that differ
-    std::vector<std::string> others;    ///< paths of solutions that differ: what was passed over, or could not be told apart
+    std::vector<std::string>
+        others;  ///< paths of solutions that differ: what was passed over, or could not be told apart
 };
 
-/// The best place with a solution decides, if all that lies in places of that kind has the same text; without a solution, the stub.
+/// The best place with a solution decides, if all that lies in places of that kind has the same text; without a
+/// solution, the stub.
 [[nodiscard]] Choice choose(std::span<const Candidate> candidates);
 
 }

@@ -44,7 +44,9 @@ std::vector<Entry> entries_of(const fs::path& path, ClassFolder& result)
     std::vector<Entry> entries;
     fs::directory_iterator at(path, error);
     const auto check = [&] {
-        if (error) throw std::runtime_error(fmt::format("{}: expected a folder with one folder a submission: {}", path.string(), error.message()));
+        if (error)
+            throw std::runtime_error(
+                fmt::format("{}: expected a folder with one folder a submission: {}", path.string(), error.message()));
     };
     check();
     for (; at != fs::directory_iterator(); at.increment(error), check()) {
@@ -62,17 +64,20 @@ std::vector<Entry> entries_of(const fs::path& path, ClassFolder& result)
     return entries;
 }
 
-void apply_roster(const std::vector<RosterEntry>& roster, const std::string& where, std::vector<Entry>& entries, ClassFolder& result)
+void apply_roster(const std::vector<RosterEntry>& roster, const std::string& where, std::vector<Entry>& entries,
+                  ClassFolder& result)
 {
     for (const RosterEntry& line : roster) {
         auto found = std::ranges::find(entries, line.folder, &Entry::name);
         if (found == entries.end()) found = std::ranges::find(entries, line.folder, &Entry::stem);
         if (found == entries.end()) {
-            result.ignored.push_back({one_line(line.folder), fmt::format("line {} of the roster: there is no such folder", line.line)});
+            result.ignored.push_back(
+                {one_line(line.folder), fmt::format("line {} of the roster: there is no such folder", line.line)});
             continue;
         }
         if (found->listed)
-            throw std::runtime_error(fmt::format("{}:{}: '{}' is listed already, by another of its names", where, line.line, one_line(line.folder)));
+            throw std::runtime_error(fmt::format("{}:{}: '{}' is listed already, by another of its names", where,
+                                                 line.line, one_line(line.folder)));
         found->listed = true;
         found->id = line.id;
         if (!line.name.empty()) found->shown = one_line(line.name);
@@ -91,9 +96,12 @@ void give_ids(std::vector<Entry>& entries)
         if (entry.id.empty()) entry.id = "submission-" + short_hash(entry.name);
     }
     for (const Entry& entry : entries) ++wanted[entry.id];
-    // A folder keeps its plain name whoever else would like it; of the others each gets its hash, so that no order matters.
+    // A folder keeps its plain name whoever else would like it; of the others each gets its hash, so that no order
+    // matters.
     std::set<std::string> taken;
-    const auto keeps = [](const Entry& entry) { return entry.listed || (is_own_id(entry) && entry.name == entry.stem); };
+    const auto keeps = [](const Entry& entry) {
+        return entry.listed || (is_own_id(entry) && entry.name == entry.stem);
+    };
     for (const Entry& entry : entries)
         if (keeps(entry)) taken.insert(entry.id);
     for (Entry& entry : entries) {
@@ -110,13 +118,15 @@ ClassFolder class_folder(const fs::path& path, const fs::path& roster)
 {
     ClassFolder result;
     std::vector<Entry> entries = entries_of(path, result);
-    if (!roster.empty()) apply_roster(parse_roster(read_text(roster), roster.string()), roster.string(), entries, result);
+    if (!roster.empty())
+        apply_roster(parse_roster(read_text(roster), roster.string()), roster.string(), entries, result);
     give_ids(entries);
     std::set<std::string> ids;
     for (const Entry& entry : entries) {
         if (!ids.insert(entry.id).second)
-            throw std::runtime_error(
-                fmt::format("{}: the id '{}', which the roster gives to one submission, is the name of another: list that one too", roster.string(), entry.id));
+            throw std::runtime_error(fmt::format(
+                "{}: the id '{}', which the roster gives to one submission, is the name of another: list that one too",
+                roster.string(), entry.id));
         result.submissions.push_back({entry.id, path / entry.name, entry.shown});
     }
     std::ranges::sort(result.submissions, {}, &SubmissionFolder::id);

@@ -13,9 +13,12 @@ constexpr std::array<std::string_view, 4> source_suffixes{".cpp", ".cc", ".cxx",
 constexpr std::array<std::string_view, 4> header_suffixes{".hpp", ".h", ".hh", ".hxx"};
 constexpr std::array<std::string_view, 5> shader_suffixes{".glsl", ".vert", ".frag", ".geom", ".comp"};
 /// A .rar is none that can be opened, and is told so.
-constexpr std::array<std::string_view, 10> archive_suffixes{".tar.gz", ".tar.bz2", ".tar.xz", ".tgz", ".tbz2", ".txz", ".tar", ".zip", ".7z", ".rar"};
-constexpr std::array<std::string_view, 7> junk{"__macosx", "cmakefiles", "node_modules", "deriveddata", "_deps", "umbral-pictures", "__pycache__"};
-/// What downloads, file managers and people put behind the name of a copy, after the separators were taken out, with any number behind …
+constexpr std::array<std::string_view, 10> archive_suffixes{".tar.gz", ".tar.bz2", ".tar.xz", ".tgz", ".tbz2",
+                                                            ".txz",    ".tar",     ".zip",    ".7z",  ".rar"};
+constexpr std::array<std::string_view, 7> junk{"__macosx", "cmakefiles",      "node_modules", "deriveddata",
+                                               "_deps",    "umbral-pictures", "__pycache__"};
+/// What downloads, file managers and people put behind the name of a copy, after the separators were taken out, with
+/// any number behind …
 constexpr std::array<std::string_view, 3> copy_endings{"copy", "copia", "copie"};
 /// … and in front.
 constexpr std::array<std::string_view, 3> copy_beginnings{"copyof", "copiade", "copiede"};
@@ -23,14 +26,16 @@ constexpr std::array<std::string_view, 3> copy_beginnings{"copyof", "copiade", "
 std::string lower(std::string_view text)
 {
     std::string result(text);
-    std::ranges::transform(result, result.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    std::ranges::transform(result, result.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return result;
 }
 
 /// The suffix among `suffixes` that `name` (in lower case) has behind at least one character; empty if none.
 std::string_view suffix_among(std::string_view name, Words suffixes)
 {
-    const auto found = std::ranges::find_if(suffixes, [&](std::string_view suffix) { return name.size() > suffix.size() && name.ends_with(suffix); });
+    const auto found = std::ranges::find_if(
+        suffixes, [&](std::string_view suffix) { return name.size() > suffix.size() && name.ends_with(suffix); });
     return found == suffixes.end() ? std::string_view() : *found;
 }
 
@@ -104,9 +109,15 @@ std::string stem_key(std::string_view stem)
 
 FileKind kind_of(std::string_view name) { return kind_by_suffix(without_txt(name)); }
 
-bool is_junk(std::string_view name) { return name.starts_with('.') || std::ranges::find(junk, lower(name)) != junk.end(); }
+bool is_junk(std::string_view name)
+{
+    return name.starts_with('.') || std::ranges::find(junk, lower(name)) != junk.end();
+}
 
-bool is_framework_copy(std::string_view folder) { return folder == "include/umbral" || folder.ends_with("/include/umbral"); }
+bool is_framework_copy(std::string_view folder)
+{
+    return folder == "include/umbral" || folder.ends_with("/include/umbral");
+}
 
 std::string_view last_part(std::string_view path)
 {

@@ -18,7 +18,8 @@ namespace {
 /// Why something could not be opened, if the one who made it is to blame.
 std::string reason_of(int error)
 {
-    if (error == EMFILE || error == ENFILE || error == ENOMEM) throw std::system_error(error, std::generic_category(), "reading a submission");
+    if (error == EMFILE || error == ENFILE || error == ENOMEM)
+        throw std::system_error(error, std::generic_category(), "reading a submission");
     if (error == ELOOP) return "it is a link: hand in the file itself";
     return fmt::format("it cannot be opened: {}", std::generic_category().message(error));
 }
@@ -76,11 +77,13 @@ FileBytes read_file_below(int root, std::string_view path, std::size_t limit)
     const Descriptor file = open_below(folder.get(), name, 0);
     if (!file) return refuse(reason_of(errno));
     if (fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) return refuse("it is not a regular file");
-    if (static_cast<std::size_t>(status.st_size) > limit) return refuse(fmt::format("it has {} bytes; at most {} are read", status.st_size, limit));
+    if (static_cast<std::size_t>(status.st_size) > limit)
+        return refuse(fmt::format("it has {} bytes; at most {} are read", status.st_size, limit));
     result.bytes.resize(static_cast<std::size_t>(status.st_size));
     std::size_t size = 0;
     while (size < result.bytes.size()) {
-        const ssize_t got = pread(file.get(), result.bytes.data() + size, result.bytes.size() - size, static_cast<off_t>(size));
+        const ssize_t got =
+            pread(file.get(), result.bytes.data() + size, result.bytes.size() - size, static_cast<off_t>(size));
         if (got < 0) return refuse(fmt::format("it cannot be read: {}", std::generic_category().message(errno)));
         if (got == 0) break;
         size += static_cast<std::size_t>(got);

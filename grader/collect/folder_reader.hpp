@@ -9,8 +9,9 @@
 
 namespace umbral::grader {
 
-// Files and folders below an open folder that somebody else filled. Nothing here follows a link, waits at a pipe or opens a device.
-// What the other one did becomes a text in `refused`; std::system_error is thrown if this machine has no descriptor or memory left.
+// Files and folders below an open folder that somebody else filled. Nothing here follows a link, waits at a pipe or
+// opens a device. What the other one did becomes a text in `refused`; std::system_error is thrown if this machine has
+// no descriptor or memory left.
 
 /// The bytes of one file.
 struct FileBytes {
@@ -26,10 +27,11 @@ struct FileBytes {
 /// What lies in one folder.
 struct Listing {
     std::vector<std::string> folders;  ///< sorted, without what tools make (is_junk)
-    std::vector<std::string> files;    ///< sorted: all else whose name is of source code or of an archive, of whatever type
-    std::size_t entries = 0;           ///< how many names were looked at
-    bool whole = true;                 ///< false: there are more than `most` of them
-    std::string refused;               ///< why it is not read; empty if it is
+    std::vector<std::string>
+        files;                ///< sorted: all else whose name is of source code or of an archive, of whatever type
+    std::size_t entries = 0;  ///< how many names were looked at
+    bool whole = true;        ///< false: there are more than `most` of them
+    std::string refused;      ///< why it is not read; empty if it is
 };
 /// Lists the folder `path` ("" for `root` itself), looking at no more than `most` names.
 [[nodiscard]] Listing list_folder_below(int root, std::string_view path, std::size_t most);

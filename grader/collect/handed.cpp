@@ -21,13 +21,16 @@ struct Found {
     Choice choice;
 };
 
-/// The chosen file that says where the unit lies: a solution before a stub, a better place before a worse one. Null if none is chosen.
+/// The chosen file that says where the unit lies: a solution before a stub, a better place before a worse one. Null if
+/// none is chosen.
 const Candidate* anchor_of(const std::vector<Found>& all)
 {
     const Candidate* anchor = nullptr;
     const auto rank = [](const Candidate& one) { return std::pair(one.stub, one.place); };
     for (const Found& found : all)
-        if (const Candidate* chosen = found.choice.chosen; chosen != nullptr && (anchor == nullptr || rank(*chosen) < rank(*anchor))) anchor = chosen;
+        if (const Candidate* chosen = found.choice.chosen;
+            chosen != nullptr && (anchor == nullptr || rank(*chosen) < rank(*anchor)))
+            anchor = chosen;
     return anchor;
 }
 
@@ -41,7 +44,9 @@ void prefer_one_folder(std::vector<Found>& all)
         for (const Candidate& one : found.candidates)
             if (parent_part(one.path) == parent_part(anchor->path)) beside.push_back(one);
         const Choice here = choose(beside);
-        if (here.chosen == nullptr || (found.choice.chosen != nullptr && found.choice.chosen->path == here.chosen->path)) continue;
+        if (here.chosen == nullptr ||
+            (found.choice.chosen != nullptr && found.choice.chosen->path == here.chosen->path))
+            continue;
         const auto same = std::ranges::find(found.candidates, here.chosen->path, &Candidate::path);
         found.choice.others.clear();
         for (const Candidate& one : found.candidates)
@@ -71,11 +76,15 @@ void enter(const Found& found, const SubmittedFiles& submitted, const Exercise& 
     };
     if (choice.chosen != nullptr) {
         handed.files[name] = choice.chosen->text;
-        if (choice.chosen->place >= Place::like_a_workspace) handed.notes.push_back(fmt::format("{}: taken from {}", name, one_line(choice.chosen->path)));
-        if (!choice.others.empty()) handed.notes.push_back(fmt::format("{}: something else stands in {}, which does not count", name, listed(choice.others)));
+        if (choice.chosen->place >= Place::like_a_workspace)
+            handed.notes.push_back(fmt::format("{}: taken from {}", name, one_line(choice.chosen->path)));
+        if (!choice.others.empty())
+            handed.notes.push_back(
+                fmt::format("{}: something else stands in {}, which does not count", name, listed(choice.others)));
     } else if (!choice.others.empty()) {
-        refuse(fmt::format("{}: {} different files could be it ({}), so none was taken: hand in only one of them, or put it in {}/{}", name,
-                           choice.others.size(), listed(choice.others), exercise.id, name));
+        refuse(fmt::format(
+            "{}: {} different files could be it ({}), so none was taken: hand in only one of them, or put it in {}/{}",
+            name, choice.others.size(), listed(choice.others), exercise.id, name));
     } else if (const std::string reason = why_not_read(submitted, exercise, name); !reason.empty()) {
         refuse(reason);
     } else {
@@ -89,7 +98,8 @@ std::optional<std::string> helper_name(std::string_view path, Handed& handed)
     std::string name(last_part(path));
     // A name that begins with '-' would be an option.
     if (!is_submission_id(name) || name.starts_with('-')) {
-        handed.notes.push_back(fmt::format("{}: not read: name it with letters, digits, '.', '_' and '-', a letter first", one_line(path)));
+        handed.notes.push_back(fmt::format(
+            "{}: not read: name it with letters, digits, '.', '_' and '-', a letter first", one_line(path)));
         return std::nullopt;
     }
     // The compiler is given what ends in .cpp.
@@ -97,7 +107,8 @@ std::optional<std::string> helper_name(std::string_view path, Handed& handed)
     return name;
 }
 
-/// Takes the student's own helpers beside the unit's files, if the folder is the unit's: elsewhere they could belong to anything.
+/// Takes the student's own helpers beside the unit's files, if the folder is the unit's: elsewhere they could belong to
+/// anything.
 void take_helpers(const SubmittedFiles& submitted, const Exercise& exercise, std::string_view folder, Handed& handed)
 {
     if (!is_own_folder(folder, exercise)) return;
@@ -105,22 +116,27 @@ void take_helpers(const SubmittedFiles& submitted, const Exercise& exercise, std
     for (const auto& [name, text] : handed.files) bytes += text.size();
     std::vector<std::string> left_out;
     const auto is_the_units = [&](std::string_view path) {
-        return std::ranges::any_of(exercise.files, [&](const std::string& name) { return file_key(name) == file_key(last_part(path)); });
+        return std::ranges::any_of(
+            exercise.files, [&](const std::string& name) { return file_key(name) == file_key(last_part(path)); });
     };
     const std::string prefix = std::string(folder) + "/";
-    for (auto at = submitted.files.lower_bound(prefix); at != submitted.files.end() && at->first.starts_with(prefix); ++at) {
+    for (auto at = submitted.files.lower_bound(prefix); at != submitted.files.end() && at->first.starts_with(prefix);
+         ++at) {
         const auto& [path, text] = *at;
         if (parent_part(path) != folder || is_the_units(path)) continue;
         const auto name = helper_name(path, handed);
         if (!name) continue;
-        if (handed.files.contains(*name) || handed.files.size() >= caps::unit_files || bytes + text.size() > caps::unit_sources) {
+        if (handed.files.contains(*name) || handed.files.size() >= caps::unit_files ||
+            bytes + text.size() > caps::unit_sources) {
             left_out.push_back(path);
             continue;
         }
         handed.files[*name] = text;
         bytes += text.size();
     }
-    if (!left_out.empty()) handed.notes.push_back(fmt::format("not read, since there are too many files or bytes, or two of one name: {}", listed(left_out)));
+    if (!left_out.empty())
+        handed.notes.push_back(
+            fmt::format("not read, since there are too many files or bytes, or two of one name: {}", listed(left_out)));
 }
 
 /// Where something is missing, what could not be looked into may be the reason.
@@ -130,7 +146,8 @@ void explain_missing(const SubmittedFiles& submitted, Handed& handed)
     handed.notes.insert(handed.notes.end(), submitted.notes.begin(), submitted.notes.end());
     std::vector<std::string> shut;
     for (const Ignored& one : submitted.ignored)
-        if (!is_code(kind_of(last_part(one.path)))) shut.push_back(fmt::format("{} ({})", one_line(one.path), one.reason));
+        if (!is_code(kind_of(last_part(one.path))))
+            shut.push_back(fmt::format("{} ({})", one_line(one.path), one.reason));
     if (!shut.empty()) handed.notes.push_back(fmt::format("not looked into: {}", listed(shut)));
 }
 
@@ -152,6 +169,9 @@ Handed collect(const SubmittedFiles& submitted, const Exercise& exercise)
     return handed;
 }
 
-Handed collect(const std::filesystem::path& folder, const Exercise& exercise) { return collect(read_submission(folder, {&exercise, 1}), exercise); }
+Handed collect(const std::filesystem::path& folder, const Exercise& exercise)
+{
+    return collect(read_submission(folder, {&exercise, 1}), exercise);
+}
 
 }

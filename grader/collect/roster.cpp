@@ -51,7 +51,8 @@ private:
         std::string field(rest_.substr(0, end));
         rest_.remove_prefix(end);
         if (field.ends_with('\r')) field.pop_back();
-        if (field.find('"') != std::string::npos) fail(where_, line_, "a quote within a field: write the whole field in quotes, and each quote in it twice");
+        if (field.find('"') != std::string::npos)
+            fail(where_, line_, "a quote within a field: write the whole field in quotes, and each quote in it twice");
         return field;
     }
 
@@ -98,19 +99,25 @@ std::vector<RosterEntry> parse_roster(std::string_view text, const std::string& 
         Record record = reader.next();
         if (record.fields == std::vector<std::string>{""}) continue;
         if (record.fields.size() != header.fields.size())
-            fail(where, record.line, fmt::format("expected {} fields, got {}", header.fields.size(), record.fields.size()));
+            fail(where, record.line,
+                 fmt::format("expected {} fields, got {}", header.fields.size(), record.fields.size()));
         record.fields.resize(columns.size());
         const auto& [folder, id, name] = std::tie(record.fields[0], record.fields[1], record.fields[2]);
         if (folder.empty() || folder.find('/') != std::string::npos)
-            fail(where, record.line, fmt::format("expected the name of a folder in the class's folder, got '{}'", one_line(folder)));
+            fail(where, record.line,
+                 fmt::format("expected the name of a folder in the class's folder, got '{}'", one_line(folder)));
         if (!is_submission_id(id) || is_reserved_id(id))
             fail(where, record.line,
-                 fmt::format("expected an id of at most 128 letters, digits, '.', '_' and '-' that does not begin with '.' or '-' nor end in "
+                 fmt::format("expected an id of at most 128 letters, digits, '.', '_' and '-' that does not begin with "
+                             "'.' or '-' nor end in "
                              ".json, .html or .csv, got '{}'",
                              one_line(id)));
-        const auto only_once = [&](std::map<std::string, std::size_t>& seen, const std::string& what, const std::string& value) {
+        const auto only_once = [&](std::map<std::string, std::size_t>& seen, const std::string& what,
+                                   const std::string& value) {
             const auto [before, fresh] = seen.emplace(value, record.line);
-            if (!fresh) fail(where, record.line, fmt::format("the {} '{}' stands in line {} already", what, one_line(value), before->second));
+            if (!fresh)
+                fail(where, record.line,
+                     fmt::format("the {} '{}' stands in line {} already", what, one_line(value), before->second));
         };
         only_once(folders, "folder", folder);
         only_once(ids, "id", id);

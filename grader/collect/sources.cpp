@@ -46,7 +46,8 @@ std::string read_text(const std::filesystem::path& file)
 void write_text(const std::filesystem::path& file, std::string_view text)
 {
     std::ofstream stream(file, std::ios::binary);
-    if (!(stream << text).flush()) throw std::runtime_error(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
+    if (!(stream << text).flush())
+        throw std::runtime_error(fmt::format("cannot write {}: {}", file.string(), std::strerror(errno)));
 }
 
 Sources texts_of(const Sources& files)
@@ -57,7 +58,10 @@ Sources texts_of(const Sources& files)
     return texts;
 }
 
-bool is_stub(std::string_view text, const Exercise& exercise, const std::string& name) { return essence(text) == essence(read_text(exercise.folder / name)); }
+bool is_stub(std::string_view text, const Exercise& exercise, const std::string& name)
+{
+    return essence(text) == essence(read_text(exercise.folder / name));
+}
 
 bool equals_stub(const Sources& files, const Exercise& exercise)
 {

@@ -15,7 +15,8 @@ using Sources = std::map<std::string, std::string>;
 /// Reads a whole text file that is not hostile. Throws std::runtime_error with the path.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
-/// Writes a file of our own in a folder where nobody else looks. Throws std::runtime_error with the path and the reason.
+/// Writes a file of our own in a folder where nobody else looks. Throws std::runtime_error with the path and the
+/// reason.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
 /// The files that no compiler reads: what the driver gets as text, such as shaders.

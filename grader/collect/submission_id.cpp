@@ -104,7 +104,10 @@ bool is_combining_accent(std::string_view character)
 
 bool is_submission_id(std::string_view name)
 {
-    const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-'; };
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
+               c == '-';
+    };
     return !name.empty() && name.size() <= 128 && name != "." && name != ".." && std::ranges::all_of(name, plain);
 }
 
@@ -112,8 +115,10 @@ bool is_reserved_id(std::string_view name)
 {
     constexpr std::array<std::string_view, 3> written_by_reports{".json", ".html", ".csv"};
     const auto same = [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); };
-    return name.starts_with('.') || name.starts_with('-') || std::ranges::any_of(written_by_reports, [&](std::string_view suffix) {
-               return name.size() >= suffix.size() && std::ranges::equal(suffix, name.substr(name.size() - suffix.size()), same);
+    return name.starts_with('.') || name.starts_with('-') ||
+           std::ranges::any_of(written_by_reports, [&](std::string_view suffix) {
+               return name.size() >= suffix.size() &&
+                      std::ranges::equal(suffix, name.substr(name.size() - suffix.size()), same);
            });
 }
 

@@ -21,7 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string joined(std::string_view folder, std::string_view name) { return folder.empty() ? std::string(name) : fmt::format("{}/{}", folder, name); }
+std::string joined(std::string_view folder, std::string_view name)
+{
+    return folder.empty() ? std::string(name) : fmt::format("{}/{}", folder, name);
+}
 
 /// Gathers what is found, within the caps.
 class Intake {
@@ -32,8 +35,8 @@ public:
     {
         if (full() || bytes_ + bytes.size() > caps::submission_bytes) {
             if (!full_)
-                note(fmt::format("it holds more than {} files or {} MiB of source code; the rest was not read", caps::submission_files,
-                                 caps::submission_bytes >> 20U));
+                note(fmt::format("it holds more than {} files or {} MiB of source code; the rest was not read",
+                                 caps::submission_files, caps::submission_bytes >> 20U));
             full_ = true;
             return ignore(path, "the submission holds too much source code");
         }
@@ -59,8 +62,10 @@ public:
     void take_archive(const std::string& path, const std::string& prefix, std::string_view bytes, std::size_t depth = 1)
     {
         if (tools_.programs.empty()) return ignore(path, "archives are not opened here: unpack it");
-        if (depth > caps::archive_depth) return ignore(path, "it is an archive within an archive within another: unpack it");
-        if (archives_full()) return ignore(path, fmt::format("only the first {} archives are opened", caps::submission_archives));
+        if (depth > caps::archive_depth)
+            return ignore(path, "it is an archive within an archive within another: unpack it");
+        if (archives_full())
+            return ignore(path, fmt::format("only the first {} archives are opened", caps::submission_archives));
         ++archives_;
         Unpacked unpacked = unpack(tools_, bytes);
         for (const std::string& text : unpacked.notes) note(fmt::format("{}: {}", one_line(path), text));
@@ -105,8 +110,8 @@ std::vector<std::string> exact_places(int root, std::span<const Exercise> units)
     return paths;
 }
 
-/// The paths of all files of worth below `root`: those in the folders of `units` first, then the nearest. What cannot be entered is
-/// reported to `intake`.
+/// The paths of all files of worth below `root`: those in the folders of `units` first, then the nearest. What cannot
+/// be entered is reported to `intake`.
 std::vector<std::string> find_files(int root, std::span<const Exercise> units, Intake& intake)
 {
     // Headers, of which a library's copy holds thousands, push no source out, except in the units' own folders.
@@ -126,19 +131,24 @@ std::vector<std::string> find_files(int root, std::span<const Exercise> units, I
         entries_left -= listing.entries;
         if (!listing.refused.empty()) intake.ignore(folder.path, listing.refused);
         for (const std::string& name : listing.files)
-            (folder.of_unit || kind_of(name) != FileKind::header ? paths : headers).push_back(joined(folder.path, name));
+            (folder.of_unit || kind_of(name) != FileKind::header ? paths : headers)
+                .push_back(joined(folder.path, name));
         for (const std::string& name : listing.folders) {
             if (is_framework_copy(joined(folder.path, name))) continue;
             if (is_code(kind_of(name))) intake.ignore(joined(folder.path, name), "it is a folder");
             too_deep = too_deep || folder.depth == caps::submission_depth;
-            if (folder.depth < caps::submission_depth) waiting.push_back({joined(folder.path, name), folder.depth + 1, false});
+            if (folder.depth < caps::submission_depth)
+                waiting.push_back({joined(folder.path, name), folder.depth + 1, false});
         }
         if (!listing.whole) {
-            intake.note(fmt::format("the submission holds more than {} files; not all were looked at", caps::submission_entries));
+            intake.note(fmt::format("the submission holds more than {} files; not all were looked at",
+                                    caps::submission_entries));
             break;
         }
     }
-    if (too_deep) intake.note(fmt::format("folders are more than {} deep; the deepest were not looked at", caps::submission_depth));
+    if (too_deep)
+        intake.note(
+            fmt::format("folders are more than {} deep; the deepest were not looked at", caps::submission_depth));
     paths.insert(paths.end(), headers.begin(), headers.end());
     return paths;
 }
@@ -157,7 +167,8 @@ void take_folder(int root, std::span<const Exercise> units, Intake& intake)
         const bool archive = is_archive(path);
         // What cannot be taken is not read either: there may be any number of it.
         const bool full = archive ? intake.archives_full() : intake.full();
-        FileBytes file = full ? FileBytes{} : read_file_below(root, path, archive ? caps::archive_file : caps::source_file);
+        FileBytes file =
+            full ? FileBytes{} : read_file_below(root, path, archive ? caps::archive_file : caps::source_file);
         if (!file.refused.empty())
             intake.ignore(path, std::move(file.refused));
         else if (archive)

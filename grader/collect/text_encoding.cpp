@@ -29,7 +29,8 @@ char32_t unit_at(std::string_view bytes, std::size_t at, Order order)
 {
     const auto first = static_cast<unsigned char>(bytes[at]);
     const auto second = static_cast<unsigned char>(bytes[at + 1]);
-    return order == Order::little ? static_cast<char32_t>(first | second << 8U) : static_cast<char32_t>(second | first << 8U);
+    return order == Order::little ? static_cast<char32_t>(first | second << 8U)
+                                  : static_cast<char32_t>(second | first << 8U);
 }
 
 void append(std::string& text, char32_t code)

@@ -13,8 +13,8 @@
 #include "model/caps.hpp"
 
 // umbral-unpack ARCHIVE
-// Reads a hostile archive in a process that may write nothing of worth. Prints records, each a word, two lengths in bytes, a line feed
-// and two texts, and "end" with a line feed when all was read:
+// Reads a hostile archive in a process that may write nothing of worth. Prints records, each a word, two lengths in
+// bytes, a line feed and two texts, and "end" with a line feed when all was read:
 //   file PATH_BYTES DATA_BYTES     source code, or an archive within
 //   ignored PATH_BYTES DATA_BYTES  what of these was not read, and why
 //   note 0 DATA_BYTES              why not all could be read
@@ -72,14 +72,16 @@ Data read_data(archive* reader, std::size_t limit, Budget& budget)
     return data;
 }
 
-/// Passes over the current entry's data, as far as the budget goes: in a compressed stream they are unpacked all the same.
+/// Passes over the current entry's data, as far as the budget goes: in a compressed stream they are unpacked all the
+/// same.
 void pass_over(archive* reader, Budget& budget)
 {
     if (archive_filter_count(reader) <= 1) return (void)archive_read_data_skip(reader);
     const void* block = nullptr;
     std::size_t size = 0;
     la_int64_t offset = 0;
-    while (budget.unpacked > 0 && archive_read_data_block(reader, &block, &size, &offset) == ARCHIVE_OK) (void)budget.take(&Budget::unpacked, size);
+    while (budget.unpacked > 0 && archive_read_data_block(reader, &block, &size, &offset) == ARCHIVE_OK)
+        (void)budget.take(&Budget::unpacked, size);
 }
 
 bool has_junk(std::string_view path)
@@ -99,7 +101,8 @@ std::string path_of(archive_entry* entry)
 /// Why the current entry is not read; empty if it is, and then its bytes are in `data`.
 std::string read_entry(archive* reader, archive_entry* entry, FileKind kind, Budget& budget, Data& data)
 {
-    if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr) return "it is not a regular file: hand in the file itself";
+    if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr)
+        return "it is not a regular file: hand in the file itself";
     if (archive_entry_is_encrypted(entry) != 0) return "it is encrypted: hand it in without a password";
     const std::size_t limit = kind == FileKind::archive ? caps::archive_file : caps::source_file;
     data = read_data(reader, limit, budget);
@@ -125,7 +128,8 @@ std::string print_entries(archive* reader)
         if (!budget.take(&Budget::entries, 1)) return "it has too many entries; the rest is not read";
         const std::string path = path_of(entry);
         const FileKind kind = kind_of(last_part(path));
-        const bool of_worth = (is_code(kind) || kind == FileKind::archive) && path.size() <= caps::archive_path && !has_junk(path);
+        const bool of_worth =
+            (is_code(kind) || kind == FileKind::archive) && path.size() <= caps::archive_path && !has_junk(path);
         if (of_worth && archive_entry_filetype(entry) != AE_IFDIR) {
             Data data;
             const std::string objection = read_entry(reader, entry, kind, budget, data);

@@ -19,8 +19,8 @@ namespace {
 
 using Bytes = std::span<const unsigned char>;
 
-/// Bytes before the first function of .text that the C runtime may take (four functions, 0xba bytes with g++ 12), and between two
-/// functions, where linkers pad.
+/// Bytes before the first function of .text that the C runtime may take (four functions, 0xba bytes with g++ 12), and
+/// between two functions, where linkers pad.
 constexpr std::uint64_t runtime_code = 192;
 constexpr std::uint64_t padding = 32;
 
@@ -46,7 +46,8 @@ std::vector<Section> sections_of(Elf* elf)
         if (gelf_getshdr(place, &section.header) == nullptr) continue;
         if (const char* name = elf_strptr(elf, names, section.header.sh_name)) section.name = name;
         const Elf_Data* data = elf_rawdata(place, nullptr);
-        if (data != nullptr && data->d_buf != nullptr) section.bytes = {static_cast<const unsigned char*>(data->d_buf), data->d_size};
+        if (data != nullptr && data->d_buf != nullptr)
+            section.bytes = {static_cast<const unsigned char*>(data->d_buf), data->d_size};
         sections.push_back(section);
     }
     return sections;
@@ -59,8 +60,8 @@ std::int32_t number_at(Bytes bytes, std::size_t offset)
     return number;
 }
 
-/// The functions that .eh_frame lists, in order of their addresses. Nothing if an entry is none as g++ writes them: of 32 bits, with
-/// addresses relative to where they stand.
+/// The functions that .eh_frame lists, in order of their addresses. Nothing if an entry is none as g++ writes them: of
+/// 32 bits, with addresses relative to where they stand.
 std::optional<std::vector<Function>> functions_in(const Section& frames)
 {
     constexpr std::size_t length_size = 4;
@@ -76,7 +77,8 @@ std::optional<std::vector<Function>> functions_in(const Section& frames)
         } else {
             if (length + length_size < head) return std::nullopt;
             const std::uint64_t place = frames.header.sh_addr + at + 8;
-            const std::uint64_t begin = place + static_cast<std::uint64_t>(std::int64_t{number_at(frames.bytes, at + 8)});
+            const std::uint64_t begin =
+                place + static_cast<std::uint64_t>(std::int64_t{number_at(frames.bytes, at + 8)});
             const auto size = static_cast<std::uint32_t>(number_at(frames.bytes, at + 12));
             if (size > 0) functions.push_back({begin, begin + size});
         }
@@ -86,7 +88,8 @@ std::optional<std::vector<Function>> functions_in(const Section& frames)
     return functions;
 }
 
-/// Where the counter stands in the table of addresses that the loader fills; `other_uses` is set if anything else wants its address.
+/// Where the counter stands in the table of addresses that the loader fills; `other_uses` is set if anything else wants
+/// its address.
 std::optional<std::uint64_t> counter_slot(Elf* elf, bool& other_uses)
 {
     std::optional<std::uint64_t> slot;
@@ -97,7 +100,8 @@ std::optional<std::uint64_t> counter_slot(Elf* elf, bool& other_uses)
         Elf_Scn* symbols_place = elf_getscn(elf, header.sh_link);
         GElf_Shdr symbols_header;
         Elf_Data* symbols = symbols_place == nullptr ? nullptr : elf_getdata(symbols_place, nullptr);
-        if (relocations == nullptr || symbols == nullptr || gelf_getshdr(symbols_place, &symbols_header) == nullptr) continue;
+        if (relocations == nullptr || symbols == nullptr || gelf_getshdr(symbols_place, &symbols_header) == nullptr)
+            continue;
         for (std::size_t index = 0; index < header.sh_size / header.sh_entsize; ++index) {
             GElf_Rela relocation;
             GElf_Sym symbol;
@@ -118,20 +122,23 @@ Bytes code_at(const std::vector<Section>& sections, std::uint64_t begin, std::ui
 {
     for (const Section& section : sections) {
         const std::uint64_t start = section.header.sh_addr;
-        if ((section.header.sh_flags & SHF_EXECINSTR) == 0 || begin < start || end < begin || end - start > section.bytes.size()) continue;
+        if ((section.header.sh_flags & SHF_EXECINSTR) == 0 || begin < start || end < begin ||
+            end - start > section.bytes.size())
+            continue;
         return section.bytes.subspan(begin - start, end - begin);
     }
     return {};
 }
 
-/// Does an entry of the linker's table of jumps begin at `target`, and lead through `slot`? It is `jmp *slot(%rip)`, after two
-/// instructions at most.
+/// Does an entry of the linker's table of jumps begin at `target`, and lead through `slot`? It is `jmp *slot(%rip)`,
+/// after two instructions at most.
 bool leads_to(const std::vector<Section>& sections, std::uint64_t target, std::uint64_t slot)
 {
     constexpr std::size_t entry = 16;
     const Bytes code = code_at(sections, target, target + entry);
     for (std::size_t i = 0; i + 6 <= code.size(); ++i)
-        if (code[i] == 0xff && code[i + 1] == 0x25) return target + i + 6 + static_cast<std::uint64_t>(std::int64_t{number_at(code, i + 2)}) == slot;
+        if (code[i] == 0xff && code[i + 1] == 0x25)
+            return target + i + 6 + static_cast<std::uint64_t>(std::int64_t{number_at(code, i + 2)}) == slot;
     return false;
 }
 
@@ -139,7 +146,8 @@ bool calls(const std::vector<Section>& sections, const Function& function, std::
 {
     const Bytes code = code_at(sections, function.begin, function.end);
     for (std::size_t i = 0; i + 5 <= code.size(); ++i) {
-        const std::uint64_t target = function.begin + i + 5 + static_cast<std::uint64_t>(std::int64_t{number_at(code, i + 1)});
+        const std::uint64_t target =
+            function.begin + i + 5 + static_cast<std::uint64_t>(std::int64_t{number_at(code, i + 1)});
         if (code[i] == 0xe8 && leads_to(sections, target, slot)) return true;
     }
     return false;
@@ -200,9 +208,11 @@ std::vector<std::string> uncounted_code(Elf* elf)
 
     std::set<std::string> reasons;
     for (const Function& function : *functions)
-        if (reasons.size() < caps::listed && !calls(sections, function, *slot)) reasons.insert(name_at(elf, function.begin));
+        if (reasons.size() < caps::listed && !calls(sections, function, *slot))
+            reasons.insert(name_at(elf, function.begin));
     for (const Section& section : sections)
-        if ((section.header.sh_flags & SHF_EXECINSTR) != 0 && !is_linkers(section) && has_other_code(section, *functions))
+        if ((section.header.sh_flags & SHF_EXECINSTR) != 0 && !is_linkers(section) &&
+            has_other_code(section, *functions))
             reasons.insert("code outside all functions in " + std::string(section.name));
     return {reasons.begin(), reasons.end()};
 }

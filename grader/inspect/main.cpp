@@ -13,10 +13,10 @@
 #include "inspect/open.hpp"
 #include "inspect/places.hpp"
 
-// umbral-inspect names FILE INTERFACE: its dynamic symbols and the functions that left code in it, as JSON; INTERFACE lists the names
-// that it is to define.
-// umbral-inspect lines FILE ADDRESS…: the first address that a file without a directory produced, as "sphere.cpp:17".
-// It reads files made by hostile sources, so it runs in umbral-confine and holds nothing worth stealing.
+// umbral-inspect names FILE INTERFACE: its dynamic symbols and the functions that left code in it, as JSON; INTERFACE
+// lists the names that it is to define. umbral-inspect lines FILE ADDRESS…: the first address that a file without a
+// directory produced, as "sphere.cpp:17". It reads files made by hostile sources, so it runs in umbral-confine and
+// holds nothing worth stealing.
 namespace {
 
 std::vector<std::string> lines_of(const char* file)

@@ -49,10 +49,12 @@ void add_symbols(Elf* elf, Symbols& symbols)
 {
     for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf, section)) != nullptr;) {
         GElf_Shdr header;
-        if (gelf_getshdr(section, &header) == nullptr || header.sh_type != SHT_DYNSYM || header.sh_entsize == 0) continue;
+        if (gelf_getshdr(section, &header) == nullptr || header.sh_type != SHT_DYNSYM || header.sh_entsize == 0)
+            continue;
         Elf_Data* data = elf_getdata(section, nullptr);
         const auto count = header.sh_size / header.sh_entsize;
-        for (std::size_t i = 1; data != nullptr && i < count && !symbols.defined.overflown() && !symbols.undefined.overflown(); ++i) {
+        for (std::size_t i = 1;
+             data != nullptr && i < count && !symbols.defined.overflown() && !symbols.undefined.overflown(); ++i) {
             GElf_Sym symbol;
             const char* name = nullptr;
             if (gelf_getsym(data, static_cast<int>(i), &symbol) == nullptr) break;
@@ -69,11 +71,14 @@ void add_symbols(Elf* elf, Symbols& symbols)
 void add_function(Dwarf_Die* die, Names<Pair>& functions)
 {
     Dwarf_Attribute attribute;
-    if (dwarf_hasattr(die, DW_AT_low_pc) == 0 && dwarf_hasattr(die, DW_AT_inline) == 0 && dwarf_hasattr(die, DW_AT_ranges) == 0) return;
+    if (dwarf_hasattr(die, DW_AT_low_pc) == 0 && dwarf_hasattr(die, DW_AT_inline) == 0 &&
+        dwarf_hasattr(die, DW_AT_ranges) == 0)
+        return;
     const char* const file = dwarf_decl_file(die);
     for (const unsigned kind : {DW_AT_linkage_name, DW_AT_MIPS_linkage_name, DW_AT_name}) {
         if (dwarf_attr_integrate(die, kind, &attribute) == nullptr) continue;
-        if (const char* name = dwarf_formstring(&attribute)) functions.add({demangled(name, caps::name), file == nullptr ? "" : cut(file, caps::symbol)});
+        if (const char* name = dwarf_formstring(&attribute))
+            functions.add({demangled(name, caps::name), file == nullptr ? "" : cut(file, caps::symbol)});
         return;
     }
 }
@@ -86,7 +91,8 @@ void walk(Dwarf_Die* parent, int depth, Names<Pair>& functions)
     do {
         const int tag = dwarf_tag(&die);
         if (tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine) add_function(&die, functions);
-        if (tag == DW_TAG_namespace || tag == DW_TAG_subprogram || tag == DW_TAG_structure_type || tag == DW_TAG_class_type || tag == DW_TAG_lexical_block)
+        if (tag == DW_TAG_namespace || tag == DW_TAG_subprogram || tag == DW_TAG_structure_type ||
+            tag == DW_TAG_class_type || tag == DW_TAG_lexical_block)
             walk(&die, depth + 1, functions);
     } while (!functions.overflown() && dwarf_siblingof(&die, &die) == 0);
 }
@@ -102,13 +108,19 @@ std::string names_as_json(Elf* elf, Dwarf* dwarf, const std::vector<std::string>
         walk(unit, 0, functions);
         return false;
     });
-    if (!whole || functions.all().empty() || functions.overflown() || symbols.defined.overflown() || symbols.undefined.overflown()) return {};
+    if (!whole || functions.all().empty() || functions.overflown() || symbols.defined.overflown() ||
+        symbols.undefined.overflown())
+        return {};
     nlohmann::json missing = nlohmann::json::array();
     for (const std::string& name : interface_names)
         if (!symbols.defined.all().contains(name)) missing.push_back(demangled(name.c_str(), caps::name));
     nlohmann::json undefined = nlohmann::json::array();
-    for (const std::string& name : symbols.undefined.all()) undefined.push_back({name, demangled(name.c_str(), caps::name)});
-    const nlohmann::json json = {{"missing", missing}, {"undefined", undefined}, {"functions", functions.all()}, {"uncounted", uncounted_code(elf)}};
+    for (const std::string& name : symbols.undefined.all())
+        undefined.push_back({name, demangled(name.c_str(), caps::name)});
+    const nlohmann::json json = {{"missing", missing},
+                                 {"undefined", undefined},
+                                 {"functions", functions.all()},
+                                 {"uncounted", uncounted_code(elf)}};
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -29,7 +29,8 @@ std::string place(const char* file, std::uint64_t line)
 {
     const std::string_view path(file, strnlen(file, caps::symbol));
     const std::size_t slash = path.rfind('/');
-    return std::string(path.substr(slash == std::string_view::npos ? 0 : slash + 1).substr(0, caps::name)) + ":" + std::to_string(line);
+    return std::string(path.substr(slash == std::string_view::npos ? 0 : slash + 1).substr(0, caps::name)) + ":" +
+           std::to_string(line);
 }
 
 /// Where a function that was inlined at `address`, as one of a library's header, was called by the student's own code.
@@ -45,8 +46,10 @@ std::string place_of_call(Dwarf_Die* unit, Dwarf_Addr address)
         Dwarf_Word file = 0;
         Dwarf_Word line = 0;
         if (dwarf_tag(&scopes[i]) != DW_TAG_inlined_subroutine) continue;
-        if (dwarf_attr(&scopes[i], DW_AT_call_file, &attribute) == nullptr || dwarf_formudata(&attribute, &file) != 0) continue;
-        if (dwarf_attr(&scopes[i], DW_AT_call_line, &attribute) == nullptr || dwarf_formudata(&attribute, &line) != 0) continue;
+        if (dwarf_attr(&scopes[i], DW_AT_call_file, &attribute) == nullptr || dwarf_formudata(&attribute, &file) != 0)
+            continue;
+        if (dwarf_attr(&scopes[i], DW_AT_call_line, &attribute) == nullptr || dwarf_formudata(&attribute, &line) != 0)
+            continue;
         const char* name = dwarf_filesrc(files, file, nullptr, nullptr);
         if (name == nullptr || !is_own(unit, name)) continue;
         return place(name, line);

@@ -4,8 +4,8 @@
 
 namespace umbral::grader {
 
-/// Calls `visit` for each compilation unit until it returns true. False if the debug information is damaged: what lies behind the damage
-/// was not seen.
+/// Calls `visit` for each compilation unit until it returns true. False if the debug information is damaged: what lies
+/// behind the damage was not seen.
 template <class Visit>
 bool for_each_unit(Dwarf* dwarf, Visit visit)
 {

@@ -39,7 +39,9 @@ Row most_frequent(const TensorView& view, Among among)
     std::size_t most = 0;
     for (std::size_t cell = 0; cell < view.cells(); ++cell) {
         const auto values = view.cell(cell);
-        if (!view.present(cell) || !among(cell) || std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) continue;
+        if (!view.present(cell) || !among(cell) ||
+            std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); }))
+            continue;
         Row row(values.begin(), values.end());
         if (const std::size_t count = ++counts[row]; count > most) most = count, best = std::move(row);
     }
@@ -107,7 +109,8 @@ Tensor noise_within(const Tensor& expected, const ComponentStatistics& statistic
     for (std::uint8_t& present : tensor.present) present = static_cast<std::uint8_t>(random.below(2));
     const std::size_t width = expected.components;
     for (std::size_t cell = 0; cell < tensor.present.size(); ++cell)
-        if (tensor.present[cell] == 0) std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(cell * width), width, 0.0);
+        if (tensor.present[cell] == 0)
+            std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(cell * width), width, 0.0);
     return with_values(tensor, values);
 }
 
@@ -122,7 +125,8 @@ Controls common_controls(const Check& check, const Tensor& expected, std::uint64
     result.emplace_back("zeros", filled(expected, Row(components, 0)));
     result.emplace_back("ones", filled(expected, Row(components, 1)));
     if (components == 9 || components == 16) result.emplace_back("identity", filled(expected, identity(components)));
-    result.emplace_back(picture ? "most frequent colour" : "most frequent row", filled(expected, most_frequent(view, [](std::size_t) { return true; })));
+    result.emplace_back(picture ? "most frequent colour" : "most frequent row",
+                        filled(expected, most_frequent(view, [](std::size_t) { return true; })));
     result.emplace_back(picture ? "mean colour" : "mean row", filled(expected, statistics.mean));
     result.emplace_back("noise", noise_within(expected, statistics, seed));
     if (look != Look::none) result.emplace_back("blank", blank(expected, view));
@@ -145,7 +149,9 @@ BestControl best_control(const Check& check, const Tensor& expected, const Tenso
 {
     BestControl best{"none", 0};
     for (const auto& [name, tensor] : controls(check, expected, seed))
-        if (const double right = fraction_right(check, tensor, expected, margin); best.name == "none" || right > best.right) best = {name, right};
+        if (const double right = fraction_right(check, tensor, expected, margin);
+            best.name == "none" || right > best.right)
+            best = {name, right};
     return best;
 }
 

@@ -11,7 +11,8 @@
 
 namespace umbral::grader {
 
-// What controls are made of: recordings of the shape of an expected one that know nothing of the problem. See controls() in judge.hpp.
+// What controls are made of: recordings of the shape of an expected one that know nothing of the problem. See
+// controls() in judge.hpp.
 
 using Controls = std::vector<std::pair<std::string, Tensor>>;
 
@@ -28,8 +29,8 @@ struct ComponentStatistics {
 /// Uniform noise between the lows and highs, half of the cells absent where some may be.
 [[nodiscard]] Tensor noise_within(const Tensor& expected, const ComponentStatistics& statistics, std::uint64_t seed);
 
-/// What most judges take: zeros, ones, the identity matrix, the most frequent and the mean row, noise, all absent; of pictures also the blank
-/// one, black and white.
+/// What most judges take: zeros, ones, the identity matrix, the most frequent and the mean row, noise, all absent; of
+/// pictures also the blank one, black and white.
 [[nodiscard]] Controls common_controls(const Check& check, const Tensor& expected, std::uint64_t seed);
 
 }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "judge/evidence/evidence.hpp"
-#include "judge/explain/sureness.hpp"
+#include "judge/explain/confidence.hpp"
 #include "judge/judge.hpp"
 #include "model/caps.hpp"
 
@@ -25,11 +25,12 @@ struct FailingCheck;
 struct NamedTransform;
 struct RowKind;
 
-/// How people look at what a check compares: not at all, as a buffer of values, as colours on a screen, or as amounts of light, which are
-/// noisy and shown as sRGB.
+/// How people look at what a check compares: not at all, as a buffer of values, as colours on a screen, or as amounts
+/// of light, which are noisy and shown as sRGB.
 enum class Look : std::uint8_t { none, values, colours, light };
 
-/// What a judge is asked. Both tensors are well formed and of one type; of one shape too, but for judges with free rows.
+/// What a judge is asked. Both tensors are well formed and of one type; of one shape too, but for judges with free
+/// rows.
 struct Question {
     const Check& check;
     const Tensor& student;
@@ -42,10 +43,11 @@ struct Question {
 /// How a judge's checks can hold two values of the student's own run against each other (model/relation.hpp).
 struct RelationRules {
     bool possible = false;
-    bool moves = false;                            ///< has pixels, which can be moved
-    bool scales = false;                           ///< has amounts, which can be multiplied …
-    bool whole_numbers_scale = false;              ///< … in tensors of whole numbers too
-    bool (*presentable)(const Tensor&) = nullptr;  ///< can it be held up as the expected side? Null: if all its values are finite
+    bool moves = false;                ///< has pixels, which can be moved
+    bool scales = false;               ///< has amounts, which can be multiplied …
+    bool whole_numbers_scale = false;  ///< … in tensors of whole numbers too
+    bool (*presentable)(const Tensor&) =
+        nullptr;  ///< can it be held up as the expected side? Null: if all its values are finite
     Tensor (*moved)(const Tensor& tensor, const std::array<int, 2>& shift) = nullptr;  ///< null: cells are moved
 };
 
@@ -55,12 +57,13 @@ struct OwnField {
     std::string_view schema;  ///< its JSON schema, for docs/schemas/exercise.schema.json
 };
 
-/// All that is particular to one judge. A new one is a folder grader/judge/<name> that defines such a record, and its line in judges.cpp:
-/// all else asks the record. Null pointers and false mean what is said there.
+/// All that is particular to one judge. A new one is a folder grader/judge/<name> that defines such a record, and its
+/// line in judges.cpp: all else asks the record. Null pointers and false mean what is said there.
 struct JudgeRecord {
     std::string_view name;
-    /// From exact to vague: exact lists 0, numbers 1, intermediate buffers 2, what is counted or derived 3, the colour picture 4. What a
-    /// student is shown first follows this, and checks of one place the manifest: a mistake that a number names, a picture only hints at.
+    /// From exact to vague: exact lists 0, numbers 1, intermediate buffers 2, what is counted or derived 3, the colour
+    /// picture 4. What a student is shown first follows this, and checks of one place the manifest: a mistake that a
+    /// number names, a picture only hints at.
     int place = 3;
     std::string_view compares;  ///< what it compares, in a few words of a sentence: "numbers row by row"
 
@@ -84,19 +87,23 @@ struct JudgeRecord {
     // Judging.
     Judgement (*judge)(const Question& question) = nullptr;
     /// Null: common_controls (controls.hpp).
-    std::vector<std::pair<std::string, Tensor>> (*controls)(const Check& check, const Tensor& expected, std::uint64_t seed) = nullptr;
-    /// What is borderline (Judgement::borderline) is run again with a fresh seed, and both runs decide. Null: nothing is.
+    std::vector<std::pair<std::string, Tensor>> (*controls)(const Check& check, const Tensor& expected,
+                                                            std::uint64_t seed) = nullptr;
+    /// What is borderline (Judgement::borderline) is run again with a fresh seed, and both runs decide. Null: nothing
+    /// is.
     Judgement (*judge_both)(const Judgement& first, const Judgement& second) = nullptr;
 
     // Explaining.
     /// resemblance() of a failing check, where both results can be judged.
     Resemblance (*resemblance)(const FailingCheck& failing, const Tensor& mistake) = nullptr;
-    const RowKind& (*rows)() = nullptr;                                                           ///< how single rows are compared; null: as rows of numbers
-    std::vector<NamedTransform> (*transforms)() = nullptr;                                        ///< those that are tried on its results first
-    std::optional<double> (*likeness)(const Tensor& student, const Tensor& reference) = nullptr;  ///< null: by correlation
+    const RowKind& (*rows)() = nullptr;                     ///< how single rows are compared; null: as rows of numbers
+    std::vector<NamedTransform> (*transforms)() = nullptr;  ///< those that are tried on its results first
+    std::optional<double> (*likeness)(const Tensor& student,
+                                      const Tensor& reference) = nullptr;  ///< null: by correlation
 
     // Showing.
-    Grid<std::uint8_t> (*difference_map)(const Check& check, const Tensor& student, const Tensor& expected) = nullptr;  ///< null: pixel by pixel
+    Grid<std::uint8_t> (*difference_map)(const Check& check, const Tensor& student,
+                                         const Tensor& expected) = nullptr;  ///< null: pixel by pixel
     Evidence (*evidence)(const Check& check, const Observation& observation, bool right) = nullptr;
 
     RelationRules relation{};

@@ -9,7 +9,8 @@
 namespace umbral::grader {
 
 // Each is defined in its folder, grader/judge/<name>/record.cpp.
-extern const JudgeRecord numbers_judge, matrices_judge, buffer_judge, image_judge, fragments_judge, trace_judge, events_judge, cost_judge, noise_judge;
+extern const JudgeRecord numbers_judge, matrices_judge, buffer_judge, image_judge, fragments_judge, trace_judge,
+    events_judge, cost_judge, noise_judge;
 
 std::span<const JudgeRecord* const> judges()
 {
@@ -27,7 +28,8 @@ const JudgeRecord* find_judge(std::string_view name)
 const JudgeRecord& judge_of(const JudgeKind& kind)
 {
     if (const JudgeRecord* record = find_judge(kind.name)) return *record;
-    throw std::invalid_argument(fmt::format("expected one of the judges that the manifest knows, got \"{}\"", kind.name));
+    throw std::invalid_argument(
+        fmt::format("expected one of the judges that the manifest knows, got \"{}\"", kind.name));
 }
 
 const JudgeRecord& judge_of(const CheckResult& result)

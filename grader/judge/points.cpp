@@ -8,10 +8,12 @@ namespace umbral::grader {
 Millipoints points_for(const Check& check, double right, double control)
 {
     const double low = std::max(check.zero, control);
-    // A control as good as the full mark leaves no scale: only what beats both earns anything. NaN fails every comparison.
+    // A control as good as the full mark leaves no scale: only what beats both earns anything. NaN fails every
+    // comparison.
     if (!(right > low)) return 0;
     if (right >= check.full) return check.points;
-    return static_cast<Millipoints>(std::llround(static_cast<double>(check.points) * (right - low) / (check.full - low)));
+    return static_cast<Millipoints>(
+        std::llround(static_cast<double>(check.points) * (right - low) / (check.full - low)));
 }
 
 }

@@ -71,7 +71,8 @@ Tensor compared_cells(const Tensor& value, const std::array<int, 2>& shift)
     return result;
 }
 
-/// Can this be held up as the expected side? The rules take values that are not finite there for a fault of the grader's.
+/// Can this be held up as the expected side? The rules take values that are not finite there for a fault of the
+/// grader's.
 bool presentable(const Check& check, const Tensor& expected)
 {
     if (expected.cells() == 0) return false;
@@ -89,7 +90,8 @@ std::optional<Tensor> expected_by_relation(const Check& check, const Tensor& to,
     const Relation& relation = *check.relation;
     Tensor expected = relation.scales() ? scaled(check, to, relation.scale) : to;
     const auto move = judge_of(check).relation.moved;
-    if (relation.moves()) expected = move != nullptr ? move(expected, relation.shift) : moved_cells(expected, value, relation.shift);
+    if (relation.moves())
+        expected = move != nullptr ? move(expected, relation.shift) : moved_cells(expected, value, relation.shift);
     if (!presentable(check, expected)) return std::nullopt;
     return expected;
 }
@@ -102,7 +104,8 @@ std::string expected_in_words(const Relation& relation)
     return text;
 }
 
-RelationJudge::RelationJudge(const Check& check, const RelatedTensors& reference, const Tensor* margin, std::uint64_t seed)
+RelationJudge::RelationJudge(const Check& check, const RelatedTensors& reference, const Tensor* margin,
+                             std::uint64_t seed)
     : check_(check), relation_(*check_.relation), margin_(margin)
 {
     const auto fault = [&](const std::string& what) {
@@ -113,13 +116,15 @@ RelationJudge::RelationJudge(const Check& check, const RelatedTensors& reference
     const std::vector<const Tensor*> tensors = list_of(reference, three);
     for (std::size_t i = 0; i < tensors.size(); ++i) {
         if (tensors[i] == nullptr) fault(fmt::format("the driver recorded nothing called '{}'", *names[i]));
-        if (!well_formed(*tensors[i]) || !presentable(check, *tensors[i])) fault(fmt::format("'{}' is empty, or not finite", *names[i]));
+        if (!well_formed(*tensors[i]) || !presentable(check, *tensors[i]))
+            fault(fmt::format("'{}' is empty, or not finite", *names[i]));
         if (const auto error = shape_error(check, *tensors[i], *reference.value))
             fault(fmt::format("'{}' has another shape than '{}'", *names[i], check.value));
         if (relation_.scales() && tensors[i]->element != Element::float32 && tensors[i]->element != Element::float64 &&
             !judge_of(check).relation.whole_numbers_scale)
             fault(fmt::format("'{}' holds whole numbers, which no factor applies to", *names[i]));
-        if (!likeness(check, *tensors[i], *tensors[i])) fault(fmt::format("'{}' is the same everywhere, or has fewer than 32 values", *names[i]));
+        if (!likeness(check, *tensors[i], *tensors[i]))
+            fault(fmt::format("'{}' is the same everywhere, or has fewer than 32 values", *names[i]));
         sides_.push_back({tensors[i], 0, *names[i]});
     }
     reference_unmoved_ = unmoved(reference);
@@ -142,7 +147,8 @@ RelationJudge::RelationJudge(const Check& check, const RelatedTensors& reference
     for (std::size_t i = 0; i < sides_.size(); ++i) {
         double best = 0;
         for (const RelatedControl& control : controls_)
-            if (const Tensor* tensor = list_of(control.tensors(), three)[i]; tensor != nullptr && tensor->cells() > 0) best = std::max(best, alike(i, *tensor));
+            if (const Tensor* tensor = list_of(control.tensors(), three)[i]; tensor != nullptr && tensor->cells() > 0)
+                best = std::max(best, alike(i, *tensor));
         sides_[i].least = (1 + best) / 2;
     }
 }
@@ -150,7 +156,8 @@ RelationJudge::RelationJudge(const Check& check, const RelatedTensors& reference
 double RelationJudge::alike(std::size_t side, const Tensor& tensor) const
 {
     const Tensor& reference = *sides_[side].reference;
-    if (side > 0 || !relation_.moves() || judge_of(check_).relation.moved != nullptr) return *likeness(check_, tensor, reference);
+    if (side > 0 || !relation_.moves() || judge_of(check_).relation.moved != nullptr)
+        return *likeness(check_, tensor, reference);
     return *likeness(check_, compared_cells(tensor, relation_.shift), compared_cells(reference, relation_.shift));
 }
 
@@ -158,7 +165,8 @@ double RelationJudge::unmoved(const RelatedTensors& values) const
 {
     double best = 0;
     if (relation_.moves() || relation_.scales())
-        if (const auto expected = expected_by_relation(check_, *values.to, *values.to)) best = fraction_right(check_, *values.to, *expected, margin_);
+        if (const auto expected = expected_by_relation(check_, *values.to, *values.to))
+            best = fraction_right(check_, *values.to, *expected, margin_);
     if (!relation_.unlike.empty()) best = std::max(best, fraction_right(check_, *values.unlike, *values.to, margin_));
     return best;
 }
@@ -168,12 +176,15 @@ std::string RelationJudge::problem(const RelatedTensors& student) const
     const std::vector<const Tensor*> tensors = list_of(student, sides_.size() == 3);
     for (std::size_t i = 0; i < sides_.size(); ++i) {
         const Side& side = sides_[i];
-        if (tensors[i] == nullptr) return fmt::format("Nothing was recorded as '{}': the run was disturbed.", side.name);
-        if (const auto error = shape_error(check_, *tensors[i], *side.reference)) return fmt::format("Of '{}': {}", side.name, *error);
+        if (tensors[i] == nullptr)
+            return fmt::format("Nothing was recorded as '{}': the run was disturbed.", side.name);
+        if (const auto error = shape_error(check_, *tensors[i], *side.reference))
+            return fmt::format("Of '{}': {}", side.name, *error);
     }
     // What unmoved() holds up must be finite too.
     if (!presentable(check_, *student.to) || !expected_by_relation(check_, *student.to, *student.value))
-        return fmt::format("Your '{}' is empty, or holds values that are not finite: nothing can follow from it.", relation_.to);
+        return fmt::format("Your '{}' is empty, or holds values that are not finite: nothing can follow from it.",
+                           relation_.to);
     return {};
 }
 
@@ -184,14 +195,16 @@ std::string RelationJudge::worthless(const RelatedTensors& student, Judgement& j
     for (std::size_t i = 0; i < sides_.size(); ++i) {
         const double found = alike(i, *tensors[i]);
         judgement.metrics["likeness"] = std::min(judgement.metrics["likeness"], found);
-        if (found < sides_[i].least) return fmt::format("your '{}' has too little in common with what is asked for.", sides_[i].name);
+        if (found < sides_[i].least)
+            return fmt::format("your '{}' has too little in common with what is asked for.", sides_[i].name);
     }
     const double still = unmoved(student);
     judgement.metrics["unmoved"] = still;
     judgement.right = std::max(0.0, (judgement.right - still) / (1 - still));
     if (1 - still >= 0.5 * (1 - reference_unmoved_)) return {};
-    return relation_.unlike.empty() ? fmt::format("your '{}' hardly changes where it must.", relation_.to)
-                                    : fmt::format("your '{}' must differ from your '{}', and hardly does.", relation_.unlike, relation_.to);
+    return relation_.unlike.empty()
+               ? fmt::format("your '{}' hardly changes where it must.", relation_.to)
+               : fmt::format("your '{}' must differ from your '{}', and hardly does.", relation_.unlike, relation_.to);
 }
 
 Judgement RelationJudge::judge(const RelatedTensors& student, const Tensor* names) const
@@ -199,11 +212,16 @@ Judgement RelationJudge::judge(const RelatedTensors& student, const Tensor* name
     Judgement result;
     result.message = problem(student);
     if (!result.message.empty()) return result;
-    result = grader::judge(check_, *student.value, *expected_by_relation(check_, *student.to, *student.value), margin_, names);
-    if (!result.message.empty()) result.message = fmt::format("{} Expected here is {}. {}", law(relation_), expected_in_words(relation_), result.message);
+    result = grader::judge(check_, *student.value, *expected_by_relation(check_, *student.to, *student.value), margin_,
+                           names);
+    if (!result.message.empty())
+        result.message =
+            fmt::format("{} Expected here is {}. {}", law(relation_), expected_in_words(relation_), result.message);
     if (const std::string why = worthless(student, result); !why.empty()) {
         result.right = 0;
-        result.message += (result.message.empty() ? law(relation_) + " Yours agree, which tells nothing: " : " And it could tell nothing: ") + why;
+        result.message += (result.message.empty() ? law(relation_) + " Yours agree, which tells nothing: "
+                                                  : " And it could tell nothing: ") +
+                          why;
     }
     return result;
 }
@@ -212,7 +230,8 @@ BestControl RelationJudge::best_control() const
 {
     BestControl best{"none", 0};
     for (const RelatedControl& control : controls_)
-        if (const double right = judge(control.tensors()).right; best.name == "none" || right > best.right) best = {control.name, right};
+        if (const double right = judge(control.tensors()).right; best.name == "none" || right > best.right)
+            best = {control.name, right};
     return best;
 }
 

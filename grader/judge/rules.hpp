@@ -8,6 +8,7 @@ namespace umbral::grader {
 [[nodiscard]] std::optional<std::string> shape_error(const Check& check, const Tensor& student, const Tensor& expected);
 
 /// The fraction right only, by the quickest way there is.
-[[nodiscard]] double fraction_right(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin);
+[[nodiscard]] double fraction_right(const Check& check, const Tensor& student, const Tensor& expected,
+                                    const Tensor* margin);
 
 }

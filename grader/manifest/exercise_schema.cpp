@@ -33,7 +33,8 @@ void add_own_rules(const JudgeRecord& record, Json& rules)
 {
     const Json own = judged_by([&](const JudgeRecord& one) { return &one == &record; });
     for (const OwnField& field : record.own_fields)
-        rules.push_back({{"if", own}, {"then", {{"required", {field.name}}}}, {"else", without(std::string(field.name))}});
+        rules.push_back(
+            {{"if", own}, {"then", {{"required", {field.name}}}}, {"else", without(std::string(field.name))}});
     if (!record.schema_of_check.empty()) rules.push_back({{"if", own}, {"then", Json::parse(record.schema_of_check)}});
 }
 
@@ -41,12 +42,18 @@ void add_own_rules(const JudgeRecord& record, Json& rules)
 Json rules_of_judges()
 {
     Json rules = Json::array();
-    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return one.needs_tolerance; })}, {"then", {{"required", {"tolerance"}}}}});
-    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return !one.pairs; })}, {"then", {{"properties", {{"pairs", {{"const", false}}}}}}}});
-    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return !has_range(one); })}, {"then", without("range")}});
-    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return !one.relation.possible; })}, {"then", without("relation")}});
-    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return !one.relation.moves; })}, {"then", without_in_relation("shift")}});
-    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return !one.relation.scales; })}, {"then", without_in_relation("scale")}});
+    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return one.needs_tolerance; })},
+                     {"then", {{"required", {"tolerance"}}}}});
+    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return !one.pairs; })},
+                     {"then", {{"properties", {{"pairs", {{"const", false}}}}}}}});
+    rules.push_back(
+        {{"if", judged_by([](const JudgeRecord& one) { return !has_range(one); })}, {"then", without("range")}});
+    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return !one.relation.possible; })},
+                     {"then", without("relation")}});
+    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return !one.relation.moves; })},
+                     {"then", without_in_relation("shift")}});
+    rules.push_back({{"if", judged_by([](const JudgeRecord& one) { return !one.relation.scales; })},
+                     {"then", without_in_relation("scale")}});
     for (const JudgeRecord* record : judges()) add_own_rules(*record, rules);
     return rules;
 }
@@ -61,7 +68,8 @@ bool is_of_judges(const Json& rule)
 Json& part(Json& schema, const std::string& where)
 {
     const Json::json_pointer pointer(where);
-    if (!schema.contains(pointer)) throw std::runtime_error(fmt::format("exercise.schema.json: expected something at {}, found nothing", where));
+    if (!schema.contains(pointer))
+        throw std::runtime_error(fmt::format("exercise.schema.json: expected something at {}, found nothing", where));
     return schema[pointer];
 }
 
@@ -73,11 +81,13 @@ Json with_judges(Json schema)
     std::vector<std::string_view> compared;
     Json& properties = part(schema, "/definitions/check/properties");
     for (auto property = properties.begin(); property != properties.end();)
-        property = std::ranges::count(check_fields, property.key()) == 0 ? properties.erase(property) : std::next(property);
+        property =
+            std::ranges::count(check_fields, property.key()) == 0 ? properties.erase(property) : std::next(property);
     for (const JudgeRecord* record : judges()) {
         names.push_back(record->name);
         compared.push_back(record->compares);
-        for (const OwnField& field : record->own_fields) properties[std::string(field.name)] = Json::parse(field.schema);
+        for (const OwnField& field : record->own_fields)
+            properties[std::string(field.name)] = Json::parse(field.schema);
     }
     const std::string_view last = compared.back();
     compared.pop_back();

@@ -6,7 +6,8 @@
 
 namespace umbral::grader {
 
-/// What stands between the quotes or brackets of a text's include lines, in their order. Comments and conditions are not looked at.
+/// What stands between the quotes or brackets of a text's include lines, in their order. Comments and conditions are
+/// not looked at.
 [[nodiscard]] std::vector<std::string> included_in(std::string_view text);
 
 }

@@ -15,8 +15,8 @@
 #include "model/forbidden_families.hpp"
 #include "text/field.hpp"
 
-// The manifest exercise.json, field by field; what belongs to one judge alone is read by that judge. docs/schemas/exercise.schema.json says
-// the same for editors; a test holds both together.
+// The manifest exercise.json, field by field; what belongs to one judge alone is read by that judge.
+// docs/schemas/exercise.schema.json says the same for editors; a test holds both together.
 namespace umbral::grader {
 namespace {
 
@@ -25,7 +25,8 @@ constexpr std::array suffixes{".cpp", ".hpp", ".glsl", ".vert", ".frag", ".geom"
 
 bool is_one_of(char letter, std::string_view others)
 {
-    const bool alphanumeric = (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || (letter >= 'A' && letter <= 'Z');
+    const bool alphanumeric =
+        (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9') || (letter >= 'A' && letter <= 'Z');
     return alphanumeric || others.find(letter) != std::string_view::npos;
 }
 
@@ -33,9 +34,11 @@ std::string read_id(const Field& field)
 {
     std::string id = field.text(100);
     const auto slash = id.find('/');
-    const bool split = slash != std::string::npos && slash > 0 && slash + 1 < id.size() && id.find('/', slash + 1) == std::string::npos;
-    const bool plain =
-        std::all_of(id.begin(), id.end(), [](char letter) { return letter == '/' || (is_one_of(letter, "-") && !(letter >= 'A' && letter <= 'Z')); });
+    const bool split = slash != std::string::npos && slash > 0 && slash + 1 < id.size() &&
+                       id.find('/', slash + 1) == std::string::npos;
+    const bool plain = std::all_of(id.begin(), id.end(), [](char letter) {
+        return letter == '/' || (is_one_of(letter, "-") && !(letter >= 'A' && letter <= 'Z'));
+    });
     if (!split || !plain) field.refuse("\"topic/unit\" in letters a-z, digits and '-'");
     return id;
 }
@@ -45,10 +48,15 @@ std::vector<std::string> read_files(const Field& field)
     std::vector<std::string> files = field.texts(1, 16, 64);
     for (const std::string& file : files) {
         const std::string suffix = std::filesystem::path(file).extension();
-        const bool plain = std::all_of(file.begin(), file.end(), [](char letter) { return is_one_of(letter, "_.-"); }) && is_one_of(file.front(), "_");
-        if (!plain || std::find(suffixes.begin(), suffixes.end(), suffix) == suffixes.end() || file == "driver.cpp" || file == "support.hpp")
-            field.refuse(fmt::format(
-                "plain file names that end in .cpp, .hpp, .glsl, .vert, .frag, .geom or .comp (and are not driver.cpp or support.hpp; '{}' is not so)", file));
+        const bool plain =
+            std::all_of(file.begin(), file.end(), [](char letter) { return is_one_of(letter, "_.-"); }) &&
+            is_one_of(file.front(), "_");
+        if (!plain || std::find(suffixes.begin(), suffixes.end(), suffix) == suffixes.end() || file == "driver.cpp" ||
+            file == "support.hpp")
+            field.refuse(
+                fmt::format("plain file names that end in .cpp, .hpp, .glsl, .vert, .frag, .geom or .comp (and are not "
+                            "driver.cpp or support.hpp; '{}' is not so)",
+                            file));
     }
     return files;
 }
@@ -68,7 +76,9 @@ std::map<std::string, std::string> read_title(const Field& field)
 {
     std::map<std::string, std::string> title;
     for (const std::string& language : field.names()) {
-        const bool is_code = language.size() == 2 && std::all_of(language.begin(), language.end(), [](char letter) { return letter >= 'a' && letter <= 'z'; });
+        const bool is_code = language.size() == 2 && std::all_of(language.begin(), language.end(), [](char letter) {
+                                 return letter >= 'a' && letter <= 'z';
+                             });
         if (!is_code) field.member(language).refuse("titles by language, as \"en\" and \"es\"");
         title[language] = field.member(language).text(120);
     }
@@ -80,7 +90,8 @@ Millipoints read_points(const Field& field)
 {
     const double thousandths = field.number(0, most_points) * 1000;
     // 0.001 is no binary fraction: what was written with three places comes within a few roundings of a whole number.
-    if (thousandths < 0.5 || std::abs(thousandths - std::round(thousandths)) > 1e-6) field.refuse("points above 0 with at most 3 decimal places");
+    if (thousandths < 0.5 || std::abs(thousandths - std::round(thousandths)) > 1e-6)
+        field.refuse("points above 0 with at most 3 decimal places");
     return std::llround(thousandths);
 }
 
@@ -89,9 +100,11 @@ Limits read_limits(const Field& field, bool gl)
     Limits limits;
     if (field.given()) {
         field.allow_only({"wall_seconds", "memory_mib"});
-        if (const Field seconds = field.member("wall_seconds"); seconds.given()) limits.wall_seconds = seconds.number(0.1, 600);
+        if (const Field seconds = field.member("wall_seconds"); seconds.given())
+            limits.wall_seconds = seconds.number(0.1, 600);
         // Under 256 MiB of address space Mesa draws black pictures and reports no error.
-        if (const Field memory = field.member("memory_mib"); memory.given()) limits.memory_mib = memory.integer(gl ? 512 : 64, 16384);
+        if (const Field memory = field.member("memory_mib"); memory.given())
+            limits.memory_mib = memory.integer(gl ? 512 : 64, 16384);
     }
     return limits;
 }
@@ -105,7 +118,8 @@ Tolerance read_tolerance(const Field& field)
         return member.number(0, 1e9);
     };
     Tolerance tolerance{bound("absolute"), bound("relative"), bound("ulps"), bound("band_ulps")};
-    if (!tolerance.absolute && !tolerance.relative && !tolerance.ulps) field.refuse("at least one of absolute, relative and ulps");
+    if (!tolerance.absolute && !tolerance.relative && !tolerance.ulps)
+        field.refuse("at least one of absolute, relative and ulps");
     return tolerance;
 }
 
@@ -137,17 +151,21 @@ void read_shared(const Field& field, const JudgeRecord& judge, Check& check)
     const Field tolerance = field.member("tolerance");
     if (tolerance.given()) check.tolerance = read_tolerance(tolerance);
     if (judge.needs_tolerance && !tolerance.given())
-        tolerance.refuse(fmt::format("a tolerance, since the judge is {}", judges_with([](const JudgeRecord& one) { return one.needs_tolerance; }, "or")));
+        tolerance.refuse(fmt::format("a tolerance, since the judge is {}",
+                                     judges_with([](const JudgeRecord& one) { return one.needs_tolerance; }, "or")));
     if (tolerance.given() && check.why.empty()) field.member("why").refuse("where the tolerance comes from");
-    if (check.pairs && !judge.pairs) field.member("pairs").refuse(fmt::format("no pairs: what \"{}\" judges has no rows that pair", judge.name));
+    if (check.pairs && !judge.pairs)
+        field.member("pairs").refuse(fmt::format("no pairs: what \"{}\" judges has no rows that pair", judge.name));
     if (const Field range = field.member("range"); range.given()) {
-        if (!has_range(judge)) range.refuse(fmt::format("no range, since the judge is not {}", judges_with(has_range, "or")));
+        if (!has_range(judge))
+            range.refuse(fmt::format("no range, since the judge is not {}", judges_with(has_range, "or")));
         const auto ends = range.items(2, 2);
         check.range_low = ends[0].number(-1e9, 1e9);
         check.range_high = ends[1].number(-1e9, 1e9);
     }
     if (!(check.range_low < check.range_high)) field.member("range").refuse("[low, high] with low < high");
-    if (const Field relation = field.member("relation"); relation.given()) check.relation = read_relation(relation, check);
+    if (const Field relation = field.member("relation"); relation.given())
+        check.relation = read_relation(relation, check);
 }
 
 /// A judge's own fields, and nobody else's.
@@ -192,7 +210,8 @@ std::vector<Check> read_checks(const Field& field)
     std::set<std::string> names;
     for (const Field& item : field.items(1, 256)) {
         checks.push_back(read_check(item));
-        if (!names.insert(checks.back().name).second) item.refuse(fmt::format("a case and value not checked before ('{}' is)", checks.back().name));
+        if (!names.insert(checks.back().name).second)
+            item.refuse(fmt::format("a case and value not checked before ('{}' is)", checks.back().name));
     }
     return checks;
 }
@@ -215,7 +234,8 @@ std::vector<std::string> read_forbid(const Field& field)
 Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
 {
     const Field root(json, where);
-    root.allow_only({"format", "version", "id", "files", "points", "uses", "forbid", "gl", "gl_calls", "glfw", "title", "course", "order", "limits", "checks"});
+    root.allow_only({"format", "version", "id", "files", "points", "uses", "forbid", "gl", "gl_calls", "glfw", "title",
+                     "course", "order", "limits", "checks"});
     if (root.member("format").text(40) != "umbral-exercise") root.member("format").refuse("\"umbral-exercise\"");
     (void)root.member("version").integer(1, 1);
 
@@ -236,11 +256,13 @@ Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
     if (const Field order = root.member("order"); order.given()) exercise.order = order.number(-1e6, 1e6);
     exercise.limits = read_limits(root.member("limits"), exercise.gl);
     exercise.checks = read_checks(root.member("checks"));
-    exercise.counts_work = std::ranges::any_of(exercise.checks, [](const Check& check) { return judge_of(check).counts_work; });
+    exercise.counts_work =
+        std::ranges::any_of(exercise.checks, [](const Check& check) { return judge_of(check).counts_work; });
 
     Millipoints sum = 0;
     for (const Check& check : exercise.checks) sum += check.points;
-    if (sum != exercise.points) root.member("points").refuse(fmt::format("the sum of the checks' points, {}", static_cast<double>(sum) / 1000));
+    if (sum != exercise.points)
+        root.member("points").refuse(fmt::format("the sum of the checks' points, {}", static_cast<double>(sum) / 1000));
     return exercise;
 }
 

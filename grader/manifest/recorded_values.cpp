@@ -24,23 +24,28 @@ std::string judges_that(const Able& able)
     std::vector<std::string_view> names;
     for (const JudgeRecord* judge : judges())
         if (able(*judge)) names.push_back(judge->name);
-    for (std::size_t i = 0; i < names.size(); ++i) text += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]);
     return text;
 }
 
 std::array<int, 2> read_shift(const Field& field, const JudgeRecord& judge)
 {
     const auto able = [](const JudgeRecord& one) { return one.relation.moves; };
-    if (!able(judge)) field.refuse(fmt::format("no shift: what \"{}\" judges has no pixels to move ({} have)", judge.name, judges_that(able)));
+    if (!able(judge))
+        field.refuse(
+            fmt::format("no shift: what \"{}\" judges has no pixels to move ({} have)", judge.name, judges_that(able)));
     const auto steps = field.items(2, 2);
-    const std::array<int, 2> shift{steps[0].integer(-most_shift, most_shift), steps[1].integer(-most_shift, most_shift)};
+    const std::array<int, 2> shift{steps[0].integer(-most_shift, most_shift),
+                                   steps[1].integer(-most_shift, most_shift)};
     if (shift == std::array{0, 0}) field.refuse("[right, down] in whole pixels, not both 0");
     return shift;
 }
 
 double read_scale(const Field& field, const JudgeRecord& judge)
 {
-    if (!judge.relation.scales) field.refuse(fmt::format("no scale: rows of \"{}\" hold places, which no factor applies to", judge.name));
+    if (!judge.relation.scales)
+        field.refuse(fmt::format("no scale: rows of \"{}\" hold places, which no factor applies to", judge.name));
     const double scale = field.number(0, most_scale);
     if (scale == 0 || scale == 1) field.refuse("a factor above 0 that is not 1");
     return scale;
@@ -60,12 +65,18 @@ Relation read_relation(const Field& field, const Check& check)
 {
     const JudgeRecord& judge = judge_of(check);
     const auto able = [](const JudgeRecord& one) { return one.relation.possible; };
-    if (!able(judge)) field.refuse(fmt::format("no relation, since the judge is \"{}\"; {} can have one", judge.name, judges_that(able)));
-    if (check.hard) field.refuse("no relation, since the check is \"hard\": a relation compares the student's own values, and not the oracle's");
+    if (!able(judge))
+        field.refuse(
+            fmt::format("no relation, since the judge is \"{}\"; {} can have one", judge.name, judges_that(able)));
+    if (check.hard)
+        field.refuse(
+            "no relation, since the check is \"hard\": a relation compares the student's own values, and not the "
+            "oracle's");
     field.allow_only({"to", "unlike", "shift", "scale", "what"});
     Relation relation;
     relation.to = read_recorded_name(field.member("to"));
-    if (relation.to == check.value) field.member("to").refuse(fmt::format("another value of the case than the check's own, '{}'", check.value));
+    if (relation.to == check.value)
+        field.member("to").refuse(fmt::format("another value of the case than the check's own, '{}'", check.value));
     if (const Field shift = field.member("shift"); shift.given()) relation.shift = read_shift(shift, judge);
     if (const Field scale = field.member("scale"); scale.given()) relation.scale = read_scale(scale, judge);
     const Field unlike = field.member("unlike");

@@ -14,7 +14,8 @@ struct Language {
     std::string hints;
 };
 
-inline const std::array languages{Language{"en", "README.md", "## Interface", "## Hints"}, Language{"es", "README.es.md", "## Interfaz", "## Pistas"}};
+inline const std::array languages{Language{"en", "README.md", "## Interface", "## Hints"},
+                                  Language{"es", "README.es.md", "## Interfaz", "## Pistas"}};
 
 /// The language with this code; English if there is none.
 [[nodiscard]] inline const Language& language_of(const std::string& code)

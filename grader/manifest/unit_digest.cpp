@@ -42,7 +42,8 @@ public:
 private:
     void add_included(const fs::path& from, const std::string& name)
     {
-        for (const fs::path& folder : {from.parent_path(), project_ / "exercises", project_ / "framework", project_ / "reference"})
+        for (const fs::path& folder :
+             {from.parent_path(), project_ / "exercises", project_ / "framework", project_ / "reference"})
             if (const fs::path file = folder / name; fs::is_regular_file(file)) return add(file);
     }
 

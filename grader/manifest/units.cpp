@@ -38,7 +38,8 @@ std::vector<std::filesystem::path> folders_in(const std::filesystem::path& root)
 auto place_in_course(const Exercise& exercise, const std::vector<std::string>& topics)
 {
     const auto topic = std::ranges::find(topics, exercise.topic) - topics.begin();
-    return std::tuple(topic, exercise.topic, exercise.order.value_or(std::numeric_limits<double>::infinity()), exercise.id);
+    return std::tuple(topic, exercise.topic, exercise.order.value_or(std::numeric_limits<double>::infinity()),
+                      exercise.id);
 }
 
 }
@@ -50,7 +51,8 @@ Exercise load_exercise(const std::filesystem::path& folder)
     exercise.folder = std::filesystem::canonical(folder);
     const std::string place = (exercise.folder.parent_path().filename() / exercise.folder.filename()).string();
     if (exercise.id != place)
-        throw std::runtime_error(fmt::format("{}: id: expected \"{}\", as its folders are called, got \"{}\"", file.string(), place, exercise.id));
+        throw std::runtime_error(fmt::format("{}: id: expected \"{}\", as its folders are called, got \"{}\"",
+                                             file.string(), place, exercise.id));
     exercise.digest = unit_digest(exercise);
     return exercise;
 }
@@ -58,7 +60,8 @@ Exercise load_exercise(const std::filesystem::path& folder)
 Units load_units(const std::filesystem::path& root)
 {
     if (!std::filesystem::is_directory(root))
-        throw std::runtime_error(fmt::format("{}: expected a directory with units, topic/unit/exercise.json", root.string()));
+        throw std::runtime_error(
+            fmt::format("{}: expected a directory with units, topic/unit/exercise.json", root.string()));
     Units units;
     const auto keep_broken = [&](std::string id, const auto& load) {
         try {
@@ -71,16 +74,20 @@ Units load_units(const std::filesystem::path& root)
         keep_broken(topic.filename().string(), [&] {
             for (const auto& folder : folders_in(topic))
                 keep_broken((topic.filename() / folder.filename()).string(), [&] {
-                    if (std::filesystem::exists(folder / "exercise.json")) units.exercises.push_back(load_exercise(folder));
+                    if (std::filesystem::exists(folder / "exercise.json"))
+                        units.exercises.push_back(load_exercise(folder));
                 });
         });
     for (const JudgeRecord* record : judges()) {
         std::ptrdiff_t count = 0;
         for (const Exercise& exercise : units.exercises)
-            count += std::ranges::count(exercise.checks, record->name, [](const Check& check) { return check.judge.name; });
+            count +=
+                std::ranges::count(exercise.checks, record->name, [](const Check& check) { return check.judge.name; });
         if (record->most_in_course > 0 && count > record->most_in_course)
-            throw std::runtime_error(fmt::format("{}: expected at most {} checks of the judge \"{}\" in all units, which share one budget of errors, got {}",
-                                                 root.string(), record->most_in_course, record->name, count));
+            throw std::runtime_error(
+                fmt::format("{}: expected at most {} checks of the judge \"{}\" in all units, which share one budget "
+                            "of errors, got {}",
+                            root.string(), record->most_in_course, record->name, count));
     }
     const std::vector<std::string> topics = topics_in_order(root);
     std::ranges::sort(units.exercises, {}, [&](const Exercise& exercise) { return place_in_course(exercise, topics); });

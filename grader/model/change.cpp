@@ -20,7 +20,7 @@ void add_line(std::string& text, const std::string& line, bool first)
 
 }
 
-std::map<std::string, std::string> specimen_header(std::string_view text)
+std::map<std::string, std::string> solution_header(std::string_view text)
 {
     std::map<std::string, std::string> header;
     std::istringstream stream{std::string(text)};
@@ -32,7 +32,7 @@ std::map<std::string, std::string> specimen_header(std::string_view text)
         const std::string content = line.substr(begin);
         const std::size_t colon = content.find(": ");
         const std::string before = content.substr(0, colon);
-        if (colon != std::string::npos && std::ranges::find(specimen_keys, before) != std::end(specimen_keys)) {
+        if (colon != std::string::npos && std::ranges::find(solution_keys, before) != std::end(solution_keys)) {
             key = before;
             header[key] = content.substr(colon + 2);
         } else if (!key.empty()) {
@@ -46,7 +46,7 @@ std::map<std::string, std::string> specimen_header(std::string_view text)
 
 Change parse_change(const std::string& text, const std::string& where)
 {
-    Change change{specimen_header(text), {}};
+    Change change{solution_header(text), {}};
     std::istringstream stream(text);
     std::string* block = nullptr;
     bool first = true;
@@ -55,12 +55,14 @@ Change parse_change(const std::string& text, const std::string& where)
         ++number;
         if (line == gone) {
             if (!change.steps.empty() && block == &change.steps.back().before)
-                throw std::runtime_error(fmt::format("{}:{}: expected '{}' and the text that comes before another '{}'", where, number, come, gone));
+                throw std::runtime_error(fmt::format("{}:{}: expected '{}' and the text that comes before another '{}'",
+                                                     where, number, come, gone));
             block = &change.steps.emplace_back().before;
             first = true;
         } else if (line == come) {
             if (change.steps.empty() || block != &change.steps.back().before)
-                throw std::runtime_error(fmt::format("{}:{}: expected '{}' and the text that goes before '{}'", where, number, gone, come));
+                throw std::runtime_error(
+                    fmt::format("{}:{}: expected '{}' and the text that goes before '{}'", where, number, gone, come));
             block = &change.steps.back().after;
             first = true;
         } else if (block != nullptr) {
@@ -77,9 +79,12 @@ std::string apply_change(const Change& change, std::string base, const std::stri
 {
     for (const Change::Step& step : change.steps) {
         const std::size_t at = step.before.empty() ? std::string::npos : base.find(step.before);
-        if (at == std::string::npos) throw std::runtime_error(fmt::format("{}: the text to change does not occur:\n{}", where, step.before));
+        if (at == std::string::npos)
+            throw std::runtime_error(fmt::format("{}: the text to change does not occur:\n{}", where, step.before));
         if (base.find(step.before, at + 1) != std::string::npos)
-            throw std::runtime_error(fmt::format("{}: the text to change occurs more than once; give more of its surroundings:\n{}", where, step.before));
+            throw std::runtime_error(
+                fmt::format("{}: the text to change occurs more than once; give more of its surroundings:\n{}", where,
+                            step.before));
         base.replace(at, step.before.size(), step.after);
     }
     return base;

@@ -22,7 +22,9 @@ std::array<unsigned char, 8> little_endian(std::uint64_t number)
 
 void check(int result, const char* what)
 {
-    if (result != 1) throw std::runtime_error(fmt::format("SHA-256: {} failed in the OpenSSL library; check its installation", what));
+    if (result != 1)
+        throw std::runtime_error(
+            fmt::format("SHA-256: {} failed in the OpenSSL library; check its installation", what));
 }
 
 /// Calls `use` with the pieces of a file.
@@ -30,9 +32,11 @@ template <class Use>
 void read_in_pieces(const std::filesystem::path& file, Use&& use)
 {
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || !std::filesystem::is_regular_file(file)) throw std::runtime_error(fmt::format("{}: expected a readable regular file", file.string()));
+    if (!stream || !std::filesystem::is_regular_file(file))
+        throw std::runtime_error(fmt::format("{}: expected a readable regular file", file.string()));
     std::array<char, 65536> piece{};
-    while (stream.read(piece.data(), piece.size()), stream.gcount() > 0) use(std::string_view(piece.data(), static_cast<std::size_t>(stream.gcount())));
+    while (stream.read(piece.data(), piece.size()), stream.gcount() > 0)
+        use(std::string_view(piece.data(), static_cast<std::size_t>(stream.gcount())));
     if (stream.bad()) throw std::runtime_error(fmt::format("{}: reading failed half way", file.string()));
 }
 
@@ -48,7 +52,10 @@ Sha256::Sha256() : context_(EVP_MD_CTX_new())
 
 void Sha256::begin() { check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr), "EVP_DigestInit_ex"); }
 
-void Sha256::update(std::span<const std::byte> bytes) { check(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()), "EVP_DigestUpdate"); }
+void Sha256::update(std::span<const std::byte> bytes)
+{
+    check(EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()), "EVP_DigestUpdate");
+}
 
 void Sha256::update(std::string_view text) { update(std::as_bytes(std::span(text))); }
 
@@ -109,16 +116,17 @@ std::string secret_fingerprint(std::string_view secret)
     constexpr std::string_view salt = "umbral-secret-fingerprint-1";
     constexpr int rounds = 200000;
     std::array<unsigned char, 8> code{};
-    check(PKCS5_PBKDF2_HMAC(secret.data(), static_cast<int>(secret.size()), reinterpret_cast<const unsigned char*>(salt.data()), static_cast<int>(salt.size()),
-                            rounds, EVP_sha256(), static_cast<int>(code.size()), code.data()),
+    check(PKCS5_PBKDF2_HMAC(secret.data(), static_cast<int>(secret.size()),
+                            reinterpret_cast<const unsigned char*>(salt.data()), static_cast<int>(salt.size()), rounds,
+                            EVP_sha256(), static_cast<int>(code.size()), code.data()),
           "PKCS5_PBKDF2_HMAC");
     std::string text;
     for (const unsigned char byte : code) text += fmt::format("{:02x}", byte);
     return text;
 }
 
-std::uint64_t case_seed(std::string_view secret, std::string_view course, std::string_view student, std::string_view unit, std::string_view case_name,
-                        unsigned attempt)
+std::uint64_t case_seed(std::string_view secret, std::string_view course, std::string_view student,
+                        std::string_view unit, std::string_view case_name, unsigned attempt)
 {
     std::vector<unsigned char> message;
     const auto add = [&](const auto& bytes) { message.insert(message.end(), bytes.begin(), bytes.end()); };
@@ -132,7 +140,11 @@ std::uint64_t case_seed(std::string_view secret, std::string_view course, std::s
     const std::string key(secret);
     std::array<unsigned char, 32> code{};
     unsigned size = 0;
-    check(HMAC(EVP_sha256(), key.c_str(), static_cast<int>(key.size()), message.data(), message.size(), code.data(), &size) != nullptr ? 1 : 0, "HMAC");
+    check(HMAC(EVP_sha256(), key.c_str(), static_cast<int>(key.size()), message.data(), message.size(), code.data(),
+               &size) != nullptr
+              ? 1
+              : 0,
+          "HMAC");
     std::uint64_t seed = 0;
     for (std::size_t i = 0; i < 8; ++i) seed = seed << 8U | code[i];
     return seed;

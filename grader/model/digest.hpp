@@ -42,23 +42,24 @@ private:
 /// The same of a regular file's content. Throws std::runtime_error that names a file which cannot be read.
 [[nodiscard]] std::string sha256_of_file(const std::filesystem::path& file);
 
-/// Digest of several files: each name and content goes in behind its length, so that no two sets of files give the same bytes.
-/// The order is that of the names, whatever the order given.
+/// Digest of several files: each name and content goes in behind its length, so that no two sets of files give the same
+/// bytes. The order is that of the names, whatever the order given.
 struct NamedFile {
     std::string name;
     std::filesystem::path path;
 };
 [[nodiscard]] std::string sha256_of_files(std::vector<NamedFile> files);
 
-/// 16 hexadecimal digits that tell secrets apart and say nothing of them: the first 64 bits of PBKDF2-HMAC-SHA256 (RFC 8018) over the
-/// secret with a salt of this function's own and 200,000 rounds, so that guessing a poor secret by it takes long. Takes about 0.1 s.
+/// 16 hexadecimal digits that tell secrets apart and say nothing of them: the first 64 bits of PBKDF2-HMAC-SHA256 (RFC
+/// 8018) over the secret with a salt of this function's own and 200,000 rounds, so that guessing a poor secret by it
+/// takes long. Takes about 0.1 s.
 [[nodiscard]] std::string secret_fingerprint(std::string_view secret);
 
 /// Seed of a hidden case: the first eight bytes (most significant first) of HMAC-SHA256 under `secret` over the tag
-/// "umbral-case-seed-1", course, student, unit and case name, each behind its length in eight bytes (least significant first),
-/// and the attempt in eight such bytes. Whoever lacks the secret cannot tell it from a random number.
-/// Based on: H. Krawczyk, M. Bellare, R. Canetti. HMAC: Keyed-Hashing for Message Authentication. RFC 2104, 1997.
-[[nodiscard]] std::uint64_t case_seed(std::string_view secret, std::string_view course, std::string_view student, std::string_view unit,
-                                      std::string_view case_name, unsigned attempt);
+/// "umbral-case-seed-1", course, student, unit and case name, each behind its length in eight bytes (least significant
+/// first), and the attempt in eight such bytes. Whoever lacks the secret cannot tell it from a random number. Based on:
+/// H. Krawczyk, M. Bellare, R. Canetti. HMAC: Keyed-Hashing for Message Authentication. RFC 2104, 1997.
+[[nodiscard]] std::uint64_t case_seed(std::string_view secret, std::string_view course, std::string_view student,
+                                      std::string_view unit, std::string_view case_name, unsigned attempt);
 
 }

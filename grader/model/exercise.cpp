@@ -6,7 +6,8 @@ namespace umbral::grader {
 
 bool Exercise::is_cpp() const
 {
-    return std::any_of(files.begin(), files.end(), [](const std::string& file) { return file.ends_with(".cpp") || file.ends_with(".hpp"); });
+    return std::any_of(files.begin(), files.end(),
+                       [](const std::string& file) { return file.ends_with(".cpp") || file.ends_with(".hpp"); });
 }
 
 bool Exercise::has_oracle() const
@@ -26,7 +27,8 @@ std::map<std::string, std::string> english_titles(std::span<const Exercise> exer
 {
     std::map<std::string, std::string> titles;
     for (const Exercise& exercise : exercises)
-        if (const auto english = exercise.title.find("en"); english != exercise.title.end()) titles[exercise.id] = english->second;
+        if (const auto english = exercise.title.find("en"); english != exercise.title.end())
+            titles[exercise.id] = english->second;
     return titles;
 }
 

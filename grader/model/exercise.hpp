@@ -25,8 +25,8 @@ struct Tolerance {
     std::optional<double> band_ulps;  ///< rows whose trusted column "<value>.margin" is smaller do not count
 };
 
-/// The name of a judge, as manifests and reports write it: "numbers". Which there are, and all that is particular to one, stands in
-/// grader/judge/<name>; grader/judge/judges.hpp lists them.
+/// The name of a judge, as manifests and reports write it: "numbers". Which there are, and all that is particular to
+/// one, stands in grader/judge/<name>; grader/judge/judges.hpp lists them.
 struct JudgeKind {
     std::string name;
 
@@ -70,15 +70,17 @@ struct Exercise {
     std::filesystem::path folder;
     std::vector<std::string> files;  ///< what the student hands in
     Millipoints points = 0;
-    std::vector<std::string> uses;             ///< reference units that the student may call
-    std::vector<std::string> forbid;           ///< what must not be used: names and patterns ("glm::rotate*"), families ("@transforms")
+    std::vector<std::string> uses;  ///< reference units that the student may call
+    std::vector<std::string>
+        forbid;  ///< what must not be used: names and patterns ("glm::rotate*"), families ("@transforms")
     std::map<std::string, std::string> title;  ///< by language: "en", "es"
     std::vector<std::string> course;
     std::optional<double> order;  ///< place within the topic; units without one come last
     bool gl = false;              ///< its cases need an OpenGL context
     bool gl_calls = false;        ///< … and the student's own code calls OpenGL
     bool glfw = false;            ///< its cases are driven through GLFW's functions, without a window
-    bool counts_work = false;     ///< a check is about how the work grows: all tenants are built so that their basic blocks are counted
+    bool counts_work =
+        false;  ///< a check is about how the work grows: all solutions are built so that their basic blocks are counted
     Limits limits;
     std::vector<Check> checks;
     std::string digest;  ///< SHA-256 of what decides the score: manifest/unit_digest.hpp
@@ -94,7 +96,8 @@ struct Exercise {
 /// Titles in English, by unit; units without one are left out.
 [[nodiscard]] std::map<std::string, std::string> english_titles(std::span<const Exercise> exercises);
 
-/// In a unit's folder of a package that lacks the sources of driver and answers: what was read of them when the package was made.
+/// In a unit's folder of a package that lacks the sources of driver and answers: what was read of them when the package
+/// was made.
 inline constexpr const char* packaged_file = "packaged.json";
 
 }

@@ -23,7 +23,8 @@ constexpr std::array known{
     Known{"Cannot allocate memory", memory},
     Known{"bad_alloc", memory},
     Known{"Too many open files", "raise the limit of open files (ulimit -n 4096)"},
-    Known{"Resource temporarily unavailable", "raise the limit of processes (ulimit -u) or grade fewer submissions at a time (--jobs 1)"},
+    Known{"Resource temporarily unavailable",
+          "raise the limit of processes (ulimit -u) or grade fewer submissions at a time (--jobs 1)"},
     Known{"Read-only file system", permission},
     Known{"Permission denied", permission},
     Known{"belong here, but", "move that away"},
@@ -31,7 +32,8 @@ constexpr std::array known{
 
 const Known* recognise(std::string_view cause)
 {
-    const auto found = std::ranges::find_if(known, [&](const Known& one) { return cause.find(one.words) != std::string_view::npos; });
+    const auto found =
+        std::ranges::find_if(known, [&](const Known& one) { return cause.find(one.words) != std::string_view::npos; });
     return found == known.end() ? nullptr : &*found;
 }
 
@@ -48,7 +50,8 @@ public:
             found = keys_.insert(keys_.end(), std::string(key));
             Fault& fault = all_.emplace_back();
             fault.cause = cause;
-            fault.remedy = trouble != nullptr ? std::string(trouble->remedy) : "see what `umbral doctor` finds wrong with this machine";
+            fault.remedy = trouble != nullptr ? std::string(trouble->remedy)
+                                              : "see what `umbral doctor` finds wrong with this machine";
             fault.remedy += " and run the same command again: only what is missing is graded";
         }
         Fault& fault = all_[static_cast<std::size_t>(found - keys_.begin())];

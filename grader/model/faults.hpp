@@ -23,8 +23,8 @@ struct Fault {
     std::vector<Place> places;
 };
 
-/// The faults of a class, each cause once, in the order in which they first appear. Messages that the system gives for the same trouble (a
-/// full disk, say) are one cause, whatever file they name.
+/// The faults of a class, each cause once, in the order in which they first appear. Messages that the system gives for
+/// the same trouble (a full disk, say) are one cause, whatever file they name.
 [[nodiscard]] std::vector<Fault> faults(const ClassResult& result);
 
 }

@@ -5,7 +5,8 @@
 
 namespace umbral::grader {
 
-/// Functions that do one thing, by where they are declared and how they are called: what a unit forbids when it forbids `name`.
+/// Functions that do one thing, by where they are declared and how they are called: what a unit forbids when it forbids
+/// `name`.
 struct ForbiddenFamily {
     std::string_view name;                  ///< in manifests: "@transforms"
     std::string_view what;                  ///< for students: what the functions do

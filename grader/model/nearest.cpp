@@ -24,7 +24,9 @@ std::vector<std::string> mistyped(std::string_view word, std::span<const std::st
 {
     std::vector<std::pair<std::size_t, std::string>> found;
     for (const std::string& name : known)
-        if (const std::size_t distance = edit_distance(word, name); distance <= std::max<std::size_t>(1, word.size() / 3)) found.emplace_back(distance, name);
+        if (const std::size_t distance = edit_distance(word, name);
+            distance <= std::max<std::size_t>(1, word.size() / 3))
+            found.emplace_back(distance, name);
     std::ranges::stable_sort(found, {}, [](const auto& one) { return one.first; });
     std::vector<std::string> names;
     for (const auto& [distance, name] : found) names.push_back(name);
@@ -35,7 +37,8 @@ std::vector<std::string> holding(std::string_view word, std::span<const std::str
 {
     std::vector<std::string> names;
     if (word.size() < 3) return names;
-    std::ranges::copy_if(known, std::back_inserter(names), [&](const std::string& name) { return small(name).find(small(word)) != std::string::npos; });
+    std::ranges::copy_if(known, std::back_inserter(names),
+                         [&](const std::string& name) { return small(name).find(small(word)) != std::string::npos; });
     return names;
 }
 
@@ -55,7 +58,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const bool same = small(a[i - 1]) == small(b[j - 1]);
             row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
-            if (i > 1 && j > 1 && small(a[i - 1]) == small(b[j - 2]) && small(a[i - 2]) == small(b[j - 1])) row[j] = std::min(row[j], before[j - 2] + 1);
+            if (i > 1 && j > 1 && small(a[i - 1]) == small(b[j - 2]) && small(a[i - 2]) == small(b[j - 1]))
+                row[j] = std::min(row[j], before[j - 2] + 1);
         }
     }
     return row[b.size()];

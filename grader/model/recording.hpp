@@ -13,7 +13,8 @@
 
 namespace umbral::grader {
 
-/// The names of tensors that are looked at, and how many cells each may have. Others are passed over, whatever they hold.
+/// The names of tensors that are looked at, and how many cells each may have. Others are passed over, whatever they
+/// hold.
 using WantedTensors = std::map<std::string, std::size_t, std::less<>>;
 
 /// The shape of a tensor that has more cells than it may: nothing of it was read.
@@ -42,9 +43,10 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Reads a recording that hostile code may have written. Copies what it returns; never reads outside `bytes`; never allocates more
-/// than a small multiple of their size. Throws DamagedRecording with what was expected, what came and at which offset.
-/// If names are `wanted`, only those tensors are copied and checked, as far as they have no more cells than they may.
+/// Reads a recording that hostile code may have written. Copies what it returns; never reads outside `bytes`; never
+/// allocates more than a small multiple of their size. Throws DamagedRecording with what was expected, what came and at
+/// which offset. If names are `wanted`, only those tensors are copied and checked, as far as they have no more cells
+/// than they may.
 [[nodiscard]] Recording parse_recording(std::span<const std::byte> bytes, const WantedTensors& wanted = {});
 
 }

@@ -59,14 +59,17 @@ json check(const CheckResult& value, Detail detail)
                 {"metrics", object(value.metrics, [](double metric) { return number(metric); })},
                 {"first_difference", difference(value.first_difference)}};
     if (!value.sketch.empty()) result["sketch"] = text(value.sketch);
-    if (detail == Detail::for_report && !value.seeds.empty()) result["seeds"] = list(value.seeds, [](std::uint64_t seed) { return std::to_string(seed); });
-    if (detail == Detail::for_report) result["artefacts"] = object(value.artefacts, [](const std::string& path) { return text(path); });
+    if (detail == Detail::for_report && !value.seeds.empty())
+        result["seeds"] = list(value.seeds, [](std::uint64_t seed) { return std::to_string(seed); });
+    if (detail == Detail::for_report)
+        result["artefacts"] = object(value.artefacts, [](const std::string& path) { return text(path); });
     return result;
 }
 
 json explanation(const Explanation& value)
 {
-    json result{{"name", text(value.name)}, {"sentence", text(value.sentence)}, {"confidence", number(value.confidence)}};
+    json result{
+        {"name", text(value.name)}, {"sentence", text(value.sentence)}, {"confidence", number(value.confidence)}};
     if (value.ambiguous) result["ambiguous"] = true;
     if (value.hidden) result["hidden"] = true;
     return result;
@@ -93,17 +96,23 @@ json unit(const UnitResult& value, Detail detail)
 
 json submission(const SubmissionResult& value, Detail detail)
 {
-    json result{{"id", text(value.id)}, {"score", value.score}, {"max_score", value.max_score}, {"units", list(value.units, [&](const UnitResult& item) {
-                                                                                                     return unit(item, detail);
-                                                                                                 })}};
+    json result{{"id", text(value.id)},
+                {"score", value.score},
+                {"max_score", value.max_score},
+                {"units", list(value.units, [&](const UnitResult& item) { return unit(item, detail); })}};
     if (!value.folder.empty()) result["folder"] = text(value.folder);
     return result;
 }
 
 json fault(const Fault& value)
 {
-    const auto place = [](const Fault::Place& one) { return json{{"submission", text(one.submission)}, {"unit", text(one.unit)}}; };
-    return {{"cause", text(value.cause)}, {"remedy", text(value.remedy)}, {"points", value.points}, {"units", list(value.places, place)}};
+    const auto place = [](const Fault::Place& one) {
+        return json{{"submission", text(one.submission)}, {"unit", text(one.unit)}};
+    };
+    return {{"cause", text(value.cause)},
+            {"remedy", text(value.remedy)},
+            {"points", value.points},
+            {"units", list(value.places, place)}};
 }
 
 json document(const char* format, const Fingerprint& fingerprint)
@@ -144,7 +153,8 @@ json to_json(const ClassResult& result)
     root["faults"] = list(faults(result), fault);
     root["unfinished"] = list(result.unfinished, text);
     root["elsewhere"] = list(result.elsewhere, text);
-    root["submissions"] = list(result.submissions, [](const SubmissionResult& item) { return submission(item, Detail::for_class); });
+    root["submissions"] =
+        list(result.submissions, [](const SubmissionResult& item) { return submission(item, Detail::for_class); });
     return root;
 }
 

@@ -32,17 +32,19 @@ struct CheckResult {
     std::string message;                    ///< one line; empty if nothing is to say
     std::map<std::string, double> metrics;  ///< finite numbers only
     std::optional<Difference> first_difference;
-    std::string sketch{};                          ///< lines of ASCII: what the first bad place looks like; empty where there is nothing to draw
+    std::string
+        sketch{};  ///< lines of ASCII: what the first bad place looks like; empty where there is nothing to draw
     std::map<std::string, std::string> artefacts;  ///< "triptych" to a path below the report; not in class.json
-    std::vector<std::uint64_t> seeds{};            ///< judged by chance: of its case, and the fresh one if it was run again; not in class.json
-    bool borderline = false;                       ///< to be run again with a fresh seed; in no file
+    std::vector<std::uint64_t>
+        seeds{};  ///< judged by chance: of its case, and the fresh one if it was run again; not in class.json
+    bool borderline = false;  ///< to be run again with a fresh seed; in no file
 };
 
 /// Why a result fails, as far as it could be recognised.
 struct Explanation {
     std::string name;        ///< "transposed", "mistake: school_formula"
     std::string sentence;    ///< for the student
-    double confidence = 0;   ///< how sure it is, 0..1: grader/judge/sureness.hpp says how that is measured
+    double confidence = 0;   ///< how sure it is, 0..1: grader/judge/confidence.hpp says how that is measured
     double fit = 0;          ///< the share that speaks for it of the checks that say anything; in no file
     bool ambiguous = false;  ///< another one matches as well: it is one of these
     bool hidden = false;     ///< only hidden cases lead to it: not for students
@@ -61,8 +63,8 @@ struct UnitResult {
     std::vector<Explanation> explanations;  ///< best first
     std::string output;                     ///< what the student's code printed, bounded
     std::uint64_t seed = 0;                 ///< of the visible cases
-    /// Would it come out so again? Not where a compiler or a run ended for want of time or memory that a machine under load may have taken:
-    /// such a result is shown, and asked for again the next time. In no file.
+    /// Would it come out so again? Not where a compiler or a run ended for want of time or memory that a machine under
+    /// load may have taken: such a result is shown, and asked for again the next time. In no file.
     bool settled = true;
     Millipoints unscored = 0;  ///< of a grader fault: the points that are in no sum because of it
 };
@@ -105,19 +107,22 @@ struct ClassResult {
     Fingerprint fingerprint;
     std::vector<SubmissionResult> submissions;
     Grading grading{};
-    std::vector<std::string> unfinished{};  ///< ids of submissions that still have to be graded: grading goes on, or was stopped
-    std::vector<std::string> elsewhere{};   ///< ids with results of an earlier run, by another version of Umbral or on another machine
+    std::vector<std::string>
+        unfinished{};  ///< ids of submissions that still have to be graded: grading goes on, or was stopped
+    std::vector<std::string>
+        elsewhere{};  ///< ids with results of an earlier run, by another version of Umbral or on another machine
     std::vector<Unwritten> unwritten{};
 };
 
-/// Sums the units' points into the submission's. A unit with a grader fault is in neither sum: our fault is nobody's zero.
+/// Sums the units' points into the submission's. A unit with a grader fault is in neither sum: our fault is nobody's
+/// zero.
 void add_up(SubmissionResult& submission);
 
 /// A unit as report.json holds it: with seeds and artefacts.
 [[nodiscard]] nlohmann::json to_json(const UnitResult& unit);
-/// The same read back: to_json(unit_result_from_json(json, where)) == json for every JSON that to_json made. `fit` of explanations is in
-/// no file and becomes 0; a number that was not finite becomes NaN, or nothing where that may be. Throws std::runtime_error, which begins
-/// with `where` and names the field, for anything that to_json does not write.
+/// The same read back: to_json(unit_result_from_json(json, where)) == json for every JSON that to_json made. `fit` of
+/// explanations is in no file and becomes 0; a number that was not finite becomes NaN, or nothing where that may be.
+/// Throws std::runtime_error, which begins with `where` and names the field, for anything that to_json does not write.
 [[nodiscard]] UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& where);
 
 /// class.json and report.json as docs/schemas describe them. Times are the only fields that differ between equal runs.

@@ -17,16 +17,23 @@ std::string text(const Field& field) { return field.any_text(most_bytes); }
 
 Millipoints points(const Field& field) { return field.integer(0, std::numeric_limits<int>::max()); }
 
-double number_or_nan(const Field& field) { return field.is_null() ? std::numeric_limits<double>::quiet_NaN() : field.number(-largest, largest); }
+double number_or_nan(const Field& field)
+{
+    return field.is_null() ? std::numeric_limits<double>::quiet_NaN() : field.number(-largest, largest);
+}
 
-std::optional<double> number_if_any(const Field& field) { return field.is_null() ? std::nullopt : std::optional(field.number(-largest, largest)); }
+std::optional<double> number_if_any(const Field& field)
+{
+    return field.is_null() ? std::nullopt : std::optional(field.number(-largest, largest));
+}
 
 std::uint64_t seed(const Field& field)
 {
     const std::string digits = field.text(20);
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size() || (digits.size() > 1 && digits.front() == '0')) field.refuse("a seed in decimal digits");
+    if (error != std::errc() || end != digits.data() + digits.size() || (digits.size() > 1 && digits.front() == '0'))
+        field.refuse("a seed in decimal digits");
     return value;
 }
 
@@ -55,8 +62,8 @@ std::optional<Difference> difference(const Field& field)
 
 CheckResult check(const Field& field)
 {
-    field.allow_only({"name", "kind", "hard", "hidden", "score", "max_score", "error", "reference_error", "message", "metrics", "first_difference", "sketch",
-                      "artefacts", "seeds"});
+    field.allow_only({"name", "kind", "hard", "hidden", "score", "max_score", "error", "reference_error", "message",
+                      "metrics", "first_difference", "sketch", "artefacts", "seeds"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -95,8 +102,8 @@ Explanation explanation(const Field& field)
 UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& where)
 {
     const Field field(json, where);
-    field.allow_only(
-        {"id", "digest", "verdict", "score", "max_score", "seconds", "reference_seconds", "checks", "message", "explanation", "stdout", "seed", "unscored"});
+    field.allow_only({"id", "digest", "verdict", "score", "max_score", "seconds", "reference_seconds", "checks",
+                      "message", "explanation", "stdout", "seed", "unscored"});
     UnitResult result;
     result.id = text(field.member("id"));
     result.digest = text(field.member("digest"));
@@ -107,7 +114,8 @@ UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& 
     result.reference_seconds = number_or_nan(field.member("reference_seconds"));
     for (const Field& one : field.member("checks").items(0, most_items)) result.checks.push_back(check(one));
     result.message = text(field.member("message"));
-    for (const Field& one : field.member("explanation").items(0, most_items)) result.explanations.push_back(explanation(one));
+    for (const Field& one : field.member("explanation").items(0, most_items))
+        result.explanations.push_back(explanation(one));
     result.output = text(field.member("stdout"));
     result.seed = seed(field.member("seed"));
     if (const Field unscored = field.member("unscored"); unscored.given()) result.unscored = points(unscored);

@@ -9,7 +9,10 @@
 namespace umbral::grader {
 
 /// Is this how a ScratchFolder's directory is called?
-[[nodiscard]] inline bool is_scratch_name(std::string_view name) { return name.starts_with("work-") && name.size() == 11; }
+[[nodiscard]] inline bool is_scratch_name(std::string_view name)
+{
+    return name.starts_with("work-") && name.size() == 11;
+}
 
 /// A fresh directory that only this user can enter, removed with all it holds when it goes out of scope.
 class ScratchFolder {
@@ -19,7 +22,8 @@ public:
     {
         std::filesystem::create_directories(parent);
         std::string name = (parent / "work-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), "making a directory in " + parent.string());
+        if (mkdtemp(name.data()) == nullptr)
+            throw std::system_error(errno, std::generic_category(), "making a directory in " + parent.string());
         path_ = name;
     }
     ScratchFolder(const ScratchFolder&) = delete;

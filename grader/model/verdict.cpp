@@ -33,8 +33,8 @@ const Names& names_of(Verdict verdict)
 {
     for (const Names& candidate : names)
         if (candidate.verdict == verdict) return candidate;
-    throw std::invalid_argument("verdict: expected one of the " + std::to_string(names.size()) + " declared ones, got number " +
-                                std::to_string(static_cast<int>(verdict)));
+    throw std::invalid_argument("verdict: expected one of the " + std::to_string(names.size()) +
+                                " declared ones, got number " + std::to_string(static_cast<int>(verdict)));
 }
 
 }

@@ -19,7 +19,8 @@ std::string class_notices(const ClassResult& result, const TerminalStyle& style)
         bool first = true;
         const auto add = [&](const std::string& paragraph, Tone looks) {
             for (const std::string& line : wrap(paint.safe(paragraph), width - 4)) {
-                text += fmt::format("  {} {}\n", first ? paint(tone, notice.fault ? "!" : paint.symbol("·", "-")) : " ", paint(looks, line));
+                text += fmt::format("  {} {}\n", first ? paint(tone, notice.fault ? "!" : paint.symbol("·", "-")) : " ",
+                                    paint(looks, line));
                 first = false;
             }
         };

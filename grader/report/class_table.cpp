@@ -56,9 +56,15 @@ std::vector<Column> columns_of(const ClassResult& result)
     return columns;
 }
 
-std::string mean_text(Millipoints sum, Millipoints count) { return count == 0 ? "-" : points_text((sum + count / 2) / count / 10 * 10); }
+std::string mean_text(Millipoints sum, Millipoints count)
+{
+    return count == 0 ? "-" : points_text((sum + count / 2) / count / 10 * 10);
+}
 
-std::string short_name(const std::string& id) { return id.substr(id.rfind('/') == std::string::npos ? 0 : id.rfind('/') + 1); }
+std::string short_name(const std::string& id)
+{
+    return id.substr(id.rfind('/') == std::string::npos ? 0 : id.rfind('/') + 1);
+}
 
 int widest_cell(const std::vector<Column>& columns)
 {
@@ -73,7 +79,8 @@ int widest_cell(const std::vector<Column>& columns)
 std::string cell_text(const Cell& cell, int width, const Paint& paint)
 {
     if (!cell.graded) return paint(Tone::quiet, pad(fmt::format("{}  ", paint.symbol("·", ".")), width, Align::right));
-    return pad(paint(tone_of(cell.verdict), fmt::format("{} {}", cell.text, paint.plain_mark(cell.verdict))), width, Align::right);
+    return pad(paint(tone_of(cell.verdict), fmt::format("{} {}", cell.text, paint.plain_mark(cell.verdict))), width,
+               Align::right);
 }
 
 struct Frame {
@@ -82,14 +89,16 @@ struct Frame {
     int cell = 3;
 };
 
-std::string line_of(const Frame& frame, std::string_view name, std::string_view total, const std::vector<std::string>& cells)
+std::string line_of(const Frame& frame, std::string_view name, std::string_view total,
+                    const std::vector<std::string>& cells)
 {
     std::string line = fmt::format("  {}  {} ", pad(name, frame.name), pad(total, frame.total, Align::right));
     for (const std::string& cell : cells) line += fmt::format(" {}", pad(cell, frame.cell, Align::right));
     return line + "\n";
 }
 
-std::string band(const ClassResult& result, const std::vector<std::string>& totals, std::span<const Column> columns, const Frame& frame, const Paint& paint)
+std::string band(const ClassResult& result, const std::vector<std::string>& totals, std::span<const Column> columns,
+                 const Frame& frame, const Paint& paint)
 {
     const auto collect = [&](auto text) {
         std::vector<std::string> cells;
@@ -97,7 +106,8 @@ std::string band(const ClassResult& result, const std::vector<std::string>& tota
         return cells;
     };
     const std::string heading =
-        line_of(frame, "submission", "total", collect([&](const Column& column) { return shorten(column.heading, frame.cell, paint.ellipsis()); }));
+        line_of(frame, "submission", "total",
+                collect([&](const Column& column) { return shorten(column.heading, frame.cell, paint.ellipsis()); }));
     const int width = display_width(heading.substr(0, heading.size() - 1));
     std::string text = paint(Tone::strong, heading.substr(0, heading.size() - 1)) + "\n";
     const std::string rule = fmt::format("  {}\n", paint.rule(width - 2));
@@ -118,14 +128,22 @@ std::string legend(const std::vector<Column>& columns, bool numbered, int width,
     std::string text;
     if (numbered) {
         std::vector<std::string> names;
-        for (const Column& column : columns) names.push_back(fmt::format("{} {}", column.heading, paint.safe(column.id)));
+        for (const Column& column : columns)
+            names.push_back(fmt::format("{} {}", column.heading, paint.safe(column.id)));
         for (const std::string& line : flow(names, width - 4)) text += fmt::format("  {}\n", line);
         text += "\n";
     }
-    constexpr std::array shown = {Verdict::ok, Verdict::partial, Verdict::wrong, Verdict::not_implemented, Verdict::crashed, Verdict::grader_fault};
-    constexpr std::array words = {"right", "partly right", "wrong", "not written", "did not build or run to its end", "fault of the grader, not scored"};
+    constexpr std::array shown = {Verdict::ok,      Verdict::partial,     Verdict::wrong, Verdict::not_implemented,
+                                  Verdict::crashed, Verdict::grader_fault};
+    constexpr std::array words = {"right",
+                                  "partly right",
+                                  "wrong",
+                                  "not written",
+                                  "did not build or run to its end",
+                                  "fault of the grader, not scored"};
     std::vector<std::string> marks;
-    for (std::size_t i = 0; i < shown.size(); ++i) marks.push_back(fmt::format("{} {}", paint.plain_mark(shown[i]), words[i]));
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        marks.push_back(fmt::format("{} {}", paint.plain_mark(shown[i]), words[i]));
     for (const std::string& line : flow(marks, width - 4)) text += fmt::format("  {}\n", paint(Tone::quiet, line));
     return text;
 }
@@ -141,15 +159,17 @@ std::string reasons(const ClassResult& result, int width, const Paint& paint)
     for (const UnitClusters& unit : clusters(result))
         for (const auto* kind : {&unit.explained, &unit.ambiguous})
             for (const Cluster& cluster : *kind)
-                lines.push_back(
-                    {cluster.who.size(), fmt::format("{} of {}  {} ({}{})  {}", cluster.who.size(), unit.graded, paint.safe(cluster.name),
-                                                     sure_words(cluster.confidence), kind == &unit.ambiguous ? " one of these" : "", paint.safe(unit.unit))});
+                lines.push_back({cluster.who.size(),
+                                 fmt::format("{} of {}  {} ({}{})  {}", cluster.who.size(), unit.graded,
+                                             paint.safe(cluster.name), sure_words(cluster.confidence),
+                                             kind == &unit.ambiguous ? " one of these" : "", paint.safe(unit.unit))});
     if (lines.empty()) return "";
     std::ranges::stable_sort(lines, std::ranges::greater{}, &Line::size);
     std::string text = "\n  Why, by the number of submissions\n";
     for (const Line& line : std::span(lines).first(std::min(lines.size(), most_reasons)))
         text += fmt::format("  {}\n", shorten(line.text, width - 2, paint.ellipsis()));
-    if (lines.size() > most_reasons) text += fmt::format("  {} and {} more\n", paint.ellipsis(), lines.size() - most_reasons);
+    if (lines.size() > most_reasons)
+        text += fmt::format("  {} and {} more\n", paint.ellipsis(), lines.size() - most_reasons);
     return text;
 }
 
@@ -187,7 +207,8 @@ std::string class_table(const ClassResult& result, const TerminalStyle& style)
     std::size_t start = 0;
     do {
         if (start > 0) text += "\n";
-        text += band(result, totals, std::span(columns).subspan(start, std::min(in_band, columns.size() - start)), frame, paint);
+        text += band(result, totals, std::span(columns).subspan(start, std::min(in_band, columns.size() - start)),
+                     frame, paint);
         start += in_band;
     } while (start < columns.size());
     return text + "\n" + legend(columns, numbered, width, paint) + reasons(result, width, paint);

@@ -11,7 +11,8 @@ namespace {
 
 bool needs_a_reason(const UnitResult& unit)
 {
-    const bool nothing_there = unit.verdict == Verdict::missing || unit.verdict == Verdict::not_implemented || unit.verdict == Verdict::grader_fault;
+    const bool nothing_there = unit.verdict == Verdict::missing || unit.verdict == Verdict::not_implemented ||
+                               unit.verdict == Verdict::grader_fault;
     return !nothing_there && !all_right(unit);
 }
 
@@ -37,7 +38,8 @@ public:
             if (!entry.confidences.empty()) entry.cluster.confidence = entry.confidences[entry.confidences.size() / 2];
             all.push_back(std::move(entry.cluster));
         }
-        std::ranges::stable_sort(all, std::ranges::greater{}, [](const Cluster& cluster) { return cluster.who.size(); });
+        std::ranges::stable_sort(all, std::ranges::greater{},
+                                 [](const Cluster& cluster) { return cluster.who.size(); });
         return all;
     }
 
@@ -68,7 +70,8 @@ struct Collections {
         std::ranges::sort(names);
         std::string name;
         for (const std::string& one : names) name += (name.empty() ? "" : " or ") + one;
-        const bool ran = unit.verdict == Verdict::partial || unit.verdict == Verdict::wrong || unit.verdict == Verdict::ok;
+        const bool ran =
+            unit.verdict == Verdict::partial || unit.verdict == Verdict::wrong || unit.verdict == Verdict::ok;
         if (reasons.empty())
             unexplained.add(ran ? "no explanation" : std::string(in_words(unit.verdict)), reasons, who);
         else
@@ -92,7 +95,9 @@ std::vector<UnitClusters> clusters(const ClassResult& result)
     for (std::size_t s = 0; s < result.submissions.size(); ++s)
         for (const UnitResult& unit : result.submissions[s].units) by_unit[unit.id].add(unit, s);
     std::vector<UnitClusters> all;
-    for (auto& [id, one] : by_unit) all.push_back({id, one.graded, one.explained.take(), one.ambiguous.take(), one.unexplained.take(), one.missing});
+    for (auto& [id, one] : by_unit)
+        all.push_back(
+            {id, one.graded, one.explained.take(), one.ambiguous.take(), one.unexplained.take(), one.missing});
     std::erase_if(all, [](const UnitClusters& unit) { return unit.submissions() == 0 && unit.missing.empty(); });
     std::ranges::stable_sort(all, std::ranges::greater{}, &UnitClusters::submissions);
     return all;

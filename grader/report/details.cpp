@@ -34,7 +34,8 @@ std::vector<std::string> excerpt(std::string_view text, int width, const Paint& 
     std::vector<std::string> lines = wrap(paint.safe_lines(text.substr(0, size)), width);
     const bool too_many = lines.size() > most_lines;
     if (too_many) lines.resize(most_lines);
-    if (too_many || size < text.size()) lines.push_back(fmt::format("{} ({} bytes in all; the beginning is shown)", paint.ellipsis(), text.size()));
+    if (too_many || size < text.size())
+        lines.push_back(fmt::format("{} ({} bytes in all; the beginning is shown)", paint.ellipsis(), text.size()));
     return lines;
 }
 
@@ -47,7 +48,8 @@ public:
     void line(std::string_view text) { result_ += fmt::format("    {}\n", text); }
     void labelled(std::string_view label, const std::vector<std::string>& lines)
     {
-        for (std::size_t i = 0; i < lines.size(); ++i) line(paint_(Tone::quiet, pad(i == 0 ? label : "", label_width)) + lines[i]);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            line(paint_(Tone::quiet, pad(i == 0 ? label : "", label_width)) + lines[i]);
     }
     void sentence(std::string_view label, std::string_view text) { labelled(label, wrap(paint_.safe(text), room())); }
     void blank() { result_ += '\n'; }
@@ -73,7 +75,8 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
         block.labelled("", side_by_side(*check.first_difference, block.room(), paint));
     }
     block.labelled("there", wrap(paint.safe_lines(check.sketch), block.room()));
-    for (const auto& [kind, path] : check.artefacts) block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
+    for (const auto& [kind, path] : check.artefacts)
+        block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
 }
 
 void add_reasons(Block& block, const UnitResult& unit)
@@ -81,7 +84,8 @@ void add_reasons(Block& block, const UnitResult& unit)
     const auto reasons = main_reasons(unit);
     for (std::size_t i = 0; i < reasons.size(); ++i) {
         const char* lead = reasons.size() == 1 ? "" : i == 0 ? "Either: " : "or: ";
-        const std::string sure = fmt::format(" ({}{})", sure_words(reasons[i].confidence), reasons.size() == 1 ? "" : " one of these");
+        const std::string sure =
+            fmt::format(" ({}{})", sure_words(reasons[i].confidence), reasons.size() == 1 ? "" : " one of these");
         block.sentence(i == 0 ? "why" : "", lead + reasons[i].sentence + (i + 1 == reasons.size() ? sure : ""));
     }
 }
@@ -99,7 +103,8 @@ std::vector<const CheckResult*> failing_checks(const UnitResult& unit)
 void add_others(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
 {
     std::string others;
-    for (std::size_t i = 1; i < failing.size(); ++i) others += fmt::format("{}{}", i == 1 ? "" : ", ", failing[i]->name);
+    for (std::size_t i = 1; i < failing.size(); ++i)
+        others += fmt::format("{}{}", i == 1 ? "" : ", ", failing[i]->name);
     if (!others.empty()) block.sentence("also", others + " not right yet");
     bool first = true;
     for (const CheckResult& check : unit.checks) {
@@ -114,14 +119,17 @@ std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* f
     const std::string id = shell_word(unit.id);
     std::vector<std::string> steps;
     switch (unit.verdict) {
-        case Verdict::grader_fault: return {"This is the grader's fault, not yours: please show this report to your instructor."};
-        case Verdict::missing: return {fmt::format("umbral reset {}   puts the file to write back in its place", paint.safe(id))};
+        case Verdict::grader_fault:
+            return {"This is the grader's fault, not yours: please show this report to your instructor."};
+        case Verdict::missing:
+            return {fmt::format("umbral reset {}   puts the file to write back in its place", paint.safe(id))};
         case Verdict::compile_error:
         case Verdict::interface_mismatch:
         case Verdict::forbidden: steps.push_back(fmt::format("umbral check {}", id)); break;
         case Verdict::not_implemented: break;
         default: {
-            const std::string name = failing != nullptr ? shell_word(failing->name.substr(0, failing->name.rfind('/'))) : "";
+            const std::string name =
+                failing != nullptr ? shell_word(failing->name.substr(0, failing->name.rfind('/'))) : "";
             steps.push_back(fmt::format("umbral debug {}{}{}", id, name.empty() ? "" : " ", name));
         }
     }
@@ -134,7 +142,9 @@ std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* f
 
 std::string shell_word(std::string_view text)
 {
-    const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/'; };
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/';
+    };
     if (!text.empty() && std::ranges::all_of(text, plain)) return std::string(text);
     std::string word = "'";
     for (const char c : text) c == '\'' ? word += "'\\''" : word += c;
@@ -146,17 +156,21 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
     const Verdict verdict = shown_verdict(unit);
     const std::vector<const CheckResult*> failing = failing_checks(unit);
     const CheckResult* shown = failing.empty() ? nullptr : failing.front();
-    const bool hidden_fails = std::ranges::any_of(unit.checks, [](const CheckResult& check) { return check.hidden && fails(check); });
+    const bool hidden_fails =
+        std::ranges::any_of(unit.checks, [](const CheckResult& check) { return check.hidden && fails(check); });
 
     Block block(width, paint);
     block.blank();
-    const std::string words = fmt::format("{}, {} of {} points", in_words(verdict), points_text(unit.score), points_text(unit.max_score));
+    const std::string words =
+        fmt::format("{}, {} of {} points", in_words(verdict), points_text(unit.score), points_text(unit.max_score));
     const std::string id = shorten(paint.safe(unit.id), width - display_width(words) - 6, paint.ellipsis());
-    std::string result = fmt::format("\n  {} {}  {}", paint.mark(verdict), paint(Tone::strong, id), paint(tone_of(verdict), words));
+    std::string result =
+        fmt::format("\n  {} {}  {}", paint.mark(verdict), paint(Tone::strong, id), paint(tone_of(verdict), words));
     block.labelled("", excerpt(unit.message, block.room(), paint));
     const bool ran = !never_ran(unit.verdict);
     if (ran && shown != nullptr) add_first_failing(block, *shown, paint);
-    if (shown == nullptr && hidden_fails) block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
+    if (shown == nullptr && hidden_fails)
+        block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
     add_reasons(block, unit);
     if (ran) add_others(block, unit, failing);
     if (!unit.output.empty()) {

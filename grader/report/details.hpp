@@ -6,8 +6,8 @@
 
 namespace umbral::grader {
 
-/// What a student needs to know about one unit that is not all right, as indented lines, the last ending in a line break.
-/// Expects a unit of without_hidden_values.
+/// What a student needs to know about one unit that is not all right, as indented lines, the last ending in a line
+/// break. Expects a unit of without_hidden_values.
 [[nodiscard]] std::string unit_details(const UnitResult& unit, int width, const Paint& paint);
 
 /// "'far away'": an argument that a shell takes as one word.

@@ -81,7 +81,8 @@ const Glyph& glyph_of(char letter)
 
 int text_width(std::string_view text, int scale)
 {
-    return text.empty() ? 0 : scale * (static_cast<int>(text.size()) * letter_advance - (letter_advance - letter_width));
+    return text.empty() ? 0
+                        : scale * (static_cast<int>(text.size()) * letter_advance - (letter_advance - letter_width));
 }
 
 void draw_text(Image& image, int x, int y, std::string_view text, glm::u8vec4 colour, int scale)
@@ -90,7 +91,9 @@ void draw_text(Image& image, int x, int y, std::string_view text, glm::u8vec4 co
         const Glyph& glyph = glyph_of(letter);
         for (int row = 0; row < letter_height * scale; ++row)
             for (int column = 0; column < letter_width * scale; ++column) {
-                const bool ink = ((glyph.rows[static_cast<std::size_t>(row / scale)] >> (letter_width - 1 - column / scale)) & 1U) != 0;
+                const bool ink =
+                    ((glyph.rows[static_cast<std::size_t>(row / scale)] >> (letter_width - 1 - column / scale)) & 1U) !=
+                    0;
                 if (ink && image.contains(x + column, y + row)) image.at(x + column, y + row) = colour;
             }
         x += letter_advance * scale;

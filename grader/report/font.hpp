@@ -15,7 +15,8 @@ inline constexpr int letter_advance = 6;
 
 /// Draws `text` with its upper left corner at (x, y); what lies outside the picture is left out.
 ///
-/// The font has letters (small ones look like capitals), digits and . , : + - / % ( ) = *; another character becomes a box.
+/// The font has letters (small ones look like capitals), digits and . , : + - / % ( ) = *; another character becomes a
+/// box.
 void draw_text(Image& image, int x, int y, std::string_view text, glm::u8vec4 colour, int scale = 1);
 
 }

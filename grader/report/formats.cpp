@@ -12,7 +12,8 @@ namespace {
 
 std::string student_page(const SubmissionReport& report)
 {
-    return html::report_from_sections(report.result, report.fingerprint, report.student_sections, {html::Edition::student, "", report.titles});
+    return html::report_from_sections(report.result, report.fingerprint, report.student_sections,
+                                      {html::Edition::student, "", report.titles});
 }
 
 std::string instructor_page(const SubmissionReport& report)
@@ -40,7 +41,10 @@ std::span<const ReportFile<SubmissionReport>> submission_files()
 {
     static constexpr std::array<ReportFile<SubmissionReport>, 4> files{{
         {"report.json", [](const SubmissionReport& report) { return report_json(report.result, report.fingerprint); }},
-        {"report.student.json", [](const SubmissionReport& report) { return report_json(without_hidden_values(report.result), report.fingerprint); }},
+        {"report.student.json",
+         [](const SubmissionReport& report) {
+             return report_json(without_hidden_values(report.result), report.fingerprint);
+         }},
         {"report.html", student_page},
         {"report.instructor.html", instructor_page, true},
     }};
@@ -59,7 +63,13 @@ std::span<const ReportFile<ClassReport>> class_files()
     return files;
 }
 
-void write_reports(const std::filesystem::path& folder, const SubmissionReport& report) { write_files(folder, report, submission_files()); }
-void write_reports(const std::filesystem::path& folder, const ClassReport& report) { write_files(folder, report, class_files()); }
+void write_reports(const std::filesystem::path& folder, const SubmissionReport& report)
+{
+    write_files(folder, report, submission_files());
+}
+void write_reports(const std::filesystem::path& folder, const ClassReport& report)
+{
+    write_files(folder, report, class_files());
+}
 
 }

@@ -36,13 +36,13 @@ struct ReportFile {
     bool hidden_values = false;  ///< shows values of hidden checks on a page: written only where they were asked for
 };
 
-/// All files that grading writes of each submission, into its folder, and of a class. A new format is a file that makes its text, and a line
-/// in formats.cpp.
+/// All files that grading writes of each submission, into its folder, and of a class. A new format is a file that makes
+/// its text, and a line in formats.cpp.
 [[nodiscard]] std::span<const ReportFile<SubmissionReport>> submission_files();
 [[nodiscard]] std::span<const ReportFile<ClassReport>> class_files();
 
-/// Writes the files into `folder`, each whole or not at all, and removes those with hidden values that were not asked for. Throws
-/// std::runtime_error with path and reason.
+/// Writes the files into `folder`, each whole or not at all, and removes those with hidden values that were not asked
+/// for. Throws std::runtime_error with path and reason.
 void write_reports(const std::filesystem::path& folder, const SubmissionReport& report);
 void write_reports(const std::filesystem::path& folder, const ClassReport& report);
 

@@ -35,6 +35,9 @@ bool all_right(const UnitResult& unit)
            std::ranges::all_of(unit.checks, [](const CheckResult& check) { return check.score >= check.max_score; });
 }
 
-Verdict shown_verdict(const UnitResult& unit) { return unit.verdict == Verdict::ok && !all_right(unit) ? Verdict::partial : unit.verdict; }
+Verdict shown_verdict(const UnitResult& unit)
+{
+    return unit.verdict == Verdict::ok && !all_right(unit) ? Verdict::partial : unit.verdict;
+}
 
 }

@@ -8,8 +8,8 @@ namespace umbral::grader {
 
 /// report.json of one submission: to_json's value, indented by two spaces, with a final line break.
 ///
-/// Says all that is known; give it without_hidden_values(…) for students. Invalid UTF-8 is replaced, numbers that are not finite become
-/// null.
+/// Says all that is known; give it without_hidden_values(…) for students. Invalid UTF-8 is replaced, numbers that are
+/// not finite become null.
 [[nodiscard]] std::string report_json(const SubmissionResult& result, const Fingerprint& fingerprint);
 
 /// The same for class.json.

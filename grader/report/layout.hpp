@@ -21,7 +21,8 @@ enum class Align { left, right };
 /// Line breaks in the text stay; an empty text is no line.
 [[nodiscard]] std::vector<std::string> wrap(std::string_view text, int width);
 
-/// `items` beside each other, three spaces apart, in lines of at most `width` cells; no item is broken unless it is wider than a line.
+/// `items` beside each other, three spaces apart, in lines of at most `width` cells; no item is broken unless it is
+/// wider than a line.
 [[nodiscard]] std::vector<std::string> flow(const std::vector<std::string>& items, int width);
 
 /// The lines of `text`; a final line break ends the last line and begins none.

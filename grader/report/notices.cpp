@@ -11,7 +11,10 @@
 namespace umbral::grader {
 namespace {
 
-std::string counted(std::size_t count, const char* thing) { return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s"); }
+std::string counted(std::size_t count, const char* thing)
+{
+    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
 
 /// A sentence from words that a program composed: capital and full stop.
 std::string sentence(std::string words)
@@ -40,9 +43,12 @@ std::string headline_of(const Fault& fault)
     }
     std::string text;
     if (units > 0)
-        text += fmt::format("{} of {} {} not scored: {} points are in no sum.", counted(units, "unit"), counted(submissions.size(), "submission"),
-                            units == 1 ? "is" : "are", points_text(fault.points));
-    if (reports > 0) text += fmt::format("{}The reports of {} could not be written.", text.empty() ? "" : " ", counted(reports, "submission"));
+        text += fmt::format("{} of {} {} not scored: {} points are in no sum.", counted(units, "unit"),
+                            counted(submissions.size(), "submission"), units == 1 ? "is" : "are",
+                            points_text(fault.points));
+    if (reports > 0)
+        text += fmt::format("{}The reports of {} could not be written.", text.empty() ? "" : " ",
+                            counted(reports, "submission"));
     if (class_too) text += fmt::format("{}class.json and index.html could not be written.", text.empty() ? "" : " ");
     return text;
 }
@@ -66,17 +72,22 @@ std::vector<Notice> notices(const ClassResult& result)
     }
     // Whose reports could not be written was told already.
     std::vector<std::string> unfinished = result.unfinished;
-    std::erase_if(unfinished, [&](const std::string& id) { return std::ranges::find(result.unwritten, id, &Unwritten::submission) != result.unwritten.end(); });
+    std::erase_if(unfinished, [&](const std::string& id) {
+        return std::ranges::find(result.unwritten, id, &Unwritten::submission) != result.unwritten.end();
+    });
     if (const std::size_t count = unfinished.size(); count > 0)
         all.push_back(
             {true,
-             fmt::format("{} {} not graded to the end: missing here, or here with older results.", counted(count, "submission"), count == 1 ? "is" : "are"), "",
-             "If grading does not go on right now, run the same command again: only what is missing is graded.", whole(unfinished)});
+             fmt::format("{} {} not graded to the end: missing here, or here with older results.",
+                         counted(count, "submission"), count == 1 ? "is" : "are"),
+             "", "If grading does not go on right now, run the same command again: only what is missing is graded.",
+             whole(unfinished)});
     if (const std::size_t count = result.elsewhere.size(); count > 0)
-        all.push_back({false,
-                       fmt::format("{} {} results of another version of Umbral, or of another machine, than the one named here.", counted(count, "submission"),
-                                   count == 1 ? "has" : "have"),
-                       "", "Grade the whole class again where all should be judged alike.", whole(result.elsewhere)});
+        all.push_back(
+            {false,
+             fmt::format("{} {} results of another version of Umbral, or of another machine, than the one named here.",
+                         counted(count, "submission"), count == 1 ? "has" : "have"),
+             "", "Grade the whole class again where all should be judged alike.", whole(result.elsewhere)});
     return all;
 }
 
@@ -95,7 +106,8 @@ std::string who_in_words(const Notice& notice)
         text += (text == one_line(place.submission) ? ": " : ", ") + place.unit;
     }
     std::string text;
-    for (std::size_t i = 0; i < std::min(texts.size(), caps::listed); ++i) text += (i == 0 ? "" : "; ") + one_line(texts[i]);
+    for (std::size_t i = 0; i < std::min(texts.size(), caps::listed); ++i)
+        text += (i == 0 ? "" : "; ") + one_line(texts[i]);
     if (texts.size() > caps::listed) text += fmt::format(" and {} more", texts.size() - caps::listed);
     return text;
 }

@@ -10,7 +10,8 @@
 namespace umbral::grader {
 namespace {
 
-// Only the sixteen colours that every terminal theme defines, so that the report is readable on dark and on light ground.
+// Only the sixteen colours that every terminal theme defines, so that the report is readable on dark and on light
+// ground.
 std::string_view sequence(Tone tone)
 {
     switch (tone) {
@@ -35,8 +36,14 @@ std::string Paint::operator()(Tone tone, std::string_view text) const
     return fmt::format("{}{}\x1b[0m", sequence(tone), text);
 }
 
-std::string Paint::safe(std::string_view text) const { return escape_terminal(text, {.lines = false, .unicode = style_.unicode}); }
-std::string Paint::safe_lines(std::string_view text) const { return escape_terminal(text, {.lines = true, .unicode = style_.unicode}); }
+std::string Paint::safe(std::string_view text) const
+{
+    return escape_terminal(text, {.lines = false, .unicode = style_.unicode});
+}
+std::string Paint::safe_lines(std::string_view text) const
+{
+    return escape_terminal(text, {.lines = true, .unicode = style_.unicode});
+}
 
 std::string_view Paint::plain_mark(Verdict verdict) const
 {
@@ -63,7 +70,9 @@ std::string Paint::rule(int width) const
 std::string Paint::bar(Millipoints score, Millipoints max_score, int cells, Tone tone) const
 {
     const auto share = [&] { return static_cast<double>(score) / static_cast<double>(max_score); };
-    int filled = max_score <= 0 || score <= 0 ? 0 : score >= max_score ? cells : static_cast<int>(share() * cells + 0.5);
+    int filled = max_score <= 0 || score <= 0 ? 0
+                 : score >= max_score         ? cells
+                                              : static_cast<int>(share() * cells + 0.5);
     if (score > 0 && score < max_score) filled = std::clamp(filled, 1, cells - 1);
     std::string full;
     std::string empty;

@@ -21,7 +21,10 @@ public:
     /// Text from outside whose line breaks stay.
     [[nodiscard]] std::string safe_lines(std::string_view text) const;
 
-    [[nodiscard]] std::string_view symbol(std::string_view unicode, std::string_view ascii) const { return style_.unicode ? unicode : ascii; }
+    [[nodiscard]] std::string_view symbol(std::string_view unicode, std::string_view ascii) const
+    {
+        return style_.unicode ? unicode : ascii;
+    }
     [[nodiscard]] std::string_view ellipsis() const { return symbol("…", ".."); }
     [[nodiscard]] std::string mark(Verdict verdict) const;
     /// The same without colour, one cell wide.

@@ -20,7 +20,10 @@ std::span<const Explanation> main_reasons(const UnitResult& unit)
     return all.first(static_cast<std::size_t>(end - all.begin()));
 }
 
-std::span<const Explanation> other_reasons(const UnitResult& unit) { return std::span(unit.explanations).subspan(main_reasons(unit).size()); }
+std::span<const Explanation> other_reasons(const UnitResult& unit)
+{
+    return std::span(unit.explanations).subspan(main_reasons(unit).size());
+}
 
 std::string readable_reason(const Explanation& explanation)
 {

@@ -22,9 +22,15 @@ std::optional<double> number_in(const std::string& text)
     return value;
 }
 
-bool same_shape(const MatrixText& a, const MatrixText& b) { return a.size() == b.size() && a.front().size() == b.front().size(); }
+bool same_shape(const MatrixText& a, const MatrixText& b)
+{
+    return a.size() == b.size() && a.front().size() == b.front().size();
+}
 
-std::size_t fraction_of(const std::string& entry) { return entry.size() - std::min(entry.size(), entry.find_first_of(".e")); }
+std::size_t fraction_of(const std::string& entry)
+{
+    return entry.size() - std::min(entry.size(), entry.find_first_of(".e"));
+}
 
 /// Entries of each column with their decimal points below each other.
 void align_points(MatrixText& matrix)
@@ -41,7 +47,8 @@ void align_points(MatrixText& matrix)
     }
 }
 
-std::vector<std::string> drawn(MatrixText matrix, const std::vector<std::vector<bool>>& differs, Tone tone, const Paint& paint)
+std::vector<std::string> drawn(MatrixText matrix, const std::vector<std::vector<bool>>& differs, Tone tone,
+                               const Paint& paint)
 {
     for (std::size_t i = 0; i < matrix.size(); ++i)
         for (std::size_t j = 0; j < matrix[i].size(); ++j)
@@ -52,7 +59,8 @@ std::vector<std::string> drawn(MatrixText matrix, const std::vector<std::vector<
         const bool first = i == 0;
         const bool last = i + 1 == matrix.size();
         std::string line(first ? paint.symbol("⎡", "[") : last ? paint.symbol("⎣", "[") : paint.symbol("⎢", "["));
-        for (std::size_t j = 0; j < matrix[i].size(); ++j) line += fmt::format(" {}", paint(differs[i][j] ? tone : Tone::quiet, matrix[i][j]));
+        for (std::size_t j = 0; j < matrix[i].size(); ++j)
+            line += fmt::format(" {}", paint(differs[i][j] ? tone : Tone::quiet, matrix[i][j]));
         line += " ";
         line += first ? paint.symbol("⎤", "]") : last ? paint.symbol("⎦", "]") : paint.symbol("⎥", "]");
         lines.push_back(line);

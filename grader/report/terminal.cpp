@@ -31,7 +31,8 @@ std::string worst_error(const UnitResult& unit)
 {
     const CheckResult* worst = nullptr;
     for (const CheckResult& check : unit.checks)
-        if (check.error && std::isfinite(*check.error) && (worst == nullptr || *check.error > *worst->error)) worst = &check;
+        if (check.error && std::isfinite(*check.error) && (worst == nullptr || *check.error > *worst->error))
+            worst = &check;
     if (worst == nullptr) return "";
     if (!worst->reference_error) return fmt::format("{:.3g}", *worst->error);
     return fmt::format("{:.3g} / {:.3g}", *worst->error, *worst->reference_error);
@@ -55,7 +56,8 @@ Line line_of(const UnitResult& unit, const Paint& paint)
 {
     const Verdict verdict = shown_verdict(unit);
     const std::string points = fmt::format("{}/{}", points_text(unit.score), points_text(unit.max_score));
-    return {verdict, paint.safe(unit.id), points, std::string(in_words(verdict)), worst_error(unit), times(unit), unit.score, unit.max_score};
+    return {verdict,           paint.safe(unit.id), points,     std::string(in_words(verdict)),
+            worst_error(unit), times(unit),         unit.score, unit.max_score};
 }
 
 /// Widths of the overview's columns; a column of width 0 is left out.
@@ -69,7 +71,8 @@ struct Columns {
     }
 };
 
-/// Columns as wide as their widest text, the heading's too; a column in which only the heading says something is left out.
+/// Columns as wide as their widest text, the heading's too; a column in which only the heading says something is left
+/// out.
 Columns columns_for(const std::vector<Line>& lines, const Line& heading, int width)
 {
     const auto widest = [&](std::string Line::*text) {
@@ -77,8 +80,11 @@ Columns columns_for(const std::vector<Line>& lines, const Line& heading, int wid
         for (const Line& line : lines) cells = std::max(cells, display_width(line.*text));
         return cells == 0 ? 0 : std::max(cells, display_width(heading.*text));
     };
-    Columns columns{widest(&Line::id), widest(&Line::points), widest(&Line::words), widest(&Line::error), widest(&Line::time)};
-    const auto shrink = [&](int& column, int least) { column = std::max(std::min(column, least), column - std::max(0, columns.total() - width)); };
+    Columns columns{widest(&Line::id), widest(&Line::points), widest(&Line::words), widest(&Line::error),
+                    widest(&Line::time)};
+    const auto shrink = [&](int& column, int least) {
+        column = std::max(std::min(column, least), column - std::max(0, columns.total() - width));
+    };
     shrink(columns.id, 16);
     shrink(columns.words, 20);
     for (int* column : {&columns.time, &columns.error})
@@ -88,14 +94,18 @@ Columns columns_for(const std::vector<Line>& lines, const Line& heading, int wid
     return columns;
 }
 
-std::string row(const Columns& columns, const Line& line, std::string_view mark, std::string_view bar, Tone id_tone, Tone words_tone, const Paint& paint)
+std::string row(const Columns& columns, const Line& line, std::string_view mark, std::string_view bar, Tone id_tone,
+                Tone words_tone, const Paint& paint)
 {
-    const auto cell = [&](std::string_view text, int width, Tone tone) { return paint(tone, pad(shorten(text, width, paint.ellipsis()), width)); };
+    const auto cell = [&](std::string_view text, int width, Tone tone) {
+        return paint(tone, pad(shorten(text, width, paint.ellipsis()), width));
+    };
     const auto number = [&](std::string_view text, int width, Tone tone) {
         return width == 0 ? std::string() : fmt::format("  {}", paint(tone, pad(text, width, Align::right)));
     };
     std::string text = fmt::format("{:{}}{} {}  {}  {}  {}", "", margin, mark, cell(line.id, columns.id, id_tone), bar,
-                                   paint(Tone::plain, pad(line.points, columns.points, Align::right)), cell(line.words, columns.words, words_tone));
+                                   paint(Tone::plain, pad(line.points, columns.points, Align::right)),
+                                   cell(line.words, columns.words, words_tone));
     text += number(line.error, columns.error, Tone::quiet) + number(line.time, columns.time, Tone::quiet);
     return text + "\n";
 }
@@ -104,7 +114,8 @@ int failing_hidden(const SubmissionResult& submission)
 {
     int count = 0;
     for (const UnitResult& unit : submission.units)
-        count += static_cast<int>(std::ranges::count_if(unit.checks, [](const CheckResult& check) { return check.hidden && check.score < check.max_score; }));
+        count += static_cast<int>(std::ranges::count_if(
+            unit.checks, [](const CheckResult& check) { return check.hidden && check.score < check.max_score; }));
     return count;
 }
 
@@ -113,8 +124,10 @@ std::string summary(const SubmissionResult& submission, const Paint& paint)
     const auto open = std::ranges::count_if(submission.units, [](const UnitResult& unit) { return !all_right(unit); });
     if (submission.units.empty()) return paint(Tone::fault, "No unit was checked.");
     if (open == 0) return paint(Tone::good, "Everything is right.");
-    std::string text = fmt::format("{} of {} {} not right yet", open, submission.units.size(), submission.units.size() == 1 ? "unit is" : "units are");
-    if (open == 1 && submission.units.size() > 1) text = fmt::format("1 of {} units is not right yet", submission.units.size());
+    std::string text = fmt::format("{} of {} {} not right yet", open, submission.units.size(),
+                                   submission.units.size() == 1 ? "unit is" : "units are");
+    if (open == 1 && submission.units.size() > 1)
+        text = fmt::format("1 of {} units is not right yet", submission.units.size());
     const int hidden = failing_hidden(submission);
     if (hidden > 0) text += fmt::format("; {} hidden {}", hidden, hidden == 1 ? "check fails" : "checks fail");
     return text + ".";
@@ -136,13 +149,16 @@ std::string terminal_report(const SubmissionResult& submission, const TerminalSt
     lines.erase(lines.begin());
 
     const std::string indent(margin, ' ');
-    std::string text = fmt::format("\n{}{}\n\n", indent, paint(Tone::strong, shorten(paint.safe(shown.id), width - 2 * margin, paint.ellipsis())));
+    std::string text = fmt::format(
+        "\n{}{}\n\n", indent, paint(Tone::strong, shorten(paint.safe(shown.id), width - 2 * margin, paint.ellipsis())));
     text += row(columns, heading, " ", std::string(bar_cells, ' '), Tone::quiet, Tone::quiet, paint);
     for (const Line& line : lines)
-        text += row(columns, line, paint.mark(line.verdict), paint.bar(line.score, line.max_score, bar_cells, tone_of(line.verdict)), Tone::plain,
+        text += row(columns, line, paint.mark(line.verdict),
+                    paint.bar(line.score, line.max_score, bar_cells, tone_of(line.verdict)), Tone::plain,
                     tone_of(line.verdict), paint);
     text += fmt::format("{}{}\n", indent, paint.rule(width - 2 * margin));
-    text += row(columns, total, " ", paint.bar(total.score, total.max_score, bar_cells, Tone::plain), Tone::strong, Tone::plain, paint);
+    text += row(columns, total, " ", paint.bar(total.score, total.max_score, bar_cells, Tone::plain), Tone::strong,
+                Tone::plain, paint);
     for (const UnitResult& unit : shown.units)
         if (!all_right(unit)) text += unit_details(unit, width, paint);
     for (const UnitResult& unit : shown.units)

@@ -44,7 +44,9 @@ View view_for(int width, int height)
 glm::u8vec4 over_checkers(glm::u8vec4 colour, int x, int y)
 {
     const unsigned back = (x / 8 + y / 8) % 2 == 0 ? 210 : 180;
-    const auto mix = [&](unsigned value) { return static_cast<glm::u8>((value * colour.a + back * (255U - colour.a) + 127U) / 255U); };
+    const auto mix = [&](unsigned value) {
+        return static_cast<glm::u8>((value * colour.a + back * (255U - colour.a) + 127U) / 255U);
+    };
     return {mix(colour.r), mix(colour.g), mix(colour.b), 255};
 }
 
@@ -77,7 +79,8 @@ void draw(Image& target, int left, int top, const Window& part, const View& view
 {
     for (int y = 0; y < view.shown(part.height); ++y)
         for (int x = 0; x < view.shown(part.width); ++x)
-            target.at(left + x, top + y) = over_checkers(colour(part.x + x / view.enlarge * view.thin, part.y + y / view.enlarge * view.thin), x, y);
+            target.at(left + x, top + y) = over_checkers(
+                colour(part.x + x / view.enlarge * view.thin, part.y + y / view.enlarge * view.thin), x, y);
 }
 
 /// The pictures' difference, its largest level, and where it is worst.
@@ -103,13 +106,15 @@ glm::u8vec4 difference_colour(const Comparison& comparison, int x, int y, int bl
 {
     int level = 0;
     for (int j = y; j < std::min(y + block, comparison.map.height); ++j)
-        for (int i = x; i < std::min(x + block, comparison.map.width); ++i) level = std::max<int>(level, comparison.map.at(i, j));
+        for (int i = x; i < std::min(x + block, comparison.map.width); ++i)
+            level = std::max<int>(level, comparison.map.at(i, j));
     return magma(comparison.largest == 0 ? 0 : static_cast<double>(level) / comparison.largest);
 }
 
 void draw_legend(Image& target, int left, int top, int width, int largest)
 {
-    for (int x = 0; x < width; ++x) fill(target, {left + x, top, 1, legend_height}, magma(static_cast<double>(x) / std::max(1, width - 1)));
+    for (int x = 0; x < width; ++x)
+        fill(target, {left + x, top, 1, legend_height}, magma(static_cast<double>(x) / std::max(1, width - 1)));
     const std::string most = fmt::format("{} of 255", largest);
     draw_text(target, left, top + legend_height + 4, "0", ink);
     draw_text(target, left + width - text_width(most, 1), top + legend_height + 4, most, ink);
@@ -133,15 +138,17 @@ Image uncomparable(const Image& yours, const Image& reference, std::string_view 
         widths[i] = std::max(least_panel, view.shown(pictures[i]->width));
         height = std::max(height, view.shown(pictures[i]->height));
     }
-    Image result(std::max(4 * space + widths[0] + widths[1] - space, 600), 3 * space + 2 * label_height + small_label_height + height, ground);
+    Image result(std::max(4 * space + widths[0] + widths[1] - space, 600),
+                 3 * space + 2 * label_height + small_label_height + height, ground);
     int left = space;
     for (std::size_t i = 0; i < 2; ++i) {
         const Image& picture = *pictures[i];
         draw_label(result, left, space, names[i], widths[i]);
-        const std::string size = picture.cells.empty() ? "no picture" : fmt::format("{} x {}", picture.width, picture.height);
+        const std::string size =
+            picture.cells.empty() ? "no picture" : fmt::format("{} x {}", picture.width, picture.height);
         draw_text(result, left, space + label_height, size, ink);
-        draw(result, left, space + label_height + small_label_height, {0, 0, picture.width, picture.height}, view_for(picture.width, picture.height),
-             [&](int x, int y) { return picture.at(x, y); });
+        draw(result, left, space + label_height + small_label_height, {0, 0, picture.width, picture.height},
+             view_for(picture.width, picture.height), [&](int x, int y) { return picture.at(x, y); });
         left += widths[i] + space;
     }
     const bool empty = yours.cells.empty() || reference.cells.empty();
@@ -154,7 +161,8 @@ Image uncomparable(const Image& yours, const Image& reference, std::string_view 
 
 Image triptych(const Image& yours, const Image& reference, std::string_view expected_side, const JudgeKind& judge)
 {
-    if (yours.width != reference.width || yours.height != reference.height || yours.cells.empty()) return uncomparable(yours, reference, expected_side);
+    if (yours.width != reference.width || yours.height != reference.height || yours.cells.empty())
+        return uncomparable(yours, reference, expected_side);
     const Comparison comparison = compare(yours, reference, judge);
     const View view = view_for(yours.width, yours.height);
     const Window whole{0, 0, yours.width, yours.height};
@@ -175,7 +183,8 @@ Image triptych(const Image& yours, const Image& reference, std::string_view expe
         draw(result, left, pictures_top, whole, view, [&](int x, int y) { return colour(x, y, block); });
         if (!comparison.worst) return;
         const auto place = [&](int at) { return at / view.thin * view.enlarge; };
-        frame(result, {left + place(worst.x), pictures_top + place(worst.y), view.shown(worst.width), view.shown(worst.height)});
+        frame(result, {left + place(worst.x), pictures_top + place(worst.y), view.shown(worst.width),
+                       view.shown(worst.height)});
         draw(result, left, zoom_top, worst, zoomed, [&](int x, int y) { return colour(x, y, 1); });
         frame(result, {left, zoom_top, zoom * worst.width, zoom * worst.height});
     };
@@ -184,13 +193,15 @@ Image triptych(const Image& yours, const Image& reference, std::string_view expe
     panel_of(
         1, expected_side, [&](int x, int y, int) { return reference.at(x, y); }, view.thin);
     panel_of(
-        2, "difference", [&](int x, int y, int block) { return difference_colour(comparison, x, y, block); }, view.thin);
+        2, "difference", [&](int x, int y, int block) { return difference_colour(comparison, x, y, block); },
+        view.thin);
 
-    const std::string caption = comparison.worst
-                                    ? fmt::format("worst region, {} times: {} x {} pixels from ({}, {})", zoom, worst.width, worst.height, worst.x, worst.y)
-                                    : "the pictures are equal";
+    const std::string caption = comparison.worst ? fmt::format("worst region, {} times: {} x {} pixels from ({}, {})",
+                                                               zoom, worst.width, worst.height, worst.x, worst.y)
+                                                 : "the pictures are equal";
     draw_label(result, space, zoom_label_top, caption);
-    if (comparison.worst) draw_legend(result, space + 2 * (panel + space), legend_top, view.shown(yours.width), comparison.largest);
+    if (comparison.worst)
+        draw_legend(result, space + 2 * (panel + space), legend_top, view.shown(yours.width), comparison.largest);
     return result;
 }
 

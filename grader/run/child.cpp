@@ -33,13 +33,20 @@ constexpr int exit_load_failure = 71;
 constexpr int exit_no_job = 72;
 constexpr int exit_no_sandbox = 73;
 /// The files of a run in its sandbox, beside standard input and output.
-enum RunFile : int { socket_until_confined = 3, event_until_confined, texts_until_read, tenant_until_loaded, driver_until_loaded, first_closed };
+enum RunFile : int {
+    socket_until_confined = 3,
+    event_until_confined,
+    texts_until_read,
+    solution_until_loaded,
+    driver_until_loaded,
+    first_closed
+};
 
 struct Job {
     std::string case_name;
     std::uint64_t stream = 0;  ///< what the case's random numbers follow from
     std::string driver;
-    std::string tenant;  ///< empty for a unit without C++
+    std::string solution;  ///< empty for a unit without C++
     std::uint64_t memory = 0;
     std::uint64_t cpu_seconds = 0;
     CostLimit costs;  ///< without a table all costs are worked on
@@ -60,7 +67,7 @@ Job read_job(int file)
     return {json.at("case"),
             json.at("stream"),
             json.at("driver"),
-            json.at("tenant"),
+            json.at("solution"),
             json.at("memory"),
             json.at("cpu_seconds"),
             {json.at("counted_table"), json.at("counted_sizes")}};
@@ -79,7 +86,8 @@ int open_library(wire::Header& header, const std::string& path)
 void number_files(std::span<const int> files, int first)
 {
     std::vector<int> apart;
-    for (const int file : files) apart.push_back(file < 0 ? -1 : fcntl(file, F_DUPFD_CLOEXEC, first + static_cast<int>(files.size())));
+    for (const int file : files)
+        apart.push_back(file < 0 ? -1 : fcntl(file, F_DUPFD_CLOEXEC, first + static_cast<int>(files.size())));
     for (std::size_t i = 0; i < apart.size(); ++i)
         if (apart[i] >= 0) dup2(apart[i], first + static_cast<int>(i));
 }
@@ -113,7 +121,8 @@ void confine(const ChildSetup& setup, const Job& job)
 
 const DriverCase* find_case(const Driver& driver, const std::string& name)
 {
-    const auto found = std::find_if(driver.cases.begin(), driver.cases.end(), [&](const DriverCase& candidate) { return name == candidate.name; });
+    const auto found = std::find_if(driver.cases.begin(), driver.cases.end(),
+                                    [&](const DriverCase& candidate) { return name == candidate.name; });
     return found == driver.cases.end() ? nullptr : &*found;
 }
 
@@ -127,13 +136,14 @@ std::string no_such_case(const Driver& driver, const std::string& name)
     return text;
 }
 
-// Exceptions of the student's code end in std::terminate on purpose: unwinding would lose the place where they were thrown.
-// The stack goes on from a whole step, whatever lies at its end: the spawner's path, say, which is longer in one installation than in
-// another, and would have a function that calls itself without end stop at another line.
+// Exceptions of the student's code end in std::terminate on purpose: unwinding would lose the place where they were
+// thrown. The stack goes on from a whole step, whatever lies at its end: the spawner's path, say, which is longer in
+// one installation than in another, and would have a function that calls itself without end stop at another line.
 [[gnu::noinline]] void run_case(const DriverCase& one, Case& what, Recorder& recorder) noexcept
 {
     constexpr std::uintptr_t step = 1U << 16U;
-    auto* const gap = static_cast<volatile char*>(alloca(reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)) % step + 1));
+    auto* const gap =
+        static_cast<volatile char*>(alloca(reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)) % step + 1));
     *gap = 0;
     one.run(what, recorder);
 }
@@ -156,15 +166,16 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     const Job job = read_job(packet.descriptors[2].get());
 
     const int driver = open_library(header, job.driver);
-    const int tenant = job.tenant.empty() ? -1 : open_library(header, job.tenant);
+    const int solution = job.solution.empty() ? -1 : open_library(header, job.solution);
     const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
     dup2(nothing, 0);
     dup2(output, 1);
     dup2(output, 2);
-    number_files(std::array{run_socket, confined, packet.descriptors[3].get(), tenant, driver}, socket_until_confined);
+    number_files(std::array{run_socket, confined, packet.descriptors[3].get(), solution, driver},
+                 socket_until_confined);
     close_range(first_closed, ~0U, 0);
     for (Descriptor& given : packet.descriptors) given.release();
-    if (tenant >= 0) emulated_calls::hand_out_once(job.tenant.c_str(), tenant_until_loaded);
+    if (solution >= 0) emulated_calls::hand_out_once(job.solution.c_str(), solution_until_loaded);
     emulated_calls::hand_out_once(job.driver.c_str(), driver_until_loaded);
 
     last_words::listen(header);
@@ -174,10 +185,11 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
         note(header, wire::Note::driver_fault, error.what());
         _exit(exit_no_sandbox);
     }
-    // The grader's own knowledge of where foreign code begins: from here on the recording may say anything. The student's time begins
-    // here too.
+    // The grader's own knowledge of where foreign code begins: from here on the recording may say anything. The
+    // student's time begins here too.
     constexpr std::uint64_t one_event = 1;
-    if (write(socket_until_confined, &protocol::confined, sizeof protocol::confined) != sizeof protocol::confined) _exit(exit_no_sandbox);
+    if (write(socket_until_confined, &protocol::confined, sizeof protocol::confined) != sizeof protocol::confined)
+        _exit(exit_no_sandbox);
     if (write(event_until_confined, &one_event, sizeof one_event) != sizeof one_event) _exit(exit_no_sandbox);
     close(socket_until_confined);
     close(event_until_confined);
@@ -187,7 +199,7 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     close(texts_until_read);
     // Line by line, so that what was printed before a crash is not lost.
     setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-    if (!job.tenant.empty()) last_words::set_library(header, load(header, job.tenant));
+    if (!job.solution.empty()) last_words::set_library(header, load(header, job.solution));
     void* driver_library = load(header, job.driver);
     const auto* cases = static_cast<const Driver*>(dlsym(driver_library, "_ZN6umbral6driverE"));
     if (cases == nullptr) {
@@ -207,7 +219,8 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     run_case(*one, what, recorder);
 
     header.not_implemented = not_implemented_count();
-    const std::span room(static_cast<std::byte*>(memory) + wire::tensors_offset, wire::maximum_size - wire::tensors_offset);
+    const std::span room(static_cast<std::byte*>(memory) + wire::tensors_offset,
+                         wire::maximum_size - wire::tensors_offset);
     header.tensors_size = wire::write_tensors(recorder.tensors(), room);
     header.tensor_count = recorder.tensors().size();
     (void)fflush(nullptr);

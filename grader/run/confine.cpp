@@ -29,7 +29,8 @@ constexpr double disk_interval = 0.2;
 std::vector<std::string> whole_command(const ConfinedCommand& command)
 {
     std::vector<std::string> words{command.confine.string(), std::to_string(command.memory_mib),
-                                   std::to_string(static_cast<int>(std::ceil(command.cpu_seconds))), command.directory.string()};
+                                   std::to_string(static_cast<int>(std::ceil(command.cpu_seconds))),
+                                   command.directory.string()};
     words.insert(words.end(), command.read.begin(), command.read.end());
     words.emplace_back("--");
     words.insert(words.end(), command.arguments.begin(), command.arguments.end());
@@ -43,8 +44,8 @@ pid_t start(const ConfinedCommand& command, int output)
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     const std::string temporary = "TMPDIR=" + command.directory.string();
-    std::array environment{const_cast<char*>("PATH=/usr/bin:/bin"), const_cast<char*>("LC_ALL=C.UTF-8"), const_cast<char*>(temporary.c_str()),
-                           static_cast<char*>(nullptr)};
+    std::array environment{const_cast<char*>("PATH=/usr/bin:/bin"), const_cast<char*>("LC_ALL=C.UTF-8"),
+                           const_cast<char*>(temporary.c_str()), static_cast<char*>(nullptr)};
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -58,7 +59,8 @@ pid_t start(const ConfinedCommand& command, int output)
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&attributes, 0);
     pid_t process = -1;
-    const int failed = posix_spawn(&process, command.confine.c_str(), &actions, &attributes, arguments.data(), environment.data());
+    const int failed =
+        posix_spawn(&process, command.confine.c_str(), &actions, &attributes, arguments.data(), environment.data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (failed != 0) throw std::system_error(failed, std::generic_category(), "starting " + command.confine.string());
@@ -69,9 +71,11 @@ pid_t start(const ConfinedCommand& command, int output)
 
 ConfinedResult run_confined(const ConfinedCommand& command)
 {
-    // A socket, not a pipe: what a program opens by the name of its own output (/proc/self/fd/1) is refused and never waits.
+    // A socket, not a pipe: what a program opens by the name of its own output (/proc/self/fd/1) is refused and never
+    // waits.
     std::array<int, 2> ends{};
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) throw std::system_error(errno, std::generic_category(), "socketpair");
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        throw std::system_error(errno, std::generic_category(), "socketpair");
     Descriptor reading(ends[0]);
     Descriptor writing(ends[1]);
     const pid_t process = start(command, writing.get());
@@ -90,7 +94,8 @@ ConfinedResult run_confined(const ConfinedCommand& command)
             break;
         }
         if (poll(&watched, 1, static_cast<int>(wait * 1000) + 1) == 0) {
-            if (command.disk_limit != 0 && bytes_below(command.directory) > command.disk_limit) result.stopped = Stopped::too_much_disk;
+            if (command.disk_limit != 0 && bytes_below(command.directory) > command.disk_limit)
+                result.stopped = Stopped::too_much_disk;
             continue;
         }
         const ssize_t got = read(reading.get(), buffer.data(), buffer.size());
@@ -111,10 +116,13 @@ ConfinedResult run_confined(const ConfinedCommand& command)
     kill(-process, SIGKILL);
     if (WIFEXITED(status)) result.exit_status = WEXITSTATUS(status);
     // A compiler whose child the kernel stopped ends by itself, with a message about the child's signal.
-    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
     // The kernel stops a process at its limit by its own clock, which is a little ahead of what it tells afterwards.
     const bool spent = seconds(used.ru_utime) + seconds(used.ru_stime) >= 0.95 * command.cpu_seconds;
-    if (result.stopped == Stopped::no && result.exit_status != 0 && spent) result.stopped = Stopped::out_of_processor_time;
+    if (result.stopped == Stopped::no && result.exit_status != 0 && spent)
+        result.stopped = Stopped::out_of_processor_time;
     return result;
 }
 

@@ -14,15 +14,16 @@ struct ConfinedCommand {
     std::filesystem::path confine;       ///< the umbral-confine program
     std::vector<std::string> arguments;  ///< the program, by its path, and its arguments
     std::filesystem::path directory;     ///< working directory; the one tree it may write
-    /// What it may read and execute beside the shared libraries that programs need: trees, files, or "FOLDER/*" for the files of one
-    /// folder. Of all else it does not learn whether it exists (run/path_gate.hpp).
+    /// What it may read and execute beside the shared libraries that programs need: trees, files, or "FOLDER/*" for the
+    /// files of one folder. Of all else it does not learn whether it exists (run/path_gate.hpp).
     std::vector<std::string> read;
     double cpu_seconds = 30;    ///< of each process that it starts
     double wall_seconds = 120;  ///< longer, since a loaded machine is nobody's fault
     int memory_mib = 2048;
     std::size_t output_limit = std::size_t{256} << 10U;
     std::uintmax_t disk_limit = 0;  ///< bytes that `directory` may hold; beyond, the program is stopped. 0: no limit
-    bool stop_at_limit = false;     ///< stop the program once it has printed more than `output_limit`, instead of dropping the rest
+    bool stop_at_limit =
+        false;  ///< stop the program once it has printed more than `output_limit`, instead of dropping the rest
 };
 
 /// The status with which umbral-confine says that it could not run the program.

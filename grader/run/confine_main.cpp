@@ -23,8 +23,9 @@
 #include "run/sandbox.hpp"
 
 // umbral-confine MEMORY_MIB CPU_SECONDS DIRECTORY [RULE…] -- PROGRAM [ARGUMENT…]
-// Runs a program that may write DIRECTORY (and works there), read and execute what the RULEs name (run/path_gate.hpp) and the shared
-// libraries that programs need, and nothing else, of which it does not even learn whether it exists: no network.
+// Runs a program that may write DIRECTORY (and works there), read and execute what the RULEs name (run/path_gate.hpp)
+// and the shared libraries that programs need, and nothing else, of which it does not even learn whether it exists: no
+// network.
 namespace umbral::grader {
 namespace {
 
@@ -48,9 +49,12 @@ Command command_from(int count, char** words)
         command.directory = words[3];
         for (; at < count && std::strcmp(words[at], "--") != 0; ++at) command.rules.emplace_back(words[at]);
     }
-    if (at + 1 >= count) throw std::runtime_error("usage: umbral-confine MEMORY_MIB CPU_SECONDS DIRECTORY [RULE…] -- PROGRAM [ARGUMENT…]");
+    if (at + 1 >= count)
+        throw std::runtime_error(
+            "usage: umbral-confine MEMORY_MIB CPU_SECONDS DIRECTORY [RULE…] -- PROGRAM [ARGUMENT…]");
     command.program = words + at + 1;
-    for (const char* rule : {UMBRAL_LIBRARY_FOLDER "/*", "/usr/lib64/*", "/etc/ld.so.cache", "/dev/null"}) command.rules.emplace_back(rule);
+    for (const char* rule : {UMBRAL_LIBRARY_FOLDER "/*", "/usr/lib64/*", "/etc/ld.so.cache", "/dev/null"})
+        command.rules.emplace_back(rule);
     command.rules.emplace_back(command.program[0]);
     return command;
 }
@@ -66,18 +70,20 @@ std::vector<sandbox::FileRule> file_rules(const Command& command)
     return rules;
 }
 
-/// The filter that holds paths back for the gate, where the kernel has such filters and no other program listens already; else the plain one.
+/// The filter that holds paths back for the gate, where the kernel has such filters and no other program listens
+/// already; else the plain one.
 Descriptor install_filter()
 {
     const sandbox::Filter filter = sandbox::compiler_filter(true);
     const sock_fprog described{static_cast<unsigned short>(filter.size()), const_cast<sock_filter*>(filter.data())};
-    Descriptor listener(static_cast<int>(syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_NEW_LISTENER, &described)));
+    Descriptor listener(
+        static_cast<int>(syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_NEW_LISTENER, &described)));
     if (!listener) sandbox::install(sandbox::compiler_filter(false));
     return listener;
 }
 
 /// In the child: enters the confinement, hands the gate's listener to the parent, and becomes the program.
-[[noreturn]] void become_program(const Command& command, int parent)
+[[noreturn]] void exec_program(const Command& command, int parent)
 {
     try {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -114,12 +120,13 @@ int run(const Command& command)
     auto [ours, theirs] = socket_pair();
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno));
-    if (child == 0) become_program(command, theirs.get());
+    if (child == 0) exec_program(command, theirs.get());
     theirs.reset();
     std::byte byte{};
     const Packet packet = receive_packet(ours.get(), {&byte, 1});
     if (!packet.descriptors.empty())
-        guard_paths(packet.descriptors.front().get(), child, PathRules(std::filesystem::canonical(command.directory), command.rules));
+        guard_paths(packet.descriptors.front().get(), child,
+                    PathRules(std::filesystem::canonical(command.directory), command.rules));
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }

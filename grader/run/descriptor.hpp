@@ -40,7 +40,8 @@ private:
 /// Two ends of a SOCK_SEQPACKET socket, close-on-exec. Throws std::system_error.
 [[nodiscard]] std::pair<Descriptor, Descriptor> socket_pair();
 
-/// A memory file of exactly `size` bytes that can neither grow nor shrink, so that mapping it never faults. Throws std::system_error.
+/// A memory file of exactly `size` bytes that can neither grow nor shrink, so that mapping it never faults. Throws
+/// std::system_error.
 [[nodiscard]] Descriptor sealed_memory(const char* name, std::size_t size);
 
 /// Sends one packet with descriptors. Throws std::system_error.

@@ -15,8 +15,8 @@ struct Library {
     const char* path = nullptr;
     int descriptor = -1;
 };
-// A signal handler has no argument of ours. The student's code can overwrite this: all that it holds are numbers of files that are open
-// in this process anyway.
+// A signal handler has no argument of ours. The student's code can overwrite this: all that it holds are numbers of
+// files that are open in this process anyway.
 std::array<Library, 2> libraries;
 
 // The path may point anywhere: a crash here is the student's, as it would be in the kernel's place.

@@ -31,11 +31,14 @@ void check(int result, const char* what)
 Context context(std::uint32_t otherwise)
 {
     Context made(seccomp_init(otherwise));
-    if (!made) throw std::runtime_error("seccomp_init failed: this kernel or libseccomp does not know this machine's architecture");
+    if (!made)
+        throw std::runtime_error(
+            "seccomp_init failed: this kernel or libseccomp does not know this machine's architecture");
     return made;
 }
 
-/// The program that libseccomp makes of the rules, taken out through a memory file: it is built once and installed by every run.
+/// The program that libseccomp makes of the rules, taken out through a memory file: it is built once and installed by
+/// every run.
 Filter program(const Context& rules)
 {
     const int file = memfd_create("filter", MFD_CLOEXEC);
@@ -63,31 +66,37 @@ constexpr std::array always = {
 };
 
 /// Innocent programs ask these without need (is stdout a terminal?): they get an error, and are not reported.
-constexpr std::array quietly_refused = {SCMP_SYS(ioctl), SCMP_SYS(fcntl), SCMP_SYS(readlink), SCMP_SYS(access), SCMP_SYS(faccessat2)};
+constexpr std::array quietly_refused = {SCMP_SYS(ioctl), SCMP_SYS(fcntl), SCMP_SYS(readlink), SCMP_SYS(access),
+                                        SCMP_SYS(faccessat2)};
 
 }
 
-/// How programs ask for a file by its path; libseccomp has negative numbers for calls that a processor's interface lacks.
-constexpr std::array paths_are_asked_by = {SCMP_SYS(open),       SCMP_SYS(openat),   SCMP_SYS(stat),      SCMP_SYS(lstat),
-                                           SCMP_SYS(newfstatat), SCMP_SYS(statx),    SCMP_SYS(access),    SCMP_SYS(faccessat),
-                                           SCMP_SYS(faccessat2), SCMP_SYS(readlink), SCMP_SYS(readlinkat)};
+/// How programs ask for a file by its path; libseccomp has negative numbers for calls that a processor's interface
+/// lacks.
+constexpr std::array paths_are_asked_by = {SCMP_SYS(open),     SCMP_SYS(openat),     SCMP_SYS(stat),
+                                           SCMP_SYS(lstat),    SCMP_SYS(newfstatat), SCMP_SYS(statx),
+                                           SCMP_SYS(access),   SCMP_SYS(faccessat),  SCMP_SYS(faccessat2),
+                                           SCMP_SYS(readlink), SCMP_SYS(readlinkat)};
 
 Filter run_filter()
 {
     const Context rules = context(SCMP_ACT_TRAP);
-    // Calls through the x32 and the 32-bit interface have numbers of their own. libseccomp's default kills without a word.
+    // Calls through the x32 and the 32-bit interface have numbers of their own. libseccomp's default kills without a
+    // word.
     check(seccomp_attr_set(rules.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_TRAP), "seccomp_attr_set");
     for (const int call : always) check(seccomp_rule_add(rules.get(), SCMP_ACT_ALLOW, call, 0), "seccomp_rule_add");
-    for (const int call : quietly_refused) check(seccomp_rule_add(rules.get(), SCMP_ACT_ERRNO(EPERM), call, 0), "seccomp_rule_add");
+    for (const int call : quietly_refused)
+        check(seccomp_rule_add(rules.get(), SCMP_ACT_ERRNO(EPERM), call, 0), "seccomp_rule_add");
     return program(rules);
 }
 
 Filter compiler_filter(bool hold_paths)
 {
     const Context rules = context(SCMP_ACT_ALLOW);
-    for (const int call : {SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(ptrace), SCMP_SYS(process_vm_readv), SCMP_SYS(process_vm_writev), SCMP_SYS(mount),
-                           SCMP_SYS(umount2), SCMP_SYS(pivot_root), SCMP_SYS(keyctl), SCMP_SYS(add_key), SCMP_SYS(request_key), SCMP_SYS(bpf),
-                           SCMP_SYS(unshare), SCMP_SYS(setns), SCMP_SYS(perf_event_open), SCMP_SYS(io_uring_setup), SCMP_SYS(userfaultfd)})
+    for (const int call : {SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(ptrace), SCMP_SYS(process_vm_readv),
+                           SCMP_SYS(process_vm_writev), SCMP_SYS(mount), SCMP_SYS(umount2), SCMP_SYS(pivot_root),
+                           SCMP_SYS(keyctl), SCMP_SYS(add_key), SCMP_SYS(request_key), SCMP_SYS(bpf), SCMP_SYS(unshare),
+                           SCMP_SYS(setns), SCMP_SYS(perf_event_open), SCMP_SYS(io_uring_setup), SCMP_SYS(userfaultfd)})
         check(seccomp_rule_add(rules.get(), SCMP_ACT_ERRNO(EPERM), call, 0), "seccomp_rule_add");
     if (!hold_paths) return program(rules);
     // Its path lies in a structure: programs fall back to openat where it is unknown.
@@ -100,7 +109,8 @@ Filter compiler_filter(bool hold_paths)
 void install(const Filter& filter)
 {
     const sock_fprog described{static_cast<unsigned short>(filter.size()), const_cast<sock_filter*>(filter.data())};
-    if (syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &described) != 0) throw std::system_error(errno, std::generic_category(), "seccomp");
+    if (syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &described) != 0)
+        throw std::system_error(errno, std::generic_category(), "seccomp");
 }
 
 std::string call_name(unsigned number)
@@ -111,7 +121,8 @@ std::string call_name(unsigned number)
     constexpr unsigned x32 = 0x40000000;
     if (number != ~0U && (number & x32) != 0) return "a call through the x32 interface";
 #endif
-    const std::unique_ptr<char, decltype(&std::free)> name(seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, static_cast<int>(number)), &std::free);
+    const std::unique_ptr<char, decltype(&std::free)> name(
+        seccomp_syscall_resolve_num_arch(SCMP_ARCH_NATIVE, static_cast<int>(number)), &std::free);
     return name ? std::string(name.get()) : "call " + std::to_string(number);
 }
 

@@ -10,7 +10,8 @@
 #include "run/sandbox.hpp"
 
 // Based on: M. Salaün. Landlock: unprivileged access control. Documentation/userspace-api/landlock.rst, Linux 6.12.
-// Debian 12's headers know version 1 only; the layout below is the kernel's of version 6, and an older kernel is given less of it.
+// Debian 12's headers know version 1 only; the layout below is the kernel's of version 6, and an older kernel is given
+// less of it.
 namespace umbral::grader::sandbox {
 namespace {
 
@@ -57,7 +58,8 @@ void confine_files(std::span<const FileRule> rules)
     const int version = landlock_version();
     if (version == 0) return;
     const std::uint64_t all = all_file_rights(version);
-    RulesetAttributes attributes{all, version >= 4 ? tcp_bind_and_connect : 0, version >= 6 ? abstract_sockets_and_signals : 0};
+    RulesetAttributes attributes{all, version >= 4 ? tcp_bind_and_connect : 0,
+                                 version >= 6 ? abstract_sockets_and_signals : 0};
     const std::size_t size = version >= 6 ? sizeof attributes : version >= 4 ? 16 : 8;
     const auto ruleset = static_cast<int>(syscall(SYS_landlock_create_ruleset, &attributes, size, 0));
     if (ruleset < 0) fail("landlock_create_ruleset");

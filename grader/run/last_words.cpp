@@ -28,7 +28,8 @@
 namespace umbral::grader::last_words {
 namespace {
 
-// A signal handler has no argument of ours: the header of this process's one run is the one thing that must be reachable from it.
+// A signal handler has no argument of ours: the header of this process's one run is the one thing that must be
+// reachable from it.
 wire::Header* noted = nullptr;
 std::uintptr_t stack_end = ~std::uintptr_t{0};
 
@@ -53,7 +54,8 @@ void note_frames(wire::Header& header) noexcept
     const int count = backtrace(addresses.data(), static_cast<int>(addresses.size()));
     header.frame_count = static_cast<std::uint32_t>(std::max(0, count));
     for (std::uint32_t i = 0; i < header.frame_count; ++i)
-        header.frames[i] = reinterpret_cast<std::uintptr_t>(addresses[i]) - static_cast<std::uintptr_t>(header.library_base);
+        header.frames[i] =
+            reinterpret_cast<std::uintptr_t>(addresses[i]) - static_cast<std::uintptr_t>(header.library_base);
 }
 
 struct Registers {
@@ -63,7 +65,8 @@ struct Registers {
 Registers registers_of(const ucontext_t& context)
 {
 #if defined(__x86_64__)
-    return {static_cast<std::uintptr_t>(context.uc_mcontext.gregs[REG_RSP]), static_cast<std::uintptr_t>(context.uc_mcontext.gregs[REG_RIP])};
+    return {static_cast<std::uintptr_t>(context.uc_mcontext.gregs[REG_RSP]),
+            static_cast<std::uintptr_t>(context.uc_mcontext.gregs[REG_RIP])};
 #elif defined(__aarch64__)
     return {context.uc_mcontext.sp, context.uc_mcontext.pc};
 #endif
@@ -78,16 +81,18 @@ std::uintptr_t find_stack_end()
     return (name + std::strlen(reinterpret_cast<const char*>(name)) + page) & ~(page - 1);
 }
 
-/// Did a function return to an address that is none, as after an array was written over its own return address? Reads the stack, which
-/// may be anywhere.
+/// Did a function return to an address that is none, as after an array was written over its own return address? Reads
+/// the stack, which may be anywhere.
 bool returned_to_nowhere([[maybe_unused]] const siginfo_t& info, [[maybe_unused]] const Registers& registers)
 {
 #if defined(__x86_64__)
     constexpr unsigned char return_instruction = 0xC3;
     // An address that no pointer can have is refused at the return itself; another one, where it leads.
-    if (info.si_code == SI_KERNEL) return *reinterpret_cast<const unsigned char*>(registers.program) == return_instruction;
+    if (info.si_code == SI_KERNEL)
+        return *reinterpret_cast<const unsigned char*>(registers.program) == return_instruction;
     const bool jumped = reinterpret_cast<std::uintptr_t>(info.si_addr) == registers.program;
-    return jumped && *reinterpret_cast<const std::uintptr_t*>(registers.stack - sizeof(std::uintptr_t)) == registers.program;
+    return jumped &&
+           *reinterpret_cast<const std::uintptr_t*>(registers.stack - sizeof(std::uintptr_t)) == registers.program;
 #else
     return false;
 #endif
@@ -135,7 +140,8 @@ emulated_calls::Arguments arguments_of(const ucontext_t& context)
     const auto& machine = context.uc_mcontext;
     const auto word = [](auto value) { return static_cast<std::uint64_t>(value); };
 #if defined(__x86_64__)
-    return {word(machine.gregs[REG_RDI]), word(machine.gregs[REG_RSI]), word(machine.gregs[REG_RDX]), word(machine.gregs[REG_R10])};
+    return {word(machine.gregs[REG_RDI]), word(machine.gregs[REG_RSI]), word(machine.gregs[REG_RDX]),
+            word(machine.gregs[REG_R10])};
 #elif defined(__aarch64__)
     return {word(machine.regs[0]), word(machine.regs[1]), word(machine.regs[2]), word(machine.regs[3])};
 #endif
@@ -150,7 +156,8 @@ void set_result(ucontext_t& context, std::int64_t result)
 #endif
 }
 
-// The filter turns every system call that is not listed into SIGSYS: but for the few that are emulated it is noted, and fails with EPERM.
+// The filter turns every system call that is not listed into SIGSYS: but for the few that are emulated it is noted, and
+// fails with EPERM.
 void on_refused_call(int, siginfo_t* info, void* raw_context)
 {
     const int saved_errno = errno;
@@ -223,13 +230,16 @@ void note_exception(wire::Header& header) noexcept
     try {
         throw;
     } catch (const StudentError& error) {
-        note(error.kind() == StudentError::Kind::compile_error ? wire::Note::compile_error : wire::Note::interface_mismatch, {error.what()});
+        note(error.kind() == StudentError::Kind::compile_error ? wire::Note::compile_error
+                                                               : wire::Note::interface_mismatch,
+             {error.what()});
     } catch (const std::bad_alloc&) {
         note(wire::Note::out_of_memory, {"std::bad_alloc: no more memory"});
     } catch (const std::exception& error) {
         int status = 0;
         char* name = abi::__cxa_demangle(typeid(error).name(), nullptr, nullptr, &status);
-        note(wire::Note::uncaught_exception, {"uncaught exception ", name != nullptr ? name : "of an unknown type", ": ", error.what()});
+        note(wire::Note::uncaught_exception,
+             {"uncaught exception ", name != nullptr ? name : "of an unknown type", ": ", error.what()});
         std::free(name);
     } catch (...) {
         note(wire::Note::uncaught_exception, {"uncaught exception that is not a std::exception"});

@@ -10,7 +10,8 @@ namespace {
 const char* shortage(int error)
 {
     switch (error) {
-        case EAGAIN: return "the machine has no process left: end other programs, raise `ulimit -u`, or grade with fewer --jobs";
+        case EAGAIN:
+            return "the machine has no process left: end other programs, raise `ulimit -u`, or grade with fewer --jobs";
         case ENOMEM: return "the machine has no memory left: end other programs, or grade with fewer --jobs";
         case EMFILE: return "this program has no open file left: raise `ulimit -n`, or grade with fewer --jobs";
         case ENFILE: return "the machine has no open file left: end other programs";
@@ -28,7 +29,10 @@ std::string in_words(int error, std::string_view said)
 
 }
 
-std::string machine_trouble(int error, std::string_view tried) { return in_words(error, std::string(tried) + ": " + std::strerror(error)); }
+std::string machine_trouble(int error, std::string_view tried)
+{
+    return in_words(error, std::string(tried) + ": " + std::strerror(error));
+}
 
 std::string machine_trouble(const std::system_error& error) { return in_words(error.code().value(), error.what()); }
 

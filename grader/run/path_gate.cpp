@@ -30,7 +30,8 @@ struct PathArgument {
 PathArgument path_argument(int call)
 {
 #ifdef SYS_open
-    if (call == SYS_open || call == SYS_stat || call == SYS_lstat || call == SYS_access || call == SYS_readlink) return {0, false};
+    if (call == SYS_open || call == SYS_stat || call == SYS_lstat || call == SYS_access || call == SYS_readlink)
+        return {0, false};
 #endif
     (void)call;
     return {1, true};

@@ -47,7 +47,8 @@ bool PathRules::admits(std::string_view asked) const
     const auto above_or_in = [&](const std::string& tree) { return is_below(path, tree) || is_below(tree, path); };
     if (std::ranges::any_of(trees_, above_or_in)) return true;
     return std::ranges::any_of(folders_, [&](const std::string& folder) {
-        return is_below(folder, path) || (is_below(path, folder) && path.find('/', folder.size() + 1) == std::string::npos);
+        return is_below(folder, path) ||
+               (is_below(path, folder) && path.find('/', folder.size() + 1) == std::string::npos);
     });
 }
 

@@ -7,7 +7,10 @@
 namespace umbral::grader {
 namespace {
 
-bool within_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.'; }
+bool within_name(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+}
 
 /// How much of `text` is taken away at its start, where a path begins: a root and the slash behind it.
 std::size_t root_at(std::string_view text, std::span<const std::string> roots)

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-/// What the kernel offers to keep a process from doing harm. Each piece works without privileges and is inherited by children.
+/// What the kernel offers to keep a process from doing harm. Each piece works without privileges and is inherited by
+/// children.
 namespace umbral::grader::sandbox {
 
 /// A file or directory tree that stays reachable under Landlock.
@@ -21,15 +22,16 @@ struct FileRule {
 /// Version of Landlock that this kernel offers; 0 if none.
 [[nodiscard]] int landlock_version();
 
-/// From here on this thread reaches only `rules`, may open no TCP port and signal no process outside. Needs no_new_privs.
-/// Rules whose path does not exist are skipped. Throws std::system_error if the kernel refuses; does nothing if it has no Landlock.
+/// From here on this thread reaches only `rules`, may open no TCP port and signal no process outside. Needs
+/// no_new_privs. Rules whose path does not exist are skipped. Throws std::system_error if the kernel refuses; does
+/// nothing if it has no Landlock.
 void confine_files(std::span<const FileRule> rules);
 
 /// Sets no_new_privs: exec can no longer raise privileges. Throws std::system_error.
 void drop_privileges();
 
-/// New user, network, IPC and UTS namespaces (and a process namespace for children) for this process, as far as the kernel lets us.
-/// Returns the names of those entered.
+/// New user, network, IPC and UTS namespaces (and a process namespace for children) for this process, as far as the
+/// kernel lets us. Returns the names of those entered.
 std::vector<std::string> enter_namespaces(bool processes);
 
 /// Limits of one process; 0 leaves a limit as it is.
@@ -45,11 +47,13 @@ void limit_resources(const ResourceLimits& limits);
 
 using Filter = std::vector<sock_filter>;
 
-/// For a run, from before the first foreign code to its end: memory, its own clock, what is open already. Whatever else is tried raises
-/// SIGSYS, so that it can be named; opening files too, by whatever path, and emulated_calls.hpp gives the loader what it needs.
+/// For a run, from before the first foreign code to its end: memory, its own clock, what is open already. Whatever else
+/// is tried raises SIGSYS, so that it can be named; opening files too, by whatever path, and emulated_calls.hpp gives
+/// the loader what it needs.
 [[nodiscard]] Filter run_filter();
-/// For the compiler: everything but sockets, tracing, mounting and keys, which fail with EPERM. With `hold_paths`, calls that ask for a file
-/// by its path wait for an answer from whoever holds the filter's listener (run/path_gate.hpp).
+/// For the compiler: everything but sockets, tracing, mounting and keys, which fail with EPERM. With `hold_paths`,
+/// calls that ask for a file by its path wait for an answer from whoever holds the filter's listener
+/// (run/path_gate.hpp).
 [[nodiscard]] Filter compiler_filter(bool hold_paths);
 /// Installs a filter for this process. Filters add up: a later one can only take away. Throws std::system_error.
 void install(const Filter& filter);

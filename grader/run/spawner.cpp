@@ -53,18 +53,20 @@ Descriptor memory_of(const char* name, std::string_view text)
 /// What a run parses before it is confined: names and numbers of ours, nothing that a student wrote.
 std::string job_text(const RunRequest& request)
 {
-    const nlohmann::json job = {{"case", request.case_name},
-                                {"stream", request.stream},
-                                {"driver", request.driver.string()},
-                                {"tenant", request.tenant.string()},
-                                {"counted_table", request.costs.table},
-                                {"counted_sizes", request.costs.sizes},
-                                {"memory", static_cast<std::uint64_t>(request.limits.memory_mib) << 20U},
-                                {"cpu_seconds", static_cast<std::uint64_t>(std::ceil(request.limits.wall_seconds)) + 1}};
+    const nlohmann::json job = {
+        {"case", request.case_name},
+        {"stream", request.stream},
+        {"driver", request.driver.string()},
+        {"solution", request.solution.string()},
+        {"counted_table", request.costs.table},
+        {"counted_sizes", request.costs.sizes},
+        {"memory", static_cast<std::uint64_t>(request.limits.memory_mib) << 20U},
+        {"cpu_seconds", static_cast<std::uint64_t>(std::ceil(request.limits.wall_seconds)) + 1}};
     return job.dump();
 }
 
-/// What was written to the bounded output: up to the file's position, or to its last non-zero byte if a hostile run moved that.
+/// What was written to the bounded output: up to the file's position, or to its last non-zero byte if a hostile run
+/// moved that.
 std::string printed(int file)
 {
     std::string text(protocol::output_size, '\0');
@@ -94,8 +96,9 @@ auto with_cause(Work work)
 /// The libraries of a run that are not there: our fault, not the student's.
 std::string missing_libraries(const RunRequest& request)
 {
-    for (const std::filesystem::path& library : {request.driver, request.tenant})
-        if (!library.empty() && access(library.c_str(), R_OK) != 0) return library.string() + " cannot be read; is the project built?";
+    for (const std::filesystem::path& library : {request.driver, request.solution})
+        if (!library.empty() && access(library.c_str(), R_OK) != 0)
+            return library.string() + " cannot be read; is the project built?";
     return "";
 }
 
@@ -117,8 +120,9 @@ void Spawner::start()
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, theirs.get(), protocol::control_descriptor);
     posix_spawn_file_actions_addclosefrom_np(&actions, protocol::control_descriptor + 1);
-    // No thread beside the first: fork after others have started hangs, and the sandbox forbids them. No disk cache of shaders: it
-    // would be shared between students. Pictures here are small: optimising a shader takes longer than drawing with it as it is.
+    // No thread beside the first: fork after others have started hangs, and the sandbox forbids them. No disk cache of
+    // shaders: it would be shared between students. Pictures here are small: optimising a shader takes longer than
+    // drawing with it as it is.
     std::array environment{gl_choice_.data(),
                            const_cast<char*>("LP_NUM_THREADS=0"),
                            const_cast<char*>("MESA_SHADER_CACHE_DISABLE=true"),
@@ -127,7 +131,8 @@ void Spawner::start()
                            const_cast<char*>("LC_ALL=C.UTF-8"),
                            static_cast<char*>(nullptr)};
     std::array arguments{const_cast<char*>(program_.c_str()), static_cast<char*>(nullptr)};
-    const int failed = posix_spawn(&process_, program_.c_str(), &actions, nullptr, arguments.data(), environment.data());
+    const int failed =
+        posix_spawn(&process_, program_.c_str(), &actions, nullptr, arguments.data(), environment.data());
     posix_spawn_file_actions_destroy(&actions);
     if (failed != 0) {
         process_ = -1;
@@ -140,8 +145,8 @@ void Spawner::start()
     const Packet packet = receive_packet(control_.get(), writable_bytes_of(hello));
     if (packet.size == sizeof hello && hello.trouble[0] != 0) {
         stop();
-        throw std::runtime_error(program_.filename().string() +
-                                 " did not get ready: " + std::string(hello.trouble, strnlen(hello.trouble, sizeof hello.trouble)));
+        throw std::runtime_error(program_.filename().string() + " did not get ready: " +
+                                 std::string(hello.trouble, strnlen(hello.trouble, sizeof hello.trouble)));
     }
     if (packet.size != sizeof hello || hello.version != protocol::Hello{}.version) {
         stop();

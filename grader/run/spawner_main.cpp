@@ -27,15 +27,18 @@
 #include "run/warm_gl.hpp"
 #endif
 
-// The spawner: started afresh by the grader, it holds what every run needs (libraries, with GL a warm context) and no secret.
-// It forks one run for each message, waits for it, and tells how it ended.
+// The spawner: started afresh by the grader, it holds what every run needs (libraries, with GL a warm context) and no
+// secret. It forks one run for each message, waits for it, and tells how it ended.
 namespace umbral::grader {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-double seconds_of(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
+double seconds_of(const timeval& time)
+{
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
 
 std::uint64_t mapped_bytes()
 {
@@ -44,7 +47,8 @@ std::uint64_t mapped_bytes()
     return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// How often the kernel has killed a process because memory had run out, since the machine was started; 0 if it does not say.
+/// How often the kernel has killed a process because memory had run out, since the machine was started; 0 if it does
+/// not say.
 std::uint64_t kills_for_memory()
 {
     std::ifstream counters("/proc/vmstat");
@@ -54,8 +58,8 @@ std::uint64_t kills_for_memory()
     return 0;
 }
 
-/// Waits for the run or for its time to be over; a grader that is gone ends everything. The student's time begins when the eventfd
-/// `confined` says that the run has entered its sandbox; before, only our own code runs.
+/// Waits for the run or for its time to be over; a grader that is gone ends everything. The student's time begins when
+/// the eventfd `confined` says that the run has entered its sandbox; before, only our own code runs.
 protocol::Ended supervise(pid_t run, int confined, double wall_seconds)
 {
     auto start = Clock::now();
@@ -69,7 +73,8 @@ protocol::Ended supervise(pid_t run, int confined, double wall_seconds)
             kill(run, SIGKILL);
             break;
         }
-        std::array<pollfd, 3> watched{pollfd{process.get(), POLLIN, 0}, pollfd{protocol::control_descriptor, POLLHUP, 0}, pollfd{confined, POLLIN, 0}};
+        std::array<pollfd, 3> watched{pollfd{process.get(), POLLIN, 0},
+                                      pollfd{protocol::control_descriptor, POLLHUP, 0}, pollfd{confined, POLLIN, 0}};
         const int ready = poll(watched.data(), watched.size(), static_cast<int>(left * 1000) + 1);
         if (ready > 0 && (watched[2].revents & POLLIN) != 0) {
             start = Clock::now();
@@ -184,12 +189,15 @@ int serve(const std::string& namespaces)
     }
 }
 
-/// The same addresses in every run: code that reads what it never wrote, or sorts by pointer, gives the same answer twice. The kernel
-/// takes this up at exec, so the program starts itself once more. Whoever attacks a run owns it already; hiding addresses gains nothing.
+/// The same addresses in every run: code that reads what it never wrote, or sorts by pointer, gives the same answer
+/// twice. The kernel takes this up at exec, so the program starts itself once more. Whoever attacks a run owns it
+/// already; hiding addresses gains nothing.
 void fix_addresses(char** words)
 {
     const int current = personality(0xffffffff);
-    if (current < 0 || (current & ADDR_NO_RANDOMIZE) != 0 || personality(static_cast<unsigned>(current) | ADDR_NO_RANDOMIZE) < 0) return;
+    if (current < 0 || (current & ADDR_NO_RANDOMIZE) != 0 ||
+        personality(static_cast<unsigned>(current) | ADDR_NO_RANDOMIZE) < 0)
+        return;
     execv("/proc/self/exe", words);
 }
 

@@ -13,8 +13,9 @@ std::string warm_gl()
     // One for the life of the process: runs are forks and end with _exit.
     static const gl::OffscreenContext context;
     const gl::Framebuffer target(16, 16);
-    const gl::Program program({"warm.vert", "#version 330\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1); }\n"},
-                              {"warm.frag", "#version 330\nout vec4 color;\nvoid main() { color = vec4(1); }\n"});
+    const gl::Program program(
+        {"warm.vert", "#version 330\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1); }\n"},
+        {"warm.frag", "#version 330\nout vec4 color;\nvoid main() { color = vec4(1); }\n"});
     constexpr std::array positions{glm::vec3(-1, -1, 0), glm::vec3(1, -1, 0), glm::vec3(0, 1, 0)};
     constexpr std::array<std::uint32_t, 3> indices{0, 1, 2};
     const gl::Mesh triangle(positions, {}, indices);

@@ -9,7 +9,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Is `folder` the same as `path`, or above it? Compared by device and number too: a folder may be mounted in two places.
+/// Is `folder` the same as `path`, or above it? Compared by device and number too: a folder may be mounted in two
+/// places.
 bool holds(const fs::path& folder, const fs::path& path)
 {
     for (fs::path one = path;; one = one.parent_path()) {
@@ -32,13 +33,15 @@ void expect_distinct(const fs::path& submissions, const fs::path& out)
 {
     const fs::path theirs = real(submissions);
     const fs::path ours = real(out);
-    const char* const relation = theirs == ours || (holds(theirs, ours) && holds(ours, theirs)) ? "is the folder of the submissions"
-                                 : holds(theirs, ours)                                          ? "lies in the folder of the submissions"
-                                 : holds(ours, theirs)                                          ? "holds the folder of the submissions"
-                                                                                                : nullptr;
+    const char* const relation = theirs == ours || (holds(theirs, ours) && holds(ours, theirs))
+                                     ? "is the folder of the submissions"
+                                 : holds(theirs, ours) ? "lies in the folder of the submissions"
+                                 : holds(ours, theirs) ? "holds the folder of the submissions"
+                                                       : nullptr;
     if (relation == nullptr) return;
-    throw RefusedFolder(fmt::format("--out {} {} {}; reports must not lie among the work: name a folder beside it, such as --out {}", ours.string(), relation,
-                                    theirs.string(), (theirs.parent_path() / "reports").string()));
+    throw RefusedFolder(
+        fmt::format("--out {} {} {}; reports must not lie among the work: name a folder beside it, such as --out {}",
+                    ours.string(), relation, theirs.string(), (theirs.parent_path() / "reports").string()));
 }
 
 }

@@ -12,15 +12,18 @@
 namespace umbral::grader {
 namespace {
 
-// A file is 64 digits, the SHA-256 of what follows; then the numbers and names below, in this machine's order of bytes. It is read on the
-// machine that wrote it only, and believed only if the digest fits: what is damaged is run again.
+// A file is 64 digits, the SHA-256 of what follows; then the numbers and names below, in this machine's order of bytes.
+// It is read on the machine that wrote it only, and believed only if the digest fits: what is damaged is run again.
 constexpr std::uint64_t version = 1;
 constexpr std::size_t digits = 64;
 
 class Writer {
 public:
     void number(std::uint64_t value) { bytes(std::as_bytes(std::span(&value, 1))); }
-    void bytes(std::span<const std::byte> more) { text_.append(reinterpret_cast<const char*>(more.data()), more.size()); }
+    void bytes(std::span<const std::byte> more)
+    {
+        text_.append(reinterpret_cast<const char*>(more.data()), more.size());
+    }
     void field(std::span<const std::byte> more)
     {
         number(more.size());
@@ -86,8 +89,8 @@ void keep_run(const std::filesystem::path& file, const KeptRun& run)
     body.number(run.tensors.size());
     for (const auto& [name, tensor] : run.tensors) {
         body.field(std::as_bytes(std::span(name)));
-        for (const std::uint64_t number :
-             {std::uint64_t(tensor.element), std::uint64_t{tensor.rows}, std::uint64_t{tensor.columns}, std::uint64_t{tensor.components}})
+        for (const std::uint64_t number : {std::uint64_t(tensor.element), std::uint64_t{tensor.rows},
+                                           std::uint64_t{tensor.columns}, std::uint64_t{tensor.components}})
             body.number(number);
         body.field(tensor.bytes);
         body.field(std::as_bytes(std::span(tensor.present)));

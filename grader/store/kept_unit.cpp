@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file is a line of JSON with the result and the sizes and digest of what follows: the sections. One file, one rename: result and
-// sections can never be of two gradings. The line alone is read where no page is made.
+// A file is a line of JSON with the result and the sizes and digest of what follows: the sections. One file, one
+// rename: result and sections can never be of two gradings. The line alone is read where no page is made.
 constexpr const char* format = "umbral-unit";
 constexpr std::size_t largest_file = std::size_t{1} << 30U;
 
@@ -31,7 +31,8 @@ Line parse(const std::string& text, const std::string& where)
     const nlohmann::json json = parse_json(text, where);
     const Field field(json, where);
     field.allow_only({"format", "version", "key", "machine", "student", "instructor", "digest", "unit"});
-    if (field.member("format").any_text(32) != format || field.member("version").integer(1, 1) != 1) field.refuse("a kept result of this version");
+    if (field.member("format").any_text(32) != format || field.member("version").integer(1, 1) != 1)
+        field.refuse("a kept result of this version");
     Line line;
     line.unit.key = field.member("key").any_text(64);
     line.unit.machine = field.member("machine").any_text(64);
@@ -87,7 +88,9 @@ std::optional<UnitSections> kept_sections(const fs::path& file)
     const std::optional<Line> line = stream ? read_line(stream, file) : std::nullopt;
     if (!line) return std::nullopt;
     std::string body(line->student + line->instructor, '\0');
-    if (!stream.read(body.data(), static_cast<std::streamsize>(body.size())) || sha256_hex(std::string_view(body)) != line->digest) return std::nullopt;
+    if (!stream.read(body.data(), static_cast<std::streamsize>(body.size())) ||
+        sha256_hex(std::string_view(body)) != line->digest)
+        return std::nullopt;
     return UnitSections{body.substr(0, line->student), body.substr(line->student)};
 }
 

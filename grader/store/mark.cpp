@@ -45,19 +45,24 @@ std::optional<Mark> read_mark(const fs::path& folder)
         if (fs::is_symlink(fs::symlink_status(file))) throw std::runtime_error(file.string() + ": it is a link");
         const nlohmann::json json = read_json(file);
         const Field field(json, file.string());
-        if (field.member("format").any_text(longest) != format) field.member("format").refuse(fmt::format("\"{}\"", format));
+        if (field.member("format").any_text(longest) != format)
+            field.member("format").refuse(fmt::format("\"{}\"", format));
         (void)field.member("version").integer(1, 1);
-        field.allow_only({"format", "version", "about", "course", "attempt", "secret", "submission", "shown", "reports"});
+        field.allow_only(
+            {"format", "version", "about", "course", "attempt", "secret", "submission", "shown", "reports"});
         Mark mark;
         mark.grading.course = field.member("course").any_text(longest);
-        mark.grading.attempt = static_cast<unsigned>(field.member("attempt").number(0, std::numeric_limits<unsigned>::max()));
+        mark.grading.attempt =
+            static_cast<unsigned>(field.member("attempt").number(0, std::numeric_limits<unsigned>::max()));
         mark.grading.secret = field.member("secret").any_text(longest);
         mark.submission = field.member("submission").any_text(longest);
         mark.shown = field.member("shown").any_text(longest);
         mark.reports = field.member("reports").any_text(longest);
         return mark;
     } catch (const std::exception& error) {
-        throw RefusedFolder(fmt::format("{}; this file should say that Umbral made the folder. Move the folder away, or name another", error.what()));
+        throw RefusedFolder(
+            fmt::format("{}; this file should say that Umbral made the folder. Move the folder away, or name another",
+                        error.what()));
     }
 }
 

@@ -22,8 +22,8 @@ struct Mark {
 /// As JSON, ready to be written.
 [[nodiscard]] std::string to_text(const Mark& mark);
 
-/// The mark in `folder`; nothing if there is none. Throws RefusedFolder if a file of that name is damaged, of a later version, or no
-/// regular file.
+/// The mark in `folder`; nothing if there is none. Throws RefusedFolder if a file of that name is damaged, of a later
+/// version, or no regular file.
 [[nodiscard]] std::optional<Mark> read_mark(const std::filesystem::path& folder);
 
 /// Is there nothing in `folder` but what a run left that was killed before it could set its mark?

@@ -36,7 +36,8 @@ std::vector<fs::path> files_of_units(const fs::path& folder)
     std::vector<fs::path> files;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder / units_name, none))
-        if (const fs::path suffix = entry.path().extension(); suffix == unit_suffix || suffix == fault_suffix) files.push_back(entry.path());
+        if (const fs::path suffix = entry.path().extension(); suffix == unit_suffix || suffix == fault_suffix)
+            files.push_back(entry.path());
     return files;
 }
 
@@ -52,12 +53,15 @@ Mark open_report_folder(const fs::path& folder, const std::string& id)
 {
     make_folder(folder);
     if (!fs::is_directory(fs::symlink_status(folder)))
-        throw RefusedFolder(fmt::format("{}: the reports of {} belong here, but something else is in the way", folder.string(), id));
+        throw RefusedFolder(
+            fmt::format("{}: the reports of {} belong here, but something else is in the way", folder.string(), id));
     std::optional<Mark> mark = read_mark(folder);
     if (!mark && !is_untouched(folder))
-        throw RefusedFolder(fmt::format("{}: the reports of {} belong here, but Umbral did not make this folder", folder.string(), id));
+        throw RefusedFolder(
+            fmt::format("{}: the reports of {} belong here, but Umbral did not make this folder", folder.string(), id));
     if (mark && mark->submission != id)
-        throw RefusedFolder(fmt::format("{}: the reports of {} belong here, but the folder holds those of {}", folder.string(), id, mark->submission));
+        throw RefusedFolder(fmt::format("{}: the reports of {} belong here, but the folder holds those of {}",
+                                        folder.string(), id, mark->submission));
     if (!mark) mark.emplace().submission = id;
     return *std::move(mark);
 }
@@ -72,7 +76,10 @@ void set_mark(const fs::path& folder, const Mark& mark)
 
 fs::path unit_file(const fs::path& folder, const std::string& unit_id) { return file_of(folder, unit_id, unit_suffix); }
 
-fs::path fault_file(const fs::path& folder, const std::string& unit_id) { return file_of(folder, unit_id, fault_suffix); }
+fs::path fault_file(const fs::path& folder, const std::string& unit_id)
+{
+    return file_of(folder, unit_id, fault_suffix);
+}
 
 std::vector<std::string> kept_units(const fs::path& folder)
 {
@@ -101,7 +108,9 @@ void remove_pictures_but(const fs::path& folder, const std::vector<std::string>&
         const fs::path all = folder / pictures_name;
         if (!fs::exists(all)) return;
         for (const auto& entry : fs::directory_iterator(all))
-            if (std::ranges::find(pictures, (fs::path(pictures_name) / entry.path().filename()).string()) == pictures.end()) fs::remove(entry.path());
+            if (std::ranges::find(pictures, (fs::path(pictures_name) / entry.path().filename()).string()) ==
+                pictures.end())
+                fs::remove(entry.path());
         if (fs::is_empty(all)) fs::remove(all);
     } catch (const std::exception&) {  // a picture too many disturbs nobody
     }

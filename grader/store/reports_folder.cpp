@@ -28,21 +28,23 @@ namespace fs = std::filesystem;
 void lock(const Descriptor& mark, const fs::path& folder)
 {
     if (flock(mark.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-    throw RefusedFolder(
-        fmt::format("{}: another `umbral grade` is writing its reports here; wait until it ends, or name another folder with --out", folder.string()));
+    throw RefusedFolder(fmt::format(
+        "{}: another `umbral grade` is writing its reports here; wait until it ends, or name another folder with --out",
+        folder.string()));
 }
 
 bool is_still(const Descriptor& mark, const fs::path& file)
 {
     struct stat open {};
     struct stat named {};
-    return fstat(mark.get(), &open) == 0 && lstat(file.c_str(), &named) == 0 && open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+    return fstat(mark.get(), &open) == 0 && lstat(file.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+           open.st_ino == named.st_ino;
 }
 
 }
 
-// A mark is locked before it gets its name, and replaced by another one that is locked already: whoever opens it finds it locked, and
-// whoever has locked one looks whether it is still the one with the name.
+// A mark is locked before it gets its name, and replaced by another one that is locked already: whoever opens it finds
+// it locked, and whoever has locked one looks whether it is still the one with the name.
 Descriptor ReportsFolder::locked_mark(const Grading& grading, bool replace) const
 {
     const fs::path file = path_ / mark_name;
@@ -60,8 +62,10 @@ Descriptor ReportsFolder::locked_mark(const Grading& grading, bool replace) cons
         if (!mark) fail(file, "cannot create a temporary file beside it");
         lock(mark, path_);
         const std::string text = to_text({.grading = grading});
-        const bool written = write(mark.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) && fsync(mark.get()) == 0;
-        const bool named = written && renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, file.c_str(), replace ? 0 : RENAME_NOREPLACE) == 0;
+        const bool written =
+            write(mark.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) && fsync(mark.get()) == 0;
+        const bool named = written && renameat2(AT_FDCWD, temporary.c_str(), AT_FDCWD, file.c_str(),
+                                                replace ? 0 : RENAME_NOREPLACE) == 0;
         if (named) return mark;
         const int error = errno;
         unlink(temporary.c_str());
@@ -73,15 +77,17 @@ Descriptor ReportsFolder::locked_mark(const Grading& grading, bool replace) cons
 ReportsFolder::ReportsFolder(const fs::path& out, const Grading& grading) : grading_(grading)
 {
     const fs::file_status status = fs::status(out);
-    if (fs::exists(status) && !fs::is_directory(status)) throw RefusedFolder(fmt::format("--out {}: expected a folder, or nothing yet", out.string()));
+    if (fs::exists(status) && !fs::is_directory(status))
+        throw RefusedFolder(fmt::format("--out {}: expected a folder, or nothing yet", out.string()));
     const fs::path parent = fs::absolute(out).lexically_normal();
     fs::create_directories(parent);
     path_ = fs::canonical(out);
     if (!read_mark(path_) && !is_untouched(path_))
-        throw RefusedFolder(fmt::format(
-            "--out {}: the folder holds things that Umbral did not make, and reports must not meet them; name a new or an empty folder (if these are "
-            "reports of a version that set no marks yet, delete it first)",
-            path_.string()));
+        throw RefusedFolder(
+            fmt::format("--out {}: the folder holds things that Umbral did not make, and reports must not meet them; "
+                        "name a new or an empty folder (if these are "
+                        "reports of a version that set no marks yet, delete it first)",
+                        path_.string()));
     lock_ = locked_mark(grading, false);
     if (const std::optional<Mark> mark = read_mark(path_)) grading_ = mark->grading;
     remove_temporaries(path_, mark_name);
@@ -102,7 +108,8 @@ std::vector<std::string> ReportsFolder::submissions() const
         const std::string name = entry.path().filename().string();
         try {
             if (!fs::is_directory(entry.symlink_status())) continue;
-            if (const std::optional<Mark> mark = read_mark(entry.path()); mark && mark->submission == name) ids.push_back(name);
+            if (const std::optional<Mark> mark = read_mark(entry.path()); mark && mark->submission == name)
+                ids.push_back(name);
         } catch (const std::exception&) {  // not ours, then
         }
     }

@@ -21,14 +21,16 @@ bool is_temporary(std::string_view name, std::string_view target)
     if (at == std::string_view::npos || at == 0 || (!target.empty() && name.substr(0, at) != target)) return false;
     const std::string_view numbers = name.substr(at + sign.size());
     const std::size_t dash = numbers.find('-');
-    return dash != std::string_view::npos && all_digits(numbers.substr(0, dash)) && all_digits(numbers.substr(dash + 1));
+    return dash != std::string_view::npos && all_digits(numbers.substr(0, dash)) &&
+           all_digits(numbers.substr(dash + 1));
 }
 
 void remove_temporaries(const fs::path& folder, std::string_view target) noexcept
 {
     try {
         for (const auto& entry : fs::directory_iterator(folder))
-            if (fs::is_regular_file(entry.symlink_status()) && is_temporary(entry.path().filename().string(), target)) fs::remove(entry.path());
+            if (fs::is_regular_file(entry.symlink_status()) && is_temporary(entry.path().filename().string(), target))
+                fs::remove(entry.path());
     } catch (const std::exception&) {  // they disturb nobody
     }
 }

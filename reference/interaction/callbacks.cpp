@@ -1,4 +1,5 @@
-// Based on: the course's event handlers (funciones gestoras de eventos) for GLFW; its drags count from the press, these from the last event.
+// Based on: the course's event handlers (funciones gestoras de eventos) for GLFW; its drags count from the press, these
+// from the last event.
 
 #include <umbral/interaction/callbacks.hpp>
 
@@ -71,7 +72,8 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int mods)
 
 void on_framebuffer_size(GLFWwindow* window, int width, int height)
 {
-    if (width > 0 && height > 0) controls_of(window).commands->viewport(width, height, static_cast<double>(width) / height);
+    if (width > 0 && height > 0)
+        controls_of(window).commands->viewport(width, height, static_cast<double>(width) / height);
 }
 
 }

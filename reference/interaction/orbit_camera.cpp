@@ -11,8 +11,9 @@ namespace {
 
 constexpr double zoom_step = 1.1;
 
-/// Angles are counted in half turns: π does not come in before the matrix, so that a whole number of turns is taken off exactly, however many
-/// there were. Double throughout: a rounding in it is 1e-16 of a half turn, and a session has fewer events than it would take to see them.
+/// Angles are counted in half turns: π does not come in before the matrix, so that a whole number of turns is taken off
+/// exactly, however many there were. Double throughout: a rounding in it is 1e-16 of a half turn, and a session has
+/// fewer events than it would take to see them.
 class ReferenceCamera final : public OrbitCamera {
 public:
     explicit ReferenceCamera(const OrbitCameraSettings& settings)
@@ -77,6 +78,9 @@ private:
 
 }
 
-std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings) { return std::make_unique<ReferenceCamera>(settings); }
+std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings)
+{
+    return std::make_unique<ReferenceCamera>(settings);
+}
 
 }

@@ -6,8 +6,9 @@
 
 #include "wide.hpp"
 
-// Angles summed in 113 bits and never wrapped, the matrix with 64 bits and the other way round: first where the camera stands, then its axes
-// by cross products. So an error of the reference shows in how it counts as well as in how it writes the matrix down.
+// Angles summed in 113 bits and never wrapped, the matrix with 64 bits and the other way round: first where the camera
+// stands, then its axes by cross products. So an error of the reference shows in how it counts as well as in how it
+// writes the matrix down.
 
 namespace umbral::interaction {
 namespace {
@@ -31,7 +32,10 @@ Long radians_of(Wide half_turns)
 
 class OracleCamera final : public OrbitCamera {
 public:
-    explicit OracleCamera(const OrbitCameraSettings& settings) : settings_(settings), height_(settings.viewport_height) { reset(); }
+    explicit OracleCamera(const OrbitCameraSettings& settings) : settings_(settings), height_(settings.viewport_height)
+    {
+        reset();
+    }
 
     void drag(double right, double up) override
     {
@@ -45,7 +49,8 @@ public:
     {
         if (!std::isfinite(steps)) return;
         const Long factor = std::pow(Long(11) / 10, -static_cast<Long>(steps));
-        distance_ = std::clamp(distance_ * factor, static_cast<Long>(settings_.min_distance), static_cast<Long>(settings_.max_distance));
+        distance_ = std::clamp(distance_ * factor, static_cast<Long>(settings_.min_distance),
+                               static_cast<Long>(settings_.max_distance));
     }
 
     void resize(int width, int height) override
@@ -89,6 +94,9 @@ private:
 
 }
 
-std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings) { return std::make_unique<OracleCamera>(settings); }
+std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings)
+{
+    return std::make_unique<OracleCamera>(settings);
+}
 
 }

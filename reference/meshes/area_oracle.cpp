@@ -3,7 +3,8 @@
 
 #include "wide.hpp"
 
-// Cross products and sums with 113 bits, rounded to float once. Lengths are roots with 64 bits or more: sums of squares cancel nothing.
+// Cross products and sums with 113 bits, rounded to float once. Lengths are roots with 64 bits or more: sums of squares
+// cancel nothing.
 
 namespace umbral::meshes {
 namespace {
@@ -31,12 +32,16 @@ Wide wide_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 
 }
 
-float triangle_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) { return static_cast<float>(wide_area(a, b, c)); }
+float triangle_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+{
+    return static_cast<float>(wide_area(a, b, c));
+}
 
 float surface_area(const IndexedMesh& mesh)
 {
     Wide sum = 0;
-    for (const glm::uvec3& t : mesh.triangles) sum += wide_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
+    for (const glm::uvec3& t : mesh.triangles)
+        sum += wide_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
     return static_cast<float>(sum);
 }
 

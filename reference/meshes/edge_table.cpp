@@ -1,5 +1,6 @@
-// Based on: the rows of a sparse matrix, merged with one mark a column. F. Gustavson. Two Fast Algorithms for Sparse Matrices: Multiplication and
-// Permuted Transposition. ACM Transactions on Mathematical Software 4(3), 1978. The second function is the course's hint: a, b or b, a, but not both.
+// Based on: the rows of a sparse matrix, merged with one mark a column. F. Gustavson. Two Fast Algorithms for Sparse
+// Matrices: Multiplication and Permuted Transposition. ACM Transactions on Mathematical Software 4(3), 1978. The second
+// function is the course's hint: a, b or b, a, but not both.
 
 #include <algorithm>
 #include <numeric>
@@ -24,12 +25,14 @@ void for_each_side(const IndexedMesh& mesh, Visit visit)
 
 std::vector<glm::uvec2> edge_table(const IndexedMesh& mesh)
 {
-    // A counting sort of the sides by their smaller vertex: the larger ones of vertex a stand in larger[first[a]] to larger[first[a + 1] - 1].
+    // A counting sort of the sides by their smaller vertex: the larger ones of vertex a stand in larger[first[a]] to
+    // larger[first[a + 1] - 1].
     std::vector<std::size_t> first(mesh.positions.size() + 2, 0);
     for_each_side(mesh, [&](std::uint32_t a, std::uint32_t b) { ++first[std::min(a, b) + 2]; });
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<std::uint32_t> larger(first.back());
-    for_each_side(mesh, [&](std::uint32_t a, std::uint32_t b) { larger[first[std::min(a, b) + 1]++] = std::max(a, b); });
+    for_each_side(mesh,
+                  [&](std::uint32_t a, std::uint32_t b) { larger[first[std::min(a, b) + 1]++] = std::max(a, b); });
 
     // The marks tell in one step whether an edge came before, however many a vertex has.
     const auto count = static_cast<std::uint32_t>(mesh.positions.size());

@@ -1,5 +1,6 @@
-// Based on: L. Euler. Elementa doctrinae solidorum. 1758 (V - E + F = 2); for surfaces with handles and rims: H. Edelsbrunner, J. Harer.
-// Computational Topology. 2010, chapter II. Pieces by disjoint sets: R. Tarjan. Efficiency of a Good But Not Linear Set Union Algorithm. 1975.
+// Based on: L. Euler. Elementa doctrinae solidorum. 1758 (V - E + F = 2); for surfaces with handles and rims: H.
+// Edelsbrunner, J. Harer. Computational Topology. 2010, chapter II. Pieces by disjoint sets: R. Tarjan. Efficiency of a
+// Good But Not Linear Set Union Algorithm. 1975.
 
 #include <algorithm>
 #include <numeric>
@@ -80,14 +81,19 @@ TopologyCounts count_topology(const IndexedMesh& mesh)
 std::optional<int> genus(const IndexedMesh& mesh)
 {
     // Where the winding is coherent and no edge has three faces, no edge is run along twice in one direction.
-    std::unordered_map<std::uint64_t, std::size_t> corner_at;  // the corner (3 times the triangle's place + 0, 1, 2) from which an edge is run along
+    std::unordered_map<std::uint64_t, std::size_t>
+        corner_at;  // the corner (3 times the triangle's place + 0, 1, 2) from which an edge is run along
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (int corner = 0; corner < 3 && is_face(mesh.triangles[i]); ++corner)
-            if (!corner_at.try_emplace(key_of(mesh.triangles[i][corner], mesh.triangles[i][(corner + 1) % 3]), 3 * i + static_cast<std::size_t>(corner)).second)
+            if (!corner_at
+                     .try_emplace(key_of(mesh.triangles[i][corner], mesh.triangles[i][(corner + 1) % 3]),
+                                  3 * i + static_cast<std::size_t>(corner))
+                     .second)
                 return std::nullopt;
     if (corner_at.empty()) return std::nullopt;
 
-    // The corners at a vertex hang together over edges: where every vertex has one such fan, there are as many fans as vertices.
+    // The corners at a vertex hang together over edges: where every vertex has one such fan, there are as many fans as
+    // vertices.
     DisjointSets fans(3 * mesh.triangles.size());
     auto fan_count = static_cast<int>(corner_at.size());
     for (const auto& [edge, corner] : corner_at) {
@@ -108,7 +114,13 @@ std::optional<ElementCounts> sphere_from_vertices(std::int64_t vertices)
     return ElementCounts{vertices, 3 * (vertices - 2), 2 * (vertices - 2)};
 }
 
-std::optional<ElementCounts> sphere_from_edges(std::int64_t edges) { return edges % 3 == 0 ? sphere_from_vertices(edges / 3 + 2) : std::nullopt; }
-std::optional<ElementCounts> sphere_from_faces(std::int64_t faces) { return faces % 2 == 0 ? sphere_from_vertices(faces / 2 + 2) : std::nullopt; }
+std::optional<ElementCounts> sphere_from_edges(std::int64_t edges)
+{
+    return edges % 3 == 0 ? sphere_from_vertices(edges / 3 + 2) : std::nullopt;
+}
+std::optional<ElementCounts> sphere_from_faces(std::int64_t faces)
+{
+    return faces % 2 == 0 ? sphere_from_vertices(faces / 2 + 2) : std::nullopt;
+}
 
 }

@@ -1,5 +1,5 @@
-// Based on: the course's problems 2.1 and 2.2; J. Foley, A. van Dam, S. Feiner, J. Hughes. Computer Graphics: Principles and Practice. 2nd edition, 1990,
-// chapters 11 (meshes) and 12.6 (spatial partitioning).
+// Based on: the course's problems 2.1 and 2.2; J. Foley, A. van Dam, S. Feiner, J. Hughes. Computer Graphics:
+// Principles and Practice. 2nd edition, 1990, chapters 11 (meshes) and 12.6 (spatial partitioning).
 
 #include <cmath>
 #include <numbers>
@@ -22,7 +22,8 @@ IndexedMesh make_grid(std::uint32_t columns, std::uint32_t rows)
     IndexedMesh mesh;
     if (columns == 0 || rows == 0) return mesh;
     for (std::uint32_t row = 0; row <= rows; ++row)
-        for (std::uint32_t column = 0; column <= columns; ++column) mesh.positions.emplace_back(double(column) / columns, double(row) / rows, 0);
+        for (std::uint32_t column = 0; column <= columns; ++column)
+            mesh.positions.emplace_back(double(column) / columns, double(row) / rows, 0);
     for (std::uint32_t row = 0; row < rows; ++row)
         for (std::uint32_t column = 0; column < columns; ++column) {
             const std::uint32_t below = row * (columns + 1) + column;
@@ -59,8 +60,9 @@ IndexedMesh make_sphere(std::uint32_t slices, std::uint32_t stacks)
     return mesh;
 }
 
-// Twice the centre, in voxels, is a whole number, and so is twice the radius: k. No centre lies on the surface, as parity shows: three odd squares
-// leave 3 when divided by 8, an even k² does not; three even squares leave 0 when divided by 4, an odd k² does not.
+// Twice the centre, in voxels, is a whole number, and so is twice the radius: k. No centre lies on the surface, as
+// parity shows: three odd squares leave 3 when divided by 8, an even k² does not; three even squares leave 0 when
+// divided by 4, an odd k² does not.
 bool voxel_is_inside(std::uint32_t k, const glm::uvec3& cell)
 {
     const glm::i64vec3 centre = std::int64_t{2} * glm::i64vec3(cell) + std::int64_t{1} - std::int64_t{k};
@@ -74,7 +76,8 @@ std::vector<std::uint8_t> make_voxel_sphere(std::uint32_t k)
     for (std::uint32_t z = 0; z < k; ++z)
         for (std::uint32_t y = 0; y < k; ++y)
             for (std::uint32_t x = 0; x < k; ++x, ++number)
-                if (voxel_is_inside(k, {x, y, z})) bytes[number / 8] = static_cast<std::uint8_t>(bytes[number / 8] | 1U << number % 8);
+                if (voxel_is_inside(k, {x, y, z}))
+                    bytes[number / 8] = static_cast<std::uint8_t>(bytes[number / 8] | 1U << number % 8);
     return bytes;
 }
 

@@ -4,7 +4,8 @@
 
 #include "wide.hpp"
 
-// Positions with at least 64 bits, rounded to float once; triangles by walking round each vertex's lower left cell; voxels with 113 bits.
+// Positions with at least 64 bits, rounded to float once; triangles by walking round each vertex's lower left cell;
+// voxels with 113 bits.
 
 namespace umbral::meshes {
 namespace {
@@ -34,10 +35,13 @@ IndexedMesh make_sphere(std::uint32_t slices, std::uint32_t stacks)
     if (slices < 3 || stacks < 2) return mesh;
     const std::uint32_t south = slices * (stacks - 1) + 1;
     for (std::uint32_t i = 0; i <= south; ++i) {
-        const long double latitude = i == 0 ? 0 : pi * static_cast<long double>((i - 1) / slices + 1) / static_cast<long double>(stacks);
-        const long double longitude = 2 * pi * static_cast<long double>((i - 1) % slices) / static_cast<long double>(slices);
+        const long double latitude =
+            i == 0 ? 0 : pi * static_cast<long double>((i - 1) / slices + 1) / static_cast<long double>(stacks);
+        const long double longitude =
+            2 * pi * static_cast<long double>((i - 1) % slices) / static_cast<long double>(slices);
         const long double width = i == 0 || i == south ? 0 : std::sin(latitude) / 2;
-        mesh.positions.emplace_back(width * std::sin(longitude), i == south ? static_cast<long double>(-0.5) : std::cos(latitude) / 2,
+        mesh.positions.emplace_back(width * std::sin(longitude),
+                                    i == south ? static_cast<long double>(-0.5) : std::cos(latitude) / 2,
                                     width * std::cos(longitude));
     }
     for (std::uint32_t i = 1; i < south; ++i) {

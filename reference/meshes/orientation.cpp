@@ -1,5 +1,6 @@
-// Based on: the course's definition of 2-manifolds; J. O'Rourke. Computational Geometry in C. 1998 (volume as a sum of signed tetrahedra);
-// B. A. Galler, M. J. Fisher. An Improved Equivalence Algorithm. Communications of the ACM 7, 1964 (groups as trees).
+// Based on: the course's definition of 2-manifolds; J. O'Rourke. Computational Geometry in C. 1998 (volume as a sum of
+// signed tetrahedra); B. A. Galler, M. J. Fisher. An Improved Equivalence Algorithm. Communications of the ACM 7, 1964
+// (groups as trees).
 
 #include <algorithm>
 #include <numeric>
@@ -31,7 +32,8 @@ private:
     std::vector<std::size_t> parents_;
 };
 
-/// One triangle's way along an edge: from its corner `from` to its corner `to`. Corners are counted through: 3 triangle + place.
+/// One triangle's way along an edge: from its corner `from` to its corner `to`. Corners are counted through: 3 triangle
+/// + place.
 struct Side {
     std::uint32_t low, high;
     std::size_t from, to;
@@ -49,18 +51,24 @@ void for_each_edge(const IndexedMesh& mesh, Use use)
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t a = mesh.triangles[i][k];
             const std::uint32_t b = mesh.triangles[i][(k + 1) % 3];
-            sides.push_back({std::min(a, b), std::max(a, b), 3 * i + static_cast<std::size_t>(k), 3 * i + static_cast<std::size_t>((k + 1) % 3)});
+            sides.push_back({std::min(a, b), std::max(a, b), 3 * i + static_cast<std::size_t>(k),
+                             3 * i + static_cast<std::size_t>((k + 1) % 3)});
         }
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
+    std::sort(sides.begin(), sides.end(),
+              [](const Side& a, const Side& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
     for (auto first = sides.begin(); first != sides.end();) {
-        const auto last = std::find_if(first, sides.end(), [&](const Side& side) { return !side.is_same_edge(*first); });
+        const auto last =
+            std::find_if(first, sides.end(), [&](const Side& side) { return !side.is_same_edge(*first); });
         use(std::vector<Side>(first, last));
         first = last;
     }
 }
 
-std::uint32_t vertex_at(const IndexedMesh& mesh, std::size_t corner) { return mesh.triangles[corner / 3][static_cast<int>(corner % 3)]; }
+std::uint32_t vertex_at(const IndexedMesh& mesh, std::size_t corner)
+{
+    return mesh.triangles[corner / 3][static_cast<int>(corner % 3)];
+}
 
 /// Joins the corners of two triangles at the ends of the edge that they share.
 void join_ends(Groups& corners, const IndexedMesh& mesh, const Side& a, const Side& b)
@@ -94,7 +102,8 @@ ManifoldFaults manifold_faults(const IndexedMesh& mesh)
 
 std::optional<std::vector<glm::uvec3>> coherent_triangles(const IndexedMesh& mesh)
 {
-    // Each triangle is two items: as it is (2i), and turned over (2i + 1). Neighbours that agree join like with like, others crosswise.
+    // Each triangle is two items: as it is (2i), and turned over (2i + 1). Neighbours that agree join like with like,
+    // others crosswise.
     const std::size_t count = mesh.triangles.size();
     Groups windings(2 * count);
     for_each_edge(mesh, [&](const std::vector<Side>& sides) {
@@ -125,7 +134,8 @@ std::vector<glm::uvec3> outward_triangles(const IndexedMesh& mesh)
         pieces.join(sides[0].triangle(), sides[1].triangle());
         for (const Side& side : sides) ++neighbours[side.triangle()];
     });
-    // Seen from a vertex of the piece itself, corners are near: differences of floats are exact in double, and nothing large cancels.
+    // Seen from a vertex of the piece itself, corners are near: differences of floats are exact in double, and nothing
+    // large cancels.
     std::vector<double> volumes(count, 0);
     std::vector<char> is_open(count, 0);
     for (std::size_t i = 0; i < count; ++i) {
@@ -145,8 +155,8 @@ std::vector<glm::uvec3> outward_triangles(const IndexedMesh& mesh)
 
 IndexedMesh separated(const IndexedMesh& mesh)
 {
-    // Only edges of two triangles hold a group together. So a group at a vertex is a fan or a ring; of an edge's triangles it holds two at most, and
-    // all edges become regular.
+    // Only edges of two triangles hold a group together. So a group at a vertex is a fan or a ring; of an edge's
+    // triangles it holds two at most, and all edges become regular.
     Groups corners(3 * mesh.triangles.size());
     for_each_edge(mesh, [&](const std::vector<Side>& sides) {
         if (sides.size() == 2) join_ends(corners, mesh, sides[0], sides[1]);

@@ -56,11 +56,15 @@ bool is_in_range(double value, PlyType type)
 {
     const int bits = 8 << (static_cast<int>(type) / 2);
     if (type >= PlyType::float32) return true;
-    return static_cast<int>(type) % 2 == 0 ? std::abs(value + 0.5) < std::ldexp(1.0, bits - 1) : value >= 0 && value < std::ldexp(1.0, bits);
+    return static_cast<int>(type) % 2 == 0 ? std::abs(value + 0.5) < std::ldexp(1.0, bits - 1)
+                                           : value >= 0 && value < std::ldexp(1.0, bits);
 }
 
 /// Whether bytes must change their order.
-bool is_foreign(PlyFormat format) { return (format == PlyFormat::little_endian) != (std::endian::native == std::endian::little); }
+bool is_foreign(PlyFormat format)
+{
+    return (format == PlyFormat::little_endian) != (std::endian::native == std::endian::little);
+}
 
 /// The file, read from its beginning to its end: lines of words, and from where it is binary, bytes.
 class File {
@@ -103,7 +107,8 @@ public:
     void end_data()
     {
         if (binary_) place_ = next_;
-        if (binary_ ? next_ < text_.size() : next_line_with_words()) refuse(PlyProblem::left_over, "the end of the file: its header promises no more");
+        if (binary_ ? next_ < text_.size() : next_line_with_words())
+            refuse(PlyProblem::left_over, "the end of the file: its header promises no more");
     }
 
     [[noreturn]] void refuse(PlyProblem problem, const char* expected, std::string_view got = {}) const
@@ -125,7 +130,9 @@ private:
     {
         const std::string_view text = word();
         if (text.empty()) refuse(PlyProblem::line_length, "more numbers", line_);
-        const auto number = type == PlyType::float32 ? parsed<float>(text) : type == PlyType::float64 ? parsed<double>(text) : parsed<std::int64_t>(text);
+        const auto number = type == PlyType::float32   ? parsed<float>(text)
+                            : type == PlyType::float64 ? parsed<double>(text)
+                                                       : parsed<std::int64_t>(text);
         if (!number || !is_in_range(*number, type)) refuse(PlyProblem::number, "a number of the property's type", text);
         return *number;
     }
@@ -169,7 +176,8 @@ void assign_roles(Header& header, const File& file)
         }
     }
     if (coordinates < 3) file.refuse(PlyProblem::missing_property, "an element 'vertex' with properties x, y and z");
-    if (!has_corners) file.refuse(PlyProblem::missing_property, "a list 'vertex_index' or 'vertex_indices' of the element 'face'");
+    if (!has_corners)
+        file.refuse(PlyProblem::missing_property, "a list 'vertex_index' or 'vertex_indices' of the element 'face'");
 }
 
 Header read_header(File& file)
@@ -179,14 +187,16 @@ Header read_header(File& file)
     const auto require = [&](bool holds, const char* expected) {
         if (!holds) file.refuse(PlyProblem::header, expected, file.line());
     };
-    if (!file.next_line() || file.word() != "ply" || !file.word().empty()) file.refuse(PlyProblem::not_ply, "'ply'", file.line());
+    if (!file.next_line() || file.word() != "ply" || !file.word().empty())
+        file.refuse(PlyProblem::not_ply, "'ply'", file.line());
     for (std::string_view keyword; keyword != "end_header";) {
         require(file.next_line(), "'end_header' before the file ends");
         keyword = file.word();
         if (keyword == "comment" || keyword == "obj_info") continue;
         if (keyword == "format") {
             const auto place = std::find(format_names, format_names + 3, file.word()) - format_names;
-            require(place < 3 && file.word() == "1.0" && !header.format, "once 'format ascii 1.0', or binary_little_endian, or binary_big_endian");
+            require(place < 3 && file.word() == "1.0" && !header.format,
+                    "once 'format ascii 1.0', or binary_little_endian, or binary_big_endian");
             header.format = static_cast<PlyFormat>(place);
         } else if (keyword == "element") {
             const std::string_view name = file.word();
@@ -201,7 +211,8 @@ Header read_header(File& file)
             const auto type = ply_type(is_list ? file.word() : word);
             word = file.word();
             require(!header.elements.empty(), "an element before its properties");
-            require(type && is_list == length_type.has_value() && !(length_type >= PlyType::float32) && !word.empty() && properties.insert(word).second,
+            require(type && is_list == length_type.has_value() && !(length_type >= PlyType::float32) && !word.empty() &&
+                        properties.insert(word).second,
                     "'property', a type and a new name, or 'property list', an integer type, a type and a new name");
             header.elements.back().properties.push_back({word, *type, length_type});
         } else {
@@ -259,7 +270,8 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
     const Header header = read_header(file);
     PolygonMesh mesh;
     for (const Element& element : header.elements) {
-        // Without properties an element takes no room, and there may be any number. All others take a byte at least: the file's end ends the loop.
+        // Without properties an element takes no room, and there may be any number. All others take a byte at least:
+        // the file's end ends the loop.
         const double count = element.properties.empty() ? 0 : element.count;
         for (double i = 0; i < count; ++i) {
             std::array<float, 5> by_role{};
@@ -280,16 +292,19 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
 
 std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
 {
-    const bool is_short = std::all_of(mesh.faces.begin(), mesh.faces.end(), [](const auto& face) { return face.size() < 256; });
+    const bool is_short =
+        std::all_of(mesh.faces.begin(), mesh.faces.end(), [](const auto& face) { return face.size() < 256; });
     Writer writer{format, "ply\nformat " + std::string(format_names[static_cast<int>(format)]) + " 1.0\n"};
-    writer.file += "element vertex " + std::to_string(mesh.positions.size()) + "\nproperty float x\nproperty float y\nproperty float z\n";
-    writer.file +=
-        "element face " + std::to_string(mesh.faces.size()) + "\nproperty list " + (is_short ? "uchar" : "uint") + " uint vertex_indices\nend_header\n";
+    writer.file += "element vertex " + std::to_string(mesh.positions.size()) +
+                   "\nproperty float x\nproperty float y\nproperty float z\n";
+    writer.file += "element face " + std::to_string(mesh.faces.size()) + "\nproperty list " +
+                   (is_short ? "uchar" : "uint") + " uint vertex_indices\nend_header\n";
     for (const glm::vec3& position : mesh.positions)
         for (int axis = 0; axis < 3; ++axis) writer.put(position[axis], axis < 2 ? ' ' : '\n');
     for (const std::vector<std::uint32_t>& face : mesh.faces) {
         const auto after = [&](std::size_t numbers) { return numbers < face.size() ? ' ' : '\n'; };
-        is_short ? writer.put(static_cast<std::uint8_t>(face.size()), after(0)) : writer.put(static_cast<std::uint32_t>(face.size()), after(0));
+        is_short ? writer.put(static_cast<std::uint8_t>(face.size()), after(0))
+                 : writer.put(static_cast<std::uint32_t>(face.size()), after(0));
         for (std::size_t i = 0; i < face.size(); ++i) writer.put(face[i], after(i + 1));
     }
     return std::move(writer.file);

@@ -1,4 +1,5 @@
-// Based on: the course's problems 2.1 to 2.3. The formulas are counts; none of them is rounded but for the last byte of the voxels.
+// Based on: the course's problems 2.1 to 2.3. The formulas are counts; none of them is rounded but for the last byte of
+// the voxels.
 
 #include <umbral/meshes/sizes.hpp>
 
@@ -12,14 +13,15 @@ std::uint64_t sphere_mesh_bytes(std::uint64_t k, const EntryBytes& bytes)
     return bytes.vertex * k * k + 3 * bytes.index * triangles;
 }
 
-// With S = vertex + 6 index the mesh takes S k² - 6 index k bytes. At k = 8S the voxels take S k²: more, by 6 index k. At k = 8S - 1 they take
-// less, by (8S - 1)(vertex - 1/8), and the smaller k is, the more they are behind.
+// With S = vertex + 6 index the mesh takes S k² - 6 index k bytes. At k = 8S the voxels take S k²: more, by 6 index k.
+// At k = 8S - 1 they take less, by (8S - 1)(vertex - 1/8), and the smaller k is, the more they are behind.
 std::uint64_t crossover_resolution(const EntryBytes& bytes) { return 8 * (bytes.vertex + 6 * bytes.index); }
 
 GridCounts grid_counts(std::uint64_t columns, std::uint64_t rows)
 {
     const std::uint64_t cells = columns * rows;
-    // Each cell has a diagonal, a left and a lower side of its own; the last column and the last row add their outer sides.
+    // Each cell has a diagonal, a left and a lower side of its own; the last column and the last row add their outer
+    // sides.
     return {(columns + 1) * (rows + 1), 3 * cells + columns + rows, 2 * cells};
 }
 

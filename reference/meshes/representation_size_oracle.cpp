@@ -2,7 +2,8 @@
 
 #include "wide.hpp"
 
-// The formulas multiplied out, with 113 bits, in which every number of 64 bits and every sum of them is exact; the crossover by halving an interval.
+// The formulas multiplied out, with 113 bits, in which every number of 64 bits and every sum of them is exact; the
+// crossover by halving an interval.
 //
 
 namespace umbral::meshes {
@@ -50,8 +51,8 @@ GridBytes grid_bytes(std::uint64_t columns, std::uint64_t rows, const EntryBytes
     const Wide v(bytes.vertex);
     const Wide i(bytes.index);
     const Wide table = i + m * Wide(bytes.pointer);
-    return {whole(6 * v * n * m), whole((v + 6 * i) * n * m + v * (n + m + 1)), whole(2 * v * n * m + 2 * v * m + table),
-            whole((v + 2 * i) * n * m + v * (n + m + 1) + 2 * i * m + table)};
+    return {whole(6 * v * n * m), whole((v + 6 * i) * n * m + v * (n + m + 1)),
+            whole(2 * v * n * m + 2 * v * m + table), whole((v + 2 * i) * n * m + v * (n + m + 1) + 2 * i * m + table)};
 }
 
 GridWork grid_work(std::uint64_t columns, std::uint64_t rows)

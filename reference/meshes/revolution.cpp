@@ -46,7 +46,8 @@ std::vector<double> lengths_to(std::span<const glm::vec2> profile)
         const glm::dvec2 step = glm::dvec2(profile[j]) - glm::dvec2(profile[j - 1]);
         lengths.push_back(lengths.back() + std::hypot(step.x, step.y));
     }
-    if (!(lengths.back() > 0)) throw std::invalid_argument("revolve: expected a profile of some length, all its points coincide");
+    if (!(lengths.back() > 0))
+        throw std::invalid_argument("revolve: expected a profile of some length, all its points coincide");
     return lengths;
 }
 
@@ -74,7 +75,10 @@ std::vector<glm::dvec2> profile_normals(std::span<const glm::vec2> profile)
     return normals;
 }
 
-glm::vec3 turned(const glm::dvec2& v, const glm::dvec2& direction) { return {v.x * direction.x, v.y, -v.x * direction.y}; }
+glm::vec3 turned(const glm::dvec2& v, const glm::dvec2& direction)
+{
+    return {v.x * direction.x, v.y, -v.x * direction.y};
+}
 
 }
 

@@ -4,8 +4,9 @@
 
 #include "wide.hpp"
 
-// The definition with 64 bits and more, rounded to float once. Cosine and sine of a fraction of a turn come from the series of the angle in its octant,
-// in __float128; where the compiler has none (arm64), long double is as wide. Square roots by one step of Newton from long double.
+// The definition with 64 bits and more, rounded to float once. Cosine and sine of a fraction of a turn come from the
+// series of the angle in its octant, in __float128; where the compiler has none (arm64), long double is as wide. Square
+// roots by one step of Newton from long double.
 
 namespace umbral::meshes {
 namespace {
@@ -15,7 +16,11 @@ struct WideVector {
 };
 
 /// π with 113 bits, as the sum of two long doubles.
-Wide pi() { return Wide(3.14159265358979323851280895940618620443274267017841339111328125L) - Wide(5.01655761266833202355732708033075701383156167e-20L); }
+Wide pi()
+{
+    return Wide(3.14159265358979323851280895940618620443274267017841339111328125L) -
+           Wide(5.01655761266833202355732708033075701383156167e-20L);
+}
 
 /// Cosine and sine of an angle of at most π/4.
 WideVector small_direction(Wide angle)
@@ -40,15 +45,18 @@ WideVector direction(std::uint64_t i, std::uint64_t n)
         return {other.y, other.x};
     }
     if (2 * i <= n) {
-        const WideVector other =
-            small_direction(8 * i <= 3 * n ? 2 * pi() * (Wide(4 * i) - Wide(n)) / Wide(4 * n) : 2 * pi() * (Wide(n) - Wide(2 * i)) / Wide(2 * n));
+        const WideVector other = small_direction(8 * i <= 3 * n ? 2 * pi() * (Wide(4 * i) - Wide(n)) / Wide(4 * n)
+                                                                : 2 * pi() * (Wide(n) - Wide(2 * i)) / Wide(2 * n));
         return 8 * i <= 3 * n ? WideVector{-other.y, other.x} : WideVector{-other.x, other.y};
     }
     const WideVector other = direction(n - i, n);
     return {other.x, -other.y};
 }
 
-WideVector stretch(const glm::vec2& from, const glm::vec2& to) { return {Wide(to.x) - Wide(from.x), Wide(to.y) - Wide(from.y)}; }
+WideVector stretch(const glm::vec2& from, const glm::vec2& to)
+{
+    return {Wide(to.x) - Wide(from.x), Wide(to.y) - Wide(from.y)};
+}
 Wide length(const WideVector& v)
 {
     const Wide square = v.x * v.x + v.y * v.y;
@@ -80,7 +88,8 @@ TexturedMesh revolve(std::span<const glm::vec2> profile, std::uint32_t copies)
     if (profile.size() < 2 || copies < 4) throw std::invalid_argument("too few");
     std::vector<Wide> lengths{0};
     for (std::size_t j = 0; j < profile.size(); ++j) {
-        if (!std::isfinite(profile[j].x) || !std::isfinite(profile[j].y) || profile[j].x < 0) throw std::invalid_argument("not a profile");
+        if (!std::isfinite(profile[j].x) || !std::isfinite(profile[j].y) || profile[j].x < 0)
+            throw std::invalid_argument("not a profile");
         if (j > 0) lengths.push_back(lengths.back() + length(stretch(profile[j - 1], profile[j])));
     }
     if (!(lengths.back() > 0)) throw std::invalid_argument("no length");
@@ -93,7 +102,8 @@ TexturedMesh revolve(std::span<const glm::vec2> profile, std::uint32_t copies)
         for (std::size_t j = 0; j < profile.size(); ++j) {
             result.mesh.positions.push_back(turned({profile[j].x, profile[j].y}, towards));
             result.normals.push_back(turned(normals[j], towards));
-            result.texture_coordinates.emplace_back(static_cast<float>(Wide(i) / Wide(copies - 1)), static_cast<float>(lengths[j] / lengths.back()));
+            result.texture_coordinates.emplace_back(static_cast<float>(Wide(i) / Wide(copies - 1)),
+                                                    static_cast<float>(lengths[j] / lengths.back()));
         }
     }
     const auto count = static_cast<std::uint32_t>(profile.size());

@@ -1,5 +1,6 @@
-// Based on: K. Akeley, P. Haeberli, D. Burns. tomesh.c, Silicon Graphics, 1990 (greedy strips); F. Evans, S. Skiena, A. Varshney. Optimizing Triangle Strips for Fast
-// Rendering. Visualization 1996. Parity and degenerate triangles as the OpenGL 4.6 specification has them, section 10.1.
+// Based on: K. Akeley, P. Haeberli, D. Burns. tomesh.c, Silicon Graphics, 1990 (greedy strips); F. Evans, S. Skiena, A.
+// Varshney. Optimizing Triangle Strips for Fast Rendering. Visualization 1996. Parity and degenerate triangles as the
+// OpenGL 4.6 specification has them, section 10.1.
 
 #include <umbral/meshes/strips.hpp>
 #include <unordered_map>
@@ -19,11 +20,13 @@ struct Trail {
 
 class StripMaker {
 public:
-    explicit StripMaker(const IndexedMesh& mesh) : mesh_(mesh), is_taken_(mesh.triangles.size(), false), seen_by_(mesh.triangles.size(), 0)
+    explicit StripMaker(const IndexedMesh& mesh)
+        : mesh_(mesh), is_taken_(mesh.triangles.size(), false), seen_by_(mesh.triangles.size(), 0)
     {
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
             for (int corner = 0; corner < 3; ++corner)
-                corner_at_.try_emplace(key_of(mesh.triangles[i][corner], mesh.triangles[i][(corner + 1) % 3]), 3 * i + static_cast<std::size_t>(corner));
+                corner_at_.try_emplace(key_of(mesh.triangles[i][corner], mesh.triangles[i][(corner + 1) % 3]),
+                                       3 * i + static_cast<std::size_t>(corner));
     }
 
     std::vector<Strip> all()
@@ -43,7 +46,8 @@ public:
     }
 
 private:
-    // Goes on over the edge that the next triangle of the strip must have: from the last but one index to the last one before an even triangle, the other way before an odd one.
+    // Goes on over the edge that the next triangle of the strip must have: from the last but one index to the last one
+    // before an even triangle, the other way before an odd one.
     Trail trail_from(std::size_t start, int first)
     {
         ++trail_count_;

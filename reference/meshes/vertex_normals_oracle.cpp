@@ -3,8 +3,8 @@
 
 #include "wide.hpp"
 
-// The definition with 113 bits, rounded to float once: sums, products and normals alike. Each vertex collects the normals of its triangles
-// from a list, instead of triangles giving theirs away: another way to the same sums.
+// The definition with 113 bits, rounded to float once: sums, products and normals alike. Each vertex collects the
+// normals of its triangles from a list, instead of triangles giving theirs away: another way to the same sums.
 
 namespace umbral::meshes {
 namespace {
@@ -18,7 +18,10 @@ WideVector operator+(const WideVector& a, const WideVector& b) { return {a.x + b
 WideVector operator-(const WideVector& a, const WideVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 WideVector operator/(const WideVector& v, Wide divisor) { return {v.x / divisor, v.y / divisor, v.z / divisor}; }
 Wide dot(const WideVector& a, const WideVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-glm::vec3 rounded(const WideVector& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+glm::vec3 rounded(const WideVector& v)
+{
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
 
 // Squares of lengths of floats' cross products lie between 1e-180 and 1e155.
 Wide length(const WideVector& v)
@@ -42,7 +45,8 @@ WideVector unit_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& 
 std::vector<WideVector> wide_normals(const IndexedMesh& mesh)
 {
     std::vector<WideVector> normals;
-    for (const glm::uvec3& t : mesh.triangles) normals.push_back(unit_normal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+    for (const glm::uvec3& t : mesh.triangles)
+        normals.push_back(unit_normal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
     return normals;
 }
 

@@ -1,5 +1,6 @@
-// Based on: hashing of positions, as in M. Teschner, B. Heidelberger, M. Müller, D. Pomeranets, M. Gross. Optimized Spatial Hashing for Collision Detection of
-// Deformable Objects. Vision, Modeling, Visualization 2003; the mixing by Fibonacci's constant: D. Knuth. The Art of Computer Programming 3, 6.4.
+// Based on: hashing of positions, as in M. Teschner, B. Heidelberger, M. Müller, D. Pomeranets, M. Gross. Optimized
+// Spatial Hashing for Collision Detection of Deformable Objects. Vision, Modeling, Visualization 2003; the mixing by
+// Fibonacci's constant: D. Knuth. The Art of Computer Programming 3, 6.4.
 
 #include <array>
 #include <bit>
@@ -15,7 +16,8 @@ using Place = std::array<std::uint32_t, 3>;
 // Adding +0 makes -0 a +0, and changes no other number: equal numbers have equal bits.
 Place place_of(const glm::vec3& p)
 {
-    return {std::bit_cast<std::uint32_t>(p.x + 0.0F), std::bit_cast<std::uint32_t>(p.y + 0.0F), std::bit_cast<std::uint32_t>(p.z + 0.0F)};
+    return {std::bit_cast<std::uint32_t>(p.x + 0.0F), std::bit_cast<std::uint32_t>(p.y + 0.0F),
+            std::bit_cast<std::uint32_t>(p.z + 0.0F)};
 }
 
 // Each word is mixed before the next one comes, so that x, y and z cannot cancel each other.
@@ -57,7 +59,8 @@ std::vector<glm::vec3> isolated_triangles(const IndexedMesh& mesh)
 {
     std::vector<glm::vec3> corners;
     corners.reserve(3 * mesh.triangles.size());
-    for (const glm::uvec3& t : mesh.triangles) corners.insert(corners.end(), {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]});
+    for (const glm::uvec3& t : mesh.triangles)
+        corners.insert(corners.end(), {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]});
     return corners;
 }
 

@@ -1,5 +1,5 @@
-// Based on: B. G. Baumgart. Winged Edge Polyhedron Representation. Stanford University, CS-320, 1972. The edges are matched by a radix sort:
-// D. E. Knuth. The Art of Computer Programming, volume 3, section 5.2.5, 1973.
+// Based on: B. G. Baumgart. Winged Edge Polyhedron Representation. Stanford University, CS-320, 1972. The edges are
+// matched by a radix sort: D. E. Knuth. The Art of Computer Programming, volume 3, section 5.2.5, 1973.
 
 #include <algorithm>
 #include <limits>
@@ -22,7 +22,8 @@ struct Side {
     [[nodiscard]] std::uint32_t high() const { return std::max(from, to); }
 };
 
-bool is_face(const std::vector<std::uint32_t>& face, std::uint32_t number, std::size_t vertices, std::vector<std::uint32_t>& last_face)
+bool is_face(const std::vector<std::uint32_t>& face, std::uint32_t number, std::size_t vertices,
+             std::vector<std::uint32_t>& last_face)
 {
     if (face.size() < 3) return false;
     for (const std::uint32_t corner : face) {
@@ -40,7 +41,8 @@ std::vector<Side> sides_of(const PolygonMesh& mesh)
         const std::size_t first = sides.size();
         const std::size_t count = face.size();
         for (std::size_t i = 0; i < count; ++i)
-            sides.push_back({number, face[i], face[(i + 1) % count], first + (i + count - 1) % count, first + (i + 1) % count});
+            sides.push_back(
+                {number, face[i], face[(i + 1) % count], first + (i + count - 1) % count, first + (i + 1) % count});
     }
     return sides;
 }
@@ -64,7 +66,8 @@ std::variant<WingedMesh, NotWinged> winged_edges(const PolygonMesh& mesh)
     const std::size_t vertices = mesh.positions.size();
     std::vector<std::uint32_t> last_face(vertices, none);
     for (std::uint32_t number = 0; number < mesh.faces.size(); ++number)
-        if (!is_face(mesh.faces[number], number, vertices, last_face)) return NotWinged{WingedFault::face, number, number};
+        if (!is_face(mesh.faces[number], number, vertices, last_face))
+            return NotWinged{WingedFault::face, number, number};
 
     // Sides of the same edge come to lie beside each other, in the order of (start, end).
     std::vector<Side> sides = sides_of(mesh);
@@ -72,7 +75,9 @@ std::variant<WingedMesh, NotWinged> winged_edges(const PolygonMesh& mesh)
     std::iota(order.begin(), order.end(), 0);
     order = sorted(order, vertices, [&](std::size_t i) { return sides[i].high(); });
     order = sorted(order, vertices, [&](std::size_t i) { return sides[i].low(); });
-    const auto is_same = [&](std::size_t i, std::size_t j) { return sides[i].low() == sides[j].low() && sides[i].high() == sides[j].high(); };
+    const auto is_same = [&](std::size_t i, std::size_t j) {
+        return sides[i].low() == sides[j].low() && sides[i].high() == sides[j].high();
+    };
 
     std::optional<NotWinged> fault;
     const auto find = [&](WingedFault what, std::uint32_t a, std::uint32_t b) {
@@ -80,11 +85,13 @@ std::variant<WingedMesh, NotWinged> winged_edges(const PolygonMesh& mesh)
     };
     WingedMesh result;
     for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-        while (last < order.size() && is_same(order[first], order[last])) sides[order[last++]].edge = static_cast<std::uint32_t>(result.edges.size());
+        while (last < order.size() && is_same(order[first], order[last]))
+            sides[order[last++]].edge = static_cast<std::uint32_t>(result.edges.size());
         const Side& side = sides[order[first]];
         if (last - first > 2) find(WingedFault::crowded_edge, side.low(), side.high());
         if (last - first == 1) find(WingedFault::open_edge, side.low(), side.high());
-        if (last - first == 2 && side.from == sides[order[first + 1]].from) find(WingedFault::incoherent_edge, side.low(), side.high());
+        if (last - first == 2 && side.from == sides[order[first + 1]].from)
+            find(WingedFault::incoherent_edge, side.low(), side.high());
         result.edges.push_back({side.low(), side.high(), 0, 0, 0, 0, 0, 0});
     }
     for (std::uint32_t vertex = 0; vertex < vertices; ++vertex)
@@ -107,7 +114,8 @@ std::variant<WingedMesh, NotWinged> winged_edges(const PolygonMesh& mesh)
         ++degrees[side.from];
     }
     for (std::uint32_t vertex = 0; vertex < vertices; ++vertex)
-        if (edges_round_vertex(result, vertex).size() < degrees[vertex]) return NotWinged{WingedFault::pinched_vertex, vertex, vertex};
+        if (edges_round_vertex(result, vertex).size() < degrees[vertex])
+            return NotWinged{WingedFault::pinched_vertex, vertex, vertex};
     return result;
 }
 
@@ -126,14 +134,16 @@ std::vector<std::uint32_t> edges_round_face(const WingedMesh& mesh, std::uint32_
 std::vector<std::uint32_t> vertices_round_face(const WingedMesh& mesh, std::uint32_t face)
 {
     std::vector<std::uint32_t> list = edges_round_face(mesh, face);
-    for (std::uint32_t& item : list) item = mesh.edges[item].left == face ? mesh.edges[item].start : mesh.edges[item].end;
+    for (std::uint32_t& item : list)
+        item = mesh.edges[item].left == face ? mesh.edges[item].start : mesh.edges[item].end;
     return list;
 }
 
 std::vector<std::uint32_t> faces_round_face(const WingedMesh& mesh, std::uint32_t face)
 {
     std::vector<std::uint32_t> list = edges_round_face(mesh, face);
-    for (std::uint32_t& item : list) item = mesh.edges[item].left == face ? mesh.edges[item].right : mesh.edges[item].left;
+    for (std::uint32_t& item : list)
+        item = mesh.edges[item].left == face ? mesh.edges[item].right : mesh.edges[item].left;
     return list;
 }
 
@@ -153,14 +163,16 @@ std::vector<std::uint32_t> edges_round_vertex(const WingedMesh& mesh, std::uint3
 std::vector<std::uint32_t> vertices_round_vertex(const WingedMesh& mesh, std::uint32_t vertex)
 {
     std::vector<std::uint32_t> list = edges_round_vertex(mesh, vertex);
-    for (std::uint32_t& item : list) item = mesh.edges[item].start == vertex ? mesh.edges[item].end : mesh.edges[item].start;
+    for (std::uint32_t& item : list)
+        item = mesh.edges[item].start == vertex ? mesh.edges[item].end : mesh.edges[item].start;
     return list;
 }
 
 std::vector<std::uint32_t> faces_round_vertex(const WingedMesh& mesh, std::uint32_t vertex)
 {
     std::vector<std::uint32_t> list = edges_round_vertex(mesh, vertex);
-    for (std::uint32_t& item : list) item = mesh.edges[item].start == vertex ? mesh.edges[item].left : mesh.edges[item].right;
+    for (std::uint32_t& item : list)
+        item = mesh.edges[item].start == vertex ? mesh.edges[item].left : mesh.edges[item].right;
     return list;
 }
 

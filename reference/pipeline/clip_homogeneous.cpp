@@ -1,4 +1,5 @@
-// Based on: I. Sutherland, G. Hodgman. Reentrant Polygon Clipping. 1974. J. Blinn, M. Newell. Clipping Using Homogeneous Coordinates. 1978.
+// Based on: I. Sutherland, G. Hodgman. Reentrant Polygon Clipping. 1974. J. Blinn, M. Newell. Clipping Using
+// Homogeneous Coordinates. 1978.
 
 #include <cmath>
 #include <umbral/pipeline/clip.hpp>
@@ -20,20 +21,26 @@ struct Plane {
 constexpr std::array<Plane, 6> planes = {Plane{0, -1}, {0, 1}, {1, -1}, {1, 1}, {2, -1}, {2, 1}};
 
 // Positive inside, and linear: where it is 0 a side crosses the plane.
-double distance(const Corner& corner, const Plane& plane) { return corner.position.w - plane.sign * corner.position[plane.axis]; }
+double distance(const Corner& corner, const Plane& plane)
+{
+    return corner.position.w - plane.sign * corner.position[plane.axis];
+}
 
 // Always computed from the inner end to the outer one: both triangles at a side get the same bits.
-Corner crossing(const Corner& inner, double inner_distance, const Corner& outer, double outer_distance, const Plane& plane)
+Corner crossing(const Corner& inner, double inner_distance, const Corner& outer, double outer_distance,
+                const Plane& plane)
 {
     const double span = inner_distance - outer_distance;
     const double to_outer = inner_distance / span;
     const double to_inner = -outer_distance / span;
-    Corner corner{to_inner * inner.position + to_outer * outer.position, to_inner * inner.weights + to_outer * outer.weights};
+    Corner corner{to_inner * inner.position + to_outer * outer.position,
+                  to_inner * inner.weights + to_outer * outer.weights};
     corner.position[plane.axis] = plane.sign * corner.position.w;
     return corner;
 }
 
-// At most one corner more than it was for each plane; rounding may make a sliver not quite convex, and there is room for that.
+// At most one corner more than it was for each plane; rounding may make a sliver not quite convex, and there is room
+// for that.
 struct Polygon {
     std::array<Corner, 16> corners;
     std::size_t size = 0;

@@ -3,8 +3,8 @@
 
 #include "wide.hpp"
 
-// Corners as weights with 113 bits; the distances to all six planes are linear in them. Positions are made from weights at the end, and
-// everything is rounded to float once.
+// Corners as weights with 113 bits; the distances to all six planes are linear in them. Positions are made from weights
+// at the end, and everything is rounded to float once.
 
 namespace umbral::pipeline {
 namespace {
@@ -43,7 +43,8 @@ std::vector<Point> clipped(const std::array<glm::vec4, 3>& triangle, const std::
         if (at_a >= 0) result.push_back(a);
         if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) {
             Point between{{}, (a.on & b.on) | (1U << plane)};
-            for (std::size_t k = 0; k < 3; ++k) between.weights[k] = (at_a * b.weights[k] - at_b * a.weights[k]) / (at_a - at_b);
+            for (std::size_t k = 0; k < 3; ++k)
+                between.weights[k] = (at_a * b.weights[k] - at_b * a.weights[k]) / (at_a - at_b);
             result.push_back(between);
         }
     }

@@ -1,4 +1,5 @@
-// Based on: D. Cohen, I. Sutherland, in: W. Newman, R. Sproull. Principles of Interactive Computer Graphics. 2nd edition, 1979.
+// Based on: D. Cohen, I. Sutherland, in: W. Newman, R. Sproull. Principles of Interactive Computer Graphics. 2nd
+// edition, 1979.
 
 #include <umbral/pipeline/clip_line.hpp>
 
@@ -17,8 +18,8 @@ unsigned code_of(const ClipWindow& window, const glm::dvec2& point)
     return code;
 }
 
-// Where the line through two points has this coordinate on this axis. Whole, it is the same for both directions, and nothing is
-// subtracted from a far end: products of floats are exact in double.
+// Where the line through two points has this coordinate on this axis. Whole, it is the same for both directions, and
+// nothing is subtracted from a far end: products of floats are exact in double.
 glm::dvec2 crossing(const glm::dvec2& a, const glm::dvec2& b, int axis, double border)
 {
     const int other = 1 - axis;
@@ -31,7 +32,8 @@ glm::dvec2 crossing(const glm::dvec2& a, const glm::dvec2& b, int axis, double b
 // The point where the line enters the first half-plane, of those in the code, that the outer end is not in.
 glm::dvec2 cut(const ClipWindow& window, const glm::dvec2& a, const glm::dvec2& b, unsigned code)
 {
-    if ((code & (left | right)) != 0) return crossing(a, b, 0, double{(code & left) != 0 ? window.low.x : window.high.x});
+    if ((code & (left | right)) != 0)
+        return crossing(a, b, 0, double{(code & left) != 0 ? window.low.x : window.high.x});
     return crossing(a, b, 1, double{(code & below) != 0 ? window.low.y : window.high.y});
 }
 
@@ -51,7 +53,8 @@ std::optional<LineSegment> clip_segment(const ClipWindow& window, const LineSegm
     unsigned from_code = code_of(window, from);
     unsigned to_code = code_of(window, to);
 
-    // Each end is cut twice at most. Every cut begins with the whole segment, so that errors of one do not enter the next.
+    // Each end is cut twice at most. Every cut begins with the whole segment, so that errors of one do not enter the
+    // next.
     for (int cuts = 0; cuts <= 4; ++cuts) {
         if ((from_code & to_code) != 0) return std::nullopt;
         if (from_code != 0)

@@ -3,8 +3,8 @@
 
 #include "wide.hpp"
 
-// Parameters instead of region codes (Liang and Barsky), with 113 bits: coordinates up to a million times the window's are exact, and so are
-// all comparisons, which need no division. New ends are rounded to float once.
+// Parameters instead of region codes (Liang and Barsky), with 113 bits: coordinates up to a million times the window's
+// are exact, and so are all comparisons, which need no division. New ends are rounded to float once.
 
 namespace umbral::pipeline {
 namespace {
@@ -25,7 +25,8 @@ glm::vec2 point_at(const LineSegment& segment, const Place& place)
     const Wide start = segment.from[other];
     glm::vec2 point;
     point[place.axis] = place.border;
-    point[other] = static_cast<float>((start * place.denominator + place.numerator * (Wide(segment.to[other]) - start)) / place.denominator);
+    point[other] = static_cast<float>(
+        (start * place.denominator + place.numerator * (Wide(segment.to[other]) - start)) / place.denominator);
     return point;
 }
 

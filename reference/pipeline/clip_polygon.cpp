@@ -8,7 +8,8 @@ namespace {
 
 using Corners = std::vector<glm::dvec2>;
 
-// A side of the window with its whole line; the inside lies to the left. In double, differences and products of floats are exact.
+// A side of the window with its whole line; the inside lies to the left. In double, differences and products of floats
+// are exact.
 struct Side {
     glm::dvec2 from, to;
 };
@@ -45,7 +46,8 @@ Corners clipped(const Corners& polygon, const Side& side)
 
 bool finite(const std::vector<glm::vec2>& points)
 {
-    return std::all_of(points.begin(), points.end(), [](const glm::vec2& p) { return glm::all(glm::equal(0.0F * p, glm::vec2(0))); });
+    return std::all_of(points.begin(), points.end(),
+                       [](const glm::vec2& p) { return glm::all(glm::equal(0.0F * p, glm::vec2(0))); });
 }
 
 std::vector<glm::vec2> rounded(const Corners& corners)
@@ -64,7 +66,8 @@ std::vector<glm::vec2> clip_polygon(const std::vector<glm::vec2>& polygon, const
 {
     if (polygon.size() < 3 || window.size() < 3 || !finite(polygon) || !finite(window)) return {};
     Corners corners(polygon.begin(), polygon.end());
-    for (std::size_t i = 0; i < window.size(); ++i) corners = clipped(corners, {window[i], window[i + 1 < window.size() ? i + 1 : 0]});
+    for (std::size_t i = 0; i < window.size(); ++i)
+        corners = clipped(corners, {window[i], window[i + 1 < window.size() ? i + 1 : 0]});
     return rounded(corners);
 }
 

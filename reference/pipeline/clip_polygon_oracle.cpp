@@ -3,8 +3,8 @@
 
 #include "wide.hpp"
 
-// The polygon passes all sides of the window at once, corner by corner, as in the paper's reentrant form: each stage remembers its first and its
-// last corner only. 113 bits, rounded to float once.
+// The polygon passes all sides of the window at once, corner by corner, as in the paper's reentrant form: each stage
+// remembers its first and its last corner only. 113 bits, rounded to float once.
 
 namespace umbral::pipeline {
 namespace {
@@ -57,7 +57,8 @@ public:
     std::vector<glm::vec2> finished()
     {
         for (std::size_t i = 0; i < stages_.size(); ++i)
-            if (const Stage& stage = stages_[i]; stage.begun) pass_crossing(stage.last, stage.last_distance, stage.first, stage.first_distance, i);
+            if (const Stage& stage = stages_[i]; stage.begun)
+                pass_crossing(stage.last, stage.last_distance, stage.first, stage.first_distance, i);
         while (result_.size() > 1 && result_.back() == result_.front()) result_.pop_back();
         if (result_.size() < 3) result_.clear();
         return result_;

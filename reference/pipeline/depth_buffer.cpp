@@ -1,4 +1,5 @@
-// Based on: E. Catmull. A Subdivision Algorithm for Computer Display of Curved Surfaces. 1974. Functions, mask and formats are those of OpenGL.
+// Based on: E. Catmull. A Subdivision Algorithm for Computer Display of Curved Surfaces. 1974. Functions, mask and
+// formats are those of OpenGL.
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,7 +13,8 @@ namespace {
 template <class Cell>
 Cell& cell(Grid<Cell>& grid, const glm::ivec2& pixel)
 {
-    return grid.cells[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(pixel.x)];
+    return grid.cells[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(grid.width) +
+                      static_cast<std::size_t>(pixel.x)];
 }
 
 // Whether a depth passes against a stored one, which it replaces if the state allows it.
@@ -31,7 +33,8 @@ bool test(const DepthState& state, float depth, float& stored)
 bool depth_passes(DepthFunction function, float incoming, float stored)
 {
     static_assert(static_cast<unsigned>(DepthFunction::less) == 1 && static_cast<unsigned>(DepthFunction::equal) == 2 &&
-                  static_cast<unsigned>(DepthFunction::greater) == 4 && static_cast<unsigned>(DepthFunction::always) == 7);
+                  static_cast<unsigned>(DepthFunction::greater) == 4 &&
+                  static_cast<unsigned>(DepthFunction::always) == 7);
     const unsigned relation = incoming < stored ? 1 : incoming == stored ? 2 : 4;
     return (static_cast<unsigned>(function) & relation) != 0;
 }
@@ -55,7 +58,8 @@ void test_depth(const DepthState& state, std::vector<Fragment>& fragments, Grid<
     fragments.erase(kept, fragments.end());
 }
 
-void draw_fragments(const DepthState& state, ShadeModel model, const std::array<glm::vec3, 3>& colors, const std::vector<Fragment>& fragments, Layer& target)
+void draw_fragments(const DepthState& state, ShadeModel model, const std::array<glm::vec3, 3>& colors,
+                    const std::vector<Fragment>& fragments, Layer& target)
 {
     const glm::mat3 corners(colors[0], colors[1], colors[2]);
     for (const Fragment& fragment : fragments)
@@ -66,13 +70,15 @@ void draw_fragments(const DepthState& state, ShadeModel model, const std::array<
 void merge_layers(const DepthState& state, const Layer& source, Layer& target)
 {
     const std::size_t pixels = target.colors.cells.size();
-    if (source.colors.width != target.colors.width || source.colors.height != target.colors.height || source.depths.cells.size() != pixels ||
-        target.depths.cells.size() != pixels)
-        throw std::invalid_argument("merge_layers: expected two layers of one size, got " + std::to_string(source.colors.width) + " x " +
-                                    std::to_string(source.colors.height) + " and " + std::to_string(target.colors.width) + " x " +
+    if (source.colors.width != target.colors.width || source.colors.height != target.colors.height ||
+        source.depths.cells.size() != pixels || target.depths.cells.size() != pixels)
+        throw std::invalid_argument("merge_layers: expected two layers of one size, got " +
+                                    std::to_string(source.colors.width) + " x " + std::to_string(source.colors.height) +
+                                    " and " + std::to_string(target.colors.width) + " x " +
                                     std::to_string(target.colors.height));
     for (std::size_t i = 0; i < pixels; ++i)
-        if (test(state, source.depths.cells[i], target.depths.cells[i])) target.colors.cells[i] = source.colors.cells[i];
+        if (test(state, source.depths.cells[i], target.depths.cells[i]))
+            target.colors.cells[i] = source.colors.cells[i];
 }
 
 }

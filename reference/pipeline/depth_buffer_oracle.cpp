@@ -1,4 +1,5 @@
-// The same interface in whole numbers: depths are compared by their codes, and codes come from the bits of the float. No fraction is ever rounded.
+// The same interface in whole numbers: depths are compared by their codes, and codes come from the bits of the float.
+// No fraction is ever rounded.
 
 #include <cmath>
 #include <stdexcept>
@@ -58,13 +59,14 @@ void test_depth(const DepthState& state, std::vector<Fragment>& fragments, Grid<
     fragments = passed;
 }
 
-void draw_fragments(const DepthState& state, ShadeModel model, const std::array<glm::vec3, 3>& colors, const std::vector<Fragment>& fragments, Layer& target)
+void draw_fragments(const DepthState& state, ShadeModel model, const std::array<glm::vec3, 3>& colors,
+                    const std::vector<Fragment>& fragments, Layer& target)
 {
     std::vector<Fragment> passed = fragments;
     test_depth(state, passed, target.depths);
     for (const auto& [pixel, depth, weights] : passed) {
-        const glm::dvec3 blend =
-            double{weights.x} * glm::dvec3(colors[0]) + double{weights.y} * glm::dvec3(colors[1]) + double{weights.z} * glm::dvec3(colors[2]);
+        const glm::dvec3 blend = double{weights.x} * glm::dvec3(colors[0]) + double{weights.y} * glm::dvec3(colors[1]) +
+                                 double{weights.z} * glm::dvec3(colors[2]);
         target.colors.at(pixel.x, pixel.y) = model == ShadeModel::flat ? colors[2] : glm::vec3(blend);
     }
 }
@@ -77,7 +79,8 @@ void merge_layers(const DepthState& state, const Layer& source, Layer& target)
     for (int y = 0; y < source.depths.height; ++y)
         for (int x = 0; x < source.depths.width; ++x) all.push_back({{x, y}, source.depths.at(x, y), glm::vec3(0)});
     test_depth(state, all, target.depths);
-    for (const Fragment& fragment : all) target.colors.at(fragment.pixel.x, fragment.pixel.y) = source.colors.at(fragment.pixel.x, fragment.pixel.y);
+    for (const Fragment& fragment : all)
+        target.colors.at(fragment.pixel.x, fragment.pixel.y) = source.colors.at(fragment.pixel.x, fragment.pixel.y);
 }
 
 }

@@ -9,11 +9,15 @@ namespace umbral::pipeline {
 namespace {
 
 // 1 - distance / far, without loss close to the far plane; 1 if that is infinite.
-double before_far(const DepthRange& range, double distance) { return std::isinf(range.far_plane) ? 1 : (range.far_plane - distance) / range.far_plane; }
+double before_far(const DepthRange& range, double distance)
+{
+    return std::isinf(range.far_plane) ? 1 : (range.far_plane - distance) / range.far_plane;
+}
 
 double last_code(int bits) { return std::ldexp(1.0, bits) - 1; }
 
-// With n the near plane and f the far one, the depth is (1 - n/d) / (1 - n/f). Its derivative is this over the distance squared.
+// With n the near plane and f the far one, the depth is (1 - n/d) / (1 - n/f). Its derivative is this over the distance
+// squared.
 double slope(const DepthRange& range) { return range.near_plane / before_far(range, range.near_plane); }
 
 // The size of a step of the format where the depth has this value.
@@ -29,7 +33,10 @@ double step(DepthFormat format, double depth)
 
 }
 
-double ndc_depth(const DepthRange& range, double z_eye) { return 2 * window_depth({range.near_plane, range.far_plane, false}, z_eye) - 1; }
+double ndc_depth(const DepthRange& range, double z_eye)
+{
+    return 2 * window_depth({range.near_plane, range.far_plane, false}, z_eye) - 1;
+}
 
 double window_depth(const DepthRange& range, double z_eye)
 {
@@ -39,7 +46,10 @@ double window_depth(const DepthRange& range, double z_eye)
     return (distance - range.near_plane) / distance / whole;
 }
 
-std::uint32_t depth_code(double depth, int bits) { return static_cast<std::uint32_t>(std::clamp(depth, 0.0, 1.0) * last_code(bits) + 0.5); }
+std::uint32_t depth_code(double depth, int bits)
+{
+    return static_cast<std::uint32_t>(std::clamp(depth, 0.0, 1.0) * last_code(bits) + 0.5);
+}
 
 double eye_depth(const DepthRange& range, std::uint32_t code, int bits)
 {
@@ -56,7 +66,8 @@ double depth_resolution(const DepthRange& range, DepthFormat format, double z_ey
 
 std::optional<double> fighting_distance(const DepthRange& range, int bits, double gap)
 {
-    // Depths differ by slope * gap / (d (d + gap)). One step of that is a quadratic equation, of which this is the root that adds.
+    // Depths differ by slope * gap / (d (d + gap)). One step of that is a quadratic equation, of which this is the root
+    // that adds.
     const double product = gap * slope(range) * last_code(bits);
     const double distance = 2 * product / (gap + std::sqrt(gap * gap + 4 * product));
     const double first = std::max(distance, range.near_plane);

@@ -54,7 +54,8 @@ std::uint32_t depth_code(double depth, int bits)
 
 double eye_depth(const DepthRange& range, std::uint32_t code, int bits)
 {
-    // The course's inverse, f n / ((f - n) k / last - f), with f divided out. It cancels, but never more than 60 of the 113 bits.
+    // The course's inverse, f n / ((f - n) k / last - f), with f divided out. It cancels, but never more than 60 of the
+    // 113 bits.
     const Wide last = last_code(bits);
     const Wide part = (range.reversed ? last - Wide(code) : Wide(code)) / last;
     const Wide n = range.near_plane;

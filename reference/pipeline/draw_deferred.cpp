@@ -60,6 +60,9 @@ private:
 
 }
 
-std::unique_ptr<IndexedDrawing> make_indexed_drawing(const ColoredMesh& mesh) { return std::make_unique<DeferredDrawing>(mesh); }
+std::unique_ptr<IndexedDrawing> make_indexed_drawing(const ColoredMesh& mesh)
+{
+    return std::make_unique<DeferredDrawing>(mesh);
+}
 
 }

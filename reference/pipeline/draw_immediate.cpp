@@ -1,4 +1,5 @@
-// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Compatibility Profile). 2017.
+// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Compatibility Profile).
+// 2017.
 
 #include <umbral/gl/opengl.hpp>
 #include <umbral/pipeline/immediate.hpp>
@@ -47,7 +48,8 @@ void draw_polygon(const std::vector<glm::vec2>& corners, const glm::vec3& fill, 
     glDrawArrays(GL_LINE_LOOP, 0, count);
 }
 
-void draw_triangles(const std::vector<glm::vec2>& positions, const std::vector<std::uint32_t>& indices, const glm::vec3& fill, const glm::vec3& edges)
+void draw_triangles(const std::vector<glm::vec2>& positions, const std::vector<std::uint32_t>& indices,
+                    const glm::vec3& fill, const glm::vec3& edges)
 {
     const StateKeeper keeper;
     const auto count = static_cast<GLsizei>(indices.size());

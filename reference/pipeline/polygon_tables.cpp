@@ -1,5 +1,5 @@
-// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 2.1). 2006, section 2.6.1: what each type of
-// primitive does with a table of vertices.
+// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 2.1). 2006, section 2.6.1: what
+// each type of primitive does with a table of vertices.
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,8 @@
 #include <numbers>
 #include <umbral/pipeline/polygon.hpp>
 
-// Sine and cosine with at least 64 bits, of angles within an eighth of a turn: the rest is symmetry, which is exact. Rounded to float once.
+// Sine and cosine with at least 64 bits, of angles within an eighth of a turn: the rest is symmetry, which is exact.
+// Rounded to float once.
 
 namespace umbral::pipeline {
 namespace {

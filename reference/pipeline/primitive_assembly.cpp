@@ -1,5 +1,5 @@
-// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Compatibility Profile). 2017, sections 10.1
-// (types of primitives), 13.4 (flat shading) and 14.6.1 (the sign of a polygon's area).
+// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Compatibility Profile).
+// 2017, sections 10.1 (types of primitives), 13.4 (flat shading) and 14.6.1 (the sign of a polygon's area).
 
 #include <umbral/pipeline/assembly.hpp>
 
@@ -9,7 +9,9 @@ std::vector<Primitive> assemble(PrimitiveType type, std::span<const std::uint32_
 {
     std::vector<Primitive> result;
     const std::size_t n = s.size();
-    const auto add = [&](std::vector<std::uint32_t> corners, std::uint32_t provoking) { result.push_back({std::move(corners), provoking}); };
+    const auto add = [&](std::vector<std::uint32_t> corners, std::uint32_t provoking) {
+        result.push_back({std::move(corners), provoking});
+    };
     switch (type) {
         case PrimitiveType::points:
             for (const std::uint32_t vertex : s) add({vertex}, vertex);
@@ -48,7 +50,8 @@ std::vector<Primitive> assemble(PrimitiveType type, std::span<const std::uint32_
 
 bool is_front_facing(std::span<const glm::vec2> corners)
 {
-    // Triangles from the first corner. In double the differences and products of floats are exact, so that a triangle's sign is right.
+    // Triangles from the first corner. In double the differences and products of floats are exact, so that a triangle's
+    // sign is right.
     double twice_area = 0;
     for (std::size_t i = 2; i < corners.size(); ++i) {
         const glm::dvec2 a = glm::dvec2(corners[i - 1]) - glm::dvec2(corners[0]);
@@ -58,7 +61,8 @@ bool is_front_facing(std::span<const glm::vec2> corners)
     return twice_area > 0;
 }
 
-DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, std::span<const glm::vec2> window, Culling culling, PolygonMode mode)
+DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, std::span<const glm::vec2> window,
+                   Culling culling, PolygonMode mode)
 {
     DrawList list;
     const auto add_segment = [&](std::uint32_t a, std::uint32_t b) {

@@ -3,8 +3,9 @@
 
 #include "wide.hpp"
 
-// The same by tables: how far it is from a primitive to the next one, and which vertices from there make it. Areas by the shoelace formula with 113 bits,
-// where products and sums of floats of a window's size are exact; long double is as wide where the compiler has no __float128 (arm64).
+// The same by tables: how far it is from a primitive to the next one, and which vertices from there make it. Areas by
+// the shoelace formula with 113 bits, where products and sums of floats of a window's size are exact; long double is as
+// wide where the compiler has no __float128 (arm64).
 
 namespace umbral::pipeline {
 namespace {
@@ -35,7 +36,8 @@ Recipe recipe_of(PrimitiveType type)
 
 std::vector<Primitive> assemble(PrimitiveType type, std::span<const std::uint32_t> s)
 {
-    if (type == PrimitiveType::polygon) return s.size() < 3 ? std::vector<Primitive>{} : std::vector<Primitive>{{{s.begin(), s.end()}, s[0]}};
+    if (type == PrimitiveType::polygon)
+        return s.size() < 3 ? std::vector<Primitive>{} : std::vector<Primitive>{{{s.begin(), s.end()}, s[0]}};
     if (type == PrimitiveType::line_loop && s.size() < 3) return {};
     std::vector<std::uint32_t> sequence(s.begin(), s.end());
     if (type == PrimitiveType::line_loop) sequence.push_back(s[0]);
@@ -47,7 +49,8 @@ std::vector<Primitive> assemble(PrimitiveType type, std::span<const std::uint32_
     for (std::size_t first = 0; first + reach <= sequence.size(); first += recipe.step) {
         Primitive primitive{{}, sequence[first + reach - 1]};
         if (type == PrimitiveType::triangle_fan) primitive.corners.push_back(sequence[0]);
-        for (const std::size_t place : first / recipe.step % 2 == 0 ? recipe.even : recipe.odd) primitive.corners.push_back(sequence[first + place]);
+        for (const std::size_t place : first / recipe.step % 2 == 0 ? recipe.even : recipe.odd)
+            primitive.corners.push_back(sequence[first + place]);
         result.push_back(primitive);
     }
     return result;
@@ -61,7 +64,8 @@ bool is_front_facing(std::span<const glm::vec2> corners)
     return twice_area > 0;
 }
 
-DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, std::span<const glm::vec2> window, Culling culling, PolygonMode mode)
+DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, std::span<const glm::vec2> window,
+                   Culling culling, PolygonMode mode)
 {
     DrawList list;
     for (const Primitive& primitive : assemble(type, vertices)) {
@@ -71,7 +75,8 @@ DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, 
         for (const std::uint32_t corner : corners) places.push_back(window[corner]);
         const bool front = is_front_facing(places);
         if (face && ((culling == Culling::front && front) || (culling == Culling::back && !front))) continue;
-        if (corners.size() == 1 || (face && mode == PolygonMode::point)) list.points.insert(list.points.end(), corners.begin(), corners.end());
+        if (corners.size() == 1 || (face && mode == PolygonMode::point))
+            list.points.insert(list.points.end(), corners.begin(), corners.end());
         if (corners.size() == 2 && corners[0] != corners[1]) list.segments.emplace_back(corners[0], corners[1]);
         if (face && mode == PolygonMode::line)
             for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)

@@ -1,6 +1,8 @@
-// Based on: J. Pineda. A Parallel Algorithm for Polygon Rasterization. SIGGRAPH 1988 (edge functions). The top-left rule is that of Direct3D.
+// Based on: J. Pineda. A Parallel Algorithm for Polygon Rasterization. SIGGRAPH 1988 (edge functions). The top-left
+// rule is that of Direct3D.
 //
-// Every pixel of the triangle's box is asked. The engine's renderer finds whole rows at once, by the same rule: reference/render/rows.hpp.
+// Every pixel of the triangle's box is asked. The engine's renderer finds whole rows at once, by the same rule:
+// reference/render/rows.hpp.
 
 #include <algorithm>
 #include <cmath>
@@ -15,24 +17,36 @@ namespace {
 bool drawable(const WindowVertex& vertex)
 {
     constexpr float guard_band = 16384;
-    return std::abs(vertex.position.x) <= guard_band && std::abs(vertex.position.y) <= guard_band && vertex.inverse_w > 0 && !std::isnan(vertex.depth);
+    return std::abs(vertex.position.x) <= guard_band && std::abs(vertex.position.y) <= guard_band &&
+           vertex.inverse_w > 0 && !std::isnan(vertex.depth);
 }
 
-// A position in 1/256 pixel. Within the guard band products of differences stay below 2^47: int64 and double hold them exactly.
+// A position in 1/256 pixel. Within the guard band products of differences stay below 2^47: int64 and double hold them
+// exactly.
 struct Point {
     std::int64_t x, y;
 };
 
-Point snapped(const glm::vec2& position) { return {std::llrint(256 * double{position.x}), std::llrint(256 * double{position.y})}; }
+Point snapped(const glm::vec2& position)
+{
+    return {std::llrint(256 * double{position.x}), std::llrint(256 * double{position.y})};
+}
 
 // Twice the signed area of the triangle a, b, c; positive if they turn clockwise on the screen, where y goes down.
-std::int64_t area(const Point& a, const Point& b, const Point& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+std::int64_t area(const Point& a, const Point& b, const Point& c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
-// With the inside to the right of the way from a to b: on the screen, a left edge goes up, and a top edge goes to the right.
+// With the inside to the right of the way from a to b: on the screen, a left edge goes up, and a top edge goes to the
+// right.
 bool is_top_or_left(const Point& a, const Point& b) { return b.y < a.y || (b.y == a.y && b.x > a.x); }
 
 // `edge` is the area of side a, b and a pixel's centre.
-bool is_inside(std::int64_t edge, const Point& a, const Point& b) { return edge > 0 || (edge == 0 && is_top_or_left(a, b)); }
+bool is_inside(std::int64_t edge, const Point& a, const Point& b)
+{
+    return edge > 0 || (edge == 0 && is_top_or_left(a, b));
+}
 
 // The pixels from first to last that two positions lie in, cut to a picture's.
 struct Range {
@@ -41,7 +55,9 @@ struct Range {
 
 Range pixels_between(std::int64_t low, std::int64_t high, int size)
 {
-    const auto pixel = [](std::int64_t position) { return static_cast<int>(std::floor(static_cast<double>(position) / 256)); };
+    const auto pixel = [](std::int64_t position) {
+        return static_cast<int>(std::floor(static_cast<double>(position) / 256));
+    };
     return {std::max(pixel(low), 0), std::min(pixel(high), size - 1)};
 }
 
@@ -56,7 +72,8 @@ Fragment shaded(const std::array<WindowVertex, 3>& triangle, const glm::dvec3& a
 
 }
 
-void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height, std::vector<Fragment>& fragments)
+void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height,
+                        std::vector<Fragment>& fragments)
 {
     if (!drawable(triangle[0]) || !drawable(triangle[1]) || !drawable(triangle[2])) return;
     const Point a = snapped(triangle[0].position);

@@ -3,7 +3,8 @@
 
 #include "wide.hpp"
 
-// Every pixel of the bounding box for itself: coverage with 128-bit integers, weights and depth with 113 bits, rounded to float once.
+// Every pixel of the bounding box for itself: coverage with 128-bit integers, weights and depth with 113 bits, rounded
+// to float once.
 
 namespace umbral::pipeline {
 namespace {
@@ -27,10 +28,13 @@ Whole snapped(double position)
 
 int sign(Whole value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-Whole determinant(const Point& a, const Point& b, const Point& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+Whole determinant(const Point& a, const Point& b, const Point& c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
-// On which side of the line from a to b the point lies after an infinitely small step to the right, and a still smaller one down.
-// That step takes points on left edges and on top edges inside, and those on all others outside.
+// On which side of the line from a to b the point lies after an infinitely small step to the right, and a still smaller
+// one down. That step takes points on left edges and on top edges inside, and those on all others outside.
 int side(const Point& a, const Point& b, const Point& point)
 {
     if (const int exact = sign(determinant(a, b, point)); exact != 0) return exact;
@@ -44,7 +48,8 @@ bool drawable(const WindowVertex& vertex)
     return inside && vertex.inverse_w > 0 && vertex.depth == vertex.depth;
 }
 
-Fragment shaded(const std::array<WindowVertex, 3>& triangle, const std::array<Point, 3>& corners, const Point& centre, int x, int y)
+Fragment shaded(const std::array<WindowVertex, 3>& triangle, const std::array<Point, 3>& corners, const Point& centre,
+                int x, int y)
 {
     Fragment fragment{{x, y}, 0, glm::vec3(0)};
     std::array<Wide, 3> share{};
@@ -63,7 +68,8 @@ Fragment shaded(const std::array<WindowVertex, 3>& triangle, const std::array<Po
 
 }
 
-void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height, std::vector<Fragment>& fragments)
+void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height,
+                        std::vector<Fragment>& fragments)
 {
     std::array<Point, 3> corners{};
     float left = 16384;
@@ -87,7 +93,8 @@ void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, 
         for (int x = std::max(0, static_cast<int>(left) - 2); x < std::min(width, static_cast<int>(right) + 2); ++x) {
             const Point centre{Whole(x) * 512 + 256, Whole(y) * 512 + 256};
             bool inside = true;
-            for (std::size_t i = 0; i < 3; ++i) inside = inside && side(corners[i], corners[(i + 1) % 3], centre) == orientation;
+            for (std::size_t i = 0; i < 3; ++i)
+                inside = inside && side(corners[i], corners[(i + 1) % 3], centre) == orientation;
             if (inside) fragments.push_back(shaded(triangle, corners, centre, x, y));
         }
 }

@@ -1,4 +1,5 @@
-// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Core Profile). 2017, chapter 7.
+// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Core Profile). 2017,
+// chapter 7.
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
@@ -26,7 +27,8 @@ private:
 };
 
 /// Throws if a step failed. Shaders and programs are asked in the same way, by functions of their own.
-void require_success(Step step, const Object& object, GLenum status, decltype(glGetShaderiv)* ask, decltype(glGetShaderInfoLog)* read_log)
+void require_success(Step step, const Object& object, GLenum status, decltype(glGetShaderiv)* ask,
+                     decltype(glGetShaderInfoLog)* read_log)
 {
     GLint success = GL_FALSE;
     ask(object.name(), status, &success);
@@ -68,8 +70,14 @@ public:
 
     bool set(const std::string& name, int value) override { return set_by(glProgramUniform1i, name, value); }
     bool set(const std::string& name, float value) override { return set_by(glProgramUniform1f, name, value); }
-    bool set(const std::string& name, const glm::vec3& value) override { return set_by(glProgramUniform3fv, name, 1, value_ptr(value)); }
-    bool set(const std::string& name, const glm::vec4& value) override { return set_by(glProgramUniform4fv, name, 1, value_ptr(value)); }
+    bool set(const std::string& name, const glm::vec3& value) override
+    {
+        return set_by(glProgramUniform3fv, name, 1, value_ptr(value));
+    }
+    bool set(const std::string& name, const glm::vec4& value) override
+    {
+        return set_by(glProgramUniform4fv, name, 1, value_ptr(value));
+    }
     bool set(const std::string& name, const glm::mat3& value) override
     {
         return set_by(glProgramUniformMatrix3fv, name, 1, GLboolean{GL_FALSE}, value_ptr(value));
@@ -163,7 +171,10 @@ void main()
 
 }
 
-std::unique_ptr<ShaderProgram> make_shader_program(const ShaderTexts& texts) { return std::make_unique<LinkedProgram>(texts); }
+std::unique_ptr<ShaderProgram> make_shader_program(const ShaderTexts& texts)
+{
+    return std::make_unique<LinkedProgram>(texts);
+}
 
 ShaderTexts minimal_shaders() { return {minimal_vertex, minimal_fragment}; }
 

@@ -45,13 +45,18 @@ void fill(const Polygon& polygon, const Viewport& viewport, std::vector<Fragment
         rasterize_triangle({a.window, b.window, c.window}, viewport.width, viewport.height, fragments);
         // From weights of the polygon's corners to those of the triangle's.
         const glm::mat3 to_triangle(a.weights, b.weights, c.weights);
-        for (std::size_t k = begin; k < fragments.size(); ++k) fragments[k].weights = to_triangle * fragments[k].weights;
+        for (std::size_t k = begin; k < fragments.size(); ++k)
+            fragments[k].weights = to_triangle * fragments[k].weights;
     }
 }
 
-glm::dvec2 rounded(const glm::vec2& position) { return {std::nearbyint(position.x * 256.0) / 256, std::nearbyint(position.y * 256.0) / 256}; }
+glm::dvec2 rounded(const glm::vec2& position)
+{
+    return {std::nearbyint(position.x * 256.0) / 256, std::nearbyint(position.y * 256.0) / 256};
+}
 
-// Products of multiples of 1/256 are exact, and so is the quotient where it is whole: both directions give the same pixels.
+// Products of multiples of 1/256 are exact, and so is the quotient where it is whole: both directions give the same
+// pixels.
 void line(const Corner& a, const Corner& b, std::vector<Fragment>& fragments)
 {
     const glm::dvec2 from = rounded(a.window.position);
@@ -65,14 +70,20 @@ void line(const Corner& a, const Corner& b, std::vector<Fragment>& fragments)
         const double t = (centre - from[major]) / along[major];
         glm::dvec2 place(centre);
         place[minor] = from[minor] + (centre - from[major]) * along[minor] / along[major];
-        const auto share = static_cast<float>(t * b.window.inverse_w / ((1 - t) * a.window.inverse_w + t * b.window.inverse_w));
-        fragments.push_back(
-            {glm::ivec2(floor(place)), static_cast<float>(glm::mix(double{a.window.depth}, double{b.window.depth}, t)), glm::mix(a.weights, b.weights, share)});
+        const auto share =
+            static_cast<float>(t * b.window.inverse_w / ((1 - t) * a.window.inverse_w + t * b.window.inverse_w));
+        fragments.push_back({glm::ivec2(floor(place)),
+                             static_cast<float>(glm::mix(double{a.window.depth}, double{b.window.depth}, t)),
+                             glm::mix(a.weights, b.weights, share)});
     }
 }
 
-// A side of the triangle, or a part of one: the vertex opposite has no weight all along it. Others were made by clipping.
-bool is_part_of_a_side(const Corner& a, const Corner& b) { return glm::any(glm::equal(glm::max(a.weights, b.weights), glm::vec3(0))); }
+// A side of the triangle, or a part of one: the vertex opposite has no weight all along it. Others were made by
+// clipping.
+bool is_part_of_a_side(const Corner& a, const Corner& b)
+{
+    return glm::any(glm::equal(glm::max(a.weights, b.weights), glm::vec3(0)));
+}
 
 // Calls visit(begin, end) for each of those sides.
 template <class Visit>
@@ -110,7 +121,8 @@ void place(const Viewport& viewport, const Layer& target, std::vector<Fragment>&
 
 }
 
-void draw_triangles(const PipelineState& state, std::span<const ColoredVertex> vertices, std::span<const glm::uvec3> triangles, Layer& target)
+void draw_triangles(const PipelineState& state, std::span<const ColoredVertex> vertices,
+                    std::span<const glm::uvec3> triangles, Layer& target)
 {
     std::vector<glm::vec4> clip;
     for (const ColoredVertex& vertex : vertices) clip.push_back(state.to_clip * glm::vec4(vertex.position, 1));
@@ -134,7 +146,9 @@ void draw_triangles(const PipelineState& state, std::span<const ColoredVertex> v
             case PolygonMode::point: corners(polygon, fragments); break;
         }
         place(state.viewport, target, fragments);
-        draw_fragments(state.depth, state.shading, {vertices[triangle.x].color, vertices[triangle.y].color, vertices[triangle.z].color}, fragments, target);
+        draw_fragments(state.depth, state.shading,
+                       {vertices[triangle.x].color, vertices[triangle.y].color, vertices[triangle.z].color}, fragments,
+                       target);
     }
 }
 

@@ -1,5 +1,5 @@
-// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Core Profile). 2017, sections 2.3.5 (normalized
-// numbers), 10.2 and 10.3 (offsets and strides of arrays).
+// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Core Profile). 2017,
+// sections 2.3.5 (normalized numbers), 10.2 and 10.3 (offsets and strides of arrays).
 
 #include <algorithm>
 #include <cstring>
@@ -19,7 +19,10 @@ std::uint64_t component_size(ComponentType type)
     }
 }
 
-std::uint64_t tuple_size(const VertexAttribute& attribute) { return component_size(attribute.type) * attribute.components; }
+std::uint64_t tuple_size(const VertexAttribute& attribute)
+{
+    return component_size(attribute.type) * attribute.components;
+}
 
 /// The first multiple of `size` from `offset` on.
 std::uint64_t aligned(std::uint64_t offset, std::uint64_t size) { return (offset + size - 1) / size * size; }
@@ -87,23 +90,25 @@ VertexLayout separate_layout(std::span<const VertexAttribute> attributes, std::u
     return layout;
 }
 
-std::vector<std::byte> repack(std::span<const std::byte> source, const VertexLayout& from, const VertexLayout& to, std::span<const VertexAttribute> attributes,
-                              std::uint64_t vertices)
+std::vector<std::byte> repack(std::span<const std::byte> source, const VertexLayout& from, const VertexLayout& to,
+                              std::span<const VertexAttribute> attributes, std::uint64_t vertices)
 {
     std::vector<std::byte> result(to.bytes);
     for (std::size_t i = 0; i < attributes.size(); ++i)
         for (std::uint64_t vertex = 0; vertex < vertices; ++vertex)
-            std::memcpy(result.data() + place_of(attributes[i], to.places[i], vertex), source.data() + place_of(attributes[i], from.places[i], vertex),
-                        tuple_size(attributes[i]));
+            std::memcpy(result.data() + place_of(attributes[i], to.places[i], vertex),
+                        source.data() + place_of(attributes[i], from.places[i], vertex), tuple_size(attributes[i]));
     return result;
 }
 
-glm::vec4 fetch_attribute(std::span<const std::byte> buffer, const VertexAttribute& attribute, const AttributePlace& place, std::uint64_t vertex)
+glm::vec4 fetch_attribute(std::span<const std::byte> buffer, const VertexAttribute& attribute,
+                          const AttributePlace& place, std::uint64_t vertex)
 {
     const std::byte* tuple = buffer.data() + place_of(attribute, place, vertex);
     glm::vec4 value(0, 0, 0, 1);
     for (std::uint32_t i = 0; i < attribute.components; ++i)
-        value[static_cast<int>(i)] = static_cast<float>(component_at(tuple + i * component_size(attribute.type), attribute));
+        value[static_cast<int>(i)] =
+            static_cast<float>(component_at(tuple + i * component_size(attribute.type), attribute));
     return value;
 }
 

@@ -1,5 +1,6 @@
-// Based on: the course's projection matrix of a visible region, and its problem 1.7; N. J. Higham. Accuracy and Stability of Numerical
-// Algorithms. 2nd edition, 2002 (section 2.5: differences of close floating-point numbers are exact).
+// Based on: the course's projection matrix of a visible region, and its problem 1.7; N. J. Higham. Accuracy and
+// Stability of Numerical Algorithms. 2nd edition, 2002 (section 2.5: differences of close floating-point numbers are
+// exact).
 
 #include <algorithm>
 #include <cmath>

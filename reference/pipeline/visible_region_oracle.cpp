@@ -1,4 +1,5 @@
-// The same in double, rounded once: differences of floats are exact in double unless the numbers are 2^29 times as large as each other.
+// The same in double, rounded once: differences of floats are exact in double unless the numbers are 2^29 times as
+// large as each other.
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,8 @@ glm::mat4 projection_of(const Box& region)
 glm::vec3 ndc_of(const Box& region, const glm::vec3& point)
 {
     glm::dvec3 ndc(0);
-    for (int axis = 0; axis < 3; ++axis) ndc[axis] = scale_of(region, axis) * (double{point[axis]} - centre_of(region, axis));
+    for (int axis = 0; axis < 3; ++axis)
+        ndc[axis] = scale_of(region, axis) * (double{point[axis]} - centre_of(region, axis));
     return glm::vec3(ndc);
 }
 
@@ -48,7 +50,8 @@ Box visible_region(const Box& contents, int width, int height)
     const glm::dvec2 fitting = glm::max(size, glm::dvec2(size.y * width / height, size.x * height / width));
     Box region = contents;
     for (int axis = 0; axis < 2; ++axis) {
-        const double half = std::copysign(0.5 * fitting[axis], double{contents.high[axis]} - double{contents.low[axis]});
+        const double half =
+            std::copysign(0.5 * fitting[axis], double{contents.high[axis]} - double{contents.low[axis]});
         region.low[axis] = static_cast<float>(centre_of(contents, axis) - half);
         region.high[axis] = static_cast<float>(centre_of(contents, axis) + half);
     }

@@ -20,8 +20,8 @@ glm::dvec3 most_perpendicular_axis(const glm::dvec3& direction)
 
 }
 
-// In double throughout: u×n subtracts products that agree in nearly all digits if u is almost parallel to n, and so does x·o if
-// the eye is far away. Each entry is rounded to float once, at the end.
+// In double throughout: u×n subtracts products that agree in nearly all digits if u is almost parallel to n, and so
+// does x·o if the eye is far away. Each entry is rounded to float once, at the end.
 glm::mat4 view_matrix(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up)
 {
     const glm::dvec3 o(eye);

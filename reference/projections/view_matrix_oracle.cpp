@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-// Every entry with at least 64 bits, rounded to float once. Gram-Schmidt instead of the cross product u×n: another way to the same
-// frame, so that an error of one of them shows.
+// Every entry with at least 64 bits, rounded to float once. Gram-Schmidt instead of the cross product u×n: another way
+// to the same frame, so that an error of one of them shows.
 
 namespace umbral::projections {
 namespace {

@@ -8,7 +8,8 @@
 
 namespace umbral::render {
 
-std::vector<std::byte> npy_bytes(const std::string& type, const std::vector<int>& shape, std::span<const std::byte> data)
+std::vector<std::byte> npy_bytes(const std::string& type, const std::vector<int>& shape,
+                                 std::span<const std::byte> data)
 {
     std::string sides;
     for (const int side : shape) sides += std::to_string(side) + ", ";
@@ -17,11 +18,13 @@ std::vector<std::byte> npy_bytes(const std::string& type, const std::vector<int>
     constexpr std::size_t before = 10;
     header.append(63 - (before + header.size()) % 64, ' ');
     header += '\n';
-    const std::string magic = std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(header.size() & 0xFFU) + static_cast<char>(header.size() >> 8U);
+    const std::string magic = std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(header.size() & 0xFFU) +
+                              static_cast<char>(header.size() >> 8U);
     std::vector<std::byte> bytes;
     bytes.reserve(magic.size() + header.size() + data.size());
     for (const std::string& text : {magic, header})
-        std::transform(text.begin(), text.end(), std::back_inserter(bytes), [](char letter) { return static_cast<std::byte>(letter); });
+        std::transform(text.begin(), text.end(), std::back_inserter(bytes),
+                       [](char letter) { return static_cast<std::byte>(letter); });
     bytes.insert(bytes.end(), data.begin(), data.end());
     return bytes;
 }
@@ -37,7 +40,8 @@ void write_buffers(const std::filesystem::path& folder, const Frame& frame)
     std::vector<std::uint8_t> coverage(frame.ids.cells.size());
     std::transform(frame.ids.cells.begin(), frame.ids.cells.end(), coverage.begin(),
                    [](std::uint32_t id) { return id != 0 ? std::uint8_t{1} : std::uint8_t{0}; });
-    const auto write = [&](const char* name, const char* type, const std::vector<int>& shape, std::span<const std::byte> data) {
+    const auto write = [&](const char* name, const char* type, const std::vector<int>& shape,
+                           std::span<const std::byte> data) {
         write_file_atomically(folder / name, npy_bytes(type, shape, data));
     };
     write("color.npy", "<f4", {height, width, 4}, std::as_bytes(std::span(frame.color.cells)));

@@ -2,8 +2,8 @@
 
 namespace umbral::render {
 
-void clip_triangle(const std::array<ClipVertex, 3>& triangle, const glm::vec2& guard, std::vector<pipeline::ClipVertex>& corners,
-                   std::vector<ClipVertex>& polygon)
+void clip_triangle(const std::array<ClipVertex, 3>& triangle, const glm::vec2& guard,
+                   std::vector<pipeline::ClipVertex>& corners, std::vector<ClipVertex>& polygon)
 {
     // By powers of two: exact both ways.
     const glm::vec4 shrink(1 / guard.x, 1 / guard.y, 1, 1);
@@ -12,7 +12,8 @@ void clip_triangle(const std::array<ClipVertex, 3>& triangle, const glm::vec2& g
     corners.clear();
     pipeline::clip_triangle({shrink * a.clip, shrink * b.clip, shrink * c.clip}, corners);
     for (const auto& [position, w] : corners)
-        polygon.push_back({grow * position, w[0] * a.eye + w[1] * b.eye + w[2] * c.eye, w[0] * a.normal + w[1] * b.normal + w[2] * c.normal,
+        polygon.push_back({grow * position, w[0] * a.eye + w[1] * b.eye + w[2] * c.eye,
+                           w[0] * a.normal + w[1] * b.normal + w[2] * c.normal,
                            w[0] * a.uv + w[1] * b.uv + w[2] * c.uv});
 }
 

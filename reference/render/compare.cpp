@@ -13,7 +13,9 @@ bool is_interior(const Frame& first, const Frame& second, int x, int y)
     if (id == 0) return false;
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
-            if (first.ids.contains(x + dx, y + dy) && (first.ids.at(x + dx, y + dy) != id || second.ids.at(x + dx, y + dy) != id)) return false;
+            if (first.ids.contains(x + dx, y + dy) &&
+                (first.ids.at(x + dx, y + dy) != id || second.ids.at(x + dx, y + dy) != id))
+                return false;
     return true;
 }
 
@@ -28,7 +30,8 @@ double srgb_steps(float linear)
 
 Comparison compare(const Frame& first, const Frame& second, const Agreement& agreement)
 {
-    if (first.width() != second.width() || first.height() != second.height()) throw std::invalid_argument("compare: expected frames of one size");
+    if (first.width() != second.width() || first.height() != second.height())
+        throw std::invalid_argument("compare: expected frames of one size");
     Comparison result;
     result.pixels = first.ids.cells.size();
     double squares = 0;
@@ -45,7 +48,8 @@ Comparison compare(const Frame& first, const Frame& second, const Agreement& agr
             const bool interior = is_interior(first, second, x, y);
             double largest = 0;
             for (int channel = 0; channel < 3; ++channel) {
-                const double difference = std::abs(srgb_steps(first.color.at(x, y)[channel]) - srgb_steps(second.color.at(x, y)[channel]));
+                const double difference =
+                    std::abs(srgb_steps(first.color.at(x, y)[channel]) - srgb_steps(second.color.at(x, y)[channel]));
                 squares += difference * difference;
                 if (!interior) continue;
                 color_sum += difference;
@@ -72,8 +76,9 @@ bool agrees(const Comparison& comparison, const Agreement& agreement)
     const auto at_most = [](std::size_t count, double fraction, std::size_t of) {
         return static_cast<double>(count) <= std::ceil(fraction * static_cast<double>(of));
     };
-    return at_most(comparison.ids_differ, agreement.edge_fraction, comparison.pixels) && comparison.depth_max <= agreement.depth_most &&
-           comparison.depth_mean <= agreement.depth_mean && at_most(comparison.color_beyond, agreement.color_fraction, comparison.interior);
+    return at_most(comparison.ids_differ, agreement.edge_fraction, comparison.pixels) &&
+           comparison.depth_max <= agreement.depth_most && comparison.depth_mean <= agreement.depth_mean &&
+           at_most(comparison.color_beyond, agreement.color_fraction, comparison.interior);
 }
 
 }

@@ -5,8 +5,8 @@
 
 namespace umbral::render {
 
-/// Work done for one picture. What belongs to an effect is counted where that work is done, inside the kernel: without the effect there is
-/// neither work nor counting.
+/// Work done for one picture. What belongs to an effect is counted where that work is done, inside the kernel: without
+/// the effect there is neither work nor counting.
 struct Counters {
     std::uint64_t instances = 0;
     std::uint64_t instances_outside = 0;

@@ -53,7 +53,9 @@ DrawList make_draw_list(const scene::Scene& scene, int width, int height)
     std::map<std::pair<std::size_t, bool>, std::size_t> meshes;  // by geometry and smoothness
     for (const scene::Instance& instance : scene.instances) {
         const auto [mesh, is_new] = meshes.try_emplace({instance.geometry, instance.smooth}, list.meshes.size());
-        if (is_new) list.meshes.push_back(make_vertices(make_surface(scene.geometries[instance.geometry].shape), instance.smooth));
+        if (is_new)
+            list.meshes.push_back(
+                make_vertices(make_surface(scene.geometries[instance.geometry].shape), instance.smooth));
 
         Draw draw;
         draw.id = static_cast<std::uint32_t>(list.draws.size() + 1);
@@ -68,7 +70,8 @@ DrawList make_draw_list(const scene::Scene& scene, int width, int height)
         draw.material = scene.materials[instance.material];
         draw.specular = draw.material.specular != glm::vec3(0);
         if (draw.material.texture) draw.texture = textures[*draw.material.texture];
-        draw.visibility = visibility(list.meshes[draw.mesh], list.projection * draw.model_view, guard_band(width, height));
+        draw.visibility =
+            visibility(list.meshes[draw.mesh], list.projection * draw.model_view, guard_band(width, height));
         list.draws.push_back(std::move(draw));
     }
     return list;

@@ -47,8 +47,8 @@ struct Draw {
     std::optional<std::size_t> texture;  ///< place in DrawList::textures
 };
 
-/// A scene prepared for one aspect ratio: what the renderers take. All of them read the same matrices and vertices, so that they can only
-/// differ in how they draw.
+/// A scene prepared for one aspect ratio: what the renderers take. All of them read the same matrices and vertices, so
+/// that they can only differ in how they draw.
 struct DrawList {
     glm::mat4 projection{1};
     glm::vec3 ambient{0};

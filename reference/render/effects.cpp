@@ -30,11 +30,15 @@ Derived derive_effects(const DrawList& list, const scene::Scene& scene)
 {
     const std::string any = instances(list, [](const Draw&) { return true; });
     std::array<std::string, effect_flags.size()> asked;
-    asked[0] = with_material(instances(list, [](const Draw& draw) { return draw.texture.has_value(); }), " has a texture");
-    if (!list.lights.empty()) asked[1] = with_material(instances(list, [](const Draw& draw) { return draw.specular; }), " has a specular colour");
+    asked[0] =
+        with_material(instances(list, [](const Draw& draw) { return draw.texture.has_value(); }), " has a texture");
+    if (!list.lights.empty())
+        asked[1] =
+            with_material(instances(list, [](const Draw& draw) { return draw.specular; }), " has a specular colour");
     asked[2] = with_material(instances(list, [](const Draw& draw) { return draw.smooth; }), " has smooth shading");
     for (const scene::Light& light : scene.lights)
-        if (light.positional && !any.empty() && asked[3].empty()) asked[3] = "light " + quoted(light.name) + " has a position";
+        if (light.positional && !any.empty() && asked[3].empty())
+            asked[3] = "light " + quoted(light.name) + " has a position";
     asked[4] = with_material(instances(list, [](const Draw& draw) { return draw.both_sides; }), " shows both sides");
     asked[5] = with_material(instances(list, [](const Draw& draw) { return draw.visibility == Visibility::crosses; }),
                              " may reach beyond the near plane, the far plane or the guard band");

@@ -13,7 +13,10 @@ struct Frame {
     Grid<std::uint32_t> ids;  ///< Draw::id, 0 where nothing was drawn
 
     Frame() = default;
-    Frame(int width, int height) : color(width, height, glm::vec4(0)), depth(width, height, 1.0F), ids(width, height, 0U) {}
+    Frame(int width, int height)
+        : color(width, height, glm::vec4(0)), depth(width, height, 1.0F), ids(width, height, 0U)
+    {
+    }
 
     [[nodiscard]] int width() const { return ids.width; }
     [[nodiscard]] int height() const { return ids.height; }

@@ -1,4 +1,5 @@
-// umbral-render: the reference engine as a program. `umbral render` starts it: the grader itself holds no line of the reference.
+// umbral-render: the reference engine as a program. `umbral render` starts it: the grader itself holds no line of the
+// reference.
 
 #include <cstdio>
 #include <new>
@@ -36,7 +37,8 @@ Frame draw_by_gl(const DrawList& list, const EffectSet& effects, int width, int 
 
 void print(const std::string& text)
 {
-    if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) throw UsageError("cannot write to standard output");
+    if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+        throw UsageError("cannot write to standard output");
 }
 
 int run(const Options& options)

@@ -23,9 +23,11 @@ public:
         glGenBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
         glBindVertexArray(array_);
         glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)), mesh.vertices.data(), GL_STATIC_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)),
+                     mesh.vertices.data(), GL_STATIC_DRAW);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(glm::uvec3)), mesh.triangles.data(), GL_STATIC_DRAW);
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(glm::uvec3)),
+                     mesh.triangles.data(), GL_STATIC_DRAW);
     }
     Buffers(const Buffers&) = delete;
     Buffers& operator=(const Buffers&) = delete;
@@ -52,7 +54,8 @@ private:
         const int location = program.attribute_location(name);
         if (location < 0) return;
         glEnableVertexAttribArray(static_cast<GLuint>(location));
-        glVertexAttribPointer(static_cast<GLuint>(location), components, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+        glVertexAttribPointer(static_cast<GLuint>(location), components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                              reinterpret_cast<const void*>(offset));
     }
 
     GLsizei count_;
@@ -68,10 +71,13 @@ public:
         const Grid<glm::vec4>& texels = texture.texels;
         std::vector<glm::vec4> upwards;
         upwards.reserve(texels.cells.size());
-        for (int y = texels.height - 1; y >= 0; --y) upwards.insert(upwards.end(), &texels.at(0, y), &texels.at(0, y) + texels.width);
+        for (int y = texels.height - 1; y >= 0; --y)
+            upwards.insert(upwards.end(), &texels.at(0, y), &texels.at(0, y) + texels.width);
 
         const GLint filter = texture.sampler.filter == texturing::Filter::nearest ? GL_NEAREST : GL_LINEAR;
-        const auto mode = [](texturing::Wrap wrap) { return wrap == texturing::Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; };
+        const auto mode = [](texturing::Wrap wrap) {
+            return wrap == texturing::Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+        };
         glGenTextures(1, &texture_);
         bind();
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, texels.width, texels.height, 0, GL_RGBA, GL_FLOAT, upwards.data());

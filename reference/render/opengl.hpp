@@ -6,8 +6,8 @@
 
 namespace umbral::render {
 
-/// Draws by OpenGL, with shaders that hold the code of `effects` only. Needs a current gl::OffscreenContext; leaves no object behind.
-/// Throws std::runtime_error if OpenGL refuses something.
+/// Draws by OpenGL, with shaders that hold the code of `effects` only. Needs a current gl::OffscreenContext; leaves no
+/// object behind. Throws std::runtime_error if OpenGL refuses something.
 [[nodiscard]] Frame draw_with_opengl(const DrawList& list, const EffectSet& effects, int width, int height);
 
 }

@@ -6,9 +6,10 @@
 namespace umbral::render {
 namespace {
 
-// Upside down: OpenGL's first row is then the top one, and a pixel whose centre lies on a horizontal edge belongs to the triangle below it, as
-// rasterize_triangle has it. (Mesa gives it to the one above; glClipControl(GL_UPPER_LEFT) does not change that.)
-// `precise`: the sums keep their order, which is place_vertex's, so positions are the same bit by bit.
+// Upside down: OpenGL's first row is then the top one, and a pixel whose centre lies on a horizontal edge belongs to
+// the triangle below it, as rasterize_triangle has it. (Mesa gives it to the one above; glClipControl(GL_UPPER_LEFT)
+// does not change that.) `precise`: the sums keep their order, which is place_vertex's, so positions are the same bit
+// by bit.
 constexpr const char* vertex_text = R"(
 in vec3 position;
 in vec3 normal;
@@ -128,7 +129,8 @@ ShaderTexts shaders_for(const EffectSet& effects, std::size_t lights)
     for (std::size_t i = 0; i < effect_flags.size(); ++i) {
         if (!(effects.*effect_flags[i])) continue;
         std::string name = effect_names[i];
-        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+        std::transform(name.begin(), name.end(), name.begin(),
+                       [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
         head += "#define " + name + "\n";
     }
     return {head + vertex_text, head + fragment_text};

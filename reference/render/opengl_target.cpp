@@ -36,8 +36,9 @@ OpenGlTarget::OpenGlTarget(int width, int height) : width_(width), height_(heigh
     glDrawBuffers(static_cast<GLsizei>(outputs.size()), outputs.data());
     if (const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER); status != GL_FRAMEBUFFER_COMPLETE) {
         release();
-        throw std::runtime_error("OpenGL refuses a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                                 " pixels with colour, ids and depth (status " + std::to_string(status) + "): try a smaller one");
+        throw std::runtime_error("OpenGL refuses a picture of " + std::to_string(width) + " x " +
+                                 std::to_string(height) + " pixels with colour, ids and depth (status " +
+                                 std::to_string(status) + "): try a smaller one");
     }
     glViewport(0, 0, width, height);
     const std::array<GLfloat, 4> no_color = {0, 0, 0, 0};

@@ -11,7 +11,8 @@ std::string shown(const std::string& text)
 {
     std::string clean = text.substr(0, 40);
     std::replace_if(
-        clean.begin(), clean.end(), [](char letter) { return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F; }, '?');
+        clean.begin(), clean.end(),
+        [](char letter) { return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F; }, '?');
     return clean;
 }
 
@@ -30,8 +31,9 @@ void check(const Options& options)
     if (!options.compare && options.out.empty() && options.buffers.empty() && !options.explain)
         throw UsageError("nothing to do: expected --out PNG, --buffers DIR, --explain or --compare");
     if (1LL * options.size.width * options.size.height * options.samples * options.samples > maximum_samples)
-        throw UsageError("expected at most " + std::to_string(maximum_samples) + " samples in all, got " + std::to_string(options.size.width) + " x " +
-                         std::to_string(options.size.height) + " pixels of " + std::to_string(options.samples) + " x " + std::to_string(options.samples) +
+        throw UsageError("expected at most " + std::to_string(maximum_samples) + " samples in all, got " +
+                         std::to_string(options.size.width) + " x " + std::to_string(options.size.height) +
+                         " pixels of " + std::to_string(options.samples) + " x " + std::to_string(options.samples) +
                          ": choose a smaller --size or --samples");
 }
 
@@ -45,7 +47,8 @@ Size parse_size(const std::string& text)
         const auto height = side(text.data() + cross + 1, text.data() + text.size());
         if (width && height) return {*width, *height};
     }
-    throw UsageError("--size: expected WIDTHxHEIGHT with sides of 1 to " + std::to_string(maximum_side) + " pixels, as 512x384, got '" + shown(text) + "'");
+    throw UsageError("--size: expected WIDTHxHEIGHT with sides of 1 to " + std::to_string(maximum_side) +
+                     " pixels, as 512x384, got '" + shown(text) + "'");
 }
 
 std::optional<Options> parse_options(int count, char** words, int& status)
@@ -55,19 +58,28 @@ std::optional<Options> parse_options(int count, char** words, int& status)
     std::string kernel = "derived";
     CLI::App parser("Draws a scene with the reference engine.", "umbral render");
     parser.add_option("SCENE", options.scene, "The scene, a JSON file")->required();
-    parser.add_option("--renderer", options.renderer, "Who draws")->check(CLI::IsMember({"software", "gl"}))->capture_default_str();
+    parser.add_option("--renderer", options.renderer, "Who draws")
+        ->check(CLI::IsMember({"software", "gl"}))
+        ->capture_default_str();
     parser.add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    parser.add_option("--samples", options.samples, "N: N x N samples a pixel, in the picture only")->check(CLI::Range(1, 8))->capture_default_str();
+    parser.add_option("--samples", options.samples, "N: N x N samples a pixel, in the picture only")
+        ->check(CLI::Range(1, 8))
+        ->capture_default_str();
     parser.add_option("--out", options.out, "The picture, a PNG file");
-    parser.add_option("--buffers", options.buffers, "A folder for depth, ids, coverage and linear colour, as .npy and .png");
-    parser.add_flag("--explain", options.explain, "Say which effects the scene calls for, why, and how much work was done");
+    parser.add_option("--buffers", options.buffers,
+                      "A folder for depth, ids, coverage and linear colour, as .npy and .png");
+    parser.add_flag("--explain", options.explain,
+                    "Say which effects the scene calls for, why, and how much work was done");
     parser.add_flag("--compare", options.compare, "Draw with both renderers and say how far apart they are");
-    parser.add_option("--kernel", kernel, "derived: only what the scene calls for; all: the kernel with every effect, for comparison")
+    parser
+        .add_option("--kernel", kernel,
+                    "derived: only what the scene calls for; all: the kernel with every effect, for comparison")
         ->check(CLI::IsMember({"derived", "all"}))
         ->capture_default_str();
     parser.add_flag("--json", options.json, "Say it in JSON");
     parser.footer(
-        "Exit status: 0 all right; 1 the renderers differ by more than is allowed; 2 the command cannot be carried out as given; 3 a fault of Umbral's own.");
+        "Exit status: 0 all right; 1 the renderers differ by more than is allowed; 2 the command cannot be carried out "
+        "as given; 3 a fault of Umbral's own.");
     try {
         parser.parse(count, words);
     } catch (const CLI::ParseError& error) {

@@ -10,8 +10,9 @@ namespace umbral::render {
 enum Exit : int {
     exit_ok = 0,
     exit_differ = 1,  ///< --compare: the renderers differ by more than is allowed
-    exit_usage = 2,   ///< the command cannot be carried out as given: options, scene, size, a file that cannot be read or written
-    exit_fault = 3,   ///< a fault of Umbral's own, or of OpenGL
+    exit_usage =
+        2,  ///< the command cannot be carried out as given: options, scene, size, a file that cannot be read or written
+    exit_fault = 3,  ///< a fault of Umbral's own, or of OpenGL
 };
 
 /// A mistake in how the program was called, or in what it was given.

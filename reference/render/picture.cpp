@@ -24,7 +24,9 @@ glm::u8vec4 color_of_id(std::uint32_t id)
 {
     if (id == 0) return {0, 0, 0, 255};
     const double hue = 6 * std::fmod(id * 0.6180339887498949, 1.0);
-    const auto channel = [&](double shift) { return static_cast<float>(std::clamp(std::abs(std::fmod(hue + shift, 6.0) - 3) - 1, 0.0, 1.0)); };
+    const auto channel = [&](double shift) {
+        return static_cast<float>(std::clamp(std::abs(std::fmod(hue + shift, 6.0) - 3) - 1, 0.0, 1.0));
+    };
     const glm::vec3 pure(channel(0), channel(4), channel(2));
     const glm::vec3 color = glm::mix(glm::vec3(0.75F), pure, 0.7F);
     return {to_srgb(color.r), to_srgb(color.g), to_srgb(color.b), 255};
@@ -71,7 +73,8 @@ Image picture_of_depth(const Frame& frame)
         farthest = std::max(farthest, frame.depth.cells[i]);
     }
     const float range = std::max(farthest - nearest, std::numeric_limits<float>::min());
-    return map(frame.depth, [&](float depth) { return depth > farthest ? gray(0) : gray(1 - 0.97F * (depth - nearest) / range); });
+    return map(frame.depth,
+               [&](float depth) { return depth > farthest ? gray(0) : gray(1 - 0.97F * (depth - nearest) / range); });
 }
 
 Image picture_of_ids(const Frame& frame) { return map(frame.ids, color_of_id); }

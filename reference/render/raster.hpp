@@ -12,14 +12,16 @@ struct Passed {
     std::array<FloatLanes, 3> weights;  ///< of the corners, perspective-correct
 };
 
-/// Draws a triangle into `depths`, a picture of width x height cells followed by lane_count more, by the depth test "less";
-/// `shade(passed)` is called for eight pixels or fewer at a time, `covered(n)` with the length of each row.
+/// Draws a triangle into `depths`, a picture of width x height cells followed by lane_count more, by the depth test
+/// "less"; `shade(passed)` is called for eight pixels or fewer at a time, `covered(n)` with the length of each row.
 ///
-/// Depths are as exact as the unit's: affine from the row's first pixel, in double, rounded once. Weights are affine shares in float over
-/// their sum: off by a few 2^-24, times w over the least w of a corner, since the shares are positive.
+/// Depths are as exact as the unit's: affine from the row's first pixel, in double, rounded once. Weights are affine
+/// shares in float over their sum: off by a few 2^-24, times w over the least w of a corner, since the shares are
+/// positive.
 template <class Covered, class Shade>
-[[gnu::always_inline]] inline void draw_triangle(const std::array<pipeline::WindowVertex, 3>& triangle, const Window& window, int width, float* depths,
-                                                 const Covered& covered, const Shade& shade)
+[[gnu::always_inline]] inline void draw_triangle(const std::array<pipeline::WindowVertex, 3>& triangle,
+                                                 const Window& window, int width, float* depths, const Covered& covered,
+                                                 const Shade& shade)
 {
     const Setup setup = set_up(triangle, window);
     const auto& [a, b, c] = triangle;
@@ -47,7 +49,8 @@ template <class Covered, class Shade>
                 const IntLanes passes = (lane_numbers <= last - x) & (depth < load<FloatLanes>(depths + at));
                 if (!any(passes)) continue;
                 store(depths + at, passes, depth);
-                const std::array<FloatLanes, 3> share = {shares[0] + share_step[0] * distances.all, shares[1] + share_step[1] * distances.all,
+                const std::array<FloatLanes, 3> share = {shares[0] + share_step[0] * distances.all,
+                                                         shares[1] + share_step[1] * distances.all,
                                                          shares[2] + share_step[2] * distances.all};
                 const FloatLanes scale = 1.0F / (share[0] + share[1] + share[2]);
                 shade(Passed{at, passes, {share[0] * scale, share[1] * scale, share[2] * scale}});

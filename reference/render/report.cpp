@@ -13,16 +13,21 @@ using nlohmann::json;
 bool is_absent(const NamedCounter& counter, const EffectSet& set)
 {
     for (std::size_t i = 0; i < effect_flags.size(); ++i)
-        if (counter.effect != nullptr && counter.effect == std::string_view(effect_names[i])) return !(set.*effect_flags[i]);
+        if (counter.effect != nullptr && counter.effect == std::string_view(effect_names[i]))
+            return !(set.*effect_flags[i]);
     return false;
 }
 
-double percent(std::size_t part, std::size_t of) { return of == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(of); }
+double percent(std::size_t part, std::size_t of)
+{
+    return of == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(of);
+}
 
 json effects_json(const Derived& derived)
 {
     json effects = json::object();
-    for (std::size_t i = 0; i < effect_flags.size(); ++i) effects[effect_names[i]] = {{"called_for", derived.set.*effect_flags[i]}, {"why", derived.why[i]}};
+    for (std::size_t i = 0; i < effect_flags.size(); ++i)
+        effects[effect_names[i]] = {{"called_for", derived.set.*effect_flags[i]}, {"why", derived.why[i]}};
     return effects;
 }
 
@@ -54,19 +59,23 @@ std::string explanation(const Report& report)
 {
     std::string text = "Effects that the scene calls for\n";
     for (std::size_t i = 0; i < effect_flags.size(); ++i)
-        text += fmt::format("  {} {:<11} {}\n", report.derived.set.*effect_flags[i] ? "yes" : " no", effect_names[i], report.derived.why[i]);
+        text += fmt::format("  {} {:<11} {}\n", report.derived.set.*effect_flags[i] ? "yes" : " no", effect_names[i],
+                            report.derived.why[i]);
     if (!report.counters) return text + "Counters: the software renderer counts its work; OpenGL does not tell.\n";
-    text += report.all_effects ? "Work done by the kernel with all effects\n" : "Work done by the kernel for these effects\n";
+    text += report.all_effects ? "Work done by the kernel with all effects\n"
+                               : "Work done by the kernel for these effects\n";
     for (const NamedCounter& counter : all_counters)
-        text += fmt::format("  {:>12} {}{}\n", (*report.counters).*counter.value, counter.name,
-                            is_absent(counter, report.derived.set) ? fmt::format("  ({} is not called for)", counter.effect) : "");
+        text += fmt::format(
+            "  {:>12} {}{}\n", (*report.counters).*counter.value, counter.name,
+            is_absent(counter, report.derived.set) ? fmt::format("  ({} is not called for)", counter.effect) : "");
     return text;
 }
 
 std::string comparison_table(const Report& report)
 {
     const Comparison& c = *report.comparison;
-    std::string text = fmt::format("software against gl: {} at {} x {}\n", report.title.empty() ? report.scene : report.title, report.width, report.height);
+    std::string text = fmt::format("software against gl: {} at {} x {}\n",
+                                   report.title.empty() ? report.scene : report.title, report.width, report.height);
     const auto row = [&](const std::string& what, const std::string& value, const std::string& allowed) {
         text += fmt::format("  {:<38} {:>16}   {}\n", what, value, allowed);
     };
@@ -75,13 +84,17 @@ std::string comparison_table(const Report& report)
     row("covered: software", fmt::format("{}", c.covered_first), "");
     row("covered: gl", fmt::format("{}", c.covered_second), "");
     row("pixels differing in coverage", fmt::format("{}", c.coverage_differs), "");
-    row("pixels differing in id", fmt::format("{}", c.ids_differ), fmt::format("{:g} % of the pixels", 100 * report.agreement.edge_fraction));
+    row("pixels differing in id", fmt::format("{}", c.ids_differ),
+        fmt::format("{:g} % of the pixels", 100 * report.agreement.edge_fraction));
     row("interior pixels", fmt::format("{} ({:.1f} %)", c.interior, percent(c.interior, c.pixels)), "");
-    row("depth: largest, interior", fmt::format("{:.3g}", c.depth_max), fmt::format("{:.3g}", report.agreement.depth_most));
-    row("depth: mean, interior", fmt::format("{:.3g}", c.depth_mean), fmt::format("{:.3g}", report.agreement.depth_mean));
+    row("depth: largest, interior", fmt::format("{:.3g}", c.depth_max),
+        fmt::format("{:.3g}", report.agreement.depth_most));
+    row("depth: mean, interior", fmt::format("{:.3g}", c.depth_mean),
+        fmt::format("{:.3g}", report.agreement.depth_mean));
     row("colour: largest, interior, in 1/255", fmt::format("{:.3g}", c.color_max), "");
     row("colour: mean, interior, in 1/255", fmt::format("{:.3g}", c.color_mean), "");
-    row("colour: interior pixels beyond 1/255", fmt::format("{}", c.color_beyond), fmt::format("{:g} % of them", 100 * report.agreement.color_fraction));
+    row("colour: interior pixels beyond 1/255", fmt::format("{}", c.color_beyond),
+        fmt::format("{:g} % of them", 100 * report.agreement.color_fraction));
     row("colour: RMSE, all pixels, in 1/255", fmt::format("{:.3g}", c.color_rmse), "");
     return text + (agrees(c, report.agreement) ? "  they agree\n" : "  THEY DIFFER by more than is allowed\n");
 }

@@ -9,11 +9,11 @@
 #include <limits>
 #include <umbral/pipeline/rasterize.hpp>
 
-/// Which pixels a triangle covers, row by row: the rule of pipeline/rasterize-triangle, whose reference is the plain form of this. Exact, too:
-/// tests/render/rows_test.cpp compares the two.
+/// Which pixels a triangle covers, row by row: the rule of pipeline/rasterize-triangle, whose reference is the plain
+/// form of this. Exact, too: tests/render/rows_test.cpp compares the two.
 ///
-/// Based on: J. Pineda. A Parallel Algorithm for Polygon Rasterization. SIGGRAPH 1988 (edge functions); C. Hecker. Perspective Texture
-/// Mapping, part 2. Game Developer, 1995 (exact ends of rows by quotients and remainders).
+/// Based on: J. Pineda. A Parallel Algorithm for Polygon Rasterization. SIGGRAPH 1988 (edge functions); C. Hecker.
+/// Perspective Texture Mapping, part 2. Game Developer, 1995 (exact ends of rows by quotients and remainders).
 namespace umbral::render {
 
 inline constexpr std::int64_t subpixels = 256;
@@ -22,10 +22,12 @@ inline constexpr float farthest = 16384;  ///< of a corner that is drawn, in pix
 /// Comparisons with NaN are false.
 [[nodiscard]] inline bool drawable(const pipeline::WindowVertex& vertex)
 {
-    return std::abs(vertex.position.x) <= farthest && std::abs(vertex.position.y) <= farthest && vertex.inverse_w > 0 && !std::isnan(vertex.depth);
+    return std::abs(vertex.position.x) <= farthest && std::abs(vertex.position.y) <= farthest && vertex.inverse_w > 0 &&
+           !std::isnan(vertex.depth);
 }
 
-/// A position in 1/256 pixel. Within the guard band products of differences stay below 2^47: int64 and double hold them exactly.
+/// A position in 1/256 pixel. Within the guard band products of differences stay below 2^47: int64 and double hold them
+/// exactly.
 struct Point {
     std::int64_t x, y;
 };
@@ -39,19 +41,29 @@ struct Point {
     return bits - 0x4338000000000000;
 }
 
-[[nodiscard]] inline Point snapped(const glm::vec2& position) { return {rounded(double{position.x} * subpixels), rounded(double{position.y} * subpixels)}; }
+[[nodiscard]] inline Point snapped(const glm::vec2& position)
+{
+    return {rounded(double{position.x} * subpixels), rounded(double{position.y} * subpixels)};
+}
 
 /// Twice the signed area of the triangle a, b, c; positive if they turn clockwise on the screen, where y goes down.
-[[nodiscard]] inline std::int64_t area(const Point& a, const Point& b, const Point& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+[[nodiscard]] inline std::int64_t area(const Point& a, const Point& b, const Point& c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 /// The area of a side and the centre of pixel (x, y), positive inside: an affine function of whole numbers.
 struct Edge {
     std::int64_t origin;          ///< of pixel (0, 0)
     std::int64_t step_x, step_y;  ///< a step of one pixel adds 256 of these
-    std::int64_t least;           ///< of the values that are covered: 0 on top and left edges, whose inside lies below or to the right; else 1
+    std::int64_t least;  ///< of the values that are covered: 0 on top and left edges, whose inside lies below or to the
+                         ///< right; else 1
 
     /// At pixel (x, y).
-    [[nodiscard]] std::int64_t at(std::int64_t x, std::int64_t y) const { return origin + subpixels * (x * step_x + y * step_y); }
+    [[nodiscard]] std::int64_t at(std::int64_t x, std::int64_t y) const
+    {
+        return origin + subpixels * (x * step_x + y * step_y);
+    }
 };
 
 [[nodiscard]] inline Edge edge(const Point& a, const Point& b, std::int64_t orientation)
@@ -132,8 +144,9 @@ private:
 
 /// Calls visit(y, first, last) for each row of covered pixels, from the top: what a triangle has in a row is one run.
 ///
-/// Values of an edge at pixels differ by multiples of 256, so they reach `least` where (origin - least) / 256, rounded down, plus
-/// x * step_x + y * step_y is at least 0. Solved for x, that is where an edge to the left begins and where one to the right ends.
+/// Values of an edge at pixels differ by multiples of 256, so they reach `least` where (origin - least) / 256, rounded
+/// down, plus x * step_x + y * step_y is at least 0. Solved for x, that is where an edge to the left begins and where
+/// one to the right ends.
 template <class Visit>
 inline void for_each_run(const Setup& setup, Visit visit)
 {

@@ -18,11 +18,14 @@ struct SurfacePoint {
 };
 
 /// cosine^exponent, with x^0 = 1 for every x.
-[[nodiscard]] inline float highlight(float cosine, float exponent) { return exponent == 0 ? 1 : std::pow(std::max(0.0F, cosine), exponent); }
+[[nodiscard]] inline float highlight(float cosine, float exponent)
+{
+    return exponent == 0 ? 1 : std::pow(std::max(0.0F, cosine), exponent);
+}
 
-/// The local illumination model, exactly as lighting/shaders/phong.frag has it: emission, ambient, Lambert's diffuse and Blinn's specular
-/// term; a texture multiplies ambient and diffuse. Linear colours.
-/// Based on: J. Blinn. Models of Light Reflection for Computer Synthesized Pictures. 1977.
+/// The local illumination model, exactly as lighting/shaders/phong.frag has it: emission, ambient, Lambert's diffuse
+/// and Blinn's specular term; a texture multiplies ambient and diffuse. Linear colours. Based on: J. Blinn. Models of
+/// Light Reflection for Computer Synthesized Pictures. 1977.
 template <EffectSet effects>
 [[nodiscard]] glm::vec3 shade(const DrawList& list, const Draw& draw, const SurfacePoint& at, Counters& counters)
 {

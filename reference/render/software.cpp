@@ -92,8 +92,10 @@ void add_item(const DrawList& list, const Draw& draw, const Corners& corners, Ta
 {
     const int width = target.frame.width();
     const int height = target.frame.height();
-    Item item{
-        {to_window(corners[0].clip, width, height), to_window(corners[1].clip, width, height), to_window(corners[2].clip, width, height)}, corners, &draw};
+    Item item{{to_window(corners[0].clip, width, height), to_window(corners[1].clip, width, height),
+               to_window(corners[2].clip, width, height)},
+              corners,
+              &draw};
     if (!is_front(item.window, draw.mirrored)) {
         if (!(effects.two_sided && draw.both_sides)) {
             ++target.counters.triangles_from_behind;
@@ -104,7 +106,8 @@ void add_item(const DrawList& list, const Draw& draw, const Corners& corners, Ta
     }
     ++target.counters.triangles_rasterized;
     const auto& [a, b, c] = item.window;
-    target.tiles.add(static_cast<std::uint32_t>(target.items.size()), glm::min(a.position, glm::min(b.position, c.position)),
+    target.tiles.add(static_cast<std::uint32_t>(target.items.size()),
+                     glm::min(a.position, glm::min(b.position, c.position)),
                      glm::max(a.position, glm::max(b.position, c.position)));
     target.items.push_back(item);
     if (target.items.size() == most_items) draw_items(list, target);
@@ -140,7 +143,8 @@ void draw_instance(const DrawList& list, const Draw& draw, Target& target)
     placed.reserve(mesh.vertices.size());
     for (const Vertex& vertex : mesh.vertices) placed.push_back(place_vertex(list, draw, vertex));
     target.counters.vertices += placed.size();
-    for (const glm::uvec3& triangle : mesh.triangles) draw_triangle<effects>(list, draw, {placed[triangle.x], placed[triangle.y], placed[triangle.z]}, target);
+    for (const glm::uvec3& triangle : mesh.triangles)
+        draw_triangle<effects>(list, draw, {placed[triangle.x], placed[triangle.y], placed[triangle.z]}, target);
 }
 
 // Effects of fragments and of triangles do not mix: 16 kernels for the ones and 4 for the others serve all 64 sets.
@@ -167,13 +171,21 @@ SoftwarePicture draw_in_software(const DrawList& list, const EffectSet& effects,
 {
     constexpr int most = 16384;
     if (width < 1 || height < 1 || width > most || height > most)
-        throw std::invalid_argument("draw_in_software: expected sides of 1 to 16384 pixels, got " + std::to_string(width) + " x " + std::to_string(height));
+        throw std::invalid_argument("draw_in_software: expected sides of 1 to 16384 pixels, got " +
+                                    std::to_string(width) + " x " + std::to_string(height));
     SoftwarePicture picture{Frame(width, height), {}};
     std::vector<float>& depths = picture.frame.depth.cells;
     const std::size_t cells = depths.size();
     depths.resize(cells + lane_count);
     const std::size_t number = number_of(effects);
-    Target target{picture.frame, picture.counters, guard_band(width, height), fragment_kernels[number % fragment_sets], Tiles(width, height), {}, {}, {}};
+    Target target{picture.frame,
+                  picture.counters,
+                  guard_band(width, height),
+                  fragment_kernels[number % fragment_sets],
+                  Tiles(width, height),
+                  {},
+                  {},
+                  {}};
     const TriangleKernel draw_triangles = triangle_kernels[number / fragment_sets];
     for (const Draw& draw : list.draws) {
         ++(draw.visibility == Visibility::outside ? picture.counters.instances_outside : picture.counters.instances);

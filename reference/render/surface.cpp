@@ -18,7 +18,8 @@ struct Seams {
     bool poles = false;  ///< the rows v = 0 and v = 1 are a point each
 };
 
-/// `columns` x `rows` cells of two triangles, counter-clockwise where u goes to the right and v up; `place` gives a position in double.
+/// `columns` x `rows` cells of two triangles, counter-clockwise where u goes to the right and v up; `place` gives a
+/// position in double.
 template <class Place>
 Surface sheet(int columns, int rows, Seams seams, const Place& place)
 {
@@ -77,7 +78,8 @@ Surface make(const scene::Torus& torus)
 
 Surface make(const scene::Plane& plane)
 {
-    return sheet(plane.columns, plane.rows, {}, [](const glm::dvec2& uv) { return glm::dvec3(2 * uv.x - 1, 0, 1 - 2 * uv.y); });
+    return sheet(plane.columns, plane.rows, {},
+                 [](const glm::dvec2& uv) { return glm::dvec3(2 * uv.x - 1, 0, 1 - 2 * uv.y); });
 }
 
 Surface make(const scene::Wave& wave)
@@ -90,7 +92,10 @@ Surface make(const scene::Wave& wave)
 
 Surface make(const scene::Triangles& mesh)
 {
-    if (mesh.uvs.empty()) return {{mesh.positions, mesh.triangles}, {glm::vec2(0)}, std::vector<glm::uvec3>(mesh.triangles.size(), glm::uvec3(0))};
+    if (mesh.uvs.empty())
+        return {{mesh.positions, mesh.triangles},
+                {glm::vec2(0)},
+                std::vector<glm::uvec3>(mesh.triangles.size(), glm::uvec3(0))};
     return {{mesh.positions, mesh.triangles}, mesh.uvs, mesh.triangles};
 }
 
@@ -112,7 +117,8 @@ VertexMesh make_vertices(const Surface& surface, bool smooth)
     const std::vector<glm::vec3> of_faces = meshes::face_normals(surface.mesh);
     const std::vector<glm::vec3> of_vertices = smooth ? meshes::vertex_normals(surface.mesh) : std::vector<glm::vec3>();
     VertexMesh result;
-    // With smooth normals a vertex is told by its position and texture coordinates; with flat ones every corner is a vertex.
+    // With smooth normals a vertex is told by its position and texture coordinates; with flat ones every corner is a
+    // vertex.
     std::unordered_map<std::uint64_t, unsigned> known;
     for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
         glm::uvec3 triangle;
@@ -120,7 +126,8 @@ VertexMesh make_vertices(const Surface& surface, bool smooth)
             const unsigned position = surface.mesh.triangles[t][corner];
             const unsigned uv = surface.uv_triangles[t][corner];
             const auto next = static_cast<unsigned>(result.vertices.size());
-            triangle[corner] = smooth ? known.try_emplace((std::uint64_t{position} << 32U) | uv, next).first->second : next;
+            triangle[corner] =
+                smooth ? known.try_emplace((std::uint64_t{position} << 32U) | uv, next).first->second : next;
             if (triangle[corner] != next) continue;
             const glm::vec3 normal = first_defined(smooth ? of_vertices[position] : of_faces[t], of_faces[t]);
             result.vertices.push_back({surface.mesh.positions[position], normal, surface.uvs[uv]});

@@ -8,8 +8,8 @@
 
 namespace umbral::render {
 
-/// A surface whose texture coordinates have indices of their own, as in OBJ files: along a seam, where u jumps from 1 to 0, triangles share
-/// positions (so that normals are smooth there) and not texture coordinates.
+/// A surface whose texture coordinates have indices of their own, as in OBJ files: along a seam, where u jumps from 1
+/// to 0, triangles share positions (so that normals are smooth there) and not texture coordinates.
 struct Surface {
     meshes::IndexedMesh mesh;
     std::vector<glm::vec2> uvs;            ///< at least one
@@ -31,7 +31,8 @@ struct VertexMesh {
 };
 
 /// Joins positions, texture coordinates and normals: those of the vertices (`smooth`), or each triangle's own.
-/// Where a normal is undefined (a degenerate triangle, normals that cancel) it is the triangle's, or else (0, 0, 1): never zero.
+/// Where a normal is undefined (a degenerate triangle, normals that cancel) it is the triangle's, or else (0, 0, 1):
+/// never zero.
 [[nodiscard]] VertexMesh make_vertices(const Surface& surface, bool smooth);
 
 }

@@ -21,15 +21,16 @@ Place place_of(const scene::Texture& texture, int x, int y_from_below)
     return {cell(x), cell(y_from_below), uv, glm::fract(uv * static_cast<float>(texture.cells))};
 }
 
-// The hue goes once round with u, and the colour gets darker and lighter again with v, so that copies join without a seam; cells are
-// alternately lighter and darker, and their borders white.
+// The hue goes once round with u, and the colour gets darker and lighter again with v, so that copies join without a
+// seam; cells are alternately lighter and darker, and their borders white.
 glm::vec3 uv_grid(const Place& place)
 {
     constexpr float turn = 6.2831853F;
     constexpr float border = 0.03F;
     const glm::vec2 from_border = glm::min(place.in_cell, 1.0F - place.in_cell);
     if (from_border.x < border || from_border.y < border) return glm::vec3(0.9F);
-    const float shade = ((place.column + place.row) % 2 == 0 ? 1.0F : 0.6F) * (0.8F - 0.2F * std::cos(turn * place.uv.y));
+    const float shade =
+        ((place.column + place.row) % 2 == 0 ? 1.0F : 0.6F) * (0.8F - 0.2F * std::cos(turn * place.uv.y));
     return shade * (0.36F + 0.34F * glm::cos(turn * (place.uv.x + glm::vec3(0, 0.36F, 0.68F))));
 }
 
@@ -49,7 +50,8 @@ Grid<glm::vec4> make_texture(const scene::Texture& texture)
 {
     Grid<glm::vec4> texels(texture.size, texture.size);
     for (int y = 0; y < texture.size; ++y)
-        for (int x = 0; x < texture.size; ++x) texels.at(x, y) = glm::vec4(color_at(texture, place_of(texture, x, texture.size - 1 - y)), 1);
+        for (int x = 0; x < texture.size; ++x)
+            texels.at(x, y) = glm::vec4(color_at(texture, place_of(texture, x, texture.size - 1 - y)), 1);
     return texels;
 }
 

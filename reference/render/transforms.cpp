@@ -7,7 +7,10 @@ namespace umbral::render {
 namespace {
 
 struct Matrix {
-    glm::dmat4 operator()(const scene::Translate& translate) const { return glm::translate(glm::dmat4(1), glm::dvec3(translate.by)); }
+    glm::dmat4 operator()(const scene::Translate& translate) const
+    {
+        return glm::translate(glm::dmat4(1), glm::dvec3(translate.by));
+    }
     glm::dmat4 operator()(const scene::Rotate& rotate) const
     {
         return glm::rotate(glm::dmat4(1), glm::radians(double{rotate.degrees}), normalize(glm::dvec3(rotate.axis)));

@@ -9,8 +9,12 @@
 
 namespace umbral::render {
 
-/// m · (p, 1), its terms added from the left: the order that opengl_shaders.cpp prescribes too, so that both round alike.
-[[nodiscard]] inline glm::vec4 transform(const glm::mat4& m, const glm::vec3& p) { return m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3]; }
+/// m · (p, 1), its terms added from the left: the order that opengl_shaders.cpp prescribes too, so that both round
+/// alike.
+[[nodiscard]] inline glm::vec4 transform(const glm::mat4& m, const glm::vec3& p)
+{
+    return m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
+}
 
 /// The vertex stage: positions to eye space and clip space, normals to eye space.
 [[nodiscard]] inline ClipVertex place_vertex(const DrawList& list, const Draw& draw, const Vertex& vertex)
@@ -26,7 +30,9 @@ namespace umbral::render {
 {
     const float inverse_w = 1 / clip.w;
     const glm::vec2 half = glm::vec2(width, height) * 0.5F;
-    return {{clip.x * inverse_w * half.x + half.x, clip.y * inverse_w * -half.y + half.y}, clip.z * inverse_w * 0.5F + 0.5F, inverse_w};
+    return {{clip.x * inverse_w * half.x + half.x, clip.y * inverse_w * -half.y + half.y},
+            clip.z * inverse_w * 0.5F + 0.5F,
+            inverse_w};
 }
 
 /// Is it seen from its front: are its corners counter-clockwise (clockwise if mirrored)? y goes down.

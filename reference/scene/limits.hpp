@@ -2,16 +2,18 @@
 
 #include <cstddef>
 
-/// How large a scene may be: enough for any picture of the course, and little enough that a wrong number is an error and not a machine that stands still.
+/// How large a scene may be: enough for any picture of the course, and little enough that a wrong number is an error
+/// and not a machine that stands still.
 namespace umbral::scene {
 
 inline constexpr std::size_t maximum_file_bytes = std::size_t{1} << 24U;
 inline constexpr std::size_t maximum_lights = 16;
-inline constexpr std::size_t maximum_items = 1024;                       ///< textures, materials, geometries or instances
-inline constexpr std::size_t maximum_transforms = 64;                    ///< of one instance
-inline constexpr std::size_t maximum_vertices = 1'000'000;               ///< written out for one geometry; triangles likewise
-inline constexpr int maximum_subdivisions = 1024;                        ///< rings, sectors, rows or columns of a generated one
-inline constexpr std::size_t maximum_triangles = std::size_t{1} << 23U;  ///< of all geometries together, and of all instances together
+inline constexpr std::size_t maximum_items = 1024;          ///< textures, materials, geometries or instances
+inline constexpr std::size_t maximum_transforms = 64;       ///< of one instance
+inline constexpr std::size_t maximum_vertices = 1'000'000;  ///< written out for one geometry; triangles likewise
+inline constexpr int maximum_subdivisions = 1024;           ///< rings, sectors, rows or columns of a generated one
+inline constexpr std::size_t maximum_triangles = std::size_t{1}
+                                                 << 23U;  ///< of all geometries together, and of all instances together
 inline constexpr int maximum_texture_size = 4096;
 inline constexpr std::size_t maximum_texels = std::size_t{1} << 25U;  ///< of all textures of a scene
 inline constexpr std::size_t maximum_name_length = 64;

@@ -9,7 +9,8 @@
 
 /// What a picture is of: plain data, without answers, for every renderer alike.
 ///
-/// World coordinates are right-handed. All colours are linear (light, not sRGB); 1 is white. Angles are in degrees where a name says so.
+/// World coordinates are right-handed. All colours are linear (light, not sRGB); 1 is white. Angles are in degrees
+/// where a name says so.
 namespace umbral::scene {
 
 /// Where the picture is taken from.

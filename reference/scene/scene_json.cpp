@@ -12,7 +12,10 @@
 namespace umbral::scene {
 namespace {
 
-glm::vec3 color_or(const Field& field, const glm::vec3& fallback) { return field.given() ? vector3(field, 0, maximum_color) : fallback; }
+glm::vec3 color_or(const Field& field, const glm::vec3& fallback)
+{
+    return field.given() ? vector3(field, 0, maximum_color) : fallback;
+}
 
 glm::vec3 place(const Field& field) { return vector3(field, -maximum_coordinate, maximum_coordinate); }
 
@@ -43,7 +46,8 @@ Light parse_light(const Field& field)
     field.allow_only({"name", "position", "towards", "color"});
     const Field position = field.member("position");
     const Field towards = field.member("towards");
-    if (position.given() == towards.given()) field.refuse("either \"position\" (a place) or \"towards\" (the direction to a light far away)");
+    if (position.given() == towards.given())
+        field.refuse("either \"position\" (a place) or \"towards\" (the direction to a light far away)");
     return {.name = field.member("name").text(maximum_name_length),
             .positional = position.given(),
             .where = position.given() ? place(position) : direction(towards),
@@ -80,7 +84,8 @@ Material parse_material(const Field& field, const std::vector<std::string>& text
     material.specular = color_or(field.member("specular"), material.specular);
     if (const Field exponent = field.member("exponent"); exponent.given()) material.exponent = real(exponent, 0, 10000);
     if (const Field texture = field.member("texture"); texture.given()) material.texture = texture.one_of(textures);
-    if (const Field scale = field.member("texture_scale"); scale.given()) material.texture_scale = vector2(scale, -1000, 1000);
+    if (const Field scale = field.member("texture_scale"); scale.given())
+        material.texture_scale = vector2(scale, -1000, 1000);
     return material;
 }
 
@@ -90,7 +95,8 @@ Transform parse_transform(const Field& field)
     const Field translate = field.member("translate");
     const Field rotate = field.member("rotate");
     const Field scale = field.member("scale");
-    if (int{translate.given()} + int{rotate.given()} + int{scale.given()} != 1) field.refuse("exactly one of translate, rotate, scale");
+    if (int{translate.given()} + int{rotate.given()} + int{scale.given()} != 1)
+        field.refuse("exactly one of translate, rotate, scale");
     if (translate.given()) return Translate{place(translate)};
     if (rotate.given()) {
         rotate.allow_only({"axis", "degrees"});
@@ -101,7 +107,8 @@ Transform parse_transform(const Field& field)
     return factors;
 }
 
-Instance parse_instance(const Field& field, const std::vector<std::string>& geometries, const std::vector<std::string>& materials)
+Instance parse_instance(const Field& field, const std::vector<std::string>& geometries,
+                        const std::vector<std::string>& materials)
 {
     field.allow_only({"name", "geometry", "material", "transforms", "shading", "sides"});
     Instance instance;
@@ -109,9 +116,11 @@ Instance parse_instance(const Field& field, const std::vector<std::string>& geom
     instance.geometry = field.member("geometry").one_of(geometries);
     instance.material = field.member("material").one_of(materials);
     if (const Field transforms = field.member("transforms"); transforms.given())
-        for (const Field& transform : transforms.items(0, maximum_transforms)) instance.transforms.push_back(parse_transform(transform));
+        for (const Field& transform : transforms.items(0, maximum_transforms))
+            instance.transforms.push_back(parse_transform(transform));
     instance.smooth = !field.member("shading").given() || field.member("shading").one_of({"flat", "smooth"}) == 1;
-    if (const Field sides = field.member("sides"); sides.given()) instance.sides = static_cast<Sides>(sides.one_of({"front", "both"}));
+    if (const Field sides = field.member("sides"); sides.given())
+        instance.sides = static_cast<Sides>(sides.one_of({"front", "both"}));
     return instance;
 }
 
@@ -133,7 +142,8 @@ template <class Thing>
 std::vector<std::string> names_of(const std::vector<Thing>& things)
 {
     std::vector<std::string> names;
-    std::transform(things.begin(), things.end(), std::back_inserter(names), [](const Thing& thing) { return thing.name; });
+    std::transform(things.begin(), things.end(), std::back_inserter(names),
+                   [](const Thing& thing) { return thing.name; });
     return names;
 }
 
@@ -148,13 +158,15 @@ void refuse_a_name_twice(const Field& list, const std::vector<Thing>& things)
 
 void refuse_more_than(std::size_t most, std::size_t count, const Field& field, const char* what)
 {
-    if (count > most) field.refuse("at most " + std::to_string(most) + " " + what + " in all, not " + std::to_string(count));
+    if (count > most)
+        field.refuse("at most " + std::to_string(most) + " " + what + " in all, not " + std::to_string(count));
 }
 
 void refuse_too_much(const Field& root, const Scene& scene)
 {
     std::size_t texels = 0;
-    for (const Texture& texture : scene.textures) texels += static_cast<std::size_t>(texture.size) * static_cast<std::size_t>(texture.size);
+    for (const Texture& texture : scene.textures)
+        texels += static_cast<std::size_t>(texture.size) * static_cast<std::size_t>(texture.size);
     refuse_more_than(maximum_texels, texels, root.member("textures"), "texels");
     std::size_t stored = 0;
     for (const Geometry& geometry : scene.geometries) stored += triangle_count(geometry.shape);
@@ -166,7 +178,8 @@ void refuse_too_much(const Field& root, const Scene& scene)
 
 Scene parse(const Field& root)
 {
-    root.allow_only({"format", "version", "title", "camera", "background", "ambient", "lights", "textures", "materials", "geometries", "instances"});
+    root.allow_only({"format", "version", "title", "camera", "background", "ambient", "lights", "textures", "materials",
+                     "geometries", "instances"});
     (void)root.member("format").one_of({"umbral-scene"});
     (void)root.member("version").integer(1, 1);
     Scene scene;
@@ -184,8 +197,11 @@ Scene parse(const Field& root)
 
     scene.textures = parse_named(root.member("textures"), parse_texture);
     const std::vector<std::string> textures = names_of(scene.textures);
-    scene.materials = parse_named(root.member("materials"), [&](const Field& field) { return parse_material(field, textures); });
-    scene.geometries = parse_named(root.member("geometries"), [](const Field& field) { return Geometry{"", parse_shape(field)}; });
+    scene.materials =
+        parse_named(root.member("materials"), [&](const Field& field) { return parse_material(field, textures); });
+    scene.geometries = parse_named(root.member("geometries"), [](const Field& field) {
+        return Geometry{"", parse_shape(field)};
+    });
 
     const std::vector<std::string> materials = names_of(scene.materials);
     const std::vector<std::string> geometries = names_of(scene.geometries);
@@ -194,7 +210,9 @@ Scene parse(const Field& root)
         scene.instances.push_back(parse_instance(field, geometries, materials));
         const Instance& instance = scene.instances.back();
         if (scene.materials[instance.material].texture && !has_uvs(scene.geometries[instance.geometry]))
-            field.member("material").refuse("a material without a texture, as geometry \"" + scene.geometries[instance.geometry].name + "\" has no uvs");
+            field.member("material")
+                .refuse("a material without a texture, as geometry \"" + scene.geometries[instance.geometry].name +
+                        "\" has no uvs");
     }
     refuse_a_name_twice(instances, scene.instances);
     refuse_too_much(root, scene);
@@ -205,6 +223,9 @@ Scene parse(const Field& root)
 
 Scene parse_scene(std::string_view text, const std::string& file) { return parse(Field(parse_json(text, file), file)); }
 
-Scene read_scene(const std::filesystem::path& file) { return parse(Field(read_json(file, maximum_file_bytes), file.string())); }
+Scene read_scene(const std::filesystem::path& file)
+{
+    return parse(Field(read_json(file, maximum_file_bytes), file.string()));
+}
 
 }

@@ -10,9 +10,9 @@ namespace umbral::scene {
 
 /// Reads a scene (docs/schemas/scene.schema.json describes the format; limits.hpp how large it may be).
 ///
-/// What is read can be drawn: names refer to things that exist, indices are in range, numbers are finite, and no factor or direction is zero.
-/// Names stand for places in Scene's lists, so that nothing can refer to itself.
-/// Throws std::runtime_error "file: instances[2].geometry: expected …, got …".
+/// What is read can be drawn: names refer to things that exist, indices are in range, numbers are finite, and no factor
+/// or direction is zero. Names stand for places in Scene's lists, so that nothing can refer to itself. Throws
+/// std::runtime_error "file: instances[2].geometry: expected …, got …".
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file);
 
 /// The same from a text; `file` is what complaints call it.

@@ -7,20 +7,25 @@
 namespace umbral::scene {
 namespace {
 
-int subdivisions(const Field& field, int least, int fallback) { return field.given() ? field.integer(least, maximum_subdivisions) : fallback; }
+int subdivisions(const Field& field, int least, int fallback)
+{
+    return field.given() ? field.integer(least, maximum_subdivisions) : fallback;
+}
 
 Shape parse_sphere(const Field& field)
 {
     field.allow_only({"kind", "rings", "sectors"});
     const Sphere usual;
-    return Sphere{subdivisions(field.member("rings"), 2, usual.rings), subdivisions(field.member("sectors"), 3, usual.sectors)};
+    return Sphere{subdivisions(field.member("rings"), 2, usual.rings),
+                  subdivisions(field.member("sectors"), 3, usual.sectors)};
 }
 
 Shape parse_torus(const Field& field)
 {
     field.allow_only({"kind", "rings", "sectors", "tube"});
     const Torus usual;
-    return Torus{subdivisions(field.member("rings"), 3, usual.rings), subdivisions(field.member("sectors"), 3, usual.sectors),
+    return Torus{subdivisions(field.member("rings"), 3, usual.rings),
+                 subdivisions(field.member("sectors"), 3, usual.sectors),
                  field.member("tube").given() ? real(field.member("tube"), 0.001, 0.999) : usual.tube};
 }
 
@@ -34,8 +39,9 @@ Shape parse_wave(const Field& field)
 {
     field.allow_only({"kind", "rows", "columns", "amplitude", "waves"});
     const Wave usual;
-    return Wave{subdivisions(field.member("rows"), 1, usual.rows), subdivisions(field.member("columns"), 1, usual.columns),
-                real(field.member("amplitude"), -10, 10), vector2(field.member("waves"), -100, 100)};
+    return Wave{subdivisions(field.member("rows"), 1, usual.rows),
+                subdivisions(field.member("columns"), 1, usual.columns), real(field.member("amplitude"), -10, 10),
+                vector2(field.member("waves"), -100, 100)};
 }
 
 glm::uvec3 parse_triangle(const Field& field, std::size_t positions)
@@ -59,7 +65,8 @@ Shape parse_triangles(const Field& field)
     for (const Field& triangle : field.member("triangles").items(0, maximum_vertices))
         mesh.triangles.push_back(parse_triangle(triangle, mesh.positions.size()));
     if (const Field uvs = field.member("uvs"); uvs.given())
-        for (const Field& uv : uvs.items(mesh.positions.size(), mesh.positions.size())) mesh.uvs.push_back(vector2(uv, -1000, 1000));
+        for (const Field& uv : uvs.items(mesh.positions.size(), mesh.positions.size()))
+            mesh.uvs.push_back(vector2(uv, -1000, 1000));
     return mesh;
 }
 

@@ -7,7 +7,10 @@
 /// Numbers and vectors of a JSON file as the scenes hold them: in float. All throw as Field's readers do.
 namespace umbral::scene {
 
-[[nodiscard]] inline float real(const Field& field, double low, double high) { return static_cast<float>(field.number(low, high)); }
+[[nodiscard]] inline float real(const Field& field, double low, double high)
+{
+    return static_cast<float>(field.number(low, high));
+}
 
 /// An array of two numbers.
 [[nodiscard]] inline glm::vec2 vector2(const Field& field, double low, double high)

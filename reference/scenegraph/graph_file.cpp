@@ -29,9 +29,11 @@ Shape parse_shape(const Field& node)
     const Field primitive = node.member("primitive");
     const Field polygon = node.member("polygon");
     if (primitive.given() == polygon.given()) node.refuse("either \"primitive\" or \"polygon\"");
-    if (primitive.given()) return primitive.one_of({"half-sphere", "cylinder"}) == 0 ? Primitive::half_sphere : Primitive::cylinder;
+    if (primitive.given())
+        return primitive.one_of({"half-sphere", "cylinder"}) == 0 ? Primitive::half_sphere : Primitive::cylinder;
     std::vector<glm::vec2> corners;
-    for (const Field& corner : polygon.items(3, maximum_corners)) corners.push_back(scene::vector2(corner, -maximum_number, maximum_number));
+    for (const Field& corner : polygon.items(3, maximum_corners))
+        corners.push_back(scene::vector2(corner, -maximum_number, maximum_number));
     return corners;
 }
 
@@ -53,7 +55,8 @@ glm::mat4 parse_matrix(const Field& node)
     for (int row = 0; row < 4; ++row) {
         const std::vector<Field> numbers = rows[static_cast<std::size_t>(row)].items(4, 4);
         for (int column = 0; column < 4; ++column)
-            matrix[column][row] = scene::real(numbers[static_cast<std::size_t>(column)], -maximum_number, maximum_number);
+            matrix[column][row] =
+                scene::real(numbers[static_cast<std::size_t>(column)], -maximum_number, maximum_number);
     }
     return matrix;
 }
@@ -87,9 +90,11 @@ private:
     {
         node.allow_only({"object", "node", "translate", "scale", "rotate", "matrix"});
         const auto members = node.members(6);
-        if (members.size() != 1) node.refuse("one of \"object\", \"node\", \"translate\", \"scale\", \"rotate\", \"matrix\"");
+        if (members.size() != 1)
+            node.refuse("one of \"object\", \"node\", \"translate\", \"scale\", \"rotate\", \"matrix\"");
         const auto& [kind, value] = members.front();
-        if (kind == "object") return {Entry::Kind::object, static_cast<std::uint32_t>(value.one_of(file_.object_names))};
+        if (kind == "object")
+            return {Entry::Kind::object, static_cast<std::uint32_t>(value.one_of(file_.object_names))};
         if (kind == "node") return {Entry::Kind::node, static_cast<std::uint32_t>(value.one_of(file_.node_names))};
         if (kind == "translate") return add(glm::translate(glm::mat4(1), vector(value)));
         if (kind == "scale") return add(glm::scale(glm::mat4(1), vector(value)));

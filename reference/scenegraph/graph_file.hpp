@@ -23,9 +23,9 @@ struct GraphFile {
     std::vector<Shape> shapes;  ///< of the objects
 };
 
-/// Reads a scene graph (docs/schemas/scene-graph.schema.json describes the format). Names refer to what is there, and numbers are finite; a node may
-/// contain itself, which is for transforms::expand to refuse.
-/// Throws std::runtime_error "file: nodes.house[1].scale: expected …, got …".
+/// Reads a scene graph (docs/schemas/scene-graph.schema.json describes the format). Names refer to what is there, and
+/// numbers are finite; a node may contain itself, which is for transforms::expand to refuse. Throws std::runtime_error
+/// "file: nodes.house[1].scale: expected …, got …".
 [[nodiscard]] GraphFile read_graph(const std::filesystem::path& file);
 
 /// The same from a text; `file` is what complaints call it.

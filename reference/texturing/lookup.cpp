@@ -1,4 +1,5 @@
-// Based on: L. Williams. Pyramidal Parametrics. SIGGRAPH 1983 (bilinear filtering); The OpenGL Graphics System, version 4.5, section 8.14.
+// Based on: L. Williams. Pyramidal Parametrics. SIGGRAPH 1983 (bilinear filtering); The OpenGL Graphics System,
+// version 4.5, section 8.14.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,8 @@
 namespace umbral::texturing {
 namespace {
 
-// The coordinate in [0, 1] that reads the same texels. With repeat the fraction is below 1 even where rounding (of -1e-30, say) would reach it.
+// The coordinate in [0, 1] that reads the same texels. With repeat the fraction is below 1 even where rounding (of
+// -1e-30, say) would reach it.
 double folded(double coordinate, Wrap wrap)
 {
     if (wrap == Wrap::clamp_to_edge) return coordinate > 0 ? std::min(coordinate, 1.0) : 0;
@@ -18,18 +20,22 @@ double folded(double coordinate, Wrap wrap)
 }
 
 // The texel that stands for number `index` of a row or column of `count`, where `index` is at most one step outside.
-int wrapped(int index, int count, Wrap wrap) { return wrap == Wrap::repeat ? (index + count) % count : std::clamp(index, 0, count - 1); }
+int wrapped(int index, int count, Wrap wrap)
+{
+    return wrap == Wrap::repeat ? (index + count) % count : std::clamp(index, 0, count - 1);
+}
 
 }
 
 glm::vec4 lookup(const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv)
 {
     if (texture.cells.empty())
-        throw std::invalid_argument("lookup: expected a texture of at least one texel, got " + std::to_string(texture.width) + " x " +
-                                    std::to_string(texture.height));
+        throw std::invalid_argument("lookup: expected a texture of at least one texel, got " +
+                                    std::to_string(texture.width) + " x " + std::to_string(texture.height));
     // v counts from the bottom, rows from the top.
     const auto texel = [&](int column, int row_from_below) -> const glm::vec4& {
-        return texture.at(wrapped(column, texture.width, sampler.wrap_u), texture.height - 1 - wrapped(row_from_below, texture.height, sampler.wrap_v));
+        return texture.at(wrapped(column, texture.width, sampler.wrap_u),
+                          texture.height - 1 - wrapped(row_from_below, texture.height, sampler.wrap_v));
     };
     // In double the products of a float and a size are exact, and so is the decision which texels they fall between.
     const double x = folded(uv.x, sampler.wrap_u) * texture.width;

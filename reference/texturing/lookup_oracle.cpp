@@ -1,8 +1,8 @@
 #include <cmath>
 #include <umbral/texturing/lookup.hpp>
 
-// Places as whole texels and a rest: the fraction of a float has at most 24 bits, so that its product with the size is exact in double.
-// The four weights are formed in double, and the sum is rounded to float once.
+// Places as whole texels and a rest: the fraction of a float has at most 24 bits, so that its product with the size is
+// exact in double. The four weights are formed in double, and the sum is rounded to float once.
 
 namespace umbral::texturing {
 namespace {
@@ -53,12 +53,15 @@ Neighbours neighbours(const Place& at, int count, Wrap wrap, Filter filter)
 
 glm::vec4 lookup(const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv)
 {
-    const Neighbours across = neighbours(place(uv.x, texture.width, sampler.wrap_u), texture.width, sampler.wrap_u, sampler.filter);
-    const Neighbours up = neighbours(place(uv.y, texture.height, sampler.wrap_v), texture.height, sampler.wrap_v, sampler.filter);
+    const Neighbours across =
+        neighbours(place(uv.x, texture.width, sampler.wrap_u), texture.width, sampler.wrap_u, sampler.filter);
+    const Neighbours up =
+        neighbours(place(uv.y, texture.height, sampler.wrap_v), texture.height, sampler.wrap_v, sampler.filter);
     glm::dvec4 sum(0);
     for (const auto& [column, share] : {std::pair{across.first, 1 - across.weight}, {across.second, across.weight}})
         for (const auto& [row, part] : {std::pair{up.first, 1 - up.weight}, {up.second, up.weight}})
-            sum += share * part * glm::dvec4(texture.at(static_cast<int>(column), texture.height - 1 - static_cast<int>(row)));
+            sum += share * part *
+                   glm::dvec4(texture.at(static_cast<int>(column), texture.height - 1 - static_cast<int>(row)));
     return glm::vec4(sum);
 }
 

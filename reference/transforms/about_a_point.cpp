@@ -1,5 +1,5 @@
-// Based on: C. Ureña. Informática Gráfica, tema 2, "rotaciones sobre puntos arbitrarios". 2021; two mirrors make a rotation by twice their angle:
-// É. Cartan. Leçons sur la théorie des spineurs. 1938.
+// Based on: C. Ureña. Informática Gráfica, tema 2, "rotaciones sobre puntos arbitrarios". 2021; two mirrors make a
+// rotation by twice their angle: É. Cartan. Leçons sur la théorie des spineurs. 1938.
 
 #include <cmath>
 #include <umbral/transforms/about_a_point.hpp>
@@ -77,7 +77,8 @@ glm::mat4 reflection_in_plane(const glm::vec3& point, const glm::vec3& normal)
     return about(point, mirror_change(unit(normal)));
 }
 
-// A mirror across u takes u to -u; one across the bisector of u and v takes -u to v. What is perpendicular to both stays.
+// A mirror across u takes u to -u; one across the bisector of u and v takes -u to v. What is perpendicular to both
+// stays.
 glm::mat4 alignment(const glm::vec3& from, const glm::vec3& to)
 {
     if (is_null(from) || is_null(to)) return glm::mat4(1);

@@ -4,7 +4,8 @@
 
 #include "wide.hpp"
 
-// In __float128 but for the sine and the cosine, which have 64 bits; rounded to float once. Images of points instead of products of matrices.
+// In __float128 but for the sine and the cosine, which have 64 bits; rounded to float once. Images of points instead of
+// products of matrices.
 
 namespace umbral::transforms {
 namespace {
@@ -13,8 +14,14 @@ using Vector = std::array<Wide, 3>;
 
 Vector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 Wide dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
-Vector sum(const Vector& a, Wide factor, const Vector& b) { return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]}; }
+Vector cross(const Vector& a, const Vector& b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector sum(const Vector& a, Wide factor, const Vector& b)
+{
+    return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
 bool is_null(const Vector& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
 Vector unit(const Vector& v) { return sum({0, 0, 0}, 1 / square_root(dot(v, v)), v); }
@@ -28,7 +35,8 @@ glm::mat4 about(const glm::vec3& centre, Moves moves)
         Vector axis{0, 0, 0};
         if (column < 3) axis[static_cast<std::size_t>(column)] = 1;
         const Vector move = column < 3 ? moves(axis) : sum({0, 0, 0}, -1, moves(widened(centre)));
-        for (int row = 0; row < 3; ++row) m[column][row] = static_cast<float>(move[static_cast<std::size_t>(row)] + (row == column ? 1 : 0));
+        for (int row = 0; row < 3; ++row)
+            m[column][row] = static_cast<float>(move[static_cast<std::size_t>(row)] + (row == column ? 1 : 0));
     }
     return m;
 }
@@ -47,7 +55,8 @@ auto half_turn(const Vector& e)
 
 glm::mat4 rotation_about_point(const glm::vec3& centre, const AxisAngle& turn)
 {
-    const bool finite = std::isfinite(turn.axis.x) && std::isfinite(turn.axis.y) && std::isfinite(turn.axis.z) && std::isfinite(turn.angle);
+    const bool finite = std::isfinite(turn.axis.x) && std::isfinite(turn.axis.y) && std::isfinite(turn.axis.z) &&
+                        std::isfinite(turn.angle);
     if (is_null(widened(turn.axis)) || !finite) return glm::mat4(1);
     const Vector e = unit(widened(turn.axis));
     const Wide sine = std::sin(static_cast<long double>(turn.angle));
@@ -61,7 +70,9 @@ glm::mat4 rotation_about_point(const glm::vec3& centre, const AxisAngle& turn)
 glm::mat4 scaling_about_point(const glm::vec3& centre, const glm::vec3& factors)
 {
     const Vector f = widened(factors);
-    return about(centre, [&](const Vector& p) { return Vector{(f[0] - 1) * p[0], (f[1] - 1) * p[1], (f[2] - 1) * p[2]}; });
+    return about(centre, [&](const Vector& p) {
+        return Vector{(f[0] - 1) * p[0], (f[1] - 1) * p[1], (f[2] - 1) * p[2]};
+    });
 }
 
 glm::mat4 reflection_in_point(const glm::vec3& centre)

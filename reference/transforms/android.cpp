@@ -1,5 +1,6 @@
-// Based on: ISO/IEC 9592-1. Programmer's Hierarchical Interactive Graphics System (PHIGS). 1989: a figure is a graph of parts, and its pose a
-// few of the graph's matrices; each of those is computed from its parameter, never from its last value.
+// Based on: ISO/IEC 9592-1. Programmer's Hierarchical Interactive Graphics System (PHIGS). 1989: a figure is a graph of
+// parts, and its pose a few of the graph's matrices; each of those is computed from its parameter, never from its last
+// value.
 
 #include <cmath>
 #include <numbers>
@@ -56,11 +57,15 @@ void draw_head(Pipeline& pipeline)
     const glm::vec3 color = pipeline.color();
     pipeline.set_color(glm::vec3(1));
     for (const float side : sides)
-        draw_placed(pipeline, move(on_side(side, eye)) * turn(std::numbers::pi / 2, x_axis) * scale(eye_radius, eye_radius, eye_radius),
-                    Primitive::half_sphere);
+        draw_placed(
+            pipeline,
+            move(on_side(side, eye)) * turn(std::numbers::pi / 2, x_axis) * scale(eye_radius, eye_radius, eye_radius),
+            Primitive::half_sphere);
     pipeline.set_color(color);
     for (const float side : sides)
-        draw_placed(pipeline, move(on_side(side, antenna)) * turn(-side * antenna_tilt, z_axis) * scale(antenna_radius, antenna_length, antenna_radius),
+        draw_placed(pipeline,
+                    move(on_side(side, antenna)) * turn(-side * antenna_tilt, z_axis) *
+                        scale(antenna_radius, antenna_length, antenna_radius),
                     Primitive::cylinder);
 }
 

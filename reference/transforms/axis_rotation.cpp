@@ -1,6 +1,6 @@
-// Based on: O. Rodrigues. Des lois géométriques qui régissent les déplacements d'un système solide dans l'espace. 1840, as the
-// course gives it: s' = cosθ s + (1 - cosθ)(s·e) e + sinθ e × s; and, for chains,
-// W. R. Hamilton. On Quaternions. 1844: of a product of quaternions only the length can stray from a rotation's.
+// Based on: O. Rodrigues. Des lois géométriques qui régissent les déplacements d'un système solide dans l'espace. 1840,
+// as the course gives it: s' = cosθ s + (1 - cosθ)(s·e) e + sinθ e × s; and, for chains, W. R. Hamilton. On
+// Quaternions. 1844: of a product of quaternions only the length can stray from a rotation's.
 
 #include <cmath>
 #include <umbral/transforms/rotation.hpp>
@@ -16,10 +16,12 @@ struct Quaternion {
 
 bool finite(const AxisAngle& turn)
 {
-    return std::isfinite(turn.axis.x) && std::isfinite(turn.axis.y) && std::isfinite(turn.axis.z) && std::isfinite(turn.angle);
+    return std::isfinite(turn.axis.x) && std::isfinite(turn.axis.y) && std::isfinite(turn.axis.z) &&
+           std::isfinite(turn.angle);
 }
 
-// In double, the square of no float's length overflows or underflows, and the sine and cosine of half a tiny angle keep all their digits.
+// In double, the square of no float's length overflows or underflows, and the sine and cosine of half a tiny angle keep
+// all their digits.
 Quaternion quaternion(const AxisAngle& turn)
 {
     const glm::dvec3 axis(turn.axis);
@@ -36,7 +38,8 @@ Quaternion after(const Quaternion& second, const Quaternion& first)
             second.scalar * first.vector + first.scalar * second.vector + cross(second.vector, first.vector)};
 }
 
-/// (1 - cosθ) e eᵀ + cosθ I + sinθ [e]×, by the half angle: 1 - cosθ = 2 sin²(θ/2) and sinθ = 2 sin(θ/2) cos(θ/2), which cancel nothing.
+/// (1 - cosθ) e eᵀ + cosθ I + sinθ [e]×, by the half angle: 1 - cosθ = 2 sin²(θ/2) and sinθ = 2 sin(θ/2) cos(θ/2),
+/// which cancel nothing.
 glm::mat4 matrix(const Quaternion& turn)
 {
     const auto& [w, v] = turn;
@@ -67,7 +70,8 @@ glm::mat4 compose_rotations(std::span<const AxisAngle> turns)
     Quaternion all;
     for (const AxisAngle& turn : turns) {
         all = after(quaternion(turn), all);
-        // Its length strays from 1 by a rounding a turn; taken back at once, by one step of Newton's method for 1/√x at x = 1.
+        // Its length strays from 1 by a rounding a turn; taken back at once, by one step of Newton's method for 1/√x at
+        // x = 1.
         const double correction = 1.5 - 0.5 * (all.scalar * all.scalar + dot(all.vector, all.vector));
         all = {correction * all.scalar, correction * all.vector};
     }

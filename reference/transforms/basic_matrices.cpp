@@ -1,4 +1,5 @@
-// Based on: C. Ureña. Informática Gráfica, tema 2, "matrices de transformación usuales". 2021; GLM stores columns: m[column][row].
+// Based on: C. Ureña. Informática Gráfica, tema 2, "matrices de transformación usuales". 2021; GLM stores columns:
+// m[column][row].
 
 #include <cmath>
 #include <umbral/transforms/basic_matrices.hpp>
@@ -46,9 +47,15 @@ glm::mat4 rotation_about_x(float angle) { return turned(1, 2, angle); }
 glm::mat4 rotation_about_y(float angle) { return turned(2, 0, angle); }
 glm::mat4 rotation_about_z(float angle) { return turned(0, 1, angle); }
 
-glm::vec3 transform_point(const glm::mat4& matrix, const glm::vec3& point) { return glm::vec3(matrix * glm::vec4(point, 1)); }
+glm::vec3 transform_point(const glm::mat4& matrix, const glm::vec3& point)
+{
+    return glm::vec3(matrix * glm::vec4(point, 1));
+}
 
-glm::vec3 transform_vector(const glm::mat4& matrix, const glm::vec3& vector) { return glm::vec3(matrix * glm::vec4(vector, 0)); }
+glm::vec3 transform_vector(const glm::mat4& matrix, const glm::vec3& vector)
+{
+    return glm::vec3(matrix * glm::vec4(vector, 0));
+}
 
 glm::mat4 compose_matrices(std::span<const glm::mat4> steps)
 {

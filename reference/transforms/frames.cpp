@@ -1,5 +1,6 @@
-// Based on: C. Ureña. Informática Gráfica, tema 1, "relación entre marcos". 2021; orientation by the determinant, with a filter as in
-// J. R. Shewchuk. Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates. 1997.
+// Based on: C. Ureña. Informática Gráfica, tema 1, "relación entre marcos". 2021; orientation by the determinant, with
+// a filter as in J. R. Shewchuk. Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates.
+// 1997.
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +21,18 @@ glm::dmat3 dual_rows(const Frame& frame)
 }
 
 /// Columns from vectors of the world, the last one a difference of points, each by its dot products with the rows.
-glm::mat4 coordinates(const glm::dmat3& rows, const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& origin)
+glm::mat4 coordinates(const glm::dmat3& rows, const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z,
+                      const glm::dvec3& origin)
 {
     const glm::dmat3 inverse = transpose(rows);
-    return {glm::vec4(inverse * x, 0), glm::vec4(inverse * y, 0), glm::vec4(inverse * z, 0), glm::vec4(inverse * origin, 1)};
+    return {glm::vec4(inverse * x, 0), glm::vec4(inverse * y, 0), glm::vec4(inverse * z, 0),
+            glm::vec4(inverse * origin, 1)};
 }
 
 int sign(double number) { return number > 0 ? 1 : number < 0 ? -1 : 0; }
 
-/// The sign of the exact sum: each term goes through all parts, and what a sum rounds off stays behind as a part. The last that is not 0 decides.
+/// The sign of the exact sum: each term goes through all parts, and what a sum rounds off stays behind as a part. The
+/// last that is not 0 decides.
 int sign_of_sum(std::span<const double> terms)
 {
     std::vector<double> parts;
@@ -45,7 +49,8 @@ int sign_of_sum(std::span<const double> terms)
     return last == parts.rend() ? 0 : sign(*last);
 }
 
-/// The sign of det [x y z], exactly. A product of two floats is a double; with a third one it is the double next to it and a rest, which fma gives.
+/// The sign of det [x y z], exactly. A product of two floats is a double; with a third one it is the double next to it
+/// and a rest, which fma gives.
 int exact_sign(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z)
 {
     std::vector<double> terms;
@@ -62,15 +67,24 @@ int exact_sign(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z)
     return sign_of_sum(terms);
 }
 
-bool perpendicular(const glm::dvec3& a, const glm::dvec3& b) { return std::abs(dot(a, b)) <= 1e-4 * length(a) * length(b); }
+bool perpendicular(const glm::dvec3& a, const glm::dvec3& b)
+{
+    return std::abs(dot(a, b)) <= 1e-4 * length(a) * length(b);
+}
 
 bool unit(const glm::dvec3& v) { return std::abs(length(v) - 1) <= 1e-4; }
 
 }
 
-glm::mat4 frame_matrix(const Frame& frame) { return {glm::vec4(frame.x, 0), glm::vec4(frame.y, 0), glm::vec4(frame.z, 0), glm::vec4(frame.origin, 1)}; }
+glm::mat4 frame_matrix(const Frame& frame)
+{
+    return {glm::vec4(frame.x, 0), glm::vec4(frame.y, 0), glm::vec4(frame.z, 0), glm::vec4(frame.origin, 1)};
+}
 
-glm::mat4 inverse_of_frame(const Frame& frame) { return coordinates(dual_rows(frame), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, -glm::dvec3(frame.origin)); }
+glm::mat4 inverse_of_frame(const Frame& frame)
+{
+    return coordinates(dual_rows(frame), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, -glm::dvec3(frame.origin));
+}
 
 glm::mat4 inverse_of_cartesian(const Frame& frame)
 {
@@ -89,7 +103,8 @@ int orientation(const Frame& frame)
     const glm::dvec3 x(frame.x);
     const glm::dvec3 y(frame.y);
     const glm::dvec3 z(frame.z);
-    // In double the volume is off by less than ten roundings of the product of the lengths; only in doubt is it worth computing in full.
+    // In double the volume is off by less than ten roundings of the product of the lengths; only in doubt is it worth
+    // computing in full.
     const double volume = dot(cross(x, y), z);
     const double doubt = 1e-14 * length(x) * length(y) * length(z);
     return std::abs(volume) > doubt ? sign(volume) : exact_sign(x, y, z);

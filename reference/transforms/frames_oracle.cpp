@@ -14,7 +14,8 @@ Vector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 Wide determinant(const Vector& a, const Vector& b, const Vector& c)
 {
-    return a[0] * b[1] * c[2] + b[0] * c[1] * a[2] + c[0] * a[1] * b[2] - c[0] * b[1] * a[2] - a[0] * c[1] * b[2] - b[0] * a[1] * c[2];
+    return a[0] * b[1] * c[2] + b[0] * c[1] * a[2] + c[0] * a[1] * b[2] - c[0] * b[1] * a[2] - a[0] * c[1] * b[2] -
+           b[0] * a[1] * c[2];
 }
 
 Wide dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -26,14 +27,21 @@ glm::vec4 coordinates(const Frame& frame, const Vector& v, float w)
     const Vector y = widened(frame.y);
     const Vector z = widened(frame.z);
     const Wide all = determinant(x, y, z);
-    return {static_cast<float>(determinant(v, y, z) / all), static_cast<float>(determinant(x, v, z) / all), static_cast<float>(determinant(x, y, v) / all), w};
+    return {static_cast<float>(determinant(v, y, z) / all), static_cast<float>(determinant(x, v, z) / all),
+            static_cast<float>(determinant(x, y, v) / all), w};
 }
 
-Vector difference(const glm::vec3& a, const glm::vec3& b) { return {Wide(a.x) - Wide(b.x), Wide(a.y) - Wide(b.y), Wide(a.z) - Wide(b.z)}; }
+Vector difference(const glm::vec3& a, const glm::vec3& b)
+{
+    return {Wide(a.x) - Wide(b.x), Wide(a.y) - Wide(b.y), Wide(a.z) - Wide(b.z)};
+}
 
 Wide size(Wide x) { return x < 0 ? -x : x; }
 
-bool perpendicular(const Vector& a, const Vector& b) { return dot(a, b) * dot(a, b) <= Wide(1e-8) * dot(a, a) * dot(b, b); }
+bool perpendicular(const Vector& a, const Vector& b)
+{
+    return dot(a, b) * dot(a, b) <= Wide(1e-8) * dot(a, a) * dot(b, b);
+}
 
 // | |v| - 1 | ≤ 1e-4, of squares.
 bool unit(const Vector& v) { return size(dot(v, v) - Wide(1 + 1e-8)) <= Wide(2e-4); }
@@ -54,11 +62,14 @@ glm::mat4 frame_matrix(const Frame& frame)
 
 glm::mat4 between_frames(const Frame& from, const Frame& to)
 {
-    return {coordinates(to, widened(from.x), 0), coordinates(to, widened(from.y), 0), coordinates(to, widened(from.z), 0),
-            coordinates(to, difference(from.origin, to.origin), 1)};
+    return {coordinates(to, widened(from.x), 0), coordinates(to, widened(from.y), 0),
+            coordinates(to, widened(from.z), 0), coordinates(to, difference(from.origin, to.origin), 1)};
 }
 
-glm::mat4 inverse_of_frame(const Frame& frame) { return between_frames({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, frame); }
+glm::mat4 inverse_of_frame(const Frame& frame)
+{
+    return between_frames({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}, frame);
+}
 
 glm::mat4 inverse_of_cartesian(const Frame& frame)
 {

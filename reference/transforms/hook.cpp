@@ -1,5 +1,5 @@
-// Based on: the course's class of problems on modelview matrices (2.15 to 2.18); a similarity of the plane is a product of complex numbers
-// (C. Wessel. Om Directionens analytiske Betegning. 1799), so that nothing needs an angle.
+// Based on: the course's class of problems on modelview matrices (2.15 to 2.18); a similarity of the plane is a product
+// of complex numbers (C. Wessel. Om Directionens analytiske Betegning. 1799), so that nothing needs an angle.
 
 #include <cmath>
 #include <numbers>

@@ -9,7 +9,8 @@
 namespace umbral::transforms {
 namespace {
 
-/// Double throughout, rounded when asked for: a chain of products in float would drift, and the determinant of a matrix that shrinks to 1e-13 underflows.
+/// Double throughout, rounded when asked for: a chain of products in float would drift, and the determinant of a matrix
+/// that shrinks to 1e-13 underflows.
 class ReferenceStack final : public MatrixStack {
 public:
     void set_view(const glm::mat4& view) override
@@ -36,7 +37,8 @@ public:
     [[nodiscard]] glm::mat3 normal_matrix() const override
     {
         const glm::dmat3 m(view_ * model_);
-        // The cofactors, cross products of columns, are the inverse transpose times the determinant; its sign is what a mirror turns round.
+        // The cofactors, cross products of columns, are the inverse transpose times the determinant; its sign is what a
+        // mirror turns round.
         const glm::dmat3 cofactors(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
         double largest = 0;
         for (int column = 0; column < 3; ++column)

@@ -16,7 +16,8 @@ Matrix exact(const glm::mat4& matrix)
 {
     Matrix result;
     for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row) result[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)] = matrix[column][row];
+        for (int row = 0; row < 4; ++row)
+            result[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)] = matrix[column][row];
     return result;
 }
 
@@ -51,11 +52,14 @@ public:
         const Matrix m = product(view_, model_);
         glm::mat4 result;
         for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 4; ++row) result[column][row] = static_cast<float>(m[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)]);
+            for (int row = 0; row < 4; ++row)
+                result[column][row] =
+                    static_cast<float>(m[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)]);
         return result;
     }
 
-    // Entry (row, column) of the inverse transpose is its cofactor over the determinant; scaled here so that the largest entry is 1.
+    // Entry (row, column) of the inverse transpose is its cofactor over the determinant; scaled here so that the
+    // largest entry is 1.
     [[nodiscard]] glm::mat3 normal_matrix() const override
     {
         const Matrix m = product(view_, model_);

@@ -1,5 +1,5 @@
-// Based on: E. Lengyel. Foundations of Game Engine Development, volume 1: Mathematics, section 3.2.2. 2016: normals go by the cofactors,
-// which exist for every matrix; the sign of the determinant keeps the outside outside in mirrors.
+// Based on: E. Lengyel. Foundations of Game Engine Development, volume 1: Mathematics, section 3.2.2. 2016: normals go
+// by the cofactors, which exist for every matrix; the sign of the determinant keeps the outside outside in mirrors.
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,8 @@
 namespace umbral::transforms {
 namespace {
 
-// In double, which holds the product of three floats whatever their size. The columns of the cofactors are the areas that the columns of A span.
+// In double, which holds the product of three floats whatever their size. The columns of the cofactors are the areas
+// that the columns of A span.
 glm::dmat3 cofactors_outwards(const glm::mat4& model)
 {
     const glm::dmat3 a{glm::mat3(model)};

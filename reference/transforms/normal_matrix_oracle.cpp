@@ -18,13 +18,15 @@ Matrix cofactors_outwards(const glm::mat4& model)
     Matrix a;
     Matrix u;
     for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column) a[row][column] = model[static_cast<int>(column)][static_cast<int>(row)];
+        for (std::size_t column = 0; column < 3; ++column)
+            a[row][column] = model[static_cast<int>(column)][static_cast<int>(row)];
     // Going on from row and column in a circle, the signs + - + come by themselves.
     for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t column = 0; column < 3; ++column) {
             const auto& next = a[(row + 1) % 3];
             const auto& last = a[(row + 2) % 3];
-            u[row][column] = next[(column + 1) % 3] * last[(column + 2) % 3] - next[(column + 2) % 3] * last[(column + 1) % 3];
+            u[row][column] =
+                next[(column + 1) % 3] * last[(column + 2) % 3] - next[(column + 2) % 3] * last[(column + 1) % 3];
         }
     }
     const Wide determinant = a[0][0] * u[0][0] + a[0][1] * u[0][1] + a[0][2] * u[0][2];
@@ -54,7 +56,8 @@ glm::vec3 transformed_normal(const glm::mat4& model, const glm::vec3& normal)
 {
     const Matrix u = cofactors_outwards(model);
     Wide n[3];
-    for (std::size_t row = 0; row < 3; ++row) n[row] = u[row][0] * Wide(normal.x) + u[row][1] * Wide(normal.y) + u[row][2] * Wide(normal.z);
+    for (std::size_t row = 0; row < 3; ++row)
+        n[row] = u[row][0] * Wide(normal.x) + u[row][1] * Wide(normal.y) + u[row][2] * Wide(normal.z);
     const Wide largest = std::max(size(n[0]), std::max(size(n[1]), size(n[2])));
     if (largest == 0) return glm::vec3(0);
     long double square = 0;
@@ -63,7 +66,8 @@ glm::vec3 transformed_normal(const glm::mat4& model, const glm::vec3& normal)
         square += static_cast<long double>(component * component);
     }
     const long double length = std::sqrt(square);
-    return {static_cast<float>(n[0] / Wide(length)), static_cast<float>(n[1] / Wide(length)), static_cast<float>(n[2] / Wide(length))};
+    return {static_cast<float>(n[0] / Wide(length)), static_cast<float>(n[1] / Wide(length)),
+            static_cast<float>(n[2] / Wide(length))};
 }
 
 }

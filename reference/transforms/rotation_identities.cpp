@@ -1,5 +1,6 @@
-// Based on: C. Ureña. Informática Gráfica, tema 2, "transformaciones de rotación elementales en 3D". 2021; the reduction to an eighth of a turn
-// as in W. J. Cody, W. Waite. Software Manual for the Elementary Functions. 1980: fmod and differences of near numbers are exact.
+// Based on: C. Ureña. Informática Gráfica, tema 2, "transformaciones de rotación elementales en 3D". 2021; the
+// reduction to an eighth of a turn as in W. J. Cody, W. Waite. Software Manual for the Elementary Functions. 1980: fmod
+// and differences of near numbers are exact.
 
 #include <cmath>
 #include <numbers>
@@ -44,11 +45,15 @@ glm::dvec3 turned(glm::dvec3 v, const ElementaryTurn& turn)
 
 }
 
-glm::vec3 elementary_rotation(const glm::vec3& vector, const ElementaryTurn& turn) { return glm::vec3(turned(glm::dvec3(vector), turn)); }
+glm::vec3 elementary_rotation(const glm::vec3& vector, const ElementaryTurn& turn)
+{
+    return glm::vec3(turned(glm::dvec3(vector), turn));
+}
 
 glm::mat3 elementary_matrix(const ElementaryTurn& turn)
 {
-    return {elementary_rotation({1, 0, 0}, turn), elementary_rotation({0, 1, 0}, turn), elementary_rotation({0, 0, 1}, turn)};
+    return {elementary_rotation({1, 0, 0}, turn), elementary_rotation({0, 1, 0}, turn),
+            elementary_rotation({0, 0, 1}, turn)};
 }
 
 glm::vec3 after_turns(const glm::vec3& vector, std::span<const ElementaryTurn> turns)

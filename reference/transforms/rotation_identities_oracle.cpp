@@ -2,7 +2,8 @@
 #include <numbers>
 #include <umbral/transforms/rotation_identities.hpp>
 
-// With at least 64 bits, rounded to float once: the whole chain as one 3 × 3 matrix, where the reference turns the vector.
+// With at least 64 bits, rounded to float once: the whole chain as one 3 × 3 matrix, where the reference turns the
+// vector.
 
 namespace umbral::transforms {
 namespace {
@@ -40,7 +41,10 @@ WideMatrix wide_matrix(const ElementaryTurn& turn)
 
 }
 
-glm::vec3 elementary_rotation(const glm::vec3& vector, const ElementaryTurn& turn) { return glm::vec3(wide_matrix(turn) * glm::vec<3, Wide>(vector)); }
+glm::vec3 elementary_rotation(const glm::vec3& vector, const ElementaryTurn& turn)
+{
+    return glm::vec3(wide_matrix(turn) * glm::vec<3, Wide>(vector));
+}
 
 glm::mat3 elementary_matrix(const ElementaryTurn& turn) { return glm::mat3(wide_matrix(turn)); }
 

@@ -1,5 +1,6 @@
-// Based on: ISO/IEC 9592-1. Programmer's Hierarchical Interactive Graphics System (PHIGS). 1989: structures, elements, and their traversal;
-// R. Tarjan. Depth-first Search and Linear Graph Algorithms. SIAM Journal on Computing 1(2), 1972: a way back into the path that is being walked is a cycle.
+// Based on: ISO/IEC 9592-1. Programmer's Hierarchical Interactive Graphics System (PHIGS). 1989: structures, elements,
+// and their traversal; R. Tarjan. Depth-first Search and Linear Graph Algorithms. SIAM Journal on Computing 1(2), 1972:
+// a way back into the path that is being walked is a cycle.
 
 #include <algorithm>
 #include <map>
@@ -13,13 +14,17 @@ namespace {
 /// Each node is visited once, however many ways lead to it.
 class Counter {
 public:
-    Counter(const SceneGraph& graph, std::size_t limit) : graph_(graph), most_(limit + 1), counts_(graph.nodes.size()), begun_(graph.nodes.size(), false) {}
+    Counter(const SceneGraph& graph, std::size_t limit)
+        : graph_(graph), most_(limit + 1), counts_(graph.nodes.size()), begun_(graph.nodes.size(), false)
+    {
+    }
 
     /// How many instances a node contains, but at most one more than the limit. Throws CycleError, std::out_of_range.
     std::size_t count(std::uint32_t node)
     {
         if (node >= graph_.nodes.size())
-            throw std::out_of_range("expected one of " + std::to_string(graph_.nodes.size()) + " nodes, got " + std::to_string(node));
+            throw std::out_of_range("expected one of " + std::to_string(graph_.nodes.size()) + " nodes, got " +
+                                    std::to_string(node));
         if (counts_[node]) return *counts_[node];
         path_.push_back(node);
         if (begun_[node]) throw CycleError({std::find(path_.begin(), path_.end(), node), path_.end()});
@@ -29,8 +34,8 @@ public:
             if (entry.kind == Entry::Kind::object) sum += 1;
             if (entry.kind == Entry::Kind::node) sum += count(entry.index);
             if (entry.kind == Entry::Kind::transformation && entry.index >= graph_.transformations.size())
-                throw std::out_of_range("expected one of " + std::to_string(graph_.transformations.size()) + " transformations, got " +
-                                        std::to_string(entry.index));
+                throw std::out_of_range("expected one of " + std::to_string(graph_.transformations.size()) +
+                                        " transformations, got " + std::to_string(entry.index));
             sum = std::min(sum, most_);
         }
         path_.pop_back();
@@ -50,7 +55,8 @@ private:
 };
 
 /// `world` is a copy: what a node composes ends with it, as between push and pop.
-void walk(const SceneGraph& graph, const Counter& counter, std::uint32_t node, glm::dmat4 world, std::vector<Instance>& instances)
+void walk(const SceneGraph& graph, const Counter& counter, std::uint32_t node, glm::dmat4 world,
+          std::vector<Instance>& instances)
 {
     for (const Entry& entry : graph.nodes[node]) {
         switch (entry.kind) {
@@ -100,7 +106,8 @@ private:
 
     void add(std::uint32_t place, Entry entry) { result_.nodes[place].push_back(entry); }
 
-    /// Labels that begin alike share their beginning. The last beginning can stay in this node, where nothing comes after it; each other one needs a helper.
+    /// Labels that begin alike share their beginning. The last beginning can stay in this node, where nothing comes
+    /// after it; each other one needs a helper.
     void write(std::uint32_t place, const std::vector<Branch>& branches)
     {
         std::map<std::uint32_t, std::vector<Branch>> beginnings;

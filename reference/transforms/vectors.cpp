@@ -1,5 +1,6 @@
-// Based on: W. Kahan. How Futile are Mindless Assessments of Roundoff in Floating-Point Computation? 2006, for the angle, and
-// T. J. Dekker. A Floating-Point Technique for Extending the Available Precision. 1971: the product of two floats is exact in double.
+// Based on: W. Kahan. How Futile are Mindless Assessments of Roundoff in Floating-Point Computation? 2006, for the
+// angle, and T. J. Dekker. A Floating-Point Technique for Extending the Available Precision. 1971: the product of two
+// floats is exact in double.
 
 #include <cmath>
 #include <umbral/transforms/vectors.hpp>
@@ -12,7 +13,10 @@ using Wide = glm::dvec3;
 // In double, no product of two floats rounds, and neither it nor its square overflows or vanishes.
 double wide_dot(const Wide& a, const Wide& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-Wide wide_cross(const Wide& a, const Wide& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+Wide wide_cross(const Wide& a, const Wide& b)
+{
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 double wide_length(const Wide& v) { return std::sqrt(wide_dot(v, v)); }
 
@@ -28,7 +32,8 @@ float length_of(const glm::vec3& v) { return static_cast<float>(wide_length(Wide
 
 glm::vec3 normalised(const glm::vec3& v) { return is_null(v) ? v : glm::vec3(Wide(v) / wide_length(Wide(v))); }
 
-// |a||b| sinα and |a||b| cosα: of the two, one always says the angle with all its digits. Beside a null vector the cosine may be -0, and the angle π.
+// |a||b| sinα and |a||b| cosα: of the two, one always says the angle with all its digits. Beside a null vector the
+// cosine may be -0, and the angle π.
 float angle_between(const glm::vec3& a, const glm::vec3& b)
 {
     if (is_null(a) || is_null(b)) return 0;

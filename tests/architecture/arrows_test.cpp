@@ -47,38 +47,41 @@ std::string part(const fs::path& path, int n)
     return at == path.end() ? "" : at->string();
 }
 
-using Rooms = std::map<std::string, std::set<std::string>>;
+using Layers = std::map<std::string, std::set<std::string>>;
 
-// "mesh.hpp" beside the file belongs to the file's own room; "../x.hpp" would hide where it goes.
+// "mesh.hpp" beside the file belongs to the file's own layer; "../x.hpp" would hide where it goes.
 TEST(Arrows, of_the_grader)
 {
-    const Rooms may_include = {{"model", {}},
-                               {"run", {"model"}},
-                               {"store", {"model", "run"}},
-                               {"collect", {"model", "run"}},
-                               {"build", {"model", "run", "collect"}},
-                               {"judge", {"model"}},
-                               {"manifest", {"model", "judge"}},
-                               {"report", {"model", "judge"}},
-                               {"batch", {"model", "manifest", "run", "store", "collect", "build", "judge", "report"}},
-                               {"bench", {"model", "run", "collect", "build", "judge", "report", "batch"}},
-                               {"inspect", {"model"}},
-                               {"attack", {"model"}},
-                               {"cli", {"model", "manifest", "run", "store", "collect", "build", "judge", "report", "batch", "bench", "attack"}}};
+    const Layers may_include = {
+        {"model", {}},
+        {"run", {"model"}},
+        {"store", {"model", "run"}},
+        {"collect", {"model", "run"}},
+        {"build", {"model", "run", "collect"}},
+        {"judge", {"model"}},
+        {"manifest", {"model", "judge"}},
+        {"report", {"model", "judge"}},
+        {"batch", {"model", "manifest", "run", "store", "collect", "build", "judge", "report"}},
+        {"bench", {"model", "run", "collect", "build", "judge", "report", "batch"}},
+        {"inspect", {"model"}},
+        {"attack", {"model"}},
+        {"cli",
+         {"model", "manifest", "run", "store", "collect", "build", "judge", "report", "batch", "bench", "attack"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
-        const std::string room = part(include.line.file, 1);
-        ASSERT_TRUE(may_include.contains(room)) << "a room nobody declared: " << include.line.where();
+        const std::string layer = part(include.line.file, 1);
+        ASSERT_TRUE(may_include.contains(layer)) << "a layer nobody declared: " << include.line.where();
         if (include.system) continue;
         const std::string target = part(include.target, 0);
         ++seen;
-        EXPECT_TRUE(target == room || target == "text" || may_include.at(room).contains(target)) << include.line.where();
+        EXPECT_TRUE(target == layer || target == "text" || may_include.at(layer).contains(target))
+            << include.line.where();
     }
     EXPECT_GT(seen, 100U);
 }
 
-// A judge is its folder and its line in judges.cpp: nothing else asks which judge it has before it. What is listed here needs one judge's own
-// measurements, and no other's.
+// A judge is its folder and its line in judges.cpp: nothing else asks which judge it has before it. What is listed here
+// needs one judge's own measurements, and no other's.
 TEST(Arrows, judges_are_known_by_their_records)
 {
     std::set<std::string> judges;
@@ -111,29 +114,30 @@ TEST(Arrows, the_grader_knows_no_answers)
             EXPECT_EQ(include.target.find(forbidden), std::string::npos) << include.line.where();
         // Of the framework only what describes a run, and in programs that run students' code what they link.
         if (!include.target.starts_with("umbral/")) continue;
-        const std::string room = part(include.target, 1);
-        EXPECT_TRUE(room == "core" || room == "record" || room == "gl") << include.line.where();
+        const std::string layer = part(include.target, 1);
+        EXPECT_TRUE(layer == "core" || layer == "record" || layer == "gl") << include.line.where();
     }
 }
 
 TEST(Arrows, of_the_framework)
 {
     const std::set<std::string> below_topics = {"core", "gl", "input", "record"};
-    const Rooms may_include = {{"core", {}}, {"gl", {"core", "record"}}, {"input", {"core"}}, {"record", {"core"}}};
+    const Layers may_include = {{"core", {}}, {"gl", {"core", "record"}}, {"input", {"core"}}, {"record", {"core"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("framework/umbral")) {
         if (!include.target.starts_with("umbral/")) {
             EXPECT_TRUE(include.system || include.target.find('/') == std::string::npos) << include.line.where();
             continue;
         }
-        const std::string room = part(include.line.file, 2);
+        const std::string layer = part(include.line.file, 2);
         const std::string target = part(include.target, 1);
         ++seen;
         // What every student's file sees: interfaces and what they need.
-        if (room == "student.hpp" || room == target) continue;
-        const bool is_topic = !below_topics.contains(room);
+        if (layer == "student.hpp" || layer == target) continue;
+        const bool is_topic = !below_topics.contains(layer);
         // Topics are data and interfaces of their own: they meet in the reference only.
-        EXPECT_TRUE(is_topic ? below_topics.contains(target) : may_include.at(room).contains(target)) << include.line.where();
+        EXPECT_TRUE(is_topic ? below_topics.contains(target) : may_include.at(layer).contains(target))
+            << include.line.where();
     }
     EXPECT_GT(seen, 20U);
 }
@@ -149,19 +153,22 @@ TEST(Arrows, of_what_is_shared)
     }
     EXPECT_GT(seen, 10U);
     for (const char* const folder : {"framework/umbral", "exercises"})
-        for (const Include& include : includes_below(folder)) EXPECT_NE(part(include.target, 0), "text") << include.line.where();
+        for (const Include& include : includes_below(folder))
+            EXPECT_NE(part(include.target, 0), "text") << include.line.where();
 }
 
 TEST(Arrows, nobody_below_includes_reference_exercises_or_grader)
 {
     for (const char* const folder : {"framework", "reference"}) {
         for (const Include& include : includes_below(folder))
-            for (const char* const forbidden : {"grader/", "exercises/", "model/", "run/", "build/", "batch/", "reference/"})
+            for (const char* const forbidden :
+                 {"grader/", "exercises/", "model/", "run/", "build/", "batch/", "reference/"})
                 EXPECT_FALSE(include.target.starts_with(forbidden)) << include.line.where();
     }
 }
 
-// Stubs, mistakes and alternatives are students' files: the framework is all they see. Drivers may share a topic's files.
+// Stubs, mistakes and alternatives are students' files: the framework is all they see. Drivers may share a topic's
+// files.
 TEST(Arrows, of_the_exercises)
 {
     std::size_t seen = 0;
@@ -169,7 +176,8 @@ TEST(Arrows, of_the_exercises)
         ++seen;
         for (const char* const forbidden : {"grader/", "reference/", "model/", "run/", "batch/"})
             EXPECT_EQ(include.target.find(forbidden), std::string::npos) << include.line.where();
-        const bool shared = part(include.line.file, 2).ends_with(".hpp") || fs::path(include.line.file).filename() == "driver.cpp" ||
+        const bool shared = part(include.line.file, 2).ends_with(".hpp") ||
+                            fs::path(include.line.file).filename() == "driver.cpp" ||
                             fs::path(include.line.file).extension() == ".hpp";
         EXPECT_TRUE(shared || include.system) << include.line.where();
     }
@@ -179,20 +187,20 @@ TEST(Arrows, of_the_exercises)
 // A topic's drivers have its own files and the kit; the kit has the framework below the topics.
 TEST(Arrows, exercises_share_the_kit_and_nothing_else)
 {
-    std::set<std::string> rooms;
-    for (const fs::path& file : files_below("exercises")) rooms.insert(part(file, 1));
-    ASSERT_TRUE(rooms.contains("kit"));
+    std::set<std::string> layers;
+    for (const fs::path& file : files_below("exercises")) layers.insert(part(file, 1));
+    ASSERT_TRUE(layers.contains("kit"));
     std::size_t seen = 0;
     for (const Include& include : includes_below("exercises")) {
         const fs::path file(include.line.file);
-        const std::string room = part(file, 1);
+        const std::string layer = part(file, 1);
         const fs::path near = (file.parent_path() / include.target).lexically_normal();
         if (!include.system) {
-            EXPECT_EQ(part(near, 0) + "/" + part(near, 1), "exercises/" + room) << include.line.where();
-        } else if (rooms.contains(part(include.target, 0))) {
+            EXPECT_EQ(part(near, 0) + "/" + part(near, 1), "exercises/" + layer) << include.line.where();
+        } else if (layers.contains(part(include.target, 0))) {
             ++seen;
             EXPECT_EQ(part(include.target, 0), "kit") << include.line.where();
-        } else if (room == "kit" && include.target.starts_with("umbral/")) {
+        } else if (layer == "kit" && include.target.starts_with("umbral/")) {
             const std::string below = part(include.target, 1);
             EXPECT_TRUE(below == "core" || below == "gl" || below == "record") << include.line.where();
         }

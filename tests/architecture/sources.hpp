@@ -28,7 +28,10 @@ inline std::vector<std::filesystem::path> files_below(const std::string& folder)
     return files;
 }
 
-inline bool is_cpp(const std::filesystem::path& file) { return file.extension() == ".cpp" || file.extension() == ".hpp"; }
+inline bool is_cpp(const std::filesystem::path& file)
+{
+    return file.extension() == ".cpp" || file.extension() == ".hpp";
+}
 
 inline std::vector<Line> lines_of(const std::filesystem::path& file)
 {

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 bool is_submission(const fs::path& file)
 {
     // tests/attacks/THEME/NAME/…; what lies in tests/attacks itself runs them.
-    return file.string().starts_with("tests/class/") || (file.string().starts_with("tests/attacks/") && std::distance(file.begin(), file.end()) > 3);
+    return file.string().starts_with("tests/class/") ||
+           (file.string().starts_with("tests/attacks/") && std::distance(file.begin(), file.end()) > 3);
 }
 
 std::vector<fs::path> our_cpp_files()
@@ -31,8 +32,8 @@ std::vector<fs::path> our_cpp_files()
 bool is_stub(const fs::path& file)
 {
     if (file == "grader/cli/templates/unit/exercises/@topic@/@unit@/@file@.cpp.in") return true;
-    return std::distance(file.begin(), file.end()) == 4 && *file.begin() == "exercises" && file.filename() != "driver.cpp" && file.extension() != ".hpp" &&
-           file.extension() != ".md";
+    return std::distance(file.begin(), file.end()) == 4 && *file.begin() == "exercises" &&
+           file.filename() != "driver.cpp" && file.extension() != ".hpp" && file.extension() != ".md";
 }
 
 // Spelled in two parts, or this file would be found as well.
@@ -51,7 +52,7 @@ TEST(Tidiness, only_stubs_leave_something_to_do)
     }
 }
 
-TEST(Tidiness, files_fit_one_sitting)
+TEST(Tidiness, files_are_short)
 {
     const std::vector<fs::path> files = our_cpp_files();
     EXPECT_GT(files.size(), 100U);
@@ -71,7 +72,8 @@ TEST(Tidiness, no_header_includes_a_source_file)
     EXPECT_GT(seen, 200U);
 }
 
-// libstdc++'s regular expressions call themselves once for each character: a comment of 26 KB in a shader overflowed the stack.
+// libstdc++'s regular expressions call themselves once for each character: a comment of 26 KB in a shader overflowed
+// the stack.
 TEST(Tidiness, no_regular_expressions_on_foreign_text)
 {
     const std::string header = std::string("<reg") + "ex>";
@@ -81,7 +83,8 @@ TEST(Tidiness, no_regular_expressions_on_foreign_text)
             // Generators read the system's own headers, when the project is built.
             if (!is_cpp(file) || file.parent_path().filename() == "generate") continue;
             ++seen;
-            for (const Line& line : lines_of(file)) EXPECT_EQ(line.text.find(header), std::string::npos) << line.where();
+            for (const Line& line : lines_of(file))
+                EXPECT_EQ(line.text.find(header), std::string::npos) << line.where();
         }
     EXPECT_GT(seen, 500U);
 }
@@ -89,7 +92,9 @@ TEST(Tidiness, no_regular_expressions_on_foreign_text)
 // One library reaches OpenGL's back end, and that one at run time: any other way would bypass the traces.
 TEST(Tidiness, only_umbral_gl_knows_the_back_end)
 {
-    const std::regex back_end("OSMesa|OpenGL::|GLESv|GL::GL|PkgConfig::(GL|EGL)|-l(GL|EGL)\\b|find_package\\((OpenGL|GLEW)", std::regex::icase);
+    const std::regex back_end(
+        "OSMesa|OpenGL::|GLESv|GL::GL|PkgConfig::(GL|EGL)|-l(GL|EGL)\\b|find_package\\((OpenGL|GLEW)",
+        std::regex::icase);
     std::vector<fs::path> files = {"CMakeLists.txt"};
     for (const char* const folder : {"framework", "exercises", "reference", "grader", "tests", "cmake"})
         for (const fs::path& file : files_below(folder))
@@ -105,7 +110,8 @@ TEST(Tidiness, only_umbral_gl_knows_the_back_end)
 
 TEST(Tidiness, the_format_is_kept)
 {
-    if (std::system("clang-format --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "clang-format is not installed: THE FORMAT OF NO FILE WAS CHECKED";
+    if (std::system("clang-format --version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "clang-format is not installed: THE FORMAT OF NO FILE WAS CHECKED";
     // Many files a call: starting the program a thousand times takes longer than its work.
     constexpr std::size_t files_a_call = 100;
     std::string names;

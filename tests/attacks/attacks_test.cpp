@@ -10,10 +10,10 @@
 #include "attack/verdict_table.hpp"
 #include "support/temporary_folder.hpp"
 
-// Every attack of tests/attacks, graded beside good work by the real program. Variables of the environment, for longer tests:
-// UMBRAL_ATTACKS=all: all attacks in all settings; =here: all attacks in the one setting that CI uses; =alone: all of them one by one, against their bounds;
-// =settings: CI's attacks in all settings. UMBRAL_ATTACKS_ONLY="ID ID…": these, whatever else is said.
-// UMBRAL_ATTACKS_TABLE=FILE: what came of them, as Markdown.
+// Every attack of tests/attacks, graded beside good work by the real program. Variables of the environment, for longer
+// tests: UMBRAL_ATTACKS=all: all attacks in all settings; =here: all attacks in the one setting that CI uses; =alone:
+// all of them one by one, against their bounds; =settings: CI's attacks in all settings. UMBRAL_ATTACKS_ONLY="ID ID…":
+// these, whatever else is said. UMBRAL_ATTACKS_TABLE=FILE: what came of them, as Markdown.
 namespace umbral::grader::attack {
 namespace {
 
@@ -35,7 +35,10 @@ const std::vector<Attack>& all_attacks()
     return attacks;
 }
 
-std::vector<Setting> settings() { return mode() == "all" || mode() == "settings" ? all_settings() : std::vector<Setting>{{}}; }
+std::vector<Setting> settings()
+{
+    return mode() == "all" || mode() == "settings" ? all_settings() : std::vector<Setting>{{}};
+}
 
 /// What runs in a setting: EGL draws nothing for units that do not draw.
 std::vector<Attack> attacks_in(const Setting& setting)
@@ -45,7 +48,8 @@ std::vector<Attack> attacks_in(const Setting& setting)
     const bool all = mode() == "all" || mode() == "here" || mode() == "alone";
     for (const Attack& attack : all_attacks()) {
         if (!attack.draws && setting.gl == "egl") continue;
-        if (only != nullptr ? std::string_view(only).find(attack.id()) != std::string_view::npos : attack.ci || all) chosen.push_back(attack);
+        if (only != nullptr ? std::string_view(only).find(attack.id()) != std::string_view::npos : attack.ci || all)
+            chosen.push_back(attack);
     }
     return chosen;
 }
@@ -59,8 +63,10 @@ const Rehearsal& rehearsal_in(const Setting& setting)
     const umbral::test::TemporaryFolder scratch;
     // nobody's grading lies below.
     fs::permissions(scratch.path(), fs::perms::others_exec | fs::perms::group_exec, fs::perm_options::add);
-    graded[name] = rehearse(target(), setting, attacks_in(setting), scratch.path(), [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
-    if (const char* const file = std::getenv("UMBRAL_ATTACKS_TABLE")) std::ofstream(file) << markdown(all_attacks(), graded);
+    graded[name] = rehearse(target(), setting, attacks_in(setting), scratch.path(),
+                            [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
+    if (const char* const file = std::getenv("UMBRAL_ATTACKS_TABLE"))
+        std::ofstream(file) << markdown(all_attacks(), graded);
     return graded.at(name);
 }
 
@@ -69,7 +75,10 @@ struct Trial {
     Attack attack;
 };
 
-void PrintTo(const Trial& trial, std::ostream* stream) { *stream << trial.attack.folder << " (" << trial.setting.name() << ")"; }
+void PrintTo(const Trial& trial, std::ostream* stream)
+{
+    *stream << trial.attack.folder << " (" << trial.setting.name() << ")";
+}
 
 std::vector<Trial> trials()
 {
@@ -101,7 +110,8 @@ TEST_P(Attacks, holds)
     } else {
         outcome = rehearsal_in(setting).outcomes.at(attack.id());
     }
-    for (const std::string& finding : outcome.findings) ADD_FAILURE() << attack.what << "\n[" << attack.area << "] " << finding;
+    for (const std::string& finding : outcome.findings)
+        ADD_FAILURE() << attack.what << "\n[" << attack.area << "] " << finding;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Attacks, testing::ValuesIn(trials()), name_of);
@@ -114,8 +124,9 @@ TEST_P(Class, good_work_keeps_its_results_beside_attackers)
     if (mode() == "alone") GTEST_SKIP() << "attacks are graded one by one";
     const Rehearsal& rehearsal = rehearsal_in(GetParam());
     for (const std::string& change : rehearsal.changes_of_good) ADD_FAILURE() << change;
-    fmt::print(stderr, "{}: {:.0f} s, {:.0f} MiB of the grader's memory, {:.1f} MiB of cache, {:.1f} MiB of reports\n", GetParam().name(),
-               rehearsal.run.seconds, rehearsal.run.peak_mib, rehearsal.cache_mib, rehearsal.reports_mib);
+    fmt::print(stderr, "{}: {:.0f} s, {:.0f} MiB of the grader's memory, {:.1f} MiB of cache, {:.1f} MiB of reports\n",
+               GetParam().name(), rehearsal.run.seconds, rehearsal.run.peak_mib, rehearsal.cache_mib,
+               rehearsal.reports_mib);
     EXPECT_LT(rehearsal.run.peak_mib, 1024);
     EXPECT_FALSE(fs::exists("/tmp/umbral-planted"));
 }
@@ -134,7 +145,8 @@ TEST(Collection, is_large_and_a_third_of_it_runs_in_every_test)
     EXPECT_GE(3 * in_ci + 30, all_attacks().size());
     EXPECT_LT(2 * in_ci, all_attacks().size());
     std::set<std::string> sentences;
-    for (const Attack& attack : all_attacks()) EXPECT_TRUE(sentences.insert(attack.what).second) << attack.folder << ": another one says the same";
+    for (const Attack& attack : all_attacks())
+        EXPECT_TRUE(sentences.insert(attack.what).second) << attack.folder << ": another one says the same";
 }
 
 }

@@ -13,7 +13,8 @@
 #include "attack/setting.hpp"
 #include "support/temporary_folder.hpp"
 
-// What goes wrong without any ill will, on the whole path: no submission is lost, no right work becomes a zero, and the next run heals.
+// What goes wrong without any ill will, on the whole path: no submission is lost, no right work becomes a zero, and the
+// next run heals.
 namespace umbral::grader::attack {
 namespace {
 
@@ -41,7 +42,8 @@ protected:
         for (const char* const name : {"cache", "home", "tmp"}) fs::create_directories(folder.path() / name);
     }
 
-    [[nodiscard]] Measured grade(const fs::path& to, const std::function<void()>& before = {}, const std::function<bool()>& interrupt = {}) const
+    [[nodiscard]] Measured grade(const fs::path& to, const std::function<void()>& before = {},
+                                 const std::function<bool()>& interrupt = {}) const
     {
         Call call;
         call.words = {UMBRAL_PROGRAM,
@@ -55,8 +57,8 @@ protected:
                       "2",
                       "--unit",
                       "raytracing/sphere"};
-        call.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=" + (folder.path() / "home").string(), "TMPDIR=" + (folder.path() / "tmp").string(),
-                            "UMBRAL_CACHE=" + cache.string()};
+        call.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=" + (folder.path() / "home").string(),
+                            "TMPDIR=" + (folder.path() / "tmp").string(), "UMBRAL_CACHE=" + cache.string()};
         call.output = folder.path() / "printed.txt";
         call.seconds = 240;
         call.before = before;
@@ -92,12 +94,14 @@ protected:
     {
         const Measured again = grade(to, before);
         EXPECT_EQ(again.status, 0) << again.printed;
-        for (const char* const id : {"ana", "berta", "carlos"}) EXPECT_EQ(unit_of(to, id).value("score", 0), 10000) << id << again.printed;
+        for (const char* const id : {"ana", "berta", "carlos"})
+            EXPECT_EQ(unit_of(to, id).value("score", 0), 10000) << id << again.printed;
     }
 
     void expect_submissions_there() const
     {
-        for (const char* const id : {"ana", "berta", "carlos"}) EXPECT_TRUE(fs::exists(submissions / id / "raytracing" / "sphere" / "sphere.cpp")) << id;
+        for (const char* const id : {"ana", "berta", "carlos"})
+            EXPECT_TRUE(fs::exists(submissions / id / "raytracing" / "sphere" / "sphere.cpp")) << id;
     }
 
     void expect_refused(const fs::path& to) const
@@ -143,7 +147,8 @@ TEST_F(Slips, foreign_files_in_out_stay)
         std::ofstream(out / name) << "precious";
     }
     (void)grade(out);
-    for (const char* const name : {"notes.txt", "ana/precious.txt", "other/precious.txt"}) EXPECT_EQ(bytes_of_file(out / name), "precious") << name;
+    for (const char* const name : {"notes.txt", "ana/precious.txt", "other/precious.txt"})
+        EXPECT_EQ(bytes_of_file(out / name), "precious") << name;
     expect_submissions_there();
 }
 
@@ -167,7 +172,8 @@ TEST_F(Slips, full_disk_of_the_cache)
         const Measured run = grade(out, with_small_disk(cache, size));
         // Where there is just enough room, all is right; else the exit status says that something is not.
         bool whole = true;
-        for (const char* const id : {"ana", "berta", "carlos"}) whole = whole && unit_of(out, id).value("score", 0) == 10000;
+        for (const char* const id : {"ana", "berta", "carlos"})
+            whole = whole && unit_of(out, id).value("score", 0) == 10000;
         EXPECT_EQ(run.status == 0, whole) << size << run.printed;
         expect_no_false_zero(out);
         expect_all_right(out);
@@ -253,7 +259,8 @@ TEST_F(Slips, killed_in_the_middle)
     // Killed as soon as a first report is there, then a little later each time.
     for (int patience = 0; patience < 3; ++patience) {
         int seen = 0;
-        const Measured run = grade(out, {}, [&] { return fs::exists(out / "ana" / "report.json") && ++seen > 10 * patience; });
+        const Measured run =
+            grade(out, {}, [&] { return fs::exists(out / "ana" / "report.json") && ++seen > 10 * patience; });
         if (run.signal == 0) continue;
         const Json unit = unit_of(out, "ana");
         EXPECT_TRUE(unit.is_object()) << "a report that was there is whole";

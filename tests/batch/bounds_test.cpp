@@ -15,11 +15,11 @@ namespace {
 
 class Bounds : public testing::Test {
 protected:
-    UnitResult grade(const Sources& files) { return grade_unit(workshop, exercise, {files, {}, ""}, {}); }
+    UnitResult grade(const Sources& files) { return grade_unit(worker, exercise, {files, {}, ""}, {}); }
 
     Workbench bench;
     Exercise exercise = bench.exercise("raytracing/sphere");
-    Workshop workshop{bench.tools()};
+    Worker worker{bench.tools()};
     std::string good = project_file("reference/raytracing/sphere.cpp");
 };
 
@@ -32,8 +32,11 @@ TEST_F(Bounds, two_cases_run_into_the_time_limit_and_the_rest_is_not_reached)
     EXPECT_EQ(result.score, 0);
     EXPECT_NE(result.message.find("not reached: 2 cases ran into the time limit"), std::string::npos) << result.message;
     std::map<std::string, std::string> cases;
-    for (std::size_t i = 0; i < exercise.checks.size(); ++i) cases[exercise.checks[i].case_name] = result.checks[i].message;
-    EXPECT_EQ(std::ranges::count_if(cases, [](const auto& one) { return one.second.find("stopped after") != std::string::npos; }), caps::timeouts);
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+        cases[exercise.checks[i].case_name] = result.checks[i].message;
+    EXPECT_EQ(std::ranges::count_if(
+                  cases, [](const auto& one) { return one.second.find("stopped after") != std::string::npos; }),
+              caps::timeouts);
     EXPECT_EQ(std::ranges::count_if(cases, [](const auto& one) { return one.second.starts_with("not reached"); }),
               static_cast<std::ptrdiff_t>(cases.size()) - caps::timeouts);
     const UnitResult again = grade(files);
@@ -44,8 +47,10 @@ TEST_F(Bounds, one_case_that_hangs_costs_itself_only)
 {
     exercise.limits.wall_seconds = 0.3;
     // The rays of "behind and before" alone start within the sphere or behind it in this number.
-    const UnitResult result =
-        grade({{"sphere.cpp", sphere_with("", "    static int calls = 0;\n    if (++calls > 4000) for (volatile int i = 0;; i = i + 1) {}")}});
+    const UnitResult result = grade(
+        {{"sphere.cpp",
+          sphere_with("",
+                      "    static int calls = 0;\n    if (++calls > 4000) for (volatile int i = 0;; i = i + 1) {}")}});
     EXPECT_EQ(result.message.find("not reached"), std::string::npos) << result.message;
     EXPECT_GT(result.score, 0);
 }
@@ -70,7 +75,8 @@ TEST_F(Bounds, more_files_than_are_taken_are_the_students_own_trouble)
 
 TEST_F(Bounds, far_too_many_rows_are_counted_and_not_judged)
 {
-    const std::string forged = "    Header* r = find(); put(r, \"t\", {1, 9000000, 1, 1, 0, 0}, 36000000, 0); finish(r);";
+    const std::string forged =
+        "    Header* r = find(); put(r, \"t\", {1, 9000000, 1, 1, 0, 0}, 36000000, 0); finish(r);";
     const UnitResult result = grade(planted(bench, sphere_with(raw_calls + find_recording, forged)));
     EXPECT_EQ(result.score, 0);
     const auto head_on = std::ranges::find(result.checks, "head-on/t", &CheckResult::name);
@@ -82,12 +88,11 @@ TEST_F(Bounds, far_too_many_rows_are_counted_and_not_judged)
 
 TEST_F(Bounds, what_was_printed_and_said_is_capped)
 {
-    const UnitResult result = grade(
-        {{"sphere.cpp",
-          sphere_with(
-              "",
-              "    for (int i = 0; i < 3000; ++i) std::printf(\"%d %p\\n\", i, (const void*)&ray);\n    throw std::runtime_error(std::string(100000, 'x') + "
-              "std::to_string(ray.origin.x + ray.direction.y));")}});
+    const UnitResult result =
+        grade({{"sphere.cpp", sphere_with("",
+                                          "    for (int i = 0; i < 3000; ++i) std::printf(\"%d %p\\n\", i, (const "
+                                          "void*)&ray);\n    throw std::runtime_error(std::string(100000, 'x') + "
+                                          "std::to_string(ray.origin.x + ray.direction.y));")}});
     EXPECT_LE(result.output.size(), caps::printed + 100);
     EXPECT_LE(result.message.size(), caps::message + 100);
     for (const CheckResult& check : result.checks) EXPECT_LE(check.message.size(), caps::message + 100);
@@ -97,10 +102,13 @@ TEST_F(Bounds, no_text_shows_where_things_lie_on_this_machine)
 {
     // The C library's assert names the program and the header; the exception's text is the student's own.
     const std::string text =
-        sphere_with("#include <umbral/core/grid.hpp>\n", "    std::printf(\"%s\\n\", UMBRAL_HERE); throw std::runtime_error(UMBRAL_HERE);");
+        sphere_with("#include <umbral/core/grid.hpp>\n",
+                    "    std::printf(\"%s\\n\", UMBRAL_HERE); throw std::runtime_error(UMBRAL_HERE);");
     std::string here = text;
     for (std::size_t at = 0; (at = here.find("UMBRAL_HERE")) != std::string::npos;)
-        here.replace(at, 11, "\"" + (bench.tools().reference / "raytracing/sphere.cpp").string() + " " + (bench.tools().cache / "builds").string() + "\"");
+        here.replace(at, 11,
+                     "\"" + (bench.tools().reference / "raytracing/sphere.cpp").string() + " " +
+                         (bench.tools().cache / "builds").string() + "\"");
     const UnitResult result = grade({{"sphere.cpp", here}});
     for (const std::string& said : {result.message, result.output, result.checks.front().message}) {
         EXPECT_NE(said.find("raytracing/sphere.cpp builds"), std::string::npos) << said;

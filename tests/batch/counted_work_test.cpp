@@ -9,30 +9,33 @@
 #include <umbral/core/not_implemented_count.hpp>
 
 #include "batch/grade_unit.hpp"
-#include "batch/specimens.hpp"
+#include "batch/known_solutions.hpp"
 #include "manifest/units.hpp"
 #include "support/workbench.hpp"
 
 extern "C" void __sanitizer_cov_trace_pc();
 
-// Work that hides from its count, on meshes/weld, whose largest soup has 16,224 corners; and honest work, which must never be taken for it.
+// Work that hides from its count, on meshes/weld, whose largest soup has 16,224 corners; and honest work, which must
+// never be taken for it.
 namespace umbral::grader::test {
 namespace {
 
 class CountedWork : public testing::Test {
 protected:
     Workbench bench;
-    Workshop workshop{bench.tools()};
+    Worker worker{bench.tools()};
 
     UnitResult grade(const Exercise& exercise, const Sources& sources)
     {
         GradeOptions options;
         options.explain = false;
-        return grade_unit(workshop, exercise, {sources, {}, ""}, options);
+        return grade_unit(worker, exercise, {sources, {}, ""}, options);
     }
 
-    /// Welds by looking through all vertices. `before` comes in front of the search, which begins with `first` and ends with `last`.
-    UnitResult grade_search(const std::string& before, const std::string& attribute, const std::string& first, const std::string& last)
+    /// Welds by looking through all vertices. `before` comes in front of the search, which begins with `first` and ends
+    /// with `last`.
+    UnitResult grade_search(const std::string& before, const std::string& attribute, const std::string& first,
+                            const std::string& last)
     {
         const std::string text = fmt::format(R"(#include <umbral/core/not_implemented_count.hpp>
 #include <umbral/meshes/weld.hpp>
@@ -92,7 +95,8 @@ std::string messages(const UnitResult& result)
     return text;
 }
 
-/// From a function that students may name to the counter, found as an attacker would: in the instruction that adds to it.
+/// From a function that students may name to the counter, found as an attacker would: in the instruction that adds to
+/// it.
 std::ptrdiff_t distance_to_the_counter()
 {
     const auto* const code = reinterpret_cast<const unsigned char*>(&__sanitizer_cov_trace_pc);
@@ -134,7 +138,8 @@ private:
 
 TEST_F(CountedWork, AFunctionThatIsNotCountedIsRefused)
 {
-    for (const char* attribute : {"__attribute__((no_sanitize_coverage, noinline))", "[[gnu::no_sanitize_coverage, gnu::noinline]]"}) {
+    for (const char* attribute :
+         {"__attribute__((no_sanitize_coverage, noinline))", "[[gnu::no_sanitize_coverage, gnu::noinline]]"}) {
         const UnitResult result = grade_search("", attribute, "", "");
         EXPECT_EQ(result.score, 0);
         EXPECT_EQ(to_string(result.verdict), "forbidden") << result.message;
@@ -150,21 +155,26 @@ TEST_F(CountedWork, ACounterOfOnesOwnIsRefused)
 
 TEST_F(CountedWork, TheCountersAddressIsRefused)
 {
-    const UnitResult result = grade_search("extern \"C\" void __sanitizer_cov_trace_pc(); void (*volatile counter)() = &__sanitizer_cov_trace_pc;", "", "", "");
+    const UnitResult result = grade_search(
+        "extern \"C\" void __sanitizer_cov_trace_pc(); void (*volatile counter)() = &__sanitizer_cov_trace_pc;", "", "",
+        "");
     EXPECT_EQ(result.score, 0);
     EXPECT_EQ(to_string(result.verdict), "forbidden") << result.message;
     EXPECT_NE(result.message.find("address"), std::string::npos) << result.message;
-    const UnitResult named = grade_search("namespace umbral { std::uint64_t blocks_executed() noexcept; }", "", "(void)umbral::blocks_executed();", "");
+    const UnitResult named = grade_search("namespace umbral { std::uint64_t blocks_executed() noexcept; }", "",
+                                          "(void)umbral::blocks_executed();", "");
     EXPECT_EQ(to_string(named.verdict), "forbidden") << named.message;
 }
 
 TEST_F(CountedWork, ACounterThatIsSetBackIsContradictedFromOutside)
 {
     const std::string counter = fmt::format(
-        "auto* counter = reinterpret_cast<volatile std::uint64_t*>(reinterpret_cast<char*>(&umbral::not_implemented_count) + "
+        "auto* counter = reinterpret_cast<volatile "
+        "std::uint64_t*>(reinterpret_cast<char*>(&umbral::not_implemented_count) + "
         "({}));",
         distance_to_the_counter());
-    const UnitResult result = grade_search("", "", counter + " const std::uint64_t before = *counter;", "*counter = before + 9;");
+    const UnitResult result =
+        grade_search("", "", counter + " const std::uint64_t before = *counter;", "*counter = before + 9;");
     EXPECT_EQ(cost_points(result).first, 0) << messages(result);
     EXPECT_EQ(other_points(result), 8500) << messages(result);
     EXPECT_NE(messages(result).find("work was done that is not counted"), std::string::npos) << messages(result);
@@ -173,16 +183,17 @@ TEST_F(CountedWork, ACounterThatIsSetBackIsContradictedFromOutside)
 // Searching backwards through a string is a loop within the C++ library.
 TEST_F(CountedWork, WorkLeftToALibraryIsSeenFromOutside)
 {
-    const UnitResult result = grade_search("static std::string table;", "",
-                                           "if (positions.empty()) table.clear();\n"
-                                           "table.append(1, 'a'); if (table.rfind('b') != std::string::npos) return 0;\n"
-                                           "static std::unordered_map<std::string, std::uint32_t> known; if (positions.empty()) known.clear();\n"
-                                           "const glm::vec3 plain = corner + 0.0F;\n"
-                                           "if (corner == corner) { const auto [place, added] = known.try_emplace("
-                                           "std::string(reinterpret_cast<const char*>(&plain), sizeof plain), positions.size());\n"
-                                           "if (added) positions.push_back(corner); return place->second; }\n"
-                                           "positions.push_back(corner); return static_cast<std::uint32_t>(positions.size()) - 1;",
-                                           "");
+    const UnitResult result = grade_search(
+        "static std::string table;", "",
+        "if (positions.empty()) table.clear();\n"
+        "table.append(1, 'a'); if (table.rfind('b') != std::string::npos) return 0;\n"
+        "static std::unordered_map<std::string, std::uint32_t> known; if (positions.empty()) known.clear();\n"
+        "const glm::vec3 plain = corner + 0.0F;\n"
+        "if (corner == corner) { const auto [place, added] = known.try_emplace("
+        "std::string(reinterpret_cast<const char*>(&plain), sizeof plain), positions.size());\n"
+        "if (added) positions.push_back(corner); return place->second; }\n"
+        "positions.push_back(corner); return static_cast<std::uint32_t>(positions.size()) - 1;",
+        "");
     EXPECT_EQ(cost_points(result).first, 0) << messages(result);
     EXPECT_EQ(other_points(result), 8500) << messages(result);
 }
@@ -211,11 +222,12 @@ TEST_F(CountedWork, HonestWorkIsBelievedUnderLoad)
     for (const std::string& id : units) {
         Exercise exercise = bench.exercise(id);
         std::erase_if(exercise.checks, [](const Check& check) { return check.judge != JudgeKind{"cost"}; });
-        std::vector<Specimen> honest = alternatives_of(bench.tools().reference, exercise);
+        std::vector<KnownSolution> honest = alternatives_of(bench.tools().reference, exercise);
         honest.emplace_back().sources = reference_sources(bench.tools().reference, exercise);
-        for (const Specimen& one : honest) {
+        for (const KnownSolution& one : honest) {
             const UnitResult result = grade(exercise, one.sources);
-            EXPECT_EQ(cost_points(result).first, cost_points(result).second) << id << " " << one.name << ": " << messages(result);
+            EXPECT_EQ(cost_points(result).first, cost_points(result).second)
+                << id << " " << one.name << ": " << messages(result);
         }
     }
 }

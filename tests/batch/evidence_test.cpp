@@ -35,7 +35,8 @@ Check check(JudgeKind kind, double ulps = 4)
 }
 
 template <class Kind>
-Kind evidence(const Check& of, const Tensor& yours, const Tensor& expected, const Tensor* names = nullptr, bool right = false)
+Kind evidence(const Check& of, const Tensor& yours, const Tensor& expected, const Tensor* names = nullptr,
+              bool right = false)
 {
     const Evidence found = evidence_of(of, {&yours, &expected, nullptr, names}, right);
     EXPECT_TRUE(std::holds_alternative<Kind>(found));
@@ -46,7 +47,8 @@ bool is_nothing(const Evidence& found) { return std::holds_alternative<std::mono
 
 TEST(Evidence, RowsMarkTheComponentsThatDiffer)
 {
-    const auto rows = evidence<RowsEvidence>(check(JudgeKind{"numbers"}), floats({1, 2, 3, 4, 5, 6}, 3), floats({1, 2, 3, 4, 7, 6}, 3));
+    const auto rows = evidence<RowsEvidence>(check(JudgeKind{"numbers"}), floats({1, 2, 3, 4, 5, 6}, 3),
+                                             floats({1, 2, 3, 4, 7, 6}, 3));
     EXPECT_EQ(rows.rows, 2U);
     EXPECT_EQ(rows.wrong, 1U);
     ASSERT_EQ(rows.first.size(), 1U);
@@ -111,12 +113,14 @@ TEST(Evidence, DamagedRecordingsGiveNothing)
     const Tensor expected = damaged;
     damaged.bytes.resize(7);
     for (const JudgeRecord* judge : judges())
-        EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind{std::string(judge->name)}), {&damaged, &expected}, false))) << judge->name;
+        EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind{std::string(judge->name)}), {&damaged, &expected}, false)))
+            << judge->name;
 }
 
 TEST(Evidence, EqualPicturesAreShownOnce)
 {
-    const auto pictures = evidence<PictureEvidence>(check(JudgeKind{"image"}), grey(2, 2, {1, 2, 3, 4}), grey(2, 2, {1, 2, 3, 4}), nullptr, true);
+    const auto pictures = evidence<PictureEvidence>(check(JudgeKind{"image"}), grey(2, 2, {1, 2, 3, 4}),
+                                                    grey(2, 2, {1, 2, 3, 4}), nullptr, true);
     EXPECT_FALSE(pictures.yours.cells.empty());
     EXPECT_FALSE(pictures.reference.has_value());
 }
@@ -183,17 +187,20 @@ TEST(Evidence, AnEndlessTraceIsCutAndSaysSo)
 TEST(Evidence, OneLostEventIsOneLostEvent)
 {
     const Tensor names = text("1 press\n2 drag\n");
-    const auto lines = evidence<LinesEvidence>(check(JudgeKind{"events"}), floats({1, 0, 2, 6, 2, 7}, 2), floats({1, 0, 2, 5, 2, 6, 2, 7}, 2), &names);
+    const auto lines = evidence<LinesEvidence>(check(JudgeKind{"events"}), floats({1, 0, 2, 6, 2, 7}, 2),
+                                               floats({1, 0, 2, 5, 2, 6, 2, 7}, 2), &names);
     EXPECT_EQ(lines.missing, 1U);
     EXPECT_EQ(lines.extra + lines.changed, 0U);
     EXPECT_EQ(lines.lines[1].expected, "drag (5)");
     const Tensor none{Element::float32, 0, 0, 1, {}, {}};
-    EXPECT_EQ(evidence<LinesEvidence>(check(JudgeKind{"events"}), none, floats({1, 0}, 2)).missing, 1U) << "no event at all";
+    EXPECT_EQ(evidence<LinesEvidence>(check(JudgeKind{"events"}), none, floats({1, 0}, 2)).missing, 1U)
+        << "no event at all";
 }
 
 TEST(Evidence, FragmentsAreCountedByWhatBecameOfThem)
 {
-    const auto found = evidence<FragmentsEvidence>(check(JudgeKind{"fragments"}), floats({0, 1, 1, 5, 0, 2, 1, 9, 0, 7, 7, 1, 0, 1, 1, 5}, 4),
+    const auto found = evidence<FragmentsEvidence>(check(JudgeKind{"fragments"}),
+                                                   floats({0, 1, 1, 5, 0, 2, 1, 9, 0, 7, 7, 1, 0, 1, 1, 5}, 4),
                                                    floats({0, 1, 1, 5, 0, 2, 1, 6, 0, 3, 1, 6}, 4));
     EXPECT_EQ(found.right, 1U);
     EXPECT_EQ(found.changed, 1U);
@@ -207,7 +214,8 @@ TEST(Evidence, FragmentsAreCountedByWhatBecameOfThem)
 TEST(Evidence, FragmentsFarAwayTakeNoMemory)
 {
     const auto found =
-        evidence<FragmentsEvidence>(check(JudgeKind{"fragments"}), floats({0, 1e9F, -1e9F, NAN, INFINITY, 1}, 3), floats({0, -1e9F, 1e9F, 0, 1e9F, 0}, 3));
+        evidence<FragmentsEvidence>(check(JudgeKind{"fragments"}), floats({0, 1e9F, -1e9F, NAN, INFINITY, 1}, 3),
+                                    floats({0, -1e9F, 1e9F, 0, 1e9F, 0}, 3));
     ASSERT_TRUE(found.picture);
     EXPECT_LE(found.picture->width, 256);
 }
@@ -216,8 +224,8 @@ TEST(Evidence, CostsPairUpBySize)
 {
     Check cost = check(JudgeKind{"cost"});
     cost.own = CostParameters{};
-    const auto found =
-        evidence<CostEvidence>(cost, table<double>(Element::float64, 2, {10, 100, 20, 400}), table<double>(Element::float64, 2, {10, 90, 20, 180, 40, 360}));
+    const auto found = evidence<CostEvidence>(cost, table<double>(Element::float64, 2, {10, 100, 20, 400}),
+                                              table<double>(Element::float64, 2, {10, 90, 20, 180, 40, 360}));
     ASSERT_EQ(found.points.size(), 3U);
     EXPECT_EQ(found.points[1].yours, 400);
     EXPECT_EQ(found.points[1].reference, 180);

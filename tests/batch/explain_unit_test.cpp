@@ -27,12 +27,12 @@ class ExplainUnit : public testing::TestWithParam<const char*> {
 protected:
     Workbench bench;
     Exercise exercise = bench.exercise(GetParam());
-    Workshop workshop{without_compiler(bench.tools())};
-    std::vector<Specimen> mistakes = telling_mistakes(workshop, exercise);
+    Worker worker{without_compiler(bench.tools())};
+    std::vector<KnownSolution> mistakes = explaining_mistakes(worker, exercise);
 
-    RunOutcome run(const Specimen& mistake, const std::string& name, std::uint64_t seed)
+    RunOutcome run(const KnownSolution& mistake, const std::string& name, std::uint64_t seed)
     {
-        return workshop.run_mistake(exercise, mistake.name, mistake.sources, name, seed);
+        return worker.run_mistake(exercise, mistake.name, mistake.sources, name, seed);
     }
 
     /// A submission whose cases were answered as given, judged.
@@ -48,8 +48,8 @@ protected:
         UnitResult result;
         for (const Check& check : exercise.checks) {
             const CaseResult& one = cases.at(check.case_name);
-            const RunOutcome& expected = workshop.trusted(exercise, judged_against(check), check.case_name, one.seed);
-            const RunOutcome& reference = workshop.trusted(exercise, Tenant::reference, check.case_name, one.seed);
+            const RunOutcome& expected = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
+            const RunOutcome& reference = worker.trusted(exercise, Answers::reference, check.case_name, one.seed);
             result.checks.push_back(judge_check(check, one, expected, reference));
             result.score += result.checks.back().score;
             result.max_score += check.points;
@@ -60,15 +60,16 @@ protected:
     std::vector<Explanation> explain(const Answer& answer)
     {
         const auto [result, cases] = hand_in(answer);
-        return explain_unit(workshop, exercise, result, cases);
+        return explain_unit(worker, exercise, result, cases);
     }
 };
 
 TEST_P(ExplainUnit, TakesMistakesThatWereCompiledWithTheProject)
 {
     ASSERT_FALSE(mistakes.empty());
-    for (const Specimen& mistake : mistakes) {
-        const auto found = explain([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
+    for (const KnownSolution& mistake : mistakes) {
+        const auto found =
+            explain([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
         ASSERT_FALSE(found.empty()) << mistake.name;
         EXPECT_EQ(found.front().name, "mistake: " + mistake.name);
         // A subtle one breaks a few rows only: then it is "probably", not "very likely".
@@ -80,15 +81,18 @@ TEST_P(ExplainUnit, TakesMistakesThatWereCompiledWithTheProject)
 
 TEST_P(ExplainUnit, SaysNothingOfRightWork)
 {
-    const auto found = explain([&](const std::string& name, std::uint64_t seed) { return workshop.trusted(exercise, Tenant::reference, name, seed); });
+    const auto found = explain([&](const std::string& name, std::uint64_t seed) {
+        return worker.trusted(exercise, Answers::reference, name, seed);
+    });
     EXPECT_TRUE(found.empty());
 }
 
 TEST_P(ExplainUnit, AMistakeThatBreaksMoreThanTheStudentsWorkIsNotItsReason)
 {
     int tried = 0;
-    for (const Specimen& mistake : mistakes) {
-        const auto [result, cases] = hand_in([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
+    for (const KnownSolution& mistake : mistakes) {
+        const auto [result, cases] =
+            hand_in([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
         std::set<std::string> broken;
         for (std::size_t i = 0; i < exercise.checks.size(); ++i)
             if (result.checks[i].score < exercise.checks[i].points) broken.insert(exercise.checks[i].case_name);
@@ -96,7 +100,8 @@ TEST_P(ExplainUnit, AMistakeThatBreaksMoreThanTheStudentsWorkIsNotItsReason)
         ++tried;
         // The student fails the first of these cases exactly as the mistake does, and is right in all others.
         const auto found = explain([&](const std::string& name, std::uint64_t seed) {
-            return name == *broken.begin() ? run(mistake, name, seed) : workshop.trusted(exercise, Tenant::reference, name, seed);
+            return name == *broken.begin() ? run(mistake, name, seed)
+                                           : worker.trusted(exercise, Answers::reference, name, seed);
         });
         for (const Explanation& one : found) EXPECT_NE(one.name, "mistake: " + mistake.name) << one.confidence;
     }
@@ -105,21 +110,24 @@ TEST_P(ExplainUnit, AMistakeThatBreaksMoreThanTheStudentsWorkIsNotItsReason)
 
 TEST_P(ExplainUnit, WithoutItsMistakeAmongTheCandidatesNoOtherIsNamedForIt)
 {
-    for (const Specimen& mistake : mistakes) {
-        const auto [result, cases] = hand_in([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
-        std::vector<Specimen> others = mistakes;
-        std::erase_if(others, [&](const Specimen& other) { return other.name == mistake.name; });
-        for (const Explanation& one : explain_unit(workshop, exercise, result, cases, others))
-            EXPECT_FALSE(one.name.starts_with("mistake: ")) << mistake.name << " taken for " << one.name << ", " << one.confidence;
+    for (const KnownSolution& mistake : mistakes) {
+        const auto [result, cases] =
+            hand_in([&](const std::string& name, std::uint64_t seed) { return run(mistake, name, seed); });
+        std::vector<KnownSolution> others = mistakes;
+        std::erase_if(others, [&](const KnownSolution& other) { return other.name == mistake.name; });
+        for (const Explanation& one : explain_unit(worker, exercise, result, cases, others))
+            EXPECT_FALSE(one.name.starts_with("mistake: "))
+                << mistake.name << " taken for " << one.name << ", " << one.confidence;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Units, ExplainUnit, testing::Values("raytracing/sphere", "projections/view-matrix"), [](const auto& one) {
-    std::string name = one.param;
-    for (char& c : name)
-        if (c == '/' || c == '-') c = '_';
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Units, ExplainUnit, testing::Values("raytracing/sphere", "projections/view-matrix"),
+                         [](const auto& one) {
+                             std::string name = one.param;
+                             for (char& c : name)
+                                 if (c == '/' || c == '-') c = '_';
+                             return name;
+                         });
 
 }
 }

@@ -37,7 +37,8 @@ protected:
         bench.write("class/" + id + "/sphere.cpp", sphere);
         bench.write("class/" + id + "/projections/view-matrix/view_matrix.cpp", view);
     }
-    [[nodiscard]] ClassGrading grade(const std::string& out, unsigned jobs, std::vector<std::string>* done = nullptr) const
+    [[nodiscard]] ClassGrading grade(const std::string& out, unsigned jobs,
+                                     std::vector<std::string>* done = nullptr) const
     {
         ClassOptions options;
         options.submissions = bench.folder() / "class";
@@ -63,7 +64,9 @@ TEST_F(GradeClass, twice_gives_the_same_but_for_times)
     std::sort(done.begin(), done.end());
     EXPECT_EQ(done, (std::vector<std::string>{"ada", "bob", "eve", "zoe"}));
     for (const std::string& id : done) {
-        const auto read = [&](const char* out) { return without_times(nlohmann::json::parse(read_text(bench.folder() / out / id / "report.json"))); };
+        const auto read = [&](const char* out) {
+            return without_times(nlohmann::json::parse(read_text(bench.folder() / out / id / "report.json")));
+        };
         EXPECT_EQ(read("first"), read("second")) << id;
     }
     EXPECT_EQ(without_times(nlohmann::json::parse(read_text(bench.folder() / "first/class.json"))), first);
@@ -72,8 +75,10 @@ TEST_F(GradeClass, twice_gives_the_same_but_for_times)
 TEST_F(GradeClass, a_hostile_submission_disturbs_no_other)
 {
     for (const char* const id : {"good-1", "good-3", "good-5"}) hand_in(id, good_sphere, good_view);
-    hand_in("bad-2", sphere_with("", "    volatile float* nowhere = nullptr;\n    *nowhere = 1;"), "#include \"/dev/zero\"\n");
-    hand_in("bad-4", sphere_with("", "    std::vector<std::vector<char>> all;\n    for (;;) all.emplace_back(1U << 24U, 'x');"),
+    hand_in("bad-2", sphere_with("", "    volatile float* nowhere = nullptr;\n    *nowhere = 1;"),
+            "#include \"/dev/zero\"\n");
+    hand_in("bad-4",
+            sphere_with("", "    std::vector<std::vector<char>> all;\n    for (;;) all.emplace_back(1U << 24U, 'x');"),
             "int x = " + std::string(10000, '(') + ";\n");
     hand_in("bad-6", sphere_with("", "    std::exit(0);"), good_view);
     fs::create_symlink("/", bench.folder() / "class" / "link");
@@ -86,7 +91,8 @@ TEST_F(GradeClass, a_hostile_submission_disturbs_no_other)
         } else {
             EXPECT_EQ(one.units[0].score, 0) << one.id;
         }
-        for (const UnitResult& unit : one.units) EXPECT_NE(to_string(unit.verdict), "grader_fault") << one.id << ' ' << unit.message;
+        for (const UnitResult& unit : one.units)
+            EXPECT_NE(to_string(unit.verdict), "grader_fault") << one.id << ' ' << unit.message;
     }
 }
 
@@ -97,7 +103,8 @@ public:
     {
         fs::create_directories(folder_);
         for (const auto& entry : fs::directory_iterator(tools_.programs))
-            if (entry.path().filename().string().starts_with("umbral")) fs::create_symlink(entry.path(), folder_ / entry.path().filename());
+            if (entry.path().filename().string().starts_with("umbral"))
+                fs::create_symlink(entry.path(), folder_ / entry.path().filename());
         tools_.programs = folder_;
     }
     [[nodiscard]] const Toolchain& tools() const { return tools_; }
@@ -118,10 +125,12 @@ TEST_F(GradeClass, a_fault_is_retried_alone_and_then_told)
     hand_in("ana", good_sphere, good_view);
     hand_in("bo", sphere_with("", ""), good_view);
     Broken broken(bench, bench.tools());
-    // The first starts of the spawner of sphere fail, one for each submission, as where the machine is out of processes; later ones work.
+    // The first starts of the spawner of sphere fail, one for each submission, as where the machine is out of
+    // processes; later ones work.
     const std::string real = (bench.tools().programs / "umbral-spawner").string();
     const std::string count = (bench.folder() / "count").string();
-    broken.replace_spawner("#!/bin/sh\necho >>" + count + "\n[ $(wc -l <" + count + ") -gt 2 ] || exit 1\nexec " + real + "\n");
+    broken.replace_spawner("#!/bin/sh\necho >>" + count + "\n[ $(wc -l <" + count + ") -gt 2 ] || exit 1\nexec " +
+                           real + "\n");
     ClassOptions options;
     options.submissions = bench.folder() / "class";
     options.out = bench.folder() / "out";
@@ -143,7 +152,8 @@ TEST_F(GradeClass, a_fault_is_retried_alone_and_then_told)
     ASSERT_EQ(told.size(), 1U) << "the same cause once";
     EXPECT_EQ(told[0].places.size(), 2U);
     EXPECT_EQ(told[0].points, 20000);
-    for (const SubmissionResult& one : broken_for_good.result.submissions) EXPECT_EQ(one.max_score, 10000) << "nobody's zero";
+    for (const SubmissionResult& one : broken_for_good.result.submissions)
+        EXPECT_EQ(one.max_score, 10000) << "nobody's zero";
     EXPECT_TRUE(broken_for_good.written);
 
     // The next run asks for what failed, and for nothing else.
@@ -192,7 +202,8 @@ TEST_F(GradeClass, folders_that_are_no_class_are_told)
 
 TEST(Progress, says_how_far_how_fast_and_how_long)
 {
-    ClassProgress now{.submissions_done = 12, .submissions = 200, .units_graded = 310, .units_to_grade = 1054, .seconds = 100};
+    ClassProgress now{
+        .submissions_done = 12, .submissions = 200, .units_graded = 310, .units_to_grade = 1054, .seconds = 100};
     EXPECT_EQ(progress_text(now), "12/200 submissions, 3.1 units/s, about 4 min left");
     now.units_to_grade = 330;
     EXPECT_EQ(progress_text(now), "12/200 submissions, 3.1 units/s, about 10 s left");

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "batch/grade_unit.hpp"
-#include "batch/specimens.hpp"
+#include "batch/known_solutions.hpp"
 #include "support/workbench.hpp"
 
 namespace umbral::grader::test {
@@ -11,9 +11,12 @@ class GradeUnit : public testing::TestWithParam<const char*> {
 protected:
     Workbench bench;
     Exercise exercise = bench.exercise(GetParam());
-    Workshop workshop{bench.tools()};
+    Worker worker{bench.tools()};
 
-    UnitResult grade(const Sources& sources, const GradeOptions& options = {}) { return grade_unit(workshop, exercise, {sources, {}, ""}, options); }
+    UnitResult grade(const Sources& sources, const GradeOptions& options = {})
+    {
+        return grade_unit(worker, exercise, {sources, {}, ""}, options);
+    }
 };
 
 TEST_P(GradeUnit, the_reference_gets_all_points)
@@ -29,10 +32,10 @@ TEST_P(GradeUnit, the_reference_gets_all_points)
 
 TEST_P(GradeUnit, a_mistake_loses_points_and_is_explained)
 {
-    const std::vector<Specimen> mistakes = mistakes_of(bench.tools().reference, exercise);
+    const std::vector<KnownSolution> mistakes = mistakes_of(bench.tools().reference, exercise);
     ASSERT_FALSE(mistakes.empty());
     int tried = 0;
-    for (const Specimen& mistake : mistakes) {
+    for (const KnownSolution& mistake : mistakes) {
         if (mistake.verdict || tried == 2) continue;
         ++tried;
         const UnitResult result = grade(mistake.sources);
@@ -94,12 +97,13 @@ TEST_P(GradeUnit, hidden_seeds_follow_from_secret_and_student)
     EXPECT_GT(hidden, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Units, GradeUnit, testing::Values("raytracing/sphere", "projections/view-matrix"), [](const auto& one) {
-    std::string name = one.param;
-    for (char& c : name)
-        if (c == '/' || c == '-') c = '_';
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Units, GradeUnit, testing::Values("raytracing/sphere", "projections/view-matrix"),
+                         [](const auto& one) {
+                             std::string name = one.param;
+                             for (char& c : name)
+                                 if (c == '/' || c == '-') c = '_';
+                             return name;
+                         });
 
 }
 }

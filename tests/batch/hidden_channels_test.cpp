@@ -13,7 +13,8 @@
 #include "run/raw_calls.hpp"
 #include "support/workbench.hpp"
 
-// A submission that puts its hidden inputs into whatever a report might repeat: what students read must be the same, whatever the inputs were.
+// A submission that puts its hidden inputs into whatever a report might repeat: what students read must be the same,
+// whatever the inputs were.
 namespace umbral::grader::test {
 namespace {
 
@@ -43,32 +44,50 @@ struct Channel {
 
 const std::vector<Channel> channels = {
     {"numbers_of_refused_calls", "for (int i = 0; i < 32; ++i) raw(500 + 2 * i + ((h >> i) & 1));", false},
-    {"which_known_calls_are_refused", "if (h & 1) raw(SYS_socket, 1, 1, 0); else raw(SYS_fork); if (h & 2) raw(SYS_execve, 0, 0, 0);", false},
+    {"which_known_calls_are_refused",
+     "if (h & 1) raw(SYS_socket, 1, 1, 0); else raw(SYS_fork); if (h & 2) raw(SYS_execve, 0, 0, 0);", false},
     {"printed_text", "std::printf(\"%x\\n\", h); std::fprintf(stderr, \"%x\\n\", h);", false},
     {"exception_text", "throw std::runtime_error(std::to_string(h));", true},
     {"exception_type",
-     "if (h & 1) throw std::runtime_error(\"x\"); if (h & 2) throw std::out_of_range(\"x\"); if (h & 4) throw h; throw std::logic_error(\"x\");", true},
+     "if (h & 1) throw std::runtime_error(\"x\"); if (h & 2) throw std::out_of_range(\"x\"); if (h & 4) throw h; throw "
+     "std::logic_error(\"x\");",
+     true},
     {"assertion_text", "std::fprintf(stderr, \"Assertion %x\\n\", h); std::abort();", true},
     {"exit_status", "raw(SYS_exit_group, h & 255);", false},
     {"place_of_crash",
-     "volatile int* nowhere = nullptr;\nif (h & 1) {\n*nowhere = 1; }\nif (h & 2) {\n*nowhere = 2; }\nif (h & 4) {\n*nowhere = 3; }\n*nowhere = 4;", true},
-    {"kind_of_signal", "volatile int zero = 0; if (h & 1) __builtin_trap(); if (h & 2) zero = 7 / zero; std::abort();", true},
-    {"note_and_text", "Header* r = find(); r->note = 1; std::snprintf(r->text, sizeof r->text, \"%x\", h); leave();", true},
+     "volatile int* nowhere = nullptr;\nif (h & 1) {\n*nowhere = 1; }\nif (h & 2) {\n*nowhere = 2; }\nif (h & 4) "
+     "{\n*nowhere = 3; }\n*nowhere = 4;",
+     true},
+    {"kind_of_signal", "volatile int zero = 0; if (h & 1) __builtin_trap(); if (h & 2) zero = 7 / zero; std::abort();",
+     true},
+    {"note_and_text", "Header* r = find(); r->note = 1; std::snprintf(r->text, sizeof r->text, \"%x\", h); leave();",
+     true},
     {"damage", "Header* r = find(); r->tensor_count = 257 + h; finish(r);", true},
-    {"count_of_stubs_and_frames", "Header* r = find(); r->refused_count = h; for (auto& one : r->refused) one = h & 511; leave();", true},
-    {"number_of_rows", "Header* r = find(); put(r, \"t\", {1, 20 + h % 60, 1, 1, 0, 0}, (20 + h % 60) * 4, 0); finish(r);", true},
-    {"far_too_many_rows", "Header* r = find(); put(r, \"t\", {1, 100000 + h % 10000, 1, 1, 0, 0}, (100000 + h % 10000) * 4, 0); finish(r);", true},
+    {"count_of_stubs_and_frames",
+     "Header* r = find(); r->refused_count = h; for (auto& one : r->refused) one = h & 511; leave();", true},
+    {"number_of_rows",
+     "Header* r = find(); put(r, \"t\", {1, 20 + h % 60, 1, 1, 0, 0}, (20 + h % 60) * 4, 0); finish(r);", true},
+    {"far_too_many_rows",
+     "Header* r = find(); put(r, \"t\", {1, 100000 + h % 10000, 1, 1, 0, 0}, (100000 + h % 10000) * 4, 0); finish(r);",
+     true},
     {"size_of_a_picture",
-     "Header* r = find(); put(r, \"ids\", {3, 20 + h % 60, 8, 1, 0, 0}, (20 + h % 60) * 32, 0); put(r, \"t\", {1, 1, 1, 1, 0, 0}, 4, 0); finish(r);", false},
-    {"names_of_tensors", "Header* r = find(); const std::string name = \"n\" + std::to_string(h); put(r, name.c_str(), {1, 1, 1, 1, 0, 0}, 4, 0); finish(r);",
+     "Header* r = find(); put(r, \"ids\", {3, 20 + h % 60, 8, 1, 0, 0}, (20 + h % 60) * 32, 0); put(r, \"t\", {1, 1, "
+     "1, 1, 0, 0}, 4, 0); finish(r);",
+     false},
+    {"names_of_tensors",
+     "Header* r = find(); const std::string name = \"n\" + std::to_string(h); put(r, name.c_str(), {1, 1, 1, 1, 0, 0}, "
+     "4, 0); finish(r);",
      false},
     {"payload_of_nan",
-     "Header* r = find(); put(r, \"t\", {1, 1000, 1, 1, 0, 0}, 4000, 0); char* at = reinterpret_cast<char*>(r) + umbral::wire::tensors_offset + "
+     "Header* r = find(); put(r, \"t\", {1, 1000, 1, 1, 0, 0}, 4000, 0); char* at = reinterpret_cast<char*>(r) + "
+     "umbral::wire::tensors_offset + "
      "sizeof(umbral::wire::TensorHeader) + 8; "
-     "const unsigned nan = 0x7fc00000 | (h & 0xfffff); for (int i = 0; i < 1000; ++i) std::memcpy(at + 4 * i, &nan, 4); finish(r);",
+     "const unsigned nan = 0x7fc00000 | (h & 0xfffff); for (int i = 0; i < 1000; ++i) std::memcpy(at + 4 * i, &nan, "
+     "4); finish(r);",
      false},
     {"values", "return static_cast<float>(h & 0xffffff);", true},
-    {"type_of_a_tensor", "Header* r = find(); put(r, \"t\", {h % 2 ? 2U : 3U, 8, 1, 1, 0, 0}, h % 2 ? 64 : 32, 0); finish(r);", true},
+    {"type_of_a_tensor",
+     "Header* r = find(); put(r, \"t\", {h % 2 ? 2U : 3U, 8, 1, 1, 0, 0}, h % 2 ? 64 : 32, 0); finish(r);", true},
 };
 
 /// What a student reads of a submission with this unit, without times.
@@ -83,7 +102,8 @@ StudentsEdition edition_of(UnitResult unit, const html::UnitDetail& detail)
     unit.seconds = unit.reference_seconds = 0;
     SubmissionResult submission{"ada", 0, 0, {std::move(unit)}};
     add_up(submission);
-    return {to_json(without_hidden_values(submission), {}).dump(1), html::report_html(submission, {}, {{submission.units.front().id, detail}}),
+    return {to_json(without_hidden_values(submission), {}).dump(1),
+            html::report_html(submission, {}, {{submission.units.front().id, detail}}),
             terminal_report(submission, {})};
 }
 
@@ -95,17 +115,18 @@ protected:
         options.seeds.secret = secret;
         // What instructors get must not change what students do.
         options.show_hidden = true;
-        return grade_with_evidence(workshop, exercise, {files, {}, ""}, options);
+        return grade_with_evidence(worker, exercise, {files, {}, ""}, options);
     }
 
     Workbench bench;
     Exercise exercise = bench.exercise("raytracing/sphere");
-    Workshop workshop{bench.tools()};
+    Worker worker{bench.tools()};
 };
 
 TEST_P(HiddenChannel, says_nothing_to_students)
 {
-    const std::string code = std::string("    [[maybe_unused]] const unsigned h = secret(ray, sphere);\n") + GetParam().code;
+    const std::string code =
+        std::string("    [[maybe_unused]] const unsigned h = secret(ray, sphere);\n") + GetParam().code;
     const bool ordinary = code.find("raw(") == std::string::npos && code.find("find()") == std::string::npos;
     const Sources files = ordinary ? Sources{{"sphere.cpp", sphere_with(secret_of_inputs, code)}}
                                    : planted(bench, sphere_with(raw_calls + find_recording + secret_of_inputs, code));
@@ -131,20 +152,21 @@ TEST_P(HiddenChannel, says_nothing_to_students)
     EXPECT_TRUE(carried) << "this channel carries nothing, even in the instructors' result: the test shows nothing";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, HiddenChannel, testing::ValuesIn(channels), [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, HiddenChannel, testing::ValuesIn(channels),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 class HiddenCases : public testing::Test {
 protected:
     Workbench bench;
     Exercise exercise = bench.exercise("raytracing/sphere");
-    Workshop workshop{bench.tools()};
+    Worker worker{bench.tools()};
 };
 
 TEST_F(HiddenCases, how_long_they_took_is_not_in_the_sum)
 {
     std::erase_if(exercise.checks, [](const Check& check) { return !check.hidden; });
     ASSERT_FALSE(exercise.checks.empty());
-    const UnitResult result = grade_unit(workshop, exercise, {{{"sphere.cpp", sphere_with("", "")}}, {}, ""}, {});
+    const UnitResult result = grade_unit(worker, exercise, {{{"sphere.cpp", sphere_with("", "")}}, {}, ""}, {});
     ASSERT_NE(to_string(result.verdict), "grader_fault") << result.message;
     EXPECT_EQ(result.seconds, 0);
     EXPECT_EQ(result.reference_seconds, 0);
@@ -154,7 +176,7 @@ TEST_F(HiddenCases, how_long_they_took_is_not_in_the_sum)
 TEST_F(HiddenCases, an_explanation_that_only_they_lead_to_is_not_for_students)
 {
     int explained = 0;
-    for (const Specimen& mistake : telling_mistakes(workshop, exercise)) {
+    for (const KnownSolution& mistake : explaining_mistakes(worker, exercise)) {
         Exercise seldom = exercise;
         seldom.checks.clear();
         CaseResults cases;
@@ -163,9 +185,10 @@ TEST_F(HiddenCases, an_explanation_that_only_they_lead_to_is_not_for_students)
             CaseResult one;
             one.seed = SeedPlan{}.seed_of(exercise, check.case_name);
             one.hidden = check.hidden;
-            one.student = workshop.run_mistake(exercise, mistake.name, mistake.sources, check.case_name, one.seed);
-            const CheckResult judged = judge_check(check, one, workshop.trusted(exercise, judged_against(check), check.case_name, one.seed),
-                                                   workshop.trusted(exercise, Tenant::reference, check.case_name, one.seed));
+            one.student = worker.run_mistake(exercise, mistake.name, mistake.sources, check.case_name, one.seed);
+            const CheckResult judged =
+                judge_check(check, one, worker.trusted(exercise, judged_against(check), check.case_name, one.seed),
+                            worker.trusted(exercise, Answers::reference, check.case_name, one.seed));
             if (!check.hidden && judged.score < check.points) continue;
             seldom.checks.push_back(check);
             result.checks.push_back(judged);
@@ -173,7 +196,7 @@ TEST_F(HiddenCases, an_explanation_that_only_they_lead_to_is_not_for_students)
             result.max_score += check.points;
             cases.emplace(check.case_name, std::move(one));
         }
-        result.explanations = explain_unit(workshop, seldom, result, cases);
+        result.explanations = explain_unit(worker, seldom, result, cases);
         explained += result.explanations.empty() ? 0 : 1;
         for (const Explanation& one : result.explanations) EXPECT_TRUE(one.hidden) << mistake.name << ": " << one.name;
         EXPECT_TRUE(without_hidden_values({"ada", 0, 0, {result}, {}}).units[0].explanations.empty());
@@ -201,10 +224,14 @@ TEST_F(HiddenCases, other_files_meet_other_inputs_and_the_same_files_the_same)
     EXPECT_EQ(plan.work, work_digest({{"sphere.cpp", "a"}}));
     EXPECT_NE(work_digest({{"ab", "c"}}), work_digest({{"a", "bc"}}));
     for (const std::string& name : exercise.cases()) {
-        EXPECT_EQ(plan.seed_of(exercise, name) != changed.seed_of(exercise, name), is_hidden_case(exercise, name)) << name;
-        EXPECT_EQ(plan.fresh_seed_of(exercise, name) != changed.fresh_seed_of(exercise, name), is_hidden_case(exercise, name)) << name;
+        EXPECT_EQ(plan.seed_of(exercise, name) != changed.seed_of(exercise, name), is_hidden_case(exercise, name))
+            << name;
+        EXPECT_EQ(plan.fresh_seed_of(exercise, name) != changed.fresh_seed_of(exercise, name),
+                  is_hidden_case(exercise, name))
+            << name;
     }
-    EXPECT_EQ(plan.seed_of(exercise, "head-on"), SeedPlan{}.seed_of(exercise, "head-on")) << "visible cases stay as they are";
+    EXPECT_EQ(plan.seed_of(exercise, "head-on"), SeedPlan{}.seed_of(exercise, "head-on"))
+        << "visible cases stay as they are";
 }
 
 }

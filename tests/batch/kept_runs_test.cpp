@@ -36,12 +36,12 @@ protected:
         return found;
     }
 
-    /// The reference's recording of a case, by a workshop that remembers nothing.
+    /// The reference's recording of a case, by a worker that remembers nothing.
     [[nodiscard]] RunOutcome reference(const std::string& case_name, std::shared_ptr<const UnitKeys> keys) const
     {
-        Workshop workshop(bench.tools());
-        workshop.keep_runs(std::move(keys));
-        return workshop.trusted(sphere, Tenant::reference, case_name, SeedPlan{}.seed_of(sphere, case_name));
+        Worker worker(bench.tools());
+        worker.keep_runs(std::move(keys));
+        return worker.trusted(sphere, Answers::reference, case_name, SeedPlan{}.seed_of(sphere, case_name));
     }
 };
 

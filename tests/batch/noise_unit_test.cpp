@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "batch/grade_unit.hpp"
-#include "batch/specimens.hpp"
+#include "batch/known_solutions.hpp"
 #include "batch/validate.hpp"
 #include "judge/statistics/error_budget.hpp"
 #include "manifest/units.hpp"
@@ -29,17 +29,18 @@ protected:
     Workbench bench;
     Toolchain tools = tools_of(bench);
     Exercise exercise = load_exercise(tools.exercises / "noise/direct-light");
-    Workshop workshop{tools};
+    Worker worker{tools};
 
     UnitResult grade(const Sources& sources, unsigned attempt)
     {
         GradeOptions options;
         options.seeds.attempt = attempt;
         options.explain = false;
-        return grade_unit(workshop, exercise, {sources, {}, ""}, options);
+        return grade_unit(worker, exercise, {sources, {}, ""}, options);
     }
 
-    /// The reference, with all light times a factor, after a number that is drawn and thrown away: its noise is not the reference's.
+    /// The reference, with all light times a factor, after a number that is drawn and thrown away: its noise is not the
+    /// reference's.
     [[nodiscard]] Sources times(const std::string& factor) const
     {
         Sources sources = reference_sources(tools.reference, exercise);
@@ -56,10 +57,10 @@ TEST_F(NoiseUnit, EveryFindingOfValidateHolds)
 {
     int findings = 0;
     for (unsigned seed = 0; seed < 3; ++seed)
-        validate_unit(workshop, exercise, seed, [&](const Finding& finding) {
+        validate_unit(worker, exercise, seed, [&](const Finding& finding) {
             ++findings;
-            EXPECT_TRUE(finding.holds) << finding.subject << ", seed " << seed << ": " << finding.credit << " of " << finding.expected << ": "
-                                       << finding.message;
+            EXPECT_TRUE(finding.holds) << finding.subject << ", seed " << seed << ": " << finding.credit << " of "
+                                       << finding.expected << ": " << finding.message;
         });
     EXPECT_GE(findings, 3 * 12);
 }
@@ -73,18 +74,20 @@ TEST_F(NoiseUnit, TheReferencesOwnNumbersAreRightWithoutChance)
 
 TEST_F(NoiseUnit, OtherRightWaysPassWithTwoHundredSeeds)
 {
-    for (const Specimen& other : alternatives_of(tools.reference, exercise)) {
+    for (const KnownSolution& other : alternatives_of(tools.reference, exercise)) {
         int again = 0;
         double smallest = 1;
         for (unsigned attempt = 0; attempt < 200; ++attempt) {
             const UnitResult result = grade(other.sources, attempt);
-            ASSERT_EQ(to_string(result.verdict), "ok") << other.name << ", attempt " << attempt << ": " << result.message;
+            ASSERT_EQ(to_string(result.verdict), "ok")
+                << other.name << ", attempt " << attempt << ": " << result.message;
             for (const CheckResult& check : result.checks) {
                 again += check.seeds.size() == 2 ? 1 : 0;
                 smallest = std::min(smallest, check.metrics.at("probability"));
             }
         }
-        std::printf("%s: 800 checks with attempts 0 to 199, %d run again, smallest probability %.2g\n", other.name.c_str(), again, smallest);
+        std::printf("%s: 800 checks with attempts 0 to 199, %d run again, smallest probability %.2g\n",
+                    other.name.c_str(), again, smallest);
         EXPECT_LE(again, 24) << "8 are expected at most";
     }
 }
@@ -117,12 +120,14 @@ TEST_F(NoiseUnit, WhatIsBorderlineIsRunAgainAndSaysSo)
     }
     ASSERT_TRUE(found) << "a bias of 0.6 % must be borderline with one of 200 seeds";
     const CheckResult& check = found->result.checks[found->check];
-    std::printf("attempt %u, %s: probability %.2g, then %.2g, together %.2g; %s\n", found->attempt, check.name.c_str(), check.metrics.at("probability_first"),
-                check.metrics.at("probability_fresh"), check.metrics.at("probability"), check.message.c_str());
+    std::printf("attempt %u, %s: probability %.2g, then %.2g, together %.2g; %s\n", found->attempt, check.name.c_str(),
+                check.metrics.at("probability_first"), check.metrics.at("probability_fresh"),
+                check.metrics.at("probability"), check.message.c_str());
     SeedPlan plan;
     plan.attempt = found->attempt;
     const std::string& case_name = exercise.checks[found->check].case_name;
-    EXPECT_EQ(check.seeds, (std::vector<std::uint64_t>{plan.seed_of(exercise, case_name), plan.fresh_seed_of(exercise, case_name)}));
+    EXPECT_EQ(check.seeds,
+              (std::vector<std::uint64_t>{plan.seed_of(exercise, case_name), plan.fresh_seed_of(exercise, case_name)}));
     EXPECT_EQ(after_first_run(check.metrics.at("probability_first")), FirstRun::borderline);
     EXPECT_EQ(check.metrics.at("probability") >= check_alpha(), check.score == check.max_score);
 
@@ -146,7 +151,8 @@ TEST_F(NoiseUnit, FreshSeedsOfHiddenCasesAreAsSecretAsTheFirst)
     const SeedPlan other{"another", "course", "ada", 0};
     EXPECT_NE(one.fresh_seed_of(exercise, "secret"), one.seed_of(exercise, "secret"));
     EXPECT_NE(one.fresh_seed_of(exercise, "secret"), other.fresh_seed_of(exercise, "secret"));
-    EXPECT_EQ(one.fresh_seed_of(exercise, "ball"), other.fresh_seed_of(exercise, "ball")) << "visible cases are the same for all";
+    EXPECT_EQ(one.fresh_seed_of(exercise, "ball"), other.fresh_seed_of(exercise, "ball"))
+        << "visible cases are the same for all";
     UnitResult unit = grade(times("1.03"), 0);
     ASSERT_FALSE(unit.checks[3].seeds.empty());
     const SubmissionResult shown = without_hidden_values({"ada", 0, 0, {unit}});

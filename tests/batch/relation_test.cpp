@@ -88,8 +88,12 @@ TEST(RelationCheck, OnlyTheStudentsOwnValuesDecide)
         EXPECT_EQ(grade(*each, reference_of(*each)).score, 1000) << each->relation->what;
         // All too dark by the same third: wrong, and as consistent as can be.
         const float dark = 0.27F;
-        const Tensor value = each->relation->moves() ? disc(35, 27, dark) : disc(30, 30, each->relation->scales() ? 2 * dark : dark);
-        EXPECT_EQ(grade(*each, run_of({{"value", value}, {"upright", disc(30, 30, dark)}, {"turned", disc(40, 22, dark)}})).score, 1000)
+        const Tensor value =
+            each->relation->moves() ? disc(35, 27, dark) : disc(30, 30, each->relation->scales() ? 2 * dark : dark);
+        EXPECT_EQ(
+            grade(*each, run_of({{"value", value}, {"upright", disc(30, 30, dark)}, {"turned", disc(40, 22, dark)}}))
+                .score,
+            1000)
             << each->relation->what;
         // Right by the reference, but not by the law.
         RunOutcome broken = reference_of(*each);
@@ -109,14 +113,15 @@ TEST(RelationCheck, AHostileRecordingCannotProfit)
             const Tensor other_flat = *expected_by_relation(*each, flat, flat);
             const Tensor corner = painted([](int x, int y, int) { return x < 8 && y < 8 ? 0.5F : 0.0F; });
             const Tensor far_corner = *expected_by_relation(*each, corner, corner);
-            const std::vector<std::map<std::string, Tensor>> forged = {{{"value", follows}, {"upright", junk}, {"turned", noise(seed + 100)}},
-                                                                       {{"value", junk}, {"upright", junk}, {"turned", junk}},
-                                                                       {{"value", other_flat}, {"upright", flat}, {"turned", junk}},
-                                                                       {{"value", far_corner}, {"upright", corner}, {"turned", flat}},
-                                                                       {{"value", disc(30, 30)}, {"upright", disc(30, 30)}, {"turned", disc(30, 30)}},
-                                                                       {{"value", follows}},
-                                                                       {{"upright", junk}, {"turned", junk}},
-                                                                       {}};
+            const std::vector<std::map<std::string, Tensor>> forged = {
+                {{"value", follows}, {"upright", junk}, {"turned", noise(seed + 100)}},
+                {{"value", junk}, {"upright", junk}, {"turned", junk}},
+                {{"value", other_flat}, {"upright", flat}, {"turned", junk}},
+                {{"value", far_corner}, {"upright", corner}, {"turned", flat}},
+                {{"value", disc(30, 30)}, {"upright", disc(30, 30)}, {"turned", disc(30, 30)}},
+                {{"value", follows}},
+                {{"upright", junk}, {"turned", junk}},
+                {}};
             for (std::size_t i = 0; i < forged.size(); ++i) {
                 const CheckResult result = grade(*each, run_of(forged[i]));
                 EXPECT_EQ(result.score, 0) << each->relation->what << ", forgery " << i << ", seed " << seed;
@@ -136,7 +141,8 @@ TEST(RelationCheck, ADriverWithoutTheValueIsOurFault)
 
 TEST(RelationCheck, ReportsHoldUpTheStudentsOtherValue)
 {
-    const RunOutcome student = run_of({{"value", disc(35, 27)}, {"upright", disc(30, 30, 0.2F)}, {"turned", disc(40, 22)}});
+    const RunOutcome student =
+        run_of({{"value", disc(35, 27)}, {"upright", disc(30, 30, 0.2F)}, {"turned", disc(40, 22)}});
     const ExpectedSide side_of_law = expected_side(moved, student, reference_of(moved));
     ASSERT_NE(side_of_law.tensor, nullptr);
     EXPECT_EQ(*side_of_law.tensor, *expected_by_relation(moved, disc(30, 30, 0.2F), disc(35, 27)));
@@ -148,15 +154,20 @@ TEST(RelationCheck, ReportsHoldUpTheStudentsOtherValue)
     EXPECT_EQ(expected_side(plain, student, reference).words, "reference");
     EXPECT_EQ(expected_side(moved, run_of({{"value", disc(35, 27)}}), reference).tensor, nullptr);
     const Tensor broken = painted([](int, int, int) { return NAN; });
-    EXPECT_EQ(expected_side(moved, run_of({{"value", disc(35, 27)}, {"upright", broken}}), reference).tensor, nullptr) << "nothing to hold up";
+    EXPECT_EQ(expected_side(moved, run_of({{"value", disc(35, 27)}, {"upright", broken}}), reference).tensor, nullptr)
+        << "nothing to hold up";
 }
 
 TEST(RelationCheck, IsExplainedByTheValueThatIsWrong)
 {
     const RunOutcome reference = reference_of(moved);
     EXPECT_EQ(against_reference(moved, reference, reference).value, "value");
-    EXPECT_EQ(against_reference(moved, run_of({{"value", disc(35, 27)}, {"upright", disc(30, 30, 0.2F)}}), reference).value, "upright");
-    EXPECT_EQ(against_reference(moved, run_of({{"value", disc(30, 30)}, {"upright", disc(30, 30, 0.2F)}}), reference).value, "value");
+    EXPECT_EQ(
+        against_reference(moved, run_of({{"value", disc(35, 27)}, {"upright", disc(30, 30, 0.2F)}}), reference).value,
+        "upright");
+    EXPECT_EQ(
+        against_reference(moved, run_of({{"value", disc(30, 30)}, {"upright", disc(30, 30, 0.2F)}}), reference).value,
+        "value");
     EXPECT_FALSE(against_reference(moved, reference, reference).relation.has_value());
 }
 

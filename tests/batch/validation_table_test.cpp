@@ -15,7 +15,8 @@ Exercise unit(const std::string& id)
     return exercise;
 }
 
-Finding mistake(const std::string& unit, const std::string& name, unsigned seed, double credit, std::optional<double> hard)
+Finding mistake(const std::string& unit, const std::string& name, unsigned seed, double credit,
+                std::optional<double> hard)
 {
     return {unit, "mistake: " + name, seed, true, credit, "10..90", "explained", "wrong | in a bar", "a hint", hard};
 }
@@ -40,7 +41,8 @@ TEST(ValidationTable, SpansTheSeedsAndKeepsTheOrderOfUnits)
 
 TEST(ValidationTable, NamesScenesThatNeverShowAMistake)
 {
-    std::vector<Finding> findings = {mistake("a/one", "subtle", 0, 90, {}), mistake("a/one", "subtle", 1, 90, {}), mistake("a/one", "gross", 0, 10, {})};
+    std::vector<Finding> findings = {mistake("a/one", "subtle", 0, 90, {}), mistake("a/one", "subtle", 1, 90, {}),
+                                     mistake("a/one", "gross", 0, 10, {})};
     findings[0].blind = {"scene/flat", "scene/round"};
     findings[1].blind = {"scene/flat"};
     const std::vector<Exercise> exercises = {unit("a/one")};

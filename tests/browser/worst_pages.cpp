@@ -15,8 +15,8 @@
 #include "judge/trace/trace_counts.hpp"
 #include "report/html/pages.hpp"
 
-// Writes pages with evidence of every kind and the worst of texts into a folder, for the browser to try. The evidence is made from
-// recordings, by the same functions as when a class is graded.
+// Writes pages with evidence of every kind and the worst of texts into a folder, for the browser to try. The evidence
+// is made from recordings, by the same functions as when a class is graded.
 namespace {
 
 using namespace umbral;
@@ -35,10 +35,12 @@ Tensor picture(int width, int height, bool mistake)
             const double u = (x - width * (mistake ? 0.52 : 0.5)) / (0.35 * height);
             const double v = (y - height * 0.5) / (0.35 * height);
             const double square = u * u + v * v;
-            const double light = square < 1 ? std::max(0.1, (mistake ? 0.6 : -0.6) * u - 0.5 * v + 0.6 * std::sqrt(1 - square)) : 0;
+            const double light =
+                square < 1 ? std::max(0.1, (mistake ? 0.6 : -0.6) * u - 0.5 * v + 0.6 * std::sqrt(1 - square)) : 0;
             const bool dark = (x / 24 + y / 24) % 2 == 0;
             const double ground = dark ? 0.25 : 0.45;
-            for (const double tint : {1.0, 0.8, 0.55}) bytes.push_back(static_cast<std::uint8_t>(255 * std::min(1.0, square < 1 ? light * tint : ground)));
+            for (const double tint : {1.0, 0.8, 0.55})
+                bytes.push_back(static_cast<std::uint8_t>(255 * std::min(1.0, square < 1 ? light * tint : ground)));
             bytes.push_back(255);
         }
     return {Element::uint8,
@@ -57,13 +59,15 @@ Tensor ids(int side, int shift)
 {
     std::vector<std::uint32_t> cells;
     for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) cells.push_back(std::hypot(x - side / 2 - shift, y - side / 2) < side / 3.0 ? 7U : y > side / 2 ? 3U : 0U);
+        for (int x = 0; x < side; ++x)
+            cells.push_back(std::hypot(x - side / 2 - shift, y - side / 2) < side / 3.0 ? 7U : y > side / 2 ? 3U : 0U);
     Tensor tensor = table(Element::uint32, 1, cells);
     tensor.rows = tensor.columns = static_cast<std::uint32_t>(side);
     return tensor;
 }
 
-/// Fragments of a right-angled triangle with one colour component; `mistake` forgets the diagonal and gets one corner's colour wrong.
+/// Fragments of a right-angled triangle with one colour component; `mistake` forgets the diagonal and gets one corner's
+/// colour wrong.
 Tensor fragments(bool mistake)
 {
     std::vector<float> rows;
@@ -104,7 +108,8 @@ void add(Scene& scene, Check check, const Tensor& yours, const Tensor& expected,
     result.first_difference = judgement.first_difference;
     result.sketch = judgement.sketch;
     html::CheckDetail detail = describe(check);
-    detail.evidence = evidence_of(check, {&yours, &expected, nullptr, names, result.sketch}, result.score == check.points);
+    detail.evidence =
+        evidence_of(check, {&yours, &expected, nullptr, names, result.sketch}, result.score == check.points);
     scene.detail.checks[check.name] = std::move(detail);
     scene.unit.score += result.score;
     scene.unit.max_score += result.max_score;
@@ -127,8 +132,10 @@ Scene everything()
     scene.unit.id = "made-up/every-kind";
     scene.detail.title = "Evidence of every kind";
     scene.unit.verdict = Verdict::partial;
-    scene.unit.explanations = {{"mistake: other_side", "The light comes from the other side: the vector to the light is its place minus the point.", 0.8},
-                               {"shifted", "Everything is shifted by seven pixels to the right.", 0.2}};
+    scene.unit.explanations = {
+        {"mistake: other_side",
+         "The light comes from the other side: the vector to the light is its place minus the point.", 0.8},
+        {"shifted", "Everything is shifted by seven pixels to the right.", 0.2}};
     scene.unit.output = "light (0.3, 0.5, 0.8)\nlooks fine to me\n";
     scene.unit.message = "picture/small: took too long: 5.0 s, the limit is 5 s\n";
     scene.unit.seconds = 1.234;
@@ -159,7 +166,8 @@ Scene everything()
     trace.own = TraceParameters{{"draw calls", "deprecated calls"}};
     add(scene, trace, text(calls(true)), text(calls(false)));
     const Tensor names = text("1 press\n2 drag\n3 zoom\n");
-    add(scene, check("mouse/events", JudgeKind{"events"}), floats({1, 10, 20, 2, 11, 20, 2, 12, 20, 3, 0.5F, 0, 3, 2, 0}, 3),
+    add(scene, check("mouse/events", JudgeKind{"events"}),
+        floats({1, 10, 20, 2, 11, 20, 2, 12, 20, 3, 0.5F, 0, 3, 2, 0}, 3),
         floats({1, 10, 20, 2, 11, 20, 2, 13, 20, 2, 14, 20, 3, 2, 0}, 3), &names);
     std::vector<double> quadratic;
     std::vector<double> linear;
@@ -211,7 +219,8 @@ Scene broken()
     scene.unit.verdict = Verdict::compile_error;
     scene.unit.max_score = 10000;
     scene.unit.message =
-        "sphere.cpp:12:31: error: expected ';' before 'return'\n   12 |     const float a = dot(d, d)\n      |                               ^\n";
+        "sphere.cpp:12:31: error: expected ';' before 'return'\n   12 |     const float a = dot(d, d)\n      |         "
+        "                      ^\n";
     return scene;
 }
 
@@ -227,7 +236,9 @@ ClassResult class_of(int units)
             unit.id = "transformations/unit-" + std::to_string(u + 1);
             unit.max_score = 10000;
             unit.score = 10000 * ((s + u) % 5) / 4;
-            unit.verdict = unit.score == 0 ? Verdict::not_implemented : unit.score == unit.max_score ? Verdict::ok : Verdict::partial;
+            unit.verdict = unit.score == 0                ? Verdict::not_implemented
+                           : unit.score == unit.max_score ? Verdict::ok
+                                                          : Verdict::partial;
             submission.units.push_back(std::move(unit));
         }
         add_up(submission);
@@ -245,24 +256,32 @@ int main(int count, char** words)
     std::filesystem::create_directories(folder);
     SubmissionResult submission;
     submission.id = "worst-cases";
-    html::Gallery gallery;
+    html::UnitDetails details;
     for (Scene& scene : std::vector<Scene>{everything(), hostile(), right(), broken()}) {
-        gallery[scene.unit.id] = std::move(scene.detail);
+        details[scene.unit.id] = std::move(scene.detail);
         submission.units.push_back(std::move(scene.unit));
     }
     add_up(submission);
-    Fingerprint fingerprint{"0.1.0", "0123456789ab", "a processor", "a compiler", "what draws", "a library", {"landlock 4", "seccomp"}};
-    write_text(folder / "worst.html", html::report_html(submission, fingerprint, gallery));
+    Fingerprint fingerprint{"0.1.0",     "0123456789ab",           "a processor", "a compiler", "what draws",
+                            "a library", {"landlock 4", "seccomp"}};
+    write_text(folder / "worst.html", html::report_html(submission, fingerprint, details));
     Image goal(64, 48, glm::u8vec4(40, 120, 200, 255));
     const std::vector<html::CatalogueEntry> entries = {
-        {"meshes", "meshes/one", "A <b>title</b> & \"more\"", 10000, {"problem 1", "lab <2>"}, "2 checks: numbers, image; 1 hidden", html::encode(goal)},
+        {"meshes",
+         "meshes/one",
+         "A <b>title</b> & \"more\"",
+         10000,
+         {"problem 1", "lab <2>"},
+         "2 checks: numbers, image; 1 hidden",
+         html::encode(goal)},
         {"meshes", "meshes/" + std::string(80, 'x'), std::string(200, 'w'), 1, {}, "1 check: numbers", {}},
         {"transforms", "transforms/two", "Two", 2500, {"problem 2"}, "1 check: image", html::encode(goal)}};
     write_text(folder / "catalogue.html", html::catalogue_html(entries, "en", "0.1.0"));
     for (const int units : {1, 8, 46}) {
         html::ClassPageOptions options;
         for (int u = 0; u < units; ++u)
-            options.titles["transformations/unit-" + std::to_string(u + 1)] = "Where a ray meets a sphere, number " + std::to_string(u + 1);
+            options.titles["transformations/unit-" + std::to_string(u + 1)] =
+                "Where a ray meets a sphere, number " + std::to_string(u + 1);
         write_text(folder / ("class-" + std::to_string(units) + ".html"), html::class_html(class_of(units), options));
     }
     write_text(folder / "empty.html", html::report_html({}, {}, {}));

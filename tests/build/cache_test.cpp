@@ -20,7 +20,8 @@ protected:
     [[nodiscard]] std::size_t entries() const
     {
         std::size_t count = 0;
-        for (const auto& entry : fs::recursive_directory_iterator(bench.tools().cache)) count += entry.path().filename() == "result.json" ? 1 : 0;
+        for (const auto& entry : fs::recursive_directory_iterator(bench.tools().cache))
+            count += entry.path().filename() == "result.json" ? 1 : 0;
         return count;
     }
     [[nodiscard]] bool runs(const Built& result) const
@@ -42,7 +43,8 @@ TEST_F(Cache, the_second_build_is_the_first)
     EXPECT_EQ(second.library, first.library);
     EXPECT_EQ(fs::last_write_time(second.library), when);
     EXPECT_EQ(entries(), 1U);
-    for (const auto& entry : fs::directory_iterator(bench.tools().cache)) EXPECT_EQ(entry.path().filename(), "builds") << "left behind: " << entry.path();
+    for (const auto& entry : fs::directory_iterator(bench.tools().cache))
+        EXPECT_EQ(entry.path().filename(), "builds") << "left behind: " << entry.path();
 }
 
 TEST_F(Cache, errors_are_kept_as_well)
@@ -72,7 +74,8 @@ protected:
     [[nodiscard]] Toolchain tools_with(const std::string& script) const
     {
         Toolchain tools = bench.tools();
-        const fs::path program = bench.write("compiler/c++", "#!/bin/sh\nREAL=" + tools.compiler + "\n" + script + "\n");
+        const fs::path program =
+            bench.write("compiler/c++", "#!/bin/sh\nREAL=" + tools.compiler + "\n" + script + "\n");
         fs::permissions(program, fs::perms::owner_all);
         tools.compiler = program.string();
         return tools;
@@ -84,10 +87,11 @@ TEST_F(BrokenCompiler, is_nobodys_compile_error_and_heals)
 {
     const Exercise exercise = bench.exercise("raytracing/sphere");
     const std::string question = "case \"$*\" in -print*) exec $REAL \"$@\";; esac; ";
-    for (const char* trouble : {"echo 'sphere.cpp:1:1: fatal error: error writing to /tmp/x.s: No space left on device'; exit 1",
-                                "echo 'c++: fatal error: cannot execute cc1plus: vfork: Resource temporarily unavailable'; exit 1",
-                                "echo 'c++: fatal error: Killed signal terminated program cc1plus'; exit 1", "kill -9 $$", "exit 1",
-                                "echo 'sphere.cpp:1:1: fatal error: umbral_student.hpp: Too many open files'; exit 1"}) {
+    for (const char* trouble :
+         {"echo 'sphere.cpp:1:1: fatal error: error writing to /tmp/x.s: No space left on device'; exit 1",
+          "echo 'c++: fatal error: cannot execute cc1plus: vfork: Resource temporarily unavailable'; exit 1",
+          "echo 'c++: fatal error: Killed signal terminated program cc1plus'; exit 1", "kill -9 $$", "exit 1",
+          "echo 'sphere.cpp:1:1: fatal error: umbral_student.hpp: Too many open files'; exit 1"}) {
         const Toolchain tools = tools_with(question + trouble);
         EXPECT_THROW((void)build(tools, exercise, {{"sphere.cpp", text}}), std::runtime_error) << trouble;
         EXPECT_EQ(entries(), 0U) << trouble;
@@ -155,7 +159,8 @@ TEST_F(Cache, damage_is_repaired)
         EXPECT_EQ(again.library, first.library);
         EXPECT_TRUE(runs(again)) << "damage " << i;
     }
-    for (const auto& entry : fs::directory_iterator(bench.tools().cache)) EXPECT_EQ(entry.path().filename(), "builds") << "left behind: " << entry.path();
+    for (const auto& entry : fs::directory_iterator(bench.tools().cache))
+        EXPECT_EQ(entry.path().filename(), "builds") << "left behind: " << entry.path();
 }
 
 // Nothing is run that was not looked through for assembler: not even if only the look fails, and compiling works.
@@ -207,7 +212,8 @@ TEST_F(Cache, old_scratch_goes_and_new_stays)
     const fs::path old = bench.write("small/work-AbCdEf/x.cpp", "x").parent_path();
     const fs::path fresh = bench.write("small/work-AbCdEg/x.cpp", "x").parent_path();
     const fs::path other = bench.write("small/work-of-mine/x.cpp", "x").parent_path();
-    for (const fs::path& folder : {old, other}) fs::last_write_time(folder, fs::file_time_type::clock::now() - std::chrono::hours(25));
+    for (const fs::path& folder : {old, other})
+        fs::last_write_time(folder, fs::file_time_type::clock::now() - std::chrono::hours(25));
     prune_builds(cache, 1 << 20);
     EXPECT_FALSE(fs::exists(old));
     EXPECT_TRUE(fs::exists(fresh));

@@ -7,7 +7,8 @@ namespace {
 
 TEST(Demangled, is_what_cpp_writes)
 {
-    EXPECT_EQ(demangled("_ZN6umbral10raytracing9intersectERKNS_3RayE", 1000), "umbral::raytracing::intersect(umbral::Ray const&)");
+    EXPECT_EQ(demangled("_ZN6umbral10raytracing9intersectERKNS_3RayE", 1000),
+              "umbral::raytracing::intersect(umbral::Ray const&)");
     EXPECT_EQ(demangled("printf", 1000), "printf");
     EXPECT_EQ(demangled("", 1000), "");
     EXPECT_EQ(demangled("_Z", 1000), "_Z");

@@ -38,14 +38,18 @@ const std::vector<Bomb> bombs = {
     {"dev_zero", "#include \"/dev/zero\"\n"},
     {"dev_random", "#include \"/dev/urandom\"\n"},
     {"itself", "#include \"sphere.cpp\"\n"},
-    {"deep_templates", "template <int n> struct Deep { static constexpr int value = Deep<n + 1>::value; };\nint x = Deep<0>::value;\n"},
+    {"deep_templates",
+     "template <int n> struct Deep { static constexpr int value = Deep<n + 1>::value; };\nint x = Deep<0>::value;\n"},
     {"wide_templates",
-     "template <int n> struct W { W<n - 1> a; W<n - 2> b; static constexpr int v = W<n - 1>::v + W<n - 2>::v; };\ntemplate <class A, class B> struct P {};\n"
-     "template <int n, class T> struct G { using type = typename G<n - 1, P<T, P<T, T>>>::type; };\ntemplate <class T> struct G<0, T> { using type = T; };\n"
+     "template <int n> struct W { W<n - 1> a; W<n - 2> b; static constexpr int v = W<n - 1>::v + W<n - 2>::v; "
+     "};\ntemplate <class A, class B> struct P {};\n"
+     "template <int n, class T> struct G { using type = typename G<n - 1, P<T, P<T, T>>>::type; };\ntemplate <class T> "
+     "struct G<0, T> { using type = T; };\n"
      "G<60, int>::type x = 7;\n"},
     {"constexpr_loop", "constexpr int loop() { int n = 0; for (;;) ++n; return n; }\nconstexpr int x = loop();\n"},
     {"large_array", sphere_with("char hundred[100 << 20] = {1};\n", "    hundred[5] = 1;"), true},
-    {"macro_laughter", "#define A(x) x x x x x x x x x x\n#define B(x) A(A(A(x)))\n#define C(x) B(B(B(x)))\nint y[] = {C(1,)};\n"},
+    {"macro_laughter",
+     "#define A(x) x x x x x x x x x x\n#define B(x) A(A(A(x)))\n#define C(x) B(B(B(x)))\nint y[] = {C(1,)};\n"},
     {"deep_brackets", "int x = " + std::string(200000, '(') + "1" + std::string(200000, ')') + ";\n"},
     {"large_tables", "static int a[60 << 20] = {1};\nint b[60 << 20] = {2};\nint* c = a;\n"},
     {"empty", ""},
@@ -61,7 +65,8 @@ TEST(Diagnostics, name_the_students_file_and_line_and_nothing_of_ours)
 {
     const Workbench bench;
     std::string text = "namespace umbral::raytracing {\n";
-    for (int i = 0; i < 100; ++i) text += "int f" + std::to_string(i) + "() { return unknown_" + std::to_string(i) + "; }\n";
+    for (int i = 0; i < 100; ++i)
+        text += "int f" + std::to_string(i) + "() { return unknown_" + std::to_string(i) + "; }\n";
     const Built built = bench.build_sphere(text + "}\n");
     ASSERT_EQ(to_string(built.verdict), "compile_error");
     EXPECT_TRUE(built.message.starts_with("sphere.cpp:")) << built.message;
@@ -73,8 +78,9 @@ TEST(Diagnostics, hold_no_path_of_this_machine)
 {
     const Workbench bench;
     for (const std::string text :
-         {"namespace umbral { struct Ray {}; }\n", "int x = glm::vec3(1);\n", "#include <umbral/record/wire.hpp>\nint x = umbral::wire::padded();\n",
-          "#include \"nothing.hpp\"\n", "int twice() { return 1; }\nint twice() { return 2; }\n",
+         {"namespace umbral { struct Ray {}; }\n", "int x = glm::vec3(1);\n",
+          "#include <umbral/record/wire.hpp>\nint x = umbral::wire::padded();\n", "#include \"nothing.hpp\"\n",
+          "int twice() { return 1; }\nint twice() { return 2; }\n",
           "namespace umbral::raytracing { int intersect(const Ray&, const Sphere&); }\n"}) {
         const Built built = bench.build_sphere(text);
         ASSERT_EQ(to_string(built.verdict), "compile_error") << text;
@@ -87,8 +93,9 @@ TEST(Diagnostics, hold_no_path_of_this_machine)
 TEST(Diagnostics, of_two_files_that_define_the_same)
 {
     const Workbench bench;
-    const Built built = build(bench.tools(), bench.exercise("raytracing/sphere"),
-                              {{"sphere.cpp", sphere_with("int same() { return 1; }\n", "")}, {"other.cpp", "int same() { return 2; }\n"}});
+    const Built built = build(
+        bench.tools(), bench.exercise("raytracing/sphere"),
+        {{"sphere.cpp", sphere_with("int same() { return 1; }\n", "")}, {"other.cpp", "int same() { return 2; }\n"}});
     ASSERT_EQ(to_string(built.verdict), "compile_error");
     EXPECT_NE(built.message.find("same"), std::string::npos) << built.message;
     EXPECT_EQ(built.message.find(bench.folder()), std::string::npos) << built.message;
@@ -97,9 +104,12 @@ TEST(Diagnostics, of_two_files_that_define_the_same)
 TEST(Secrets, cannot_be_included)
 {
     const Workbench bench;
-    const std::filesystem::path secret = bench.write("cache/builds/aa/other/sphere.cpp", "int secret_of_another = nonsense_of_another;\n");
-    for (const std::filesystem::path& path : {std::filesystem::path("/etc/passwd"), std::filesystem::path("/proc/self/environ"), secret,
-                                              bench.tools().reference / "raytracing/sphere.cpp", bench.tools().exercises / "raytracing/sphere/driver.cpp"}) {
+    const std::filesystem::path secret =
+        bench.write("cache/builds/aa/other/sphere.cpp", "int secret_of_another = nonsense_of_another;\n");
+    for (const std::filesystem::path& path :
+         {std::filesystem::path("/etc/passwd"), std::filesystem::path("/proc/self/environ"), secret,
+          bench.tools().reference / "raytracing/sphere.cpp",
+          bench.tools().exercises / "raytracing/sphere/driver.cpp"}) {
         const Built built = bench.build_sphere("#include \"" + path.string() + "\"\n");
         EXPECT_EQ(to_string(built.verdict), "compile_error") << path;
         // What is there and what is not cannot be told apart.
@@ -113,12 +123,14 @@ TEST(Secrets, cannot_be_included)
 TEST(Secrets, cannot_be_assembled_in)
 {
     const Workbench bench;
-    const Built built = bench.build_sphere(sphere_with("asm(\".data\\nstolen: .incbin \\\"/etc/passwd\\\"\\n.text\");\n", ""));
+    const Built built =
+        bench.build_sphere(sphere_with("asm(\".data\\nstolen: .incbin \\\"/etc/passwd\\\"\\n.text\");\n", ""));
     EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
     EXPECT_EQ(built.message, "sphere.cpp:1: assembler is not allowed");
 }
 
-// Which files there are on this machine is nobody's business either: the reference, wherever it is installed, and neighbours' work.
+// Which files there are on this machine is nobody's business either: the reference, wherever it is installed, and
+// neighbours' work.
 TEST(Secrets, cannot_be_asked_for)
 {
     const Workbench bench;
@@ -139,7 +151,10 @@ TEST(Secrets, cannot_be_asked_for)
         EXPECT_EQ(to_string(built.verdict), "ok") << path << ": " << built.message;
     }
     // But the question works where it may be asked.
-    EXPECT_EQ(to_string(bench.build_sphere("#if __has_include(<vector>)\n#error it is there\n#endif\n" + sphere_with("", "")).verdict), "compile_error");
+    EXPECT_EQ(
+        to_string(bench.build_sphere("#if __has_include(<vector>)\n#error it is there\n#endif\n" + sphere_with("", ""))
+                      .verdict),
+        "compile_error");
 }
 
 TEST(Secrets, a_reference_installed_below_usr_is_out_of_reach)
@@ -150,8 +165,10 @@ TEST(Secrets, a_reference_installed_below_usr_is_out_of_reach)
     if (failed) GTEST_SKIP() << "may not write below /usr";
     std::ofstream(folder / "reference.cpp") << "int the_reference = nonsense_of_the_reference;\n";
     const Workbench bench;
-    const Built included = bench.build_sphere("#include \"" + (folder / "reference.cpp").string() + "\"\n" + sphere_with("", ""));
-    const Built asked = bench.build_sphere("#if __has_include(\"" + (folder / "reference.cpp").string() + "\")\n#error there\n#endif\n" + sphere_with("", ""));
+    const Built included =
+        bench.build_sphere("#include \"" + (folder / "reference.cpp").string() + "\"\n" + sphere_with("", ""));
+    const Built asked = bench.build_sphere("#if __has_include(\"" + (folder / "reference.cpp").string() +
+                                           "\")\n#error there\n#endif\n" + sphere_with("", ""));
     std::filesystem::remove_all(folder);
     EXPECT_EQ(to_string(included.verdict), "compile_error");
     EXPECT_EQ(included.message.find("nonsense"), std::string::npos) << included.message;
@@ -174,7 +191,8 @@ TEST(Options, are_never_taken_from_file_names)
 {
     const Workbench bench;
     const Built built = build(bench.tools(), bench.exercise("raytracing/sphere"),
-                              {{"sphere.cpp", sphere_with("int helper();\n", "(void)helper();")}, {"-oX.cpp", "int helper() { return 1; }\n"}});
+                              {{"sphere.cpp", sphere_with("int helper();\n", "(void)helper();")},
+                               {"-oX.cpp", "int helper() { return 1; }\n"}});
     EXPECT_EQ(to_string(built.verdict), "ok") << built.message;
 }
 

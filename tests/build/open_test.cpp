@@ -26,7 +26,8 @@ std::string compiled(const std::string& options)
     const TemporaryFolder folder;
     folder.write("one.cpp", "int one(int x) { return x + 1; }\n");
     std::string command = UMBRAL_COMPILER;
-    for (const std::string& word : {std::string("-g -gdwarf-5 -shared -fPIC"), options, "-o " + (folder / "one.so").string(), (folder / "one.cpp").string()})
+    for (const std::string& word : {std::string("-g -gdwarf-5 -shared -fPIC"), options,
+                                    "-o " + (folder / "one.so").string(), (folder / "one.cpp").string()})
         command += " " + word;
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     return read(folder / "one.so");
@@ -53,7 +54,8 @@ std::string with_last_byte(std::string image, const std::string& wanted, char la
     std::size_t end = 0;
     for (Elf_Scn* section = elf_nextscn(elf, nullptr); section != nullptr; section = elf_nextscn(elf, section)) {
         GElf_Shdr header;
-        if (gelf_getshdr(section, &header) != nullptr && elf_strptr(elf, names, header.sh_name) == wanted) end = header.sh_offset + header.sh_size;
+        if (gelf_getshdr(section, &header) != nullptr && elf_strptr(elf, names, header.sh_name) == wanted)
+            end = header.sh_offset + header.sh_size;
     }
     (void)elf_end(elf);
     EXPECT_GT(end, 0U) << wanted;
@@ -73,7 +75,8 @@ TEST(OpenDebugInformation, takes_what_the_compiler_writes)
 TEST(OpenDebugInformation, refuses_strings_without_an_end)
 {
     const std::string library = compiled("");
-    for (const char* const section : {".debug_str", ".debug_line_str"}) EXPECT_FALSE(opens(with_last_byte(library, section, 'x'))) << section;
+    for (const char* const section : {".debug_str", ".debug_line_str"})
+        EXPECT_FALSE(opens(with_last_byte(library, section, 'x'))) << section;
     EXPECT_FALSE(opens(read(UMBRAL_SOURCE_DIR "/tests/fuzz/corpus/inspect/unterminated_line_strings")));
 }
 

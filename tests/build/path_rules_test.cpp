@@ -5,13 +5,14 @@
 namespace umbral::grader::test {
 namespace {
 
-const std::vector<std::string> some{"/usr/include", "/usr/lib/x86_64-linux-gnu/*", "/dev/null", "/opt/umbral/framework"};
+const std::vector<std::string> some{"/usr/include", "/usr/lib/x86_64-linux-gnu/*", "/dev/null",
+                                    "/opt/umbral/framework"};
 const PathRules rules("/tmp/work-1", some);
 
 TEST(PathRules, trees_with_all_that_is_below)
 {
-    for (const char* path : {"/usr/include", "/usr/include/glm/glm.hpp", "/usr/include/", "/dev/null", "/opt/umbral/framework/umbral/core/ray.hpp",
-                             "sphere.cpp", "./a/b", "/tmp/work-1/x", ""})
+    for (const char* path : {"/usr/include", "/usr/include/glm/glm.hpp", "/usr/include/", "/dev/null",
+                             "/opt/umbral/framework/umbral/core/ray.hpp", "sphere.cpp", "./a/b", "/tmp/work-1/x", ""})
         EXPECT_TRUE(rules.admits(path)) << path;
 }
 
@@ -30,8 +31,9 @@ TEST(PathRules, the_way_there_is_known)
 
 TEST(PathRules, nothing_else)
 {
-    for (const char* path : {"/etc/passwd", "/usr/includes", "/usr/include/../../etc/passwd", "/usr/share/umbral", "../work-2/x", "/tmp/work-10",
-                             "/tmp/work-1/../work-2", "/proc/self/fd/1", "/dev/nul", "/dev/stdin", "//etc//passwd", "/opt/umbral/reference"})
+    for (const char* path : {"/etc/passwd", "/usr/includes", "/usr/include/../../etc/passwd", "/usr/share/umbral",
+                             "../work-2/x", "/tmp/work-10", "/tmp/work-1/../work-2", "/proc/self/fd/1", "/dev/nul",
+                             "/dev/stdin", "//etc//passwd", "/opt/umbral/reference"})
         EXPECT_FALSE(rules.admits(path)) << path;
 }
 

@@ -13,9 +13,11 @@ std::string found_in(const std::string& text) { return find_assembler(text, head
 
 TEST(Assembler, is_found_in_every_spelling)
 {
-    for (const char* text : {"asm(\"nop\");", "void f() { asm volatile(\"mov %0, %1\" : : ); }", "void f() { __asm__ __volatile__ (\".byte 1\"); }",
-                             "void f() { __asm goto (\"\" ::::x); }", "asm(R\"x(.incbin \"a\")x\");", "asm(\".end\");", "void f() { asm(\"ret\"); }",
-                             "int x asm(\"a\\n.globl b\");", "int x asm(\"a\" \"\\n\" \"b\");", "int f() asm(\"a b\");", "asm", "asm(", "asm(\"x"})
+    for (const char* text : {"asm(\"nop\");", "void f() { asm volatile(\"mov %0, %1\" : : ); }",
+                             "void f() { __asm__ __volatile__ (\".byte 1\"); }",
+                             "void f() { __asm goto (\"\" ::::x); }", "asm(R\"x(.incbin \"a\")x\");", "asm(\".end\");",
+                             "void f() { asm(\"ret\"); }", "int x asm(\"a\\n.globl b\");",
+                             "int x asm(\"a\" \"\\n\" \"b\");", "int f() asm(\"a b\");", "asm", "asm(", "asm(\"x"})
         EXPECT_NE(found_in(text).find("assembler is not allowed"), std::string::npos) << text;
 }
 
@@ -28,41 +30,48 @@ TEST(Assembler, plain_labels_and_the_compilers_own_are_allowed)
 
 TEST(Assembler, is_no_word_in_texts_names_or_numbers)
 {
-    for (const char* text : {"const char* s = \"asm(\\\"x\\\")\";", "int my_asm = 1; int asm_ = 2;", "R\"(asm(\"x\"))\" ;",
-                             "int x = 1'000'000; char c = '\"'; int y;", "u8R\"a(asm)a\";", "auto x = 0xasm;"})
+    for (const char* text :
+         {"const char* s = \"asm(\\\"x\\\")\";", "int my_asm = 1; int asm_ = 2;", "R\"(asm(\"x\"))\" ;",
+          "int x = 1'000'000; char c = '\"'; int y;", "u8R\"a(asm)a\";", "auto x = 0xasm;"})
         EXPECT_EQ(found_in(text), "") << text;
 }
 
 // An unclosed string or character ends with its line, or what follows would be hidden.
 TEST(Assembler, is_not_hidden_by_what_is_not_closed)
 {
-    for (const char* text :
-         {"char c = ';\nasm(\"nop\");", "\"open\nasm(\"nop\");", "'\\\nasm(\"nop\");", "\"\\\nasm(\"nop\");", "R\"aaaaaaaaaaaaaaaaaaaaa(\nasm(\"nop\");",
-          "1'\nasm(\"nop\");", "#pragma x\nasm(\"nop\");", "# 1 \"/usr/include/immintrin.h\" 1 3\nasm(\"nop\");"})
+    for (const char* text : {"char c = ';\nasm(\"nop\");", "\"open\nasm(\"nop\");", "'\\\nasm(\"nop\");",
+                             "\"\\\nasm(\"nop\");", "R\"aaaaaaaaaaaaaaaaaaaaa(\nasm(\"nop\");", "1'\nasm(\"nop\");",
+                             "#pragma x\nasm(\"nop\");", "# 1 \"/usr/include/immintrin.h\" 1 3\nasm(\"nop\");"})
         EXPECT_NE(found_in(text), "") << text;
 }
 
 TEST(Assembler, may_not_come_in_by_attributes_and_directives)
 {
-    for (const char* text : {"__attribute__((section(\".text\"))) int x;", "__attribute__((__section__(\"x\"))) int x;", "[[gnu::section(\"x\")]] int x;",
-                             "[[using gnu: noinline, naked]] void f();", "__attribute__((no_sanitize_coverage)) void f();",
-                             "[[gnu::no_sanitize(\"x\")]] void f();", "__attribute__((alias(\"a\\nb\"))) int f();", "__attribute__((symver(\"a@b\"))) int f();",
-                             "#ident \"x\"", "#sccs \"x\"", "# ident \"x\"", "#pragma GCC pch_preprocess \"other.gch\""})
+    for (const char* text :
+         {"__attribute__((section(\".text\"))) int x;", "__attribute__((__section__(\"x\"))) int x;",
+          "[[gnu::section(\"x\")]] int x;", "[[using gnu: noinline, naked]] void f();",
+          "__attribute__((no_sanitize_coverage)) void f();", "[[gnu::no_sanitize(\"x\")]] void f();",
+          "__attribute__((alias(\"a\\nb\"))) int f();", "__attribute__((symver(\"a@b\"))) int f();", "#ident \"x\"",
+          "#sccs \"x\"", "# ident \"x\"", "#pragma GCC pch_preprocess \"other.gch\""})
         EXPECT_NE(found_in(text), "") << text;
 }
 
 TEST(Assembler, ordinary_code_is_allowed)
 {
-    for (const char* text : {"int section = 1; int alias[2][3]; x[section[0]];", "__attribute__((always_inline)) int f();", "[[nodiscard]] int naked();",
-                             "__attribute__((weakref(\"plain_name\"))) int f();", "#pragma GCC optimize(\"O3\")", "#pragma once", "# 12 \"a.cpp\" 2",
-                             "#pragma GCC pch_preprocess \"/build/student.hpp.gch\"", "", "[[", "__attribute__", "__attribute__((", "\"", "R\"("})
+    for (const char* text :
+         {"int section = 1; int alias[2][3]; x[section[0]];", "__attribute__((always_inline)) int f();",
+          "[[nodiscard]] int naked();", "__attribute__((weakref(\"plain_name\"))) int f();",
+          "#pragma GCC optimize(\"O3\")", "#pragma once", "# 12 \"a.cpp\" 2",
+          "#pragma GCC pch_preprocess \"/build/student.hpp.gch\"", "", "[[", "__attribute__", "__attribute__((", "\"",
+          "R\"("})
         EXPECT_EQ(found_in(text), "") << text;
 }
 
 TEST(Assembler, its_place_is_told)
 {
     EXPECT_EQ(found_in("# 1 \"sphere.cpp\"\nint x;\nasm(\"nop\");\n"), "sphere.cpp:2: assembler is not allowed");
-    EXPECT_EQ(found_in("# 7 \"/tmp/a/b.hpp\" 1\n\n__attribute__((naked)) int x;\n"), "b.hpp:8: the attribute naked is not allowed");
+    EXPECT_EQ(found_in("# 7 \"/tmp/a/b.hpp\" 1\n\n__attribute__((naked)) int x;\n"),
+              "b.hpp:8: the attribute naked is not allowed");
 }
 
 TEST(CppTokens, end_for_any_bytes)

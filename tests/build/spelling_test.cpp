@@ -10,9 +10,11 @@ namespace {
 TEST(AsWritten, names_types_as_students_do)
 {
     EXPECT_EQ(as_written("f(glm::vec<3, float, (glm::qualifier)0>)"), "f(glm::vec3)");
-    EXPECT_EQ(as_written("f(glm::vec<2, unsigned int, (glm::qualifier)0> const&, glm::mat<4, 4, double, (glm::qualifier)0>)"),
-              "f(glm::uvec2 const&, glm::dmat4)");
-    EXPECT_EQ(as_written("f(std::__cxx11::basic_string<char, std::char_traits<char>, std::allocator<char> >)"), "f(std::string)");
+    EXPECT_EQ(
+        as_written("f(glm::vec<2, unsigned int, (glm::qualifier)0> const&, glm::mat<4, 4, double, (glm::qualifier)0>)"),
+        "f(glm::uvec2 const&, glm::dmat4)");
+    EXPECT_EQ(as_written("f(std::__cxx11::basic_string<char, std::char_traits<char>, std::allocator<char> >)"),
+              "f(std::string)");
     EXPECT_EQ(as_written("f(glm::mat<4, 3, float, (glm::qualifier)0>)"), "f(glm::mat<4, 3, float, (glm::qualifier)0>)");
 }
 
@@ -59,7 +61,9 @@ TEST(MatchesPattern, star_stands_for_anything)
 
 TEST(QualifiedName, drops_what_is_returned_taken_and_instantiated)
 {
-    EXPECT_EQ(qualified_name("glm::mat<4, 4, float, (glm::qualifier)0> glm::lookAt<float, (glm::qualifier)0>(glm::vec<3, float> const&)"), "glm::lookAt");
+    EXPECT_EQ(qualified_name("glm::mat<4, 4, float, (glm::qualifier)0> glm::lookAt<float, "
+                             "(glm::qualifier)0>(glm::vec<3, float> const&)"),
+              "glm::lookAt");
     EXPECT_EQ(qualified_name("glm::qua<float, (glm::qualifier)0>::operator float() const"), "glm::qua::operator float");
     EXPECT_EQ(qualified_name("main"), "main");
     EXPECT_EQ(qualified_name("(anonymous namespace)::f(int)"), "(anonymous namespace)::f");

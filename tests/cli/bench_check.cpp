@@ -18,7 +18,10 @@ namespace {
 
 using namespace umbral::test;
 
-double seconds_since(std::chrono::steady_clock::time_point start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+double seconds_since(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 double median(std::vector<double> times)
 {
@@ -38,7 +41,8 @@ public:
     /// How `umbral check` is called, with a cache of this name.
     [[nodiscard]] std::string command(const std::string& cache) const
     {
-        return "UMBRAL_CACHE='" + (folder_ / cache).string() + "' exec " UMBRAL_PROGRAM " check sphere --dir '" + folder_.path().string() + "'";
+        return "UMBRAL_CACHE='" + (folder_ / cache).string() + "' exec " UMBRAL_PROGRAM " check sphere --dir '" +
+               folder_.path().string() + "'";
     }
 
     /// Seconds of one check.
@@ -47,7 +51,8 @@ public:
         const auto start = std::chrono::steady_clock::now();
         const Printed printed = run(command(cache));
         const double seconds = seconds_since(start);
-        if (printed.status != 0) throw std::runtime_error("expected that the right answer is right; umbral check said:\n" + printed.text);
+        if (printed.status != 0)
+            throw std::runtime_error("expected that the right answer is right; umbral check said:\n" + printed.text);
         return seconds;
     }
 

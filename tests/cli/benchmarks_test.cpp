@@ -27,14 +27,15 @@ TEST(Benchmarks, have_names_of_their_own_and_programs)
     EXPECT_EQ(find_benchmark("nothing"), nullptr);
 }
 
-/// A checkout whose build is a folder with a cache, and a cmake that only notes how it was called, and fails if told to configure tests
-/// where `broken` exists.
+/// A checkout whose build is a folder with a cache, and a cmake that only notes how it was called, and fails if told to
+/// configure tests where `broken` exists.
 class Checkout : public testing::Test {
 protected:
     void SetUp() override
     {
-        folder_.write("bin/cmake", "#!/bin/sh\necho \"$*\" >>'" + (folder_ / "calls").string() + "'\ncase \"$*\" in *TESTING=ON) [ ! -e '" +
-                                       (folder_ / "broken").string() + "' ] || { echo 'CMake Error: no GTest'; exit 1; };; esac\n");
+        folder_.write("bin/cmake", "#!/bin/sh\necho \"$*\" >>'" + (folder_ / "calls").string() +
+                                       "'\ncase \"$*\" in *TESTING=ON) [ ! -e '" + (folder_ / "broken").string() +
+                                       "' ] || { echo 'CMake Error: no GTest'; exit 1; };; esac\n");
         fs::permissions(folder_ / "bin/cmake", fs::perms::owner_all);
         path_ = getenv("PATH");
         setenv("PATH", ((folder_ / "bin").string() + ":" + path_).c_str(), 1);
@@ -69,8 +70,8 @@ TEST_F(Checkout, configures_tests_only_for_their_own_programs)
     (void)have_fresh_program(application_, "bench-raster", false);
     EXPECT_EQ(calls(), "--build " + here() + " --target bench-raster\n");
     (void)have_fresh_program(application_, "bench-run", true);
-    EXPECT_EQ(calls(),
-              "--build " + here() + " --target bench-raster\n-S /sources -B " + here() + " -DBUILD_TESTING=ON\n--build " + here() + " --target bench-run\n");
+    EXPECT_EQ(calls(), "--build " + here() + " --target bench-raster\n-S /sources -B " + here() +
+                           " -DBUILD_TESTING=ON\n--build " + here() + " --target bench-run\n");
 }
 
 TEST_F(Checkout, is_left_as_it_was_where_tests_cannot_be_configured)
@@ -84,7 +85,8 @@ TEST_F(Checkout, is_left_as_it_was_where_tests_cannot_be_configured)
         EXPECT_NE(std::string(error.what()).find("debian-packages-test.txt"), std::string::npos) << error.what();
         EXPECT_NE(std::string(error.what()).find("no GTest"), std::string::npos) << error.what();
     }
-    EXPECT_EQ(calls(), "-S /sources -B " + here() + " -DBUILD_TESTING=ON\n-S /sources -B " + here() + " -DBUILD_TESTING=OFF\n");
+    EXPECT_EQ(calls(),
+              "-S /sources -B " + here() + " -DBUILD_TESTING=ON\n-S /sources -B " + here() + " -DBUILD_TESTING=OFF\n");
 }
 
 }

@@ -16,10 +16,13 @@ using nlohmann::json;
 
 const std::string sample = UMBRAL_SOURCE "/tests/class";
 
-Printed grade(const std::string& folder, const TemporaryFolder& out, const std::string& before = "", const std::string& units = "")
+Printed grade(const std::string& folder, const TemporaryFolder& out, const std::string& before = "",
+              const std::string& units = "")
 {
     out.write("secret", "the same secret gives the same hidden cases");
-    return umbral("grade " + folder + units + " --jobs 2 --out " + (out / "out").string() + " --secret-file " + (out / "secret").string(), before);
+    return umbral("grade " + folder + units + " --jobs 2 --out " + (out / "out").string() + " --secret-file " +
+                      (out / "secret").string(),
+                  before);
 }
 
 /// Graded once for all tests of this file.
@@ -31,7 +34,8 @@ const json& graded()
         EXPECT_EQ(printed.status, 0) << printed.text;
         json all = json::parse(read(out / "out/class.json"));
         for (const auto& submission : all.at("submissions"))
-            EXPECT_TRUE(std::filesystem::exists(out / ("out/" + submission.at("id").get<std::string>() + "/report.json")));
+            EXPECT_TRUE(
+                std::filesystem::exists(out / ("out/" + submission.at("id").get<std::string>() + "/report.json")));
         return all;
     }();
     return result;
@@ -65,11 +69,15 @@ TEST_P(SampleClass, GetsItsVerdicts)
 
 INSTANTIATE_TEST_SUITE_P(
     Everyone, SampleClass,
-    testing::Values(Expected{"ana-all-right", "ok", "ok", "ok"}, Expected{"bruno-untouched", "not_implemented", "not_implemented", "not_implemented"},
-                    Expected{"carla-typical-mistakes", "partial", "partial", "partial"}, Expected{"diego-different", "ok", "ok", "ok"},
+    testing::Values(Expected{"ana-all-right", "ok", "ok", "ok"},
+                    Expected{"bruno-untouched", "not_implemented", "not_implemented", "not_implemented"},
+                    Expected{"carla-typical-mistakes", "partial", "partial", "partial"},
+                    Expected{"diego-different", "ok", "ok", "ok"},
                     Expected{"elena-does-not-compile", "compile_error", "interface_mismatch", "compile_error"},
-                    Expected{"fede-endless-loop", "partial", "partial", "partial"}, Expected{"gema-crash", "crashed", "crashed", "interface_mismatch"},
-                    Expected{"hugo-eats-memory", "out_of_memory", "out_of_memory", "partial"}, Expected{"irene-half-finished", "partial", "partial", "missing"},
+                    Expected{"fede-endless-loop", "partial", "partial", "partial"},
+                    Expected{"gema-crash", "crashed", "crashed", "interface_mismatch"},
+                    Expected{"hugo-eats-memory", "out_of_memory", "out_of_memory", "partial"},
+                    Expected{"irene-half-finished", "partial", "partial", "missing"},
                     Expected{"mallory-hostile", "blocked", "forbidden", "timeout"}),
     [](const auto& instance) {
         std::string name = instance.param.submission;
@@ -91,7 +99,9 @@ TEST(Class, AnEndlessLoopCostsOnlyItsCase)
     const json& unit = unit_of("fede-endless-loop", "raytracing/sphere");
     EXPECT_GT(unit.at("score"), 6000);
     for (const auto& check : unit.at("checks"))
-        EXPECT_EQ(check.at("message").get<std::string>().find("never ends") != std::string::npos, check.at("name") == "long direction/t") << check;
+        EXPECT_EQ(check.at("message").get<std::string>().find("never ends") != std::string::npos,
+                  check.at("name") == "long direction/t")
+            << check;
 }
 
 TEST(Class, ACrashNamesItsTextAndPlace)
@@ -108,23 +118,30 @@ TEST(Class, NoAttackOfTheHostileOneWorked)
     EXPECT_EQ(unit.at("score"), 0);
     EXPECT_EQ(printed.find("WORKED"), std::string::npos) << printed;
     EXPECT_EQ(printed.find("REPLACED"), std::string::npos) << printed;
-    for (const char* attack : {"read /etc/passwd", "read the reference", "read /proc/self/maps", "write through /proc/self/mem", "write a report of its own",
-                               "open a socket", "fork", "run a shell", "kill its parent", "trace its parent", "read its parent's memory"})
+    for (const char* attack : {"read /etc/passwd", "read the reference", "read /proc/self/maps",
+                               "write through /proc/self/mem", "write a report of its own", "open a socket", "fork",
+                               "run a shell", "kill its parent", "trace its parent", "read its parent's memory"})
         EXPECT_NE(printed.find(attack), std::string::npos) << attack << " was not even tried";
     for (const char* word : {"ana-", "secret", "millipoints", "oracle", "carla-"})
-        EXPECT_NE(printed.find("heap: the word '" + std::string(word) + "' occurs 0 times"), std::string::npos) << printed;
-    EXPECT_NE(unit_of("mallory-hostile", "projections/view-matrix").at("message").get<std::string>().find("lookAt"), std::string::npos);
+        EXPECT_NE(printed.find("heap: the word '" + std::string(word) + "' occurs 0 times"), std::string::npos)
+            << printed;
+    EXPECT_NE(unit_of("mallory-hostile", "projections/view-matrix").at("message").get<std::string>().find("lookAt"),
+              std::string::npos);
 }
 
 TEST(Class, ASecondGradingAgreesButForTimes)
 {
     // A unit of each kind: numbers, pictures of OpenGL, traces of its calls, counted work, events.
     const TemporaryFolder out;
-    ASSERT_EQ(grade(sample, out, "", " --unit sphere --unit shaders --unit draw-deferred --unit vertex-normals --unit callbacks").status, 0);
+    ASSERT_EQ(grade(sample, out, "",
+                    " --unit sphere --unit shaders --unit draw-deferred --unit vertex-normals --unit callbacks")
+                  .status,
+              0);
     const json second = json::parse(read(out / "out/class.json"));
     for (const auto& submission : second.at("submissions")) {
         ASSERT_EQ(submission.at("units").size(), 5U);
-        for (const auto& unit : submission.at("units")) EXPECT_EQ(without_times(unit), without_times(unit_of(submission.at("id"), unit.at("id"))));
+        for (const auto& unit : submission.at("units"))
+            EXPECT_EQ(without_times(unit), without_times(unit_of(submission.at("id"), unit.at("id"))));
     }
 }
 
@@ -160,14 +177,18 @@ TEST(Grade, BadInputIsAUsageErrorThatSaysWhatToDo)
     EXPECT_NE(empty.text.find("no submission"), std::string::npos) << empty.text;
     folder.write("short", "abc");
     std::filesystem::create_directories(folder / "one/a");
-    EXPECT_EQ(umbral("grade " + (folder / "one").string() + " --out " + (folder / "out").string() + " --secret-file " + (folder / "short").string()).status, 2);
+    EXPECT_EQ(umbral("grade " + (folder / "one").string() + " --out " + (folder / "out").string() + " --secret-file " +
+                     (folder / "short").string())
+                  .status,
+              2);
 }
 
 TEST(Grade, AFullDiskIsAFaultThatLeavesNoHalfReport)
 {
     const TemporaryFolder folder;
     folder.write("class/a/sphere.cpp", read(UMBRAL_SOURCE "/exercises/raytracing/sphere/sphere.cpp"));
-    // No file may grow beyond 1 KiB: a report does not fit. SIGXFSZ is ignored, so that writing fails as on a full disk.
+    // No file may grow beyond 1 KiB: a report does not fit. SIGXFSZ is ignored, so that writing fails as on a full
+    // disk.
     const Printed printed = grade((folder / "class").string(), folder, "trap '' XFSZ; ulimit -f 1;");
     EXPECT_EQ(printed.status, 3) << printed.text;
     EXPECT_FALSE(std::filesystem::exists(folder / "out/class.json"));

@@ -20,7 +20,8 @@ Image disc(int shift, int width = 96)
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < width; ++x) {
             const auto ground = static_cast<glm::u8>(40 + y);
-            image.at(x, y) = std::hypot(x - 40 - shift, y - 30) < 20 ? glm::u8vec4(220, 120, 30, 255) : glm::u8vec4(ground, ground, 90, 255);
+            image.at(x, y) = std::hypot(x - 40 - shift, y - 30) < 20 ? glm::u8vec4(220, 120, 30, 255)
+                                                                     : glm::u8vec4(ground, ground, 90, 255);
         }
     return image;
 }
@@ -33,7 +34,8 @@ Image noisy(std::uint64_t seed, double light, int samples)
     for (glm::u8vec4& cell : image.cells) {
         double sum = 0;
         for (int i = 0; i < samples; ++i) sum -= std::log1p(-random.uniform_double());
-        const auto code = static_cast<glm::u8>(std::lround(255 * std::pow(std::min(1.0, light * sum / samples), 1 / 2.2)));
+        const auto code =
+            static_cast<glm::u8>(std::lround(255 * std::pow(std::min(1.0, light * sum / samples), 1 / 2.2)));
         cell = {code, code, code, 255};
     }
     return image;
@@ -122,7 +124,8 @@ TEST_F(Compare, ThePageNamesBothFilesAndHoldsThePictures)
     save("a<b>&'.png", disc(3));
     save("b.png", disc(0));
     const std::string page = (folder_ / "page.html").string();
-    const Printed printed = umbral("compare \"" + (folder_ / "a<b>&'.png").string() + "\" '" + (folder_ / "b.png").string() + "' --html '" + page + "'");
+    const Printed printed = umbral("compare \"" + (folder_ / "a<b>&'.png").string() + "\" '" +
+                                   (folder_ / "b.png").string() + "' --html '" + page + "'");
     EXPECT_EQ(printed.status, 1) << printed.text;
     const std::string text = read(page);
     EXPECT_NE(text.find("a&lt;b&gt;&amp;&#39;.png"), std::string::npos);
@@ -135,7 +138,8 @@ TEST_F(Compare, HelpSaysWhatTheStatusMeans)
 {
     const Printed printed = umbral("compare --help");
     EXPECT_EQ(printed.status, 0);
-    for (const char* word : {"Exit status", "--stochastic", "--html", "--json"}) EXPECT_NE(printed.text.find(word), std::string::npos) << word;
+    for (const char* word : {"Exit status", "--stochastic", "--html", "--json"})
+        EXPECT_NE(printed.text.find(word), std::string::npos) << word;
 }
 
 }

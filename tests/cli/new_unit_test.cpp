@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "batch/specimens.hpp"
+#include "batch/known_solutions.hpp"
 #include "batch/validate.hpp"
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
@@ -31,7 +31,8 @@ struct Checkout {
         fs::copy(source / "framework", folder / "framework", fs::copy_options::recursive);
         fs::create_directories(folder / "exercises/raytracing");
         fs::create_directories(folder / "reference/bench");
-        fs::copy(source / "exercises/raytracing/sphere", folder / "exercises/raytracing/sphere", fs::copy_options::recursive);
+        fs::copy(source / "exercises/raytracing/sphere", folder / "exercises/raytracing/sphere",
+                 fs::copy_options::recursive);
         application.layout.data = folder.path();
     }
 
@@ -62,16 +63,17 @@ struct Checkout {
     /// Does g++ take it, with all warnings, as it takes the project's own files?
     [[nodiscard]] test::Printed compiles(const std::string& file) const
     {
-        return test::run("g++ -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow -Werror -I" + (folder / "framework").string() + " " +
-                         (folder / file).string());
+        return test::run("g++ -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow -Werror -I" +
+                         (folder / "framework").string() + " " + (folder / file).string());
     }
 };
 
 void expect_whole_unit(const Checkout& checkout, const std::string& topic)
 {
     const std::string unit = "exercises/" + topic + "/two-words/";
-    for (const std::string& file : {"reference/" + topic + "/two_words.cpp", unit + "two_words.cpp", unit + "driver.cpp", unit + "alternatives/in_double.cpp",
-                                    "tests/units/" + topic + "/two_words_test.cpp"}) {
+    for (const std::string& file :
+         {"reference/" + topic + "/two_words.cpp", unit + "two_words.cpp", unit + "driver.cpp",
+          unit + "alternatives/in_double.cpp", "tests/units/" + topic + "/two_words_test.cpp"}) {
         const test::Printed printed = checkout.compiles(file);
         EXPECT_EQ(printed.status, 0) << file << "\n" << printed.text;
     }
@@ -81,10 +83,13 @@ void expect_whole_unit(const Checkout& checkout, const std::string& topic)
     EXPECT_EQ(mistakes_of(checkout.folder / "reference", exercise).size(), 1U) << "the change fits the reference";
     EXPECT_EQ(alternatives_of(checkout.folder / "reference", exercise).size(), 1U);
     for (const char* const statement : {"README.md", "README.es.md"})
-        EXPECT_NE(test::read(checkout.folder / unit / statement).find("[[nodiscard]] glm::vec3 two_words_point("), std::string::npos) << statement;
+        EXPECT_NE(test::read(checkout.folder / unit / statement).find("[[nodiscard]] glm::vec3 two_words_point("),
+                  std::string::npos)
+            << statement;
     for (const std::string& file : checkout.files())
         if (file.find("two") != std::string::npos) {
-            EXPECT_EQ(test::read(checkout.folder / file).find('@'), std::string::npos) << file << ": a mark was not filled in";
+            EXPECT_EQ(test::read(checkout.folder / file).find('@'), std::string::npos)
+                << file << ": a mark was not filled in";
         }
 }
 
@@ -117,8 +122,10 @@ TEST(NewUnit, OverwritesNothing)
     const std::vector<std::string> before = checkout.files();
     const std::string complaint = checkout.new_unit("raytracing/mine");
     EXPECT_NE(complaint.find("nothing was written"), std::string::npos) << complaint;
-    EXPECT_NE(complaint.find("reference/raytracing/mine.cpp, tests/units/raytracing/mine_test.cpp"), std::string::npos) << complaint;
-    EXPECT_NE(checkout.new_unit("raytracing/sphere").find("in the way: exercises/raytracing/sphere"), std::string::npos);
+    EXPECT_NE(complaint.find("reference/raytracing/mine.cpp, tests/units/raytracing/mine_test.cpp"), std::string::npos)
+        << complaint;
+    EXPECT_NE(checkout.new_unit("raytracing/sphere").find("in the way: exercises/raytracing/sphere"),
+              std::string::npos);
     EXPECT_EQ(checkout.files(), before);
     EXPECT_EQ(test::read(checkout.folder / "reference/raytracing/mine.cpp"), "my answer");
 }
@@ -127,10 +134,12 @@ TEST(NewUnit, RefusesNamesThatCannotBe)
 {
     Checkout checkout;
     const std::vector<std::string> before = checkout.files();
-    for (const std::string id : {"sphere", "raytracing/", "/sphere", "a/b/c", "Raytracing/one", "raytracing/One", "raytracing/1", "raytracing/a--b",
-                                 "raytracing/a-", "raytracing/a_b", "two-words/unit", "../unit", "raytracing/..", "raytracing/.a", "raytracing/ñ"}) {
+    for (const std::string id : {"sphere", "raytracing/", "/sphere", "a/b/c", "Raytracing/one", "raytracing/One",
+                                 "raytracing/1", "raytracing/a--b", "raytracing/a-", "raytracing/a_b", "two-words/unit",
+                                 "../unit", "raytracing/..", "raytracing/.a", "raytracing/ñ"}) {
         const std::string complaint = checkout.new_unit(id);
-        EXPECT_NE(complaint.find("cannot be a unit's name: expected TOPIC/NAME"), std::string::npos) << id << ": " << complaint;
+        EXPECT_NE(complaint.find("cannot be a unit's name: expected TOPIC/NAME"), std::string::npos)
+            << id << ": " << complaint;
     }
     EXPECT_NE(checkout.new_unit("union/one").find("a topic that can be a namespace"), std::string::npos);
     EXPECT_NE(checkout.new_unit("raytracing/driver").find("driver.cpp"), std::string::npos);
@@ -145,7 +154,8 @@ TEST(NewUnit, RefusesNamesThatCannotBe)
 TEST(NewUnit, IsSpelledAsItsFilesNeedIt)
 {
     const UnitName name = read_unit_name("transforms/two-frames-2");
-    EXPECT_EQ(filled_in("@topic@ @unit@ @file@ @title@ @test@ @other@", name), "transforms two-frames-2 two_frames_2 Two frames 2 TwoFrames2 @other@");
+    EXPECT_EQ(filled_in("@topic@ @unit@ @file@ @title@ @test@ @other@", name),
+              "transforms two-frames-2 two_frames_2 Two frames 2 TwoFrames2 @other@");
 }
 
 TEST(NewUnit, WithoutItsReferenceIsAnErrorThatNamesTheFile)
@@ -160,18 +170,22 @@ TEST(NewUnit, WithoutItsReferenceIsAnErrorThatNamesTheFile)
     testing::internal::CaptureStdout();
     EXPECT_EQ(program.run("validate shadows/one"), "");
     const std::string printed = testing::internal::GetCapturedStdout();
-    EXPECT_NE(printed.find("expected " + (checkout.folder / "reference/shadows/one.cpp").string() + ", which is not there"), std::string::npos) << printed;
+    EXPECT_NE(
+        printed.find("expected " + (checkout.folder / "reference/shadows/one.cpp").string() + ", which is not there"),
+        std::string::npos)
+        << printed;
     EXPECT_EQ(checkout.application.exit_status, exit_not_right);
 }
 
 // The real thing in a copy of the sources: the build and the grader's own verdict. It builds for minutes.
 TEST(NewUnit, ValidatesAtOnce)
 {
-    if (std::getenv("UMBRAL_TEST_ALL") == nullptr) GTEST_SKIP() << "set UMBRAL_TEST_ALL: A NEW UNIT WAS NOT BUILT AND VALIDATED";
+    if (std::getenv("UMBRAL_TEST_ALL") == nullptr)
+        GTEST_SKIP() << "set UMBRAL_TEST_ALL: A NEW UNIT WAS NOT BUILT AND VALIDATED";
     const test::TemporaryFolder folder;
     const fs::path source = make_application().layout.data;
-    for (const char* const part :
-         {"CMakeLists.txt", "CMakePresets.json", "umbral", "cmake", "framework", "reference", "exercises", "grader", "docs", "LICENSE"})
+    for (const char* const part : {"CMakeLists.txt", "CMakePresets.json", "umbral", "cmake", "framework", "reference",
+                                   "exercises", "grader", "docs", "LICENSE"})
         fs::copy(source / part, folder / part, fs::copy_options::recursive);
     const std::string umbral = "cd " + folder.path().string() + " && ./umbral --no-install ";
     for (const char* const unit : {"raytracing/two-words", "shadows/two-words"}) {

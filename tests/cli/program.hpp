@@ -5,6 +5,9 @@
 namespace umbral::test {
 
 /// Runs `umbral ARGUMENTS` through the shell; `before` may set limits or variables.
-inline Printed umbral(const std::string& arguments, const std::string& before = "") { return run(before + " exec " UMBRAL_PROGRAM " " + arguments); }
+inline Printed umbral(const std::string& arguments, const std::string& before = "")
+{
+    return run(before + " exec " UMBRAL_PROGRAM " " + arguments);
+}
 
 }

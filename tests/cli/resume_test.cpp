@@ -44,20 +44,27 @@ protected:
         folder.write("secret", "a secret of more than 16 characters");
     }
 
-    void hand_in(const std::string& id, const std::string& sphere) const { folder.write("class/" + id + "/sphere.cpp", sphere); }
+    void hand_in(const std::string& id, const std::string& sphere) const
+    {
+        folder.write("class/" + id + "/sphere.cpp", sphere);
+    }
     [[nodiscard]] std::string arguments(const std::string& out, const std::string& more = "") const
     {
-        return "grade " + (folder / "class").string() + " --out " + (folder / out).string() + " --secret-file " + (folder / "secret").string() +
-               " --unit sphere --jobs 2 " + more;
+        return "grade " + (folder / "class").string() + " --out " + (folder / out).string() + " --secret-file " +
+               (folder / "secret").string() + " --unit sphere --jobs 2 " + more;
     }
     /// With a cache of its own: what others leave in the user's must not help.
     [[nodiscard]] std::string environment() const { return "UMBRAL_CACHE=" + (folder / "cache").string(); }
-    [[nodiscard]] Printed grade(const std::string& out, const std::string& more = "") const { return umbral(arguments(out, more), environment()); }
+    [[nodiscard]] Printed grade(const std::string& out, const std::string& more = "") const
+    {
+        return umbral(arguments(out, more), environment());
+    }
 
     TemporaryFolder folder;
 };
 
-/// Starts the same in a process group of its own, and kills the group after a while. Says whether it was alive until then.
+/// Starts the same in a process group of its own, and kills the group after a while. Says whether it was alive until
+/// then.
 bool killed_after(std::chrono::microseconds while_, const std::string& arguments, const std::string& environment)
 {
     const pid_t child = fork();
@@ -112,7 +119,8 @@ TEST_F(Resume, KilledAtAnyMomentItGoesOnAndEndsTheSame)
         ASSERT_EQ(found, expected) << json::diff(found, expected).dump(2);
         for (const char* id : {"ana", "bo", "cy", "dan"})
             for (const char* file : {"report.json", "report.student.json"})
-                ASSERT_EQ(without_times(json::parse(read(folder / out / id / file))), without_times(json::parse(read(folder / "undisturbed" / id / file))))
+                ASSERT_EQ(without_times(json::parse(read(folder / out / id / file))),
+                          without_times(json::parse(read(folder / "undisturbed" / id / file))))
                     << id;
         for (const auto& entry : fs::recursive_directory_iterator(folder / out))
             ASSERT_EQ(entry.path().string().find(".tmp-"), std::string::npos) << entry.path() << " was left";
@@ -132,7 +140,8 @@ TEST_F(Resume, OnlyWhatChangedIsGradedAgainAndOtherPointsAreTold)
     hand_in("cy", read(UMBRAL_SOURCE "/reference/raytracing/sphere.cpp"));
     const Printed second = grade("out");
     EXPECT_NE(second.text.find("3 units kept, 1 graded"), std::string::npos) << second.text;
-    EXPECT_NE(second.text.find("cy, raytracing/sphere: 0 of 10 before, 10 of 10 now"), std::string::npos) << second.text;
+    EXPECT_NE(second.text.find("cy, raytracing/sphere: 0 of 10 before, 10 of 10 now"), std::string::npos)
+        << second.text;
     const json after = class_json(folder / "out");
     EXPECT_EQ(submission(after, "cy").at("score"), 10000);
     for (const char* id : {"ana", "bo", "dan"}) EXPECT_EQ(submission(after, id), submission(before, id));
@@ -159,7 +168,8 @@ TEST_F(Resume, OneOfManyLeavesTheOthersAsTheyAre)
     EXPECT_NE(nobody.text.find("ana, bo, cy, dan"), std::string::npos) << nobody.text;
 
     folder.write("late/zoe/sphere.cpp", read(UMBRAL_SOURCE "/reference/raytracing/sphere.cpp"));
-    const std::string late = "grade " + (folder / "late").string() + " --out " + (folder / "out").string() + " --unit sphere --secret-file ";
+    const std::string late =
+        "grade " + (folder / "late").string() + " --out " + (folder / "out").string() + " --unit sphere --secret-file ";
     EXPECT_EQ(umbral(late + (folder / "secret").string(), environment()).status, 0);
     after = class_json(folder / "out");
     ASSERT_EQ(after.at("submissions").size(), 5U);
@@ -249,7 +259,8 @@ TEST_F(Resume, TwoGradingsDoNotShareAFolder)
 TEST_F(Resume, AFullDiskIsToldOnceAndTheNextRunHeals)
 {
     ASSERT_EQ(grade("undisturbed").status, 0);
-    // No file may grow beyond 8 blocks, 4 or 8 KiB: marks can be written, results cannot. SIGXFSZ is ignored, so that writing fails as on a full disk.
+    // No file may grow beyond 8 blocks, 4 or 8 KiB: marks can be written, results cannot. SIGXFSZ is ignored, so that
+    // writing fails as on a full disk.
     const Printed full = umbral(arguments("out"), "trap '' XFSZ; ulimit -f 8; " + environment());
     EXPECT_EQ(full.status, 3) << full.text;
     const std::string words = "File too large";

@@ -16,12 +16,18 @@ namespace fs = std::filesystem;
 const std::string source = UMBRAL_SOURCE;
 
 /// Runs a command line in `folder`.
-Printed in(const TemporaryFolder& folder, const std::string& arguments) { return umbral(arguments, "cd '" + folder.path().string() + "' &&"); }
+Printed in(const TemporaryFolder& folder, const std::string& arguments)
+{
+    return umbral(arguments, "cd '" + folder.path().string() + "' &&");
+}
 
 /// A class of one, with an empty file of one unit: quickly graded.
 void write_class(const TemporaryFolder& folder) { folder.write("class/ana/raytracing/sphere/sphere.cpp", ""); }
 
-Printed grade(const TemporaryFolder& folder, const std::string& arguments) { return in(folder, "grade class --unit sphere --out out --jobs 1 " + arguments); }
+Printed grade(const TemporaryFolder& folder, const std::string& arguments)
+{
+    return in(folder, "grade class --unit sphere --out out --jobs 1 " + arguments);
+}
 
 mode_t mode_of(const fs::path& file)
 {
@@ -36,14 +42,17 @@ TEST(Secret, ABareNewNameIsMadeForItsOwnerAndAnnounced)
     write_class(folder);
     const Printed first = grade(folder, "--secret-file secret");
     EXPECT_EQ(first.status, 0) << first.text;
-    EXPECT_NE(first.text.find("made a new secret for the hidden cases: " + (folder / "secret").string()), std::string::npos) << first.text;
+    EXPECT_NE(first.text.find("made a new secret for the hidden cases: " + (folder / "secret").string()),
+              std::string::npos)
+        << first.text;
     EXPECT_EQ(mode_of(folder / "secret"), 0600U);
     const std::string secret = read(folder / "secret");
     EXPECT_EQ(secret.size(), 64U);
     const Printed second = grade(folder, "--secret-file secret");
     EXPECT_EQ(second.text.find("made a new secret"), std::string::npos) << second.text;
     EXPECT_EQ(read(folder / "secret"), secret);
-    for (const auto& entry : fs::directory_iterator(folder.path())) EXPECT_FALSE(entry.path().filename().string().starts_with("secret.")) << "a draft stays";
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+        EXPECT_FALSE(entry.path().filename().string().starts_with("secret.")) << "a draft stays";
 }
 
 TEST(Secret, AMistypedFolderIsNotMade)
@@ -53,7 +62,8 @@ TEST(Secret, AMistypedFolderIsNotMade)
     fs::create_directories(folder / "mine");
     const Printed printed = grade(folder, "--secret-file mine/kyes/umbral/secret");
     EXPECT_EQ(printed.status, 2) << printed.text;
-    EXPECT_NE(printed.text.find("there is only " + (folder / "mine").string() + "."), std::string::npos) << printed.text;
+    EXPECT_NE(printed.text.find("there is only " + (folder / "mine").string() + "."), std::string::npos)
+        << printed.text;
     EXPECT_TRUE(fs::is_empty(folder / "mine"));
 }
 
@@ -63,7 +73,8 @@ TEST(Secret, OneThatOthersCanReadIsWarnedOf)
     write_class(folder);
     folder.write("secret", "sixteen characters or more");
     fs::permissions(folder / "secret", fs::perms(0644));
-    EXPECT_NE(grade(folder, "--secret-file secret").text.find("chmod 600 " + (folder / "secret").string()), std::string::npos);
+    EXPECT_NE(grade(folder, "--secret-file secret").text.find("chmod 600 " + (folder / "secret").string()),
+              std::string::npos);
     fs::permissions(folder / "secret", fs::perms(0600));
     EXPECT_EQ(grade(folder, "--secret-file secret").text.find("warning"), std::string::npos);
 }
@@ -86,8 +97,8 @@ TEST(Secret, AFullDiskLeavesNoHalfOne)
     const TemporaryFolder folder;
     write_class(folder);
     // No file may grow beyond nothing: what a full disk does, without filling one.
-    const Printed printed =
-        umbral("grade class --unit sphere --out out --secret-file secret", "cd '" + folder.path().string() + "' && trap '' XFSZ; ulimit -f 0;");
+    const Printed printed = umbral("grade class --unit sphere --out out --secret-file secret",
+                                   "cd '" + folder.path().string() + "' && trap '' XFSZ; ulimit -f 0;");
     EXPECT_NE(printed.status, 0) << printed.text;
     EXPECT_FALSE(fs::exists(folder / "secret"));
 }
@@ -101,9 +112,11 @@ TEST(NearMisses, AreToldTheNearestName)
 {
     for (const NearMiss& one :
          {NearMiss{"validate spher", "did you mean `sphere`?"}, NearMiss{"hint sphree", "did you mean `sphere`?"},
-          NearMiss{"validate raytracing/spere", "did you mean `raytracing/sphere`?"}, NearMiss{"validate raytracng", "did you mean `raytracing`?"},
-          NearMiss{"validate raytracing", "is a topic, not a unit; its units: raytracing/sphere"}, NearMiss{"validate raytracng/sphere", "`raytracing/sphere`"},
-          NearMiss{"hint matrix", "`view-matrix`"}, NearMiss{"chekc", "did you mean `check`?"}, NearMiss{"gradee", "did you mean `grade`?"}}) {
+          NearMiss{"validate raytracing/spere", "did you mean `raytracing/sphere`?"},
+          NearMiss{"validate raytracng", "did you mean `raytracing`?"},
+          NearMiss{"validate raytracing", "is a topic, not a unit; its units: raytracing/sphere"},
+          NearMiss{"validate raytracng/sphere", "`raytracing/sphere`"}, NearMiss{"hint matrix", "`view-matrix`"},
+          NearMiss{"chekc", "did you mean `check`?"}, NearMiss{"gradee", "did you mean `grade`?"}}) {
         const Printed printed = umbral(one.arguments);
         EXPECT_EQ(printed.status, 2) << one.arguments;
         EXPECT_NE(printed.text.find(one.advice), std::string::npos) << one.arguments << "\n" << printed.text;
@@ -112,7 +125,8 @@ TEST(NearMisses, AreToldTheNearestName)
     EXPECT_EQ(umbral("validate zzzzzzzz").text.find("did you mean"), std::string::npos);
 }
 
-/// Command lines that cannot be carried out, whoever calls them, root included. `$F` is a file, `$D` a folder, `$W` a workspace.
+/// Command lines that cannot be carried out, whoever calls them, root included. `$F` is a file, `$D` a folder, `$W` a
+/// workspace.
 const char* const impossible[] = {
     "list --language fr",
     "list --language",
@@ -241,17 +255,19 @@ TEST(BadArguments, AreUsageErrorsOfEveryCommand)
     fs::create_symlink("loop", folder / "loop");
     fs::copy_file(source + "/docs/pictures/units-raytracing.png", folder / "picture.png");
     const std::string here = folder.path().string();
-    const std::string variables = "F=" + here + "/file D=" + here + "/folder W=" + here + "/workspace C=" + here + "/class L=" + here + "/loop P=" + here +
-                                  "/picture.png; cd " + here + " &&";
+    const std::string variables = "F=" + here + "/file D=" + here + "/folder W=" + here + "/workspace C=" + here +
+                                  "/class L=" + here + "/loop P=" + here + "/picture.png; cd " + here + " &&";
     std::set<std::string> commands;
     for (const std::string arguments : impossible) {
         const Printed printed = umbral(arguments, variables);
         EXPECT_EQ(printed.status, 2) << "umbral " << arguments << "\n" << printed.text;
-        EXPECT_EQ(printed.text.find("a fault of Umbral's own"), std::string::npos) << "umbral " << arguments << "\n" << printed.text;
+        EXPECT_EQ(printed.text.find("a fault of Umbral's own"), std::string::npos) << "umbral " << arguments << "\n"
+                                                                                   << printed.text;
         EXPECT_FALSE(printed.text.empty()) << arguments;
         commands.insert(arguments.substr(0, arguments.find(' ')));
     }
-    for (const char* command : {"list", "new", "check", "hint", "reset", "debug", "render", "compare", "grade", "demo", "validate", "bench", "doctor"})
+    for (const char* command : {"list", "new", "check", "hint", "reset", "debug", "render", "compare", "grade", "demo",
+                                "validate", "bench", "doctor"})
         EXPECT_TRUE(commands.contains(command)) << "the table has no line of " << command;
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
@@ -264,10 +280,13 @@ TEST(Terminal, NamesOfFoldersCannotCommandIt)
     write_class(folder);
     fs::create_directory_symlink(folder / "class/ana", folder / "class" / hostile);
     for (const std::string& arguments :
-         {"new '" + hostile + "' sphere", "reset sphere --dir '" + hostile + "'", "check sphere --dir '" + hostile + "'", "check --dir '" + hostile + "/no'",
-          "check '" + hostile + "'", "hint '" + hostile + "'", "'" + hostile + "'", "check --dir '" + hostile + "' --html '" + hostile + "/page.html'",
+         {"new '" + hostile + "' sphere", "reset sphere --dir '" + hostile + "'",
+          "check sphere --dir '" + hostile + "'", "check --dir '" + hostile + "/no'", "check '" + hostile + "'",
+          "hint '" + hostile + "'", "'" + hostile + "'",
+          "check --dir '" + hostile + "' --html '" + hostile + "/page.html'",
           "list --html '" + hostile + "/no/page.html'", "list '" + hostile + "'", "compare '" + hostile + "' x",
-          "debug sphere '" + hostile + "' --dir '" + hostile + "'", "grade class --unit sphere --out '" + hostile + "' --secret-file '" + hostile + "/secret'",
+          "debug sphere '" + hostile + "' --dir '" + hostile + "'",
+          "grade class --unit sphere --out '" + hostile + "' --secret-file '" + hostile + "/secret'",
           "render '" + hostile + "'"}) {
         const Printed printed = in(folder, arguments);
         EXPECT_EQ(printed.text.find_first_of("\x1b\a"), std::string::npos) << arguments << "\n" << printed.text;

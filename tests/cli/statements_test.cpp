@@ -77,8 +77,9 @@ enum class Kind : int { one, two };
 
 TEST(InterfaceOfAHeader, ShowsOnlyWhatIsNamed)
 {
-    EXPECT_EQ(shown_of_header(header, {"Kind", "Thing"}),
-              "/// A thing.\nstruct Thing {\n    int a = 0;\n\n    int b = 0;\n};\n\nenum class Kind : int { one, two };\n");
+    EXPECT_EQ(
+        shown_of_header(header, {"Kind", "Thing"}),
+        "/// A thing.\nstruct Thing {\n    int a = 0;\n\n    int b = 0;\n};\n\nenum class Kind : int { one, two };\n");
     EXPECT_TRUE(shown_of_header(header, {"count"}).starts_with("/// Counts")) << "a function's name, not its types'";
     EXPECT_THROW((void)shown_of_header(header, {"Thing", "nothing"}), std::runtime_error);
 }
@@ -98,7 +99,9 @@ TEST(InterfaceBlock, IsMadeAndKeptUpToDate)
     const InterfaceSources sources{sphere, application.tools.framework};
     EXPECT_EQ(interface_files(sphere), (std::vector<std::string>{"umbral/raytracing/intersect.hpp"}));
     const std::string made = with_interfaces("# T\n\n## What\nOne.\n\n## Why\nTwo.\n", "## Interface", sources);
-    EXPECT_TRUE(made.starts_with("# T\n\n## What\nOne.\n\n## Interface\n\n<!-- interface umbral/raytracing/intersect.hpp -->\n```cpp\n")) << made;
+    EXPECT_TRUE(made.starts_with(
+        "# T\n\n## What\nOne.\n\n## Interface\n\n<!-- interface umbral/raytracing/intersect.hpp -->\n```cpp\n"))
+        << made;
     EXPECT_TRUE(made.ends_with("```\n<!-- /interface -->\n\n## Why\nTwo.\n")) << made;
     EXPECT_EQ(with_interfaces(made, "## Interface", sources), made);
     std::string stale = made;
@@ -112,8 +115,8 @@ TEST(InterfaceBlock, ThatCannotBeMadeIsNamedByItsLine)
     const Exercise sphere = application.chosen({"sphere"}).front();
     const auto complaint = [&](const std::string& text) -> std::string {
         try {
-            (void)with_interfaces(text + "\n<!-- interface umbral/raytracing/intersect.hpp -->\n<!-- /interface -->\n", "## Interface",
-                                  {sphere, application.tools.framework});
+            (void)with_interfaces(text + "\n<!-- interface umbral/raytracing/intersect.hpp -->\n<!-- /interface -->\n",
+                                  "## Interface", {sphere, application.tools.framework});
         } catch (const std::runtime_error& error) {
             return error.what();
         }
@@ -121,8 +124,11 @@ TEST(InterfaceBlock, ThatCannotBeMadeIsNamedByItsLine)
     };
     EXPECT_EQ(complaint("# T\n"), "none");
     EXPECT_NE(complaint("# T\n<!-- interface umbral/core/ray.hpp -->\n").find("line 2: expected"), std::string::npos);
-    EXPECT_NE(complaint("<!-- interface umbral/core/ray.hpp: Beam -->\n<!-- /interface -->").find("nothing called Beam"), std::string::npos);
-    EXPECT_NE(complaint("<!-- interface umbral/no.hpp -->\n<!-- /interface -->").find("umbral/no.hpp"), std::string::npos);
+    EXPECT_NE(
+        complaint("<!-- interface umbral/core/ray.hpp: Beam -->\n<!-- /interface -->").find("nothing called Beam"),
+        std::string::npos);
+    EXPECT_NE(complaint("<!-- interface umbral/no.hpp -->\n<!-- /interface -->").find("umbral/no.hpp"),
+              std::string::npos);
 }
 
 TEST(Statements, ShowTheirInterfacesAsTheyAre)
@@ -131,8 +137,10 @@ TEST(Statements, ShowTheirInterfacesAsTheyAre)
     for (const Exercise& exercise : application.exercises)
         for (const Language& language : languages) {
             const std::string statement = read_text(exercise.folder / language.statement);
-            EXPECT_EQ(statement, with_interfaces(statement, language.interface, {exercise, application.tools.framework}))
-                << exercise.id << "/" << language.statement << " is not up to date; run: umbral refresh " << exercise.name;
+            EXPECT_EQ(statement,
+                      with_interfaces(statement, language.interface, {exercise, application.tools.framework}))
+                << exercise.id << "/" << language.statement << " is not up to date; run: umbral refresh "
+                << exercise.name;
         }
 }
 
@@ -154,7 +162,8 @@ TEST(Statements, HaveAsManyHintsInBothLanguages)
         const std::string spanish = hint_of(application, "hint " + exercise.id + " --language es");
         ASSERT_TRUE(english.starts_with("Hint 1 of ")) << english;
         ASSERT_TRUE(spanish.starts_with("Pista 1 de ")) << spanish;
-        EXPECT_EQ(english.substr(10, english.find(':') - 10), spanish.substr(11, spanish.find(':') - 11)) << exercise.id;
+        EXPECT_EQ(english.substr(10, english.find(':') - 10), spanish.substr(11, spanish.find(':') - 11))
+            << exercise.id;
         EXPECT_EQ(english.find("details>"), std::string::npos) << english;
         EXPECT_EQ(english.find("summary>"), std::string::npos) << english;
         EXPECT_NE(spanish.find("umbral hint " + exercise.name + " 2 --language es"), std::string::npos) << spanish;

@@ -25,7 +25,8 @@ TEST(Commands, HelpNamesEveryCommandAndTheExitStatuses)
 {
     const Printed printed = umbral("--help");
     EXPECT_EQ(printed.status, 0);
-    for (const char* word : {"list", "new", "check", "debug", "grade", "validate", "refresh", "doctor", "demo", "hint", "reset", "Exit status"})
+    for (const char* word : {"list", "new", "check", "debug", "grade", "validate", "refresh", "doctor", "demo", "hint",
+                             "reset", "Exit status"})
         EXPECT_NE(printed.text.find(word), std::string::npos) << word;
 }
 
@@ -40,7 +41,8 @@ TEST(List, ShowsTheUnitsInBothLanguagesAndAsJson)
 
 TEST(List, ThePageOfTheUnitsIsUpToDate)
 {
-    EXPECT_EQ(umbral("list --markdown").text, read(UMBRAL_SOURCE "/docs/units.md")) << "run: umbral list --markdown > docs/units.md";
+    EXPECT_EQ(umbral("list --markdown").text, read(UMBRAL_SOURCE "/docs/units.md"))
+        << "run: umbral list --markdown > docs/units.md";
 }
 
 TEST(New, MakesAWorkspaceAndNeverOverwritesWork)
@@ -58,15 +60,19 @@ TEST(New, PutsWhatEditorsNeedAtTheRoot)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
-    EXPECT_EQ(read(folder / "include/umbral/raytracing/intersect.hpp"), read(source / "framework/umbral/raytracing/intersect.hpp"));
+    EXPECT_EQ(read(folder / "include/umbral/raytracing/intersect.hpp"),
+              read(source / "framework/umbral/raytracing/intersect.hpp"));
     EXPECT_FALSE(std::filesystem::exists(folder / "include/umbral/meshes")) << "no other unit's interface";
-    EXPECT_FALSE(std::filesystem::exists(folder / "raytracing/sphere/intersect.hpp")) << "what lies beside the stub is handed in";
-    const std::string compile = "cd " + folder.path().string() + " && c++ $(cat compile_flags.txt) -fsyntax-only raytracing/sphere/sphere.cpp";
+    EXPECT_FALSE(std::filesystem::exists(folder / "raytracing/sphere/intersect.hpp"))
+        << "what lies beside the stub is handed in";
+    const std::string compile =
+        "cd " + folder.path().string() + " && c++ $(cat compile_flags.txt) -fsyntax-only raytracing/sphere/sphere.cpp";
     EXPECT_EQ(std::system(compile.c_str()), 0) << "as an editor compiles it";
     folder.write("compile_flags.txt", "-Wall\n");
     ASSERT_EQ(umbral("new " + folder.path().string() + " edge-table").status, 0);
     EXPECT_EQ(read(folder / "compile_flags.txt"), "-Wall\n");
-    EXPECT_TRUE(std::filesystem::exists(folder / "include/umbral/meshes/mesh.hpp")) << "what the unit's header includes";
+    EXPECT_TRUE(std::filesystem::exists(folder / "include/umbral/meshes/mesh.hpp"))
+        << "what the unit's header includes";
 }
 
 TEST(New, RefusesAFileInTheWay)
@@ -114,10 +120,12 @@ TEST(Check, ShowsTheFirstFailureWhyAndWhatWasPrinted)
     const std::string mistake = read(source / "tests/class/carla-typical-mistakes/raytracing/sphere/sphere.cpp");
     const std::size_t body = mistake.find("    const glm");
     ASSERT_NE(body, std::string::npos);
-    folder.write("raytracing/sphere/sphere.cpp", mistake.substr(0, body) + "    std::puts(\"my debugging line\");\n" + mistake.substr(body));
+    folder.write("raytracing/sphere/sphere.cpp",
+                 mistake.substr(0, body) + "    std::puts(\"my debugging line\");\n" + mistake.substr(body));
     const Printed printed = umbral("check --dir " + folder.path().string());
     EXPECT_EQ(printed.status, 1);
-    for (const char* word : {"yours", "expected", "why", "you return where it comes out", "my debugging line", "umbral debug raytracing/sphere head-on"})
+    for (const char* word : {"yours", "expected", "why", "you return where it comes out", "my debugging line",
+                             "umbral debug raytracing/sphere head-on"})
         EXPECT_NE(printed.text.find(word), std::string::npos) << word << "\n" << printed.text;
     EXPECT_TRUE(std::filesystem::exists(folder / "umbral-pictures")) << "pictures of what is wrong";
 }
@@ -130,7 +138,8 @@ TEST(Check, JsonIsAReport)
     const auto json = nlohmann::json::parse(printed.text, nullptr, false);
     ASSERT_TRUE(json.is_object()) << printed.text;
     EXPECT_EQ(json.at("format"), "umbral-report");
-    EXPECT_EQ(json.at("submission").at("units").at(0).at("verdict"), "interface_mismatch") << "an empty file defines nothing";
+    EXPECT_EQ(json.at("submission").at("units").at(0).at("verdict"), "interface_mismatch")
+        << "an empty file defines nothing";
 }
 
 TEST(Check, WhatHasNotChangedIsNotRunAgain)
@@ -155,7 +164,8 @@ TEST(Check, WhatHasNotChangedIsNotRunAgain)
     EXPECT_EQ(umbral("check sphere --attempt 7" + here).text.find(unchanged), std::string::npos);
     EXPECT_NE(umbral("check sphere --attempt 7" + here).text.find(unchanged), std::string::npos);
     std::filesystem::remove_all(folder.path() / "umbral-pictures");
-    EXPECT_EQ(umbral("check sphere --attempt 7" + here).text.find(unchanged), std::string::npos) << "its picture was gone";
+    EXPECT_EQ(umbral("check sphere --attempt 7" + here).text.find(unchanged), std::string::npos)
+        << "its picture was gone";
     sphere("// second\n");
     EXPECT_EQ(umbral("check sphere" + here).text.find(unchanged), std::string::npos);
     // A page needs more than a result.
@@ -207,7 +217,8 @@ TEST(Doctor, FindsWhatAGradedRunNeeds)
     ASSERT_TRUE(json.is_object()) << printed.text;
     EXPECT_EQ(printed.status, 0) << printed.text;
     EXPECT_GE(json.at("symptoms").size(), 8U);
-    for (const auto& symptom : json.at("symptoms")) EXPECT_TRUE(symptom.at("present").get<bool>() || !symptom.at("remedy").get<std::string>().empty());
+    for (const auto& symptom : json.at("symptoms"))
+        EXPECT_TRUE(symptom.at("present").get<bool>() || !symptom.at("remedy").get<std::string>().empty());
 }
 
 }

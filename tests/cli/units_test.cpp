@@ -62,9 +62,11 @@ TEST(HalfWrittenUnit, StopsOnlyWhatNeedsIt)
 {
     const Course course;
     ASSERT_EQ(course.application.chosen({"sphere"}).size(), 1U);
-    EXPECT_NE(course.complaint_about({"half"}).find("the unit raytracing/half cannot be read: "), std::string::npos) << course.complaint_about({"half"});
+    EXPECT_NE(course.complaint_about({"half"}).find("the unit raytracing/half cannot be read: "), std::string::npos)
+        << course.complaint_about({"half"});
     EXPECT_NE(course.complaint_about({"sphere", "raytracing/half/"}).find("expected JSON"), std::string::npos);
-    EXPECT_NE(course.complaint_about({}).find("name the units that you mean"), std::string::npos) << "a class graded without it would lose its points";
+    EXPECT_NE(course.complaint_about({}).find("name the units that you mean"), std::string::npos)
+        << "a class graded without it would lose its points";
     EXPECT_NE(course.complaint_about({"hlaf"}).find("there is no unit"), std::string::npos);
 }
 
@@ -73,7 +75,8 @@ TEST(HalfWrittenUnit, IsWarnedOfByWhatGetsAlongWithoutIt)
     Course course;
     testing::internal::CaptureStderr();
     EXPECT_EQ(course.application.readable().size(), 1U);
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("warning: the unit raytracing/half cannot be read"), std::string::npos);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("warning: the unit raytracing/half cannot be read"),
+              std::string::npos);
     const std::string listed = printed_by(course, add_list, "list");
     EXPECT_NE(listed.find("raytracing/sphere"), std::string::npos) << listed;
     EXPECT_NE(listed.find("warning: the unit raytracing/half"), std::string::npos) << listed;
@@ -86,7 +89,8 @@ TEST(Languages, WithoutASpanishStatementEnglishIsOffered)
 {
     Course course;
     const std::string hint = printed_by(course, add_hint, "hint sphere 2 --language es");
-    EXPECT_NE(hint.find("has no statement in that language; in English: umbral hint sphere 2"), std::string::npos) << hint;
+    EXPECT_NE(hint.find("has no statement in that language; in English: umbral hint sphere 2"), std::string::npos)
+        << hint;
     course.application.exercises.front().title.erase("es");
     EXPECT_NE(printed_by(course, add_list, "list --language es").find("Where a ray meets a sphere"), std::string::npos);
 }
@@ -100,12 +104,14 @@ TEST(Nearest, CountsMistypedLetters)
     EXPECT_EQ(edit_distance("ca", "abc"), 3U) << "no letter is changed twice";
     EXPECT_EQ(edit_distance("SPHERE", "sphere"), 0U);
     for (const std::string a : {"weld", "welt", "wled", "", "ply"})
-        for (const std::string b : {"weld", "area", "w", ""}) EXPECT_EQ(edit_distance(a, b), edit_distance(b, a)) << a << " " << b;
+        for (const std::string b : {"weld", "area", "w", ""})
+            EXPECT_EQ(edit_distance(a, b), edit_distance(b, a)) << a << " " << b;
 }
 
 TEST(Nearest, FindsWhatMayHaveBeenMeantAndNothingElse)
 {
-    const std::vector<std::string> known{"sphere", "weld", "ply", "view-matrix", "normal-matrix", "matrix-stack", "basic-matrices"};
+    const std::vector<std::string> known{"sphere",        "weld",         "ply",           "view-matrix",
+                                         "normal-matrix", "matrix-stack", "basic-matrices"};
     EXPECT_EQ(nearest("spher", known), (std::vector<std::string>{"sphere"}));
     EXPECT_EQ(nearest("matrix", known).size(), 3U);
     EXPECT_TRUE(nearest("x", known).empty());

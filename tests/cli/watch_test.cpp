@@ -19,7 +19,9 @@ const std::filesystem::path source = UMBRAL_SOURCE;
 class Watching {
 public:
     explicit Watching(const std::filesystem::path& folder)
-        : pipe_(popen(("echo $$; exec " UMBRAL_PROGRAM " check sphere --watch --json --dir " + folder.string()).c_str(), "re")), process_(std::stoi(line()))
+        : pipe_(popen(("echo $$; exec " UMBRAL_PROGRAM " check sphere --watch --json --dir " + folder.string()).c_str(),
+                      "re")),
+          process_(std::stoi(line()))
     {
     }
     Watching(const Watching&) = delete;
@@ -59,7 +61,8 @@ TEST(Watch, ChecksAgainWhateverIsSaved)
     folder.write(file, "int broken(");
     EXPECT_EQ(verdict_of(watching.report()), "compile_error");
 
-    // Saving by putting a new file over the old one, as many editors do; a file that is no part of a unit changes nothing.
+    // Saving by putting a new file over the old one, as many editors do; a file that is no part of a unit changes
+    // nothing.
     folder.write("raytracing/sphere/notes.txt", "not checked");
     folder.write("raytracing/sphere/sphere.cpp~", read(source / "reference" / "raytracing/sphere.cpp"));
     std::filesystem::rename(folder / "raytracing/sphere/sphere.cpp~", folder / file);

@@ -30,8 +30,11 @@ TEST_F(Archives, paths_lead_nowhere_else)
                                                         {"a/./b/../c.cpp", "dots"},
                                                         {"C:\\temp\\drive.cpp", "drive"},
                                                         {"..\\back.cpp", "back"}}));
-        EXPECT_EQ(result.files,
-                  (Files{{"etc/sphere.cpp", "up"}, {"root/abs.cpp", "absolute"}, {"a/b/c.cpp", "dots"}, {"temp/drive.cpp", "drive"}, {"back.cpp", "back"}}))
+        EXPECT_EQ(result.files, (Files{{"etc/sphere.cpp", "up"},
+                                       {"root/abs.cpp", "absolute"},
+                                       {"a/b/c.cpp", "dots"},
+                                       {"temp/drive.cpp", "drive"},
+                                       {"back.cpp", "back"}}))
             << format;
         EXPECT_TRUE(result.notes.empty());
     }
@@ -49,21 +52,27 @@ TEST_F(Archives, links_and_devices_are_ignored)
                                                  {"sphere.cpp", "mine"}}));
     EXPECT_EQ(tar.files, (Files{{"sphere.cpp", "mine"}}));
     EXPECT_EQ(tar.ignored.size(), 3U);
-    const Unpacked zip = unpacked(write_archive("zip", "none", {{"link.cpp", "", AE_IFLNK, "/etc/passwd"}, {"sphere.cpp", "mine"}}));
+    const Unpacked zip =
+        unpacked(write_archive("zip", "none", {{"link.cpp", "", AE_IFLNK, "/etc/passwd"}, {"sphere.cpp", "mine"}}));
     EXPECT_EQ(zip.files, (Files{{"sphere.cpp", "mine"}}));
     EXPECT_EQ(zip.ignored.size(), 1U);
 }
 
 TEST_F(Archives, names_beyond_ascii_come_as_they_are)
 {
-    EXPECT_EQ(unpacked(write_archive("pax", "none", {{"Práctica/esfera ñ.cpp", "x"}})).files, (Files{{"Práctica/esfera ñ.cpp", "x"}}));
+    EXPECT_EQ(unpacked(write_archive("pax", "none", {{"Práctica/esfera ñ.cpp", "x"}})).files,
+              (Files{{"Práctica/esfera ñ.cpp", "x"}}));
     EXPECT_EQ(unpacked(write_archive("ustar", "none", {{"caf\xe9.cpp", "x"}})).files, (Files{{"caf\xe9.cpp", "x"}}));
 }
 
 TEST_F(Archives, what_is_no_source_code_stays_inside)
 {
-    const Unpacked result = unpacked(write_archive(
-        "zip", "none", {{"a.exe", "x"}, {"__MACOSX/._sphere.cpp", "x"}, {".git/sphere.cpp", "x"}, {"node_modules/a/b.cpp", "x"}, {"b.hpp", "b"}}));
+    const Unpacked result = unpacked(write_archive("zip", "none",
+                                                   {{"a.exe", "x"},
+                                                    {"__MACOSX/._sphere.cpp", "x"},
+                                                    {".git/sphere.cpp", "x"},
+                                                    {"node_modules/a/b.cpp", "x"},
+                                                    {"b.hpp", "b"}}));
     EXPECT_EQ(result.files, (Files{{"b.hpp", "b"}}));
     EXPECT_TRUE(result.ignored.empty());
 }
@@ -72,7 +81,8 @@ TEST_F(Archives, bombs_go_off_harmlessly)
 {
     const std::string zeros(std::size_t{300} << 20U, '\0');
     for (const auto& [format, filter] : {std::pair("zip", "none"), std::pair("ustar", "gzip")}) {
-        const std::string bomb = write_archive(format, filter, {{"first.cpp", "first"}, {"zeros.cpp", zeros}, {"last.cpp", "last"}});
+        const std::string bomb =
+            write_archive(format, filter, {{"first.cpp", "first"}, {"zeros.cpp", zeros}, {"last.cpp", "last"}});
         EXPECT_LT(bomb.size(), std::size_t{2} << 20U);
         const Unpacked result = unpacked(bomb);
         ASSERT_FALSE(result.files.empty()) << format << filter;
@@ -84,7 +94,8 @@ TEST_F(Archives, bombs_go_off_harmlessly)
 TEST_F(Archives, many_files_are_bounded)
 {
     std::vector<ArchiveEntry> entries;
-    for (std::size_t i = 0; i < caps::submission_files + 1000; ++i) entries.push_back({std::to_string(i) + ".cpp", "x"});
+    for (std::size_t i = 0; i < caps::submission_files + 1000; ++i)
+        entries.push_back({std::to_string(i) + ".cpp", "x"});
     const Unpacked result = unpacked(write_archive("ustar", "gzip", entries));
     EXPECT_EQ(result.files.size(), caps::submission_files);
     EXPECT_EQ(result.ignored.size(), caps::submission_ignored);
@@ -96,7 +107,8 @@ TEST_F(Archives, many_files_are_bounded)
 TEST_F(Archives, within_archives_are_opened_once)
 {
     std::string bytes = write_archive("zip", "none", {{"sphere.cpp", "mine"}});
-    for (int i = 0; i < 2; ++i) bytes = write_archive("zip", "none", {{"inner.zip", bytes}, {"at" + std::to_string(i) + ".cpp", "x"}});
+    for (int i = 0; i < 2; ++i)
+        bytes = write_archive("zip", "none", {{"inner.zip", bytes}, {"at" + std::to_string(i) + ".cpp", "x"}});
     desk.write("outer.zip", bytes);
     const SubmittedFiles submitted = desk.submitted();
     EXPECT_EQ(submitted.files, (Sources{{"outer.zip/at1.cpp", "x"}, {"outer.zip/inner.zip/at0.cpp", "x"}}));
@@ -106,7 +118,8 @@ TEST_F(Archives, within_archives_are_opened_once)
 
 TEST_F(Archives, only_a_few_are_opened)
 {
-    for (int i = 0; i < 20; ++i) desk.write("a" + std::to_string(i) + ".zip", write_archive("zip", "none", {{"sphere.cpp", "mine"}}));
+    for (int i = 0; i < 20; ++i)
+        desk.write("a" + std::to_string(i) + ".zip", write_archive("zip", "none", {{"sphere.cpp", "mine"}}));
     const SubmittedFiles submitted = desk.submitted();
     EXPECT_EQ(submitted.files.size(), caps::submission_archives);
     EXPECT_EQ(submitted.ignored.size(), 20 - caps::submission_archives);
@@ -119,7 +132,8 @@ TEST_F(Archives, damaged_ones_say_so_and_give_what_can_be_read)
     for (char& c : noise) c = static_cast<char>(random());
     for (const char* const format : {"zip", "ustar", "7zip"}) {
         const std::string whole = write_archive(format, "none", {{"sphere.cpp", "mine"}, {"rest.hpp", noise}});
-        for (const std::size_t size : {std::size_t{0}, std::size_t{3}, std::size_t{700}, whole.size() / 2, whole.size() - 30}) {
+        for (const std::size_t size :
+             {std::size_t{0}, std::size_t{3}, std::size_t{700}, whole.size() / 2, whole.size() - 30}) {
             const Unpacked result = unpacked(whole.substr(0, size));
             // Behind the last file there is only what is needed to find the others.
             const bool all = result.files == Files{{"sphere.cpp", "mine"}, {"rest.hpp", noise}};
@@ -135,7 +149,8 @@ TEST_F(Archives, damaged_ones_say_so_and_give_what_can_be_read)
 
 TEST_F(Archives, spoilt_at_random_do_no_harm)
 {
-    const std::string whole = write_archive("zip", "none", {{"sphere.cpp", "mine"}, {"a/b.hpp", std::string(3000, 'b')}});
+    const std::string whole =
+        write_archive("zip", "none", {{"sphere.cpp", "mine"}, {"a/b.hpp", std::string(3000, 'b')}});
     const unsigned seed = 11;
     std::mt19937 random(seed);
     for (int i = 0; i < 60; ++i) {
@@ -151,8 +166,9 @@ TEST(UnpackedText, is_not_believed)
     EXPECT_EQ(parse_unpacked("end\n").notes.size(), 0U);
     EXPECT_EQ(parse_unpacked("file 1 2\naxxend\n").files, (Files{{"a", "xx"}}));
     for (const std::string text :
-         {"", "end", "end\nmore", "file", "file 1", "file 1 2\na", "file 99999999999999999999 1\n", "file -1 2\naxx", "file 1 68719476736\na", "file 0 1\nx",
-          "file 2 1\n..xend\n", "odd 1 1\nab", "file  1 1\nab", "file 5000 0\n", "\x7f\x45\x4c\x46", "note 0 5\nab"}) {
+         {"", "end", "end\nmore", "file", "file 1", "file 1 2\na", "file 99999999999999999999 1\n", "file -1 2\naxx",
+          "file 1 68719476736\na", "file 0 1\nx", "file 2 1\n..xend\n", "odd 1 1\nab", "file  1 1\nab", "file 5000 0\n",
+          "\x7f\x45\x4c\x46", "note 0 5\nab"}) {
         const Unpacked result = parse_unpacked(text);
         EXPECT_TRUE(result.files.empty()) << text;
         EXPECT_EQ(result.notes.back(), "it could not be read to its end") << text;

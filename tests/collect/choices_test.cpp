@@ -33,7 +33,8 @@ TEST_F(Choices, of_several_that_differ_none_is_taken_and_all_are_named)
 
 TEST_F(Choices, the_list_of_candidates_is_bounded)
 {
-    for (int i = 0; i < 300; ++i) desk.write(std::string(200, 'f') + std::to_string(i) + "/sphere.cpp", std::to_string(i));
+    for (int i = 0; i < 300; ++i)
+        desk.write(std::string(200, 'f') + std::to_string(i) + "/sphere.cpp", std::to_string(i));
     const Handed handed = desk.collected();
     EXPECT_TRUE(handed.files.empty());
     EXPECT_NE(handed.refused.find("and 288 more"), std::string::npos);
@@ -81,7 +82,8 @@ TEST_F(Choices, two_files_of_a_unit_come_from_one_folder)
     desk.write("old/phong.frag", "old frag");
     EXPECT_EQ(desk.collected("lighting/shaders").files, (Sources{{"phong.vert", stub}, {"phong.frag", "new"}}));
     fs::remove_all(desk.folder() / "lighting");
-    EXPECT_EQ(desk.collected("lighting/shaders").files, (Sources{{"phong.vert", "old vert"}, {"phong.frag", "old frag"}}));
+    EXPECT_EQ(desk.collected("lighting/shaders").files,
+              (Sources{{"phong.vert", "old vert"}, {"phong.frag", "old frag"}}));
     fs::remove(desk.folder() / "old/phong.frag");
     EXPECT_EQ(desk.collected("lighting/shaders").missing, std::vector<std::string>{"phong.frag"});
 }
@@ -104,7 +106,8 @@ TEST_F(Choices, helpers_come_from_the_units_own_folder_only)
 TEST_F(Choices, names_that_a_compiler_misreads_are_not_taken)
 {
     desk.write("raytracing/sphere/sphere.cpp", "mine");
-    for (const char* const name : {"-oX.cpp", "-include.hpp", "@x.cpp", "a b.cpp", "x\n.cpp", "\x1b[2J.cpp", "\xff.cpp"})
+    for (const char* const name :
+         {"-oX.cpp", "-include.hpp", "@x.cpp", "a b.cpp", "x\n.cpp", "\x1b[2J.cpp", "\xff.cpp"})
         desk.write(std::string("raytracing/sphere/") + name, "x");
     const Handed handed = desk.collected();
     EXPECT_EQ(handed.files, (Sources{{"sphere.cpp", "mine"}}));
@@ -115,7 +118,8 @@ TEST_F(Choices, names_that_a_compiler_misreads_are_not_taken)
 TEST_F(Choices, bytes_of_helpers_are_bounded)
 {
     desk.write("raytracing/sphere/sphere.cpp", "mine");
-    for (int i = 0; i < 10; ++i) desk.write("raytracing/sphere/a" + std::to_string(i) + ".hpp", std::string(caps::source_file, 'x'));
+    for (int i = 0; i < 10; ++i)
+        desk.write("raytracing/sphere/a" + std::to_string(i) + ".hpp", std::string(caps::source_file, 'x'));
     const Handed handed = desk.collected();
     std::size_t bytes = 0;
     for (const auto& [name, text] : handed.files) bytes += text.size();
@@ -148,8 +152,9 @@ TEST(Units, ask_for_names_that_are_told_apart)
 
 TEST(FileKey, is_the_same_for_names_of_one_file)
 {
-    for (const char* const name : {"view_matrix.cpp", "View-Matrix (1).cc", "ViewMatrix - Copy.cpp", "Copia de view_matrix.CXX", "view matrix copy 2.cpp",
-                                   "view_matrix - copia (3).C", "view_matrix.cpp.txt", "view_matrix (1) (2).c++"})
+    for (const char* const name :
+         {"view_matrix.cpp", "View-Matrix (1).cc", "ViewMatrix - Copy.cpp", "Copia de view_matrix.CXX",
+          "view matrix copy 2.cpp", "view_matrix - copia (3).C", "view_matrix.cpp.txt", "view_matrix (1) (2).c++"})
         EXPECT_EQ(file_key(name), "viewmatrix.cpp") << name;
     EXPECT_EQ(file_key("copy.cpp"), "copy.cpp");
     EXPECT_EQ(file_key("(1).cpp"), "(1).cpp");

@@ -45,7 +45,8 @@ protected:
 TEST_F(ClassFolders, plain_names_are_ids)
 {
     for (const char* const name : {"ana", "Team_7.x-y", "0", "ANA"}) make(name);
-    EXPECT_EQ(ids(), (std::map<std::string, std::string>{{"ana", "ana"}, {"Team_7.x-y", "Team_7.x-y"}, {"0", "0"}, {"ANA", "ANA"}}));
+    EXPECT_EQ(ids(), (std::map<std::string, std::string>{
+                         {"ana", "ana"}, {"Team_7.x-y", "Team_7.x-y"}, {"0", "0"}, {"ANA", "ANA"}}));
 }
 
 TEST_F(ClassFolders, of_learning_platforms_get_ids_that_people_recognise)
@@ -121,7 +122,8 @@ TEST_F(ClassFolders, whatever_the_names_ids_are_plain_and_unique)
 
 TEST_F(ClassFolders, archives_are_submissions)
 {
-    for (const char* const name : {"class/ana.zip", "class/bruno.tar.gz", "class/García.zip", "class/carla.zip"}) folder.write(name, "");
+    for (const char* const name : {"class/ana.zip", "class/bruno.tar.gz", "class/García.zip", "class/carla.zip"})
+        folder.write(name, "");
     make("carla");
     const auto all = ids();
     EXPECT_EQ(all.at("ana.zip"), "ana");
@@ -170,7 +172,8 @@ TEST_F(ClassFolders, a_roster_decides)
     folder.write("class/Carla Ruiz.zip", "");
     const ClassFolder result = with_roster(
         "\xEF\xBB\xBF"
-        "folder,id,name\r\n\"García, Ana\",s1,\"Ana \"\"la rápida\"\" García\"\r\nCarla Ruiz,s0,\r\nabsent,s9,Nobody\r\n");
+        "folder,id,name\r\n\"García, Ana\",s1,\"Ana \"\"la rápida\"\" García\"\r\nCarla "
+        "Ruiz,s0,\r\nabsent,s9,Nobody\r\n");
     ASSERT_EQ(result.submissions.size(), 3U);
     EXPECT_EQ(result.submissions[0].id, "bruno");
     EXPECT_EQ(result.submissions[1].id, "s0");
@@ -201,7 +204,8 @@ TEST_F(ClassFolders, wrong_rosters_are_refused_with_the_line)
         {"folder,id\n\"x\ny\",ok\na,b\n", "the id 'b'"},
         {"folder,id\n\"x\ny\",ok\nq,b c\n", ":4: expected an id"},
     };
-    for (const auto& [text, expected] : wrong) EXPECT_NE(complaint(text).find(expected), std::string::npos) << text << "\n" << complaint(text);
+    for (const auto& [text, expected] : wrong)
+        EXPECT_NE(complaint(text).find(expected), std::string::npos) << text << "\n" << complaint(text);
     EXPECT_EQ(complaint("folder,id\na,b\nb,a\n"), "");
     EXPECT_EQ(complaint("folder,id\na,x"), "");
     EXPECT_THROW((void)class_folder(folder / "class", folder / "no-roster.csv"), std::runtime_error);

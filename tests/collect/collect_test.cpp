@@ -103,8 +103,9 @@ TEST_F(Collect, only_sources_with_plain_names_are_read)
 {
     const std::string place = "raytracing/sphere/";
     bench.write(place + "sphere.cpp", "mine");
-    for (const char* const name : {"umbral_student.hpp.gch", "student.pch", "sphere.o", "student.so", "-o evil.cpp", "@file.cpp", "sp ace.hpp", "quote\".cpp",
-                                   "$(id).cpp", "line\nbreak.cpp", "Makefile", "noise.cpp~", ".hidden"})
+    for (const char* const name :
+         {"umbral_student.hpp.gch", "student.pch", "sphere.o", "student.so", "-o evil.cpp", "@file.cpp", "sp ace.hpp",
+          "quote\".cpp", "$(id).cpp", "line\nbreak.cpp", "Makefile", "noise.cpp~", ".hidden"})
         bench.write(place + name, "x");
     fs::create_directories(folder / "raytracing/sphere/umbral/raytracing");
     bench.write(place + "umbral/raytracing/intersect.hpp", "another interface");
@@ -133,7 +134,8 @@ TEST(EqualsStub, but_for_comments_and_space)
 TEST(SubmissionId, is_plain)
 {
     for (const char* const good : {"a", "Team_7.x-y", "..."}) EXPECT_TRUE(is_submission_id(good)) << good;
-    for (const std::string bad : {"", ".", "..", "a/b", "a b", "a\n", "ñ", "$x", std::string(129, 'a').c_str()}) EXPECT_FALSE(is_submission_id(bad)) << bad;
+    for (const std::string bad : {"", ".", "..", "a/b", "a b", "a\n", "ñ", "$x", std::string(129, 'a').c_str()})
+        EXPECT_FALSE(is_submission_id(bad)) << bad;
 }
 
 }

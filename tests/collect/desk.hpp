@@ -12,8 +12,14 @@ namespace umbral::grader::test {
 /// A fresh folder for one submission, and what reading it needs.
 class Desk {
 public:
-    [[nodiscard]] Exercise exercise(const std::string& id) const { return load_exercise(std::filesystem::path(UMBRAL_SOURCE_DIR) / "exercises" / id); }
-    [[nodiscard]] ArchiveTools tools() const { return {std::filesystem::path(UMBRAL_BUILD_DIR) / "bin", folder_ / "scratch"}; }
+    [[nodiscard]] Exercise exercise(const std::string& id) const
+    {
+        return load_exercise(std::filesystem::path(UMBRAL_SOURCE_DIR) / "exercises" / id);
+    }
+    [[nodiscard]] ArchiveTools tools() const
+    {
+        return {std::filesystem::path(UMBRAL_BUILD_DIR) / "bin", folder_ / "scratch"};
+    }
     /// The submission; made when the first file is written.
     [[nodiscard]] std::filesystem::path folder() const { return folder_ / "work"; }
     /// Beside the submission.

@@ -15,7 +15,8 @@
 #include "model/caps.hpp"
 #include "run/descriptor.hpp"
 
-// Whatever a submission looks like, it gives a verdict of its own: nothing here may throw, wait for ever, or show raw bytes.
+// Whatever a submission looks like, it gives a verdict of its own: nothing here may throw, wait for ever, or show raw
+// bytes.
 namespace umbral::grader::test {
 namespace {
 
@@ -29,8 +30,8 @@ protected:
     /// Is everything that may be shown bounded and printable, and is sphere.cpp found?
     [[nodiscard]] static bool is_sound(const SubmittedFiles& submitted)
     {
-        bool sound =
-            submitted.ignored.size() <= caps::submission_ignored && submitted.notes.size() <= caps::listed && submitted.files.size() <= caps::submission_files;
+        bool sound = submitted.ignored.size() <= caps::submission_ignored && submitted.notes.size() <= caps::listed &&
+                     submitted.files.size() <= caps::submission_files;
         for (const Ignored& one : submitted.ignored) sound = sound && one.reason == one_line(one.reason, caps::message);
         for (const std::string& note : submitted.notes) sound = sound && note == one_line(note, caps::message);
         return sound;
@@ -39,7 +40,8 @@ protected:
     void make_files(std::size_t count, const std::function<std::string(int)>& name) const
     {
         const Descriptor folder(open(desk.folder().c_str(), O_RDONLY | O_DIRECTORY));
-        for (int i = 0; i < static_cast<int>(count); ++i) close(openat(folder.get(), name(i).c_str(), O_CREAT | O_WRONLY, 0644));
+        for (int i = 0; i < static_cast<int>(count); ++i)
+            close(openat(folder.get(), name(i).c_str(), O_CREAT | O_WRONLY, 0644));
     }
     void expect_found_beside_it() const
     {
@@ -107,11 +109,15 @@ TEST_F(HostileFolder, what_nobody_may_read)
     EXPECT_TRUE(gives([](const Handed& handed) { return handed.files == Sources{{"sphere.cpp", "also mine"}}; }));
     fs::remove_all(desk.folder() / "open");
     EXPECT_TRUE(gives([](const Handed& handed) {
-        return handed.files.empty() && handed.refused == "raytracing/sphere/sphere.cpp: it cannot be opened: Permission denied" &&
-               handed.notes == std::vector<std::string>{"not looked into: shut (it cannot be opened: Permission denied)"};
+        return handed.files.empty() &&
+               handed.refused == "raytracing/sphere/sphere.cpp: it cannot be opened: Permission denied" &&
+               handed.notes ==
+                   std::vector<std::string>{"not looked into: shut (it cannot be opened: Permission denied)"};
     }));
     fs::permissions(desk.folder(), fs::perms::none);
-    EXPECT_TRUE(gives([](const Handed& handed) { return handed.files.empty() && !handed.missing.empty() && handed.notes.size() == 1; }));
+    EXPECT_TRUE(gives([](const Handed& handed) {
+        return handed.files.empty() && !handed.missing.empty() && handed.notes.size() == 1;
+    }));
     fs::permissions(desk.folder(), fs::perms::all);
     fs::permissions(desk.folder() / "shut", fs::perms::all);
 }
@@ -164,8 +170,8 @@ TEST_F(HostileFolder, names_of_any_bytes)
     for (const char* const name : {"new\nline.cpp", "\x1b]0;title\x07.cpp", "\xff\xfe.cpp",
                                    "\xe2\x80\xae"
                                    "ppc.cpp",
-                                   " .cpp", "-rf.cpp", "*.cpp", "%s%n.cpp", "a\\b.cpp", "\x1b[31m/sphere (1).cpp", "new\n/x.zip", "'; rm -rf ~; '.tar.gz",
-                                   "con.cpp", "sphere.cpp\r.cpp"})
+                                   " .cpp", "-rf.cpp", "*.cpp", "%s%n.cpp", "a\\b.cpp", "\x1b[31m/sphere (1).cpp",
+                                   "new\n/x.zip", "'; rm -rf ~; '.tar.gz", "con.cpp", "sphere.cpp\r.cpp"})
         desk.write(name, "x");
     std::string longest(255, 'n');
     longest.replace(251, 4, ".cpp");

@@ -6,7 +6,8 @@
 #include "fuzz.hpp"
 #include "model/caps.hpp"
 
-// Texts that come with a class: what the unpacker printed for a hostile archive, names in it, a roster, a file in whatever encoding.
+// Texts that come with a class: what the unpacker printed for a hostile archive, names in it, a roster, a file in
+// whatever encoding.
 namespace {
 
 using namespace umbral;

@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t zero = all.find('\0');
     const std::string base(all.substr(0, zero));
     const std::string text(zero == std::string_view::npos ? std::string_view() : all.substr(zero + 1));
-    (void)grader::specimen_header(text);
+    (void)grader::solution_header(text);
     (void)tests::reads<std::runtime_error>([&] {
         const grader::Change change = grader::parse_change(text, "x.change");
         const std::string changed = grader::apply_change(change, base, "x.change");

@@ -12,8 +12,9 @@
 #include "fuzz.hpp"
 #include "model/scratch.hpp"
 
-// The walk over what was handed in: the bytes are a script that fills a folder. Lines: "d PATH" a folder, "l PATH" a link to the path that
-// the next line names, "p PATH" a pipe, "c PATH" a closed folder, anything else a file of that name with the next line in it.
+// The walk over what was handed in: the bytes are a script that fills a folder. Lines: "d PATH" a folder, "l PATH" a
+// link to the path that the next line names, "p PATH" a pipe, "c PATH" a closed folder, anything else a file of that
+// name with the next line in it.
 namespace {
 
 using namespace umbral;
@@ -77,11 +78,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     exercise.name = "sphere";
     exercise.files = {"sphere.cpp"};
     const grader::SubmittedFiles submitted = grader::read_submission(folder.path(), {&exercise, 1});
-    for (const auto& [path, text] : submitted.files) tests::expect(!path.empty() && path.front() != '/', "an absolute path");
+    for (const auto& [path, text] : submitted.files)
+        tests::expect(!path.empty() && path.front() != '/', "an absolute path");
     try {
         const grader::Handed handed = grader::collect(submitted, exercise);
         for (const auto& [name, text] : handed.files)
-            tests::expect(!name.empty() && name.front() != '-' && name.find('/') == std::string::npos, "a name that a compiler takes for something else");
+            tests::expect(!name.empty() && name.front() != '-' && name.find('/') == std::string::npos,
+                          "a name that a compiler takes for something else");
     } catch (const std::runtime_error&) {
         // The unit of this test has no stub on the disk.
     }

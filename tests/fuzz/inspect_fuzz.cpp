@@ -10,8 +10,9 @@
 #include "inspect/open.hpp"
 #include "inspect/places.hpp"
 
-// What umbral-inspect does with a compiled library: hostile ELF and DWARF. The library that takes them apart is not instrumented, so that
-// the fuzzer sees only what we do with its answers; what crashes it ends the process all the same.
+// What umbral-inspect does with a compiled library: hostile ELF and DWARF. The library that takes them apart is not
+// instrumented, so that the fuzzer sees only what we do with its answers; what crashes it ends the process all the
+// same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace umbral;

@@ -8,10 +8,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     using namespace umbral;
     (void)tests::reads<std::runtime_error>([&] {
-        const grader::Exercise exercise = grader::parse_exercise(parse_json(tests::text_of(data, size), "exercise.json"), "exercise.json");
+        const grader::Exercise exercise =
+            grader::parse_exercise(parse_json(tests::text_of(data, size), "exercise.json"), "exercise.json");
         tests::expect(exercise.id == exercise.topic + "/" + exercise.name, "an id that is not its parts");
         for (const std::string& file : exercise.files)
-            tests::expect(!file.empty() && file.find('/') == std::string::npos && file != "..", "a file outside the unit's folder");
+            tests::expect(!file.empty() && file.find('/') == std::string::npos && file != "..",
+                          "a file outside the unit's folder");
         tests::expect(!exercise.cases().empty() && exercise.points > 0, "a unit without work");
         grader::Millipoints sum = 0;
         for (const grader::Check& check : exercise.checks) sum += check.points;

@@ -8,9 +8,15 @@
 
 namespace umbral::tests {
 
-inline meshes::PolygonMesh read(std::string_view file) { return meshes::read_ply(std::as_bytes(std::span(file.data(), file.size()))); }
+inline meshes::PolygonMesh read(std::string_view file)
+{
+    return meshes::read_ply(std::as_bytes(std::span(file.data(), file.size())));
+}
 
-inline bool is_same(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (std::isnan(a) && std::isnan(b)); }
+inline bool is_same(float a, float b)
+{
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (std::isnan(a) && std::isnan(b));
+}
 
 inline bool is_same(const meshes::PolygonMesh& a, const meshes::PolygonMesh& b)
 {
@@ -21,8 +27,8 @@ inline bool is_same(const meshes::PolygonMesh& a, const meshes::PolygonMesh& b)
     return true;
 }
 
-/// Whatever the bytes are: they are refused by a PlyError, or they are a mesh with good indices that every format gives back bit for bit.
-/// Returns whether they were read. Throws std::logic_error where this does not hold.
+/// Whatever the bytes are: they are refused by a PlyError, or they are a mesh with good indices that every format gives
+/// back bit for bit. Returns whether they were read. Throws std::logic_error where this does not hold.
 inline bool holds_for(std::string_view file)
 {
     meshes::PolygonMesh mesh;
@@ -34,8 +40,10 @@ inline bool holds_for(std::string_view file)
     for (const auto& face : mesh.faces)
         for (const std::uint32_t corner : face)
             if (corner >= mesh.positions.size()) throw std::logic_error("a corner that is no vertex was read");
-    for (const auto format : {meshes::PlyFormat::ascii, meshes::PlyFormat::little_endian, meshes::PlyFormat::big_endian})
-        if (!is_same(read(meshes::write_ply(mesh, format)), mesh)) throw std::logic_error("written and read back, the mesh is another");
+    for (const auto format :
+         {meshes::PlyFormat::ascii, meshes::PlyFormat::little_endian, meshes::PlyFormat::big_endian})
+        if (!is_same(read(meshes::write_ply(mesh, format)), mesh))
+            throw std::logic_error("written and read back, the mesh is another");
     return true;
 }
 

@@ -19,7 +19,8 @@ constexpr std::size_t signature = 8;
 
 std::uint32_t big_endian(const std::uint8_t* at)
 {
-    return std::uint32_t{at[0]} << 24U | std::uint32_t{at[1]} << 16U | std::uint32_t{at[2]} << 8U | std::uint32_t{at[3]};
+    return std::uint32_t{at[0]} << 24U | std::uint32_t{at[1]} << 16U | std::uint32_t{at[2]} << 8U |
+           std::uint32_t{at[3]};
 }
 
 /// A file in memory, since pictures are read by path.
@@ -42,7 +43,8 @@ private:
 bool promises_much(const std::uint8_t* data, std::size_t size)
 {
     constexpr std::size_t width = signature + 8;
-    return size >= width + 8 && std::uint64_t{big_endian(data + width)} * big_endian(data + width + 4) > (std::uint64_t{1} << 20U) &&
+    return size >= width + 8 &&
+           std::uint64_t{big_endian(data + width)} * big_endian(data + width + 4) > (std::uint64_t{1} << 20U) &&
            std::uint64_t{big_endian(data + width)} * big_endian(data + width + 4) <= maximum_png_pixels;
 }
 
@@ -64,7 +66,8 @@ std::uint32_t sum_of(const std::uint8_t* bytes, std::size_t size)
 
 }
 
-// Chunks whose sums do not hold are refused at once: the sums are put right after each mutation, or nothing behind them is ever tried.
+// Chunks whose sums do not hold are refused at once: the sums are put right after each mutation, or nothing behind them
+// is ever tried.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t maximum, unsigned seed)
 {
     size = LLVMFuzzerMutate(data, size, maximum);
@@ -87,8 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     (void)tests::reads<std::runtime_error>([&] {
         const Image image = read_png(file.path());
         tests::expect(image.width > 0 && image.height > 0, "a picture without pixels");
-        tests::expect(image.cells.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
-                      "pixels that are not as many as the size says");
+        tests::expect(
+            image.cells.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+            "pixels that are not as many as the size says");
         tests::expect(image.cells.size() <= maximum_png_pixels, "a picture larger than the limit");
     });
     return 0;

@@ -6,8 +6,9 @@
 #include "model/recording.hpp"
 #include "text/printable.hpp"
 
-// Recordings, as hostile code leaves them. Two parts are cut out, so that what is left is short enough to try millions of: of the header's
-// text up to 255 bytes are there, after their number, and what lies between header and tensors is zero.
+// Recordings, as hostile code leaves them. Two parts are cut out, so that what is left is short enough to try millions
+// of: of the header's text up to 255 bytes are there, after their number, and what lies between header and tensors is
+// zero.
 namespace {
 
 using namespace umbral;
@@ -36,13 +37,18 @@ void check(const std::vector<std::byte>& bytes, const WantedTensors& wanted)
 {
     (void)tests::reads<DamagedRecording>([&] {
         const Recording recording = parse_recording(bytes, wanted);
-        tests::expect(printable(recording.text, 3 * recording.text.size() + 1) == recording.text, "a text that cannot be printed");
+        tests::expect(printable(recording.text, 3 * recording.text.size() + 1) == recording.text,
+                      "a text that cannot be printed");
         std::size_t sum = 0;
         for (const auto& [name, tensor] : recording.tensors) {
             tests::expect(printable(name, 3 * name.size()) == name, "a name that cannot be printed");
-            tests::expect(tensor.bytes.size() == tensor.count() * size_of(tensor.element), "values that are not as many as the shape says");
-            tests::expect(tensor.present.empty() || tensor.present.size() == tensor.cells(), "flags that are not as many as cells");
-            if (!wanted.empty()) tests::expect(wanted.contains(name) && tensor.cells() <= wanted.at(name), "a tensor that nobody asked for");
+            tests::expect(tensor.bytes.size() == tensor.count() * size_of(tensor.element),
+                          "values that are not as many as the shape says");
+            tests::expect(tensor.present.empty() || tensor.present.size() == tensor.cells(),
+                          "flags that are not as many as cells");
+            if (!wanted.empty())
+                tests::expect(wanted.contains(name) && tensor.cells() <= wanted.at(name),
+                              "a tensor that nobody asked for");
             sum += tensor.bytes.size() + tensor.present.size();
         }
         tests::expect(sum <= bytes.size(), "more values than bytes");

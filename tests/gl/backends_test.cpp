@@ -78,11 +78,13 @@ Bytes draw_into(GLenum color_format, GLenum depth_format, int samples)
     glClearColor(0.1F, 0.2F, 0.3F, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
-    const Program program(
-        vertex_source("#version 330\nin vec3 position; out vec3 place;\nvoid main() { place = position; gl_Position = vec4(position, 1.0); }\n"),
-        fragment_source(
-            "#version 330\nin vec3 place; out vec4 result;\nvoid main() { result = vec4(pow(abs(sin(7.3 * place)), vec3(1.7)), exp(-place.x)); }\n"));
-    Mesh(std::array{glm::vec3(-0.9F, -0.8F, -0.7F), glm::vec3(0.95F, -0.2F, 0.6F), glm::vec3(-0.1F, 0.85F, 0.1F)}, {}, std::array{0U, 1U, 2U}).draw(program);
+    const Program program(vertex_source("#version 330\nin vec3 position; out vec3 place;\nvoid main() { place = "
+                                        "position; gl_Position = vec4(position, 1.0); }\n"),
+                          fragment_source("#version 330\nin vec3 place; out vec4 result;\nvoid main() { result = "
+                                          "vec4(pow(abs(sin(7.3 * place)), vec3(1.7)), exp(-place.x)); }\n"));
+    Mesh(std::array{glm::vec3(-0.9F, -0.8F, -0.7F), glm::vec3(0.95F, -0.2F, 0.6F), glm::vec3(-0.1F, 0.85F, 0.1F)}, {},
+         std::array{0U, 1U, 2U})
+        .draw(program);
     glDisable(GL_DEPTH_TEST);
 
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frames[0]);
@@ -109,7 +111,10 @@ std::string text_of(const std::string& path)
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-Image draw_projections() { return draw_scene(glm::lookAt(glm::vec3(2.6F, 2.1F, 4.3F), glm::vec3(0, 0.2F, 0), glm::vec3(0, 1, 0))); }
+Image draw_projections()
+{
+    return draw_scene(glm::lookAt(glm::vec3(2.6F, 2.1F, 4.3F), glm::vec3(0, 0.2F, 0), glm::vec3(0, 1, 0)));
+}
 
 /// Every scene there is, drawn in the current context.
 Gallery gallery()
@@ -122,21 +127,27 @@ Gallery gallery()
         all["fixed function"] = bytes_of(frame.read_pixels().cells);
         all["depth"] = bytes_of(frame.read_depth().cells);
     }
-    const std::pair<GLenum, GLenum> formats[] = {{GL_RGBA8, GL_DEPTH_COMPONENT24},     {GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT16},
-                                                 {GL_RGB10_A2, GL_DEPTH_COMPONENT32F}, {GL_RGBA16F, GL_DEPTH_COMPONENT24},
-                                                 {GL_RGBA32F, GL_DEPTH_COMPONENT32F},  {GL_R11F_G11F_B10F, GL_DEPTH_COMPONENT16}};
-    for (const auto& [color, depth] : formats) all["format " + std::to_string(color) + ", " + std::to_string(depth)] = draw_into(color, depth, 1);
+    const std::pair<GLenum, GLenum> formats[] = {
+        {GL_RGBA8, GL_DEPTH_COMPONENT24},     {GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT16},
+        {GL_RGB10_A2, GL_DEPTH_COMPONENT32F}, {GL_RGBA16F, GL_DEPTH_COMPONENT24},
+        {GL_RGBA32F, GL_DEPTH_COMPONENT32F},  {GL_R11F_G11F_B10F, GL_DEPTH_COMPONENT16}};
+    for (const auto& [color, depth] : formats)
+        all["format " + std::to_string(color) + ", " + std::to_string(depth)] = draw_into(color, depth, 1);
     all["multisampled"] = draw_into(GL_RGBA8, GL_DEPTH_COMPONENT24, 4);
 
     all["projections"] = bytes_of(draw_projections().cells);
 
     const std::string shaders = UMBRAL_SHADERS_REFERENCE;
-    const Case what{"test", Random(1), {{"phong.vert", text_of(shaders + "/phong.vert")}, {"phong.frag", text_of(shaders + "/phong.frag")}}};
+    const Case what{
+        "test",
+        Random(1),
+        {{"phong.vert", text_of(shaders + "/phong.vert")}, {"phong.frag", text_of(shaders + "/phong.frag")}}};
     const auto program = lighting::compile(what);
-    const std::map<std::string, lighting::Scene> scenes = {{"still life", lighting::still_life()},     {"diffuse sphere", lighting::diffuse_sphere()},
-                                                           {"exponents", lighting::exponents()},       {"near lamps", lighting::near_lamps()},
-                                                           {"eight lights", lighting::eight_lights()}, {"scaled", lighting::scaled_things()},
-                                                           {"coarse", lighting::coarse_sphere(true)},  {"bowls", lighting::bowls(false)}};
+    const std::map<std::string, lighting::Scene> scenes = {
+        {"still life", lighting::still_life()},     {"diffuse sphere", lighting::diffuse_sphere()},
+        {"exponents", lighting::exponents()},       {"near lamps", lighting::near_lamps()},
+        {"eight lights", lighting::eight_lights()}, {"scaled", lighting::scaled_things()},
+        {"coarse", lighting::coarse_sphere(true)},  {"bowls", lighting::bowls(false)}};
     for (const auto& [name, scene] : scenes) all[name] = bytes_of(lighting::draw(scene, *program).cells);
     check_errors("drawing every scene");
     return all;
@@ -206,14 +217,16 @@ TEST(Backends, TraceTheSameCalls)
     EXPECT_EQ(traces[0].counts, traces[1].counts);
     EXPECT_EQ(traces[0].uploaded_bytes, traces[1].uploaded_bytes);
     ASSERT_EQ(traces[0].calls.size(), traces[1].calls.size());
-    for (std::size_t i = 0; i < traces[0].calls.size(); ++i) EXPECT_EQ(traces[0].calls[i].name, traces[1].calls[i].name) << i;
+    for (std::size_t i = 0; i < traces[0].calls.size(); ++i)
+        EXPECT_EQ(traces[0].calls[i].name, traces[1].calls[i].name) << i;
 }
 
 TEST(Backends, KeepTheirLibrariesPrivate)
 {
     const OffscreenContext osmesa(BackendKind::osmesa);
     const OffscreenContext egl(BackendKind::egl);
-    for (const char* name : {"OSMesaCreateContext", "eglInitialize"}) EXPECT_EQ(dlsym(RTLD_DEFAULT, name), nullptr) << name;
+    for (const char* name : {"OSMesaCreateContext", "eglInitialize"})
+        EXPECT_EQ(dlsym(RTLD_DEFAULT, name), nullptr) << name;
     Dl_info place{};
     ASSERT_NE(dladdr(dlsym(RTLD_DEFAULT, "glClear"), &place), 0);
     EXPECT_NE(std::string(place.dli_fname).find("libumbral-gl"), std::string::npos) << place.dli_fname;
@@ -252,7 +265,8 @@ TEST_F(Choice, RefusesOthersByNamingBoth)
             (void)default_backend();
             FAIL() << wrong << " was taken";
         } catch (const std::runtime_error& error) {
-            EXPECT_EQ(std::string(error.what()), "UMBRAL_GL is '" + std::string(wrong) + "': expected osmesa or egl, or unset the variable");
+            EXPECT_EQ(std::string(error.what()),
+                      "UMBRAL_GL is '" + std::string(wrong) + "': expected osmesa or egl, or unset the variable");
         }
     }
 }

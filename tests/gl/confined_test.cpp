@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "batch/workshop.hpp"
+#include "batch/worker.hpp"
 #include "support/workbench.hpp"
 
 // Drawing in a run as every student's: a fork of a warm spawner, behind Landlock and seccomp.
@@ -13,7 +13,8 @@ RunOutcome run_shaders(const Workbench& bench, const std::string& back_end, cons
     EXPECT_TRUE(spawner.gl().starts_with(back_end == "egl" ? "EGL: " : "OSMesa: ")) << spawner.gl();
     RunRequest request;
     request.driver = unit_folder(bench.tools(), "lighting/shaders") / "driver.so";
-    for (const char* file : {"phong.vert", "phong.frag"}) request.sources[file] = project_file(std::string("reference/lighting/shaders/") + file);
+    for (const char* file : {"phong.vert", "phong.frag"})
+        request.sources[file] = project_file(std::string("reference/lighting/shaders/") + file);
     request.case_name = case_name;
     request.stream = 7;
     request.limits = {.wall_seconds = 60, .memory_mib = 512};

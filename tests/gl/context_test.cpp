@@ -48,7 +48,8 @@ TEST_F(Context, SurvivesDestructionWithDrawingPending)
     for (int i = 0; i < 3; ++i) {
         OffscreenContext pending;
         glBegin(GL_TRIANGLES);
-        for (int corner = 0; corner < 300; ++corner) glVertex3f(static_cast<float>(corner % 3), static_cast<float>(corner % 2), 0);
+        for (int corner = 0; corner < 300; ++corner)
+            glVertex3f(static_cast<float>(corner % 3), static_cast<float>(corner % 2), 0);
         glEnd();
     }
     SUCCEED();

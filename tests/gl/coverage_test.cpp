@@ -7,7 +7,8 @@
 #include "fixture.hpp"
 #include "pixels.hpp"
 
-// Which pixels Mesa covers, and which the reference of pipeline/rasterize-triangle: two rasterisers that share nothing but the rule.
+// Which pixels Mesa covers, and which the reference of pipeline/rasterize-triangle: two rasterisers that share nothing
+// but the rule.
 namespace umbral::pipeline {
 namespace {
 
@@ -26,8 +27,8 @@ struct Coverage {
     std::size_t covered_twice = 0;
 };
 
-/// Drawn by OpenGL. Window coordinates of a framebuffer begin at its first row in memory, here as in OpenGL; that OpenGL calls that row the
-/// bottom is a matter of names: "left and bottom edges" there are "left and top edges" here.
+/// Drawn by OpenGL. Window coordinates of a framebuffer begin at its first row in memory, here as in OpenGL; that
+/// OpenGL calls that row the bottom is a matter of names: "left and bottom edges" there are "left and top edges" here.
 Coverage drawn(const gl::Framebuffer& target, const gl::Program& program, const std::vector<Corners>& triangles)
 {
     const glm::vec2 half(0.5F * static_cast<float>(target.width()), 0.5F * static_cast<float>(target.height()));
@@ -88,7 +89,8 @@ struct Comparison {
     std::size_t different = 0;
 
     /// Draws them in both ways; the pixels that differ.
-    std::vector<glm::ivec2> add(const gl::Framebuffer& target, const gl::Program& program, const std::vector<Corners>& some)
+    std::vector<glm::ivec2> add(const gl::Framebuffer& target, const gl::Program& program,
+                                const std::vector<Corners>& some)
     {
         const Coverage gl = drawn(target, program, some);
         const Coverage ours = rasterized(some, target.width(), target.height());
@@ -111,7 +113,8 @@ struct Comparison {
     }
 };
 
-/// One triangle in each tile of a picture, its corners anywhere in the tile: `corner()` gives one from its lower corner's.
+/// One triangle in each tile of a picture, its corners anywhere in the tile: `corner()` gives one from its lower
+/// corner's.
 template <class Corner>
 std::vector<Corners> tiled(int size, Corner corner)
 {
@@ -145,14 +148,16 @@ TEST_F(CoverageTest, CornersOnTheGrid)
         for (int round = 0; round < 5; ++round)
             comparison.add(target, program, tiled(1024, [&] {
                                const float x = on_grid(random, 0, tile + 1, parts);
-                               return glm::vec2(std::min(x, 16.0F), std::min(on_grid(random, 0, tile + 1, parts), 16.0F));
+                               return glm::vec2(std::min(x, 16.0F),
+                                                std::min(on_grid(random, 0, tile + 1, parts), 16.0F));
                            }));
         comparison.report(("corners in 1/" + std::to_string(parts) + " pixel").c_str());
         EXPECT_EQ(comparison.different, 0U) << "seed " << seed;
     }
 }
 
-// Corners in 1/16384 pixel, exact on their way through the viewport transform, so that only the rounding to 1/256 is compared; half of them are ties.
+// Corners in 1/16384 pixel, exact on their way through the viewport transform, so that only the rounding to 1/256 is
+// compared; half of them are ties.
 TEST_F(CoverageTest, CornersBetweenGridPoints)
 {
     const gl::Framebuffer target(256, 256);
@@ -171,7 +176,8 @@ TEST_F(CoverageTest, CornersBetweenGridPoints)
     EXPECT_EQ(comparison.different, 0U) << "seed " << seed;
 }
 
-// Large triangles, one at a time: in llvmpipe those above 128 pixels take another way through the rasteriser than small ones.
+// Large triangles, one at a time: in llvmpipe those above 128 pixels take another way through the rasteriser than small
+// ones.
 TEST_F(CoverageTest, LargeTriangles)
 {
     const gl::Framebuffer target(1024, 1024);
@@ -188,8 +194,9 @@ TEST_F(CoverageTest, LargeTriangles)
     EXPECT_EQ(comparison.different, 0U) << "seed " << seed;
 }
 
-// Triangles that reach beyond the picture: Mesa clips them at its border, and rounds the new corners to 1/256 pixel as any others, which
-// moves an edge by half of that in each coordinate at most. Only pixels whose centre lies so close to an edge may differ.
+// Triangles that reach beyond the picture: Mesa clips them at its border, and rounds the new corners to 1/256 pixel as
+// any others, which moves an edge by half of that in each coordinate at most. Only pixels whose centre lies so close to
+// an edge may differ.
 TEST_F(CoverageTest, CornersOutside)
 {
     const gl::Framebuffer target(64, 64);
@@ -203,7 +210,8 @@ TEST_F(CoverageTest, CornersOutside)
                 corner.y = on_grid(random, -reach, reach + 64, 256);
             }
             for (const glm::ivec2 pixel : comparison.add(target, program, {corners}))
-                EXPECT_LE(distance_to_edges(corners, glm::dvec2(pixel) + 0.5), moved) << "seed " << seed << ", pixel " << pixel.x << ", " << pixel.y;
+                EXPECT_LE(distance_to_edges(corners, glm::dvec2(pixel) + 0.5), moved)
+                    << "seed " << seed << ", pixel " << pixel.x << ", " << pixel.y;
         }
         comparison.report(("corners up to " + std::to_string(reach) + " pixels outside").c_str());
         EXPECT_LE(10'000 * comparison.different, comparison.pixels) << "seed " << seed;

@@ -94,7 +94,8 @@ TEST_F(DrawDeferred, LeavesTheStateAndNoObjects)
 {
     const Canvas canvas(16);
     const auto clean = [] {
-        return state_of(GL_VERTEX_ARRAY_BINDING) == 0 && state_of(GL_ARRAY_BUFFER_BINDING) == 0 && state_of(GL_ELEMENT_ARRAY_BUFFER_BINDING) == 0;
+        return state_of(GL_VERTEX_ARRAY_BINDING) == 0 && state_of(GL_ARRAY_BUFFER_BINDING) == 0 &&
+               state_of(GL_ELEMENT_ARRAY_BUFFER_BINDING) == 0;
     };
     const float program = state_of(GL_CURRENT_PROGRAM);
     ASSERT_TRUE(clean());

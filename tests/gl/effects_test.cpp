@@ -9,7 +9,8 @@
 
 #include "elf.hpp"
 
-// What each function of the generated interface does with the application's memory, so that no way to move data is overlooked.
+// What each function of the generated interface does with the application's memory, so that no way to move data is
+// overlooked.
 namespace umbral::gl {
 namespace {
 
@@ -23,9 +24,11 @@ std::string text_of(const char* path)
 const std::vector<generate::Prototype>& functions()
 {
     static const std::vector<generate::Prototype> all = [] {
-        std::vector<generate::Prototype> list = generate::prototypes(generate::without_comments(text_of(UMBRAL_GL_HEADERS "/GL/gl.h")));
+        std::vector<generate::Prototype> list =
+            generate::prototypes(generate::without_comments(text_of(UMBRAL_GL_HEADERS "/GL/gl.h")));
         const std::string later = generate::without_comments(text_of(UMBRAL_GL_HEADERS "/GL/glext.h"));
-        for (generate::Prototype& each : generate::prototypes(generate::core_versions(later, 4, 5))) list.push_back(std::move(each));
+        for (generate::Prototype& each : generate::prototypes(generate::core_versions(later, 4, 5)))
+            list.push_back(std::move(each));
         return list;
     }();
     return all;
@@ -34,7 +37,8 @@ const std::vector<generate::Prototype>& functions()
 bool takes_or_gives_a_pointer(const generate::Prototype& function)
 {
     const auto is_pointer = [](const std::string& text) {
-        return text.find('*') != std::string::npos || text.find('[') != std::string::npos || text.find("PROC") != std::string::npos;
+        return text.find('*') != std::string::npos || text.find('[') != std::string::npos ||
+               text.find("PROC") != std::string::npos;
     };
     if (is_pointer(function.result)) return true;
     for (const generate::Parameter& parameter : function.parameters)
@@ -59,7 +63,8 @@ TEST(Effects, EveryFunctionWithAPointerIsClassified)
         if (!takes_or_gives_a_pointer(function)) continue;
         ++pointers;
         EXPECT_NE(effect_of(function.name), Effect::none)
-            << function.name << " takes or gives a pointer: say in framework/umbral/gl/effects.cpp what it does with it";
+            << function.name
+            << " takes or gives a pointer: say in framework/umbral/gl/effects.cpp what it does with it";
     }
     EXPECT_GT(pointers, 400U);
 }
@@ -71,8 +76,10 @@ TEST(Effects, FunctionsThatMoveDataInTakeAPointerOrAreSharedMemory)
         if (effect == Effect::uploads || effect == Effect::array || effect == Effect::points) {
             EXPECT_TRUE(takes_or_gives_a_pointer(function)) << function.name;
         }
-        const bool text = function.name.find("Data") != std::string::npos || function.name.find("Image") != std::string::npos;
-        const bool inside = function.name.find("Copy") != std::string::npos || function.name.find("Get") != std::string::npos;
+        const bool text =
+            function.name.find("Data") != std::string::npos || function.name.find("Image") != std::string::npos;
+        const bool inside =
+            function.name.find("Copy") != std::string::npos || function.name.find("Get") != std::string::npos;
         if (text && !inside && takes_or_gives_a_pointer(function) && effect != Effect::objects) {
             EXPECT_EQ(effect, Effect::uploads) << function.name;
         }
@@ -85,13 +92,17 @@ TEST(Effects, SizesAreWhereTheHeaderHasThem)
         const FunctionRule* rule = rule_of(function.name);
         if (rule == nullptr || (rule->effect != Effect::uploads && rule->effect != Effect::array)) continue;
         const Size& size = rule->size;
-        const auto declared = [&](std::size_t i) { return i < function.parameters.size() ? function.parameters[i].declaration : std::string("nothing"); };
+        const auto declared = [&](std::size_t i) {
+            return i < function.parameters.size() ? function.parameters[i].declaration : std::string("nothing");
+        };
         ASSERT_NE(size.kind, Size::Kind::none) << function.name;
         if (size.kind != Size::Kind::fixed && size.kind != Size::Kind::uniforms) {
-            EXPECT_NE(declared(size.pointer).find('*'), std::string::npos) << function.name << ": " << declared(size.pointer);
+            EXPECT_NE(declared(size.pointer).find('*'), std::string::npos)
+                << function.name << ": " << declared(size.pointer);
         }
         if (size.kind == Size::Kind::bytes) {
-            EXPECT_TRUE(declared(size.first).find("ize") != std::string::npos || declared(size.first).find("length") != std::string::npos)
+            EXPECT_TRUE(declared(size.first).find("ize") != std::string::npos ||
+                        declared(size.first).find("length") != std::string::npos)
                 << function.name << ": " << declared(size.first);
         }
         if (size.kind == Size::Kind::uniforms) {
@@ -105,7 +116,8 @@ TEST(Effects, SizesAreWhereTheHeaderHasThem)
             const std::vector<std::string> extents = {"width", "height", "depth"};
             for (std::size_t i = 0; i < size.dimensions; ++i) {
                 const std::string extent = declared(size.first + i);
-                EXPECT_TRUE(extent.find(extents[i]) != std::string::npos || extent.find("count") != std::string::npos) << function.name << ": " << extent;
+                EXPECT_TRUE(extent.find(extents[i]) != std::string::npos || extent.find("count") != std::string::npos)
+                    << function.name << ": " << extent;
             }
         }
     }
@@ -123,7 +135,8 @@ TEST(Effects, AVendorsSuffixChangesNothing)
     EXPECT_FALSE(is_always_seen("glVertex3f"));
 }
 
-// Whoever cannot name a function cannot call it: what the library gives out is what was classified, and nothing finds more.
+// Whoever cannot name a function cannot call it: what the library gives out is what was classified, and nothing finds
+// more.
 TEST(Effects, NothingElseIsHandedOut)
 {
     std::set<std::string> generated;
@@ -135,7 +148,8 @@ TEST(Effects, NothingElseIsHandedOut)
     }
     for (const generate::Prototype& function : functions())
         if (function.result.find('*') != std::string::npos) {
-            EXPECT_TRUE(function.name.starts_with("glGetString") || function.name.starts_with("glMap")) << function.name;
+            EXPECT_TRUE(function.name.starts_with("glGetString") || function.name.starts_with("glMap"))
+                << function.name;
         }
 }
 

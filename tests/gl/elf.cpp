@@ -16,9 +16,11 @@ public:
     {
         std::ifstream file(path, std::ios::binary);
         bytes_.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-        if (bytes_.size() < sizeof(Elf64_Ehdr) || std::memcmp(bytes_.data(), ELFMAG, SELFMAG) != 0) throw std::runtime_error(path + ": no ELF file");
+        if (bytes_.size() < sizeof(Elf64_Ehdr) || std::memcmp(bytes_.data(), ELFMAG, SELFMAG) != 0)
+            throw std::runtime_error(path + ": no ELF file");
         const auto header = read<Elf64_Ehdr>(0);
-        for (std::size_t i = 0; i < header.e_shnum; ++i) sections.push_back(read<Elf64_Shdr>(header.e_shoff + i * sizeof(Elf64_Shdr)));
+        for (std::size_t i = 0; i < header.e_shnum; ++i)
+            sections.push_back(read<Elf64_Shdr>(header.e_shoff + i * sizeof(Elf64_Shdr)));
         names_ = sections.at(header.e_shstrndx).sh_offset;
     }
 
@@ -69,7 +71,8 @@ Exports read_exports(const std::string& path)
             const std::string name = file.text(strings + symbol.st_name);
             if (ELF64_ST_BIND(symbol.st_info) == STB_GNU_UNIQUE) found.unique.push_back(name);
             if (ELF64_ST_TYPE(symbol.st_info) == STT_FUNC) found.functions.push_back(name);
-            if (ELF64_ST_TYPE(symbol.st_info) == STT_OBJECT && stays_writable(file, symbol)) found.writable_data.push_back(name);
+            if (ELF64_ST_TYPE(symbol.st_info) == STT_OBJECT && stays_writable(file, symbol))
+                found.writable_data.push_back(name);
         }
     }
     if (found.functions.empty()) throw std::runtime_error(path + ": exports no function");

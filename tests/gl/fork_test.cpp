@@ -24,10 +24,12 @@ Image draw()
     const Framebuffer target(size, size);
     target.clear({0.2F, 0.4F, 0.6F, 1});
     glEnable(GL_DEPTH_TEST);
-    const Program program(
-        vertex_source("#version 330\nin vec3 position; out vec3 place;\nvoid main() { place = position; gl_Position = vec4(position, 1.0); }\n"),
-        fragment_source("#version 330\nin vec3 place; out vec4 result;\nvoid main() { float r = length(place.xy); if (r > 0.95) discard;\n"
-                        "result = vec4(pow(vec3(0.5) + 0.5 * cos(vec3(9.0, 11.0, 13.0) * r), vec3(2.2)), 1.0); gl_FragDepth = r; }\n"));
+    const Program program(vertex_source("#version 330\nin vec3 position; out vec3 place;\nvoid main() { place = "
+                                        "position; gl_Position = vec4(position, 1.0); }\n"),
+                          fragment_source("#version 330\nin vec3 place; out vec4 result;\nvoid main() { float r = "
+                                          "length(place.xy); if (r > 0.95) discard;\n"
+                                          "result = vec4(pow(vec3(0.5) + 0.5 * cos(vec3(9.0, 11.0, 13.0) * r), "
+                                          "vec3(2.2)), 1.0); gl_FragDepth = r; }\n"));
     rectangle(-1, 1, -1, 1).draw(program);
     return target.read_pixels();
 }
@@ -69,7 +71,8 @@ TEST_F(Forks, ChildrenDrawTheSamePixels)
     EXPECT_GT(own.at(size / 2, size / 2).r, 240);
 }
 
-// A child has only the thread that forked: the driver must not wait for others. (An empty shader cache on the disk is what made it hang.)
+// A child has only the thread that forked: the driver must not wait for others. (An empty shader cache on the disk is
+// what made it hang.)
 TEST_F(Forks, TheDriverStartsNoThreads)
 {
     (void)draw();

@@ -41,7 +41,8 @@ TEST_F(Pixels, CoverageAndRowOrderAreAsComputedByHand)
     rectangle(4.0F / 31 * 2 - 1, 20.0F / 31 * 2 - 1, 1 - 9.0F / 17 * 2, 1 - 2.0F / 17 * 2).draw(program);
     const Image picture = target.read_pixels();
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) EXPECT_EQ(picture.at(x, y), x >= 4 && x < 20 && y >= 2 && y < 9 ? red : blue) << x << ", " << y;
+        for (int x = 0; x < width; ++x)
+            EXPECT_EQ(picture.at(x, y), x >= 4 && x < 20 && y >= 2 && y < 9 ? red : blue) << x << ", " << y;
 }
 
 TEST_F(Pixels, DepthIsReadTopRowFirst)

@@ -23,7 +23,8 @@ std::set<std::string> core_functions()
     std::set<std::string> names;
     for (std::string line; std::getline(header, line) && line.find("#ifndef GL_VERSION_4_6") == std::string::npos;) {
         const std::size_t start = line.find("APIENTRY gl");
-        if (line.starts_with("GLAPI") && start != std::string::npos) names.insert(line.substr(start + 9, line.find(' ', start + 9) - start - 9));
+        if (line.starts_with("GLAPI") && start != std::string::npos)
+            names.insert(line.substr(start + 9, line.find(' ', start + 9) - start - 9));
     }
     return names;
 }
@@ -40,8 +41,9 @@ TEST(Library, ExportsCompatibilityFunctions)
 {
     const std::set<std::string> exported(exports().functions.begin(), exports().functions.end());
     for (const char* name :
-         {"glBegin", "glEnd", "glVertex4dv", "glLightfv", "glLightModeli", "glMaterialfv", "glColorMaterial", "glShadeModel", "glTexGenfv", "glFrustum",
-          "glMultTransposeMatrixf", "glRenderMode", "glSelectBuffer", "glPushName", "glVertexPointer", "glCallList", "glWindowPos3fv", "glActiveTexture"})
+         {"glBegin", "glEnd", "glVertex4dv", "glLightfv", "glLightModeli", "glMaterialfv", "glColorMaterial",
+          "glShadeModel", "glTexGenfv", "glFrustum", "glMultTransposeMatrixf", "glRenderMode", "glSelectBuffer",
+          "glPushName", "glVertexPointer", "glCallList", "glWindowPos3fv", "glActiveTexture"})
         EXPECT_TRUE(exported.contains(name)) << name;
 }
 
@@ -56,7 +58,8 @@ TEST(Library, HoldsNoStateThatOthersCouldReach)
 TEST(Library, LinksNoDriver)
 {
     for (const std::string& library : exports().needed)
-        for (const char* driver : {"OSMesa", "libGL", "OpenGL", "EGL", "GLX"}) EXPECT_EQ(library.find(driver), std::string::npos) << library;
+        for (const char* driver : {"OSMesa", "libGL", "OpenGL", "EGL", "GLX"})
+            EXPECT_EQ(library.find(driver), std::string::npos) << library;
 }
 
 using LoadedDriver = GlTest;
@@ -72,7 +75,8 @@ TEST_F(LoadedDriver, StaysPrivate)
 
 TEST_F(LoadedDriver, AnswersThroughEveryVersion)
 {
-    // One function of each version that gives something back: the driver answers unknown names too, so an address proves nothing.
+    // One function of each version that gives something back: the driver answers unknown names too, so an address
+    // proves nothing.
     GLuint names[8] = {};
     glGenTextures(1, names);
     glGenQueries(1, names + 1);

@@ -19,7 +19,9 @@ std::string text_of(const std::string& path)
 
 Case case_with(const std::string& folder)
 {
-    return {"test", Random(1), {{"phong.vert", text_of(folder + "/phong.vert")}, {"phong.frag", text_of(folder + "/phong.frag")}}};
+    return {"test",
+            Random(1),
+            {{"phong.vert", text_of(folder + "/phong.vert")}, {"phong.frag", text_of(folder + "/phong.frag")}}};
 }
 Case reference() { return case_with(UMBRAL_SHADERS_REFERENCE); }
 
@@ -38,7 +40,8 @@ glm::dvec3 expected_color(const Probe& probe)
             reflected += glm::dvec3(material.diffuse) * dot(n, l);
             const glm::dvec3 sum = l + v;
             const double cosine = length(sum) > 0 ? std::max(0.0, dot(n, normalize(sum))) : 0;
-            const double power = length(sum) > 0 ? std::pow(cosine, double{material.shininess}) : 0;  // std::pow(0, 0) is 1
+            const double power =
+                length(sum) > 0 ? std::pow(cosine, double{material.shininess}) : 0;  // std::pow(0, 0) is 1
             reflected += glm::dvec3(material.specular) * power;
         }
         color += glm::dvec3(light.color) * reflected;
@@ -51,7 +54,8 @@ void expect_model(const std::vector<Probe>& probes, const gl::Program& program)
     const std::vector<glm::vec3> colors = colors_of(probes, program);
     ASSERT_EQ(colors.size(), probes.size());
     for (std::size_t i = 0; i < probes.size(); ++i)
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(colors[i][c], expected_color(probes[i])[c], 0.51 / 255) << "probe " << i << ", channel " << c;
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(colors[i][c], expected_color(probes[i])[c], 0.51 / 255) << "probe " << i << ", channel " << c;
 }
 
 using LightingShaders = gl::GlTest;
@@ -75,22 +79,28 @@ TEST_F(LightingShaders, WorkedNumberOfTheStatement)
     EXPECT_EQ(colors_of({probe}, *compile(reference())).front(), glm::vec3(215.0F / 255));
 }
 
-// Inside a bowl, flat and smooth shading look at the same side of the surface: with fine facets they are nearly one picture.
+// Inside a bowl, flat and smooth shading look at the same side of the surface: with fine facets they are nearly one
+// picture.
 TEST_F(LightingShaders, FlatAndSmoothAgreeOnFineMeshesSeenFromInside)
 {
     Scene scene = bowls(false);
-    scene.things = {{sphere(256, 128, 0.1F), placed({0, 0, 0}, glm::vec3(0.9F), 0.7F, {1, 0, 0}), plastic(glm::vec3(0.6F), 0.3F, 8)}};
+    scene.things = {{sphere(256, 128, 0.1F), placed({0, 0, 0}, glm::vec3(0.9F), 0.7F, {1, 0, 0}),
+                     plastic(glm::vec3(0.6F), 0.3F, 8)}};
     const auto program = compile(reference());
     const Image smooth = draw(scene, *program);
     scene.flat = true;
     const Image flat = draw(scene, *program);
     int far = 0;
-    for (std::size_t i = 0; i < smooth.cells.size(); ++i) far += std::abs(smooth.cells[i].r - flat.cells[i].r) > 6 ? 1 : 0;
+    for (std::size_t i = 0; i < smooth.cells.size(); ++i)
+        far += std::abs(smooth.cells[i].r - flat.cells[i].r) > 6 ? 1 : 0;
     EXPECT_LT(far, 200);  // of 65,536: the border of light and shadow, and the silhouette
     EXPECT_GT(smooth.at(128, 128).r, 60);
 }
 
-TEST_F(LightingShaders, StubCompilesAndFitsTheInterface) { EXPECT_NO_THROW((void)compile(case_with(UMBRAL_SHADERS_UNIT))); }
+TEST_F(LightingShaders, StubCompilesAndFitsTheInterface)
+{
+    EXPECT_NO_THROW((void)compile(case_with(UMBRAL_SHADERS_UNIT)));
+}
 
 TEST_F(LightingShaders, DriverRefusesOtherTypesByName)
 {
@@ -119,7 +129,8 @@ void expect_outward(const Shape& shape, const char* name)
         const glm::vec3 facet = cross(b - a, c - a);
         if (length(facet) < 1e-6F) continue;  // at a pole
         for (const std::size_t corner : {i, i + 1, i + 2})
-            ASSERT_GT(dot(normalize(facet), shape.normals[shape.indices[corner]]), 0.2F) << name << ", triangle " << i / 3;
+            ASSERT_GT(dot(normalize(facet), shape.normals[shape.indices[corner]]), 0.2F)
+                << name << ", triangle " << i / 3;
     }
 }
 
@@ -135,7 +146,8 @@ TEST(LightingShapes, TrianglesTurnRoundTheirNormals)
     expect_outward(waves(64, 0.035F), "waves");
     // Outwards, not only one way: away from the centre of the sphere.
     for (const Shape& ball : {sphere(24, 12), icosphere(1)})
-        for (std::size_t i = 0; i < ball.positions.size(); ++i) ASSERT_GT(dot(ball.positions[i], ball.normals[i]), 0.99F);
+        for (std::size_t i = 0; i < ball.positions.size(); ++i)
+            ASSERT_GT(dot(ball.positions[i], ball.normals[i]), 0.99F);
     const Shape ring = torus(48, 24, 0.33F);
     for (std::size_t i = 0; i < ring.positions.size(); ++i) {
         const glm::vec3 centre = normalize(glm::vec3(ring.positions[i].x, ring.positions[i].y, 0));

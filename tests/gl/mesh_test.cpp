@@ -23,10 +23,11 @@ TEST_F(Meshes, RefuseWrongSizesAndIndices)
 TEST_F(Meshes, FollowTheProgramsOwnPlaces)
 {
     const char* fragment = "#version 330\nin vec3 shade; out vec4 r; void main() { r = vec4(shade, 1.0); }\n";
-    const Program usual(
-        vertex_source("#version 330\nin vec3 position; in vec3 normal; out vec3 shade;\nvoid main() { shade = normal; gl_Position = vec4(position, 1.0); }\n"),
-        fragment_source(fragment));
-    const Program swapped(vertex_source("#version 330\nlayout(location = 5) in vec3 position; layout(location = 0) in vec3 normal; out vec3 shade;\n"
+    const Program usual(vertex_source("#version 330\nin vec3 position; in vec3 normal; out vec3 shade;\nvoid main() { "
+                                      "shade = normal; gl_Position = vec4(position, 1.0); }\n"),
+                        fragment_source(fragment));
+    const Program swapped(vertex_source("#version 330\nlayout(location = 5) in vec3 position; layout(location = 0) in "
+                                        "vec3 normal; out vec3 shade;\n"
                                         "void main() { shade = normal; gl_Position = vec4(position, 1.0); }\n"),
                           fragment_source(fragment));
     const std::array corners = {glm::vec3(-1, -1, 0), glm::vec3(3, -1, 0), glm::vec3(-1, 3, 0)};
@@ -53,7 +54,8 @@ TEST_F(Meshes, DrawTheirCornersAsPoints)
     mesh.draw_points(program);
     const Image picture = target.read_pixels();
     for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 4; ++x) EXPECT_EQ(picture.at(x, y).r, (x == 0 && y == 3) || (x == 2 && y == 1) ? 255 : 0) << x << ", " << y;
+        for (int x = 0; x < 4; ++x)
+            EXPECT_EQ(picture.at(x, y).r, (x == 0 && y == 3) || (x == 2 && y == 1) ? 255 : 0) << x << ", " << y;
 }
 
 TEST_F(Meshes, OutliveTheirContextWithoutHarm)

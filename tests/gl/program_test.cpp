@@ -25,7 +25,8 @@ std::pair<StudentError::Kind, std::string> error_of(const char* vertex, const ch
 
 TEST_F(Shaders, CompileErrorsNameTheStudentsFileAndLine)
 {
-    const auto [kind, text] = error_of(plain_vertex, "#version 330\nout vec4 result;\nvoid main()\n{\n    result = vec4(colour, 1.0);\n}\n");
+    const auto [kind, text] =
+        error_of(plain_vertex, "#version 330\nout vec4 result;\nvoid main()\n{\n    result = vec4(colour, 1.0);\n}\n");
     EXPECT_EQ(kind, StudentError::Kind::compile_error);
     EXPECT_NE(text.find("test.frag:5: error"), std::string::npos) << text;
     EXPECT_NE(text.find("colour"), std::string::npos) << text;
@@ -36,8 +37,9 @@ TEST_F(Shaders, CompileErrorsNameTheStudentsFileAndLine)
 
 TEST_F(Shaders, LinkErrorsAreTheStudentsToo)
 {
-    const auto [kind, text] = error_of("#version 330\nout vec3 shade;\nvoid main() { shade = vec3(1.0); gl_Position = vec4(0.0); }\n",
-                                       "#version 330\nin vec4 shade;\nout vec4 result;\nvoid main() { result = shade; }\n");
+    const auto [kind, text] =
+        error_of("#version 330\nout vec3 shade;\nvoid main() { shade = vec3(1.0); gl_Position = vec4(0.0); }\n",
+                 "#version 330\nin vec4 shade;\nout vec4 result;\nvoid main() { result = shade; }\n");
     EXPECT_EQ(kind, StudentError::Kind::compile_error);
     EXPECT_NE(text.find("shade"), std::string::npos) << text;
 }
@@ -67,14 +69,17 @@ std::string mismatch_of(const char* vertex, const char* fragment)
 
 TEST_F(Shaders, IntrospectionListsWhatIsUsed)
 {
-    const Program program(vertex_source("#version 330\nin vec3 position; uniform mat4 model; uniform float weights[4]; uniform vec2 unused;\n"
-                                        "void main() { gl_Position = model * vec4(position, weights[3] + float(gl_VertexID)); }\n"),
-                          fragment_source(plain_fragment));
+    const Program program(
+        vertex_source(
+            "#version 330\nin vec3 position; uniform mat4 model; uniform float weights[4]; uniform vec2 unused;\n"
+            "void main() { gl_Position = model * vec4(position, weights[3] + float(gl_VertexID)); }\n"),
+        fragment_source(plain_fragment));
     const Interface found = program.interface();
     ASSERT_EQ(found.attributes.size(), 1U);
     EXPECT_EQ(found.attributes[0], (Variable{"position", GL_FLOAT_VEC3, 1}));
     EXPECT_EQ(found.uniforms.size(), 3U);
-    EXPECT_NE(std::find(found.uniforms.begin(), found.uniforms.end(), Variable{"weights", GL_FLOAT, 4}), found.uniforms.end());
+    EXPECT_NE(std::find(found.uniforms.begin(), found.uniforms.end(), Variable{"weights", GL_FLOAT, 4}),
+              found.uniforms.end());
     EXPECT_EQ(missing_names(expected, found), std::vector<std::string>{"normal"});
     EXPECT_NO_THROW(program.require_interface(expected));
 }
@@ -82,24 +87,32 @@ TEST_F(Shaders, IntrospectionListsWhatIsUsed)
 TEST_F(Shaders, MismatchesNameWhatIsExpectedAndWhatCame)
 {
     EXPECT_EQ(mismatch_of(plain_vertex, plain_fragment), "");
-    EXPECT_EQ(mismatch_of(plain_vertex, "#version 330\nuniform vec3 color; out vec4 r; void main() { r = vec4(color, 1.0); }\n"),
+    EXPECT_EQ(mismatch_of(plain_vertex,
+                          "#version 330\nuniform vec3 color; out vec4 r; void main() { r = vec4(color, 1.0); }\n"),
               "your uniform is declared 'vec3 color', expected 'vec4 color'");
-    EXPECT_EQ(mismatch_of("#version 330\nin vec2 position; uniform float weights[5];\nvoid main() { gl_Position = vec4(position, weights[4], 1.0); }\n",
+    EXPECT_EQ(mismatch_of("#version 330\nin vec2 position; uniform float weights[5];\nvoid main() { gl_Position = "
+                          "vec4(position, weights[4], 1.0); }\n",
                           plain_fragment),
               "your attribute is declared 'vec2 position', expected 'vec3 position'\n"
               "your uniform is declared 'float weights[5]', expected 'float weights[4]'");
-    EXPECT_EQ(mismatch_of("#version 330\nin vec3 position; uniform mat4 modle;\nvoid main() { gl_Position = modle * vec4(position, 1.0); }\n", plain_fragment),
-              "your uniform 'mat4 modle' is not part of the interface, so nothing gives it a value; expected one of: color, weights, model");
+    EXPECT_EQ(mismatch_of("#version 330\nin vec3 position; uniform mat4 modle;\nvoid main() { gl_Position = modle * "
+                          "vec4(position, 1.0); }\n",
+                          plain_fragment),
+              "your uniform 'mat4 modle' is not part of the interface, so nothing gives it a value; expected one of: "
+              "color, weights, model");
 }
 
 TEST_F(Shaders, UniformsArriveInTheShader)
 {
     const Framebuffer target(1, 1);
     target.clear();
-    const Program program(vertex_source(plain_vertex),
-                          fragment_source("#version 330\nuniform mat4 model; uniform mat3 turn; uniform vec3 list[3]; uniform vec4 fours[2];\n"
-                                          "uniform float weights[3]; uniform int which; uniform vec2 pair; uniform float one;\nout vec4 result;\n"
-                                          "void main() { result = vec4(model[3][1] + turn[2][0] + one, list[which].z, weights[2] + pair.y, fours[1].w); }\n"));
+    const Program program(
+        vertex_source(plain_vertex),
+        fragment_source(
+            "#version 330\nuniform mat4 model; uniform mat3 turn; uniform vec3 list[3]; uniform vec4 fours[2];\n"
+            "uniform float weights[3]; uniform int which; uniform vec2 pair; uniform float one;\nout vec4 result;\n"
+            "void main() { result = vec4(model[3][1] + turn[2][0] + one, list[which].z, weights[2] + pair.y, "
+            "fours[1].w); }\n"));
     glm::mat4 model(0);
     model[3][1] = 0.2F;  // column 3, row 1, in GLM and in GLSL
     glm::mat3 turn(0);
@@ -123,7 +136,8 @@ TEST(ShaderLog, RenamesOnlyWhatNamesAPlace)
     EXPECT_EQ(with_file_name("0:12(5): error: x\n", "phong.frag"), "phong.frag:12: error: x");
     EXPECT_EQ(with_file_name("0(7) : error C1008: y\n", "phong.frag"), "phong.frag:7: error C1008: y");
     EXPECT_EQ(with_file_name("a note\n0:1(2): warning: w\n", "a.vert"), "a note\na.vert:1: warning: w");
-    for (const char* odd : {"0:12", "0:(5): z", "0:12(5)", "12", "0(7)", ":12(5): e", "0::1"}) EXPECT_EQ(with_file_name(odd, "f"), odd);
+    for (const char* odd : {"0:12", "0:(5): z", "0:12(5)", "12", "0(7)", ":12(5): e", "0::1"})
+        EXPECT_EQ(with_file_name(odd, "f"), odd);
     EXPECT_EQ(with_file_name("", "f"), "");
 }
 

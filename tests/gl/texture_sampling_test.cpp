@@ -10,7 +10,8 @@
 namespace umbral::texturing {
 namespace {
 
-/// Looks up one place for each pixel, in the order of `places`: a texture of coordinates, read without a filter, says where.
+/// Looks up one place for each pixel, in the order of `places`: a texture of coordinates, read without a filter, says
+/// where.
 const char* const sampling_fragment =
     "#version 330\nuniform sampler2D places;\nuniform sampler2D image;\nout vec4 result;\n"
     "void main() { result = textureLod(image, texelFetch(places, ivec2(gl_FragCoord.xy), 0).xy, 0.0); }\n";
@@ -24,7 +25,8 @@ public:
     {
         glGenTextures(1, &name_);
         glBindTexture(GL_TEXTURE_2D, name_);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rows.empty() ? nullptr : rows.data());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT,
+                     rows.empty() ? nullptr : rows.data());
         const GLint filter = sampler.filter == Filter::nearest ? GL_NEAREST : GL_LINEAR;
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
@@ -44,7 +46,8 @@ private:
 constexpr int side = 128;  ///< places a row of one draw
 
 /// The colours at side * side places.
-std::vector<glm::vec4> sampled(const Grid<glm::vec4>& texture, const Sampler& sampler, const std::vector<glm::vec2>& places)
+std::vector<glm::vec4> sampled(const Grid<glm::vec4>& texture, const Sampler& sampler,
+                               const std::vector<glm::vec2>& places)
 {
     std::vector<glm::vec4> upside_down;  // a grid begins at the top, OpenGL at the bottom
     for (int row = texture.height - 1; row >= 0; --row)
@@ -114,7 +117,8 @@ TEST_F(SamplingTest, NearestReadsTheSameTexels)
                     const glm::vec2 rest = where[i] * glm::vec2(size) - glm::round(where[i] * glm::vec2(size));
                     if (std::min(std::abs(rest.x), std::abs(rest.y)) < 1e-4F) continue;
                     ++compared;
-                    ASSERT_EQ(lookup(texture, sampler, where[i]), colours[i]) << "seed " << seed << ", at " << where[i].x << ", " << where[i].y;
+                    ASSERT_EQ(lookup(texture, sampler, where[i]), colours[i])
+                        << "seed " << seed << ", at " << where[i].x << ", " << where[i].y;
                 }
             }
     std::printf("%zu nearest texels, all the same\n", compared);

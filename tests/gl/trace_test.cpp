@@ -89,12 +89,14 @@ TEST_F(Traces, AreRecordedAsText)
     const Tensor& tensor = out.tensors().at("calls");
     const std::string text(reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size());
     EXPECT_EQ(text, "glGenBuffers 1 1\nglBindBuffer 34962 " + std::to_string(buffer) +
-                        "\nglBufferData 34962 120 1 35044 | 120\nglClearColor 0.100000001 -0.5 0 1\nglClear 16384\nglSampleMaski 0 4294967295\nglFlush\n");
+                        "\nglBufferData 34962 120 1 35044 | 120\nglClearColor 0.100000001 -0.5 0 1\nglClear "
+                        "16384\nglSampleMaski 0 4294967295\nglFlush\n");
     trace.calls.resize(1);
     trace.truncated = true;
     record_trace(out, "cut", trace);
     const Tensor& cut = out.tensors().at("cut");
-    EXPECT_EQ(std::string(reinterpret_cast<const char*>(cut.bytes.data()), cut.bytes.size()), "glGenBuffers 1 1\n...\n");
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(cut.bytes.data()), cut.bytes.size()),
+              "glGenBuffers 1 1\n...\n");
     EXPECT_THROW(record_trace(out, "cut", trace), std::logic_error);
 }
 
@@ -110,7 +112,8 @@ TEST_F(Traces, RefuseUnpairedMarks)
 // Sizes computed by hand from the formats' definitions.
 TEST(UploadSize, FollowsExtentFormatAndType)
 {
-    EXPECT_EQ(upload_size("glTexImage3D", {GL_TEXTURE_3D, 0, GL_RGBA8, 2, 3, 4, 0, GL_RGBA, GL_FLOAT, 1}), 2U * 3 * 4 * 16);
+    EXPECT_EQ(upload_size("glTexImage3D", {GL_TEXTURE_3D, 0, GL_RGBA8, 2, 3, 4, 0, GL_RGBA, GL_FLOAT, 1}),
+              2U * 3 * 4 * 16);
     EXPECT_EQ(upload_size("glTexImage1D", {GL_TEXTURE_1D, 0, GL_RED, 9, 0, GL_RED, GL_UNSIGNED_SHORT, 1}), 18U);
     EXPECT_EQ(upload_size("glTexSubImage2D", {GL_TEXTURE_2D, 0, 1, 1, 3, 5, GL_RGB, GL_UNSIGNED_SHORT_5_6_5, 1}), 30U);
     EXPECT_EQ(upload_size("glTexImage2D", {GL_TEXTURE_2D, 0, GL_RGB, 3, 5, 0, GL_RGB, GL_UNSIGNED_BYTE, 0}), 0U);

@@ -64,7 +64,8 @@ protected:
 TEST_F(Uploads, WhatIsMappedForWritingCountsWhole)
 {
     EXPECT_EQ(bytes_of([&] { (void)glMapNamedBuffer(buffer, GL_WRITE_ONLY), glUnmapNamedBuffer(buffer); }), 48U);
-    EXPECT_EQ(bytes_of([&] { (void)glMapBuffer(GL_ARRAY_BUFFER, GL_READ_WRITE), glUnmapBuffer(GL_ARRAY_BUFFER); }), 48U);
+    EXPECT_EQ(bytes_of([&] { (void)glMapBuffer(GL_ARRAY_BUFFER, GL_READ_WRITE), glUnmapBuffer(GL_ARRAY_BUFFER); }),
+              48U);
     EXPECT_EQ(bytes_of([&] {
                   (void)glMapBufferRange(GL_ARRAY_BUFFER, 12, 24, GL_MAP_WRITE_BIT);
                   glUnmapBuffer(GL_ARRAY_BUFFER);
@@ -106,7 +107,8 @@ TEST_F(Uploads, WhatStaysMappedCountsAtEachDraw)
 
 TEST_F(Uploads, PinnedMemoryCountsAtEachDraw)
 {
-    if (std::strstr(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), "GL_AMD_pinned_memory") == nullptr) GTEST_SKIP() << "this driver pins no memory";
+    if (std::strstr(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), "GL_AMD_pinned_memory") == nullptr)
+        GTEST_SKIP() << "this driver pins no memory";
     alignas(4096) static std::array<float, 1024> own = {};
     GLuint name = 0;
     glGenBuffers(1, &name);
@@ -157,7 +159,9 @@ TEST_F(Uploads, PicturesComeFromMemoryOrFromABuffer)
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    const auto replace = [](const void* pixels) { glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 2, 2, GL_RGBA, GL_UNSIGNED_BYTE, pixels); };
+    const auto replace = [](const void* pixels) {
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 2, 2, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    };
     EXPECT_EQ(bytes_of([&] { replace(corners.data()); }), 16U);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
     EXPECT_EQ(bytes_of([&] { replace(nullptr); }), 16U) << "the buffer's beginning, which is no null pointer";
@@ -171,7 +175,8 @@ TEST_F(Uploads, BuffersAreFilledInManyWays)
 {
     EXPECT_EQ(bytes_of([&] { glNamedBufferSubData(buffer, 0, 20, corners.data()); }), 20U);
     EXPECT_EQ(bytes_of([&] { glClearNamedBufferData(buffer, GL_R32F, GL_RED, GL_FLOAT, corners.data()); }), 4U);
-    EXPECT_EQ(bytes_of([&] { glClearBufferSubData(GL_ARRAY_BUFFER, GL_RG32F, 0, 16, GL_RG, GL_FLOAT, corners.data()); }), 8U);
+    EXPECT_EQ(
+        bytes_of([&] { glClearBufferSubData(GL_ARRAY_BUFFER, GL_RG32F, 0, 16, GL_RG, GL_FLOAT, corners.data()); }), 8U);
     GLuint other = 0;
     glGenBuffers(1, &other);
     glBindBuffer(GL_COPY_READ_BUFFER, other);

@@ -108,9 +108,11 @@ TEST(HeadlessLoop, CallbacksMustNotPoll)
 {
     Session session("1 scroll 0 1\n2 scroll 0 1");
     glfwSetScrollCallback(session.window, [](GLFWwindow*, double, double) { glfwPollEvents(); });
-    EXPECT_EQ(stopped_by([] { glfwWaitEvents(); }), "glfwPollEvents must not be called from a callback: GLFW's documentation forbids it");
+    EXPECT_EQ(stopped_by([] { glfwWaitEvents(); }),
+              "glfwPollEvents must not be called from a callback: GLFW's documentation forbids it");
     glfwSetScrollCallback(session.window, [](GLFWwindow* w, double, double) { glfwDestroyWindow(w); });
-    EXPECT_NE(stopped_by([] { glfwWaitEvents(); }).find("glfwDestroyWindow must not"), std::string::npos) << "and the session goes on after an exception";
+    EXPECT_NE(stopped_by([] { glfwWaitEvents(); }).find("glfwDestroyWindow must not"), std::string::npos)
+        << "and the session goes on after an exception";
 }
 
 TEST(HeadlessLoop, SessionsAreApart)

@@ -8,19 +8,31 @@ using Lines = std::vector<std::string>;
 
 void hear_everything(GLFWwindow* window)
 {
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) { Session::of(w).say("button " + words(button, action, mods)); });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { Session::of(w).say("cursor " + words(x, y)); });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { Session::of(w).say("scroll " + words(x, y)); });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) { Session::of(w).say("key " + words(key, action, mods)); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+        Session::of(w).say("button " + words(button, action, mods));
+    });
+    glfwSetCursorPosCallback(window,
+                             [](GLFWwindow* w, double x, double y) { Session::of(w).say("cursor " + words(x, y)); });
+    glfwSetScrollCallback(window,
+                          [](GLFWwindow* w, double x, double y) { Session::of(w).say("scroll " + words(x, y)); });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
+        Session::of(w).say("key " + words(key, action, mods));
+    });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code) { Session::of(w).say("char " + words(code)); });
-    glfwSetCharModsCallback(window, [](GLFWwindow* w, unsigned code, int mods) { Session::of(w).say("char with " + words(code, mods)); });
+    glfwSetCharModsCallback(
+        window, [](GLFWwindow* w, unsigned code, int mods) { Session::of(w).say("char with " + words(code, mods)); });
     glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int x, int y) { Session::of(w).say("size " + words(x, y)); });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int x, int y) { Session::of(w).say("framebuffer " + words(x, y)); });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) { Session::of(w).say("focus " + words(focused)); });
-    glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int iconified) { Session::of(w).say("iconify " + words(iconified)); });
-    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) { Session::of(w).say("enter " + words(entered)); });
+    glfwSetFramebufferSizeCallback(
+        window, [](GLFWwindow* w, int x, int y) { Session::of(w).say("framebuffer " + words(x, y)); });
+    glfwSetWindowFocusCallback(window,
+                               [](GLFWwindow* w, int focused) { Session::of(w).say("focus " + words(focused)); });
+    glfwSetWindowIconifyCallback(
+        window, [](GLFWwindow* w, int iconified) { Session::of(w).say("iconify " + words(iconified)); });
+    glfwSetCursorEnterCallback(window,
+                               [](GLFWwindow* w, int entered) { Session::of(w).say("enter " + words(entered)); });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { Session::of(w).say("refresh"); });
-    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) { Session::of(w).say("close " + words(glfwWindowShouldClose(w))); });
+    glfwSetWindowCloseCallback(window,
+                               [](GLFWwindow* w) { Session::of(w).say("close " + words(glfwWindowShouldClose(w))); });
 }
 
 Lines heard_from(const char* script, const HeadlessSettings& settings = {})
@@ -33,42 +45,52 @@ Lines heard_from(const char* script, const HeadlessSettings& settings = {})
 
 TEST(Headless, MouseCallbacks)
 {
-    EXPECT_EQ(heard_from("0 press left 12 8\n1 move 12 8\n2 move 13.5 -8\n3 release left\n4 press middle 1 1\n5 scroll 0.5 -2"),
-              (Lines{"cursor 12 8", "button 0 1 0", "cursor 13.5 -8", "button 0 0 0", "cursor 1 1", "button 2 1 0", "scroll 0.5 -2"}));
+    EXPECT_EQ(
+        heard_from(
+            "0 press left 12 8\n1 move 12 8\n2 move 13.5 -8\n3 release left\n4 press middle 1 1\n5 scroll 0.5 -2"),
+        (Lines{"cursor 12 8", "button 0 1 0", "cursor 13.5 -8", "button 0 0 0", "cursor 1 1", "button 2 1 0",
+               "scroll 0.5 -2"}));
 }
 
 // As under X11, modifier bits are those from before the event: Shift's own press has none, its release has its bit.
 TEST(Headless, KeysWithModifiersAndCharacters)
 {
+    EXPECT_EQ(heard_from("0 key LEFT_SHIFT press\n1 key 2 press\n2 press left\n3 key 2 release\n4 key LEFT_SHIFT "
+                         "release\n5 key A press\n6 key A repeat\n7 key A press"),
+              (Lines{"key 340 1 0", "key 50 1 1", "char with 64 1", "char 64", "button 0 1 1", "key 50 0 1",
+                     "key 340 0 1", "key 65 1 0", "char with 97 0", "char 97", "key 65 2 0", "char with 97 0",
+                     "char 97", "key 65 2 0", "char with 97 0", "char 97"}));
     EXPECT_EQ(
         heard_from(
-            "0 key LEFT_SHIFT press\n1 key 2 press\n2 press left\n3 key 2 release\n4 key LEFT_SHIFT release\n5 key A press\n6 key A repeat\n7 key A press"),
-        (Lines{"key 340 1 0", "key 50 1 1", "char with 64 1", "char 64", "button 0 1 1", "key 50 0 1", "key 340 0 1", "key 65 1 0", "char with 97 0", "char 97",
-               "key 65 2 0", "char with 97 0", "char 97", "key 65 2 0", "char with 97 0", "char 97"}));
-    EXPECT_EQ(heard_from("0 key RIGHT_CONTROL press\n1 key R press\n2 key LEFT_SUPER press\n3 key LEFT_ALT press\n4 key F1 press"),
-              (Lines{"key 345 1 0", "key 82 1 2", "char with 114 2", "key 343 1 2", "key 342 1 10", "key 290 1 14"}))
+            "0 key RIGHT_CONTROL press\n1 key R press\n2 key LEFT_SUPER press\n3 key LEFT_ALT press\n4 key F1 press"),
+        (Lines{"key 345 1 0", "key 82 1 2", "char with 114 2", "key 343 1 2", "key 342 1 10", "key 290 1 14"}))
         << "with Control there is no plain character";
-    EXPECT_EQ(heard_from("0 key R release\n1 char 241"), (Lines{"char with 241 0", "char 241"})) << "a key that was not down cannot go up";
+    EXPECT_EQ(heard_from("0 key R release\n1 char 241"), (Lines{"char with 241 0", "char 241"}))
+        << "a key that was not down cannot go up";
 }
 
 TEST(Headless, SizesInPixelsComeFirst)
 {
-    EXPECT_EQ(heard_from("0 resize 640 480\n1 resize 300 200\n2 resize 300 200\n3 resize 0 0", {.content_scale = {2, 1.5}}),
-              (Lines{"framebuffer 600 300", "size 300 200", "framebuffer 0 0", "size 0 0"}))
+    EXPECT_EQ(
+        heard_from("0 resize 640 480\n1 resize 300 200\n2 resize 300 200\n3 resize 0 0", {.content_scale = {2, 1.5}}),
+        (Lines{"framebuffer 600 300", "size 300 200", "framebuffer 0 0", "size 0 0"}))
         << "and only where something changes";
 }
 
-// "glfwSetWindowFocusCallback: after the callback is called, synthetic key and mouse button release events will be generated".
+// "glfwSetWindowFocusCallback: after the callback is called, synthetic key and mouse button release events will be
+// generated".
 TEST(Headless, LosingFocusReleasesEverything)
 {
-    EXPECT_EQ(heard_from("0 press right\n1 key R press\n2 focus off\n3 focus off\n4 key 1 press\n5 move 3 4\n6 focus on\n7 key R press"),
-              (Lines{"button 1 1 0", "key 82 1 0", "char with 114 0", "char 114", "focus 0", "key 82 0 0", "button 1 0 0", "cursor 3 4", "focus 1",
-                     "key 82 1 0", "char with 114 0", "char 114"}));
+    EXPECT_EQ(heard_from("0 press right\n1 key R press\n2 focus off\n3 focus off\n4 key 1 press\n5 move 3 4\n6 focus "
+                         "on\n7 key R press"),
+              (Lines{"button 1 1 0", "key 82 1 0", "char with 114 0", "char 114", "focus 0", "key 82 0 0",
+                     "button 1 0 0", "cursor 3 4", "focus 1", "key 82 1 0", "char with 114 0", "char 114"}));
 }
 
 TEST(Headless, WindowEvents)
 {
-    EXPECT_EQ(heard_from("0 iconify on\n1 iconify off\n2 enter off\n3 refresh\n4 close"), (Lines{"iconify 1", "iconify 0", "enter 0", "refresh", "close 1"}))
+    EXPECT_EQ(heard_from("0 iconify on\n1 iconify off\n2 enter off\n3 refresh\n4 close"),
+              (Lines{"iconify 1", "iconify 0", "enter 0", "refresh", "close 1"}))
         << "the close callback runs once the flag is set, so that it can take it back";
 }
 
@@ -110,7 +132,8 @@ TEST(Headless, StateIsThatOfTheLastEventDelivered)
     EXPECT_EQ(y, 8);
 }
 
-// "If GLFW_STICKY_KEYS is enabled, a key press will ensure that glfwGetKey returns GLFW_PRESS the next time it is called".
+// "If GLFW_STICKY_KEYS is enabled, a key press will ensure that glfwGetKey returns GLFW_PRESS the next time it is
+// called".
 TEST(Headless, StickyKeysAndButtons)
 {
     Session session("0 key R press\n0 key R release\n0 press right\n0 release right");
@@ -121,7 +144,8 @@ TEST(Headless, StickyKeysAndButtons)
     EXPECT_EQ(glfwGetKey(session.window, GLFW_KEY_R), GLFW_PRESS);
     EXPECT_EQ(glfwGetKey(session.window, GLFW_KEY_R), GLFW_RELEASE);
     glfwSetInputMode(session.window, GLFW_STICKY_MOUSE_BUTTONS, GLFW_FALSE);
-    EXPECT_EQ(glfwGetMouseButton(session.window, GLFW_MOUSE_BUTTON_RIGHT), GLFW_RELEASE) << "switched off, it is forgotten";
+    EXPECT_EQ(glfwGetMouseButton(session.window, GLFW_MOUSE_BUTTON_RIGHT), GLFW_RELEASE)
+        << "switched off, it is forgotten";
 }
 
 TEST(Headless, TheWindowIsWhatWasAskedFor)
@@ -160,7 +184,8 @@ TEST(Headless, ErrorsHaveGlfwsCodes)
     expect_error(GLFW_NOT_INITIALIZED);
     static std::vector<int> told;
     told.clear();
-    EXPECT_EQ(glfwSetErrorCallback([](int code, const char*) { told.push_back(code); }), nullptr) << "before glfwInit, as documented";
+    EXPECT_EQ(glfwSetErrorCallback([](int code, const char*) { told.push_back(code); }), nullptr)
+        << "before glfwInit, as documented";
     glfwInit();
     EXPECT_EQ(glfwCreateWindow(0, 10, "flat", nullptr, nullptr), nullptr);
     GLFWwindow* window = glfwCreateWindow(10, 10, "small", nullptr, nullptr);
@@ -170,19 +195,29 @@ TEST(Headless, ErrorsHaveGlfwsCodes)
     glfwWindowHint(1234, 0);
     glfwSwapInterval(1);
     glfwWaitEventsTimeout(-1);
-    EXPECT_EQ(told, (std::vector{GLFW_INVALID_VALUE, GLFW_INVALID_ENUM, GLFW_INVALID_ENUM, GLFW_INVALID_ENUM, GLFW_INVALID_ENUM, GLFW_NO_CURRENT_CONTEXT,
-                                 GLFW_INVALID_VALUE}));
+    EXPECT_EQ(told, (std::vector{GLFW_INVALID_VALUE, GLFW_INVALID_ENUM, GLFW_INVALID_ENUM, GLFW_INVALID_ENUM,
+                                 GLFW_INVALID_ENUM, GLFW_NO_CURRENT_CONTEXT, GLFW_INVALID_VALUE}));
 }
 
 TEST(Headless, WhatCannotBeHadSaysSo)
 {
     Session session("");
-    EXPECT_EQ(stopped_by([&] { (void)glfwCreateCursor(nullptr, 0, 0); }).find("glfwCreateCursor: headless GLFW does not have this; "), 0U);
+    EXPECT_EQ(stopped_by([&] {
+                  (void)glfwCreateCursor(nullptr, 0, 0);
+              }).find("glfwCreateCursor: headless GLFW does not have this; "),
+              0U);
     EXPECT_EQ(stopped_by([&] { (void)glfwGetProcAddress("glClear"); }).find("glfwGetProcAddress: headless"), 0U);
-    EXPECT_EQ(stopped_by([&] { glfwSetWindowUserPointer(nullptr, nullptr); }).find("glfwSetWindowUserPointer: the window is NULL"), 0U);
+    EXPECT_EQ(stopped_by([&] {
+                  glfwSetWindowUserPointer(nullptr, nullptr);
+              }).find("glfwSetWindowUserPointer: the window is NULL"),
+              0U);
     int other = 0;
-    EXPECT_NE(stopped_by([&] { (void)glfwWindowShouldClose(reinterpret_cast<GLFWwindow*>(&other)); }).find("not a window that exists"), std::string::npos);
-    EXPECT_NE(stopped_by([&] { (void)glfwCreateWindow(1, 1, "", nullptr, nullptr); }).find("one window"), std::string::npos);
+    EXPECT_NE(stopped_by([&] {
+                  (void)glfwWindowShouldClose(reinterpret_cast<GLFWwindow*>(&other));
+              }).find("not a window that exists"),
+              std::string::npos);
+    EXPECT_NE(stopped_by([&] { (void)glfwCreateWindow(1, 1, "", nullptr, nullptr); }).find("one window"),
+              std::string::npos);
     EXPECT_EQ(glfwGetPrimaryMonitor(), nullptr);
     EXPECT_EQ(glfwJoystickPresent(GLFW_JOYSTICK_1), GLFW_FALSE);
 }

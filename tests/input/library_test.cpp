@@ -34,7 +34,8 @@ Names declared()
     for (std::string line; std::getline(header, line);) {
         const std::size_t start = line.find(" glfw") == std::string::npos ? line.find("*glfw") : line.find(" glfw");
         const std::size_t end = line.find('(');
-        if (line.starts_with("GLFWAPI ") && start < end && end != std::string::npos) names.insert(line.substr(start + 1, end - start - 1));
+        if (line.starts_with("GLFWAPI ") && start < end && end != std::string::npos)
+            names.insert(line.substr(start + 1, end - start - 1));
     }
     return names;
 }
@@ -51,7 +52,9 @@ TEST(HeadlessLibrary, ExportsWhatTheRealOneExports)
 {
     Names theirs = exported_by(UMBRAL_REAL_GLFW);
     EXPECT_GT(theirs.size(), 100U);
-    std::erase_if(theirs, [native = text_of(UMBRAL_GLFW_NATIVE_HEADER)](const std::string& name) { return native.find(name + "(") != std::string::npos; });
+    std::erase_if(theirs, [native = text_of(UMBRAL_GLFW_NATIVE_HEADER)](const std::string& name) {
+        return native.find(name + "(") != std::string::npos;
+    });
     EXPECT_EQ(exported_by(UMBRAL_GLFW_LIBRARY), theirs);
 }
 #endif
@@ -62,7 +65,9 @@ TEST(HeadlessLibrary, HidesItsState)
     EXPECT_EQ(exports.writable_data, std::vector<std::string>{});
     EXPECT_EQ(exports.unique, std::vector<std::string>{});
     for (const std::string& name : exports.functions)
-        EXPECT_TRUE(name.starts_with("glfw") || name.starts_with("_ZN6umbral5input8Headless") || name.starts_with("_ZNK6umbral5input8Headless")) << name;
+        EXPECT_TRUE(name.starts_with("glfw") || name.starts_with("_ZN6umbral5input8Headless") ||
+                    name.starts_with("_ZNK6umbral5input8Headless"))
+            << name;
     for (const std::string& library : exports.needed) EXPECT_EQ(library.find("libX"), std::string::npos) << library;
 }
 

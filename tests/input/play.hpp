@@ -9,7 +9,8 @@
 #include <string>
 #include <umbral/input/script.hpp>
 
-/// What the two programs share that play one script, one to a window on a display and one without: the lines that they print.
+/// What the two programs share that play one script, one to a window on a display and one without: the lines that they
+/// print.
 namespace umbral::input {
 
 inline EventScript read_script(const char* path)
@@ -22,16 +23,23 @@ inline EventScript read_script(const char* path)
 /// Prints every callback as it comes.
 inline void print_raw_events(GLFWwindow* window)
 {
-    glfwSetMouseButtonCallback(window, [](GLFWwindow*, int button, int action, int mods) { std::printf("button %d %d %d\n", button, action, mods); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow*, int button, int action, int mods) {
+        std::printf("button %d %d %d\n", button, action, mods);
+    });
     glfwSetCursorPosCallback(window, [](GLFWwindow*, double x, double y) { std::printf("cursor %g %g\n", x, y); });
     glfwSetScrollCallback(window, [](GLFWwindow*, double x, double y) { std::printf("scroll %g %g\n", x, y); });
-    glfwSetKeyCallback(window, [](GLFWwindow*, int key, int, int action, int mods) { std::printf("key %d %d %d\n", key, action, mods); });
+    glfwSetKeyCallback(window, [](GLFWwindow*, int key, int, int action, int mods) {
+        std::printf("key %d %d %d\n", key, action, mods);
+    });
     glfwSetCharCallback(window, [](GLFWwindow*, unsigned code) { std::printf("char %u\n", code); });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow*, int width, int height) { std::printf("framebuffer %d %d\n", width, height); });
-    glfwSetWindowSizeCallback(window, [](GLFWwindow*, int width, int height) { std::printf("size %d %d\n", width, height); });
+    glfwSetFramebufferSizeCallback(
+        window, [](GLFWwindow*, int width, int height) { std::printf("framebuffer %d %d\n", width, height); });
+    glfwSetWindowSizeCallback(window,
+                              [](GLFWwindow*, int width, int height) { std::printf("size %d %d\n", width, height); });
 }
 
-/// Prints what happens in a window, as `mode` says: "raw" callbacks, or "commands" that the reference's callbacks make of them.
+/// Prints what happens in a window, as `mode` says: "raw" callbacks, or "commands" that the reference's callbacks make
+/// of them.
 class Printer {
 public:
     Printer(GLFWwindow* window, const std::string& mode)

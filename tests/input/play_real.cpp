@@ -1,7 +1,9 @@
-// play-real-glfw MODE SCRIPT: opens a window with the real GLFW, has xdotool do what an event script says, and prints what came of it.
+// play-real-glfw MODE SCRIPT: opens a window with the real GLFW, has xdotool do what an event script says, and prints
+// what came of it.
 //
-// Nothing here waits for a time. xdotool ends when the display has done what it was told; asking GLFW for the pointer is a question to the same
-// display, so that when the answer is there, so are all events; then they are delivered. Hence the same lines on a machine under any load.
+// Nothing here waits for a time. xdotool ends when the display has done what it was told; asking GLFW for the pointer
+// is a question to the same display, so that when the answer is there, so are all events; then they are delivered.
+// Hence the same lines on a machine under any load.
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -24,7 +26,8 @@ void xdotool(const Words& words)
     arguments.push_back(nullptr);
     pid_t process = 0;
     int status = 0;
-    if (posix_spawnp(&process, "xdotool", nullptr, nullptr, arguments.data(), environ) != 0 || waitpid(process, &status, 0) != process || status != 0)
+    if (posix_spawnp(&process, "xdotool", nullptr, nullptr, arguments.data(), environ) != 0 ||
+        waitpid(process, &status, 0) != process || status != 0)
         throw std::runtime_error("xdotool " + words.front() + " failed");
 }
 
@@ -36,11 +39,12 @@ void deliver(GLFWwindow* window)
     glfwPollEvents();
 }
 
-/// A key for xdotool, by its place on the keyboard: by name, it would press Shift where it thinks that the name needs it. X's number of Escape is
-/// 9, which xdotool takes for the digit.
+/// A key for xdotool, by its place on the keyboard: by name, it would press Shift where it thinks that the name needs
+/// it. X's number of Escape is 9, which xdotool takes for the digit.
 std::string key_name(int key) { return key == GLFW_KEY_ESCAPE ? "Escape" : std::to_string(glfwGetKeyScancode(key)); }
 
-/// One event of a script in xdotool's words. X numbers buttons 1 left, 2 middle, 3 right, 4 to 7 the wheel: up, down, left, right.
+/// One event of a script in xdotool's words. X numbers buttons 1 left, 2 middle, 3 right, 4 to 7 the wheel: up, down,
+/// left, right.
 class Hands {
 public:
     explicit Hands(GLFWwindow* window) : window_(window) { glfwGetWindowPos(window, &corner_.x, &corner_.y); }
@@ -57,21 +61,29 @@ public:
 
     void operator()(const Scroll& event) const
     {
-        for (double steps = event.offset.y; steps != 0; steps -= steps > 0 ? 1 : -1) xdotool({"click", steps > 0 ? "4" : "5"});
-        for (double steps = event.offset.x; steps != 0; steps -= steps > 0 ? 1 : -1) xdotool({"click", steps > 0 ? "6" : "7"});
+        for (double steps = event.offset.y; steps != 0; steps -= steps > 0 ? 1 : -1)
+            xdotool({"click", steps > 0 ? "4" : "5"});
+        for (double steps = event.offset.x; steps != 0; steps -= steps > 0 ? 1 : -1)
+            xdotool({"click", steps > 0 ? "6" : "7"});
     }
 
-    void operator()(const Key& event) const { xdotool({event.action == Key::Action::press ? "keydown" : "keyup", key_name(event.key)}); }
+    void operator()(const Key& event) const
+    {
+        xdotool({event.action == Key::Action::press ? "keydown" : "keyup", key_name(event.key)});
+    }
 
     void operator()(const Resize& event) const
     {
-        xdotool({"search", "--name", "^Umbral on a display$", "windowsize", std::to_string(event.size.x), std::to_string(event.size.y)});
+        xdotool({"search", "--name", "^Umbral on a display$", "windowsize", std::to_string(event.size.x),
+                 std::to_string(event.size.y)});
     }
 
     template <class Other>
     void operator()(const Other&) const
     {
-        throw std::runtime_error("this event cannot be played with xdotool: keep to buttons, motion, whole steps of the wheel, keys and sizes");
+        throw std::runtime_error(
+            "this event cannot be played with xdotool: keep to buttons, motion, whole steps of the wheel, keys and "
+            "sizes");
     }
 
 private:
@@ -85,16 +97,19 @@ private:
     glm::ivec2 corner_{0};
 };
 
-/// A window that has its place on the screen and the keyboard. Without a window manager nobody gives it the focus but xdotool.
+/// A window that has its place on the screen and the keyboard. Without a window manager nobody gives it the focus but
+/// xdotool.
 GLFWwindow* open_window()
 {
-    glfwSetErrorCallback([](int code, const char* text) { (void)std::fprintf(stderr, "GLFW error %d: %s\n", code, text); });
+    glfwSetErrorCallback(
+        [](int code, const char* text) { (void)std::fprintf(stderr, "GLFW error %d: %s\n", code, text); });
     if (glfwInit() == GLFW_FALSE) throw std::runtime_error("glfwInit failed: is DISPLAY set?");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     GLFWwindow* window = glfwCreateWindow(640, 480, "Umbral on a display", nullptr, nullptr);
     if (window == nullptr) throw std::runtime_error("glfwCreateWindow failed");
     glfwSetWindowPos(window, 200, 150);
-    xdotool({"mousemove", "200", "150", "search", "--sync", "--name", "^Umbral on a display$", "windowfocus", "--sync"});
+    xdotool(
+        {"mousemove", "200", "150", "search", "--sync", "--name", "^Umbral on a display$", "windowfocus", "--sync"});
     const auto ready = [&] {
         int x = 0;
         int y = 0;

@@ -78,7 +78,8 @@ TEST(RandomScript, HasEveryKindSooner)
 TEST(RandomScript, KeepsToItsSettings)
 {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-        for (const auto& [time, event] : script_of(seed, {.resizes = false, .focus_losses = false, .fractions = false})) {
+        for (const auto& [time, event] :
+             script_of(seed, {.resizes = false, .focus_losses = false, .fractions = false})) {
             EXPECT_FALSE(std::holds_alternative<Resize>(event) || std::holds_alternative<Focus>(event));
             if (const auto* move = std::get_if<CursorMove>(&event)) {
                 EXPECT_EQ(move->place, floor(move->place));

@@ -62,22 +62,28 @@ TEST(Script, EmptyTextsHaveNoEvents)
 
 TEST(Script, ComplaintsNameTheLineAndWhatWasExpected)
 {
-    EXPECT_EQ(complaint("0.1 press left\n0.2 press lft 3 4"), "drag.txt:2: expected a button (left, right, middle or 4 to 8), got 'lft'");
+    EXPECT_EQ(complaint("0.1 press left\n0.2 press lft 3 4"),
+              "drag.txt:2: expected a button (left, right, middle or 4 to 8), got 'lft'");
     EXPECT_EQ(complaint("0.1 pres left"),
-              "drag.txt:1: expected press, release, move, scroll, key, char, resize, focus, enter, iconify, refresh or close, got 'pres'");
-    EXPECT_EQ(complaint("0.5 close\n0.4 close"), "drag.txt:2: expected a time in seconds, not before the line above (0.5), got '0.4'");
-    EXPECT_EQ(complaint("now close"), "drag.txt:1: expected a time in seconds, not before the line above (0), got 'now'");
+              "drag.txt:1: expected press, release, move, scroll, key, char, resize, focus, enter, iconify, refresh or "
+              "close, got 'pres'");
+    EXPECT_EQ(complaint("0.5 close\n0.4 close"),
+              "drag.txt:2: expected a time in seconds, not before the line above (0.5), got '0.4'");
+    EXPECT_EQ(complaint("now close"),
+              "drag.txt:1: expected a time in seconds, not before the line above (0), got 'now'");
     EXPECT_EQ(complaint("1 move 3"), "drag.txt:1: expected a place's y between -1e6 and 1e6, got the end of the line");
     EXPECT_EQ(complaint("1 move 3 4 5"), "drag.txt:1: expected the end of the line, got '5'");
     EXPECT_EQ(complaint("1 key Q"), "drag.txt:1: expected press, repeat or release, got the end of the line");
-    EXPECT_EQ(complaint("1 key QQ press"), "drag.txt:1: expected the name of a key (as R, 1, F5, LEFT_SHIFT or ESCAPE), got 'QQ'");
+    EXPECT_EQ(complaint("1 key QQ press"),
+              "drag.txt:1: expected the name of a key (as R, 1, F5, LEFT_SHIFT or ESCAPE), got 'QQ'");
     EXPECT_EQ(complaint("1 focus maybe"), "drag.txt:1: expected on or off, got 'maybe'");
 }
 
 TEST(Script, RefusesNumbersThatAreNone)
 {
-    for (const char* text : {"1 move nan 0", "1 move 0 inf", "1 move 1e300 0", "1 move 1x 0", "-1 close", "nan close", "inf close", "1 resize -1 5",
-                             "1 resize 2.5 5", "1 resize 99999999999999999999 5", "1 char 31", "1 char 1114112", "1 scroll 0", "1 press 9", "1 press 0", "1"})
+    for (const char* text : {"1 move nan 0", "1 move 0 inf", "1 move 1e300 0", "1 move 1x 0", "-1 close", "nan close",
+                             "inf close", "1 resize -1 5", "1 resize 2.5 5", "1 resize 99999999999999999999 5",
+                             "1 char 31", "1 char 1114112", "1 scroll 0", "1 press 9", "1 press 0", "1"})
         EXPECT_NE(complaint(text), "") << text;
 }
 

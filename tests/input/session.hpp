@@ -14,7 +14,8 @@ namespace umbral::input {
 /// A session with a window, and a list of what its callbacks heard, one line a call.
 class Session {
 public:
-    explicit Session(const char* script, const HeadlessSettings& settings = {}) : headless(parse_script(script), settings)
+    explicit Session(const char* script, const HeadlessSettings& settings = {})
+        : headless(parse_script(script), settings)
     {
         EXPECT_EQ(glfwInit(), GLFW_TRUE);
         window = glfwCreateWindow(640, 480, "test", nullptr, nullptr);

@@ -27,8 +27,8 @@ double report(const char* what, Work work)
 
 }
 
-// Processor time of the image judge at 512 x 512, one thread, best of 15, with --quick of 2. The last lines are those of
-// the README.
+// Processor time of the image judge at 512 x 512, one thread, best of 15, with --quick of 2. The last lines are those
+// of the README.
 int main(int count, char** words)
 {
     if (count > 1 && std::string_view(words[1]) == "--quick") rounds = 2;
@@ -38,7 +38,8 @@ int main(int count, char** words)
     const auto noisy = [&](std::uint32_t span) {
         return test::repaint(right, [&](int x, int y) {
             test::Colour colour = test::pixel(right, x, y);
-            for (glm::length_t c = 0; c < 3; ++c) colour[c] = test::byte(colour[c] + random.below(span) - (span - 1) / 2.0);
+            for (glm::length_t c = 0; c < 3; ++c)
+                colour[c] = test::byte(colour[c] + random.below(span) - (span - 1) / 2.0);
             return colour;
         });
     };
@@ -48,9 +49,11 @@ int main(int count, char** words)
     const Check check = test::check_of(JudgeKind{"image"});
     const double equal = report("equal", [&] { (void)judge(check, same, right, nullptr); });
     std::vector<std::array<double, 2>> sums;  // the rule, and all metrics beside it
-    for (const auto& [name, student] : {std::pair{"one level of noise", &close}, std::pair{"every pixel far off", &far}}) {
+    for (const auto& [name, student] :
+         {std::pair{"one level of noise", &close}, std::pair{"every pixel far off", &far}}) {
         std::printf("%s\n", name);
-        const double rule = report("  rule and conversion", [&] { (void)fraction_right(check, *student, right, nullptr); });
+        const double rule =
+            report("  rule and conversion", [&] { (void)fraction_right(check, *student, right, nullptr); });
         report("  to_picture, one picture", [&] { (void)to_picture(check, right); });
         const Picture a = to_picture(check, *student);
         const Picture b = to_picture(check, right);
@@ -71,7 +74,8 @@ int main(int count, char** words)
     report("  judge, bytes", [&] { (void)judge(noise, student_bytes, expected_bytes, nullptr); });
     report("  best control, floats", [&] { (void)best_control(noise, expected, nullptr, 1); });
     std::printf(
-        "\n%.2f ms if equal; %.1f ms with one level of noise, %.1f ms where every pixel is wrong, conversion included;\n"
+        "\n%.2f ms if equal; %.1f ms with one level of noise, %.1f ms where every pixel is wrong, conversion "
+        "included;\n"
         "with SSIM, PSNR, RMSE and Lab beside it %.0f ms\n",
         equal, sums[0][0], sums[1][0], sums[1][1]);
     return 0;

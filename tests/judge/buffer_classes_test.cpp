@@ -65,8 +65,10 @@ TEST(BufferClasses, AHalfPixelCentreGivesEdgePixelsToTheirNeighbours)
     EXPECT_TRUE(says(found, "cells are wrong")) << found.message;
     Check check = check_of(JudgeKind{"buffer"});
     check.value = "ids";
-    EXPECT_TRUE(says(judge(check, ids_by([](double x, double y) { return halves(x + 1, y); }), ids_by(halves), nullptr), "ids are wrong"));
-    EXPECT_TRUE(says(found, "all lie at an edge and hold a neighbour's value: another pixel owns the edge")) << found.message;
+    EXPECT_TRUE(says(judge(check, ids_by([](double x, double y) { return halves(x + 1, y); }), ids_by(halves), nullptr),
+                     "ids are wrong"));
+    EXPECT_TRUE(says(found, "all lie at an edge and hold a neighbour's value: another pixel owns the edge"))
+        << found.message;
 }
 
 TEST(BufferClasses, AHoleInsideIsNotAtAnEdge)
@@ -89,14 +91,18 @@ TEST(BufferClasses, AnEdgeIsOnePixelWideAndNoMore)
         EXPECT_EQ(metric(buffer(ids_by(one), ids_by(halves)), "at_edge"), at_edge) << column;
     }
     const auto one = [](double x, double y) { return x == 10 && y == 11 ? 9U : halves(x, y); };
-    EXPECT_TRUE(says(buffer(ids_by(one), ids_by(halves)), "it lies at an edge and holds a neighbour's value")) << "what (11, 11) holds";
+    EXPECT_TRUE(says(buffer(ids_by(one), ids_by(halves)), "it lies at an edge and holds a neighbour's value"))
+        << "what (11, 11) holds";
     const auto far_off = [](double x, double y) { return x == 9 && y == 11 ? 9U : halves(x, y); };
-    EXPECT_TRUE(says(buffer(ids_by(far_off), ids_by(halves)), "it lies inside, not at an edge;")) << "9 is two pixels away";
+    EXPECT_TRUE(says(buffer(ids_by(far_off), ids_by(halves)), "it lies inside, not at an edge;"))
+        << "9 is two pixels away";
 }
 
 TEST(BufferClasses, GroupsJoinAtCornersToo)
 {
-    const auto spots = [](double x, double y) { return (x == y && x >= 5 && x < 10) || (x == 15 && y > 10 && y < 14) ? 33U : halves(x, y); };
+    const auto spots = [](double x, double y) {
+        return (x == y && x >= 5 && x < 10) || (x == 15 && y > 10 && y < 14) ? 33U : halves(x, y);
+    };
     const Judgement found = buffer(ids_by(spots), ids_by(halves));
     EXPECT_EQ(metric(found, "groups"), 2);
     EXPECT_EQ(metric(found, "largest_group"), 5);
@@ -106,12 +112,14 @@ TEST(BufferClasses, GroupsJoinAtCornersToo)
 TEST(BufferClasses, WholeRowsAndColumnsAreNamed)
 {
     const auto row = [](double x, double y) { return y == 12 ? 0U : halves(x, y); };
-    EXPECT_TRUE(says(buffer(ids_by(row), ids_by(halves)), "; whole row 12; ")) << buffer(ids_by(row), ids_by(halves)).message;
+    EXPECT_TRUE(says(buffer(ids_by(row), ids_by(halves)), "; whole row 12; "))
+        << buffer(ids_by(row), ids_by(halves)).message;
     const auto columns = [](double x, double y) { return x >= 8 && x <= 9 ? 0U : halves(x, y); };
     EXPECT_TRUE(says(buffer(ids_by(columns), ids_by(halves)), "; whole columns 8 to 9; "));
     const auto most_of_a_row = [](double x, double y) { return y == 12 && x > 6 ? 0U : halves(x, y); };
     EXPECT_FALSE(says(buffer(ids_by(most_of_a_row), ids_by(halves)), "whole"));
-    EXPECT_FALSE(says(buffer(ids_by([](double, double) { return 0U; }), ids_by(halves)), "whole")) << "where nothing is right, no row stands out";
+    EXPECT_FALSE(says(buffer(ids_by([](double, double) { return 0U; }), ids_by(halves)), "whole"))
+        << "where nothing is right, no row stands out";
 }
 
 TEST(BufferClasses, RenamedIdsAreOneMistakeAndNotMany)
@@ -122,16 +130,21 @@ TEST(BufferClasses, RenamedIdsAreOneMistakeAndNotMany)
     EXPECT_EQ(metric(found, "renamed"), 2);
     const auto merged = [](double x, double y) { return halves(x, y) == 0 ? 0U : 9U; };
     EXPECT_FALSE(says(buffer(ids_by(merged), ids_by(halves)), "named otherwise")) << "two ids became one";
-    const auto mixed = [](double x, double y) { return halves(x, y) == 0 ? 0U : static_cast<std::uint32_t>(x + y) % 2 == 0 ? 5U : 9U; };
+    const auto mixed = [](double x, double y) {
+        return halves(x, y) == 0 ? 0U : static_cast<std::uint32_t>(x + y) % 2 == 0 ? 5U : 9U;
+    };
     EXPECT_FALSE(says(buffer(ids_by(mixed), ids_by(halves)), "named otherwise"));
-    const auto mostly = [&](double x, double y) { return halves(x, y) != 0 && static_cast<int>(x + y) % 4 == 0 ? 33U : swapped(x, y); };
+    const auto mostly = [&](double x, double y) {
+        return halves(x, y) != 0 && static_cast<int>(x + y) % 4 == 0 ? 33U : swapped(x, y);
+    };
     EXPECT_FALSE(says(buffer(ids_by(mostly), ids_by(halves)), "named otherwise")) << "a quarter follows no rule";
 }
 
 TEST(BufferClasses, CoverageIsAboutPixels)
 {
     const auto covered = [](double x, double y) { return in_disc(x, y) ? 1U : 0U; };
-    const Judgement found = buffer(ids_by([&](double x, double y) { return in_disc(x, y, 9) ? 1U : 0U; }), ids_by(covered));
+    const Judgement found =
+        buffer(ids_by([&](double x, double y) { return in_disc(x, y, 9) ? 1U : 0U; }), ids_by(covered));
     EXPECT_TRUE(says(found, "pixels are wrong (0 missing, ")) << found.message;
     EXPECT_TRUE(says(found, "another pixel owns the edge"));
 }
@@ -140,8 +153,10 @@ TEST(BufferPatterns, DepthsThatFollowARule)
 {
     const Tensor expected = depth_by(slope);
     const auto mapped = [&](const std::function<double(double)>& rule) {
-        return buffer(depth_by([&](double x, double y) { return in_disc(x, y) ? static_cast<float>(rule(double{slope(x, y)})) : 1.0F; }), expected,
-                      absolute(1e-6));
+        return buffer(depth_by([&](double x, double y) {
+                          return in_disc(x, y) ? static_cast<float>(rule(double{slope(x, y)})) : 1.0F;
+                      }),
+                      expected, absolute(1e-6));
     };
     const Judgement offset = mapped([](double z) { return z + 0.125; });
     EXPECT_TRUE(says(offset, "depths are all too large by 0.125")) << offset.message;
@@ -154,25 +169,34 @@ TEST(BufferPatterns, DepthsThatFollowARule)
     EXPECT_EQ(metric(coarse, "depth_bits"), 16);
     EXPECT_TRUE(says(mapped([](double z) { return std::floor(z * 255) / 255; }), "depths are rounded to 8 bits"));
     const Judgement bent = mapped([](double z) { return z * z + (z > 0.45 ? 0.7 : 0.0); });
-    for (const char* word : {"too large", "too small", "other way", "times", "bits", "won"}) EXPECT_FALSE(says(bent, word)) << bent.message;
+    for (const char* word : {"too large", "too small", "other way", "times", "bits", "won"})
+        EXPECT_FALSE(says(bent, word)) << bent.message;
 }
 
 TEST(BufferPatterns, RoundingFinerThanAFloatIsNotGuessedAt)
 {
     // Between 0.5 and 1 floats lie 2^-24 apart: whatever is there looks rounded to 24 bits.
-    const auto high = [](double x, double y) { return in_disc(x, y) ? static_cast<float>(0.9 + 0.001 * x + 0.0003 * y) : 1.0F; };
+    const auto high = [](double x, double y) {
+        return in_disc(x, y) ? static_cast<float>(0.9 + 0.001 * x + 0.0003 * y) : 1.0F;
+    };
     const auto off = [&](double x, double y) { return in_disc(x, y) ? std::nextafter(high(x, y), 0.0F) : 1.0F; };
     EXPECT_FALSE(says(buffer(depth_by(off), depth_by(high)), "bits"));
-    const auto low = [](double x, double y) { return in_disc(x, y) ? static_cast<float>(0.003 + 0.0001 * x + 0.00003 * y) : 1.0F; };
-    const auto rounded = [&](double x, double y) { return in_disc(x, y) ? static_cast<float>(std::round(double{low(x, y)} * 16777215) / 16777215) : 1.0F; };
-    EXPECT_TRUE(says(buffer(depth_by(rounded), depth_by(low)), "rounded to 24 bits")) << buffer(depth_by(rounded), depth_by(low)).message;
+    const auto low = [](double x, double y) {
+        return in_disc(x, y) ? static_cast<float>(0.003 + 0.0001 * x + 0.00003 * y) : 1.0F;
+    };
+    const auto rounded = [&](double x, double y) {
+        return in_disc(x, y) ? static_cast<float>(std::round(double{low(x, y)} * 16777215) / 16777215) : 1.0F;
+    };
+    EXPECT_TRUE(says(buffer(depth_by(rounded), depth_by(low)), "rounded to 24 bits"))
+        << buffer(depth_by(rounded), depth_by(low)).message;
 }
 
 TEST(BufferPatterns, TheFartherSurfaceWon)
 {
     // A near square before the slope; in yours the slope was drawn over it.
     const auto square = [](double x, double y) { return x > 7 && x < 16 && y > 7 && y < 14; };
-    const Tensor expected = depth_by([&](double x, double y) { return square(x, y) ? static_cast<float>(0.1 + 0.002 * y) : slope(x, y); });
+    const Tensor expected =
+        depth_by([&](double x, double y) { return square(x, y) ? static_cast<float>(0.1 + 0.002 * y) : slope(x, y); });
     const Judgement farther = buffer(depth_by(slope), expected);
     EXPECT_TRUE(says(farther, "the farther surface won: other depths are right")) << farther.message;
     EXPECT_TRUE(says(buffer(expected, depth_by(slope)), "a surface too near won: other depths are right"));
@@ -183,7 +207,8 @@ TEST(BufferPatterns, NormalsAreMeasuredInDegrees)
     const auto normal = [](double x, double y, double turned) {
         if (!in_disc(x, y)) return std::vector<float>{0, 0, 0};
         const double angle = 0.05 * (x - 11) + turned;
-        return std::vector<float>{static_cast<float>(std::sin(angle)), static_cast<float>(0.01 * y), static_cast<float>(std::cos(angle))};
+        return std::vector<float>{static_cast<float>(std::sin(angle)), static_cast<float>(0.01 * y),
+                                  static_cast<float>(std::cos(angle))};
     };
     const auto unit = [](std::vector<float> v) {
         const float length = std::hypot(v[0], v[1], v[2]);
@@ -191,7 +216,9 @@ TEST(BufferPatterns, NormalsAreMeasuredInDegrees)
         return v;
     };
     const Tensor expected = vectors_by(3, [&](double x, double y) { return unit(normal(x, y, 0)); });
-    const auto yours = [&](const std::function<std::vector<float>(double, double)>& paint) { return buffer(vectors_by(3, paint), expected, absolute(1e-4)); };
+    const auto yours = [&](const std::function<std::vector<float>(double, double)>& paint) {
+        return buffer(vectors_by(3, paint), expected, absolute(1e-4));
+    };
     const Judgement turned = yours([&](double x, double y) {
         std::vector<float> v = unit(normal(x, y, 0));
         return std::vector<float>{-v[1], v[0], v[2]};  // a quarter turn round the z axis
@@ -199,7 +226,8 @@ TEST(BufferPatterns, NormalsAreMeasuredInDegrees)
     EXPECT_TRUE(says(turned, "normals are wrong")) << turned.message;
     EXPECT_TRUE(says(turned, " degrees off, ")) << turned.message;
     EXPECT_GT(metric(turned, "max_degrees"), metric(turned, "mean_degrees"));
-    EXPECT_TRUE(says(yours([&](double x, double y) { return normal(x, y, 0); }), "the directions are right, the lengths are not (about 1.0"));
+    EXPECT_TRUE(says(yours([&](double x, double y) { return normal(x, y, 0); }),
+                     "the directions are right, the lengths are not (about 1.0"));
     const Judgement back = yours([&](double x, double y) {
         std::vector<float> v = unit(normal(x, y, 0));
         return std::vector<float>{-v[0], -v[1], -v[2]};
@@ -264,12 +292,14 @@ TEST(BufferSketch, DepthsAreDrawnInTenthsAndLongIdsAsLetters)
               " .>a 5    . b 5\n"
               "x 0..2, y 0..0; a 123456, b 99999, . background, > wrong");
     const auto nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NE(buffer(depth(3, 1, {0.5F, nan, 1.0F}), depth(3, 1, {0.5F, 0.65F, 1.0F})).sketch.find(">!"), std::string::npos);
+    EXPECT_NE(buffer(depth(3, 1, {0.5F, nan, 1.0F}), depth(3, 1, {0.5F, 0.65F, 1.0F})).sketch.find(">!"),
+              std::string::npos);
 }
 
 TEST(BufferClasses, NoLargeBufferOrOddOneStopsIt)
 {
-    EXPECT_EQ(buffer(grid(1, 1, {5}), grid(1, 1, {4})).sketch, "yours   expected\n>5       .\nx 0..0, y 0..0; . background, > wrong");
+    EXPECT_EQ(buffer(grid(1, 1, {5}), grid(1, 1, {4})).sketch,
+              "yours   expected\n>5       .\nx 0..0, y 0..0; . background, > wrong");
     std::vector<std::uint32_t> all(512 * 512, 1);
     const Judgement found = buffer(grid(512, 512, std::vector<std::uint32_t>(512 * 512, 0)), grid(512, 512, all));
     EXPECT_EQ(metric(found, "largest_group"), 512 * 512);
@@ -278,8 +308,12 @@ TEST(BufferClasses, NoLargeBufferOrOddOneStopsIt)
 
 TEST(BufferPatterns, WhatWasExpectedRoundedIsNoMistake)
 {
-    const auto stepped = [](double x, double y) { return in_disc(x, y) ? static_cast<float>(std::round(double{slope(x, y)} * 65535) / 65535) : 1.0F; };
-    const auto off = [&](double x, double y) { return in_disc(x, y) ? stepped(x, y) + static_cast<float>(1.0 / 65535) : 1.0F; };
+    const auto stepped = [](double x, double y) {
+        return in_disc(x, y) ? static_cast<float>(std::round(double{slope(x, y)} * 65535) / 65535) : 1.0F;
+    };
+    const auto off = [&](double x, double y) {
+        return in_disc(x, y) ? stepped(x, y) + static_cast<float>(1.0 / 65535) : 1.0F;
+    };
     const Judgement found = buffer(depth_by(off), depth_by(stepped), absolute(1e-7));
     EXPECT_TRUE(says(found, "depths are all too large by 1.526e-05")) << found.message;
 }

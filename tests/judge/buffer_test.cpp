@@ -52,7 +52,8 @@ TEST(Buffer, DifferencesAreClassified)
     EXPECT_EQ(found.first_difference->where, "pixel (17, 0)");
     EXPECT_FALSE(found.error) << "ids do not lie some distance apart";
     EXPECT_EQ(found.message,
-              "3 of 5 cells are wrong (1 missing, 1 extra, 1 with another value); 2 at an edge, 1 inside; 1 of values that are expected nowhere; the largest "
+              "3 of 5 cells are wrong (1 missing, 1 extra, 1 with another value); 2 at an edge, 1 inside; 1 of values "
+              "that are expected nowhere; the largest "
               "group has 2 in x 50..51, y 50..50; the first is pixel (17, 0): yours 3, expected 7");
 }
 
@@ -78,7 +79,8 @@ TEST(Buffer, InfinityIsABackgroundAndNaNIsNothing)
     auto finite = std::vector<float>(100, 1e30F);
     finite[55] = 2;
     EXPECT_LT(buffer(depth(10, 10, finite), depth(10, 10, cells), absolute(1)).right, 0.02);
-    EXPECT_LT(buffer(depth(10, 10, finite), depth(10, 10, cells), relative(1)).right, 0.02) << "an infinite bound would accept everything";
+    EXPECT_LT(buffer(depth(10, 10, finite), depth(10, 10, cells), relative(1)).right, 0.02)
+        << "an infinite bound would accept everything";
     auto broken = cells;
     broken[55] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(buffer(depth(10, 10, broken), depth(10, 10, cells), absolute(1e30)).right, 0);
@@ -94,7 +96,10 @@ TEST(Buffer, ABufferOfOneCellAndOneOfBackgroundOnly)
     EXPECT_EQ(buffer(grid(2, 2, {4, 4, 4, 5}), grid(2, 2, {4, 4, 4, 4})).right, 0);
 }
 
-TEST(Buffer, TransposedShapeIsWrong) { EXPECT_EQ(buffer(grid(2, 3, {1, 2, 3, 4, 5, 6}), grid(3, 2, {1, 2, 3, 4, 5, 6})).right, 0); }
+TEST(Buffer, TransposedShapeIsWrong)
+{
+    EXPECT_EQ(buffer(grid(2, 3, {1, 2, 3, 4, 5, 6}), grid(3, 2, {1, 2, 3, 4, 5, 6})).right, 0);
+}
 
 TEST(Buffer, TheBackgroundIsWhatTheExpectedBorderHoldsMost)
 {

@@ -62,7 +62,8 @@ TEST(Controls, TheBestOneIsFound)
     const std::vector<float> identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     std::vector<float> matrices = identity;
     for (std::size_t i = 0; i < 16; ++i) matrices.push_back(identity[i] + 3);
-    const BestControl unit = best_control(check_of(JudgeKind{"matrices"}, absolute(0.1)), floats(matrices, 16), nullptr, 1);
+    const BestControl unit =
+        best_control(check_of(JudgeKind{"matrices"}, absolute(0.1)), floats(matrices, 16), nullptr, 1);
     EXPECT_EQ(unit.name, "identity");
     EXPECT_DOUBLE_EQ(unit.right, 0.5);
 
@@ -81,7 +82,8 @@ TEST(Controls, InPairsNoConstantAnswerEarnsAnything)
         values.insert(values.end(), {2.0F, 0.0F});
         present.insert(present.end(), {1, 0});
     }
-    // Noise guesses a pair's presence one time in four, but the values are all one number here: what remains is bounded by that.
+    // Noise guesses a pair's presence one time in four, but the values are all one number here: what remains is bounded
+    // by that.
     EXPECT_LE(best_control(check, optional_floats(values, present), nullptr, 5).right, 0.4);
     for (const auto& [name, tensor] : controls(check, optional_floats(values, present), 5)) {
         if (name == "noise") continue;
@@ -93,12 +95,14 @@ TEST(Controls, NoPictureWithoutASceneEarnsMuch)
 {
     const Check check = check_of(JudgeKind{"image"});
     const auto all = controls(check, balls(), 3);
-    for (const char* name : {"blank", "mean colour", "black", "white", "noise", "zeros", "ones"}) EXPECT_TRUE(has(all, name)) << name;
+    for (const char* name : {"blank", "mean colour", "black", "white", "noise", "zeros", "ones"})
+        EXPECT_TRUE(has(all, name)) << name;
     EXPECT_EQ(named(all, "blank"), repaint(balls(), [](int, int) { return Colour{8, 10, 40, 255}; }));
     EXPECT_EQ(best_control(check, balls(), nullptr, 3).right, 0);
     // 2.5 % of content: where whole-picture measures give a blank picture 95 of 100.
     const Tensor sparse = picture(200, 200, [](int x, int y) {
-        return (x - 100) * (x - 100) + (y - 90) * (y - 90) < 18 * 18 ? Colour{byte(100 + x / 4), 80, 60, 255} : Colour{0, 0, 0, 255};
+        return (x - 100) * (x - 100) + (y - 90) * (y - 90) < 18 * 18 ? Colour{byte(100 + x / 4), 80, 60, 255}
+                                                                     : Colour{0, 0, 0, 255};
     });
     EXPECT_EQ(best_control(check, sparse, nullptr, 3).right, 0);
 }
@@ -108,7 +112,8 @@ TEST(Controls, ABlankPictureIsTheBordersColourAndWhiteIsWhite)
     std::vector<std::uint32_t> framed(64, 3);
     for (std::size_t i = 0; i < 64; ++i)
         if (i < 8 || i >= 56 || i % 8 == 0 || i % 8 == 7) framed[i] = 9;
-    EXPECT_EQ(named(controls(check_of(JudgeKind{"buffer"}), grid(8, 8, framed), 1), "blank"), grid(8, 8, std::vector<std::uint32_t>(64, 9)));
+    EXPECT_EQ(named(controls(check_of(JudgeKind{"buffer"}), grid(8, 8, framed), 1), "blank"),
+              grid(8, 8, std::vector<std::uint32_t>(64, 9)));
     const auto pictures = controls(check_of(JudgeKind{"image"}), scene(), 1);
     EXPECT_EQ(named(pictures, "white"), repaint(scene(), [](int, int) { return Colour{255, 255, 255, 255}; }));
     EXPECT_EQ(named(pictures, "black"), repaint(scene(), [](int, int) { return Colour{0, 0, 0, 0}; }));

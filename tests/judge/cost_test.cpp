@@ -36,7 +36,8 @@ TEST(Costs, TheExponentIsTheSlope)
     EXPECT_NEAR(judged(power(1)).metrics.at("exponent"), 1, 1e-12);
     EXPECT_NEAR(judged(power(2)).metrics.at("exponent"), 2, 1e-12);
     EXPECT_NEAR(judged(power(1.5)).metrics.at("reference_exponent"), 1, 1e-12);
-    // By hand: (1, 1), (2, 2), (4, 8) has in log2 the points (0, 0), (1, 1), (2, 3): slope ((-1)(-4/3) + 0 + (1)(5/3)) / 2 = 3/2.
+    // By hand: (1, 1), (2, 2), (4, 8) has in log2 the points (0, 0), (1, 1), (2, 3): slope ((-1)(-4/3) + 0 + (1)(5/3))
+    // / 2 = 3/2.
     EXPECT_NEAR(growth_of({{1, 1}, {2, 2}, {4, 8}}), 1.5, 1e-12);
 }
 
@@ -57,7 +58,9 @@ TEST(Costs, TheMessageSaysHowTheWorkGrows)
     // 3 n^2 + 100000: 2.1 and 768.1 million... a quotient of 768100000 / 3100000 = 247.8.
     const Tensor noun = table(Element::uint8, 1, std::vector<char>{'f', 'a', 'c', 'e', 's'});
     const Judgement found = judged(cost([](double n) { return 3 * n * n + 100000; }), 1, &noun);
-    EXPECT_EQ(found.message, "from 1,000 to 16,000 faces your work grows 248-fold (like n^2.0); linear is possible (the reference: 16-fold)");
+    EXPECT_EQ(found.message,
+              "from 1,000 to 16,000 faces your work grows 248-fold (like n^2.0); linear is possible (the reference: "
+              "16-fold)");
     EXPECT_EQ(found.first_difference->where, "16,000 faces");
     EXPECT_EQ(found.first_difference->yours, "768,100,000 steps");
     EXPECT_EQ(found.first_difference->expected, "48,000 steps");
@@ -89,7 +92,8 @@ TEST(Costs, HostileOnesEarnNothing)
     EXPECT_EQ(judged(doubles({1000, 3000, 2000, 6000}, 2)).message, "no work was counted for the size 4,000");
     EXPECT_EQ(judged(doubles(std::vector<double>(4'000'000, 1.0), 2)).right, 0);
     EXPECT_EQ(judged(floats({1, 2}, 2)).right, 0);
-    for (const auto& [name, value] : judged(cost([](double) { return 1e308; })).metrics) EXPECT_TRUE(std::isfinite(value)) << name;
+    for (const auto& [name, value] : judged(cost([](double) { return 1e308; })).metrics)
+        EXPECT_TRUE(std::isfinite(value)) << name;
 }
 
 TEST(Costs, TheSizesMustBeThoseThatWereTried)
@@ -107,8 +111,8 @@ TEST(Costs, TheSizesMustBeThoseThatWereTried)
 TEST(Costs, WhatCannotBeJudgedIsAGraderFault)
 {
     Check check = check_of(JudgeKind{"cost"});
-    for (const Tensor& bad : {doubles({1000, 5}, 2), doubles({1000, 5, 1000, 6}, 2), doubles({1000, 0, 2000, 5}, 2), doubles({0, 1, 2000, 5}, 2),
-                              floats({1000, 5, 2000, 6}, 2), doubles({1000, 2000}, 1)})
+    for (const Tensor& bad : {doubles({1000, 5}, 2), doubles({1000, 5, 1000, 6}, 2), doubles({1000, 0, 2000, 5}, 2),
+                              doubles({0, 1, 2000, 5}, 2), floats({1000, 5, 2000, 6}, 2), doubles({1000, 2000}, 1)})
         EXPECT_THROW((void)judge(check, bad, bad, nullptr), std::invalid_argument);
 }
 

@@ -21,7 +21,8 @@ TEST(ErrorBudget, SidakSharesOutWhatIndependentTestsMayErr)
             const double level = sidak(alpha, tests);
             // The chance that none errs, in more precision.
             const long double none = std::exp(tests * std::log1p(-static_cast<long double>(level)));
-            EXPECT_NEAR(static_cast<double>((1 - none) / alpha), 1, alpha < 1e-10 ? 1e-5 : 1e-9) << alpha << " " << tests;
+            EXPECT_NEAR(static_cast<double>((1 - none) / alpha), 1, alpha < 1e-10 ? 1e-5 : 1e-9)
+                << alpha << " " << tests;
             EXPECT_NEAR(sidak_probability(level, tests) / alpha, 1, 1e-12);
         }
     EXPECT_NEAR(sidak(0.25, 1), 0.25, 1e-15);
@@ -44,7 +45,8 @@ double product_at(double level)
 
 TEST(ErrorBudget, TheRateOfTheTwoStagesIsExact)
 {
-    // The oracle: the area of { first < borderline, first * second <= product } in the unit square, summed up in a million thin slices.
+    // The oracle: the area of { first < borderline, first * second <= product } in the unit square, summed up in a
+    // million thin slices.
     for (const double level : {1e-12, 1e-9, check_alpha(), 1e-4, 5e-3}) {
         const double product = product_at(level);
         constexpr int slices = 1000000;
@@ -72,14 +74,16 @@ TEST(ErrorBudget, TheFirstRunDecidesWhereTheSecondCannot)
     // Whatever a second run gave, it would stay wrong.
     EXPECT_LT(two_stage_probability(product * 0.999, 1, noise_borderline), check_alpha());
     EXPECT_EQ(two_stage_probability(0, 0.5, noise_borderline), 0);
-    EXPECT_EQ(two_stage_probability(0.3, 1e-20, noise_borderline), 0.3) << "without a second run the first is what there is";
+    EXPECT_EQ(two_stage_probability(0.3, 1e-20, noise_borderline), 0.3)
+        << "without a second run the first is what there is";
     // With every first run followed by a second it is Fisher's combination of two.
     EXPECT_NEAR(two_stage_probability(0.2, 0.1, 1), 0.02 * (1 - std::log(0.02)), 1e-15);
 }
 
 TEST(ErrorBudget, CorrectSubmissionsFailAsOftenAsTheBudgetSays)
 {
-    // A million correct submissions, each with as many noise checks as the budget is for, decided as the grader decides.
+    // A million correct submissions, each with as many noise checks as the budget is for, decided as the grader
+    // decides.
     const std::uint64_t seed = 20260215;
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -99,9 +103,11 @@ TEST(ErrorBudget, CorrectSubmissionsFailAsOftenAsTheBudgetSays)
         }
         failing += fails ? 1 : 0;
     }
-    std::printf("seed %llu: %d of %d correct submissions with %d noise checks fail (expected %g), %.4f of the checks run again\n",
-                static_cast<unsigned long long>(seed), failing, submissions, most_noise_checks, submissions * thresholds::submission_alpha,
-                static_cast<double>(again) / submissions / most_noise_checks);
+    std::printf(
+        "seed %llu: %d of %d correct submissions with %d noise checks fail (expected %g), %.4f of the checks run "
+        "again\n",
+        static_cast<unsigned long long>(seed), failing, submissions, most_noise_checks,
+        submissions * thresholds::submission_alpha, static_cast<double>(again) / submissions / most_noise_checks);
     // 100 with a standard deviation of 10: four of them on both sides, so that a budget half used would show too.
     EXPECT_GE(failing, 60);
     EXPECT_LE(failing, 140);

@@ -40,7 +40,9 @@ TEST(Events, ALostEventCostsItselfOnly)
     const Judgement found = judged(yours, session);
     EXPECT_DOUBLE_EQ(found.right, 2.0 * 4 / (4 + 5));
     EXPECT_EQ(found.metrics.at("lost"), 1);
-    EXPECT_EQ(found.message, "event 4: expected zoom in (1.1), nothing came (4 of 5 expected events are right, 0 of yours are too much)");
+    EXPECT_EQ(
+        found.message,
+        "event 4: expected zoom in (1.1), nothing came (4 of 5 expected events are right, 0 of yours are too much)");
     EXPECT_EQ(found.first_difference->where, "event 4 of 5");
     EXPECT_EQ(found.first_difference->yours, "nothing");
     EXPECT_EQ(found.first_difference->expected, "zoom in (1.1)");
@@ -57,10 +59,12 @@ TEST(Events, ADuplicateOrAnotherEventIsNamed)
     std::vector<float> other = session;
     other[9] = 2;
     other[10] = 3;
-    EXPECT_EQ(judged(other, session).message.substr(0, 59), "event 4: expected zoom in (1.1), pan (3, 0) came instead (4");
+    EXPECT_EQ(judged(other, session).message.substr(0, 59),
+              "event 4: expected zoom in (1.1), pan (3, 0) came instead (4");
     std::vector<float> behind = session;
     behind.insert(behind.end(), {9, 0, 7});
-    EXPECT_NE(judged(behind, session).message.find("event 6: event of code 9 (0, 7) came, nothing was expected"), std::string::npos);
+    EXPECT_NE(judged(behind, session).message.find("event 6: event of code 9 (0, 7) came, nothing was expected"),
+              std::string::npos);
     EXPECT_NE(judged({}, session).message.find("event 1: expected press, nothing came"), std::string::npos);
 }
 
@@ -74,7 +78,8 @@ TEST(Events, TheToleranceHoldsForNumbersNotForCodes)
 
 TEST(Events, HostileOnesMatchNothing)
 {
-    const Judgement found = judged({nan_f, 0, 0, 2, nan_f, 0, 1, std::numeric_limits<float>::infinity(), 0}, {1, 0, 0, 2, 3, 0}, absolute(1e9));
+    const Judgement found = judged({nan_f, 0, 0, 2, nan_f, 0, 1, std::numeric_limits<float>::infinity(), 0},
+                                   {1, 0, 0, 2, 3, 0}, absolute(1e9));
     EXPECT_EQ(found.right, 0);
     EXPECT_NE(found.message.find("an event whose code is no number"), std::string::npos) << found.message;
     EXPECT_THROW((void)judged({1, 0, 0}, {1, nan_f, 0}), std::invalid_argument);
@@ -101,7 +106,8 @@ std::size_t longest(const std::string& a, const std::string& b)
 {
     std::vector<std::vector<std::size_t>> table(a.size() + 1, std::vector<std::size_t>(b.size() + 1, 0));
     for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < b.size(); ++j) table[i + 1][j + 1] = a[i] == b[j] ? table[i][j] + 1 : std::max(table[i][j + 1], table[i + 1][j]);
+        for (std::size_t j = 0; j < b.size(); ++j)
+            table[i + 1][j + 1] = a[i] == b[j] ? table[i][j] + 1 : std::max(table[i][j + 1], table[i + 1][j]);
     return table[a.size()][b.size()];
 }
 

@@ -32,9 +32,11 @@ TEST(ExplainImages, OneErrorOneExplanation)
     const auto at = [&](auto place) { return repaint(right, [&](int x, int y) { return place(x, y); }); };
     EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, x, last - y); }), right), "flipped vertically");
     EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, last - x, y); }), right), "flipped horizontally");
-    EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, last - x, last - y); }), right), "turned by 180 degrees");
+    EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, last - x, last - y); }), right),
+              "turned by 180 degrees");
     EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, y, x); }), right), "x and y swapped");
-    EXPECT_EQ(first(image, at([&](int x, int y) { return Colour(glm::u8vec3(pixel(right, x, y)), 0); }), right), "alpha only");
+    EXPECT_EQ(first(image, at([&](int x, int y) { return Colour(glm::u8vec3(pixel(right, x, y)), 0); }), right),
+              "alpha only");
     EXPECT_EQ(first(image, at([&](int x, int y) {
                         const Colour c = pixel(right, x, y);
                         return Colour{c.b, c.g, c.r, c.a};
@@ -44,7 +46,8 @@ TEST(ExplainImages, OneErrorOneExplanation)
     EXPECT_EQ(first(image, each_colour(right, encode), right), "gamma applied twice");
     EXPECT_EQ(first(image, each_colour(right, decode), right), "gamma missing");
     EXPECT_EQ(first(image, each_colour(right, [](double v) { return 0.5 * v; }), right), "light scaled");
-    EXPECT_EQ(first(image, each_colour(right, [](double v) { return 2 * v; }), right), "light scaled") << "clamped where it is brightest";
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return 2 * v; }), right), "light scaled")
+        << "clamped where it is brightest";
     EXPECT_EQ(first(image, each_colour(right, [](double v) { return 1 - v; }), right), "inverted");
     EXPECT_EQ(first(image, each_colour(right, [](double v) { return v - 0.1; }), right), "too dark by a constant");
 }
@@ -56,7 +59,9 @@ TEST(ExplainImages, TheShiftIsTold)
         ASSERT_FALSE(found.empty()) << dx << " " << dy;
         EXPECT_EQ(found.front().name, "shifted");
     }
-    EXPECT_NE(explain(image, moved(balls(), 3, -1), balls()).front().sentence.find("3 pixels to the right and 1 pixel up"), std::string::npos);
+    EXPECT_NE(
+        explain(image, moved(balls(), 3, -1), balls()).front().sentence.find("3 pixels to the right and 1 pixel up"),
+        std::string::npos);
 }
 
 TEST(ExplainImages, TheFactorIsTold)
@@ -69,11 +74,33 @@ TEST(ExplainImages, TheFactorIsTold)
 TEST(ExplainImages, UnrelatedErrorsHaveNoExplanation)
 {
     const Tensor right = balls();
-    EXPECT_TRUE(explain(image, repaint(right, [](int, int) { return Colour{8, 10, 40, 255}; }), right).empty()) << "blank";
-    EXPECT_TRUE(explain(image, repaint(right, [](int, int) { return Colour{0, 0, 0, 255}; }), right).empty()) << "black";
+    EXPECT_TRUE(explain(image,
+                        repaint(right,
+                                [](int, int) {
+                                    return Colour{8, 10, 40, 255};
+                                }),
+                        right)
+                    .empty())
+        << "blank";
+    EXPECT_TRUE(explain(image,
+                        repaint(right,
+                                [](int, int) {
+                                    return Colour{0, 0, 0, 255};
+                                }),
+                        right)
+                    .empty())
+        << "black";
     Random random(3);
-    EXPECT_TRUE(explain(image, repaint(right, [&](int, int) { return Colour{random.below(256), random.below(256), random.below(256), 255}; }), right).empty());
-    const auto half = repaint(right, [&](int x, int y) { return x < 50 ? Colour{8, 10, 40, 255} : pixel(right, x, y); });
+    EXPECT_TRUE(explain(image,
+                        repaint(right,
+                                [&](int, int) {
+                                    return Colour{random.below(256), random.below(256), random.below(256), 255};
+                                }),
+                        right)
+                    .empty());
+    const auto half = repaint(right, [&](int x, int y) {
+        return x < 50 ? Colour{8, 10, 40, 255} : pixel(right, x, y);
+    });
     EXPECT_TRUE(explain(image, half, right).empty()) << "one ball missing";
     EXPECT_TRUE(explain(image, balls(64), right).empty()) << "another size";
 }
@@ -83,7 +110,8 @@ std::vector<float> slope(double sign, double from)
     std::vector<float> cells(64 * 48, static_cast<float>(sign < 0 ? 0 : 1));
     for (std::size_t y = 10; y < 40; ++y)
         for (std::size_t x = 5; x < 50; ++x)
-            cells[y * 64 + x] = static_cast<float>(from + sign * (0.2 + 0.01 * static_cast<double>(x) + 0.003 * static_cast<double>(y)));
+            cells[y * 64 + x] = static_cast<float>(
+                from + sign * (0.2 + 0.01 * static_cast<double>(x) + 0.003 * static_cast<double>(y)));
     return cells;
 }
 
@@ -100,7 +128,8 @@ std::vector<std::uint32_t> squares(std::uint32_t offset, std::uint32_t backgroun
 {
     std::vector<std::uint32_t> cells(64 * 48, background);
     for (std::size_t y = 10; y < 40; ++y)
-        for (std::size_t x = 5; x < 50; ++x) cells[y * 64 + x] = static_cast<std::uint32_t>(x / 9 + y / 11 * 7) + offset;
+        for (std::size_t x = 5; x < 50; ++x)
+            cells[y * 64 + x] = static_cast<std::uint32_t>(x / 9 + y / 11 * 7) + offset;
     return cells;
 }
 

@@ -9,7 +9,8 @@ using Change = glm::dmat4 (*)(const glm::dmat4&);
 
 glm::dmat4 view(Random& random)
 {
-    return glm::lookAt(glm::dvec3(random.in_cube()) * 5.0 + glm::dvec3(7, 1, 0), glm::dvec3(random.in_cube()), glm::dvec3(0, 1, 0));
+    return glm::lookAt(glm::dvec3(random.in_cube()) * 5.0 + glm::dvec3(7, 1, 0), glm::dvec3(random.in_cube()),
+                       glm::dvec3(0, 1, 0));
 }
 
 Tensor matrices(Change change)
@@ -41,7 +42,10 @@ TEST(ExplainMatrices, OneErrorOneExplanation)
         {"inverse", [](const glm::dmat4& m) { return glm::inverse(m); }},
         {"negated", [](const glm::dmat4& m) { return -m; }},
         {"scaled", [](const glm::dmat4& m) { return 3.0 * m; }},
-        {"rotation transposed", [](const glm::dmat4& m) { return with_translation(glm::dmat4(glm::transpose(glm::dmat3(m))), glm::dvec3(m[3])); }},
+        {"rotation transposed",
+         [](const glm::dmat4& m) {
+             return with_translation(glm::dmat4(glm::transpose(glm::dmat3(m))), glm::dvec3(m[3]));
+         }},
         {"translation missing", [](const glm::dmat4& m) { return with_translation(m, glm::dvec3(0)); }},
         {"translation negated", [](const glm::dmat4& m) { return with_translation(m, -glm::dvec3(m[3])); }},
         {"translation not rotated", [](const glm::dmat4& m) { return with_translation(m, -eye(m)); }},
@@ -86,7 +90,8 @@ Tensor rotations(double unit)
     Random random(5);
     std::vector<float> values;
     for (int i = 0; i < 10; ++i) {
-        const glm::dmat4 m = glm::rotate(glm::dmat4(1), unit * random.uniform(0.2F, 2.5F), glm::dvec3(random.unit_vector()));
+        const glm::dmat4 m =
+            glm::rotate(glm::dmat4(1), unit * random.uniform(0.2F, 2.5F), glm::dvec3(random.unit_vector()));
         for (int c = 0; c < 4; ++c)
             for (int r = 0; r < 4; ++r) values.push_back(static_cast<float>(m[c][r]));
     }
@@ -120,7 +125,8 @@ TEST(ExplainMatrices, MatricesOfThree)
     const std::vector<float> right{1, 2, 3, 0, 4, 5, 1, 0, 6};
     EXPECT_EQ(first(check, floats({1, 0, 1, 2, 4, 0, 3, 5, 6}, 9), floats(right, 9)), "transposed");
     // By hand: determinant 22, adjugate over it.
-    const std::vector<float> inverse{24.0F / 22, -12.0F / 22, -2.0F / 22, 5.0F / 22, 3.0F / 22, -5.0F / 22, -4.0F / 22, 2.0F / 22, 4.0F / 22};
+    const std::vector<float> inverse{24.0F / 22, -12.0F / 22, -2.0F / 22, 5.0F / 22, 3.0F / 22,
+                                     -5.0F / 22, -4.0F / 22,  2.0F / 22,  4.0F / 22};
     EXPECT_EQ(first(check, floats(inverse, 9), floats(right, 9)), "inverse");
 }
 
@@ -130,14 +136,17 @@ TEST(ExplainMatrices, UnrelatedErrorsHaveNoExplanation)
     EXPECT_TRUE(explain(check, matrices([](const glm::dmat4&) { return glm::dmat4(1); }), right).empty());
     EXPECT_TRUE(explain(check, matrices([](const glm::dmat4&) { return glm::dmat4(0); }), right).empty());
     EXPECT_TRUE(explain(check, matrices([](const glm::dmat4& m) { return m * m; }), right).empty());
-    EXPECT_TRUE(explain(check, matrices([](const glm::dmat4& m) { return glm::translate(m, glm::dvec3(1, 2, 3)); }), right).empty());
+    EXPECT_TRUE(
+        explain(check, matrices([](const glm::dmat4& m) { return glm::translate(m, glm::dvec3(1, 2, 3)); }), right)
+            .empty());
     EXPECT_TRUE(explain(check, matrices([](const glm::dmat4&) { return glm::dmat4(NAN); }), right).empty());
 }
 
 TEST(ExplainMatrices, UndoingMayRound)
 {
     const Change inverse = [](const glm::dmat4& m) { return glm::inverse(m); };
-    EXPECT_EQ(first(check_of(JudgeKind{"matrices"}, ulps(0)), matrices(inverse), matrices(unchanged)), "inverse") << "floats do not come back to the bit";
+    EXPECT_EQ(first(check_of(JudgeKind{"matrices"}, ulps(0)), matrices(inverse), matrices(unchanged)), "inverse")
+        << "floats do not come back to the bit";
 }
 
 TEST(ExplainMatrices, OneStrayMatrixDoesNotHideAFactor)
@@ -164,7 +173,8 @@ TEST(ExplainNumbers, EveryOrderOfComponentsIsTried)
     }
     const auto found = explain(check_of(JudgeKind{"numbers"}, relative(1e-6)), floats(turned, 3), floats(right, 3));
     ASSERT_FALSE(found.empty());
-    EXPECT_NE(found.front().sentence.find("the expected vector is your (y, z, x)"), std::string::npos) << found.front().sentence;
+    EXPECT_NE(found.front().sentence.find("the expected vector is your (y, z, x)"), std::string::npos)
+        << found.front().sentence;
 }
 
 }

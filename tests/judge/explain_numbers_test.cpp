@@ -46,8 +46,10 @@ std::string first_after(Change change, float low = -2)
 TEST(ExplainNumbers, OneErrorOneExplanation)
 {
     EXPECT_EQ(first_after([](float v) { return -v; }), "negated");
-    EXPECT_EQ(first_after([](float v) { return static_cast<float>(v * 180 / std::numbers::pi); }), "degrees for radians");
-    EXPECT_EQ(first_after([](float v) { return static_cast<float>(v * std::numbers::pi / 180); }), "radians for degrees");
+    EXPECT_EQ(first_after([](float v) { return static_cast<float>(v * 180 / std::numbers::pi); }),
+              "degrees for radians");
+    EXPECT_EQ(first_after([](float v) { return static_cast<float>(v * std::numbers::pi / 180); }),
+              "radians for degrees");
     EXPECT_EQ(first_after([](float v) { return 2 * v; }), "scaled");
     EXPECT_EQ(first_after([](float v) { return -0.5F * v; }), "scaled");
     EXPECT_EQ(first_after([](float v) { return 1 / v; }), "reciprocal");
@@ -59,7 +61,8 @@ TEST(ExplainNumbers, OneErrorOneExplanation)
 TEST(ExplainNumbers, NegativesNotClamped)
 {
     const auto raw = values_of(40);
-    EXPECT_EQ(first(numbers, floats(raw), floats(changed(raw, [](float v) { return std::fmax(v, 0.0F); }))), "not clamped");
+    EXPECT_EQ(first(numbers, floats(raw), floats(changed(raw, [](float v) { return std::fmax(v, 0.0F); }))),
+              "not clamped");
 }
 
 TEST(ExplainNumbers, Vectors)
@@ -102,7 +105,8 @@ TEST(ExplainNumbers, UnrelatedErrorsHaveNoExplanation)
 {
     const auto right = values_of(60);
     Random random(seed + 1);
-    EXPECT_TRUE(explain(numbers, floats(changed(right, [&](float) { return random.uniform(-2, 3); })), floats(right)).empty());
+    EXPECT_TRUE(
+        explain(numbers, floats(changed(right, [&](float) { return random.uniform(-2, 3); })), floats(right)).empty());
     EXPECT_TRUE(explain(numbers, floats(std::vector<float>(60, 0.0F)), floats(right)).empty());
     EXPECT_TRUE(explain(numbers, floats(std::vector<float>(60, NAN)), floats(right)).empty());
     EXPECT_TRUE(explain(numbers, floats(changed(right, [](float v) { return v * v * v + 1; })), floats(right)).empty());
@@ -113,7 +117,7 @@ TEST(ExplainNumbers, UnrelatedErrorsHaveNoExplanation)
     EXPECT_TRUE(explain(numbers, floats({5.5F, 5.5F, 5.5F}), floats({3, 3, 3})).empty());
 }
 
-TEST(ExplainNumbers, SurenessIsTheShareOfTheFailingChecksWhereEachSaysMuch)
+TEST(ExplainNumbers, ConfidenceIsTheShareOfTheFailingChecksWhereEachSaysMuch)
 {
     const Tensor right = floats(values_of(40));
     const Tensor negative = floats(changed(values_of(40), [](float v) { return -v; }));

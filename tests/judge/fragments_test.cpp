@@ -31,13 +31,15 @@ std::vector<Spot> drawn(float primitive, const std::vector<std::string>& rows, f
     std::vector<Spot> spots;
     for (std::size_t y = 0; y < rows.size(); ++y)
         for (std::size_t x = 0; x < rows[y].size(); ++x)
-            if (rows[y][x] != '.') spots.push_back({primitive, left + static_cast<float>(x), top + static_cast<float>(y), 0.5F});
+            if (rows[y][x] != '.')
+                spots.push_back({primitive, left + static_cast<float>(x), top + static_cast<float>(y), 0.5F});
     return spots;
 }
 
 const std::vector<std::string> triangle{"#....", "##...", "###..", "####."};
 
-Judgement judged(const std::vector<Spot>& yours, const std::vector<Spot>& expected, Tolerance tolerance = {}, const Tensor* names = nullptr)
+Judgement judged(const std::vector<Spot>& yours, const std::vector<Spot>& expected, Tolerance tolerance = {},
+                 const Tensor* names = nullptr)
 {
     return judge(check_of(JudgeKind{"fragments"}, tolerance), fragments(yours), fragments(expected), nullptr, names);
 }
@@ -72,12 +74,15 @@ TEST(Fragments, EachClassIsCounted)
     EXPECT_EQ(found.metrics.at("wrong_place"), 0);
     EXPECT_DOUBLE_EQ(found.right, 8.0 / (10 + 1 + 2));
     EXPECT_EQ(found.error, 0.25);
-    EXPECT_EQ(found.message, "8 of 10 fragments are right; 1 missing, 1 extra, 2 drawn again, 1 with a wrong value; the first is pixel (0, 0) of triangle 3");
+    EXPECT_EQ(found.message,
+              "8 of 10 fragments are right; 1 missing, 1 extra, 2 drawn again, 1 with a wrong value; the first is "
+              "pixel (0, 0) of triangle 3");
     ASSERT_TRUE(found.first_difference);
     EXPECT_EQ(found.first_difference->where, "pixel (0, 0) of triangle 3");
     EXPECT_EQ(found.first_difference->yours, "no fragment");
     EXPECT_EQ(found.first_difference->expected, "(0.5)");
-    EXPECT_EQ(found.sketch, "-...\n#~..\n###.\n#2##\nx 0..3, y 0..3; # right - missing 2 drawn again ~ wrong value . empty");
+    EXPECT_EQ(found.sketch,
+              "-...\n#~..\n###.\n#2##\nx 0..3, y 0..3; # right - missing 2 drawn again ~ wrong value . empty");
 }
 
 TEST(Fragments, TheToleranceHoldsForAttributesOnly)
@@ -85,7 +90,8 @@ TEST(Fragments, TheToleranceHoldsForAttributesOnly)
     const std::vector<Spot> expected{{0, 5, 6, 1.0F}};
     EXPECT_EQ(judged({{0, 5, 6, 1.05F}}, expected, absolute(0.1)).right, 1);
     EXPECT_EQ(judged({{0, 5, 6, 1.05F}}, expected, absolute(0.01)).right, 0);
-    EXPECT_EQ(judged({{0, 5, 6, std::nextafter(1.0F, 2.0F)}}, expected).right, 0) << "without a tolerance values are equal or wrong";
+    EXPECT_EQ(judged({{0, 5, 6, std::nextafter(1.0F, 2.0F)}}, expected).right, 0)
+        << "without a tolerance values are equal or wrong";
     EXPECT_EQ(judged({{0, 5.05F, 6, 1.0F}}, expected, absolute(0.1)).right, 0);
     EXPECT_EQ(judged({{1, 5, 6, 1.0F}}, expected, absolute(10)).right, 0) << "another primitive";
 }
@@ -110,7 +116,8 @@ TEST(Fragments, AMovedPrimitiveIsOneErrorWithAName)
     EXPECT_EQ(right.metrics.at("missing"), 0);
     EXPECT_EQ(right.metrics.at("extra"), 0);
     EXPECT_DOUBLE_EQ(right.right, 0.6);
-    EXPECT_NE(right.message.find("all fragments of triangle 7 lie one pixel to the right"), std::string::npos) << right.message;
+    EXPECT_NE(right.message.find("all fragments of triangle 7 lie one pixel to the right"), std::string::npos)
+        << right.message;
     EXPECT_NE(moved(-1, 0).message.find("lie one pixel to the left"), std::string::npos);
     EXPECT_NE(moved(0, 1).message.find("lie one pixel too far down"), std::string::npos);
     EXPECT_NE(moved(1, -1).message.find("lie one pixel to the right and one up"), std::string::npos);
@@ -136,7 +143,9 @@ TEST(Fragments, SeveralMovedPrimitivesShareASentence)
     for (const Spot& spot : drawn(2, triangle, 30, 3)) expected.push_back(spot);
     std::vector<Spot> yours = expected;
     for (Spot& spot : yours) spot.x -= 1;
-    EXPECT_NE(judged(yours, expected).message.find("all fragments of triangle 1 (and of 1 other) lie one pixel to the left"), std::string::npos);
+    EXPECT_NE(
+        judged(yours, expected).message.find("all fragments of triangle 1 (and of 1 other) lie one pixel to the left"),
+        std::string::npos);
 }
 
 TEST(Fragments, TheSketchStaysSmallAndRoundTheFirstBadPlace)
@@ -168,8 +177,14 @@ TEST(Fragments, ExpectedDuplicatesMustComeAsOften)
 TEST(Fragments, HostileRowsAreExtraAndDoNoHarm)
 {
     const std::vector<Spot> expected{{0, 1, 1, 0.5F}, {0, 2, 1, 0.5F}};
-    const Judgement found =
-        judged({{nan_f, 1, 1, 0.5F}, {0, infinity_f, 1}, {0, 1, -infinity_f}, {0, 1.5F, 1}, {0, 3e38F, 1}, {0, 4294967296.0F, 1}, {0, 1, 1, nan_f}}, expected);
+    const Judgement found = judged({{nan_f, 1, 1, 0.5F},
+                                    {0, infinity_f, 1},
+                                    {0, 1, -infinity_f},
+                                    {0, 1.5F, 1},
+                                    {0, 3e38F, 1},
+                                    {0, 4294967296.0F, 1},
+                                    {0, 1, 1, nan_f}},
+                                   expected);
     EXPECT_EQ(found.right, 0);
     EXPECT_FALSE(found.error);
     EXPECT_EQ(found.metrics.at("extra"), 6);
@@ -194,7 +209,8 @@ TEST(Fragments, NothingOrAnotherShape)
     const Tensor expected = fragments({{0, 1, 1}});
     EXPECT_EQ(judge(check, Tensor{}, expected, nullptr).right, 0);
     EXPECT_EQ(judge(check, floats({}, 4), expected, nullptr).metrics.at("missing"), 1);
-    EXPECT_EQ(judge(check, floats({0, 1, 1}, 3), expected, nullptr).message, "Yours has rows of 3 float; expected rows of 4 float.");
+    EXPECT_EQ(judge(check, floats({0, 1, 1}, 3), expected, nullptr).message,
+              "Yours has rows of 3 float; expected rows of 4 float.");
     EXPECT_EQ(judge(check, doubles({0, 1, 1, 0}, 4), expected, nullptr).right, 0);
     Tensor damaged = expected;
     damaged.bytes.pop_back();
@@ -213,7 +229,9 @@ TEST(Fragments, AFullRecordingTakesBoundedTime)
     std::vector<Spot> same(1'500'000, Spot{0, 3, 3, nan_f});
     EXPECT_LT(judged(same, expected).right, 1e-3);
     Random random(1);
-    for (Spot& spot : same) spot = {static_cast<float>(random.below(9)), static_cast<float>(random.below(4000)), static_cast<float>(random.below(4000))};
+    for (Spot& spot : same)
+        spot = {static_cast<float>(random.below(9)), static_cast<float>(random.below(4000)),
+                static_cast<float>(random.below(4000))};
     EXPECT_LT(judged(same, expected).right, 1e-3);
 }
 
@@ -227,7 +245,8 @@ TEST(Fragments, ControlsEarnWhatABoundingBoxDoes)
     EXPECT_EQ(points_for(check, best.right, best.right), 0);
     // A diagonal of 100 pixels has a box of 10000: it is left out, as it would earn next to nothing.
     std::vector<Spot> diagonal;
-    for (int i = 0; i < 100; ++i) diagonal.push_back({0, static_cast<float>(i), static_cast<float>(i), static_cast<float>(i)});
+    for (int i = 0; i < 100; ++i)
+        diagonal.push_back({0, static_cast<float>(i), static_cast<float>(i), static_cast<float>(i)});
     EXPECT_LT(best_control(check, fragments(diagonal), nullptr, 1).right, 0.05);
 }
 

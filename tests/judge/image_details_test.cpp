@@ -15,7 +15,10 @@ ImageRule rule(const Tensor& student, const Tensor& expected)
     return apply_image_rule(to_picture(check, student), to_picture(check, expected));
 }
 
-Judgement image(const Tensor& student, const Tensor& expected) { return judge(check_of(JudgeKind{"image"}), student, expected, nullptr); }
+Judgement image(const Tensor& student, const Tensor& expected)
+{
+    return judge(check_of(JudgeKind{"image"}), student, expected, nullptr);
+}
 
 Colour moved(Colour colour, int by)
 {
@@ -39,7 +42,8 @@ TEST(ImageDetails, SubRuleE_AHoleOfNinePixelsIsOne)
     const Tensor right = balls(512);
     const auto hole = [&](int width, int height) {
         return repaint(right, [&](int x, int y) {
-            return x >= 200 && x < 200 + width && y >= 180 && y < 180 + height ? Colour{8, 10, 40, 255} : pixel(right, x, y);
+            return x >= 200 && x < 200 + width && y >= 180 && y < 180 + height ? Colour{8, 10, 40, 255}
+                                                                               : pixel(right, x, y);
         });
     };
     EXPECT_GT(rule(hole(3, 3), right).ratios[4], 1);
@@ -48,7 +52,8 @@ TEST(ImageDetails, SubRuleE_AHoleOfNinePixelsIsOne)
 
 TEST(ImageDetails, SubRuleF_AFaintSpotOnTheBackgroundIsFound)
 {
-    const Tensor spot = repaint(balls(), [](int x, int y) { return x < 24 && y < 24 ? moved(pixel(scene(), x, y), 4) : pixel(scene(), x, y); });
+    const Tensor spot = repaint(
+        balls(), [](int x, int y) { return x < 24 && y < 24 ? moved(pixel(scene(), x, y), 4) : pixel(scene(), x, y); });
     const ImageRule found = rule(spot, balls());
     for (const std::size_t part : {0U, 1U, 2U, 3U, 4U}) EXPECT_LE(found.ratios[part], 1) << part;
     EXPECT_GT(found.ratios[5], 1);
@@ -57,9 +62,16 @@ TEST(ImageDetails, SubRuleF_AFaintSpotOnTheBackgroundIsFound)
 TEST(ImageDetails, ABackgroundThatIsDitheredIsNoContent)
 {
     const auto dithered = [](int x, int y) {
-        return x >= 20 && x < 40 && y >= 20 && y < 40 ? Colour{200, 60, 30, 255} : Colour{byte(10 + (x + y) % 2), 10, 10, 255};
+        return x >= 20 && x < 40 && y >= 20 && y < 40 ? Colour{200, 60, 30, 255}
+                                                      : Colour{byte(10 + (x + y) % 2), 10, 10, 255};
     };
-    EXPECT_EQ(rule(picture(64, 64, [](int, int) { return Colour{0, 0, 0, 255}; }), picture(64, 64, dithered)).content, 400);
+    EXPECT_EQ(rule(picture(64, 64,
+                           [](int, int) {
+                               return Colour{0, 0, 0, 255};
+                           }),
+                   picture(64, 64, dithered))
+                  .content,
+              400);
 }
 
 TEST(ImageDetails, TheBorderIsRepeatedSoThatSurfacesReachIt)
@@ -86,7 +98,8 @@ TEST(ImageDetails, FloatsAreRoundedAndCutToTheRange)
     EXPECT_EQ(level(0), 128);
     EXPECT_EQ(level(-1), 0);
     Tensor two = floats({0, 1, 0, 1}, 2);
-    EXPECT_THROW((void)judge(check_of(JudgeKind{"image"}), two, two, nullptr), std::invalid_argument) << "two channels are no picture";
+    EXPECT_THROW((void)judge(check_of(JudgeKind{"image"}), two, two, nullptr), std::invalid_argument)
+        << "two channels are no picture";
 }
 
 TEST(ImageDetails, WindowsAreThoseThatCountingOneByOneFinds)
@@ -102,7 +115,8 @@ TEST(ImageDetails, WindowsAreThoseThatCountingOneByOneFinds)
             for (int left = 0; left < width; left += window_side / 2) {
                 int count = 0;
                 for (int y = top; y < std::min(height, top + window_side); ++y)
-                    for (int x = left; x < std::min(width, left + window_side); ++x) count += marks[static_cast<std::size_t>(y * width + x)];
+                    for (int x = left; x < std::min(width, left + window_side); ++x)
+                        count += marks[static_cast<std::size_t>(y * width + x)];
                 most = std::max(most, count);
             }
         EXPECT_EQ(densest_window(marks, width, height).count, most) << width << " x " << height;
@@ -112,7 +126,9 @@ TEST(ImageDetails, WindowsAreThoseThatCountingOneByOneFinds)
 TEST(ImageDetails, ALargerSpotCostsNoMoreAndTheErrorIsTheWorstMeasure)
 {
     const Tensor right = balls(512);
-    const Tensor hole = repaint(right, [&](int x, int y) { return x >= 196 && x < 208 && y >= 180 && y < 192 ? Colour{8, 10, 40, 255} : pixel(right, x, y); });
+    const Tensor hole = repaint(right, [&](int x, int y) {
+        return x >= 196 && x < 208 && y >= 180 && y < 192 ? Colour{8, 10, 40, 255} : pixel(right, x, y);
+    });
     const ImageRule found = rule(hole, right);
     EXPECT_GT(found.ratios[4], 10);
     EXPECT_EQ(found.worst(), found.ratios[4]);
@@ -138,7 +154,8 @@ TEST(ImageDetails, TheMeanOfAFewPixelsSaysLittle)
     const auto surfaces = [](int by) {
         return picture(128, 128, [by](int x, int y) {
             if (x >= 10 && x < 80 && y >= 10 && y < 120) return Colour{120, 120, 120, 255};
-            return x >= 100 && x < 108 && y >= 100 && y < 108 ? moved(Colour{120, 120, 120, 255}, by) : Colour{0, 0, 0, 255};
+            return x >= 100 && x < 108 && y >= 100 && y < 108 ? moved(Colour{120, 120, 120, 255}, by)
+                                                              : Colour{0, 0, 0, 255};
         });
     };
     EXPECT_LE(rule(surfaces(4), surfaces(0)).ratios[5], 1);
@@ -159,7 +176,8 @@ TEST(Image, SubRuleG_AnotherSamplingPointIsFoundByItAlone)
     const Tensor right = shapes(0.5, 0.5);
     for (const auto& [dx, dy] : {std::pair{0.5, 0.0}, {-0.4, 0.0}, {0.0, 0.4}, {0.0, -0.4}}) {
         const ImageRule found = rule(shapes(0.5 + dx, 0.5 + dy), right);
-        for (const std::size_t part : {0U, 1U, 2U, 3U, 4U, 5U}) EXPECT_LE(found.ratios[part], 1) << part << ", moved by " << dx << ", " << dy;
+        for (const std::size_t part : {0U, 1U, 2U, 3U, 4U, 5U})
+            EXPECT_LE(found.ratios[part], 1) << part << ", moved by " << dx << ", " << dy;
         EXPECT_GT(found.ratios[6], 1);
         EXPECT_NEAR(found.displacement.x, -dx, 0.25);
         EXPECT_NEAR(found.displacement.y, -dy, 0.25);
@@ -175,8 +193,9 @@ TEST(Image, EdgePixelsThatChangeHandsAtRandomDisplaceNothingAndLightenNothing)
     // Bars three pixels wide: nearly every pixel is one of an edge.
     const auto bars = [](int x, int) { return x % 9 < 3 ? Colour{240, 240, 240, 255} : Colour{0, 0, 0, 255}; };
     const Tensor right = picture(128, 128, bars);
-    const Tensor owned =
-        repaint(right, [&](int x, int y) { return random.below(10) < 3 ? bars(std::max(0, x + 1 - static_cast<int>(random.below(3))), y) : bars(x, y); });
+    const Tensor owned = repaint(right, [&](int x, int y) {
+        return random.below(10) < 3 ? bars(std::max(0, x + 1 - static_cast<int>(random.below(3))), y) : bars(x, y);
+    });
     const ImageRule found = rule(owned, right);
     EXPECT_LE(found.worst(), 0.5);
 }
@@ -184,7 +203,9 @@ TEST(Image, EdgePixelsThatChangeHandsAtRandomDisplaceNothingAndLightenNothing)
 TEST(Image, SubRuleC_LinesDrawnTooWideAreFoundThoughEveryPixelHasASimilarOneBesideIt)
 {
     const auto lines = [](int wide) {
-        return picture(128, 128, [wide](int x, int) { return x % 16 < wide ? Colour{240, 240, 240, 255} : Colour{0, 0, 0, 255}; });
+        return picture(128, 128, [wide](int x, int) {
+            return x % 16 < wide ? Colour{240, 240, 240, 255} : Colour{0, 0, 0, 255};
+        });
     };
     const ImageRule found = rule(lines(2), lines(1));
     EXPECT_LE(found.ratios[0], 1);

@@ -11,7 +11,8 @@ namespace {
 TEST(ImageDifference, NothingWhereNothingDiffers)
 {
     EXPECT_FALSE(worst_region(check_of(JudgeKind{"image"}), balls(), balls()));
-    for (const std::uint8_t level : difference_map(check_of(JudgeKind{"image"}), balls(), balls()).cells) ASSERT_EQ(level, 0);
+    for (const std::uint8_t level : difference_map(check_of(JudgeKind{"image"}), balls(), balls()).cells)
+        ASSERT_EQ(level, 0);
 }
 
 TEST(ImageDifference, FindsTheBoundsTheWorstWindowAndThePeak)
@@ -42,9 +43,11 @@ TEST(ImageDifference, MapsIdsDepthsAndWhatIsNotFinite)
     EXPECT_EQ(ids.at(0, 0), 0);
     EXPECT_EQ(ids.at(1, 0), 255);
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto depths = difference_map(check_of(JudgeKind{"buffer"}), depth(4, 1, {0, 0.6F, nan, 4}), depth(4, 1, {0, 0.2F, 2, 4}));
+    const auto depths =
+        difference_map(check_of(JudgeKind{"buffer"}), depth(4, 1, {0, 0.6F, nan, 4}), depth(4, 1, {0, 0.2F, 2, 4}));
     EXPECT_EQ(depths.cells, (std::vector<std::uint8_t>{0, 26, 255, 0}));
-    EXPECT_THROW((void)difference_map(check_of(JudgeKind{"buffer"}), depth(1, 1, {0}), grid(1, 1, {0})), std::invalid_argument);
+    EXPECT_THROW((void)difference_map(check_of(JudgeKind{"buffer"}), depth(1, 1, {0}), grid(1, 1, {0})),
+                 std::invalid_argument);
     const auto small = worst_region(check_of(JudgeKind{"buffer"}), grid(2, 1, {1, 5}), grid(2, 1, {1, 6}));
     EXPECT_EQ(small->worst, (Window{0, 0, 2, 1}));
 }

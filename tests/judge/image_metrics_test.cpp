@@ -40,7 +40,8 @@ double similarity_by_definition(const Tensor& a, const Tensor& b)
                     for (int i = -5; i <= 5; ++i) {
                         const int sx = mirrored(x + i, width);
                         const int sy = mirrored(y + j, height);
-                        visit(std::exp(-(i * i + j * j) / 4.5L), static_cast<long double>(pixel(a, sx, sy).r), static_cast<long double>(pixel(b, sx, sy).r));
+                        visit(std::exp(-(i * i + j * j) / 4.5L), static_cast<long double>(pixel(a, sx, sy).r),
+                              static_cast<long double>(pixel(b, sx, sy).r));
                     }
             };
             each([&](long double w, long double p, long double q) { weight += w, ma += w * p, mb += w * q; });
@@ -54,7 +55,8 @@ double similarity_by_definition(const Tensor& a, const Tensor& b)
             });
             const long double c1 = 6.5025L;
             const long double c2 = 58.5225L;
-            total += (2 * ma * mb + c1) * (2 * cov / weight + c2) / ((ma * ma + mb * mb + c1) * (va / weight + vb / weight + c2));
+            total += (2 * ma * mb + c1) * (2 * cov / weight + c2) /
+                     ((ma * ma + mb * mb + c1) * (va / weight + vb / weight + c2));
         }
     return static_cast<double>(total / (width * height));
 }
@@ -72,16 +74,22 @@ TEST(ImageMetrics, SimilarityIsTheDefinition)
     const Tensor b = noise(29, 23, 6);
     EXPECT_NEAR(structural_similarity(to_planes(a), to_planes(b)), similarity_by_definition(a, b), 1e-9);
     // A difference in one place only: what is computed is only its surroundings.
-    const Tensor spot = repaint(a, [&](int x, int y) { return x == 20 && y == 11 ? Colour{0, 0, 0, 255} : pixel(a, x, y); });
+    const Tensor spot = repaint(a, [&](int x, int y) {
+        return x == 20 && y == 11 ? Colour{0, 0, 0, 255} : pixel(a, x, y);
+    });
     EXPECT_NEAR(structural_similarity(to_planes(spot), to_planes(a)), similarity_by_definition(spot, a), 1e-9);
-    const Tensor corner = repaint(a, [&](int x, int y) { return x == 0 && y == 0 ? Colour{0, 0, 0, 255} : pixel(a, x, y); });
+    const Tensor corner = repaint(a, [&](int x, int y) {
+        return x == 0 && y == 0 ? Colour{0, 0, 0, 255} : pixel(a, x, y);
+    });
     EXPECT_NEAR(structural_similarity(to_planes(corner), to_planes(a)), similarity_by_definition(corner, a), 1e-9);
     EXPECT_EQ(structural_similarity(to_planes(a), to_planes(a)), 1);
 }
 
 TEST(ImageMetrics, ErrorAndNoiseRatioByHand)
 {
-    const Tensor off = repaint(constant(100), [](int x, int y) { return x == 3 && y == 4 ? Colour{110, 100, 100, 255} : Colour{100, 100, 100, 255}; });
+    const Tensor off = repaint(constant(100), [](int x, int y) {
+        return x == 3 && y == 4 ? Colour{110, 100, 100, 255} : Colour{100, 100, 100, 255};
+    });
     const ImageMetrics found = measure_image(to_planes(off), to_planes(constant(100)));
     const double squares = 100.0 / (48 * 40 * 3);
     EXPECT_NEAR(found.rmse, std::sqrt(squares), 1e-5);

@@ -10,7 +10,10 @@
 namespace umbral::grader::test {
 namespace {
 
-Judgement image(const Tensor& student, const Tensor& expected) { return judge(check_of(JudgeKind{"image"}), student, expected, nullptr); }
+Judgement image(const Tensor& student, const Tensor& expected)
+{
+    return judge(check_of(JudgeKind{"image"}), student, expected, nullptr);
+}
 
 ImageRule rule(const Tensor& student, const Tensor& expected)
 {
@@ -51,7 +54,8 @@ TEST(Image, OneLevelOfNoiseIsNoError)
     const std::uint64_t seed = 11;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
-    const Tensor noisy = repaint(balls(), [&](int x, int y) { return moved(pixel(scene(), x, y), static_cast<int>(random.below(3)) - 1); });
+    const Tensor noisy = repaint(
+        balls(), [&](int x, int y) { return moved(pixel(scene(), x, y), static_cast<int>(random.below(3)) - 1); });
     const Judgement found = image(noisy, balls());
     EXPECT_EQ(found.right, 1) << found.message;
     EXPECT_LE(*found.error, 1);
@@ -67,7 +71,8 @@ TEST(Image, EdgePixelsMayBelongToTheNeighbour)
     const Tensor owned = repaint(right, [&](int x, int y) {
         const Colour here = pixel(right, x, y);
         if (x == 0 || y == 0 || x == 255 || y == 255 || random.below(10) >= 3) return here;
-        const Colour next = pixel(right, x + static_cast<int>(random.below(3)) - 1, y + static_cast<int>(random.below(3)) - 1);
+        const Colour next =
+            pixel(right, x + static_cast<int>(random.below(3)) - 1, y + static_cast<int>(random.below(3)) - 1);
         return background(next) != background(here) ? next : here;
     });
     ASSERT_NE(owned, right);
@@ -120,7 +125,9 @@ TEST(Image, SubRuleC_ALittleMoreLightEverywhereIsFoundByItAlone)
 TEST(Image, SubRuleE_AHoleThatIsTooSmallForItsShareIsFoundByItAlone)
 {
     const Tensor right = balls(512);
-    const Tensor hole = repaint(right, [&](int x, int y) { return x >= 200 && x < 204 && y >= 180 && y < 183 ? Colour{8, 10, 40, 255} : pixel(right, x, y); });
+    const Tensor hole = repaint(right, [&](int x, int y) {
+        return x >= 200 && x < 204 && y >= 180 && y < 183 ? Colour{8, 10, 40, 255} : pixel(right, x, y);
+    });
     const ImageRule found = rule(hole, right);
     for (const std::size_t part : {0U, 1U, 2U, 3U, 5U}) EXPECT_LE(found.ratios[part], 1) << part;
     EXPECT_GE(found.cluster.count, 8);
@@ -137,7 +144,9 @@ TEST(Image, SubRuleE_AHoleThatIsTooSmallForItsShareIsFoundByItAlone)
 TEST(Image, SubRuleE_PixelsFarApartMakeNoHole)
 {
     const Tensor right = balls(512);
-    const Tensor stray = repaint(right, [&](int x, int y) { return x % 64 == 20 && y % 64 == 20 ? Colour{255, 255, 255, 255} : pixel(right, x, y); });
+    const Tensor stray = repaint(right, [&](int x, int y) {
+        return x % 64 == 20 && y % 64 == 20 ? Colour{255, 255, 255, 255} : pixel(right, x, y);
+    });
     EXPECT_LE(rule(stray, right).ratios[4], 0.5);
 }
 
@@ -153,7 +162,9 @@ TEST(Image, SubRuleF_AFaintSpotOnASurfaceIsFoundByItAlone)
         for (const std::size_t part : {0U, 1U, 2U, 3U, 4U}) EXPECT_LE(found.ratios[part], 1) << part;
         EXPECT_GT(found.ratios[5], 1);
         EXPECT_NEAR(found.surface.difference, by, 0.01);
-        EXPECT_NE(image(spot, right).message.find(by > 0 ? "the surface is too bright by 4" : "the surface is too dark by 4"), std::string::npos);
+        EXPECT_NE(
+            image(spot, right).message.find(by > 0 ? "the surface is too bright by 4" : "the surface is too dark by 4"),
+            std::string::npos);
     }
 }
 
@@ -183,7 +194,9 @@ TEST(Image, CreditFallsWithTheWrongArea)
 {
     double last = 1;
     for (const int side : {1, 4, 8, 16, 32, 64, 128}) {
-        const Tensor off = repaint(balls(), [side](int x, int y) { return x < side && y < side ? Colour{250, 0, 250, 255} : pixel(scene(), x, y); });
+        const Tensor off = repaint(balls(), [side](int x, int y) {
+            return x < side && y < side ? Colour{250, 0, 250, 255} : pixel(scene(), x, y);
+        });
         const double right = image(off, balls()).right;
         EXPECT_LE(right, last) << side;
         last = right;
@@ -226,7 +239,8 @@ TEST(Image, FloatsAreMappedByTheRange)
                 const float dx = static_cast<float>(x - 20) / 15;
                 const float dy = static_cast<float>(y - 20) / 15;
                 const float inside = 1 - dx * dx - dy * dy;
-                for (const float v : {dx, dy, std::sqrt(std::fmax(inside, 0.0F))}) values.push_back(inside > 0 ? v + extra : 0);
+                for (const float v : {dx, dy, std::sqrt(std::fmax(inside, 0.0F))})
+                    values.push_back(inside > 0 ? v + extra : 0);
             }
         Tensor tensor = floats(values, 3);
         tensor.rows = tensor.columns = 40;
@@ -236,14 +250,16 @@ TEST(Image, FloatsAreMappedByTheRange)
     EXPECT_LT(judge(check, normals(0.1F), normals(0), nullptr).right, 0.5);
     check.range_high = check.range_low;
     EXPECT_THROW((void)judge(check, normals(0.1F), normals(0), nullptr), std::invalid_argument);
-    EXPECT_THROW((void)judge(check, normals(0), normals(0), nullptr), std::invalid_argument) << "equal pictures do not hide a broken manifest";
+    EXPECT_THROW((void)judge(check, normals(0), normals(0), nullptr), std::invalid_argument)
+        << "equal pictures do not hide a broken manifest";
 }
 
 TEST(Image, WhatIsNotFiniteFails)
 {
     Tensor right = floats(std::vector<float>(30 * 30 * 3, 0.5F), 3);
     right.rows = right.columns = 30;
-    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                            -std::numeric_limits<float>::infinity()}) {
         Tensor wrong = right;
         std::memcpy(wrong.bytes.data() + 400, &bad, 4);
         const Judgement found = image(wrong, right);
@@ -276,7 +292,9 @@ TEST(Image, SmallestPicturesAreJudged)
     const auto one = [](std::uint8_t v) { return picture(1, 1, [v](int, int) { return Colour{v, v, v, 255}; }); };
     EXPECT_EQ(image(one(9), one(9)).right, 1);
     EXPECT_EQ(image(one(200), one(9)).right, 0);
-    const auto line = [](std::uint8_t v) { return picture(7, 1, [v](int x, int) { return Colour{byte(x * v), v, v, 255}; }); };
+    const auto line = [](std::uint8_t v) {
+        return picture(7, 1, [v](int x, int) { return Colour{byte(x * v), v, v, 255}; });
+    };
     EXPECT_EQ(image(line(30), line(9)).right, 0);
 }
 

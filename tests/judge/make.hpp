@@ -21,11 +21,20 @@ Tensor table(Element element, std::uint32_t components, const std::vector<Value>
     return tensor;
 }
 
-inline Tensor floats(const std::vector<float>& values, std::uint32_t components = 1) { return table(Element::float32, components, values); }
-inline Tensor doubles(const std::vector<double>& values, std::uint32_t components = 1) { return table(Element::float64, components, values); }
+inline Tensor floats(const std::vector<float>& values, std::uint32_t components = 1)
+{
+    return table(Element::float32, components, values);
+}
+inline Tensor doubles(const std::vector<double>& values, std::uint32_t components = 1)
+{
+    return table(Element::float64, components, values);
+}
 
 /// What Recorder::text records.
-inline Tensor text(const std::string& value) { return table(Element::uint8, 1, std::vector<char>(value.begin(), value.end())); }
+inline Tensor text(const std::string& value)
+{
+    return table(Element::uint8, 1, std::vector<char>(value.begin(), value.end()));
+}
 
 inline Tensor optional_floats(const std::vector<float>& values, const std::vector<std::uint8_t>& present)
 {
@@ -77,9 +86,13 @@ inline Tensor repaint(const Tensor& tensor, const std::function<Colour(int, int)
     return picture(static_cast<int>(tensor.columns), static_cast<int>(tensor.rows), paint);
 }
 
-inline std::uint8_t byte(double value) { return static_cast<std::uint8_t>(std::lround(std::fmin(std::fmax(value, 0.0), 255.0))); }
+inline std::uint8_t byte(double value)
+{
+    return static_cast<std::uint8_t>(std::lround(std::fmin(std::fmax(value, 0.0), 255.0)));
+}
 
-/// Two shaded balls of different colours on dark blue, nothing symmetric about them: what a course's picture looks like.
+/// Two shaded balls of different colours on dark blue, nothing symmetric about them: what a course's picture looks
+/// like.
 inline Tensor balls(int size = 128)
 {
     return picture(size, size, [size](int px, int py) {

@@ -14,7 +14,8 @@ TEST(Matrices, TheFirstDifferenceIsAnEntryByRowAndColumn)
         for (const float v : identity()) many.push_back(v);
     std::vector<float> wrong = many;
     wrong[3 * 16 + 12] = 5;  // column 3, row 0 of matrix 3
-    const Judgement found = judge(check_of(JudgeKind{"matrices"}, absolute(1e-6)), floats(wrong, 16), floats(many, 16), nullptr);
+    const Judgement found =
+        judge(check_of(JudgeKind{"matrices"}, absolute(1e-6)), floats(wrong, 16), floats(many, 16), nullptr);
     EXPECT_DOUBLE_EQ(found.right, 0.8);
     EXPECT_EQ(found.first_difference->where, "matrix 3, entry (row 0, column 3)");
     EXPECT_EQ(found.first_difference->yours, "5 in [1 0 0 5; 0 1 0 0; 0 0 1 0; 0 0 0 1]");
@@ -28,19 +29,25 @@ TEST(Matrices, AHugeTranslationDoesNotExcuseTheRotation)
     expected[12] = 1e6F;
     std::vector<float> off = expected;
     off[0] = 1.01F;
-    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, relative(1e-5)), floats(off, 16), floats(expected, 16), nullptr).right, 0);
+    EXPECT_EQ(
+        judge(check_of(JudgeKind{"matrices"}, relative(1e-5)), floats(off, 16), floats(expected, 16), nullptr).right,
+        0);
     off = expected;
     off[13] = 1;  // beside a million, one is 1e-6
-    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, relative(1e-5)), floats(off, 16), floats(expected, 16), nullptr).right, 1);
+    EXPECT_EQ(
+        judge(check_of(JudgeKind{"matrices"}, relative(1e-5)), floats(off, 16), floats(expected, 16), nullptr).right,
+        1);
 }
 
 TEST(Matrices, ZeroByCancellationMayKeepItsNeighboursRounding)
 {
     std::vector<float> off = identity();
     off[1] = 1e-7F;
-    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, ulps(2)), floats(off, 16), floats(identity(), 16), nullptr).right, 1);
+    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, ulps(2)), floats(off, 16), floats(identity(), 16), nullptr).right,
+              1);
     off[1] = 1e-6F;
-    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, ulps(2)), floats(off, 16), floats(identity(), 16), nullptr).right, 0);
+    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, ulps(2)), floats(off, 16), floats(identity(), 16), nullptr).right,
+              0);
 }
 
 TEST(Matrices, AColumnOfZerosCountsAgainstTheWholeMatrix)
@@ -48,9 +55,11 @@ TEST(Matrices, AColumnOfZerosCountsAgainstTheWholeMatrix)
     const std::vector<float> expected{2, 0, 0, 0, 2, 0, 0, 0, 0};
     std::vector<float> off = expected;
     off[8] = 1e-6F;
-    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, relative(1e-6)), floats(off, 9), floats(expected, 9), nullptr).right, 1);
+    EXPECT_EQ(
+        judge(check_of(JudgeKind{"matrices"}, relative(1e-6)), floats(off, 9), floats(expected, 9), nullptr).right, 1);
     off[8] = 1e-5F;
-    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, relative(1e-6)), floats(off, 9), floats(expected, 9), nullptr).right, 0);
+    EXPECT_EQ(
+        judge(check_of(JudgeKind{"matrices"}, relative(1e-6)), floats(off, 9), floats(expected, 9), nullptr).right, 0);
 }
 
 TEST(Matrices, EveryEntryMatters)
@@ -58,15 +67,25 @@ TEST(Matrices, EveryEntryMatters)
     for (std::size_t i = 0; i < 16; ++i) {
         std::vector<float> off = identity();
         off[i] += 0.1F;
-        EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, absolute(1e-3)), floats(off, 16), floats(identity(), 16), nullptr).right, 0) << i;
+        EXPECT_EQ(
+            judge(check_of(JudgeKind{"matrices"}, absolute(1e-3)), floats(off, 16), floats(identity(), 16), nullptr)
+                .right,
+            0)
+            << i;
         off[i] = std::numeric_limits<float>::quiet_NaN();
-        EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, absolute(1e-3)), floats(off, 16), floats(identity(), 16), nullptr).right, 0) << i;
+        EXPECT_EQ(
+            judge(check_of(JudgeKind{"matrices"}, absolute(1e-3)), floats(off, 16), floats(identity(), 16), nullptr)
+                .right,
+            0)
+            << i;
     }
 }
 
 TEST(Matrices, OtherSizesAreAGraderFault)
 {
-    EXPECT_THROW((void)judge(check_of(JudgeKind{"matrices"}, absolute(1)), floats({1, 2, 3, 4}, 4), floats({1, 2, 3, 4}, 4), nullptr), std::invalid_argument);
+    EXPECT_THROW((void)judge(check_of(JudgeKind{"matrices"}, absolute(1)), floats({1, 2, 3, 4}, 4),
+                             floats({1, 2, 3, 4}, 4), nullptr),
+                 std::invalid_argument);
 }
 
 TEST(Matrices, ThreeByThreeOnesAreReadByThree)
@@ -74,7 +93,8 @@ TEST(Matrices, ThreeByThreeOnesAreReadByThree)
     const std::vector<float> expected{1, 0, 0, 0, 2, 0, 5, 0, 3};
     std::vector<float> off = expected;
     off[7] = 4;
-    const Judgement found = judge(check_of(JudgeKind{"matrices"}, absolute(1e-3)), floats(off, 9), floats(expected, 9), nullptr);
+    const Judgement found =
+        judge(check_of(JudgeKind{"matrices"}, absolute(1e-3)), floats(off, 9), floats(expected, 9), nullptr);
     EXPECT_EQ(found.first_difference->where, "matrix 0, entry (row 1, column 2)");
     EXPECT_EQ(found.first_difference->yours, "4 in [1 0 5; 0 2 4; 0 0 3]");
 }
@@ -85,7 +105,9 @@ TEST(Matrices, NegativeEntriesAreAsLargeAsPositiveOnes)
     expected[5] = -2;
     std::vector<float> off = expected;
     off[4] = 1e-3F;
-    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, relative(1e-3)), floats(off, 16), floats(expected, 16), nullptr).right, 1);
+    EXPECT_EQ(
+        judge(check_of(JudgeKind{"matrices"}, relative(1e-3)), floats(off, 16), floats(expected, 16), nullptr).right,
+        1);
 }
 
 TEST(Matrices, MarginsAndAbsenceAreThoseOfTheirRows)
@@ -95,12 +117,15 @@ TEST(Matrices, MarginsAndAbsenceAreThoseOfTheirRows)
     std::vector<float> off = two;
     off[16] = 9;
     const Tensor margin = floats({5, 1});
-    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, Tolerance{{}, {}, 1, 2}), floats(off, 16), floats(two, 16), &margin).right, 1);
+    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, Tolerance{{}, {}, 1, 2}), floats(off, 16), floats(two, 16), &margin)
+                  .right,
+              1);
     Tensor absent = floats(std::vector<float>(16, 0.0F), 16);
     absent.present = {0};
     Tensor expected = floats(identity(), 16);
     expected.present = {1};
-    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, ulps(1)), absent, expected, nullptr).first_difference->yours, "nothing");
+    EXPECT_EQ(judge(check_of(JudgeKind{"matrices"}, ulps(1)), absent, expected, nullptr).first_difference->yours,
+              "nothing");
 }
 
 }

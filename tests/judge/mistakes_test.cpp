@@ -98,7 +98,8 @@ TEST(Mistakes, AgreementInMoreValuesSaysMore)
     EXPECT_LE(zeros, 1) << "many errors give zeros";
     EXPECT_GT(one, zeros);
     EXPECT_GT(four, one);
-    EXPECT_EQ(bits({6.5F, 6.5F, 6.5F, 6.5F}, {1.5F, 2.5F, 3.5F, 4.5F}), bits({6.5F}, {1.5F})) << "the same value four times is one value";
+    EXPECT_EQ(bits({6.5F, 6.5F, 6.5F, 6.5F}, {1.5F, 2.5F, 3.5F, 4.5F}), bits({6.5F}, {1.5F}))
+        << "the same value four times is one value";
 }
 
 TEST(Mistakes, OfMatricesBuffersAndPictures)
@@ -114,7 +115,8 @@ TEST(Mistakes, OfMatricesBuffersAndPictures)
     EXPECT_TRUE(same(buffer, grid(2, 2, {1, 1, 1, 3}), grid(2, 2, {1, 1, 1, 2}), grid(2, 2, {1, 1, 1, 3})));
     EXPECT_FALSE(same(buffer, grid(2, 2, {1, 1, 1, 3}), grid(2, 2, {1, 1, 1, 2}), grid(2, 2, {1, 1, 1, 4})));
     const float infinity = std::numeric_limits<float>::infinity();
-    EXPECT_TRUE(same(buffer, depth(3, 1, {infinity, 1, 2}), depth(3, 1, {infinity, 1, 1}), depth(3, 1, {infinity, 1, 2})));
+    EXPECT_TRUE(
+        same(buffer, depth(3, 1, {infinity, 1, 2}), depth(3, 1, {infinity, 1, 1}), depth(3, 1, {infinity, 1, 2})));
 
     const Check image = check_of(JudgeKind{"image"});
     const auto tinted = [](int by) {

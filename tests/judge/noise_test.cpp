@@ -32,7 +32,8 @@ Tensor estimates(Random& random, double factor = 1, int rows = 400)
 {
     std::vector<double> values;
     for (int row = 0; row < rows; ++row)
-        for (const double mean : {0.5, 2.0, 30.0, 0.01}) values.push_back(factor * mean * mean_of(random, exponential, 16));
+        for (const double mean : {0.5, 2.0, 30.0, 0.01})
+            values.push_back(factor * mean * mean_of(random, exponential, 16));
     return doubles(values, 4);
 }
 
@@ -76,7 +77,8 @@ TEST(Noise, AlphaIsNoLight)
     Random random(seed);
     const auto with_alpha = [&](float alpha) {
         Tensor light = noisy(random, 64, 64, 4, 32, floor_and_ball, uniform);
-        for (std::size_t i = 3; i < light.count(); i += 4) std::memcpy(light.bytes.data() + i * sizeof alpha, &alpha, sizeof alpha);
+        for (std::size_t i = 3; i < light.count(); i += 4)
+            std::memcpy(light.bytes.data() + i * sizeof alpha, &alpha, sizeof alpha);
         return light;
     };
     EXPECT_EQ(right(with_alpha(0), with_alpha(1)), 1);
@@ -91,7 +93,8 @@ TEST(Noise, CreditFallsWithTheLightInTheWrongPlace)
     double last = 1;
     for (const double factor : {1.03, 1.06, 1.2, 1.5, 1.9}) {
         const Judgement found = judge(check, run(random, factor), expected, nullptr);
-        std::printf("  times %.2f: %.2f (%.1f %% in the wrong place)\n", factor, found.right, found.metrics.at("misplaced_percent"));
+        std::printf("  times %.2f: %.2f (%.1f %% in the wrong place)\n", factor, found.right,
+                    found.metrics.at("misplaced_percent"));
         EXPECT_LT(found.right, last) << factor;
         EXPECT_NEAR(found.metrics.at("misplaced_percent"), 100 * (1 - 1 / factor), 2) << factor;
         EXPECT_NEAR(right(run(random, 1 / factor), expected), found.right, 0.1) << "too dark as too bright";
@@ -103,7 +106,8 @@ TEST(Noise, CreditFallsWithTheLightInTheWrongPlace)
     EXPECT_LT(right(run(random, 1.03), expected), 0.95);
     // A patch that lies in the dark costs what its light is worth.
     const Tensor patch = noisy(
-        random, 64, 64, 3, 32, [](int x, int y) { return x >= 40 && x < 56 && y >= 16 && y < 32 ? 0.0 : floor_and_ball(x, y); }, uniform);
+        random, 64, 64, 3, 32,
+        [](int x, int y) { return x >= 40 && x < 56 && y >= 16 && y < 32 ? 0.0 : floor_and_ball(x, y); }, uniform);
     const Judgement dark = judge(check, patch, expected, nullptr);
     EXPECT_GT(dark.metrics.at("misplaced_percent"), 5);
     EXPECT_LT(dark.metrics.at("misplaced_percent"), 15);
@@ -125,7 +129,8 @@ TEST(Noise, ControlsEarnNextToNothing)
     }
     // The mean of one quantity is its answer: no control may know it.
     Tensor one = doubles(std::vector<double>(100, 0.25));
-    for (const auto& [name, tensor] : controls(check, one, seed)) EXPECT_LT(judge(check, tensor, one, nullptr).right, 1) << name;
+    for (const auto& [name, tensor] : controls(check, one, seed))
+        EXPECT_LT(judge(check, tensor, one, nullptr).right, 1) << name;
 }
 
 TEST(Noise, NoiseIsNoHidingPlace)
@@ -133,14 +138,20 @@ TEST(Noise, NoiseIsNoHidingPlace)
     Random random(seed);
     const Tensor expected = run(random);
     // Nothing, but for one pixel of each tile that makes the sum of squares as large as one likes.
-    EXPECT_EQ(right(noisy(random, 64, 64, 3, 1, [](int x, int y) { return x % 16 == 5 && y % 16 == 5 ? 100.0 : 0.0; }), expected), 0);
+    EXPECT_EQ(right(noisy(random, 64, 64, 3, 1, [](int x, int y) { return x % 16 == 5 && y % 16 == 5 ? 100.0 : 0.0; }),
+                    expected),
+              0);
     // The same with the right mean.
-    EXPECT_EQ(right(noisy(random, 64, 64, 3, 1, [](int x, int y) { return x % 16 == 5 && y % 16 == 5 ? 256 * 0.13 : 0.0; }), expected), 0);
+    EXPECT_EQ(
+        right(noisy(random, 64, 64, 3, 1, [](int x, int y) { return x % 16 == 5 && y % 16 == 5 ? 256 * 0.13 : 0.0; }),
+              expected),
+        0);
     // Noise without end round nothing, and round the mean.
     for (const double mean : {0.0, 0.13})
         for (const double size : {0.5, 5.0, 1e6}) {
             const auto spread = [&](int, int) { return mean + size * (2 * random.uniform_double() - 1); };
-            EXPECT_LT(right(noisy(random, 64, 64, 3, 1, spread, [](Random&) { return 1.0; }), expected), 0.25) << mean << " " << size;
+            EXPECT_LT(right(noisy(random, 64, 64, 3, 1, spread, [](Random&) { return 1.0; }), expected), 0.25)
+                << mean << " " << size;
         }
     // A table that one row spoils.
     const Tensor table = estimates(random);
@@ -195,9 +206,11 @@ TEST(Noise, WhatCannotBeJudgedIsAFaultOfOurs)
 {
     Random random(seed);
     const auto judged_by_itself = [](const Tensor& tensor) { (void)judge(check, tensor, tensor, nullptr); };
-    EXPECT_THROW(judged_by_itself(estimates(random, 1, 63)), std::invalid_argument) << "too few replicates to prove anything";
+    EXPECT_THROW(judged_by_itself(estimates(random, 1, 63)), std::invalid_argument)
+        << "too few replicates to prove anything";
     EXPECT_NO_THROW(judged_by_itself(estimates(random, 1, 64)));
-    EXPECT_THROW(judged_by_itself(grid(64, 64, std::vector<std::uint32_t>(4096, 1))), std::invalid_argument) << "ids have no mean";
+    EXPECT_THROW(judged_by_itself(grid(64, 64, std::vector<std::uint32_t>(4096, 1))), std::invalid_argument)
+        << "ids have no mean";
     Tensor broken = estimates(random);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     std::memcpy(broken.bytes.data(), &nan, sizeof nan);
@@ -270,7 +283,8 @@ TEST(Noise, AMistakeIsKnownByItsLight)
     EXPECT_EQ(says(failing, run(random, 0.5)), Says::against_it);
     EXPECT_EQ(says(failing, run(random)), Says::against_it) << "no mistake at all";
     const Tensor fine = run(random);
-    EXPECT_EQ(says({&check, &fine, &expected, nullptr, false}, run(random, 2)), Says::against_it) << "the student passes what it would fail";
+    EXPECT_EQ(says({&check, &fine, &expected, nullptr, false}, run(random, 2)), Says::against_it)
+        << "the student passes what it would fail";
 }
 
 TEST(Noise, TheMapShowsMeansAndNoNoise)
@@ -278,7 +292,8 @@ TEST(Noise, TheMapShowsMeansAndNoNoise)
     Random random(seed);
     const auto light = [](int, int) { return 0.2; };
     const Tensor expected = noisy(random, 64, 64, 1, 16, light);
-    const Tensor student = noisy(random, 64, 64, 1, 16, [](int x, int y) { return x >= 32 && x < 48 && y >= 16 && y < 32 ? 0.6 : 0.2; });
+    const Tensor student =
+        noisy(random, 64, 64, 1, 16, [](int x, int y) { return x >= 32 && x < 48 && y >= 16 && y < 32 ? 0.6 : 0.2; });
     const Grid<std::uint8_t> map = difference_map(check, student, expected);
     EXPECT_NEAR(map.at(40, 20), 0.4 * 255, 8);
     EXPECT_EQ(map.at(32, 16), map.at(47, 31)) << "one level a tile";

@@ -9,8 +9,8 @@
 #include "judge/statistics/error_budget.hpp"
 #include "noisy.hpp"
 
-// That p-values of correct work are uniform where that is claimed, and never too small anywhere: this bounds the rate of false alarms, which
-// counting failures of a few thousand pictures could not.
+// That p-values of correct work are uniform where that is claimed, and never too small anywhere: this bounds the rate
+// of false alarms, which counting failures of a few thousand pictures could not.
 namespace umbral::grader::test {
 namespace {
 
@@ -22,7 +22,8 @@ struct Model {
 };
 constexpr Model models[] = {{"exponential", exponential}, {"uniform", uniform}, {"firefly", firefly}};
 
-/// The p-value of one tile of 16 x 16 pixels, each the mean of `samples` estimates on both sides; the light varies across it.
+/// The p-value of one tile of 16 x 16 pixels, each the mean of `samples` estimates on both sides; the light varies
+/// across it.
 double tile_p(Random& random, Noise yours, int your_samples, Noise expected, int samples)
 {
     Estimates a{16, 16, 1, true, std::vector<double>(256), {}};
@@ -42,7 +43,8 @@ double distance_from_uniform(std::vector<double> p)
     std::sort(p.begin(), p.end());
     const auto n = static_cast<double>(p.size());
     double largest = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) largest = std::max({largest, (static_cast<double>(i) + 1) / n - p[i], p[i] - static_cast<double>(i) / n});
+    for (std::size_t i = 0; i < p.size(); ++i)
+        largest = std::max({largest, (static_cast<double>(i) + 1) / n - p[i], p[i] - static_cast<double>(i) / n});
     return std::sqrt(n) * largest;
 }
 
@@ -50,7 +52,8 @@ TEST(NoiseUniform, PValuesOfTilesOfFloatsAreUniform)
 {
     SCOPED_TRACE(seed);
     Random random(seed);
-    std::printf("seed %llu; distance of the p-values of tiles from uniform (1.63: chance 1 %%, 1.95: 0.1 %%)\n", static_cast<unsigned long long>(seed));
+    std::printf("seed %llu; distance of the p-values of tiles from uniform (1.63: chance 1 %%, 1.95: 0.1 %%)\n",
+                static_cast<unsigned long long>(seed));
     for (const Model& model : models)
         for (const int samples : {1, 4, 16, 64}) {
             const int tiles = samples == 64 ? 1500 : 4000;
@@ -58,10 +61,12 @@ TEST(NoiseUniform, PValuesOfTilesOfFloatsAreUniform)
             for (int i = 0; i < tiles; ++i) p.push_back(tile_p(random, model.noise, samples, model.noise, samples));
             const double distance = distance_from_uniform(p);
             std::printf("  %-12s %2d samples a pixel, %d tiles: %.2f\n", model.name, samples, tiles, distance);
-            // With few samples of fireflies a few pixels carry the sum. That is not normal: only the tails are claimed, which are lighter.
+            // With few samples of fireflies a few pixels carry the sum. That is not normal: only the tails are claimed,
+            // which are lighter.
             EXPECT_LT(distance, model.noise == firefly && samples < 16 ? 5.0 : 1.95) << model.name << samples;
             for (const double x : {0.1, 0.01, 1e-3}) {
-                const auto found = static_cast<double>(std::count_if(p.begin(), p.end(), [&](double one) { return one <= x; }));
+                const auto found =
+                    static_cast<double>(std::count_if(p.begin(), p.end(), [&](double one) { return one <= x; }));
                 EXPECT_LE(found, tiles * x + 3.3 * std::sqrt(tiles * x) + 1) << model.name << samples << " " << x;
             }
         }
@@ -69,18 +74,22 @@ TEST(NoiseUniform, PValuesOfTilesOfFloatsAreUniform)
 
 TEST(NoiseUniform, OtherEstimatorsOfTheSameLightAreNotAccused)
 {
-    // The student samples worse or better than the reference: differences are skewed to one side, and symmetric no more.
+    // The student samples worse or better than the reference: differences are skewed to one side, and symmetric no
+    // more.
     SCOPED_TRACE(seed);
     Random random(seed + 1);
     constexpr int tiles = 40000;
-    std::printf("seed %llu, %d tiles each: P(p <= x) / x of the bound that judges a tile\n", static_cast<unsigned long long>(seed + 1), tiles);
+    std::printf("seed %llu, %d tiles each: P(p <= x) / x of the bound that judges a tile\n",
+                static_cast<unsigned long long>(seed + 1), tiles);
     for (const int samples : {1, 2, 4, 16}) {
         std::vector<double> p;
         for (int i = 0; i < tiles; ++i)
-            p.push_back(i % 2 == 0 ? tile_p(random, exponential, samples, uniform, 2 * samples) : tile_p(random, uniform, 2 * samples, exponential, samples));
+            p.push_back(i % 2 == 0 ? tile_p(random, exponential, samples, uniform, 2 * samples)
+                                   : tile_p(random, uniform, 2 * samples, exponential, samples));
         std::printf("  exponential, %2d samples, against uniform: ", samples);
         for (const double x : {0.3, 0.1, 0.01, 1e-3}) {
-            const auto found = static_cast<double>(std::count_if(p.begin(), p.end(), [&](double one) { return std::min(1.0, 3.179 * one) <= x; }));
+            const auto found = static_cast<double>(
+                std::count_if(p.begin(), p.end(), [&](double one) { return std::min(1.0, 3.179 * one) <= x; }));
             std::printf("  %g: %.2f", x, found / tiles / x);
             EXPECT_LE(found, tiles * x + 3 * std::sqrt(tiles * x)) << samples << " " << x;
         }
@@ -109,14 +118,16 @@ double bound(double deviation) { return 3.179 * std::erfc(deviation / std::sqrt(
 
 TEST(NoiseUniform, TheBoundHoldsForEverySignOfEveryDifference)
 {
-    // Where both sides estimate alike, in floats or in rounded and clipped bytes, a pixel's difference has either sign with equal chance,
-    // given its size: all chances are counts of signs. Counted here for sizes of all kinds, to the farthest tail there is.
+    // Where both sides estimate alike, in floats or in rounded and clipped bytes, a pixel's difference has either sign
+    // with equal chance, given its size: all chances are counts of signs. Counted here for sizes of all kinds, to the
+    // farthest tail there is.
     SCOPED_TRACE(seed);
     Random random(seed + 2);
     for (int trial = 0; trial < 60; ++trial) {
         const std::size_t n = 1 + random.below(16);
         std::vector<double> weights;
-        for (std::size_t i = 0; i < n; ++i) weights.push_back(trial % 3 == 0 ? 1.0 : trial % 3 == 1 ? random.uniform_double() : firefly(random));
+        for (std::size_t i = 0; i < n; ++i)
+            weights.push_back(trial % 3 == 0 ? 1.0 : trial % 3 == 1 ? random.uniform_double() : firefly(random));
         double squares = 0;
         for (const double weight : weights) squares += weight * weight;
         // The sums of some random signs, and the largest of all.
@@ -136,7 +147,8 @@ TEST(NoiseUniform, TheBoundHoldsInTheFarTailOfEqualDifferences)
     for (const int n : {1, 2, 3, 5, 16, 63, 64, 255, 256, 1024, 4096}) {
         double tail = 0;  // P(sum >= k), from the far end
         for (int plus = n; 2 * plus > n; --plus) {
-            tail += std::exp(std::lgamma(n + 1.0) - std::lgamma(plus + 1.0) - std::lgamma(n - plus + 1.0) - n * std::log(2.0));
+            tail += std::exp(std::lgamma(n + 1.0) - std::lgamma(plus + 1.0) - std::lgamma(n - plus + 1.0) -
+                             n * std::log(2.0));
             const double deviation = (2 * plus - n) / std::sqrt(static_cast<double>(n));
             if (bound(deviation) < 1e-300 || tail < 1e-300) continue;
             worst = std::max(worst, 2 * tail / bound(deviation));
@@ -147,7 +159,10 @@ TEST(NoiseUniform, TheBoundHoldsInTheFarTailOfEqualDifferences)
     EXPECT_GT(worst, 0.99) << "two pixels reach the bound: its factor cannot be smaller";
 }
 
-std::string name_of(const char* what, int samples) { return std::string(what) + ", " + std::to_string(samples) + (samples == 1 ? " sample" : " samples"); }
+std::string name_of(const char* what, int samples)
+{
+    return std::string(what) + ", " + std::to_string(samples) + (samples == 1 ? " sample" : " samples");
+}
 
 /// Counts of pictures whose probability is at most x, against what x allows.
 void expect_super_uniform(const std::vector<double>& p, const char* what)
@@ -167,7 +182,8 @@ TEST(NoiseUniform, ProbabilitiesOfPicturesAreNeverTooSmall)
     SCOPED_TRACE(seed);
     Random random(seed + 3);
     constexpr int pairs = 4000;
-    std::printf("seed %llu, %d pairs of pictures each: P(probability <= x) / x\n", static_cast<unsigned long long>(seed + 3), pairs);
+    std::printf("seed %llu, %d pairs of pictures each: P(probability <= x) / x\n",
+                static_cast<unsigned long long>(seed + 3), pairs);
     Check check = check_of(JudgeKind{"noise"});
     for (const int samples : {1, 4, 16}) {
         std::vector<double> of_floats;
@@ -179,7 +195,9 @@ TEST(NoiseUniform, ProbabilitiesOfPicturesAreNeverTooSmall)
             const Tensor b = noisy(random, 32, 32, 1, samples, light);
             of_floats.push_back(judge(check, a, b, nullptr).metrics.at("probability"));
             of_bytes.push_back(judge(check, as_bytes(a), as_bytes(b), nullptr).metrics.at("probability"));
-            if (i % 2 == 0) of_other.push_back(judge(check, noisy(random, 32, 32, 1, samples, light, visible), b, nullptr).metrics.at("probability"));
+            if (i % 2 == 0)
+                of_other.push_back(judge(check, noisy(random, 32, 32, 1, samples, light, visible), b, nullptr)
+                                       .metrics.at("probability"));
         }
         expect_super_uniform(of_floats, name_of("floats", samples).c_str());
         expect_super_uniform(of_bytes, name_of("bytes", samples).c_str());
@@ -192,8 +210,10 @@ TEST(NoiseUniform, ThreePercentAreFound)
     SCOPED_TRACE(seed);
     Random random(seed + 4);
     constexpr int pairs = 200;
-    std::printf("seed %llu: 3 %% too bright everywhere, 64 x 64 pixels in grey, noise of one mean a sample; wrong at the level of one check of %g\n",
-                static_cast<unsigned long long>(seed + 4), check_alpha());
+    std::printf(
+        "seed %llu: 3 %% too bright everywhere, 64 x 64 pixels in grey, noise of one mean a sample; wrong at the level "
+        "of one check of %g\n",
+        static_cast<unsigned long long>(seed + 4), check_alpha());
     Check check = check_of(JudgeKind{"noise"});
     const auto flat = [](int, int) { return 0.2; };
     const auto bright = [](int, int) { return 0.206; };
@@ -201,14 +221,17 @@ TEST(NoiseUniform, ThreePercentAreFound)
         int one_run = 0;
         int two_runs = 0;
         for (int i = 0; i < pairs; ++i) {
-            const auto run = [&] { return judge(check, noisy(random, 64, 64, 1, samples, bright), noisy(random, 64, 64, 1, samples, flat), nullptr); };
+            const auto run = [&] {
+                return judge(check, noisy(random, 64, 64, 1, samples, bright), noisy(random, 64, 64, 1, samples, flat),
+                             nullptr);
+            };
             const Judgement first = run();
             one_run += first.right < 1 ? 1 : 0;
             const bool wrong = first.borderline ? judge_both(first, run()).right < 1 : first.right < 1;
             two_runs += wrong ? 1 : 0;
         }
-        std::printf("  %2d samples a pixel: found %.3f in one run, %.3f with a second where it is borderline\n", samples, one_run / double{pairs},
-                    two_runs / double{pairs});
+        std::printf("  %2d samples a pixel: found %.3f in one run, %.3f with a second where it is borderline\n",
+                    samples, one_run / double{pairs}, two_runs / double{pairs});
         EXPECT_GE(two_runs, pairs * (samples == 64 ? 1.0 : samples == 16 ? 0.6 : 0.0));
         EXPECT_GE(two_runs, one_run - pairs / 20) << "a second run loses nothing to speak of";
     }

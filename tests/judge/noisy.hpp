@@ -44,13 +44,16 @@ inline double floor_and_ball(int x, int y)
 }
 
 /// A picture of linear light in floats; every pixel and channel the mean of `samples` estimates.
-inline Tensor noisy(Random& random, int width, int height, int channels, int samples, const Light& light, Noise noise = exponential)
+inline Tensor noisy(Random& random, int width, int height, int channels, int samples, const Light& light,
+                    Noise noise = exponential)
 {
     std::vector<float> values;
-    values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels));
+    values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                   static_cast<std::size_t>(channels));
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            for (int c = 0; c < channels; ++c) values.push_back(static_cast<float>(light(x, y) * mean_of(random, noise, samples)));
+            for (int c = 0; c < channels; ++c)
+                values.push_back(static_cast<float>(light(x, y) * mean_of(random, noise, samples)));
     Tensor tensor = floats(values, static_cast<std::uint32_t>(channels));
     tensor.rows = static_cast<std::uint32_t>(height);
     tensor.columns = static_cast<std::uint32_t>(width);

@@ -113,8 +113,10 @@ TEST(Numbers, RowsInTheBandDoNotCount)
     const Tensor margin = floats({5, 1, 2, -1});
     EXPECT_EQ(numbers(floats({1, 9, 3, 9}), expected, tolerance, &margin).right, 1);
     EXPECT_EQ(numbers(floats({1, 9, 9, 9}), expected, tolerance, &margin).right, 0.5);
-    EXPECT_EQ(numbers(floats({1, 9, 3, 9}), expected, ulps(1), &margin).right, 0.5) << "without a band every row counts";
-    EXPECT_EQ(numbers(floats({1, nan_f, 3, 4}), expected, tolerance, &margin).error, 0) << "what does not count has no error";
+    EXPECT_EQ(numbers(floats({1, 9, 3, 9}), expected, ulps(1), &margin).right, 0.5)
+        << "without a band every row counts";
+    EXPECT_EQ(numbers(floats({1, nan_f, 3, 4}), expected, tolerance, &margin).error, 0)
+        << "what does not count has no error";
     const Tensor all_close = floats({0, 0, 0, nan_f});
     EXPECT_THROW((void)numbers(expected, expected, tolerance, &all_close), std::invalid_argument);
     const Tensor short_margin = floats({1});
@@ -148,14 +150,15 @@ TEST(Numbers, AnotherShapeTypeOrDamageIsWrongAndSaysSo)
     bad_presence.present = {1};
     Tensor bad_element = expected;
     bad_element.element = static_cast<Element>(77);
-    for (const Tensor& student :
-         {floats({1, 2, 3}), floats({1, 2, 3, 4}, 2), doubles({1, 2, 3, 4}), floats({}), Tensor{}, damaged, bad_presence, bad_element}) {
+    for (const Tensor& student : {floats({1, 2, 3}), floats({1, 2, 3, 4}, 2), doubles({1, 2, 3, 4}), floats({}),
+                                  Tensor{}, damaged, bad_presence, bad_element}) {
         const Judgement found = numbers(student, expected, absolute(1e9));
         EXPECT_EQ(found.right, 0);
         EXPECT_FALSE(found.error);
         EXPECT_NE(found.message, "");
     }
-    EXPECT_EQ(numbers(floats({1, 2, 3}), expected, absolute(1)).message, "Yours has 3 rows of 1 float; expected 4 rows of 1 float.");
+    EXPECT_EQ(numbers(floats({1, 2, 3}), expected, absolute(1)).message,
+              "Yours has 3 rows of 1 float; expected 4 rows of 1 float.");
 }
 
 TEST(Numbers, WhatCannotBeJudgedIsAGraderFault)
@@ -173,7 +176,8 @@ TEST(Numbers, TheMessageNamesTheWorstRow)
     const Judgement found = numbers(floats({1, 2.5F, 3.25F, 4}), floats({1, 2, 4, 4}), absolute(0.1));
     EXPECT_EQ(found.message, "2 of 4 rows are wrong; the worst is row 2: yours 3.25, expected 4 (error 0.75)");
     EXPECT_EQ(found.first_difference->where, "row 1");
-    EXPECT_EQ(numbers(floats({2}), floats({1}), relative(0.1)).message, "The only row is wrong: row 0: yours 2, expected 1 (relative error 1)");
+    EXPECT_EQ(numbers(floats({2}), floats({1}), relative(0.1)).message,
+              "The only row is wrong: row 0: yours 2, expected 1 (relative error 1)");
 }
 
 TEST(Numbers, QuantilesAreOfTheErrors)
@@ -191,7 +195,8 @@ TEST(Numbers, AValueAtItsBoundIsRight)
     EXPECT_EQ(numbers(floats({1.5F}), floats({1}), absolute(0.5)).right, 1);
     EXPECT_EQ(numbers(floats({1.5F}), floats({1}), relative(0.5)).right, 1);
     EXPECT_EQ(numbers(floats({5}), floats({0}), relative(0.5)).right, 0) << "nothing is relative to 0";
-    EXPECT_EQ(numbers(floats({-100, 0.5F, 1}, 3), floats({-100, 0, 1}, 3), relative(0.01)).right, 1) << "a negative number is as large as a positive one";
+    EXPECT_EQ(numbers(floats({-100, 0.5F, 1}, 3), floats({-100, 0, 1}, 3), relative(0.01)).right, 1)
+        << "a negative number is as large as a positive one";
 }
 
 TEST(Numbers, TheUnitOfErrorsIsTheFirstBoundOfUlpsRelativeAbsolute)

@@ -9,7 +9,8 @@ namespace {
 
 const std::vector<double> sizes{1000, 2000, 4000, 8000, 16000};
 
-/// What runs take that need 1 ms beside their work, and for each size n so many milliseconds at the largest, growing with this exponent.
+/// What runs take that need 1 ms beside their work, and for each size n so many milliseconds at the largest, growing
+/// with this exponent.
 OutsideCost runs_of(double at_the_largest, double exponent, double nothing = 1)
 {
     OutsideCost cost{nothing, nothing, nothing};
@@ -43,8 +44,10 @@ TEST(OutsideCost, WorkThatGrowsAsItMayIsBelievedHoweverSlow)
 
 TEST(OutsideCost, HiddenQuadraticWorkIsNot)
 {
-    for (const double milliseconds : {20.0, 50.0, 1000.0}) EXPECT_TRUE(objection(runs_of(milliseconds, 2))) << milliseconds;
-    // Sums of the squares of 1, 2, 4, 8, 16 sixteenths: 1 + 1/4 + 1/16 + 1/64 + 1/256 = 1.332 of 50 ms; the reference's 2 ms times 1.9375.
+    for (const double milliseconds : {20.0, 50.0, 1000.0})
+        EXPECT_TRUE(objection(runs_of(milliseconds, 2))) << milliseconds;
+    // Sums of the squares of 1, 2, 4, 8, 16 sixteenths: 1 + 1/4 + 1/16 + 1/64 + 1/256 = 1.332 of 50 ms; the reference's
+    // 2 ms times 1.9375.
     EXPECT_EQ(*objection(runs_of(50, 2)),
               "the counted steps are fine, but your code took 17 times the reference's time (67 ms, 3.9), and from "
               "4,000 to 16,000 corners it grows "

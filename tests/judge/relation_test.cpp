@@ -18,8 +18,14 @@ Check with_relation(JudgeKind kind, const Relation& relation, Tolerance toleranc
     return check;
 }
 
-Relation equal() { return {"upright", "turned", {0, 0}, 1, "rotating scene and camera together must not change the picture"}; }
-Relation moved(int x, int y) { return {"upright", "", {x, y}, 1, "a window further right must show the same picture there"}; }
+Relation equal()
+{
+    return {"upright", "turned", {0, 0}, 1, "rotating scene and camera together must not change the picture"};
+}
+Relation moved(int x, int y)
+{
+    return {"upright", "", {x, y}, 1, "a window further right must show the same picture there"};
+}
 Relation times(double factor) { return {"upright", "", {0, 0}, factor, "twice the light must be twice as bright"}; }
 
 /// What one run recorded, with copies that tests may spoil.
@@ -56,7 +62,9 @@ Tensor mirrored()
 Tensor noise_picture(std::uint64_t seed)
 {
     Random random(seed);
-    return picture(128, 128, [&](int, int) { return Colour{random.below(256), random.below(256), random.below(256), 255}; });
+    return picture(128, 128, [&](int, int) {
+        return Colour{random.below(256), random.below(256), random.below(256), 255};
+    });
 }
 
 Tensor gamma_twice(const Tensor& of)
@@ -74,7 +82,8 @@ Tensor random_table(Random& random, std::uint32_t rows, double factor = 1, std::
 {
     std::vector<float> values;
     for (std::uint32_t i = 0; i < rows; ++i)
-        values.push_back(kept != nullptr && !kept->empty() ? static_cast<float>(factor) * (*kept)[i] : random.uniform(1, 9));
+        values.push_back(kept != nullptr && !kept->empty() ? static_cast<float>(factor) * (*kept)[i]
+                                                           : random.uniform(1, 9));
     if (kept != nullptr && kept->empty()) *kept = values;
     return floats(values);
 }
@@ -83,7 +92,9 @@ Tensor triangle(int primitive, int x0, int y0)
 {
     std::vector<float> rows;
     for (int y = 0; y < 12; ++y)
-        for (int x = 0; x <= y; ++x) rows.insert(rows.end(), {static_cast<float>(primitive), static_cast<float>(x0 + x), static_cast<float>(y0 + y)});
+        for (int x = 0; x <= y; ++x)
+            rows.insert(rows.end(),
+                        {static_cast<float>(primitive), static_cast<float>(x0 + x), static_cast<float>(y0 + y)});
     return floats(rows, 3);
 }
 
@@ -100,7 +111,8 @@ TEST(Relation, AnyRightRecordingHasItAll)
         const Tensor to = random_table(random, 40, 1, &kept);
         const double factor = random.uniform(0.1F, 0.8F) * (seed % 2 == 0 ? 10 : 1);
         const Recorded run{random_table(random, 40, factor, &kept), to};
-        EXPECT_EQ(right(with_relation(JudgeKind{"numbers"}, times(factor), ulps(4)), run, run, seed), 1) << "seed " << seed;
+        EXPECT_EQ(right(with_relation(JudgeKind{"numbers"}, times(factor), ulps(4)), run, run, seed), 1)
+            << "seed " << seed;
     }
     const Recorded fragments{triangle(0, 33, 45), triangle(0, 30, 40)};
     EXPECT_EQ(right(with_relation(JudgeKind{"fragments"}, moved(3, 5)), fragments, fragments), 1);
@@ -109,7 +121,8 @@ TEST(Relation, AnyRightRecordingHasItAll)
 TEST(Relation, WhatIsWrongInTheSameWayEverywhereStillHasIt)
 {
     const Recorded wrong{gamma_twice(scene()), gamma_twice(scene()), gamma_twice(mirrored())};
-    EXPECT_EQ(right(with_relation(JudgeKind{"image"}, equal()), wrong, right_pictures()), 1) << "no picture is right, and the law holds";
+    EXPECT_EQ(right(with_relation(JudgeKind{"image"}, equal()), wrong, right_pictures()), 1)
+        << "no picture is right, and the law holds";
     EXPECT_LT(judge(check_of(JudgeKind{"image"}), wrong.value, scene(), nullptr).right, 0.5);
 }
 
@@ -120,8 +133,10 @@ TEST(Relation, WhatBreaksTheLawLosesIt)
     broken.value = gamma_twice(scene());
     const Judgement found = RelationJudge(check, right_pictures().tensors(), nullptr, 1).judge(broken.tensors());
     EXPECT_LT(found.right, 0.5);
-    EXPECT_EQ(
-        found.message.rfind("Rotating scene and camera together must not change the picture. Expected here is your own 'upright'. The picture differs", 0), 0U)
+    EXPECT_EQ(found.message.rfind("Rotating scene and camera together must not change the picture. Expected here is "
+                                  "your own 'upright'. The picture differs",
+                                  0),
+              0U)
         << found.message;
     EXPECT_TRUE(found.first_difference.has_value());
     const Recorded still{balls_moved(3, 4), scene()};
@@ -133,14 +148,17 @@ TEST(Relation, WhatBreaksTheLawLosesIt)
     const Tensor to = random_table(random, 40, 1, &kept);
     const Recorded four{random_table(random, 40, 4, &kept), to};
     const Recorded two{random_table(random, 40, 2, &kept), to};
-    EXPECT_EQ(right(with_relation(JudgeKind{"numbers"}, times(4), relative(1e-6)), two, four), 0) << "area grows with the square";
+    EXPECT_EQ(right(with_relation(JudgeKind{"numbers"}, times(4), relative(1e-6)), two, four), 0)
+        << "area grows with the square";
 }
 
 TEST(Relation, WhatComesInFromOutsideIsNotCompared)
 {
     Recorded run{balls_moved(9, -6), scene()};
     const Tensor clean = run.value;
-    run.value = repaint(clean, [&](int x, int y) { return x < 9 || y >= 122 ? Colour{255, 0, 255, 255} : pixel(clean, x, y); });
+    run.value = repaint(clean, [&](int x, int y) {
+        return x < 9 || y >= 122 ? Colour{255, 0, 255, 255} : pixel(clean, x, y);
+    });
     const Recorded reference{clean, scene()};
     EXPECT_EQ(right(with_relation(JudgeKind{"image"}, moved(9, -6)), run, reference), 1);
     run.value = repaint(clean, [&](int x, int y) { return x < 14 ? Colour{255, 0, 255, 255} : pixel(clean, x, y); });
@@ -164,16 +182,18 @@ TEST(Relation, EveryControlGetsNothing)
     std::vector<float> kept;
     const Tensor to = random_table(random, 64, 1, &kept);
     const Recorded doubled{random_table(random, 64, 2, &kept), to};
-    const std::vector<std::pair<Check, const Recorded*>> all = {{with_relation(JudgeKind{"image"}, equal()), &pictures},
-                                                                {with_relation(JudgeKind{"image"}, moved(3, 5)), &shifted},
-                                                                {with_relation(JudgeKind{"fragments"}, moved(3, 5)), &fragments},
-                                                                {with_relation(JudgeKind{"numbers"}, times(2), relative(1e-5)), &doubled}};
+    const std::vector<std::pair<Check, const Recorded*>> all = {
+        {with_relation(JudgeKind{"image"}, equal()), &pictures},
+        {with_relation(JudgeKind{"image"}, moved(3, 5)), &shifted},
+        {with_relation(JudgeKind{"fragments"}, moved(3, 5)), &fragments},
+        {with_relation(JudgeKind{"numbers"}, times(2), relative(1e-5)), &doubled}};
     for (const auto& [check, run] : all)
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
             const RelationJudge law(check, run->tensors(), nullptr, seed);
             EXPECT_GE(law.controls().size(), 5U);
             for (const RelatedControl& control : law.controls())
-                EXPECT_EQ(law.judge(control.tensors()).right, 0) << to_string(check.judge) << ": " << control.name << ", seed " << seed;
+                EXPECT_EQ(law.judge(control.tensors()).right, 0)
+                    << to_string(check.judge) << ": " << control.name << ", seed " << seed;
             EXPECT_EQ(law.best_control().right, 0);
             EXPECT_EQ(law.judge(run->tensors()).right, 1) << "and the reference all";
         }
@@ -187,21 +207,28 @@ TEST(Relation, PicturesThatKnowNothingGetNothingHoweverWellTheyAgree)
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const Tensor noise = noise_picture(seed);
         const auto moved_noise = expected_by_relation(along, noise, noise);
-        EXPECT_EQ(right(same, {noise, noise, noise_picture(seed + 100)}, right_pictures()), 0) << "one noise under both names, another under the third";
+        EXPECT_EQ(right(same, {noise, noise, noise_picture(seed + 100)}, right_pictures()), 0)
+            << "one noise under both names, another under the third";
         EXPECT_EQ(right(along, {*moved_noise, noise}, reference), 0) << "noise that moves";
-        EXPECT_EQ(right(same, {noise, noise_picture(seed + 50), mirrored()}, right_pictures()), 0) << "noise is not equal to other noise";
+        EXPECT_EQ(right(same, {noise, noise_picture(seed + 50), mirrored()}, right_pictures()), 0)
+            << "noise is not equal to other noise";
     }
     EXPECT_EQ(right(same, {scene(), scene(), scene()}, right_pictures()), 0) << "the same picture whatever is asked";
     EXPECT_EQ(right(along, {scene(), scene()}, reference), 0) << "the same picture, unmoved";
-    const Tensor one_pixel = repaint(scene(), [](int x, int y) { return x == 40 && y == 50 ? Colour{255, 255, 255, 255} : night; });
-    const Tensor moved_pixel = repaint(scene(), [](int x, int y) { return x == 43 && y == 55 ? Colour{255, 255, 255, 255} : night; });
+    const Tensor one_pixel = repaint(scene(), [](int x, int y) {
+        return x == 40 && y == 50 ? Colour{255, 255, 255, 255} : night;
+    });
+    const Tensor moved_pixel = repaint(scene(), [](int x, int y) {
+        return x == 43 && y == 55 ? Colour{255, 255, 255, 255} : night;
+    });
     EXPECT_EQ(right(along, {moved_pixel, one_pixel}, reference), 0) << "too little of it";
 }
 
 TEST(Relation, AMessageSaysWhyAgreementIsNotEnough)
 {
     const Judgement found =
-        RelationJudge(with_relation(JudgeKind{"image"}, equal()), right_pictures().tensors(), nullptr, 1).judge({&scene(), &scene(), &scene()});
+        RelationJudge(with_relation(JudgeKind{"image"}, equal()), right_pictures().tensors(), nullptr, 1)
+            .judge({&scene(), &scene(), &scene()});
     EXPECT_EQ(found.right, 0);
     EXPECT_NE(found.message.find("your 'turned'"), std::string::npos) << found.message;
 }
@@ -272,8 +299,10 @@ TEST(Relation, OneThatTellsNothingIsAFaultOfTheUnit)
     tells(with_relation(JudgeKind{"image"}, equal()), {scene(), scene(), scene()}, "almost like 'upright'");
     const Tensor flat = picture(64, 64, [](int, int) { return night; });
     tells(with_relation(JudgeKind{"image"}, moved(3, 5)), {flat, flat}, "the same everywhere");
-    tells(with_relation(JudgeKind{"numbers"}, times(2), relative(0.1)), {floats({2, 4, 6}), floats({1, 2, 3})}, "fewer than 32");
-    tells(with_relation(JudgeKind{"buffer"}, times(2)), {grid(8, 8, std::vector<std::uint32_t>(64, 2)), grid(8, 8, std::vector<std::uint32_t>(64, 1))},
+    tells(with_relation(JudgeKind{"numbers"}, times(2), relative(0.1)), {floats({2, 4, 6}), floats({1, 2, 3})},
+          "fewer than 32");
+    tells(with_relation(JudgeKind{"buffer"}, times(2)),
+          {grid(8, 8, std::vector<std::uint32_t>(64, 2)), grid(8, 8, std::vector<std::uint32_t>(64, 1))},
           "whole numbers");
     tells(with_relation(JudgeKind{"image"}, moved(3, 5)), {balls(64), scene()}, "another shape");
 }
@@ -284,7 +313,8 @@ TEST(Likeness, IsHighForWorkAndLowForNoise)
     EXPECT_DOUBLE_EQ(*likeness(check, scene(), scene()), 1);
     EXPECT_GT(*likeness(check, gamma_twice(scene()), scene()), 0.7);
     EXPECT_LT(*likeness(check, mirrored(), scene()), 0.5);
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) EXPECT_LT(*likeness(check, noise_picture(seed), scene()), 0.05) << "seed " << seed;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed)
+        EXPECT_LT(*likeness(check, noise_picture(seed), scene()), 0.05) << "seed " << seed;
     EXPECT_EQ(*likeness(check, picture(128, 128, [](int, int) { return night; }), scene()), 0);
     const Tensor mask = optional_floats(std::vector<float>(40, 0), [] {
         std::vector<std::uint8_t> present(40, 0);
@@ -292,7 +322,9 @@ TEST(Likeness, IsHighForWorkAndLowForNoise)
         return present;
     }());
     EXPECT_EQ(*likeness(check_of(JudgeKind{"numbers"}), mask, mask), 1) << "what is there is knowledge too";
-    EXPECT_EQ(*likeness(check_of(JudgeKind{"numbers"}), optional_floats(std::vector<float>(40, 0), std::vector<std::uint8_t>(40, 1)), mask), 0.5);
+    EXPECT_EQ(*likeness(check_of(JudgeKind{"numbers"}),
+                        optional_floats(std::vector<float>(40, 0), std::vector<std::uint8_t>(40, 1)), mask),
+              0.5);
 }
 
 }

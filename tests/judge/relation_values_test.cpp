@@ -21,13 +21,15 @@ Check twice()
 std::pair<Tensor, Tensor> table(std::vector<float> to, std::size_t wrong = 0)
 {
     std::vector<float> value = to;
-    for (std::size_t i = 0; i < value.size(); ++i) value[i] = static_cast<float>(factor) * to[i] + (i + wrong >= value.size() ? 5.0F : 0.0F);
+    for (std::size_t i = 0; i < value.size(); ++i)
+        value[i] = static_cast<float>(factor) * to[i] + (i + wrong >= value.size() ? 5.0F : 0.0F);
     return {floats(value), floats(to)};
 }
 
 Judgement judged(const std::pair<Tensor, Tensor>& student, const std::pair<Tensor, Tensor>& reference)
 {
-    return RelationJudge(twice(), {&reference.first, &reference.second, nullptr}, nullptr, 1).judge({&student.first, &student.second, nullptr});
+    return RelationJudge(twice(), {&reference.first, &reference.second, nullptr}, nullptr, 1)
+        .judge({&student.first, &student.second, nullptr});
 }
 
 /// 1, 2 … 40; the first `small` of them next to nothing, of which any multiple is nothing, too.

@@ -13,26 +13,29 @@ namespace {
 
 using Light = std::function<double(int, int)>;
 
-/// sRGB in 8 bits. From a table, since the tests encode some 100 million values: within a hundredth of a code but for the darkest.
+/// sRGB in 8 bits. From a table, since the tests encode some 100 million values: within a hundredth of a code but for
+/// the darkest.
 std::uint8_t encoded(double light)
 {
     static const std::vector<std::uint8_t> table = [] {
         std::vector<std::uint8_t> codes(1 << 16);
         for (std::size_t i = 0; i < codes.size(); ++i) {
             const double value = (static_cast<double>(i) + 0.5) / static_cast<double>(codes.size());
-            codes[i] = static_cast<std::uint8_t>(std::lround(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055)));
+            codes[i] = static_cast<std::uint8_t>(
+                std::lround(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055)));
         }
         return codes;
     }();
     return table[static_cast<std::size_t>(std::min(std::max(light, 0.0), 0.99999) * static_cast<double>(table.size()))];
 }
 
-/// A path tracer's picture as far as statistics goes: every pixel the mean of `samples` exponential estimates of its light, which is
-/// as skewed as rare bright paths are. Encoded as sRGB in 8 bits.
+/// A path tracer's picture as far as statistics goes: every pixel the mean of `samples` exponential estimates of its
+/// light, which is as skewed as rare bright paths are. Encoded as sRGB in 8 bits.
 Picture rendered(Random& random, int width, int height, int channels, int samples, const Light& light)
 {
     Picture picture{width, height, channels, {}};
-    picture.planes.resize(static_cast<std::size_t>(channels) * (static_cast<std::size_t>(height) + 2) * picture.stride());
+    picture.planes.resize(static_cast<std::size_t>(channels) * (static_cast<std::size_t>(height) + 2) *
+                          picture.stride());
     for (int c = 0; c < channels; ++c)
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
@@ -63,20 +66,24 @@ TEST(Stochastic, RightPicturesAreHardlyEverAccused)
         alarms += apply_stochastic_rule(a, b).agree ? 0 : 1;
     }
     RecordProperty("false_alarms_of_10000", alarms);
-    std::printf("false alarms: %d of %d pairs, %g of them allowed on average\n", alarms, pairs, pairs * stochastic_alpha);
+    std::printf("false alarms: %d of %d pairs, %g of them allowed on average\n", alarms, pairs,
+                pairs * stochastic_alpha);
     // One is the mean; more than six have a chance of 1 in 12,000.
     EXPECT_LE(alarms, 6);
 }
 
 TEST(Stochastic, ThreePercentTooBrightIsCaught)
 {
-    // 16 samples a pixel, each with a standard deviation of its mean: noisier than diffuse light under next event estimation.
+    // 16 samples a pixel, each with a standard deviation of its mean: noisier than diffuse light under next event
+    // estimation.
     for (const double factor : {1.03, 0.97}) {
         Random random(3);
         int caught = 0;
         for (int i = 0; i < 10; ++i) {
-            const Picture yours = rendered(random, 128, 128, 3, 16, [&](int x, int y) { return factor * scene(x / 2, y / 2); });
-            const StochasticRule rule = apply_stochastic_rule(yours, rendered(random, 128, 128, 3, 16, [](int x, int y) { return scene(x / 2, y / 2); }));
+            const Picture yours =
+                rendered(random, 128, 128, 3, 16, [&](int x, int y) { return factor * scene(x / 2, y / 2); });
+            const StochasticRule rule = apply_stochastic_rule(
+                yours, rendered(random, 128, 128, 3, 16, [](int x, int y) { return scene(x / 2, y / 2); }));
             caught += rule.agree ? 0 : 1;
             EXPECT_GT(rule.worst_z * (factor - 1), 0) << "the sign says which is brighter";
         }
@@ -88,8 +95,8 @@ TEST(Stochastic, ALocalMistakeIsFoundInItsTile)
 {
     Random random(4);
     const auto with_hole = [](int x, int y) { return x >= 96 && x < 112 && y >= 160 && y < 176 ? 0.10 : 0.2; };
-    const StochasticRule rule =
-        apply_stochastic_rule(rendered(random, 256, 256, 1, 4, with_hole), rendered(random, 256, 256, 1, 4, [](int, int) { return 0.2; }));
+    const StochasticRule rule = apply_stochastic_rule(rendered(random, 256, 256, 1, 4, with_hole),
+                                                      rendered(random, 256, 256, 1, 4, [](int, int) { return 0.2; }));
     EXPECT_FALSE(rule.agree);
     EXPECT_EQ(rule.x, 96);
     EXPECT_EQ(rule.y, 160);
@@ -136,8 +143,8 @@ TEST(Stochastic, ClippingAtWhiteIsForgiven)
         const StochasticRule fewer = apply_stochastic_rule(rendered(random, 64, 64, 3, 16, bright), expected);
         EXPECT_TRUE(fewer.agree) << fewer.message();
         // What is not clipped is judged as ever.
-        const StochasticRule darker =
-            apply_stochastic_rule(rendered(random, 64, 64, 3, 64, [&](int x, int y) { return bright(x, y) * (x < 32 ? 1 : 0.9); }), expected);
+        const StochasticRule darker = apply_stochastic_rule(
+            rendered(random, 64, 64, 3, 64, [&](int x, int y) { return bright(x, y) * (x < 32 ? 1 : 0.9); }), expected);
         EXPECT_FALSE(darker.agree);
         EXPECT_GE(darker.x + darker.width, 32);
     }
@@ -160,10 +167,13 @@ TEST(Stochastic, OneWhitePixelExcusesNoOther)
     Random random(20260106);
     const auto lamps = [](int x, int y) { return x % 16 == 3 && y % 16 == 3 ? 100.0 : 0.3; };
     const Picture expected = rendered(random, 64, 64, 3, 64, lamps);
-    EXPECT_FALSE(apply_stochastic_rule(rendered(random, 64, 64, 3, 64, [&](int x, int y) { return 0.9 * lamps(x, y); }), expected).agree);
+    EXPECT_FALSE(apply_stochastic_rule(rendered(random, 64, 64, 3, 64, [&](int x, int y) { return 0.9 * lamps(x, y); }),
+                                       expected)
+                     .agree);
 }
 
-// Two equal differences: of two random signs, every second pair is equal. No bound of the chance may lie below that; this one is reached.
+// Two equal differences: of two random signs, every second pair is equal. No bound of the chance may lie below that;
+// this one is reached.
 TEST(Stochastic, TheBoundHoldsForTwoValues)
 {
     const Estimates zero{1, 2, 1, false, {0, 0}, {}};

@@ -12,10 +12,13 @@
 namespace umbral::grader::test {
 namespace {
 
-// What a frame from buffers looks like: 34962 is GL_ARRAY_BUFFER, 34963 GL_ELEMENT_ARRAY_BUFFER, 5125 GL_UNSIGNED_INT, 5126 GL_FLOAT.
+// What a frame from buffers looks like: 34962 is GL_ARRAY_BUFFER, 34963 GL_ELEMENT_ARRAY_BUFFER, 5125 GL_UNSIGNED_INT,
+// 5126 GL_FLOAT.
 const std::string first_frame =
-    "glGenVertexArrays 1 1\nglBindVertexArray 1\nglGenBuffers 2 1\nglBindBuffer 34962 1\nglBufferData 34962 1536 1 35044 | 1536\n"
-    "glEnableVertexAttribArray 0\nglVertexAttribPointer 0 3 5126 0 0 0\nglBindBuffer 34963 2\nglBufferData 34963 24 1 35044 | 24\n"
+    "glGenVertexArrays 1 1\nglBindVertexArray 1\nglGenBuffers 2 1\nglBindBuffer 34962 1\nglBufferData 34962 1536 1 "
+    "35044 | 1536\n"
+    "glEnableVertexAttribArray 0\nglVertexAttribPointer 0 3 5126 0 0 0\nglBindBuffer 34963 2\nglBufferData 34963 24 1 "
+    "35044 | 24\n"
     "glDrawElements 4 6 5125 0\nglBindVertexArray 0\n";
 const std::string later_frame = "glBindVertexArray 1\nglDrawElements 4 6 5125 0\nglBindVertexArray 0\n";
 
@@ -49,7 +52,9 @@ TEST(Traces, EqualOnesKeepEveryRule)
 
 TEST(Traces, TwoDrawCallsWhereOneIsPossible)
 {
-    const Judgement found = judged("glBindVertexArray 7\nglDrawElements 4 3 5125 0\nglDrawElements 4 3 5125 1\nglBindVertexArray 0\n", later_frame);
+    const Judgement found =
+        judged("glBindVertexArray 7\nglDrawElements 4 3 5125 0\nglDrawElements 4 3 5125 1\nglBindVertexArray 0\n",
+               later_frame);
     EXPECT_DOUBLE_EQ(found.right, 6.0 / 7);
     EXPECT_EQ(found.message, "2 draw calls, 1 is possible");
     ASSERT_TRUE(found.first_difference);
@@ -60,8 +65,9 @@ TEST(Traces, TwoDrawCallsWhereOneIsPossible)
 
 TEST(Traces, UploadingAgainIsSaidWithItsBytes)
 {
-    const Judgement found =
-        judged("glBindVertexArray 1\nglBufferData 34962 1536 1 35044 | 1536\nglDrawElements 4 6 5125 0\nglBindVertexArray 0\n", later_frame);
+    const Judgement found = judged(
+        "glBindVertexArray 1\nglBufferData 34962 1536 1 35044 | 1536\nglDrawElements 4 6 5125 0\nglBindVertexArray 0\n",
+        later_frame);
     EXPECT_EQ(found.message, "data is uploaded again: 1,536 bytes, 0 are needed");
     EXPECT_EQ(found.first_difference->yours, "glBufferData(GL_ARRAY_BUFFER, 1536, pointer, GL_STATIC_DRAW)");
     EXPECT_EQ(found.first_difference->expected, "nothing");
@@ -74,14 +80,17 @@ TEST(Traces, ImmediateModeIsDeprecatedAndItsVerticesCount)
     EXPECT_EQ(found.metrics.at("vertices"), 3);
     EXPECT_EQ(found.metrics.at("draw_calls"), 1);
     EXPECT_EQ(found.metrics.at("deprecated_calls"), 5);
-    EXPECT_EQ(found.message, "glBegin is deprecated: keep the vertices in a buffer, and draw them with glDrawArrays or glDrawElements");
+    EXPECT_EQ(
+        found.message,
+        "glBegin is deprecated: keep the vertices in a buffer, and draw them with glDrawArrays or glDrawElements");
     EXPECT_EQ(found.first_difference->yours, "glBegin(GL_TRIANGLES)");
 }
 
 TEST(Traces, DrawingNothingEarnsNothing)
 {
     EXPECT_EQ(judged("glBindVertexArray 1\nglBindVertexArray 0\n", later_frame).right, 0);
-    EXPECT_EQ(judged("glBindVertexArray 1\nglBindVertexArray 0\n", later_frame).message, "nothing is drawn; 0 vertices are drawn, expected 6");
+    EXPECT_EQ(judged("glBindVertexArray 1\nglBindVertexArray 0\n", later_frame).message,
+              "nothing is drawn; 0 vertices are drawn, expected 6");
     EXPECT_EQ(judged("", later_frame).right, 0);
     EXPECT_EQ(judge(all_rules(), Tensor{}, text(later_frame), nullptr).right, 0) << "no trace at all";
     // Selecting where to draw is no drawing.
@@ -92,17 +101,20 @@ TEST(Traces, ObjectsAreCountedByTheNumberGiven)
 {
     const Check check = check_with({"objects created", "objects deleted"});
     const std::string both =
-        "glGenBuffers 3 1\nglGenLists 2\nglCreateTextures 3553 4 1\nglCreateShader 35633\nglCreateProgram\nglGenerateMipmap 3553\nglCreateVertexArrays 1 1\n"
+        "glGenBuffers 3 1\nglGenLists 2\nglCreateTextures 3553 4 1\nglCreateShader "
+        "35633\nglCreateProgram\nglGenerateMipmap 3553\nglCreateVertexArrays 1 1\n"
         "glDeleteBuffers 3 1\nglDeleteLists 1 2\nglDeleteProgram 5\nglDeleteShader 0\n";
     const Judgement found = judged(both, both, check);
     EXPECT_EQ(found.metrics.at("objects_created"), 3 + 2 + 4 + 1 + 1 + 1);
     EXPECT_EQ(found.metrics.at("objects_deleted"), 3 + 2 + 1);
-    const Judgement leak = judged("glDeleteVertexArrays 1 1\n", "glDeleteVertexArrays 1 1\nglDeleteBuffers 3 1\n", check);
+    const Judgement leak =
+        judged("glDeleteVertexArrays 1 1\n", "glDeleteVertexArrays 1 1\nglDeleteBuffers 3 1\n", check);
     EXPECT_EQ(leak.right, 0.5);
     EXPECT_EQ(leak.message, "1 object is deleted, expected 4");
     EXPECT_EQ(leak.first_difference->where, "objects deleted: after your last such call");
     EXPECT_EQ(leak.first_difference->expected, "glDeleteBuffers(3, pointer)");
-    EXPECT_EQ(judged("", "glDeleteVertexArrays 1 1\n", check).first_difference->where, "objects deleted: you make no such call");
+    EXPECT_EQ(judged("", "glDeleteVertexArrays 1 1\n", check).first_difference->where,
+              "objects deleted: you make no such call");
 }
 
 TEST(Traces, FewerCallsThanTheReferenceAreFine)
@@ -122,15 +134,22 @@ TEST(Traces, OnlyTheDeclaredRulesCount)
 
 TEST(Traces, HostileOnesAreDamaged)
 {
-    for (const char* bad : {"glDrawArrays 4 0 x\n", "system(\"rm\")\n", "glDrawArrays  4\n", "gl\n", "\n\n", "glDrawArrays 4 0 3 | -1\n", "glDrawArrays | \n",
-                            "glDrawArrays 4 0 3 | 1 2\n", "...\nglDrawArrays 4 0 3\n", "glDrawArrays 0x4 0 3\n", "GLDrawArrays 4 0 3\n"})
+    for (const char* bad : {"glDrawArrays 4 0 x\n", "system(\"rm\")\n", "glDrawArrays  4\n", "gl\n", "\n\n",
+                            "glDrawArrays 4 0 3 | -1\n", "glDrawArrays | \n", "glDrawArrays 4 0 3 | 1 2\n",
+                            "...\nglDrawArrays 4 0 3\n", "glDrawArrays 0x4 0 3\n", "GLDrawArrays 4 0 3\n"})
         EXPECT_EQ(judged(bad, later_frame).message, "the recorded calls are damaged: the run was disturbed") << bad;
     EXPECT_EQ(judged(std::string(100, 'g'), later_frame).right, 0);
     std::string many = "glDrawArrays";
     for (int i = 0; i < 40; ++i) many += " 1";
     EXPECT_FALSE(parse_gl_trace(many));
-    EXPECT_EQ(judged("glDrawElements 4 nan 5125 0\nglDrawElements 4 inf 5125 0\nglDrawElements 4 -9 5125 0\nglDrawElements\n", later_frame).right < 1, true);
-    for (const auto& [name, value] : judged("glDrawElements 4 inf 5125 0\nglDrawArraysInstanced 4 0 1e308 1e308\nglGenBuffers inf 1\n", later_frame).metrics)
+    EXPECT_EQ(
+        judged("glDrawElements 4 nan 5125 0\nglDrawElements 4 inf 5125 0\nglDrawElements 4 -9 5125 0\nglDrawElements\n",
+               later_frame)
+                .right < 1,
+        true);
+    for (const auto& [name, value] :
+         judged("glDrawElements 4 inf 5125 0\nglDrawArraysInstanced 4 0 1e308 1e308\nglGenBuffers inf 1\n", later_frame)
+             .metrics)
         EXPECT_TRUE(std::isfinite(value)) << name;
     std::string flood;
     for (int i = 0; i < 20'000'000; ++i) flood += "ga\n";
@@ -144,12 +163,15 @@ TEST(Traces, HostileOnesAreDamaged)
 TEST(Traces, CountsAreOfWhatIsThere)
 {
     EXPECT_EQ(judged("glDrawElements 4 -9 5125 0\nglDrawElements 4 6 5125 0\n", later_frame).metrics.at("vertices"), 6);
-    EXPECT_EQ(judged("glBindAttribLocation 1 0\nglBindFragDataLocation 1 0\nglBindBuffer 34962 1\n", later_frame).metrics.at("state_changes"), 1);
+    EXPECT_EQ(judged("glBindAttribLocation 1 0\nglBindFragDataLocation 1 0\nglBindBuffer 34962 1\n", later_frame)
+                  .metrics.at("state_changes"),
+              1);
 }
 
 TEST(Traces, OfSeveralBrokenRulesTheFirstIsShown)
 {
-    const Judgement found = judged("glBufferData 34962 8 1 35044 | 8\n" + later_frame + later_frame, later_frame, check_with({"draw calls", "uploaded bytes"}));
+    const Judgement found = judged("glBufferData 34962 8 1 35044 | 8\n" + later_frame + later_frame, later_frame,
+                                   check_with({"draw calls", "uploaded bytes"}));
     EXPECT_EQ(found.right, 0);
     EXPECT_EQ(found.first_difference->where, "draw calls: call 6 of your 7");
 }
@@ -180,7 +202,9 @@ TEST(Traces, ControlsAndMistakes)
     const std::string twice = later_frame + later_frame;
     const std::string uploads = "glBufferData 34962 8 1 35044 | 8\n" + later_frame;
     EXPECT_TRUE(same(twice, twice));
-    EXPECT_TRUE(same(uploads, "glBindVertexArray 3\nglBufferData 34962 8 1 35044 | 8\nglDrawElements 4 6 5125 0\nglBindVertexArray 0\n"));
+    EXPECT_TRUE(same(
+        uploads,
+        "glBindVertexArray 3\nglBufferData 34962 8 1 35044 | 8\nglDrawElements 4 6 5125 0\nglBindVertexArray 0\n"));
     EXPECT_FALSE(same(twice, uploads));
     EXPECT_FALSE(same(later_frame, uploads));
     EXPECT_FALSE(same("nonsense", uploads));
@@ -191,8 +215,10 @@ TEST(GlCalls, AreWrittenAsInCpp)
     const auto written = [](const std::string& line) { return in_cpp(parse_gl_trace(line)->calls.front()); };
     EXPECT_EQ(written("glDrawArrays 4 0 3\n"), "glDrawArrays(GL_TRIANGLES, 0, 3)");
     EXPECT_EQ(written("glDrawArrays 99 0 3\n"), "glDrawArrays(99, 0, 3)");
-    EXPECT_EQ(written("glVertexAttribPointer 1 3 5126 0 24 1\n"), "glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 24, pointer)");
-    EXPECT_EQ(written("glBufferData 34962 5126 0 35044\n"), "glBufferData(GL_ARRAY_BUFFER, 5126, 0, GL_STATIC_DRAW)") << "a size is no enumerant";
+    EXPECT_EQ(written("glVertexAttribPointer 1 3 5126 0 24 1\n"),
+              "glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 24, pointer)");
+    EXPECT_EQ(written("glBufferData 34962 5126 0 35044\n"), "glBufferData(GL_ARRAY_BUFFER, 5126, 0, GL_STATIC_DRAW)")
+        << "a size is no enumerant";
     EXPECT_EQ(written("glClearColor 0.25 0 0 1\n"), "glClearColor(0.25, 0, 0, 1)");
     EXPECT_EQ(written("glEnd\n"), "glEnd()");
     EXPECT_EQ(written("glNobodyKnows 34962 nan\n"), "glNobodyKnows(34962, nan)");
@@ -208,7 +234,8 @@ std::set<std::string> declared(const std::string& header)
     const std::regex function(R"(APIENTRY (gl[A-Z]\w+))");
     std::smatch found;
     for (std::string line; std::getline(file, line);) {
-        if (std::regex_search(line, found, section)) counts = header == "gl.h" || found[1].str().starts_with("GL_VERSION_");
+        if (std::regex_search(line, found, section))
+            counts = header == "gl.h" || found[1].str().starts_with("GL_VERSION_");
         if (counts && std::regex_search(line, found, function)) names.insert(found[1]);
     }
     return names;

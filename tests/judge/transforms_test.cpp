@@ -19,7 +19,8 @@ TEST(Transforms, AMedianIsTheMiddle)
 TEST(Transforms, TwoDifferentNumbersMakeNoRule)
 {
     EXPECT_FALSE(enough_to_fit(value_pairs(floats({5, 5, 7, 7}), floats({1, 1, 2, 2}))));
-    EXPECT_FALSE(enough_to_fit(value_pairs(floats({5, 5, 7}), floats({1, 2, 0})))) << "nothing times a factor is nothing";
+    EXPECT_FALSE(enough_to_fit(value_pairs(floats({5, 5, 7}), floats({1, 2, 0}))))
+        << "nothing times a factor is nothing";
     EXPECT_TRUE(enough_to_fit(value_pairs(floats({5, 6, 7}), floats({1, 2, 3}))));
 }
 
@@ -27,7 +28,9 @@ TEST(Transforms, DistanceGrowsWithHowFarApartValuesAre)
 {
     const Tensor zero = floats({0, 0});
     EXPECT_EQ(distance(floats({3, -4}), zero), 7);
-    EXPECT_GT(distance(floats({std::numeric_limits<float>::quiet_NaN(), 0}), zero), distance(floats({3e38F, 3e38F}), zero)) << "no number is farther than any";
+    EXPECT_GT(distance(floats({std::numeric_limits<float>::quiet_NaN(), 0}), zero),
+              distance(floats({3e38F, 3e38F}), zero))
+        << "no number is farther than any";
 }
 
 TEST(Transforms, WhatIsRightAndNoUnitVectorSpeaksNotAgainstNormalising)

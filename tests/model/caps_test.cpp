@@ -17,7 +17,8 @@ TEST(Caps, one_line_has_no_line_feed_and_no_control_character)
 
 TEST(Caps, one_line_is_never_longer_than_its_limit_and_a_mark)
 {
-    for (const std::string& piece : {std::string("x"), std::string("é"), std::string("\xF0\x9F\x98\x80"), std::string("\xFF"), std::string(1, '\0')})
+    for (const std::string& piece : {std::string("x"), std::string("é"), std::string("\xF0\x9F\x98\x80"),
+                                     std::string("\xFF"), std::string(1, '\0')})
         for (std::size_t limit = 1; limit < 40; ++limit) {
             std::string text;
             for (int i = 0; i < 60; ++i) text += piece;

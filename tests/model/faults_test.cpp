@@ -25,7 +25,11 @@ TEST(Faults, name_each_cause_once_with_who_pays_and_what_helps)
     fine.verdict = Verdict::wrong;
     fine.message = "No space left on device";
     ClassResult result;
-    result.submissions = {{"ana", 0, 0, {fault("a/one", "writing /c/work-x1: No space left on device", 1000), fine, fault("a/two", "the spawner died", 500)}},
+    result.submissions = {{"ana",
+                           0,
+                           0,
+                           {fault("a/one", "writing /c/work-x1: No space left on device", 1000), fine,
+                            fault("a/two", "the spawner died", 500)}},
                           {"bruno", 0, 0, {fault("a/one", "writing /c/work-x2: No space left on device", 1000)}}};
     result.unwritten = {{"carla", "/out/carla/report.html: cannot write it: No space left on device"}};
     const std::vector<Fault> found = faults(result);

@@ -59,7 +59,8 @@ TEST(Manifest, reads_every_field)
     EXPECT_EQ(unit.checks[3].range_low, -1);
     EXPECT_EQ(unit.checks[3].range_high, 1);
     EXPECT_EQ(unit.checks[4].judge, JudgeKind{"trace"});
-    EXPECT_EQ(parameters_of<TraceParameters>(unit.checks[4]).rules, (std::vector<std::string>{"draw calls", "uploaded bytes"}));
+    EXPECT_EQ(parameters_of<TraceParameters>(unit.checks[4]).rules,
+              (std::vector<std::string>{"draw calls", "uploaded bytes"}));
     EXPECT_EQ(unit.checks[5].judge, JudgeKind{"cost"});
     EXPECT_EQ(parameters_of<CostParameters>(unit.checks[5]).growth, 1.5);
     EXPECT_TRUE(unit.counts_work);
@@ -90,7 +91,8 @@ TEST(Manifest, keeps_points_of_three_places_exact)
         json manifest = test::manifest();
         manifest["checks"] = json::array({manifest["checks"][3]});
         const std::string digits = std::to_string(1000000 + thousandths);
-        manifest["points"] = manifest["checks"][0]["points"] = json::parse(std::to_string(thousandths / 1000) + "." + digits.substr(4));
+        manifest["points"] = manifest["checks"][0]["points"] =
+            json::parse(std::to_string(thousandths / 1000) + "." + digits.substr(4));
         ASSERT_EQ(parse(manifest).points, thousandths);
     }
 }
@@ -143,46 +145,66 @@ TEST_P(WrongManifest, is_refused_by_name)
 INSTANTIATE_TEST_SUITE_P(
     Fields, WrongManifest,
     testing::Values(
-        Wrong{"", "[]", "expected an object"}, Wrong{"", "null", "got null"}, Wrong{"/format", "\"umbral-class\"", "format: expected \"umbral-exercise\""},
-        Wrong{"/version", "2", "version: "}, Wrong{"/version", "1.0", "version: "}, Wrong{"/version", nullptr, "got nothing"},
-        Wrong{"/id", "\"Lighting/phong\"", "id: "}, Wrong{"/id", "\"lighting\"", "id: "}, Wrong{"/id", "\"a/b/c\"", "id: "}, Wrong{"/id", "\"/b\"", "id: "},
-        Wrong{"/id", "\"../b\"", "id: "}, Wrong{"/id", "\"a/b_c\"", "id: "}, Wrong{"/id", "7", "id: "}, Wrong{"/files", "[]", "files: "},
-        Wrong{"/files/0", "\"../x.cpp\"", "'../x.cpp'"}, Wrong{"/files/0", "\".cpp\"", "files: "}, Wrong{"/files/0", "\"-o.cpp\"", "files: "},
-        Wrong{"/files/0", "\"a.so\"", "'a.so'"}, Wrong{"/files/0", "\"driver.cpp\"", "'driver.cpp'"}, Wrong{"/files/0", "\"phong_2.cpp\"", "files[1]: "},
-        Wrong{"/files/0", "\"a\\u0000.cpp\"", "files[0]: "}, Wrong{"/points", "\"10\"", "points: "}, Wrong{"/points", "5", "sum of the checks' points, 4.875"},
-        Wrong{"/points", "-4.125", "points: "}, Wrong{"/points", "1e300", "points: "}, Wrong{"/uses/0", "\"lighting/phong-2\"", "uses[0]: "},
-        Wrong{"/uses/0", "\"lighting/lambert\"", "uses[1]: "}, Wrong{"/uses", "\"lighting/lambert\"", "uses: "}, Wrong{"/forbid/1", "\"\"", "forbid[1]: "},
-        Wrong{"/gl", "1", "gl: expected true or false, got 1"}, Wrong{"/title", "\"Phong\"", "title: "}, Wrong{"/title/en", nullptr, "title.en: "},
-        Wrong{"/title/english", "\"Phong\"", "title.english: "}, Wrong{"/title/en", "\"a\\nb\"", "title.en: "}, Wrong{"/course/0", "5.2", "course[0]: "},
+        Wrong{"", "[]", "expected an object"}, Wrong{"", "null", "got null"},
+        Wrong{"/format", "\"umbral-class\"", "format: expected \"umbral-exercise\""},
+        Wrong{"/version", "2", "version: "}, Wrong{"/version", "1.0", "version: "},
+        Wrong{"/version", nullptr, "got nothing"}, Wrong{"/id", "\"Lighting/phong\"", "id: "},
+        Wrong{"/id", "\"lighting\"", "id: "}, Wrong{"/id", "\"a/b/c\"", "id: "}, Wrong{"/id", "\"/b\"", "id: "},
+        Wrong{"/id", "\"../b\"", "id: "}, Wrong{"/id", "\"a/b_c\"", "id: "}, Wrong{"/id", "7", "id: "},
+        Wrong{"/files", "[]", "files: "}, Wrong{"/files/0", "\"../x.cpp\"", "'../x.cpp'"},
+        Wrong{"/files/0", "\".cpp\"", "files: "}, Wrong{"/files/0", "\"-o.cpp\"", "files: "},
+        Wrong{"/files/0", "\"a.so\"", "'a.so'"}, Wrong{"/files/0", "\"driver.cpp\"", "'driver.cpp'"},
+        Wrong{"/files/0", "\"phong_2.cpp\"", "files[1]: "}, Wrong{"/files/0", "\"a\\u0000.cpp\"", "files[0]: "},
+        Wrong{"/points", "\"10\"", "points: "}, Wrong{"/points", "5", "sum of the checks' points, 4.875"},
+        Wrong{"/points", "-4.125", "points: "}, Wrong{"/points", "1e300", "points: "},
+        Wrong{"/uses/0", "\"lighting/phong-2\"", "uses[0]: "}, Wrong{"/uses/0", "\"lighting/lambert\"", "uses[1]: "},
+        Wrong{"/uses", "\"lighting/lambert\"", "uses: "}, Wrong{"/forbid/1", "\"\"", "forbid[1]: "},
+        Wrong{"/gl", "1", "gl: expected true or false, got 1"}, Wrong{"/title", "\"Phong\"", "title: "},
+        Wrong{"/title/en", nullptr, "title.en: "}, Wrong{"/title/english", "\"Phong\"", "title.english: "},
+        Wrong{"/title/en", "\"a\\nb\"", "title.en: "}, Wrong{"/course/0", "5.2", "course[0]: "},
         Wrong{"/order", "\"first\"", "order: "}, Wrong{"/limits/wall_seconds", "0", "limits.wall_seconds: "},
         Wrong{"/limits/wall_seconds", "1e9", "limits.wall_seconds: "},
-        Wrong{"/limits/memory_mib", "256", "limits.memory_mib: expected a whole number from 512"}, Wrong{"/limits/memory_mib", "512.5", "limits.memory_mib: "},
-        Wrong{"/limits/cpu", "1", "limits.cpu: "}, Wrong{"/colour", "\"red\"", "colour: expected no field of this name"}, Wrong{"/checks", "[]", "checks: "}));
+        Wrong{"/limits/memory_mib", "256", "limits.memory_mib: expected a whole number from 512"},
+        Wrong{"/limits/memory_mib", "512.5", "limits.memory_mib: "}, Wrong{"/limits/cpu", "1", "limits.cpu: "},
+        Wrong{"/colour", "\"red\"", "colour: expected no field of this name"}, Wrong{"/checks", "[]", "checks: "}));
 
 INSTANTIATE_TEST_SUITE_P(
     Checks, WrongManifest,
     testing::Values(
-        Wrong{"/checks/0", "[]", "checks[0]: expected an object"}, Wrong{"/checks/0/tolerence", "{}", "checks[0].tolerence: expected no field"},
+        Wrong{"/checks/0", "[]", "checks[0]: expected an object"},
+        Wrong{"/checks/0/tolerence", "{}", "checks[0].tolerence: expected no field"},
         Wrong{"/checks/0/case", "\"a/b\"", "checks[0].case: "}, Wrong{"/checks/0/case", "\" a\"", "checks[0].case: "},
         Wrong{"/checks/0/case", nullptr, "got nothing"}, Wrong{"/checks/0/value", "\"t.margin\"", "checks[0].value: "},
-        Wrong{"/checks/0/value", "\"a/b\"", "checks[0].value: "}, Wrong{"/checks/0/judge", "\"ssim\"", "checks[0].judge: expected \"matrices\", \"numbers\""},
-        Wrong{"/checks/0/points", "0", "checks[0].points: expected points above 0"}, Wrong{"/checks/0/points", "2.0005", "checks[0].points: "},
+        Wrong{"/checks/0/value", "\"a/b\"", "checks[0].value: "},
+        Wrong{"/checks/0/judge", "\"ssim\"", "checks[0].judge: expected \"matrices\", \"numbers\""},
+        Wrong{"/checks/0/points", "0", "checks[0].points: expected points above 0"},
+        Wrong{"/checks/0/points", "2.0005", "checks[0].points: "},
         Wrong{"/checks/0/points", "null", "checks[0].points: "}, Wrong{"/checks/0/hard", "\"yes\"", "checks[0].hard: "},
-        Wrong{"/checks/0/tolerance", nullptr, "checks[0].tolerance: expected a tolerance"}, Wrong{"/checks/1/tolerance", nullptr, "checks[1].tolerance: "},
+        Wrong{"/checks/0/tolerance", nullptr, "checks[0].tolerance: expected a tolerance"},
+        Wrong{"/checks/1/tolerance", nullptr, "checks[1].tolerance: "},
         Wrong{"/checks/0/tolerance", "{}", "checks[0].tolerance: expected at least one"},
-        Wrong{"/checks/0/tolerance", "{\"band_ulps\": 1}", "checks[0].tolerance: "}, Wrong{"/checks/0/tolerance/ulp", "4", "checks[0].tolerance.ulp: "},
+        Wrong{"/checks/0/tolerance", "{\"band_ulps\": 1}", "checks[0].tolerance: "},
+        Wrong{"/checks/0/tolerance/ulp", "4", "checks[0].tolerance.ulp: "},
         Wrong{"/checks/0/tolerance/ulps", "-1", "checks[0].tolerance.ulps: "},
-        Wrong{"/checks/0/why", nullptr, "checks[0].why: expected where the tolerance comes from"}, Wrong{"/checks/0/why", "\"\"", "checks[0].why: "},
-        Wrong{"/checks/0/full", "1.5", "checks[0].full: "}, Wrong{"/checks/0/zero", "0.9", "checks[0].zero: expected less than"},
-        Wrong{"/checks/0/zero", "-0.1", "checks[0].zero: "}, Wrong{"/checks/0/range", "[0, 1]", "checks[0].range: expected no range"},
-        Wrong{"/checks/3/range", "[1, 1]", "checks[3].range: "}, Wrong{"/checks/3/range", "[0, 1, 2]", "checks[3].range: "},
-        Wrong{"/checks/3/range", "[0, \"1\"]", "checks[3].range[1]: "}, Wrong{"/checks/3/pairs", "true", "checks[3].pairs: "},
-        Wrong{"/checks/4/rules", nullptr, "checks[4].rules: expected rules if"}, Wrong{"/checks/4/rules", "[]", "checks[4].rules: "},
+        Wrong{"/checks/0/why", nullptr, "checks[0].why: expected where the tolerance comes from"},
+        Wrong{"/checks/0/why", "\"\"", "checks[0].why: "}, Wrong{"/checks/0/full", "1.5", "checks[0].full: "},
+        Wrong{"/checks/0/zero", "0.9", "checks[0].zero: expected less than"},
+        Wrong{"/checks/0/zero", "-0.1", "checks[0].zero: "},
+        Wrong{"/checks/0/range", "[0, 1]", "checks[0].range: expected no range"},
+        Wrong{"/checks/3/range", "[1, 1]", "checks[3].range: "},
+        Wrong{"/checks/3/range", "[0, 1, 2]", "checks[3].range: "},
+        Wrong{"/checks/3/range", "[0, \"1\"]", "checks[3].range[1]: "},
+        Wrong{"/checks/3/pairs", "true", "checks[3].pairs: "},
+        Wrong{"/checks/4/rules", nullptr, "checks[4].rules: expected rules if"},
+        Wrong{"/checks/4/rules", "[]", "checks[4].rules: "},
         Wrong{"/checks/4/rules/1", "\"draw calls\"", "checks[4].rules[1]: expected an item not in the list before"},
-        Wrong{"/checks/4/rules/1", "\"colours\"", "not 'colours'"}, Wrong{"/checks/0/rules", "[\"vertices\"]", "checks[0].rules: expected rules if"},
-        Wrong{"/checks/4/pairs", "true", "checks[4].pairs: expected no pairs"}, Wrong{"/checks/5/growth", nullptr, "checks[5].growth: "},
-        Wrong{"/checks/5/growth", "-1", "checks[5].growth: "}, Wrong{"/checks/4/growth", "1", "checks[4].growth: expected growth if"},
-        Wrong{"/checks/4/judge", "\"events\"", "checks[4].rules: "}, Wrong{"/checks/3/judge", "\"fragments\"", "checks[3].range: "},
+        Wrong{"/checks/4/rules/1", "\"colours\"", "not 'colours'"},
+        Wrong{"/checks/0/rules", "[\"vertices\"]", "checks[0].rules: expected rules if"},
+        Wrong{"/checks/4/pairs", "true", "checks[4].pairs: expected no pairs"},
+        Wrong{"/checks/5/growth", nullptr, "checks[5].growth: "}, Wrong{"/checks/5/growth", "-1", "checks[5].growth: "},
+        Wrong{"/checks/4/growth", "1", "checks[4].growth: expected growth if"},
+        Wrong{"/checks/4/judge", "\"events\"", "checks[4].rules: "},
+        Wrong{"/checks/3/judge", "\"fragments\"", "checks[3].range: "},
         Wrong{"/checks/2/value", "\"t\"", "'head-on/t' is"}));
 
 TEST(Manifest, refuses_numbers_that_are_none)
@@ -196,8 +218,12 @@ TEST(Manifest, refuses_numbers_that_are_none)
 
 TEST(Manifest, text_must_be_json_with_each_key_once)
 {
-    const auto message = [](const char* text) { return test::message_of([&] { (void)parse_json(text, "here.json"); }); };
-    EXPECT_NE(message(R"({"a": 1, "b": {"a": 2}, "a": 3})").find("here.json: expected each key once in an object, got \"a\" twice"), std::string::npos);
+    const auto message = [](const char* text) {
+        return test::message_of([&] { (void)parse_json(text, "here.json"); });
+    };
+    EXPECT_NE(message(R"({"a": 1, "b": {"a": 2}, "a": 3})")
+                  .find("here.json: expected each key once in an object, got \"a\" twice"),
+              std::string::npos);
     EXPECT_EQ(message(R"({"a": 1, "b": [{"a": 2}, {"a": 3}]})"), "nothing was thrown");
     EXPECT_NE(message("{\"a\": 1,\n \"b\": }").find("line 2"), std::string::npos);
     for (const char* text : {"", "{", "{} {}", "// no\n{}", "{\"a\": \"\xFF\"}", "{\"a\": NaN}"})

@@ -35,7 +35,9 @@ TEST(NoiseManifest, ReadsAChecksBiasAndRange)
     check["tolerance"] = {{"relative", 0.01}};
     check["why"] = "the oracle leaves out the third bounce";
     check["range"] = {0, 4};
-    const Exercise unit = parse_exercise(with_checks(json::array({check, {{"case", "a"}, {"value", "b"}, {"judge", "image"}, {"points", 1}}})), "here.json");
+    const Exercise unit = parse_exercise(
+        with_checks(json::array({check, {{"case", "a"}, {"value", "b"}, {"judge", "image"}, {"points", 1}}})),
+        "here.json");
     EXPECT_EQ(unit.checks[0].judge, JudgeKind{"noise"});
     EXPECT_EQ(unit.checks[0].tolerance.relative, 0.01);
     EXPECT_EQ(unit.checks[0].range_high, 4);
@@ -47,13 +49,16 @@ TEST(NoiseManifest, RefusesWhatNoiseDoesNotHave)
     json ulps = noise();
     ulps["tolerance"] = {{"ulps", 4}};
     ulps["why"] = "four roundings";
-    EXPECT_NE(complaint_about(ulps).find("checks[0].tolerance: expected absolute or relative only"), std::string::npos) << complaint_about(ulps);
+    EXPECT_NE(complaint_about(ulps).find("checks[0].tolerance: expected absolute or relative only"), std::string::npos)
+        << complaint_about(ulps);
     json pairs = noise();
     pairs["pairs"] = true;
-    EXPECT_NE(complaint_about(pairs).find("checks[0].pairs: expected no pairs"), std::string::npos) << complaint_about(pairs);
+    EXPECT_NE(complaint_about(pairs).find("checks[0].pairs: expected no pairs"), std::string::npos)
+        << complaint_about(pairs);
     json no_reason = noise();
     no_reason["tolerance"] = {{"relative", 0.01}};
-    EXPECT_NE(complaint_about(no_reason).find("checks[0].why: expected where the tolerance comes from"), std::string::npos);
+    EXPECT_NE(complaint_about(no_reason).find("checks[0].why: expected where the tolerance comes from"),
+              std::string::npos);
 }
 
 TEST(NoiseManifest, AllUnitsTogetherHaveAtMostAHundred)

@@ -11,7 +11,8 @@ namespace umbral::grader::test {
 inline Recorder observations()
 {
     Recorder recorder;
-    for (int i = 0; i < 5; ++i) recorder.append("t", i % 2 == 0 ? std::optional<float>(static_cast<float>(i) / 2) : std::nullopt);
+    for (int i = 0; i < 5; ++i)
+        recorder.append("t", i % 2 == 0 ? std::optional<float>(static_cast<float>(i) / 2) : std::nullopt);
     recorder.append("matrix", glm::mat4(2.0F));
     recorder.append("count", std::uint32_t{7});
     recorder.append("exact", 0.1);

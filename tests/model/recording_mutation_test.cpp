@@ -12,7 +12,8 @@ namespace {
 
 constexpr int rounds = 200'000;
 
-/// Overwrites random places of a recording as a wild or a hostile program would: single bits, bytes, and numbers that make sums wrap.
+/// Overwrites random places of a recording as a wild or a hostile program would: single bits, bytes, and numbers that
+/// make sums wrap.
 class Vandal {
 public:
     explicit Vandal(unsigned seed) : random_(seed) {}
@@ -41,7 +42,8 @@ private:
 
     void overwrite_number(std::span<std::byte> bytes)
     {
-        constexpr std::array<std::uint64_t, 10> numbers{0, 1, 7, 64, 255, 1U << 26U, 0x7FFFFFFF, 0xFFFFFFFF, 0x7FFFFFFFFFFFFFFF, 0xFFFFFFFFFFFFFFFF};
+        constexpr std::array<std::uint64_t, 10> numbers{
+            0, 1, 7, 64, 255, 1U << 26U, 0x7FFFFFFF, 0xFFFFFFFF, 0x7FFFFFFFFFFFFFFF, 0xFFFFFFFFFFFFFFFF};
         const std::uint64_t number = numbers[random_() % numbers.size()];
         const std::size_t size = random_() % 2 == 0 ? 4 : 8;
         const std::size_t at = std::min(place(bytes) / 4 * 4, bytes.size() - size);
@@ -72,7 +74,8 @@ TEST(RecordingMutation, parses_or_is_refused_whatever_bytes_are_overwritten)
     const unsigned seed = std::random_device{}();
     std::printf("seed %u\n", seed);
     Vandal vandal(seed);
-    // Exactly as long as what is used, so that a read behind the end is one behind the allocation, where the sanitizer sees it.
+    // Exactly as long as what is used, so that a read behind the end is one behind the allocation, where the sanitizer
+    // sees it.
     std::vector<std::byte> original = test::finished_run();
     wire::Header header{};
     std::memcpy(&header, original.data(), sizeof header);

@@ -102,7 +102,8 @@ TEST(Recording, refuses_sizes_that_no_run_leaves)
 {
     EXPECT_THROW((void)parse_recording({}), DamagedRecording);
     const Bytes bytes = test::finished_run();
-    for (const std::size_t size : {std::size_t{1}, sizeof(wire::Header), wire::tensors_offset - 1, wire::tensors_offset, wire::tensors_offset + 8})
+    for (const std::size_t size : {std::size_t{1}, sizeof(wire::Header), wire::tensors_offset - 1, wire::tensors_offset,
+                                   wire::tensors_offset + 8})
         EXPECT_THROW((void)parse_recording(std::span(bytes).first(size)), DamagedRecording) << size;
     EXPECT_THROW((void)parse_recording(Bytes(wire::tensors_offset)), DamagedRecording) << "all zero";
     Bytes large = bytes;
@@ -126,20 +127,22 @@ TEST_P(DamagedHeader, is_refused_with_the_reason)
     EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
 }
 
-INSTANTIATE_TEST_SUITE_P(Recording, DamagedHeader,
-                         testing::Values(WrongHeader{"UMBRAL01", [](wire::Header& h) { ++h.magic; }},
-                                         WrongHeader{"expected a stage from 0 to 4, got 5", [](wire::Header& h) { h.stage = 5; }},
-                                         WrongHeader{"a note", [](wire::Header& h) { h.note = 9; }},
-                                         WrongHeader{"a signal", [](wire::Header& h) { h.signal = 65; }},
-                                         WrongHeader{"at most 32 frames", [](wire::Header& h) { h.frame_count = 33; }},
-                                         WrongHeader{"a zero behind the text", [](wire::Header& h) { std::memset(h.text, 'x', sizeof h.text); }},
-                                         WrongHeader{"a size within the file", [](wire::Header& h) { h.tensors_size = 4097; }},
-                                         WrongHeader{"a size within the file", [](wire::Header& h) { h.tensors_size = ~std::uint64_t{0}; }},
-                                         WrongHeader{"at most 256 tensors", [](wire::Header& h) { h.tensor_count = ~std::uint64_t{0}; }},
-                                         WrongHeader{"the header of a tensor", [](wire::Header& h) { ++h.tensor_count; }},
-                                         WrongHeader{"no bytes behind the last tensor", [](wire::Header& h) { --h.tensor_count; }},
-                                         WrongHeader{"no bytes behind the last tensor", [](wire::Header& h) { h.tensors_size += 8; }},
-                                         WrongHeader{"the presence flags of a tensor", [](wire::Header& h) { h.tensors_size -= 8; }}));
+INSTANTIATE_TEST_SUITE_P(
+    Recording, DamagedHeader,
+    testing::Values(WrongHeader{"UMBRAL01", [](wire::Header& h) { ++h.magic; }},
+                    WrongHeader{"expected a stage from 0 to 4, got 5", [](wire::Header& h) { h.stage = 5; }},
+                    WrongHeader{"a note", [](wire::Header& h) { h.note = 9; }},
+                    WrongHeader{"a signal", [](wire::Header& h) { h.signal = 65; }},
+                    WrongHeader{"at most 32 frames", [](wire::Header& h) { h.frame_count = 33; }},
+                    WrongHeader{"a zero behind the text",
+                                [](wire::Header& h) { std::memset(h.text, 'x', sizeof h.text); }},
+                    WrongHeader{"a size within the file", [](wire::Header& h) { h.tensors_size = 4097; }},
+                    WrongHeader{"a size within the file", [](wire::Header& h) { h.tensors_size = ~std::uint64_t{0}; }},
+                    WrongHeader{"at most 256 tensors", [](wire::Header& h) { h.tensor_count = ~std::uint64_t{0}; }},
+                    WrongHeader{"the header of a tensor", [](wire::Header& h) { ++h.tensor_count; }},
+                    WrongHeader{"no bytes behind the last tensor", [](wire::Header& h) { --h.tensor_count; }},
+                    WrongHeader{"no bytes behind the last tensor", [](wire::Header& h) { h.tensors_size += 8; }},
+                    WrongHeader{"the presence flags of a tensor", [](wire::Header& h) { h.tensors_size -= 8; }}));
 
 struct WrongTensor {
     const char* message;
@@ -156,26 +159,28 @@ TEST_P(DamagedTensor, is_refused_with_the_reason)
 }
 
 // Behind the tensor's header: 8 bytes of name, 8 of values, 8 of flags.
-INSTANTIATE_TEST_SUITE_P(Recording, DamagedTensor,
-                         testing::Values(WrongTensor{"an element type", [](wire::TensorHeader& h, std::byte*) { h.element = 0; }},
-                                         WrongTensor{"an element type", [](wire::TensorHeader& h, std::byte*) { h.element = 6; }},
-                                         WrongTensor{"a number of rows", [](wire::TensorHeader& h, std::byte*) { h.rows = ~0U; }},
-                                         WrongTensor{"a number of columns", [](wire::TensorHeader& h, std::byte*) { h.columns = ~0U; }},
-                                         WrongTensor{"a number of cells", [](wire::TensorHeader& h, std::byte*) { h.rows = h.columns = 1U << 26U; }},
-                                         WrongTensor{"1 to 1024 components", [](wire::TensorHeader& h, std::byte*) { h.components = 0; }},
-                                         WrongTensor{"1 to 1024 components", [](wire::TensorHeader& h, std::byte*) { h.components = 1U << 31U; }},
-                                         WrongTensor{"the values of a tensor", [](wire::TensorHeader& h, std::byte*) { h.rows = 1U << 26U; }},
-                                         WrongTensor{"the values of a tensor", [](wire::TensorHeader& h, std::byte*) { h.components = 1024; }},
-                                         WrongTensor{"a name of 1 to 64 bytes", [](wire::TensorHeader& h, std::byte*) { h.name_size = 0; }},
-                                         WrongTensor{"a name of 1 to 64 bytes", [](wire::TensorHeader& h, std::byte*) { h.name_size = ~0U; }},
-                                         WrongTensor{"a printable name", [](wire::TensorHeader&, std::byte* name) { *name = std::byte{0x1B}; }},
-                                         WrongTensor{"a printable name", [](wire::TensorHeader&, std::byte* name) { *name = std::byte{0xFF}; }},
-                                         WrongTensor{"flag 0", [](wire::TensorHeader& h, std::byte*) { h.has_present = 2; }},
-                                         WrongTensor{"flag 0", [](wire::TensorHeader& h, std::byte*) { h.rows = 0; }},
-                                         WrongTensor{"no bytes behind", [](wire::TensorHeader& h, std::byte*) { h.has_present = 0; }},
-                                         WrongTensor{"presence flags of 0 or 1", [](wire::TensorHeader&, std::byte* name) { name[16] = std::byte{2}; }},
-                                         WrongTensor{"bytes 0 where there is no value",
-                                                     [](wire::TensorHeader&, std::byte* name) { name[12] = std::byte{1}; }}));
+INSTANTIATE_TEST_SUITE_P(
+    Recording, DamagedTensor,
+    testing::Values(
+        WrongTensor{"an element type", [](wire::TensorHeader& h, std::byte*) { h.element = 0; }},
+        WrongTensor{"an element type", [](wire::TensorHeader& h, std::byte*) { h.element = 6; }},
+        WrongTensor{"a number of rows", [](wire::TensorHeader& h, std::byte*) { h.rows = ~0U; }},
+        WrongTensor{"a number of columns", [](wire::TensorHeader& h, std::byte*) { h.columns = ~0U; }},
+        WrongTensor{"a number of cells", [](wire::TensorHeader& h, std::byte*) { h.rows = h.columns = 1U << 26U; }},
+        WrongTensor{"1 to 1024 components", [](wire::TensorHeader& h, std::byte*) { h.components = 0; }},
+        WrongTensor{"1 to 1024 components", [](wire::TensorHeader& h, std::byte*) { h.components = 1U << 31U; }},
+        WrongTensor{"the values of a tensor", [](wire::TensorHeader& h, std::byte*) { h.rows = 1U << 26U; }},
+        WrongTensor{"the values of a tensor", [](wire::TensorHeader& h, std::byte*) { h.components = 1024; }},
+        WrongTensor{"a name of 1 to 64 bytes", [](wire::TensorHeader& h, std::byte*) { h.name_size = 0; }},
+        WrongTensor{"a name of 1 to 64 bytes", [](wire::TensorHeader& h, std::byte*) { h.name_size = ~0U; }},
+        WrongTensor{"a printable name", [](wire::TensorHeader&, std::byte* name) { *name = std::byte{0x1B}; }},
+        WrongTensor{"a printable name", [](wire::TensorHeader&, std::byte* name) { *name = std::byte{0xFF}; }},
+        WrongTensor{"flag 0", [](wire::TensorHeader& h, std::byte*) { h.has_present = 2; }},
+        WrongTensor{"flag 0", [](wire::TensorHeader& h, std::byte*) { h.rows = 0; }},
+        WrongTensor{"no bytes behind", [](wire::TensorHeader& h, std::byte*) { h.has_present = 0; }},
+        WrongTensor{"presence flags of 0 or 1", [](wire::TensorHeader&, std::byte* name) { name[16] = std::byte{2}; }},
+        WrongTensor{"bytes 0 where there is no value",
+                    [](wire::TensorHeader&, std::byte* name) { name[12] = std::byte{1}; }}));
 
 TEST(Recording, refuses_one_name_twice)
 {
@@ -185,7 +190,8 @@ TEST(Recording, refuses_one_name_twice)
     Bytes bytes = test::finished_run(recorder);
     EXPECT_EQ(parse_recording(bytes).tensors.size(), 2U);
     bytes[wire::tensors_offset + 24 + 16 + 24] = std::byte{'a'};
-    EXPECT_NE(test::message_of([&] { (void)parse_recording(bytes); }).find("a name not used before, got 'a'"), std::string::npos);
+    EXPECT_NE(test::message_of([&] { (void)parse_recording(bytes); }).find("a name not used before, got 'a'"),
+              std::string::npos);
 }
 
 }

@@ -21,8 +21,8 @@ constexpr const char* relation = "/checks/3/relation";
 json manifest()
 {
     json all = test::manifest();
-    all[json::json_pointer(relation)] =
-        json::parse(R"({"to": "upright", "unlike": "turned", "shift": [3, -5], "scale": 2, "what": "rotating both must not change the picture"})");
+    all[json::json_pointer(relation)] = json::parse(
+        R"({"to": "upright", "unlike": "turned", "shift": [3, -5], "scale": 2, "what": "rotating both must not change the picture"})");
     return all;
 }
 
@@ -43,7 +43,8 @@ TEST(RelationManifest, IsReadFieldByField)
 TEST(RelationManifest, MayLeaveOutWhatDoesNothing)
 {
     json all = manifest();
-    all[json::json_pointer(relation)] = json::parse(R"({"to": "upright", "scale": 0.5, "what": "half the light is half as bright"})");
+    all[json::json_pointer(relation)] =
+        json::parse(R"({"to": "upright", "scale": 0.5, "what": "half the light is half as bright"})");
     const Relation half = *parse_exercise(all, "here.json").checks[3].relation;
     EXPECT_TRUE(half.scales() && !half.moves() && half.unlike.empty());
     all[json::json_pointer(relation)] = json::parse(R"({"to": "upright", "unlike": "turned", "what": "the same"})");
@@ -67,7 +68,8 @@ TEST(RelationManifest, EachWrongFieldIsRefusedByNameByTheProgramAndTheSchema)
              Wrong{"/checks/3/relation/to", nullptr, "relation.to: "},
              Wrong{"/checks/3/relation/to", "\"a/b\"", "relation.to: expected a recorded name"},
              Wrong{"/checks/3/relation/to", "\"a.margin\"", "relation.to: expected a recorded name"},
-             Wrong{"/checks/3/relation/to", "\"normals\"", "relation.to: expected another value of the case than the check's own, 'normals'", false},
+             Wrong{"/checks/3/relation/to", "\"normals\"",
+                   "relation.to: expected another value of the case than the check's own, 'normals'", false},
              Wrong{"/checks/3/relation/unlike", "\"upright\"", "relation.unlike: expected a third value", false},
              Wrong{"/checks/3/relation/unlike", "\"normals\"", "relation.unlike: expected a third value", false},
              Wrong{"/checks/3/relation/unlike", "7", "relation.unlike: "},
@@ -90,7 +92,8 @@ TEST(RelationManifest, EachWrongFieldIsRefusedByNameByTheProgramAndTheSchema)
         const std::string message = test::message_of([&] { (void)parse_exercise(all, "here.json"); });
         EXPECT_NE(message.find(std::string("here.json: checks[3].") + wrong.message), std::string::npos) << message;
         if (wrong.schema_sees) {
-            EXPECT_NE(schema.complaints(all), "") << wrong.pointer << " " << (wrong.value != nullptr ? wrong.value : "taken away");
+            EXPECT_NE(schema.complaints(all), "")
+                << wrong.pointer << " " << (wrong.value != nullptr ? wrong.value : "taken away");
         }
     }
 }
@@ -105,15 +108,22 @@ TEST(RelationManifest, FitsJudgesThatCompareValues)
         return test::message_of([&] { (void)parse_exercise(all, "here.json"); });
     };
     const char* same = R"({"to": "a", "unlike": "b", "what": "the same"})";
-    EXPECT_NE(refused(4, same).find("checks[4].relation: expected no relation, since the judge is \"trace\""), std::string::npos);
+    EXPECT_NE(refused(4, same).find("checks[4].relation: expected no relation, since the judge is \"trace\""),
+              std::string::npos);
     EXPECT_NE(refused(5, same).find("since the judge is \"cost\""), std::string::npos);
     EXPECT_NE(refused(0, same).find("since the check is \"hard\""), std::string::npos);
-    EXPECT_NE(refused(1, R"({"to": "a", "shift": [1, 1], "what": "moved"})").find("checks[1].relation.shift: expected no shift"), std::string::npos);
-    EXPECT_NE(refused(2, R"({"to": "a", "what": "the same"})").find("checks[2].relation.unlike: expected a value that must differ"), std::string::npos);
+    EXPECT_NE(refused(1, R"({"to": "a", "shift": [1, 1], "what": "moved"})")
+                  .find("checks[1].relation.shift: expected no shift"),
+              std::string::npos);
+    EXPECT_NE(refused(2, R"({"to": "a", "what": "the same"})")
+                  .find("checks[2].relation.unlike: expected a value that must differ"),
+              std::string::npos);
     json rows = manifest();
     rows[json::json_pointer(picture)].erase("range");
     rows[json::json_pointer(picture)]["judge"] = "fragments";
-    EXPECT_NE(test::message_of([&] { (void)parse_exercise(rows, "here.json"); }).find("relation.scale: expected no scale"), std::string::npos);
+    EXPECT_NE(
+        test::message_of([&] { (void)parse_exercise(rows, "here.json"); }).find("relation.scale: expected no scale"),
+        std::string::npos);
 }
 
 }

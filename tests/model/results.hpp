@@ -4,7 +4,10 @@
 
 namespace umbral::grader::test {
 
-inline Fingerprint fingerprint() { return {"0.1.0", "2a63927", "Some CPU", "g++ 12.2", "llvmpipe 22.3.6", "glibc 2.36", {"landlock 4", "seccomp"}}; }
+inline Fingerprint fingerprint()
+{
+    return {"0.1.0", "2a63927", "Some CPU", "g++ 12.2", "llvmpipe 22.3.6", "glibc 2.36", {"landlock 4", "seccomp"}};
+}
 
 /// One unit with everything filled in, one that never ran, one that is not the student's fault.
 inline SubmissionResult submission()
@@ -40,7 +43,8 @@ inline SubmissionResult submission()
                    .reference_seconds = 0.125,
                    .checks = {good, bad},
                    .message = "",
-                   .explanations = {{"transposed", "Your matrix is transposed.", 0.75}, {"mistake: far_root", "You return the far root.", 0.5}},
+                   .explanations = {{"transposed", "Your matrix is transposed.", 0.75},
+                                    {"mistake: far_root", "You return the far root.", 0.5}},
                    .output = "hello\n",
                    .seed = 18446744073709551615U};
     UnitResult absent{.id = "lighting/phong",

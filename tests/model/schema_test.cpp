@@ -37,10 +37,12 @@ void find_objects(const json& value, const json::json_pointer& here, std::vector
 {
     if (value.is_object()) found.push_back(here);
     if (value.is_structured())
-        for (const auto& [key, item] : value.items()) find_objects(item, value.is_array() ? here / std::stoul(key) : here / key, found);
+        for (const auto& [key, item] : value.items())
+            find_objects(item, value.is_array() ? here / std::stoul(key) : here / key, found);
 }
 
-/// Every object must refuse each of its fields missing or of another type, and an unknown field. `free` are maps with keys of any name.
+/// Every object must refuse each of its fields missing or of another type, and an unknown field. `free` are maps with
+/// keys of any name.
 void expect_strict(const Schema& schema, const json& document, const std::vector<std::string>& free)
 {
     std::vector<json::json_pointer> objects;
@@ -116,7 +118,8 @@ TEST(ResultSchemas, hold_seeds_where_noise_was_judged)
     json report = to_json(result, test::fingerprint());
     EXPECT_EQ(Schema("report").complaints(report), "");
     EXPECT_EQ(check_of(report)["seeds"], (json{"18446744073709551615", "7"}));
-    EXPECT_EQ(Schema("class").complaints(to_json(ClassResult{test::fingerprint(), {result}})), "") << "not in class.json";
+    EXPECT_EQ(Schema("class").complaints(to_json(ClassResult{test::fingerprint(), {result}})), "")
+        << "not in class.json";
     for (const json& wrong : {json::array(), json(7), json{7, 8}, json{"1", "2", "3"}, json{"-1"}}) {
         report["submission"]["units"][0]["checks"][0]["seeds"] = wrong;
         EXPECT_NE(Schema("report").complaints(report), "") << wrong;
@@ -132,17 +135,18 @@ TEST(ResultSchemas, are_strict_in_every_field)
 TEST(ResultSchemas, refuse_values_out_of_range)
 {
     const Schema schema("report");
-    for (const auto& [pointer, value] : std::vector<std::pair<const char*, json>>{{"/version", 2},
-                                                                                  {"/score_unit", "points"},
-                                                                                  {"/submission/score", -1},
-                                                                                  {"/submission/score", 0.5},
-                                                                                  {"/submission/units/0/id", "sphere"},
-                                                                                  {"/submission/units/0/digest", "abc"},
-                                                                                  {"/submission/units/0/seed", 5},
-                                                                                  {"/submission/units/0/seed", "-5"},
-                                                                                  {"/submission/units/0/explanation/0/confidence", 1.5},
-                                                                                  {"/submission/units/0/checks/1/metrics/psnr", "31"},
-                                                                                  {"/submission/units/0/checks/1/artefacts/triptych", nullptr}}) {
+    for (const auto& [pointer, value] :
+         std::vector<std::pair<const char*, json>>{{"/version", 2},
+                                                   {"/score_unit", "points"},
+                                                   {"/submission/score", -1},
+                                                   {"/submission/score", 0.5},
+                                                   {"/submission/units/0/id", "sphere"},
+                                                   {"/submission/units/0/digest", "abc"},
+                                                   {"/submission/units/0/seed", 5},
+                                                   {"/submission/units/0/seed", "-5"},
+                                                   {"/submission/units/0/explanation/0/confidence", 1.5},
+                                                   {"/submission/units/0/checks/1/metrics/psnr", "31"},
+                                                   {"/submission/units/0/checks/1/artefacts/triptych", nullptr}}) {
         json root = report_json();
         root[json::json_pointer(pointer)] = value;
         EXPECT_NE(schema.complaints(root), "") << pointer << " = " << value;
@@ -153,9 +157,11 @@ TEST(ResultSchemas, say_the_same_of_what_they_share)
 {
     const json a = read_schema("class")["definitions"];
     const json b = read_schema("report")["definitions"];
-    for (const char* name : {"tool", "machine", "submission", "difference", "explanation"}) EXPECT_EQ(a.at(name), b.at(name)) << name;
+    for (const char* name : {"tool", "machine", "submission", "difference", "explanation"})
+        EXPECT_EQ(a.at(name), b.at(name)) << name;
     for (const char* name : {"unit", "check"})
-        for (const auto& [key, value] : a.at(name).at("properties").items()) EXPECT_EQ(value, b.at(name).at("properties").at(key)) << name << "." << key;
+        for (const auto& [key, value] : a.at(name).at("properties").items())
+            EXPECT_EQ(value, b.at(name).at("properties").at(key)) << name << "." << key;
 }
 
 /// Every named field of a schema has a description.
@@ -172,7 +178,8 @@ void expect_described(const json& schema, const json::json_pointer& here)
 
 TEST(Schemas, describe_every_field)
 {
-    for (const char* name : {"class", "report", "exercise", "accuracy"}) expect_described(read_schema(name), json::json_pointer("/" + std::string(name)));
+    for (const char* name : {"class", "report", "exercise", "accuracy"})
+        expect_described(read_schema(name), json::json_pointer("/" + std::string(name)));
 }
 
 TEST(ExerciseSchema, agrees_with_the_program_on_variants_of_a_manifest)
@@ -206,7 +213,8 @@ TEST(ExerciseSchema, agrees_with_the_program_on_variants_of_a_manifest)
     const auto compare = [&](const json& variant, const std::string& what) {
         const std::string message = test::message_of([&] { (void)parse_exercise(variant, "variant"); });
         // What a schema cannot say: sums, decimals, order of two numbers, comparison with other fields.
-        for (const char* beyond : {"the sum of the checks' points", "decimal places", "less than \"full\"", "low < high", "not checked before"})
+        for (const char* beyond : {"the sum of the checks' points", "decimal places", "less than \"full\"",
+                                   "low < high", "not checked before"})
             if (message.find(beyond) != std::string::npos) return;
         EXPECT_EQ(message == "nothing was thrown", schema.complaints(variant).empty())
             << what << "\nprogram: " << message << "\nschema: " << schema.complaints(variant);

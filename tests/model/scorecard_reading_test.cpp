@@ -58,7 +58,8 @@ TEST(UnitResultFromJson, gives_back_every_field)
 TEST(UnitResultFromJson, numbers_that_are_not_finite_stay_so)
 {
     UnitResult unit = everything();
-    unit.seconds = unit.explanations[0].confidence = unit.checks[0].metrics["psnr"] = std::numeric_limits<double>::quiet_NaN();
+    unit.seconds = unit.explanations[0].confidence = unit.checks[0].metrics["psnr"] =
+        std::numeric_limits<double>::quiet_NaN();
     unit.checks[0].error = std::numeric_limits<double>::infinity();
     const UnitResult read = unit_result_from_json(to_json(unit), "kept");
     EXPECT_TRUE(std::isnan(read.seconds));
@@ -87,7 +88,8 @@ void find_values(const json& value, const json::json_pointer& here, std::vector<
 {
     if (!here.empty()) found.push_back(here);
     if (value.is_structured())
-        for (const auto& [key, item] : value.items()) find_values(item, value.is_array() ? here / std::stoul(key) : here / key, found);
+        for (const auto& [key, item] : value.items())
+            find_values(item, value.is_array() ? here / std::stoul(key) : here / key, found);
 }
 
 TEST(UnitResultFromJson, refuses_whatever_to_json_does_not_write)
@@ -102,16 +104,19 @@ TEST(UnitResultFromJson, refuses_whatever_to_json_does_not_write)
         other[place] = whole[place].is_object() ? json::array() : json::object();
         EXPECT_NE(test::message_of([&] { (void)unit_result_from_json(other, "kept"); }), "nothing was thrown") << place;
         json more = whole;
-        if (const std::string last = place.back(); whole[place].is_object() && last != "metrics" && last != "artefacts") {
+        if (const std::string last = place.back();
+            whole[place].is_object() && last != "metrics" && last != "artefacts") {
             more[place]["unknown"] = 1;
-            EXPECT_NE(test::message_of([&] { (void)unit_result_from_json(more, "kept"); }), "nothing was thrown") << place;
+            EXPECT_NE(test::message_of([&] { (void)unit_result_from_json(more, "kept"); }), "nothing was thrown")
+                << place;
         }
         const json::json_pointer parent = place.parent_pointer();
         const bool free = !parent.empty() && (parent.back() == "metrics" || parent.back() == "artefacts");
         if (!whole[parent].is_object() || free || std::ranges::count(optional, place.back()) > 0) continue;
         json less = whole;
         less[parent].erase(place.back());
-        EXPECT_NE(test::message_of([&] { (void)unit_result_from_json(less, "kept"); }), "nothing was thrown") << "without " << place;
+        EXPECT_NE(test::message_of([&] { (void)unit_result_from_json(less, "kept"); }), "nothing was thrown")
+            << "without " << place;
         ++refused;
     }
     EXPECT_GT(refused, 30);

@@ -36,8 +36,10 @@ TEST(Verdict, has_the_documented_names)
 
 TEST(Verdict, refuses_other_texts_and_numbers)
 {
-    for (const char* text : {"", "OK", "ok ", "passed"}) EXPECT_THROW((void)verdict_from(text), std::invalid_argument) << text;
-    EXPECT_NE(test::message_of([] { (void)verdict_from("passed"); }).find("grader_fault, got 'passed'"), std::string::npos);
+    for (const char* text : {"", "OK", "ok ", "passed"})
+        EXPECT_THROW((void)verdict_from(text), std::invalid_argument) << text;
+    EXPECT_NE(test::message_of([] { (void)verdict_from("passed"); }).find("grader_fault, got 'passed'"),
+              std::string::npos);
     EXPECT_THROW((void)to_string(static_cast<Verdict>(verdicts)), std::invalid_argument);
 }
 

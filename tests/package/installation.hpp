@@ -29,8 +29,8 @@ class Installation {
 public:
     explicit Installation(const std::string& component = "")
     {
-        const Printed printed =
-            run(UMBRAL_CMAKE " --install " UMBRAL_BUILD " --prefix " + prefix().string() + (component.empty() ? "" : " --component " + component));
+        const Printed printed = run(UMBRAL_CMAKE " --install " UMBRAL_BUILD " --prefix " + prefix().string() +
+                                    (component.empty() ? "" : " --component " + component));
         if (printed.status != 0) throw std::runtime_error("cmake --install failed: " + printed.text);
     }
     [[nodiscard]] std::filesystem::path prefix() const { return folder_ / "prefix"; }
@@ -64,7 +64,8 @@ inline bool has_namespaces()
 inline std::string without_sources()
 {
     if (!has_namespaces()) return "";
-    return "cd / && exec unshare -r -m sh -c 'mount -t tmpfs none " UMBRAL_BUILD " && mount -t tmpfs none " UMBRAL_SOURCE " && exec \"$@\"' sh ";
+    return "cd / && exec unshare -r -m sh -c 'mount -t tmpfs none " UMBRAL_BUILD
+           " && mount -t tmpfs none " UMBRAL_SOURCE " && exec \"$@\"' sh ";
 }
 
 /// The same namespace with all in its place, for what is compared with it.

@@ -6,7 +6,8 @@
 #include "installation.hpp"
 #include "support/without_times.hpp"
 
-// Everything that people do with an installation, where neither sources nor build are: the same results as in the checkout.
+// Everything that people do with an installation, where neither sources nor build are: the same results as in the
+// checkout.
 namespace umbral::test {
 namespace {
 
@@ -18,7 +19,8 @@ const fs::path sample = UMBRAL_SOURCE "/tests/class";
 /// The installed program, with a cache of the tests' own.
 std::string installed(const Installation& installation, const TemporaryFolder& folder)
 {
-    return without_sources() + "env UMBRAL_CACHE=" + (folder / "cache").string() + " " + (installation.prefix() / "bin/umbral").string() + " ";
+    return without_sources() + "env UMBRAL_CACHE=" + (folder / "cache").string() + " " +
+           (installation.prefix() / "bin/umbral").string() + " ";
 }
 
 /// The sample class's submission, in a workspace that students' program made.
@@ -58,7 +60,8 @@ TEST_F(StudentsPackage, explains_wrong_work_as_the_checkout_does)
     const Printed checked = check("--json");
     EXPECT_EQ(checked.status, 1) << checked.text;
     const Printed in_checkout = run(with_sources() + "env UMBRAL_CACHE=" + (folder_ / "other-cache").string() +
-                                    " " UMBRAL_BUILD "/bin/umbral check sphere view-matrix shaders --json --dir " + (folder_ / "work").string());
+                                    " " UMBRAL_BUILD "/bin/umbral check sphere view-matrix shaders --json --dir " +
+                                    (folder_ / "work").string());
     const json here = json::parse(checked.text);
     EXPECT_EQ(without_times(here), without_times(json::parse(in_checkout.text)));
     // By the hints that somebody wrote, the one in GLSL too.
@@ -69,7 +72,8 @@ TEST_F(StudentsPackage, explains_wrong_work_as_the_checkout_does)
 
 TEST_F(StudentsPackage, says_what_else_to_install)
 {
-    for (const char* const command : {"validate sphere", "render scene.json", "bench accuracy", "demo", "doctor --attack"}) {
+    for (const char* const command :
+         {"validate sphere", "render scene.json", "bench accuracy", "demo", "doctor --attack"}) {
         const Printed refused = run(umbral_ + command);
         EXPECT_EQ(refused.status, 2) << command << refused.text;
         EXPECT_NE(refused.text.find("umbral-instructor"), std::string::npos) << command << refused.text;
@@ -86,7 +90,8 @@ TEST(InstructorsPackage, says_what_is_measured_in_the_checkout_only)
         EXPECT_EQ(refused.status, 2) << name << refused.text;
         EXPECT_NE(refused.text.find("needs the checkout"), std::string::npos) << name << refused.text;
     }
-    const Printed quick = run("cd " + folder.path().string() + " && " + umbral + "bench accuracy --quick --knob ray-sphere");
+    const Printed quick =
+        run("cd " + folder.path().string() + " && " + umbral + "bench accuracy --quick --knob ray-sphere");
     EXPECT_EQ(quick.status, 0) << quick.text;
 }
 
@@ -95,14 +100,16 @@ TEST(InstructorsPackage, grades_the_sample_class_as_the_checkout_does)
     const TemporaryFolder folder;
     folder.write("secret", "the same secret gives the same hidden cases");
     const auto class_json = [&](const std::string& umbral, const std::string& submissions, const std::string& out) {
-        const Printed graded =
-            run(umbral + "grade --handed-in --jobs 2 --secret-file " + (folder / "secret").string() + " --out " + (folder / out).string() + " " + submissions);
+        const Printed graded = run(umbral + "grade --handed-in --jobs 2 --secret-file " + (folder / "secret").string() +
+                                   " --out " + (folder / out).string() + " " + submissions);
         EXPECT_EQ(graded.status, 0) << graded.text;
         return without_times(json::parse(read(folder / out / "class.json")));
     };
-    const json here = class_json(installed(everything(), folder), (everything().prefix() / "share/umbral/class").string(), "here");
-    const json there =
-        class_json(with_sources() + "env UMBRAL_CACHE=" + (folder / "other-cache").string() + " " UMBRAL_BUILD "/bin/umbral ", sample.string(), "there");
+    const json here =
+        class_json(installed(everything(), folder), (everything().prefix() / "share/umbral/class").string(), "here");
+    const json there = class_json(
+        with_sources() + "env UMBRAL_CACHE=" + (folder / "other-cache").string() + " " UMBRAL_BUILD "/bin/umbral ",
+        sample.string(), "there");
     EXPECT_EQ(here, there);
     EXPECT_EQ(here.at("submissions").size(), 10U);
 }
@@ -115,8 +122,9 @@ TEST(InstructorsPackage, validates_a_unit_and_draws_a_scene)
         const Printed printed = run(umbral + command);
         EXPECT_EQ(printed.status, 0) << command << printed.text;
     }
-    const Printed drawn = run(umbral + "render " + (everything().prefix() / "share/umbral/reference/scenes/first-light.json").string() +
-                              " --size 64x64 --out " + (folder / "picture.png").string());
+    const Printed drawn =
+        run(umbral + "render " + (everything().prefix() / "share/umbral/reference/scenes/first-light.json").string() +
+            " --size 64x64 --out " + (folder / "picture.png").string());
     EXPECT_EQ(drawn.status, 0) << drawn.text;
     EXPECT_TRUE(fs::exists(folder / "picture.png"));
 }
@@ -127,7 +135,8 @@ TEST(Package, holds_no_path_of_the_build)
     for (const fs::path& file : files_below(everything().prefix())) {
         const std::string text = read(file);
         ++seen;
-        for (const char* const path : {UMBRAL_SOURCE, UMBRAL_BUILD}) EXPECT_EQ(text.find(path), std::string::npos) << file << " holds " << path;
+        for (const char* const path : {UMBRAL_SOURCE, UMBRAL_BUILD})
+            EXPECT_EQ(text.find(path), std::string::npos) << file << " holds " << path;
     }
     EXPECT_GT(seen, 1000U);
 }

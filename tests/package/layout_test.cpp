@@ -48,7 +48,8 @@ TEST(LayoutTest, of_an_installation_is_below_its_prefix)
 TEST(LayoutTest, says_where_it_looked_in_vain)
 {
     const TemporaryFolder folder;
-    EXPECT_NE(complaint_about(folder / "lib/umbral/bin/umbral").find((folder / "share/umbral/exercises").string()), std::string::npos);
+    EXPECT_NE(complaint_about(folder / "lib/umbral/bin/umbral").find((folder / "share/umbral/exercises").string()),
+              std::string::npos);
     folder.write("build/checkout.txt", "/no/such/folder\n");
     EXPECT_NE(complaint_about(folder / "build/bin/umbral").find("/no/such/folder"), std::string::npos);
 }

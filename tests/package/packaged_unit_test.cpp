@@ -43,8 +43,8 @@ TEST_P(PackagedUnit, has_the_digest_the_mistakes_and_the_shaders_of_the_whole_on
 {
     const Packaged packaged(GetParam());
     EXPECT_EQ(packaged.unit.digest, packaged.whole.digest);
-    const std::vector<Specimen> mistakes = known_mistakes(packaged.tools, packaged.unit);
-    const std::vector<Specimen> expected = mistakes_of(reference, packaged.whole);
+    const std::vector<KnownSolution> mistakes = known_mistakes(packaged.tools, packaged.unit);
+    const std::vector<KnownSolution> expected = mistakes_of(reference, packaged.whole);
     ASSERT_EQ(mistakes.size(), expected.size());
     for (std::size_t i = 0; i < mistakes.size(); ++i) {
         EXPECT_EQ(mistakes[i].name, expected[i].name);
@@ -57,13 +57,16 @@ TEST_P(PackagedUnit, has_the_digest_the_mistakes_and_the_shaders_of_the_whole_on
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, PackagedUnit, testing::Values("raytracing/sphere", "lighting/shaders"),
-                         [](const auto& test) { return test.param == std::string("raytracing/sphere") ? "cpp" : "glsl"; });
+                         [](const auto& test) {
+                             return test.param == std::string("raytracing/sphere") ? "cpp" : "glsl";
+                         });
 
 TEST(PackagedShaders, are_veiled)
 {
     const Packaged packaged("lighting/shaders");
     const std::string bytes = read_text(packaged.tools.units / "lighting/shaders/shaders");
-    for (const char* const word : {"phong", "gl_Position", "reference", "mistakes"}) EXPECT_EQ(bytes.find(word), std::string::npos) << word;
+    for (const char* const word : {"phong", "gl_Position", "reference", "mistakes"})
+        EXPECT_EQ(bytes.find(word), std::string::npos) << word;
     // No run of text in it at all.
     std::size_t longest = 0;
     std::size_t now = 0;
@@ -92,7 +95,8 @@ TEST(PackagedLibraries, are_veiled_and_unveiled_where_they_are_needed)
     EXPECT_EQ(read_text(answer_library(tools, sphere, "mistakes/far_root", folder / "scratch")), library + "!");
     // A build has its libraries as they are.
     folder.write("units/raytracing/sphere/oracle.so", library);
-    EXPECT_EQ(answer_library(tools, sphere, "oracle", folder / "scratch"), folder / "units/raytracing/sphere/oracle.so");
+    EXPECT_EQ(answer_library(tools, sphere, "oracle", folder / "scratch"),
+              folder / "units/raytracing/sphere/oracle.so");
 }
 
 TEST(PackagedShaders, that_are_damaged_are_named)

@@ -40,16 +40,17 @@ void each_line(const std::string& text, Visit visit)
 /// Code that says something: long enough not to be anybody's, and neither an include nor a comment.
 bool is_telling(std::string_view line)
 {
-    return line.size() >= 24 && !line.starts_with("#include") && !line.starts_with("//") && !line.starts_with("///") && !line.starts_with("*") &&
-           line.find_first_of("();=") != std::string_view::npos;
+    return line.size() >= 24 && !line.starts_with("#include") && !line.starts_with("//") && !line.starts_with("///") &&
+           !line.starts_with("*") && line.find_first_of("();=") != std::string_view::npos;
 }
 
 /// A line of GLSL, as far as one line tells.
 bool is_shader(std::string_view line)
 {
     if (line.find("::") != std::string_view::npos) return false;
-    return std::ranges::any_of(std::array{"vec2", "vec3", "vec4", "mat3", "mat4", "gl_Position", "texture(", "normalize(", ".xyz", "normal;"},
-                               [&](const char* word) { return line.find(word) != std::string_view::npos; });
+    return std::ranges::any_of(
+        std::array{"vec2", "vec3", "vec4", "mat3", "mat4", "gl_Position", "texture(", "normalize(", ".xyz", "normal;"},
+        [&](const char* word) { return line.find(word) != std::string_view::npos; });
 }
 
 using Lines = std::set<std::string, std::less<>>;
@@ -67,7 +68,8 @@ bool is_code(const fs::path& file)
     return suffixes.contains(file.extension().string());
 }
 
-/// Lines of references, oracles, mistakes and alternatives, but for those that students are given: stubs, statements, interfaces.
+/// Lines of references, oracles, mistakes and alternatives, but for those that students are given: stubs, statements,
+/// interfaces.
 Lines telling_lines()
 {
     Lines lines;
@@ -94,7 +96,9 @@ Lines telling_lines()
         if (file.extension() == ".hpp") add_lines(given, file);
     std::erase_if(lines, [&](const std::string& line) { return given.contains(line); });
     // Drivers draw with shaders of their own, in which the same vectors have the same names: some lines, and no more.
-    EXPECT_LT(std::ranges::count_if(drivers, [&](const std::string& line) { return lines.contains(line) && is_shader(line); }), 16);
+    EXPECT_LT(std::ranges::count_if(drivers,
+                                    [&](const std::string& line) { return lines.contains(line) && is_shader(line); }),
+              16);
     std::erase_if(lines, [&](const std::string& line) { return drivers.contains(line) && is_shader(line); });
     return lines;
 }
@@ -105,7 +109,8 @@ TEST(StudentsComponent, holds_no_line_of_an_answer)
     ASSERT_GT(lines.size(), 3000U);
     for (const fs::path& file : files_below(students().prefix())) {
         const std::string text = read(file);
-        each_line(text, [&](std::string_view line) { EXPECT_FALSE(lines.contains(line)) << file << " holds: " << line; });
+        each_line(text,
+                  [&](std::string_view line) { EXPECT_FALSE(lines.contains(line)) << file << " holds: " << line; });
     }
 }
 
@@ -130,7 +135,8 @@ std::set<std::string> sections_of(const std::string& text)
     std::vector<Elf64_Shdr> sections(header.e_shnum);
     std::memcpy(sections.data(), text.data() + header.e_shoff, sections.size() * sizeof(Elf64_Shdr));
     std::set<std::string> names;
-    for (const Elf64_Shdr& section : sections) names.insert(text.data() + sections.at(header.e_shstrndx).sh_offset + section.sh_name);
+    for (const Elf64_Shdr& section : sections)
+        names.insert(text.data() + sections.at(header.e_shstrndx).sh_offset + section.sh_name);
     return names;
 }
 
@@ -141,7 +147,8 @@ TEST(StudentsComponent, has_neither_symbols_nor_debug_information)
         const std::string text = read(file);
         if (!text.starts_with(ELFMAG)) continue;
         ++seen;
-        for (const std::string& name : sections_of(text)) EXPECT_FALSE(name.starts_with(".debug") || name == ".symtab") << file << name;
+        for (const std::string& name : sections_of(text))
+            EXPECT_FALSE(name.starts_with(".debug") || name == ".symtab") << file << name;
     }
     EXPECT_GT(seen, 50U);
 }

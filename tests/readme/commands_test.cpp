@@ -37,7 +37,8 @@ TEST(Commands, are_found_in_blocks_tables_and_sentences)
 
 TEST(Commands, of_other_programs_are_none)
 {
-    for (const char* const text : {"umbral", "umbrals list", "cmake --install build", "grader/cli/umbral list", "libumbral-gl", ".ci/run"})
+    for (const char* const text :
+         {"umbral", "umbrals list", "cmake --install build", "grader/cli/umbral list", "libumbral-gl", ".ci/run"})
         EXPECT_FALSE(calls_umbral(text)) << text;
 }
 

@@ -11,8 +11,8 @@
 #include "support/printed.hpp"
 #include "support/temporary_folder.hpp"
 
-// Whatever README.md tells its readers to call is called here as it stands there, or in another way, for which the table
-// below gives the reason.
+// Whatever README.md tells its readers to call is called here as it stands there, or in another way, for which the
+// table below gives the reason.
 namespace umbral::test {
 namespace {
 
@@ -30,12 +30,15 @@ const std::map<std::string, Instead> not_as_it_stands{
     {"./umbral test --all", {"", "this test is a part of it"}},
     {"./umbral --no-install demo", {"", "the launcher's own test calls it so, where packages are missing"}},
     {"umbral check --watch", {"timeout -s INT 2 umbral check --watch; [ $? = 124 ]", "it ends when somebody ends it"}},
-    {"umbral debug sphere head-on", {"umbral debug sphere head-on --no-debugger", "a debugger waits for what is typed"}},
+    {"umbral debug sphere head-on",
+     {"umbral debug sphere head-on --no-debugger", "a debugger waits for what is typed"}},
     {"umbral refresh sphere", {"umbral refresh sphere --check", "it writes into the sources"}},
-    {"umbral validate sphere --seeds 5", {"umbral validate sphere --seeds 5 --help", "umbral validate --table runs with one set of inputs"}},
+    {"umbral validate sphere --seeds 5",
+     {"umbral validate sphere --seeds 5 --help", "umbral validate --table runs with one set of inputs"}},
     {"umbral validate --table FILE", {"umbral validate sphere --seeds 1 --table FILE", "all units take minutes"}},
     {"umbral bench findings", {"umbral bench findings --help", "umbral validate --table runs"}},
-    {"umbral bench outcomes", {"umbral bench outcomes --help", "all attacks take hours, and attacks-test runs a third of them"}},
+    {"umbral bench outcomes",
+     {"umbral bench outcomes --help", "all attacks take hours, and attacks-test runs a third of them"}},
     {"umbral bench fuzz", {"umbral bench fuzz --help", "it needs a build of its own"}},
     {"umbral bench raster --seconds 5", {"umbral bench raster --quick", "five seconds for each of sixteen rows"}},
 };
@@ -77,12 +80,14 @@ protected:
     {
         const fs::path here = folder_ / name;
         for (const char* const student : {"ana", "bruno"})
-            folder_.write(fs::path(name) / "submissions" / student / "raytracing/sphere/sphere.cpp", read(source / "reference/raytracing/sphere.cpp"));
+            folder_.write(fs::path(name) / "submissions" / student / "raytracing/sphere/sphere.cpp",
+                          read(source / "reference/raytracing/sphere.cpp"));
         folder_.write(fs::path(name) / "secret", "a secret of this test's, long enough");
         fs::permissions(here / "secret", fs::perms::owner_read | fs::perms::owner_write);
         fs::create_directory_symlink(source / "reference", here / "reference");
         fs::create_directory_symlink(source / "build", here / "build");
-        for (const char* const picture : {"mine.png", "right.png"}) fs::copy_file(source / "docs/pictures/first-light.png", here / picture);
+        for (const char* const picture : {"mine.png", "right.png"})
+            fs::copy_file(source / "docs/pictures/first-light.png", here / picture);
         return here;
     }
 
@@ -91,9 +96,11 @@ protected:
         const std::string call = call_of(command);
         if (call.empty()) return;
         const auto start = std::chrono::steady_clock::now();
-        const Printed printed = run("cd '" + here.string() + "' && exec </dev/null && export UMBRAL_CACHE='" + (folder_ / "cache").string() + "' PATH='" +
-                                    (folder_ / "bin").string() + "':\"$PATH\" && " + call);
-        std::printf("%5.1f s  %s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), call.c_str());
+        const Printed printed =
+            run("cd '" + here.string() + "' && exec </dev/null && export UMBRAL_CACHE='" +
+                (folder_ / "cache").string() + "' PATH='" + (folder_ / "bin").string() + "':\"$PATH\" && " + call);
+        std::printf("%5.1f s  %s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+                    call.c_str());
         (void)std::fflush(stdout);
         EXPECT_TRUE(printed.status == 0 || (printed.status == 1 && may_fall_short(call)))
             << "README.md:" << command.line << ": `" << command.text << "` ended with " << printed.status << "\n"
@@ -133,7 +140,8 @@ TEST_F(Readme, commands_in_sentences_and_tables_run)
         if (command.block >= 0) seen.insert(command.text);
     const std::size_t in_blocks = seen.size();
     for (const Command& command : readme())
-        if (command.block < 0 && !measures(command) && seen.insert(command.text).second) expect_runs(command, here / "work");
+        if (command.block < 0 && !measures(command) && seen.insert(command.text).second)
+            expect_runs(command, here / "work");
     EXPECT_GE(seen.size(), in_blocks + 3);
 }
 
@@ -145,21 +153,26 @@ TEST_F(Readme, benchmarks_run)
         if (measures(command) && seen.insert(command.text).second) expect_runs(command, here);
     // Figures of the documents come from these, so that each is named.
     for (const grader::Benchmark& benchmark : grader::benchmarks())
-        EXPECT_TRUE(std::ranges::any_of(seen, [&](const std::string& text) { return (text + " ").starts_with("umbral bench " + benchmark.name + " "); }))
+        EXPECT_TRUE(std::ranges::any_of(
+            seen,
+            [&](const std::string& text) { return (text + " ").starts_with("umbral bench " + benchmark.name + " "); }))
             << "README.md does not name umbral bench " << benchmark.name;
 }
 
 TEST_F(Readme, what_is_run_in_another_way_stands_there)
 {
     for (const auto& [text, instead] : not_as_it_stands)
-        EXPECT_TRUE(std::ranges::any_of(readme(), [&](const Command& command) { return command.text == text; })) << text << ": " << instead.reason;
+        EXPECT_TRUE(std::ranges::any_of(readme(), [&](const Command& command) { return command.text == text; }))
+            << text << ": " << instead.reason;
 }
 
 TEST_F(Readme, commands_that_do_not_exist_are_noticed)
 {
-    for (const char* const text : {"umbral bench nothing", "umbral nothing", "umbral check --nothing", "build/release/bin/nothing"}) {
+    for (const char* const text :
+         {"umbral bench nothing", "umbral nothing", "umbral check --nothing", "build/release/bin/nothing"}) {
         const fs::path here = folder_.path();
-        const Printed printed = run("cd '" + here.string() + "' && PATH='" + (here / "bin").string() + "':\"$PATH\" && " + call_of({text, 1, -1}));
+        const Printed printed = run("cd '" + here.string() + "' && PATH='" + (here / "bin").string() +
+                                    "':\"$PATH\" && " + call_of({text, 1, -1}));
         EXPECT_GE(printed.status, 2) << text << printed.text;
     }
 }

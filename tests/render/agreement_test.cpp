@@ -28,7 +28,8 @@ Both draw(const scene::Scene& scene, int width, int height)
     return both;
 }
 
-/// No texture: what differs is arithmetic alone, a small part of a step. Sizes are odd, so that pixels have their centres on edges.
+/// No texture: what differs is arithmetic alone, a small part of a step. Sizes are odd, so that pixels have their
+/// centres on edges.
 void expect_closely_equal(const scene::Scene& scene, int width, int height)
 {
     const Comparison c = draw(scene, width, height).comparison;
@@ -84,7 +85,8 @@ TEST(Agreement, where_an_object_crosses_the_near_plane)
         EXPECT_LE(both.comparison.ids_differ, 8U);
         EXPECT_LT(both.comparison.color_max, 0.05);
         EXPECT_GT(both.comparison.covered_first, both.comparison.pixels / 3);
-        for (const glm::vec4& color : both.software.color.cells) ASSERT_TRUE(std::isfinite(color.r + color.g + color.b));
+        for (const glm::vec4& color : both.software.color.cells)
+            ASSERT_TRUE(std::isfinite(color.r + color.g + color.b));
     }
 }
 
@@ -92,8 +94,8 @@ TEST(Agreement, where_triangles_lead_past_the_camera_on_all_sides)
 {
     for (const auto& [width, height] : {std::pair{256, 256}, {301, 97}, {90, 200}}) {
         const Both both = draw(around_the_camera(), width, height);
-        // Mesa clips at the picture's sides, where the engine has a guard band: an edge may move by a subpixel, also one between two
-        // triangles of the ring, which the comparison takes for its interior.
+        // Mesa clips at the picture's sides, where the engine has a guard band: an edge may move by a subpixel, also
+        // one between two triangles of the ring, which the comparison takes for its interior.
         EXPECT_LE(both.comparison.ids_differ, 2U);
         EXPECT_LE(both.comparison.color_beyond, 2U);
         EXPECT_LE(both.comparison.depth_mean, Agreement{}.depth_mean);

@@ -13,7 +13,10 @@ namespace {
 /// Attributes that are a linear function of the clip coordinates, so that every cut can be checked.
 ClipVertex vertex(const glm::vec4& clip)
 {
-    return {clip, {clip.x + clip.y, clip.z - clip.w, clip.w}, {clip.x, clip.y, clip.z}, {clip.x - clip.z, clip.y + 2 * clip.w}};
+    return {clip,
+            {clip.x + clip.y, clip.z - clip.w, clip.w},
+            {clip.x, clip.y, clip.z},
+            {clip.x - clip.z, clip.y + 2 * clip.w}};
 }
 
 std::vector<ClipVertex> clipped(const std::array<ClipVertex, 3>& triangle, const glm::vec2& guard)
@@ -26,7 +29,8 @@ std::vector<ClipVertex> clipped(const std::array<ClipVertex, 3>& triangle, const
 
 TEST(Clip, leaves_what_lies_inside_the_guard_band_bit_by_bit)
 {
-    const std::array<ClipVertex, 3> triangle = {vertex({-30.7F, 0, 0, 1}), vertex({1, 15.9F, 0.5F, 1}), vertex({0.3F, 1, -1, 1})};
+    const std::array<ClipVertex, 3> triangle = {vertex({-30.7F, 0, 0, 1}), vertex({1, 15.9F, 0.5F, 1}),
+                                                vertex({0.3F, 1, -1, 1})};
     const std::vector<ClipVertex> polygon = clipped(triangle, {32, 16});
     ASSERT_EQ(polygon.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -71,7 +75,9 @@ TEST(Clip, gives_polygons_inside_that_interpolate_linearly)
             ASSERT_LE(std::abs(c.z), c.w);
             const ClipVertex expected = vertex(c);
             // Weights are rounded once, relative to corners of size 5.
-            ASSERT_LT(distance(corner.eye, expected.eye) + distance(corner.normal, expected.normal) + distance(corner.uv, expected.uv), 3e-5F);
+            ASSERT_LT(distance(corner.eye, expected.eye) + distance(corner.normal, expected.normal) +
+                          distance(corner.uv, expected.uv),
+                      3e-5F);
         }
     }
     EXPECT_GT(cut, 500);

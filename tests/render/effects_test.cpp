@@ -9,17 +9,22 @@
 namespace umbral::render::test {
 namespace {
 
-bool includes(const EffectSet& all, const EffectSet& some) { return (number_of(all) & number_of(some)) == number_of(some); }
+bool includes(const EffectSet& all, const EffectSet& some)
+{
+    return (number_of(all) & number_of(some)) == number_of(some);
+}
 
 template <class Cell>
 bool equal_bits(const Grid<Cell>& a, const Grid<Cell>& b)
 {
-    return a.width == b.width && a.height == b.height && std::memcmp(a.cells.data(), b.cells.data(), a.cells.size() * sizeof(Cell)) == 0;
+    return a.width == b.width && a.height == b.height &&
+           std::memcmp(a.cells.data(), b.cells.data(), a.cells.size() * sizeof(Cell)) == 0;
 }
 
 std::vector<scene::Scene> scenes()
 {
-    return {plain(), first_light(), through_the_near_plane(), around_the_camera(), behind_the_camera(), degenerate(), mirrored(), bare()};
+    return {plain(),    first_light(), through_the_near_plane(), around_the_camera(), behind_the_camera(), degenerate(),
+            mirrored(), bare()};
 }
 
 TEST(Effects, are_numbered_one_to_one)
@@ -50,7 +55,8 @@ TEST(Effects, absent_ones_change_no_bit_and_count_nothing)
         EXPECT_GE(compared, 1);
         for (const NamedCounter& counter : all_counters)
             for (std::size_t i = 0; i < effect_flags.size(); ++i)
-                if (counter.effect != nullptr && counter.effect == std::string_view(effect_names[i]) && !(needed.*effect_flags[i])) {
+                if (counter.effect != nullptr && counter.effect == std::string_view(effect_names[i]) &&
+                    !(needed.*effect_flags[i])) {
                     ++absent;
                     EXPECT_EQ(derived.counters.*counter.value, 0U) << counter.name;
                 }
@@ -58,7 +64,8 @@ TEST(Effects, absent_ones_change_no_bit_and_count_nothing)
     EXPECT_GT(absent, 10);
 }
 
-// Each effect, added to the plain scene alone, is derived alone and counts something; without its flag the picture is another one.
+// Each effect, added to the plain scene alone, is derived alone and counts something; without its flag the picture is
+// another one.
 TEST(Effects, are_asked_for_one_by_one)
 {
     const auto scene_with = [](std::size_t effect) {
@@ -81,8 +88,9 @@ TEST(Effects, are_asked_for_one_by_one)
         }
         return scene;
     };
-    const std::array<std::uint64_t Counters::*, 6> work = {&Counters::texture_lookups,  &Counters::specular_evaluations, &Counters::normals_interpolated,
-                                                           &Counters::light_directions, &Counters::triangles_turned,     &Counters::triangles_clipped};
+    const std::array<std::uint64_t Counters::*, 6> work = {
+        &Counters::texture_lookups,  &Counters::specular_evaluations, &Counters::normals_interpolated,
+        &Counters::light_directions, &Counters::triangles_turned,     &Counters::triangles_clipped};
     EXPECT_EQ(derive_effects(make_draw_list(plain(), 64, 64), plain()).set, EffectSet{});
     for (std::size_t effect = 0; effect < effect_flags.size(); ++effect) {
         SCOPED_TRACE(effect_names[effect]);

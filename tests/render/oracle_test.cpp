@@ -15,7 +15,8 @@ template <class Number>
 std::vector<Number> numbers_in(const std::filesystem::path& npy)
 {
     const std::string bytes = read(npy);
-    const std::size_t begin = 10 + static_cast<unsigned char>(bytes.at(8)) + 256U * static_cast<unsigned char>(bytes.at(9));
+    const std::size_t begin =
+        10 + static_cast<unsigned char>(bytes.at(8)) + 256U * static_cast<unsigned char>(bytes.at(9));
     std::vector<Number> numbers((bytes.size() - begin) / sizeof(Number));
     std::memcpy(numbers.data(), bytes.data() + begin, numbers.size() * sizeof(Number));
     return numbers;
@@ -25,7 +26,8 @@ double largest_difference(const std::vector<float>& a, const std::vector<float>&
 {
     EXPECT_EQ(a.size(), b.size());
     double largest = 0;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
     return largest;
 }
 
@@ -33,7 +35,8 @@ TEST(RenderOracle, agrees_in_every_id_and_within_one_ulp_in_every_depth)
 {
     for (const std::string size : {"64x64", "320x240"}) {
         const TemporaryFolder folder;
-        const std::string options = " " UMBRAL_SOURCE_DIR "/reference/scenes/first-light.json --size " + size + " --buffers ";
+        const std::string options =
+            " " UMBRAL_SOURCE_DIR "/reference/scenes/first-light.json --size " + size + " --buffers ";
         ASSERT_EQ(umbral(options + (folder / "reference").string()).status, 0);
         ASSERT_EQ(std::system((UMBRAL_ORACLE + options + (folder / "oracle").string()).c_str()), 0);
         const auto ids = numbers_in<std::uint32_t>(folder / "reference/ids.npy");

@@ -1,5 +1,6 @@
-// The software renderer once more, as plainly as it can be written over the units' interfaces: no tiles, no lanes, no kernels. With the
-// rasteriser's oracle it says what the engine's picture should be. It takes the engine's place in render-oracle.
+// The software renderer once more, as plainly as it can be written over the units' interfaces: no tiles, no lanes, no
+// kernels. With the rasteriser's oracle it says what the engine's picture should be. It takes the engine's place in
+// render-oracle.
 
 #include <umbral/pipeline/rasterize.hpp>
 
@@ -28,7 +29,8 @@ void draw_corners(const DrawList& list, const Draw& draw, Corners corners, Frame
     for (const auto& [pixel, depth, w] : fragments) {
         if (!(depth < frame.depth.at(pixel.x, pixel.y))) continue;
         const auto& [a, b, c] = corners;
-        const SurfacePoint at{w[0] * a.eye + w[1] * b.eye + w[2] * c.eye, draw.smooth ? w[0] * a.normal + w[1] * b.normal + w[2] * c.normal : a.normal,
+        const SurfacePoint at{w[0] * a.eye + w[1] * b.eye + w[2] * c.eye,
+                              draw.smooth ? w[0] * a.normal + w[1] * b.normal + w[2] * c.normal : a.normal,
                               w[0] * a.uv + w[1] * b.uv + w[2] * c.uv};
         frame.depth.at(pixel.x, pixel.y) = depth;
         frame.ids.at(pixel.x, pixel.y) = draw.id;
@@ -49,7 +51,8 @@ SoftwarePicture draw_in_software(const DrawList& list, const EffectSet&, int wid
             const auto corner = [&](int i) { return place_vertex(list, draw, mesh.vertices[triangle[i]]); };
             std::vector<ClipVertex> polygon;
             clip_triangle({corner(0), corner(1), corner(2)}, guard, cut, polygon);
-            for (std::size_t i = 2; i < polygon.size(); ++i) draw_corners(list, draw, {polygon[0], polygon[i - 1], polygon[i]}, picture.frame);
+            for (std::size_t i = 2; i < polygon.size(); ++i)
+                draw_corners(list, draw, {polygon[0], polygon[i - 1], polygon[i]}, picture.frame);
         }
     }
     return picture;

@@ -57,14 +57,16 @@ TEST(RenderProgram, writes_buffers)
     const TemporaryFolder folder;
     const Printed printed = umbral(scene + " --size 40x30 --buffers " + (folder / "a/b").string());
     EXPECT_EQ(printed.status, 0) << printed.text;
-    for (const char* name : {"color.npy", "depth.npy", "ids.npy", "coverage.npy", "depth.png", "ids.png", "coverage.png"})
+    for (const char* name :
+         {"color.npy", "depth.npy", "ids.npy", "coverage.npy", "depth.png", "ids.png", "coverage.png"})
         EXPECT_FALSE(read(folder / "a/b" / name).empty()) << name;
     EXPECT_EQ(read(folder / "a/b/depth.npy").size() % 64, 40U * 30U * 4U % 64U);
 }
 
 TEST(RenderProgram, refuses_sizes)
 {
-    for (const char* size : {"0x0", "1e9", "512", "512x", "x512", "512x0", "-5x5", "5x5x5", "512X512", "9000x10", "99999999999x1", "12.5x3"})
+    for (const char* size : {"0x0", "1e9", "512", "512x", "x512", "512x0", "-5x5", "5x5x5", "512X512", "9000x10",
+                             "99999999999x1", "12.5x3"})
         expect_refused(scene + " --out x.png --size=" + size, "--size: expected WIDTHxHEIGHT");
     expect_refused(scene + " --out x.png --size 8000x8000", "expected at most 33554432 samples");
     expect_refused(scene + " --out x.png --size 4000x4000 --samples 4", "expected at most 33554432 samples");
@@ -78,7 +80,8 @@ TEST(RenderProgram, refuses_scenes)
     expect_refused((folder / "none.json").string() + " --explain", "expected a readable regular file, got nothing");
     expect_refused(folder.path().string() + " --explain", "expected a readable regular file");
     expect_refused((folder / "not.json").string() + " --explain", "expected JSON");
-    expect_refused((folder / "unknown.json").string() + " --explain", "unknown.json: fog: expected no field of this name");
+    expect_refused((folder / "unknown.json").string() + " --explain",
+                   "unknown.json: fog: expected no field of this name");
 }
 
 TEST(RenderProgram, refuses_what_it_cannot_write)
@@ -90,7 +93,8 @@ TEST(RenderProgram, refuses_what_it_cannot_write)
     expect_refused(scene + " --size 20x20 --buffers " + (folder / "file/x").string(), "cannot make this folder");
     expect_refused(scene + " --size 20x20 --out /dev/full/x.png", "x.png");
     // As on a full disk: no file may grow beyond a kilobyte.
-    expect_refused(scene + " --size 200x200 --out " + (folder / "y.png").string(), "y.png", "ulimit -f 1; trap '' XFSZ;");
+    expect_refused(scene + " --size 200x200 --out " + (folder / "y.png").string(), "y.png",
+                   "ulimit -f 1; trap '' XFSZ;");
     EXPECT_FALSE(std::filesystem::exists(folder / "y.png"));
     const Printed full = umbral(scene + " --explain --size 20x20 2>&1 >/dev/full");
     EXPECT_EQ(full.status, 2) << full.text;
@@ -100,7 +104,8 @@ TEST(RenderProgram, refuses_options)
 {
     expect_refused(scene, "nothing to do");
     expect_refused(scene + " --compare --out x.png", "--compare draws with both");
-    for (const char* options : {"--renderer vulkan --explain", "--samples 0 --explain", "--samples 99 --explain", "--kernel none --explain", "--wat", ""}) {
+    for (const char* options : {"--renderer vulkan --explain", "--samples 0 --explain", "--samples 99 --explain",
+                                "--kernel none --explain", "--wat", ""}) {
         const Printed printed = umbral((*options == 0 ? "" : scene + " ") + options);
         EXPECT_EQ(printed.status, 2) << options << printed.text;
     }

@@ -13,8 +13,9 @@
 #include "render/rows.hpp"
 #include "render/vertex_stage.hpp"
 
-// Which pixels random triangles in clip coordinates cover: by the engine's division, viewport and rows, by the reference of
-// pipeline/rasterize-triangle, which must be the same ones, and by Mesa's. The environment variable UMBRAL_COVERAGE_TRIANGLES says how many to draw: 20,000 if it is not set; a million takes minutes.
+// Which pixels random triangles in clip coordinates cover: by the engine's division, viewport and rows, by the
+// reference of pipeline/rasterize-triangle, which must be the same ones, and by Mesa's. The environment variable
+// UMBRAL_COVERAGE_TRIANGLES says how many to draw: 20,000 if it is not set; a million takes minutes.
 namespace umbral::render::test {
 namespace {
 
@@ -26,9 +27,11 @@ std::size_t triangles_wanted()
     return text == nullptr ? 20'000 : static_cast<std::size_t>(std::strtoull(text, nullptr, 10));
 }
 
-constexpr const char* vertex_text = "#version 330\nlayout(location = 0) in vec4 clip;\nvoid main() { gl_Position = vec4(clip.x, -clip.y, clip.zw); }\n";
+constexpr const char* vertex_text =
+    "#version 330\nlayout(location = 0) in vec4 clip;\nvoid main() { gl_Position = vec4(clip.x, -clip.y, clip.zw); }\n";
 constexpr const char* fragment_text =
-    "#version 330\nout vec4 result;\nvoid main() { int n = gl_PrimitiveID + 1; result = vec4(n & 255, (n >> 8) & 255, n >> 16, 255) / 255.0; }\n";
+    "#version 330\nout vec4 result;\nvoid main() { int n = gl_PrimitiveID + 1; result = vec4(n & 255, (n >> 8) & 255, "
+    "n >> 16, 255) / 255.0; }\n";
 
 /// The number of the last triangle, from 1, that covers each pixel.
 using Ids = Grid<std::uint32_t>;
@@ -55,7 +58,8 @@ public:
         program_.use();
         glBindVertexArray(array_);
         glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(Triangle)), triangles.data(), GL_STREAM_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(Triangle)), triangles.data(),
+                     GL_STREAM_DRAW);
         glEnableVertexAttribArray(0);
         glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
         glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangles.size()));
@@ -107,7 +111,8 @@ Ids drawn_here(const std::vector<Triangle>& triangles, int side, std::size_t& tw
 double distance_to_sides(const Triangle& triangle, int side, const glm::ivec2& pixel)
 {
     std::array<glm::dvec2, 3> corners{};
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = (glm::dvec2(triangle[i]) / double{triangle[i].w} * glm::dvec2(1, -1) + 1.0) * 0.5 * double(side);
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = (glm::dvec2(triangle[i]) / double{triangle[i].w} * glm::dvec2(1, -1) + 1.0) * 0.5 * double(side);
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec2 along = corners[(i + 1) % 3] - corners[i];
@@ -142,8 +147,10 @@ struct Tally {
 
     void report(const char* name) const
     {
-        std::printf("%-46s %8zu triangles %10zu pixels; differ: %zu (here only %zu, Mesa only %zu, other triangle %zu), at most %.5f pixel from a side\n", name,
-                    triangles, pixels, different(), only_here, only_mesa, other_triangle, farthest);
+        std::printf(
+            "%-46s %8zu triangles %10zu pixels; differ: %zu (here only %zu, Mesa only %zu, other triangle %zu), at "
+            "most %.5f pixel from a side\n",
+            name, triangles, pixels, different(), only_here, only_mesa, other_triangle, farthest);
     }
 };
 
@@ -207,7 +214,8 @@ TEST_F(RasterCoverage, corners_on_the_grid)
     Tally large;
     while (small.triangles < triangles_wanted() * 4 / 10)
         small.add(mesa, tiled(1024, 16, [&](int x, int y) { return clip(on_grid(x, y, 16), 1024, 1); }), 1024);
-    while (large.triangles < triangles_wanted() / 20) large.add(mesa, tiled(1024, 128, [&](int x, int y) { return clip(on_grid(x, y, 128), 1024, 1); }), 1024);
+    while (large.triangles < triangles_wanted() / 20)
+        large.add(mesa, tiled(1024, 128, [&](int x, int y) { return clip(on_grid(x, y, 128), 1024, 1); }), 1024);
     small.report("corners in 1/256 pixel, up to 16 pixels");
     large.report("corners in 1/256 pixel, up to 128 pixels");
     EXPECT_EQ(small.different() + large.different() + small.twice + large.twice, 0U) << "seed " << seed;
@@ -219,7 +227,10 @@ TEST_F(RasterCoverage, corners_anywhere_in_perspective)
     Mesa mesa(1024);
     Tally tally;
     while (tally.triangles < triangles_wanted() * 4 / 10)
-        tally.add(mesa, tiled(1024, 16, [&](int x, int y) { return clip(anywhere(x, y, 16), 1024, std::exp2(random.uniform(-3, 6))); }), 1024);
+        tally.add(mesa,
+                  tiled(1024, 16,
+                        [&](int x, int y) { return clip(anywhere(x, y, 16), 1024, std::exp2(random.uniform(-3, 6))); }),
+                  1024);
     tally.report("corners anywhere, w from 1/8 to 64");
     EXPECT_EQ(tally.twice, 0U);
     // Where the divisions' last bits differ, a corner may move by 1/256 pixel.
@@ -227,8 +238,8 @@ TEST_F(RasterCoverage, corners_anywhere_in_perspective)
     EXPECT_LE(tally.farthest, 1.5 / 256);
 }
 
-// Grids of moved corners without a gap: each pixel exactly once, and the same triangle in both. (Moved by a quarter of a cell, a corner would
-// cross the diagonal, and the mesh lie on itself.)
+// Grids of moved corners without a gap: each pixel exactly once, and the same triangle in both. (Moved by a quarter of
+// a cell, a corner would cross the diagonal, and the mesh lie on itself.)
 TEST_F(RasterCoverage, meshes_cover_each_pixel_once)
 {
     constexpr int side = 512;
@@ -240,7 +251,8 @@ TEST_F(RasterCoverage, meshes_cover_each_pixel_once)
         Grid<glm::vec4> corners(cells + 1, cells + 1);
         for (int y = 0; y <= cells; ++y)
             for (int x = 0; x <= cells; ++x) {
-                const glm::vec2 moved(x % cells == 0 ? 0 : random.uniform(-1.9F, 1.9F), y % cells == 0 ? 0 : random.uniform(-1.9F, 1.9F));
+                const glm::vec2 moved(x % cells == 0 ? 0 : random.uniform(-1.9F, 1.9F),
+                                      y % cells == 0 ? 0 : random.uniform(-1.9F, 1.9F));
                 corners.at(x, y) = clip(glm::vec2(cell * x, cell * y) + moved, side, 1);
             }
         std::vector<Triangle> triangles;
@@ -259,7 +271,8 @@ TEST_F(RasterCoverage, meshes_cover_each_pixel_once)
     EXPECT_LE(tally.farthest, 1.5 / 256);
 }
 
-// Mesa clips what reaches beyond the picture, and rounds the corners that this makes: an edge moves by up to half of 1/256 pixel in x and y.
+// Mesa clips what reaches beyond the picture, and rounds the corners that this makes: an edge moves by up to half of
+// 1/256 pixel in x and y.
 TEST_F(RasterCoverage, triangles_beyond_the_border)
 {
     constexpr int side = 64;
@@ -268,7 +281,8 @@ TEST_F(RasterCoverage, triangles_beyond_the_border)
     while (tally.triangles < triangles_wanted() / 20) {
         const float reach = std::exp2(random.uniform(5, 13));
         Triangle triangle{};
-        for (glm::vec4& corner : triangle) corner = clip({random.uniform(-reach, reach + side), random.uniform(-reach, reach + side)}, side, 1);
+        for (glm::vec4& corner : triangle)
+            corner = clip({random.uniform(-reach, reach + side), random.uniform(-reach, reach + side)}, side, 1);
         tally.add(mesa, {triangle}, side);
     }
     tally.report("corners up to 8192 pixels outside");

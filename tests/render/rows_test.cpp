@@ -7,8 +7,8 @@
 #include "../units/ulps.hpp"
 #include "render/raster.hpp"
 
-// The engine's rasteriser and the reference of pipeline/rasterize-triangle, its plain form: the same fragments, on a million triangles of all
-// kinds. Where the engine promises an exact number, bit for bit.
+// The engine's rasteriser and the reference of pipeline/rasterize-triangle, its plain form: the same fragments, on a
+// million triangles of all kinds. Where the engine promises an exact number, bit for bit.
 namespace umbral::render::test {
 namespace {
 
@@ -55,7 +55,7 @@ public:
             positions.push_back(placed([&] { return random_.uniform(-8, 48); }));
             positions.push_back(placed([&] { return pipeline::on_grid(random_, -4, 40, 2); }));  // centres and corners
             positions.push_back(placed([&] { return random_.uniform(3, 5); }));                  // a pixel or none
-            positions.push_back(placed([&] { return random_.uniform(-200, 300); }));             // mostly beyond the picture
+            positions.push_back(placed([&] { return random_.uniform(-200, 300); }));  // mostly beyond the picture
             positions.push_back(placed([&] { return random_.uniform(-16384, 16384); }));
             positions.push_back(without_area(random_));
             positions.push_back(pipeline::unrounded_triangle(random_, 24));
@@ -135,8 +135,11 @@ void make_fragments(const Triangle& triangle, const Window& window, std::vector<
 
 bool same_bits(const Fragment& a, const Fragment& b)
 {
-    const auto same = [](float s, float t) { return std::bit_cast<std::uint32_t>(s) == std::bit_cast<std::uint32_t>(t); };
-    return a.pixel == b.pixel && same(a.depth, b.depth) && same(a.weights.x, b.weights.x) && same(a.weights.y, b.weights.y) && same(a.weights.z, b.weights.z);
+    const auto same = [](float s, float t) {
+        return std::bit_cast<std::uint32_t>(s) == std::bit_cast<std::uint32_t>(t);
+    };
+    return a.pixel == b.pixel && same(a.depth, b.depth) && same(a.weights.x, b.weights.x) &&
+           same(a.weights.y, b.weights.y) && same(a.weights.z, b.weights.z);
 }
 
 /// What draw_triangle() leaves in an empty picture.
@@ -193,19 +196,20 @@ TEST(Rows, the_reference_has_the_same_fragments)
             make_fragments(triangle, window, got);
             ASSERT_EQ(got.size(), expected.size()) << "seed " << seed << ", triangle " << count;
             for (std::size_t i = 0; i < got.size(); ++i)
-                ASSERT_TRUE(same_bits(got[i], expected[i]))
-                    << "seed " << seed << ", triangle " << count << ", pixel " << expected[i].pixel.x << ", " << expected[i].pixel.y;
+                ASSERT_TRUE(same_bits(got[i], expected[i])) << "seed " << seed << ", triangle " << count << ", pixel "
+                                                            << expected[i].pixel.x << ", " << expected[i].pixel.y;
             ++count;
             pixels += got.size();
             empty += got.empty() ? 1 : 0;
         }
-    std::printf("%zu triangles, %zu of them empty, %zu fragments; seed %llu\n", count, empty, pixels, static_cast<unsigned long long>(seed));
+    std::printf("%zu triangles, %zu of them empty, %zu fragments; seed %llu\n", count, empty, pixels,
+                static_cast<unsigned long long>(seed));
     EXPECT_GT(pixels, 20 * count);
     EXPECT_LT(empty, 6 * count / 10);
 }
 
-// The promise of draw_triangle(): coverage exact, depths within a rounding of the reference's, weights within a few of 2^-24, times how
-// much nearer than the pixel the nearest corner is.
+// The promise of draw_triangle(): coverage exact, depths within a rounding of the reference's, weights within a few of
+// 2^-24, times how much nearer than the pixel the nearest corner is.
 TEST(Rows, drawing_keeps_its_promise)
 {
     constexpr std::uint64_t seed = 20702;
@@ -233,8 +237,8 @@ TEST(Rows, drawing_keeps_its_promise)
             }
             ++count;
         }
-    std::printf("%zu triangles; depths off by %.3g ulp at most, weights by %.3g * 2^-24; seed %llu\n", count, worst_depth, 0x1p24 * double{worst_weight},
-                static_cast<unsigned long long>(seed));
+    std::printf("%zu triangles; depths off by %.3g ulp at most, weights by %.3g * 2^-24; seed %llu\n", count,
+                worst_depth, 0x1p24 * double{worst_weight}, static_cast<unsigned long long>(seed));
     EXPECT_LE(worst_depth, 1);
     EXPECT_LE(worst_weight, 8 * 0x1p-24F);
 }

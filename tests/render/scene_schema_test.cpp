@@ -13,15 +13,17 @@ void find_values(const json& value, const json::json_pointer& here, std::vector<
 {
     if (!here.empty()) found.push_back(here);
     if (value.is_structured())
-        for (const auto& [key, item] : value.items()) find_values(item, value.is_array() ? here / std::stoul(key) : here / key, found);
+        for (const auto& [key, item] : value.items())
+            find_values(item, value.is_array() ? here / std::stoul(key) : here / key, found);
 }
 
 /// What a schema cannot say: comparison with other fields or names, lengths of vectors, sums.
 bool is_beyond_a_schema(const std::string& message)
 {
     for (const char* beyond :
-         {"1.01 times near", "another place than the eye", "a direction of length", "stands twice", "of size 0.0001", "texels in all", "triangles in all",
-          "expected one of \"", "no name: none", "without a texture", "no index", "a whole number from 0 to 2", "a list of 3 to 3 items, got a list"})
+         {"1.01 times near", "another place than the eye", "a direction of length", "stands twice", "of size 0.0001",
+          "texels in all", "triangles in all", "expected one of \"", "no name: none", "without a texture", "no index",
+          "a whole number from 0 to 2", "a list of 3 to 3 items, got a list"})
         if (message.find(beyond) != std::string::npos) return true;
     return message.find(".uvs: expected a list of") != std::string::npos;
 }
@@ -33,9 +35,11 @@ TEST(SceneSchema, agrees_with_the_program_on_variants_of_a_scene)
     ASSERT_EQ(message_of(document().dump()), "nothing was thrown");
     std::vector<json::json_pointer> places;
     find_values(document(), json::json_pointer(), places);
-    const std::vector<json> values = {
-        nullptr, true,          0,         1,      -1,        2,          0.5,          200,   5000,          1e9, "", "checker", "flat",
-        "a\nb",  json::array(), {0, 0, 0}, {1, 2}, {1, 2, 3}, {-1, 2, 3}, {1, 2, 3, 4}, {"a"}, json::object()};
+    const std::vector<json> values = {nullptr,   true,          0,         1,          -1,
+                                      2,         0.5,           200,       5000,       1e9,
+                                      "",        "checker",     "flat",    "a\nb",     json::array(),
+                                      {0, 0, 0}, {1, 2},        {1, 2, 3}, {-1, 2, 3}, {1, 2, 3, 4},
+                                      {"a"},     json::object()};
     int refused = 0;
     int compared = 0;
     const auto compare = [&](const json& variant, const std::string& what) {
@@ -71,10 +75,12 @@ TEST(SceneSchema, agrees_with_the_program_on_variants_of_a_scene)
 void expect_described(const json& schema, const json::json_pointer& here)
 {
     if (schema.contains("properties")) {
-        for (const auto& [key, value] : schema["properties"].items()) EXPECT_TRUE(value.contains("description") || value.contains("$ref")) << here / key;
+        for (const auto& [key, value] : schema["properties"].items())
+            EXPECT_TRUE(value.contains("description") || value.contains("$ref")) << here / key;
     }
     if (schema.is_structured())
-        for (const auto& [key, value] : schema.items()) expect_described(value, schema.is_array() ? here / std::stoul(key) : here / key);
+        for (const auto& [key, value] : schema.items())
+            expect_described(value, schema.is_array() ? here / std::stoul(key) : here / key);
 }
 
 TEST(SceneSchema, describes_every_field) { expect_described(umbral::test::read_schema("scene"), json::json_pointer()); }

@@ -78,7 +78,9 @@ TEST(SceneFile, is_refused_with_the_place_and_both_values)
         {"/instances/0/transforms/0", {{"shear", 1}}, {"instances[0].transforms[0].shear", "translate, rotate, scale"}},
         {"/instances/0/transforms/0", json::object(), {"instances[0].transforms[0]", "exactly one"}},
         {"/instances/0/transforms/0", {{"scale", {1, 0, 1}}}, {"instances[0].transforms[0].scale", "0.0001"}},
-        {"/instances/0/transforms/0", {{"rotate", {{"axis", {0, 0, 0}}, {"degrees", 1}}}}, {"instances[0].transforms[0].rotate.axis", "a direction"}},
+        {"/instances/0/transforms/0",
+         {{"rotate", {{"axis", {0, 0, 0}}, {"degrees", 1}}}},
+         {"instances[0].transforms[0].rotate.axis", "a direction"}},
         {"/instances/0/shading", "gouraud", {"instances[0].shading", "\"flat\", \"smooth\""}},
         {"/instances", "none", {"instances", "a list", "\"none\""}},
         {"/materials/a~1b", 5, {"materials[\"a/b\"]", "an object", "got 5"}},
@@ -89,7 +91,8 @@ TEST(SceneFile, is_refused_with_the_place_and_both_values)
         const std::string message = message_of(root.dump());
         EXPECT_TRUE(message.starts_with("s.json: " + refusal.says.front() + ": expected ")) << message;
         EXPECT_NE(message.find(", got "), std::string::npos) << message;
-        for (const std::string& part : refusal.says) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+        for (const std::string& part : refusal.says)
+            EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
     }
 }
 
@@ -99,8 +102,10 @@ TEST(SceneFile, must_be_json)
         const std::string message = message_of(text);
         EXPECT_TRUE(message.starts_with("s.json: expected JSON, got text that is not: ")) << message;
     }
-    for (const char* text : {"null", "[]", "3", "\"umbral-scene\"", "{}"}) EXPECT_TRUE(message_of(text).starts_with("s.json: ")) << text;
-    EXPECT_NE(message_of(R"({"format": "umbral-scene", "format": "umbral-scene"})").find("\"format\" twice"), std::string::npos);
+    for (const char* text : {"null", "[]", "3", "\"umbral-scene\"", "{}"})
+        EXPECT_TRUE(message_of(text).starts_with("s.json: ")) << text;
+    EXPECT_NE(message_of(R"({"format": "umbral-scene", "format": "umbral-scene"})").find("\"format\" twice"),
+              std::string::npos);
     EXPECT_NE(message_of(std::string(100000, '[')).find("at most 16 deep"), std::string::npos);
     EXPECT_NE(message_of("{\"version\": 1e999}").find("s.json: "), std::string::npos);
 }
@@ -112,13 +117,15 @@ TEST(SceneFile, has_limits)
     EXPECT_NE(message_of(many.dump()).find("lights: expected a list of 0 to 16"), std::string::npos);
 
     many = document();
-    for (int i = 0; i < 3; ++i) many["textures"]["t" + std::to_string(i)] = {{"kind", "uv-grid"}, {"size", 4096}, {"cells", 4}};
+    for (int i = 0; i < 3; ++i)
+        many["textures"]["t" + std::to_string(i)] = {{"kind", "uv-grid"}, {"size", 4096}, {"cells", 4}};
     EXPECT_NE(message_of(many.dump()).find("texels in all"), std::string::npos);
 
     many = document();
     many["geometries"]["huge"] = {{"kind", "plane"}, {"rows", 1024}, {"columns", 1024}};
     EXPECT_EQ(message_of(many.dump()), "nothing was thrown");
-    for (int i = 0; i < 4; ++i) many["instances"].push_back({{"name", "h" + std::to_string(i)}, {"geometry", "huge"}, {"material", "dull"}});
+    for (int i = 0; i < 4; ++i)
+        many["instances"].push_back({{"name", "h" + std::to_string(i)}, {"geometry", "huge"}, {"material", "dull"}});
     EXPECT_NE(message_of(many.dump()).find("instances: expected at most 8388608 triangles in all"), std::string::npos);
 }
 
@@ -133,7 +140,8 @@ TEST(SceneFile, must_be_a_readable_file)
         }
         return std::string();
     };
-    EXPECT_NE(says(folder / "none.json").find("none.json: expected a readable regular file, got nothing"), std::string::npos);
+    EXPECT_NE(says(folder / "none.json").find("none.json: expected a readable regular file, got nothing"),
+              std::string::npos);
     EXPECT_NE(says(folder.path()).find("expected a readable regular file"), std::string::npos);
     EXPECT_NE(says("/dev/zero").find("expected a readable regular file"), std::string::npos);
     folder.write("large.json", std::string(maximum_file_bytes + 1, ' '));

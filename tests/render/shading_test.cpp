@@ -42,11 +42,13 @@ Seen expected(const glm::dvec3& direction, const scene::Scene& scene)
         glm::dvec3 sum = ambient;
         if (dot(n, l) > 0) {
             const double cosine = std::max(0.0, dot(n, normalize(l + v)));
-            sum += glm::dvec3(m.diffuse) * texel * dot(n, l) + glm::dvec3(m.specular) * std::pow(cosine, double{m.exponent});
+            sum += glm::dvec3(m.diffuse) * texel * dot(n, l) +
+                   glm::dvec3(m.specular) * std::pow(cosine, double{m.exponent});
         }
         color += glm::dvec3(light.color) * sum;
     }
-    // The window's depth of a point z in front of the camera, from the perspective's two conditions: 0 at near, 1 at far.
+    // The window's depth of a point z in front of the camera, from the perspective's two conditions: 0 at near, 1 at
+    // far.
     const double z = dot(at - eye, normalize(-eye));
     const double near = 1;
     const double far = 20;
@@ -56,7 +58,8 @@ Seen expected(const glm::dvec3& direction, const scene::Scene& scene)
 scene::Scene square()
 {
     scene::Scene scene;
-    scene.camera = {.eye = glm::vec3(eye), .target = {0, 0, 0}, .up = {0, 1, 0}, .fovy_degrees = 50, .near = 1, .far = 20};
+    scene.camera = {
+        .eye = glm::vec3(eye), .target = {0, 0, 0}, .up = {0, 1, 0}, .fovy_degrees = 50, .near = 1, .far = 20};
     scene.ambient = {0.1F, 0.2F, 0.3F};
     scene.lights = {{.name = "sun", .positional = false, .where = {1, 2, -1}, .color = {0.5F, 0.4F, 0.3F}},
                     {.name = "lamp", .positional = true, .where = {-0.5F, 0.6F, 0.2F}, .color = {0.2F, 0.5F, 0.4F}},
@@ -99,8 +102,10 @@ TEST(Shading, is_the_model_in_double_at_every_pixel)
             if (!hit) continue;
             ++compared;
             const Seen seen = expected(direction, scene);
-            // The same rounding moves a point by 1/256 pixel, 0.0003 here; the highlight changes fastest, by 0.5 · 20 a unit at most.
-            for (int i = 0; i < 3; ++i) ASSERT_NEAR(frame.color.at(x, y)[i], seen.color[i], 3e-3) << x << ", " << y << ", channel " << i;
+            // The same rounding moves a point by 1/256 pixel, 0.0003 here; the highlight changes fastest, by 0.5 · 20 a
+            // unit at most.
+            for (int i = 0; i < 3; ++i)
+                ASSERT_NEAR(frame.color.at(x, y)[i], seen.color[i], 3e-3) << x << ", " << y << ", channel " << i;
             ASSERT_NEAR(frame.depth.at(x, y), seen.depth, 1e-4) << x << ", " << y;
         }
     }
@@ -117,13 +122,15 @@ TEST(Shading, is_finite_where_light_eye_and_normal_leave_no_choice)
     for (const glm::vec3& where : {glm::vec3(0, 0, 4), glm::vec3(0, 0, -4), glm::vec3(0, 0, 1), glm::vec3(0, 1, 0)}) {
         scene.lights = {{.name = "lamp", .positional = true, .where = where, .color = glm::vec3(1)}};
         const DrawList list = make_draw_list(scene, 33, 33);
-        for (const glm::vec4& color : draw_in_software(list, all_effects, 33, 33).frame.color.cells) ASSERT_TRUE(std::isfinite(color.r + color.g + color.b));
+        for (const glm::vec4& color : draw_in_software(list, all_effects, 33, 33).frame.color.cells)
+            ASSERT_TRUE(std::isfinite(color.r + color.g + color.b));
     }
 }
 
 TEST(Transforms, act_in_the_order_they_are_written)
 {
-    const glm::mat4 m = model_matrix({scene::Scale{{2, 2, 2}}, scene::Rotate{{0, 0, 5}, 90}, scene::Translate{{10, 0, 0}}});
+    const glm::mat4 m =
+        model_matrix({scene::Scale{{2, 2, 2}}, scene::Rotate{{0, 0, 5}, 90}, scene::Translate{{10, 0, 0}}});
     const glm::vec4 moved = m * glm::vec4(1, 0, 0, 1);
     EXPECT_NEAR(moved.x, 10, 1e-6);
     EXPECT_NEAR(moved.y, 2, 1e-6);
@@ -132,7 +139,8 @@ TEST(Transforms, act_in_the_order_they_are_written)
 
 TEST(Projection, puts_near_and_far_at_the_ends_of_the_depth)
 {
-    const scene::Camera camera{.eye = {}, .target = {0, 0, -1}, .up = {0, 1, 0}, .fovy_degrees = 90, .near = 2, .far = 10};
+    const scene::Camera camera{
+        .eye = {}, .target = {0, 0, -1}, .up = {0, 1, 0}, .fovy_degrees = 90, .near = 2, .far = 10};
     const glm::mat4 m = projection_matrix(camera, 2);
     const glm::vec4 near = m * glm::vec4(4, 2, -2, 1);  // the corner: 45 degrees up, twice that to the right
     EXPECT_NEAR(near.x / near.w, 1, 1e-6);

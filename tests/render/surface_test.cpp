@@ -60,7 +60,8 @@ TEST(Surface, torus)
     EXPECT_EQ(euler(surface), 0);
     expect_closed(surface);
     expect_outward(surface, [](const glm::vec3& at) { return at - normalize(glm::vec3(at.x, 0, at.z)); });
-    for (const glm::vec3& p : surface.mesh.positions) EXPECT_NEAR(std::hypot(std::hypot(p.x, p.z) - 1, p.y), 0.25, 2e-7);
+    for (const glm::vec3& p : surface.mesh.positions)
+        EXPECT_NEAR(std::hypot(std::hypot(p.x, p.z) - 1, p.y), 0.25, 2e-7);
 }
 
 TEST(Surface, wave_and_plane)
@@ -81,7 +82,8 @@ TEST(Vertices, meet_at_a_seam_with_one_normal_and_two_texture_coordinates)
 {
     const VertexMesh mesh = make_vertices(make_surface(scene::Sphere{16, 32}), true);
     std::map<std::array<float, 3>, std::vector<const Vertex*>> places;
-    for (const Vertex& vertex : mesh.vertices) places[{vertex.position.x, vertex.position.y, vertex.position.z}].push_back(&vertex);
+    for (const Vertex& vertex : mesh.vertices)
+        places[{vertex.position.x, vertex.position.y, vertex.position.z}].push_back(&vertex);
     int seams = 0;
     for (const auto& [place, vertices] : places) {
         for (const Vertex* vertex : vertices) {
@@ -109,26 +111,36 @@ TEST(Vertices, have_unit_normals_whatever_the_mesh)
     odd.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
     odd.triangles = {{0, 1, 2}, {0, 2, 1}, {3, 3, 3}, {0, 1, 1}};
     for (const bool smooth : {true, false})
-        for (const Vertex& vertex : make_vertices(make_surface(odd), smooth).vertices) EXPECT_NEAR(length(vertex.normal), 1, 1e-6);
+        for (const Vertex& vertex : make_vertices(make_surface(odd), smooth).vertices)
+            EXPECT_NEAR(length(vertex.normal), 1, 1e-6);
     EXPECT_TRUE(make_vertices(make_surface(scene::Triangles{}), true).triangles.empty());
 }
 
 TEST(Texture, has_its_first_colour_in_the_lower_left_corner)
 {
-    const Grid<glm::vec4> squares =
-        make_texture({.name = "", .kind = scene::TextureKind::checker, .size = 8, .cells = 4, .first = {1, 0, 0}, .second = {0, 0, 1}});
+    const Grid<glm::vec4> squares = make_texture({.name = "",
+                                                  .kind = scene::TextureKind::checker,
+                                                  .size = 8,
+                                                  .cells = 4,
+                                                  .first = {1, 0, 0},
+                                                  .second = {0, 0, 1}});
     EXPECT_EQ(squares.at(0, 7), glm::vec4(1, 0, 0, 1));
     EXPECT_EQ(squares.at(1, 6), glm::vec4(1, 0, 0, 1));
     EXPECT_EQ(squares.at(2, 7), glm::vec4(0, 0, 1, 1));
     EXPECT_EQ(squares.at(0, 5), glm::vec4(0, 0, 1, 1));
-    const Grid<glm::vec4> stripes =
-        make_texture({.name = "", .kind = scene::TextureKind::stripes, .size = 8, .cells = 2, .first = {1, 0, 0}, .second = {0, 0, 1}});
+    const Grid<glm::vec4> stripes = make_texture({.name = "",
+                                                  .kind = scene::TextureKind::stripes,
+                                                  .size = 8,
+                                                  .cells = 2,
+                                                  .first = {1, 0, 0},
+                                                  .second = {0, 0, 1}});
     for (int y = 0; y < 8; ++y) {
         EXPECT_EQ(stripes.at(3, y), glm::vec4(1, 0, 0, 1));
         EXPECT_EQ(stripes.at(4, y), glm::vec4(0, 0, 1, 1));
     }
     for (const int size : {1, 7, 64})
-        for (const glm::vec4& texel : make_texture({.name = "", .kind = scene::TextureKind::uv_grid, .size = size, .cells = 5}).cells)
+        for (const glm::vec4& texel :
+             make_texture({.name = "", .kind = scene::TextureKind::uv_grid, .size = size, .cells = 5}).cells)
             for (int i = 0; i < 4; ++i) ASSERT_TRUE(texel[i] >= 0 && texel[i] <= 1);
 }
 

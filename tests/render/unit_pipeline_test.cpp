@@ -6,7 +6,8 @@
 #include "render/vertex_stage.hpp"
 #include "scenes.hpp"
 
-// The engine's software renderer and the unit pipeline/software-pipeline join the same stages: they must see the same things in the same places.
+// The engine's software renderer and the unit pipeline/software-pipeline join the same stages: they must see the same
+// things in the same places.
 namespace umbral::render::test {
 namespace {
 
@@ -18,7 +19,8 @@ pipeline::Layer drawn_by_the_unit(const DrawList& list, int width, int height)
         if (draw.visibility == Visibility::outside) continue;
         const VertexMesh& mesh = list.meshes[draw.mesh];
         std::vector<pipeline::ColoredVertex> vertices;
-        for (const Vertex& vertex : mesh.vertices) vertices.push_back({place_vertex(list, draw, vertex).eye, glm::vec3(static_cast<float>(draw.id))});
+        for (const Vertex& vertex : mesh.vertices)
+            vertices.push_back({place_vertex(list, draw, vertex).eye, glm::vec3(static_cast<float>(draw.id))});
         pipeline::PipelineState state;
         state.to_clip = list.projection;
         state.viewport = {0, 0, width, height, 0, 1};
@@ -59,7 +61,8 @@ TEST(UnitPipeline, is_the_engines_where_nothing_is_clipped)
     }
 }
 
-// The engine clips at a guard band, the unit at the picture's sides: edges move by a part of 1/256 pixel, and depths with them.
+// The engine clips at a guard band, the unit at the picture's sides: edges move by a part of 1/256 pixel, and depths
+// with them.
 TEST(UnitPipeline, is_nearly_the_engines_where_triangles_are_clipped)
 {
     for (const scene::Scene& scene : {first_light(), through_the_near_plane(), around_the_camera()}) {

@@ -15,14 +15,17 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 ClassResult class_of(int units)
 {
     ClassResult result;
-    constexpr std::array verdicts = {Verdict::ok, Verdict::partial, Verdict::wrong, Verdict::crashed, Verdict::grader_fault};
+    constexpr std::array verdicts = {Verdict::ok, Verdict::partial, Verdict::wrong, Verdict::crashed,
+                                     Verdict::grader_fault};
     constexpr std::array<Millipoints, 5> scores = {10000, 6125, 0, 0, 0};
     int step = 0;
-    for (const std::string name : {"ana", "a.very.long.name.that.no.table.has.room.for", "王小明", "e\x1b[31mvil", "\xFF\xFE", "b\u202Eo"}) {
+    for (const std::string name :
+         {"ana", "a.very.long.name.that.no.table.has.room.for", "王小明", "e\x1b[31mvil", "\xFF\xFE", "b\u202Eo"}) {
         std::vector<UnitResult> all;
         for (int i = 0; i < units; ++i) {
             const std::size_t kind = static_cast<std::size_t>(++step) % 5;
-            all.push_back(unit_result("topic/unit-number-" + std::to_string(i), verdicts[kind], {check_result("a/b", scores[kind], 10000)}));
+            all.push_back(unit_result("topic/unit-number-" + std::to_string(i), verdicts[kind],
+                                      {check_result("a/b", scores[kind], 10000)}));
         }
         result.submissions.push_back(submission_result(name, all));
     }
@@ -34,7 +37,8 @@ TEST(ClassTable, AllRowsOfABandHaveTheSameWidthAndFit)
     for (const int units : {1, 3, 7, 12, 20, 45})
         for (const int width : {60, 100, 140})
             for (const bool unicode : {true, false}) {
-                const std::string table = class_table(class_of(units), {.color = true, .unicode = unicode, .width = width});
+                const std::string table =
+                    class_table(class_of(units), {.color = true, .unicode = unicode, .width = width});
                 int first = 0;
                 int rows = 0;
                 for (const std::string_view line : lines_of(table)) {
@@ -45,7 +49,8 @@ TEST(ClassTable, AllRowsOfABandHaveTheSameWidthAndFit)
                     }
                     ++rows;
                     if (contains(std::string(line), "submission")) first = display_width(line);
-                    ASSERT_TRUE(first == 0 || display_width(line) == first) << units << " units, width " << width << ": " << line;
+                    ASSERT_TRUE(first == 0 || display_width(line) == first)
+                        << units << " units, width " << width << ": " << line;
                 }
             }
 }
@@ -53,10 +58,11 @@ TEST(ClassTable, AllRowsOfABandHaveTheSameWidthAndFit)
 TEST(ClassTable, ShowsPointsMarksTotalsAndMeans)
 {
     ClassResult result;
-    result.submissions = {submission_result("ana", {unit_result("a/one", Verdict::ok, {check_result("c/v", 10000, 10000)}),
-                                                    unit_result("a/two", Verdict::wrong, {check_result("c/v", 0, 2500)})}),
-                          submission_result("bo", {unit_result("a/one", Verdict::partial, {check_result("c/v", 5000, 10000)})}),
-                          submission_result("cy", {unit_result("a/one", Verdict::grader_fault, {check_result("c/v", 0, 10000)})})};
+    result.submissions = {
+        submission_result("ana", {unit_result("a/one", Verdict::ok, {check_result("c/v", 10000, 10000)}),
+                                  unit_result("a/two", Verdict::wrong, {check_result("c/v", 0, 2500)})}),
+        submission_result("bo", {unit_result("a/one", Verdict::partial, {check_result("c/v", 5000, 10000)})}),
+        submission_result("cy", {unit_result("a/one", Verdict::grader_fault, {check_result("c/v", 0, 10000)})})};
     const std::string table = class_table(result, {});
     const auto lines = lines_of(table);
     const auto row = [&](const std::string& name) {
@@ -83,7 +89,8 @@ TEST(ClassTable, NumbersUnitsThatHaveNoRoomAndNamesThemBelow)
 TEST(ClassTable, AHiddenFailureIsNoCheckMark)
 {
     ClassResult result;
-    result.submissions = {submission_result("ana", {unit_result("a/one", Verdict::ok, {check_result("c/v", 0, 1000, true)})})};
+    result.submissions = {
+        submission_result("ana", {unit_result("a/one", Verdict::ok, {check_result("c/v", 0, 1000, true)})})};
     const std::string table = class_table(result, {});
     EXPECT_FALSE(contains(table, "0 ✓"));
     EXPECT_TRUE(contains(table, "0 ◐"));

@@ -23,7 +23,8 @@ ClassResult a_class()
 {
     ClassResult result;
     const auto hand_in = [&](UnitResult unit) {
-        result.submissions.push_back(submission_result("s" + std::to_string(result.submissions.size()), {std::move(unit)}));
+        result.submissions.push_back(
+            submission_result("s" + std::to_string(result.submissions.size()), {std::move(unit)}));
     };
     hand_in(work("t/few", Verdict::wrong, {far}));
     hand_in(work("t/few", Verdict::ok));
@@ -74,7 +75,8 @@ TEST(Clusters, TheTerminalListsTheLargest)
     const std::string table = class_table(a_class(), {});
     const std::size_t first = table.find("2 of 9  far root (very likely)  t/many");
     EXPECT_NE(first, std::string::npos) << table;
-    EXPECT_NE(table.find("2 of 9  far root or near root (very likely one of these)  t/many"), std::string::npos) << table;
+    EXPECT_NE(table.find("2 of 9  far root or near root (very likely one of these)  t/many"), std::string::npos)
+        << table;
     EXPECT_LT(first, table.find("1 of 2  far root (very likely)  t/few"));
     ClassResult right;
     right.submissions = {submission_result("ana", {work("t/few", Verdict::ok)})};

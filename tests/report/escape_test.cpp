@@ -50,15 +50,18 @@ TEST(Escape, AnyBytesGiveHarmlessText)
         for (std::string_view rest = pretty; !rest.empty(); rest.remove_prefix(first_character(rest).size)) {
             const Character character = first_character(rest);
             ASSERT_TRUE(character.valid);
-            ASSERT_TRUE(character.code == '\n' || (character.code >= 0x20 && (character.code < 0x7F || character.code > 0x9F)));
+            ASSERT_TRUE(character.code == '\n' ||
+                        (character.code >= 0x20 && (character.code < 0x7F || character.code > 0x9F)));
         }
-        for (const char c : escape_terminal(bytes, {.lines = false, .unicode = false})) ASSERT_TRUE(c >= 0x20 && c < 0x7F);
+        for (const char c : escape_terminal(bytes, {.lines = false, .unicode = false}))
+            ASSERT_TRUE(c >= 0x20 && c < 0x7F);
     }
 }
 
 TEST(Escape, Html)
 {
-    EXPECT_EQ(escape_html("<script>alert(\"a\" & 'b')</script>\x1b"), "&lt;script&gt;alert(&quot;a&quot; &amp; &#39;b&#39;)&lt;/script&gt;␛");
+    EXPECT_EQ(escape_html("<script>alert(\"a\" & 'b')</script>\x1b"),
+              "&lt;script&gt;alert(&quot;a&quot; &amp; &#39;b&#39;)&lt;/script&gt;␛");
     EXPECT_EQ(escape_html("\xFF"), "&lt;FF&gt;");
 }
 

@@ -24,7 +24,8 @@ const Fingerprint fingerprint{"1", "c", "cpu", "cc", "gl", "libm", {"landlock 4"
 
 SubmissionResult hostile()
 {
-    UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("c/v", 1, 2), check_result("s/v", 0, 2, true)});
+    UnitResult unit =
+        unit_result("a/b", Verdict::partial, {check_result("c/v", 1, 2), check_result("s/v", 0, 2, true)});
     unit.output = "\xFF\x1b[31m\u202E";
     unit.checks[0].metrics = {{"m", std::numeric_limits<double>::quiet_NaN()}};
     unit.checks[1].message = "LEAK";
@@ -32,14 +33,16 @@ SubmissionResult hostile()
 }
 
 /// All files of a submission with hidden values and without.
-std::map<std::string, std::string> reports_of(const SubmissionResult& submission, const std::vector<std::string>& sections, bool with_hidden)
+std::map<std::string, std::string> reports_of(const SubmissionResult& submission,
+                                              const std::vector<std::string>& sections, bool with_hidden)
 {
     const umbral::test::TemporaryFolder folder;
     std::ofstream(folder / "report.instructor.html") << "of an earlier run";
     const std::map<std::string, std::string> titles;
     write_reports(folder.path(), SubmissionReport{submission, fingerprint, titles, with_hidden, sections, sections});
     std::map<std::string, std::string> texts;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) texts[entry.path().filename()] = text_of(entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        texts[entry.path().filename()] = text_of(entry.path());
     return texts;
 }
 
@@ -66,7 +69,8 @@ TEST(ReportFiles, ShowHiddenValuesOnPagesOnlyWhereTheyWereAskedFor)
 {
     const auto files = reports_of(hostile(), {"a section"}, false);
     EXPECT_EQ(files.count("report.instructor.html"), 0U);
-    for (const char* const name : {"report.student.json", "report.html"}) EXPECT_EQ(files.at(name).find("LEAK"), std::string::npos) << name;
+    for (const char* const name : {"report.student.json", "report.html"})
+        EXPECT_EQ(files.at(name).find("LEAK"), std::string::npos) << name;
     const SubmissionResult nothing = submission_result("nothing", {});
     EXPECT_EQ(reports_of(nothing, {}, true).count("report.instructor.html"), 1U);
 }
@@ -83,12 +87,16 @@ TEST(ReportFiles, AFullDiskIsAnExceptionAndLeavesTheOldFile)
         const SmallFiles limit(1000);
         const std::string said = complaint([&] { write_reports(folder.path(), report); });
         EXPECT_NE(said.find("report.json: cannot write it: File too large"), std::string::npos) << said;
-        EXPECT_NE(complaint([&] { write_reports(folder.path(), ClassReport{ClassResult{fingerprint, {submission}}, {}}); }), "");
+        EXPECT_NE(complaint([&] {
+                      write_reports(folder.path(), ClassReport{ClassResult{fingerprint, {submission}}, {}});
+                  }),
+                  "");
     }
     EXPECT_EQ(text_of(folder / "report.json"), "old");
     EXPECT_EQ(folder.count(), 1);
 
-    const FullDisk outcome = on_full_disk(folder, [&](const umbral::test::TemporaryFolder& disk) { write_reports(disk.path(), report); });
+    const FullDisk outcome =
+        on_full_disk(folder, [&](const umbral::test::TemporaryFolder& disk) { write_reports(disk.path(), report); });
     EXPECT_NE(outcome, FullDisk::failed);
     if (outcome == FullDisk::cannot_mount) GTEST_SKIP() << "a real full disk needs root";
 }

@@ -53,5 +53,7 @@ FullDisk on_full_disk(const umbral::test::TemporaryFolder& folder, Action action
     int status = 0;
     ::waitpid(child, &status, 0);
     if (!WIFEXITED(status)) return FullDisk::failed;
-    return WEXITSTATUS(status) == 0 ? FullDisk::held : WEXITSTATUS(status) == 2 ? FullDisk::cannot_mount : FullDisk::failed;
+    return WEXITSTATUS(status) == 0   ? FullDisk::held
+           : WEXITSTATUS(status) == 2 ? FullDisk::cannot_mount
+                                      : FullDisk::failed;
 }

@@ -15,7 +15,8 @@ namespace {
 std::size_t count_of(std::string_view text, std::string_view part)
 {
     std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + part.size())) ++count;
+    for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + part.size()))
+        ++count;
     return count;
 }
 
@@ -42,7 +43,7 @@ SubmissionResult hostile_submission(const std::string& text)
     return submission_result(text, {unit});
 }
 
-Gallery hostile_gallery(const std::string& text)
+UnitDetails hostile_details(const std::string& text)
 {
     CheckDetail detail;
     detail.why = detail.bound = detail.unit = text;
@@ -59,8 +60,8 @@ Gallery hostile_gallery(const std::string& text)
     FragmentsEvidence fragments;
     fragments.sketch = text;
     fragments.rows = rows;
-    Gallery gallery;
-    UnitDetail& unit = gallery[text];
+    UnitDetails details;
+    UnitDetail& unit = details[text];
     unit.title = text;
     unit.checks[text] = detail;
     int number = 0;
@@ -68,23 +69,24 @@ Gallery hostile_gallery(const std::string& text)
         unit.checks[text + std::to_string(++number)] = detail;
         unit.checks[text + std::to_string(number)].evidence = evidence;
     }
-    return gallery;
+    return details;
 }
 
 std::string hostile_page(const std::string& text)
 {
     SubmissionResult submission = hostile_submission(text);
     for (int i = 1; i <= 4; ++i) submission.units[0].checks.push_back(check_result(text + std::to_string(i), 0, 1000));
-    return report_html(submission, {text, text, text, text, text, text, {text}}, hostile_gallery(text));
+    return report_html(submission, {text, text, text, text, text, text, {text}}, hostile_details(text));
 }
 
 TEST(Report, NothingFromOutsideBecomesMarkup)
 {
     const std::string harmless = body_of(hostile_page("x"));
-    for (const char* text : {"</script><script>alert(1)</script>", "<img src=x onerror=alert(1)>", "\"><b>", "' onmouseover='alert(1)", "<!--", "]]>",
-                             "{{script}}", "&lt;", "</style>"}) {
+    for (const char* text : {"</script><script>alert(1)</script>", "<img src=x onerror=alert(1)>", "\"><b>",
+                             "' onmouseover='alert(1)", "<!--", "]]>", "{{script}}", "&lt;", "</style>"}) {
         const std::string body = body_of(hostile_page(text));
-        EXPECT_EQ(count_of(body, "<"), count_of(harmless, "<")) << "no element more than with a harmless text: " << text;
+        EXPECT_EQ(count_of(body, "<"), count_of(harmless, "<"))
+            << "no element more than with a harmless text: " << text;
         EXPECT_EQ(count_of(body, "\""), count_of(harmless, "\"")) << text;
         EXPECT_FALSE(has(body, "<script")) << text;
         EXPECT_FALSE(has(body, "<img src=x")) << text;
@@ -103,7 +105,8 @@ TEST(Report, AnyBytesGiveAValidPage)
         for (std::string_view rest = page; !rest.empty(); rest.remove_prefix(first_character(rest).size)) {
             const Character character = first_character(rest);
             ASSERT_TRUE(character.valid);
-            ASSERT_TRUE(character.code == '\n' || (character.code >= 0x20 && character.code != 0x7F && !(character.code >= 0x80 && character.code < 0xA0)));
+            ASSERT_TRUE(character.code == '\n' || (character.code >= 0x20 && character.code != 0x7F &&
+                                                   !(character.code >= 0x80 && character.code < 0xA0)));
         }
         ASSERT_EQ(count_of(body_of(page), "<"), count_of(body_of(hostile_page("x")), "<"));
     }
@@ -122,21 +125,24 @@ TEST(Report, ThePolicyAllowsItsOwnStyleAndScriptAndNothingElse)
     // Inline styles and handlers would be refused by that policy; addresses would not be fetched.
     EXPECT_FALSE(has(body_of(page), " style="));
     EXPECT_FALSE(has(body_of(page), " onclick="));
-    for (const char* scheme : {"http:", "https:", "//www", "url(", "@import"}) EXPECT_FALSE(has(page.substr(0, page.rfind("<script>")), scheme)) << scheme;
+    for (const char* scheme : {"http:", "https:", "//www", "url(", "@import"})
+        EXPECT_FALSE(has(page.substr(0, page.rfind("<script>")), scheme)) << scheme;
 }
 
 TEST(Report, BuffersStandBeforePicturesAndNumbersBeforeBuffers)
 {
-    std::vector<CheckResult> checks = {check_result("a/colour", 0, 1000), check_result("b/ids", 0, 1000), check_result("c/right", 1000, 1000),
-                                       check_result("d/numbers", 0, 1000), check_result("e/list", 0, 1000)};
-    const std::vector<JudgeKind> kinds = {JudgeKind{"image"}, JudgeKind{"buffer"}, JudgeKind{"fragments"}, JudgeKind{"numbers"}, JudgeKind{"events"}};
+    std::vector<CheckResult> checks = {check_result("a/colour", 0, 1000), check_result("b/ids", 0, 1000),
+                                       check_result("c/right", 1000, 1000), check_result("d/numbers", 0, 1000),
+                                       check_result("e/list", 0, 1000)};
+    const std::vector<JudgeKind> kinds = {JudgeKind{"image"}, JudgeKind{"buffer"}, JudgeKind{"fragments"},
+                                          JudgeKind{"numbers"}, JudgeKind{"events"}};
     for (std::size_t i = 0; i < checks.size(); ++i) checks[i].kind = kinds[i];
     const UnitResult unit = unit_result("t/u", Verdict::partial, checks);
-    Gallery gallery;
+    UnitDetails details;
     PictureEvidence picture;
     picture.yours = Image(2, 2);
-    gallery["t/u"].checks["a/colour"].evidence = picture;
-    const std::string page = report_html(submission_result("s", {unit}), {}, gallery, {});
+    details["t/u"].checks["a/colour"].evidence = picture;
+    const std::string page = report_html(submission_result("s", {unit}), {}, details, {});
     std::size_t last = 0;
     for (const char* name : {"e/list</h3>", "d/numbers</h3>", "b/ids</h3>", "a/colour</h3>"}) {
         const std::size_t at = page.find(name);
@@ -153,15 +159,16 @@ TEST(Report, AStudentsEditionHoldsNothingOfHiddenChecks)
     hidden.message = "secret-message";
     hidden.error = 12345.678;
     hidden.first_difference = Difference{"secret-where", "secret-yours", "secret-expected"};
-    UnitResult unit = unit_result("raytracing/sphere", Verdict::partial, {check_result("head-on/t", 1000, 1000), hidden});
+    UnitResult unit =
+        unit_result("raytracing/sphere", Verdict::partial, {check_result("head-on/t", 1000, 1000), hidden});
     unit.explanations = {{"far", "You return the far root.", 1}};
-    Gallery gallery;
-    gallery[unit.id].checks["random/t"].why = "as measured";
+    UnitDetails details;
+    details[unit.id].checks["random/t"].why = "as measured";
     RowsEvidence rows;
     rows.first = {{"row 1", {"secret-value"}, {"secret-truth"}, {true}, ""}};
-    gallery[unit.id].checks["random/t"].evidence = rows;
+    details[unit.id].checks["random/t"].evidence = rows;
 
-    const std::string student = report_html(submission_result("ana", {unit}), {}, gallery);
+    const std::string student = report_html(submission_result("ana", {unit}), {}, details);
     EXPECT_FALSE(has(student, "secret-"));
     EXPECT_FALSE(has(student, "12345"));
     EXPECT_FALSE(has(student, "1.23e+04"));
@@ -169,8 +176,10 @@ TEST(Report, AStudentsEditionHoldsNothingOfHiddenChecks)
     EXPECT_TRUE(has(student, "You return the far root."));
     EXPECT_FALSE(has(student, "All 1 units"));
 
-    const std::string instructor = report_html(submission_result("ana", {unit}), {}, gallery, {Edition::instructor, ""});
-    for (const char* text : {"secret-message", "secret-value", "secret-truth", "instructor"}) EXPECT_TRUE(has(instructor, text)) << text;
+    const std::string instructor =
+        report_html(submission_result("ana", {unit}), {}, details, {Edition::instructor, ""});
+    for (const char* text : {"secret-message", "secret-value", "secret-truth", "instructor"})
+        EXPECT_TRUE(has(instructor, text)) << text;
 }
 
 TEST(Report, WhyComesFirstThenWhatWasPrintedThenChecks)
@@ -223,8 +232,9 @@ ClassResult small_class()
         if (*why != '\0') one.explanations = {{why, "the sentence", 1}};
         return one;
     };
-    result.submissions = {submission_result("ana", {unit(1000, "")}), submission_result("bruno", {unit(300, "mistake: far_root")}),
-                          submission_result("carla", {unit(500, "mistake: far_root")}), submission_result("diego", {unit(0, "scaled")})};
+    result.submissions = {
+        submission_result("ana", {unit(1000, "")}), submission_result("bruno", {unit(300, "mistake: far_root")}),
+        submission_result("carla", {unit(500, "mistake: far_root")}), submission_result("diego", {unit(0, "scaled")})};
     UnitResult fault = unit_result("raytracing/sphere", Verdict::grader_fault, {});
     result.submissions.push_back(submission_result("elena", {fault}));
     return result;
@@ -244,7 +254,8 @@ TEST(Class, AlmostNothingIsNotNothingAndAlmostAllIsNotAll)
 {
     ClassResult result;
     for (const Millipoints score : {1, 999999})
-        result.submissions.push_back(submission_result("x", {unit_result("a/b", Verdict::partial, {check_result("c/d", score, 1000000)})}));
+        result.submissions.push_back(
+            submission_result("x", {unit_result("a/b", Verdict::partial, {check_result("c/d", score, 1000000)})}));
     EXPECT_EQ(unit_statistics(result)[0].by_share, (std::array<std::size_t, 11>{0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0}));
 }
 
@@ -254,11 +265,13 @@ TEST(Class, ThePageSaysWhoSharesAReason)
     UnitResult either = unit_result("raytracing/sphere", Verdict::partial, {check_result("a/b", 300, 1000)});
     either.explanations = {{"mistake: one", "This one.", 0.95, 1, true}, {"mistake: two", "That one.", 0.95, 1, true}};
     result.submissions.push_back(submission_result("fede", {either}));
-    result.submissions.push_back(submission_result("gema", {unit_result("raytracing/sphere", Verdict::wrong, {check_result("a/b", 0, 1000)})}));
+    result.submissions.push_back(
+        submission_result("gema", {unit_result("raytracing/sphere", Verdict::wrong, {check_result("a/b", 0, 1000)})}));
     const std::string page = class_html(result, {{{"raytracing/sphere", "The sphere"}}, false});
-    for (const char* text :
-         {"2 of 6", "far root<span class=\"sure\"> (very likely)", "bruno/report.html", "carla/report.html", "class.json", "ana/report.student.json",
-          "The sphere", "one or two<span class=\"sure\"> (very likely one of these)", "Either: This one.", "Or: That one.", "no explanation"})
+    for (const char* text : {"2 of 6", "far root<span class=\"sure\"> (very likely)", "bruno/report.html",
+                             "carla/report.html", "class.json", "ana/report.student.json", "The sphere",
+                             "one or two<span class=\"sure\"> (very likely one of these)", "Either: This one.",
+                             "Or: That one.", "no explanation"})
         EXPECT_TRUE(has(page, text)) << text;
     EXPECT_LT(page.find("far root<"), page.find("one or two<"));
     EXPECT_LT(page.find("one or two<"), page.find("no explanation<"));
@@ -269,7 +282,8 @@ TEST(Class, ThePageSaysWhoSharesAReason)
 TEST(Report, AnAmbiguousReasonIsSaidToBeOneOfSeveral)
 {
     UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("one/x", 0, 1000)});
-    unit.explanations = {{"mistake: a", "FIRST.", 0.95, 1, true}, {"mistake: b", "SECOND.", 0.95, 1, true}, {"c", "THIRD.", 0.7}};
+    unit.explanations = {
+        {"mistake: a", "FIRST.", 0.95, 1, true}, {"mistake: b", "SECOND.", 0.95, 1, true}, {"c", "THIRD.", 0.7}};
     const std::string page = report_html(submission_result("s", {unit}), {}, {});
     EXPECT_TRUE(has(page, "FIRST. Or: SECOND.")) << "in the table of units";
     EXPECT_TRUE(has(page, "Either:</span> FIRST."));

@@ -32,7 +32,8 @@ ClassResult full_disk()
     ClassResult result;
     for (int i = 0; i < 30; ++i)
         result.submissions.push_back(
-            submission_result("s" + std::to_string(i), {fault("t/one", "/cache/work-" + std::to_string(i) + ": No space left on device")}));
+            submission_result("s" + std::to_string(i),
+                              {fault("t/one", "/cache/work-" + std::to_string(i) + ": No space left on device")}));
     result.submissions[3].units.push_back(fault("t/two", "the spawner <died>\x1b[31m"));
     return result;
 }
@@ -87,8 +88,9 @@ TEST(Notices, TellOfWhatIsUnfinishedUnwrittenOrGradedElsewhere)
 TEST(Class, TheMedianLeavesOutWhoWasNotScored)
 {
     ClassResult result;
-    result.submissions = {submission_result("ana", {unit_result("t/one", Verdict::ok, {check_result("a/b", 1000, 1000)})}),
-                          submission_result("bo", {fault("t/one", "x")}), submission_result("cy", {fault("t/one", "x")})};
+    result.submissions = {
+        submission_result("ana", {unit_result("t/one", Verdict::ok, {check_result("a/b", 1000, 1000)})}),
+        submission_result("bo", {fault("t/one", "x")}), submission_result("cy", {fault("t/one", "x")})};
     EXPECT_TRUE(has(html::class_html(result), "median credit 100 %"));
 }
 
@@ -96,7 +98,8 @@ TEST(Class, MissingWorkStandsAmongTheReasons)
 {
     ClassResult result;
     result.submissions = {
-        submission_result("ana", {unit_result("t/one", Verdict::missing, {}), unit_result("t/two", Verdict::wrong, {check_result("a/b", 0, 1000)})}),
+        submission_result("ana", {unit_result("t/one", Verdict::missing, {}),
+                                  unit_result("t/two", Verdict::wrong, {check_result("a/b", 0, 1000)})}),
         submission_result("bo", {unit_result("t/one", Verdict::ok, {check_result("a/b", 1000, 1000)})})};
     const std::string page = html::class_html(result);
     const std::size_t list = page.find("Not handed in</h3>");

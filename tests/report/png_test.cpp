@@ -18,7 +18,8 @@ Image noise(int width, int height)
 {
     Random random(seed);
     Image image(width, height);
-    for (auto& pixel : image.cells) pixel = {random.below(256), random.below(256), random.below(256), random.below(256)};
+    for (auto& pixel : image.cells)
+        pixel = {random.below(256), random.below(256), random.below(256), random.below(256)};
     return image;
 }
 
@@ -28,7 +29,10 @@ std::string bytes_of(const std::filesystem::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void put(const std::filesystem::path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+void put(const std::filesystem::path& path, const std::string& bytes)
+{
+    std::ofstream(path, std::ios::binary) << bytes;
+}
 
 /// OpenCV's pixel (stored blue first) as RGBA.
 glm::u8vec4 rgba(const cv::Mat& picture, int x, int y)
@@ -65,7 +69,8 @@ TEST(Png, ReadsWhatOpenCvWrites)
     for (int y = 0; y < 2; ++y)
         for (int x = 0; x < 3; ++x) {
             const int value = 40 * (3 * y + x);
-            colour.at<cv::Vec3b>(y, x) = cv::Vec3b(static_cast<uchar>(value), static_cast<uchar>(value + 1), static_cast<uchar>(value + 2));
+            colour.at<cv::Vec3b>(y, x) =
+                cv::Vec3b(static_cast<uchar>(value), static_cast<uchar>(value + 1), static_cast<uchar>(value + 2));
             grey.at<uchar>(y, x) = static_cast<uchar>(value);
             deep.at<cv::Vec3w>(y, x) = cv::Vec3w::all(static_cast<ushort>(257 * value));
             bits.at<uchar>(y, x) = (x + y) % 2 != 0 ? 255 : 0;
@@ -96,7 +101,8 @@ TEST(Png, EveryTruncationIsRefused)
     for (std::size_t size = 0; size < whole.size(); ++size) {
         put(folder / "cut.png", whole.substr(0, size));
         const std::string said = complaint([&] { (void)read_png(folder / "cut.png"); });
-        ASSERT_NE(said.find("cut.png: "), std::string::npos) << "passed with " << size << " of " << whole.size() << " bytes";
+        ASSERT_NE(said.find("cut.png: "), std::string::npos)
+            << "passed with " << size << " of " << whole.size() << " bytes";
         ASSERT_EQ(said.find("empty") != std::string::npos, size == 0);
     }
 }
@@ -107,7 +113,8 @@ TEST(Png, EveryDamagedByteOfThePixelsIsRefused)
     write_png(folder / "whole.png", noise(9, 5));
     const std::string whole = bytes_of(folder / "whole.png");
     const std::size_t pixels = whole.find("IDAT") + 4;
-    const std::size_t length = static_cast<unsigned char>(whole[pixels - 5]) + 256U * static_cast<unsigned char>(whole[pixels - 6]);
+    const std::size_t length =
+        static_cast<unsigned char>(whole[pixels - 5]) + 256U * static_cast<unsigned char>(whole[pixels - 6]);
     for (std::size_t at = pixels; at < pixels + length; ++at) {
         std::string damaged = whole;
         damaged[at] = static_cast<char>(damaged[at] ^ 0x40);
@@ -129,7 +136,8 @@ TEST(Png, HugeDimensionsAreRefusedBeforeMemoryIsTaken)
             for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1U) ^ ((sum & 1U) != 0 ? 0xEDB88320U : 0U);
         }
         const auto number = [](std::uint32_t n) {
-            return std::string{static_cast<char>(n >> 24U), static_cast<char>(n >> 16U), static_cast<char>(n >> 8U), static_cast<char>(n)};
+            return std::string{static_cast<char>(n >> 24U), static_cast<char>(n >> 16U), static_cast<char>(n >> 8U),
+                               static_cast<char>(n)};
         };
         return number(static_cast<std::uint32_t>(content.size() - 4)) + content + number(~sum);
     };
@@ -144,8 +152,10 @@ TEST(Png, WhatIsNoPngIsRefusedWithItsName)
 {
     const umbral::test::TemporaryFolder folder;
     put(folder / "text.png", "hello, I am a text");
-    EXPECT_NE(complaint([&] { (void)read_png(folder / "text.png"); }).find("text.png: not a PNG file"), std::string::npos);
-    EXPECT_NE(complaint([&] { (void)read_png(folder / "none.png"); }).find("none.png: no such file"), std::string::npos);
+    EXPECT_NE(complaint([&] { (void)read_png(folder / "text.png"); }).find("text.png: not a PNG file"),
+              std::string::npos);
+    EXPECT_NE(complaint([&] { (void)read_png(folder / "none.png"); }).find("none.png: no such file"),
+              std::string::npos);
     EXPECT_NE(complaint([&] { (void)read_png(folder.path()); }).find("not a regular file"), std::string::npos);
     EXPECT_NE(complaint([&] { (void)read_png("/dev/zero"); }).find("not a regular file"), std::string::npos);
     EXPECT_THROW(write_png(folder / "void.png", Image(0, 0)), std::invalid_argument);
@@ -165,7 +175,8 @@ TEST(Png, AFullDiskIsAnExceptionAndLeavesTheOldFile)
     EXPECT_EQ(bytes_of(folder / "a.png"), old);
     EXPECT_EQ(folder.count(), 1);
 
-    const FullDisk outcome = on_full_disk(folder, [](const umbral::test::TemporaryFolder& disk) { write_png(disk / "b.png", noise(300, 300)); });
+    const FullDisk outcome = on_full_disk(
+        folder, [](const umbral::test::TemporaryFolder& disk) { write_png(disk / "b.png", noise(300, 300)); });
     EXPECT_NE(outcome, FullDisk::failed);
     if (outcome == FullDisk::cannot_mount) GTEST_SKIP() << "a real full disk needs root";
 }

@@ -17,31 +17,33 @@ SubmissionResult three_units()
     // What a text from outside could do to put itself where a number belongs.
     first.output = std::string("u\x01 u0 ") + '\x01';
     UnitResult second = unit_result("t/second", Verdict::wrong, {check_result("picture/x", 0, 1000)});
-    return submission_result("ana", {first, second, unit_result("t/third", Verdict::ok, {check_result("c/d", 1000, 1000)})});
+    return submission_result("ana",
+                             {first, second, unit_result("t/third", Verdict::ok, {check_result("c/d", 1000, 1000)})});
 }
 
-Gallery pictures()
+UnitDetails pictures()
 {
-    Gallery gallery;
+    UnitDetails details;
     PictureEvidence picture;
     picture.yours = picture.reference.emplace(Image(2, 2));
-    gallery["t/second"].title = "The second";
-    gallery["t/second"].checks["picture/x"].evidence = picture;
-    return gallery;
+    details["t/second"].title = "The second";
+    details["t/second"].checks["picture/x"].evidence = picture;
+    return details;
 }
 
 TEST(Sections, GiveThePageThatTheWholeGives)
 {
     const SubmissionResult submission = three_units();
-    const Gallery gallery = pictures();
+    const UnitDetails details = pictures();
     for (const Edition edition : {Edition::student, Edition::instructor}) {
         std::vector<std::string> sections;
         for (const UnitResult& unit : submission.units) {
-            const auto found = gallery.find(unit.id);
-            sections.push_back(section_html(unit, found == gallery.end() ? UnitDetail{} : found->second, edition));
+            const auto found = details.find(unit.id);
+            sections.push_back(section_html(unit, found == details.end() ? UnitDetail{} : found->second, edition));
         }
-        const std::string page = report_from_sections(submission, {}, sections, {edition, "", {{"t/second", "The second"}}});
-        EXPECT_EQ(page, report_html(submission, {}, gallery, {edition, ""}));
+        const std::string page =
+            report_from_sections(submission, {}, sections, {edition, "", {{"t/second", "The second"}}});
+        EXPECT_EQ(page, report_html(submission, {}, details, {edition, ""}));
         for (const char* part : {"id=\"u1\"", "id=\"u2-title\"", "id=\"u2-c1\"", "id=\"u2-c1-status\"", "href=\"#u3\""})
             EXPECT_NE(page.find(part), std::string::npos) << part;
         EXPECT_EQ(page.find('\x01'), std::string::npos);
@@ -53,7 +55,8 @@ TEST(Sections, AreNumberedByTheirPlace)
 {
     const SubmissionResult submission = three_units();
     const std::string section = section_html(submission.units[2], {}, Edition::student);
-    const std::string page = report_from_sections(submission_result("ana", {submission.units[2]}), {}, std::vector{section});
+    const std::string page =
+        report_from_sections(submission_result("ana", {submission.units[2]}), {}, std::vector{section});
     EXPECT_NE(page.find("id=\"u1\""), std::string::npos);
     EXPECT_THROW((void)report_from_sections(submission, {}, std::vector{section}), std::invalid_argument);
 }

@@ -18,16 +18,20 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 /// The text without our own colours: an ESC that is left is somebody else's.
 std::string without_colour(std::string text)
 {
-    for (std::size_t at = 0; (at = text.find("\x1b[", at)) != std::string::npos;) text.erase(at, text.find('m', at) - at + 1);
+    for (std::size_t at = 0; (at = text.find("\x1b[", at)) != std::string::npos;)
+        text.erase(at, text.find('m', at) - at + 1);
     return text;
 }
 
 UnitResult transposed()
 {
-    UnitResult unit = unit_result("projections/view-matrix", Verdict::partial, {check_result("axes/m", 4000, 4000), check_result("far away/m", 0, 2500)});
-    unit.checks[1].first_difference = Difference{"matrix 3, entry (row 0, column 1)", "5 in [1 5; 0 1]", "0 in [1 0; 5 1]"};
+    UnitResult unit = unit_result("projections/view-matrix", Verdict::partial,
+                                  {check_result("axes/m", 4000, 4000), check_result("far away/m", 0, 2500)});
+    unit.checks[1].first_difference =
+        Difference{"matrix 3, entry (row 0, column 1)", "5 in [1 5; 0 1]", "0 in [1 0; 5 1]"};
     unit.checks[1].message = "1 of 4 matrices is wrong; the worst is matrix 3: yours 5 in [1 5; 0 1], expected 0";
-    unit.explanations = {{"transposed", "Your matrix is the transpose of the expected one.", 0.75}, {"other", "Something less likely.", 0.1}};
+    unit.explanations = {{"transposed", "Your matrix is the transpose of the expected one.", 0.75},
+                         {"other", "Something less likely.", 0.1}};
     unit.output = "hello\nworld\n";
     unit.seconds = 0.25;
     unit.reference_seconds = 0.002;
@@ -54,7 +58,9 @@ TEST(Terminal, SaysWhatAStudentNeeds)
 TEST(Terminal, AnAmbiguousReasonIsSaidToBeOneOfSeveral)
 {
     UnitResult unit = transposed();
-    unit.explanations = {{"mistake: a", "The first.", 0.95, 1, true}, {"mistake: b", "The second.", 0.95, 1, true}, {"c", "The third.", 0.9}};
+    unit.explanations = {{"mistake: a", "The first.", 0.95, 1, true},
+                         {"mistake: b", "The second.", 0.95, 1, true},
+                         {"c", "The third.", 0.9}};
     const std::string report = without_colour(terminal_report(submission_result("ana", {unit}), {}));
     EXPECT_TRUE(contains(report, "why       Either: The first.\n")) << report;
     EXPECT_TRUE(contains(report, " or: The second. (very likely one of these)\n")) << report;
@@ -67,7 +73,9 @@ TEST(Terminal, ASketchStandsLineByLine)
     unit.checks[1].first_difference = Difference{"pixel (1, 0) of triangle 3", "no fragment", "(0.5)"};
     unit.checks[1].sketch = "#-..\n##..\nx 0..3, y 0..1; # right - missing . empty";
     const std::string report = terminal_report(submission_result("ana", {unit}), {});
-    EXPECT_TRUE(contains(report, " #-..\n              ##..\n              x 0..3, y 0..1; # right - missing . empty\n")) << report;
+    EXPECT_TRUE(
+        contains(report, " #-..\n              ##..\n              x 0..3, y 0..1; # right - missing . empty\n"))
+        << report;
     EXPECT_TRUE(contains(report, "pixel (1, 0) of triangle 3"));
     EXPECT_TRUE(contains(report, "no fragment"));
 }
@@ -85,15 +93,16 @@ TEST(Terminal, EqualResultsGiveEqualReportsAndAsciiIsAscii)
 {
     const SubmissionResult submission = submission_result("ñandú", {transposed()});
     EXPECT_EQ(terminal_report(submission, {}), terminal_report(submission, {}));
-    for (const char c : terminal_report(submission, {.unicode = false})) ASSERT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7F)) << int{c};
+    for (const char c : terminal_report(submission, {.unicode = false}))
+        ASSERT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7F)) << int{c};
 }
 
 TEST(Terminal, TheFirstFailingCheckIsTheMostExactOneAndNotTheManifestsFirst)
 {
     // From vague to exact, as a manifest might list them.
-    const std::vector<std::pair<JudgeKind, std::string>> kinds = {{JudgeKind{"image"}, "colours/image"}, {JudgeKind{"cost"}, "work/blocks"},
-                                                                  {JudgeKind{"buffer"}, "ids/ids"},      {JudgeKind{"numbers"}, "dot/x"},
-                                                                  {JudgeKind{"matrices"}, "view/m"},     {JudgeKind{"trace"}, "calls/calls"}};
+    const std::vector<std::pair<JudgeKind, std::string>> kinds = {
+        {JudgeKind{"image"}, "colours/image"}, {JudgeKind{"cost"}, "work/blocks"}, {JudgeKind{"buffer"}, "ids/ids"},
+        {JudgeKind{"numbers"}, "dot/x"},       {JudgeKind{"matrices"}, "view/m"},  {JudgeKind{"trace"}, "calls/calls"}};
     UnitResult unit = unit_result("a/b", Verdict::wrong, {});
     for (const auto& [kind, name] : kinds) {
         unit.checks.push_back(check_result(name, 0, 1000));
@@ -106,8 +115,8 @@ TEST(Terminal, TheFirstFailingCheckIsTheMostExactOneAndNotTheManifestsFirst)
         return report.substr(at, report.find(' ', at) - at);
     };
     EXPECT_EQ(first(), "calls/calls");
-    EXPECT_TRUE(
-        contains(terminal_report(submission_result("ana", {unit}), {.width = 160}), "also      dot/x, view/m, ids/ids, work/blocks, colours/image not right"));
+    EXPECT_TRUE(contains(terminal_report(submission_result("ana", {unit}), {.width = 160}),
+                         "also      dot/x, view/m, ids/ids, work/blocks, colours/image not right"));
     unit.checks.pop_back();
     EXPECT_EQ(first(), "dot/x") << "of two as exact as each other, the manifest's first";
     unit.checks.resize(3);
@@ -129,7 +138,8 @@ TEST(Terminal, ColourAddsNothingButColour)
 TEST(Terminal, NoLineIsWiderThanAsked)
 {
     std::vector<UnitResult> units = {transposed(),
-                                     unit_result("raytracing/a-unit-with-a-name-that-is-far-too-long-for-any-table", Verdict::interface_mismatch, {})};
+                                     unit_result("raytracing/a-unit-with-a-name-that-is-far-too-long-for-any-table",
+                                                 Verdict::interface_mismatch, {})};
     units[1].message = std::string(500, 'x') + " " + std::string(30, 'y');
     units[0].checks[1].name = std::string(300, 'c') + "/m";
     units[0].checks[1].artefacts = {{std::string(50, 'k'), std::string(300, 'p')}};
@@ -171,7 +181,8 @@ TEST(Terminal, HiddenChecksShowNoValue)
 
 TEST(Terminal, NeverSaysAllRightWhileAHiddenCheckFails)
 {
-    UnitResult unit = unit_result("a/b", Verdict::ok, {check_result("open/t", 1000, 1000), check_result("secret/t", 999, 1000, true)});
+    UnitResult unit = unit_result("a/b", Verdict::ok,
+                                  {check_result("open/t", 1000, 1000), check_result("secret/t", 999, 1000, true)});
     EXPECT_FALSE(all_right(unit));
     EXPECT_EQ(shown_verdict(unit), Verdict::partial);
     std::string report = terminal_report(submission_result("ana", {unit}), {});
@@ -204,7 +215,8 @@ TEST(Terminal, HostileTextsAreShownAndDoNothing)
     unit.checks[1].sketch = attack;
     for (const bool color : {false, true}) {
         const SubmissionResult submission = submission_result(attack, {unit, unit});
-        for (const std::string& report : {terminal_report(submission, {.color = color}), class_table({{}, {submission}}, {.color = color})}) {
+        for (const std::string& report :
+             {terminal_report(submission, {.color = color}), class_table({{}, {submission}}, {.color = color})}) {
             const std::string rest = without_colour(report);
             EXPECT_FALSE(contains(report, "\x1b[2J"));
             EXPECT_EQ(rest.find_first_of("\x1b\x07\r\x7f"), std::string::npos);
@@ -216,7 +228,8 @@ TEST(Terminal, HostileTextsAreShownAndDoNothing)
 
 TEST(Terminal, AMegabyteOfOutputStaysShort)
 {
-    for (const std::string& flood : {std::string(1 << 20, 'x'), std::string(1 << 20, '\n'), std::string(1 << 20, '\xF0'), std::string(1 << 20, '\x1b')}) {
+    for (const std::string& flood : {std::string(1 << 20, 'x'), std::string(1 << 20, '\n'),
+                                     std::string(1 << 20, '\xF0'), std::string(1 << 20, '\x1b')}) {
         UnitResult unit = transposed();
         unit.output = flood;
         unit.message = flood;
@@ -258,7 +271,8 @@ TEST(SideBySide, FindsMatricesAndTheirDifferences)
     EXPECT_FALSE(find_matrix("][;"));
     EXPECT_EQ(find_matrix("5 in [1 2; 3 nan]"), (MatrixText{{"1", "2"}, {"3", "nan"}}));
     const auto differs = differing_entries({{"1", "2.0001"}, {"nan", "9"}}, {{"1", "2"}, {"0", "4"}});
-    EXPECT_EQ(differs, (std::vector<std::vector<bool>>{{false, false}, {true, true}})) << "a thousandth of the largest difference is noise";
+    EXPECT_EQ(differs, (std::vector<std::vector<bool>>{{false, false}, {true, true}}))
+        << "a thousandth of the largest difference is noise";
     const auto same = differing_entries({{"1", "nan"}, {"0", "0"}}, {{"1", "nan"}, {"0", "0"}});
     EXPECT_EQ(same, (std::vector<std::vector<bool>>{{false, false}, {false, false}}));
 }

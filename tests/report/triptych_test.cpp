@@ -24,7 +24,8 @@ constexpr glm::u8vec4 frame_dark(20, 110, 190, 255);
 int count(const Image& image, glm::u8vec4 colour) { return static_cast<int>(std::ranges::count(image.cells, colour)); }
 
 template <class Value>
-Tensor tensor_of(Element element, std::uint32_t rows, std::uint32_t columns, std::uint32_t components, const std::vector<Value>& values)
+Tensor tensor_of(Element element, std::uint32_t rows, std::uint32_t columns, std::uint32_t components,
+                 const std::vector<Value>& values)
 {
     Tensor tensor{element, rows, columns, components, {}, {}};
     tensor.bytes.resize(values.size() * sizeof(Value));
@@ -120,17 +121,22 @@ TEST(ToImage, DrawsBytesFloatsIdsAndDepth)
     check.judge = image_kind();
     check.name = "c/v";
     check.range_low = -1;
-    EXPECT_EQ(to_image(tensor_of<std::uint8_t>(Element::uint8, 1, 2, 4, {1, 2, 3, 4, 5, 6, 7, 8}), check).at(1, 0), glm::u8vec4(5, 6, 7, 8));
-    EXPECT_EQ(to_image(tensor_of<std::uint8_t>(Element::uint8, 2, 1, 3, {1, 2, 3, 4, 5, 6}), check).at(0, 1), glm::u8vec4(4, 5, 6, 255));
+    EXPECT_EQ(to_image(tensor_of<std::uint8_t>(Element::uint8, 1, 2, 4, {1, 2, 3, 4, 5, 6, 7, 8}), check).at(1, 0),
+              glm::u8vec4(5, 6, 7, 8));
+    EXPECT_EQ(to_image(tensor_of<std::uint8_t>(Element::uint8, 2, 1, 3, {1, 2, 3, 4, 5, 6}), check).at(0, 1),
+              glm::u8vec4(4, 5, 6, 255));
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
-    const Image floats = to_image(tensor_of<float>(Element::float32, 1, 3, 3, {-1, 0, 1, -9, 9, infinity, 0, nan, 0}), check);
+    const Image floats =
+        to_image(tensor_of<float>(Element::float32, 1, 3, 3, {-1, 0, 1, -9, 9, infinity, 0, nan, 0}), check);
     EXPECT_EQ(floats.at(0, 0), glm::u8vec4(0, 128, 255, 255));
     EXPECT_EQ(floats.at(1, 0), glm::u8vec4(0, 255, 255, 255));
     EXPECT_EQ(floats.at(2, 0), glm::u8vec4(255, 0, 255, 255));
     check.range_low = 0;
-    EXPECT_EQ(to_image(tensor_of<float>(Element::float32, 1, 1, 1, {0.2F}), check).at(0, 0), glm::u8vec4(51, 51, 51, 255));
-    EXPECT_EQ(to_image(tensor_of<double>(Element::float64, 1, 1, 1, {0.2}), check).at(0, 0), glm::u8vec4(51, 51, 51, 255));
+    EXPECT_EQ(to_image(tensor_of<float>(Element::float32, 1, 1, 1, {0.2F}), check).at(0, 0),
+              glm::u8vec4(51, 51, 51, 255));
+    EXPECT_EQ(to_image(tensor_of<double>(Element::float64, 1, 1, 1, {0.2}), check).at(0, 0),
+              glm::u8vec4(51, 51, 51, 255));
 
     std::vector<std::uint32_t> ids(1000);
     for (std::uint32_t i = 0; i < 1000; ++i) ids[i] = i;
@@ -151,9 +157,11 @@ TEST(ToImage, AbsentCellsAreTransparentAndOddTensorsAreRefused)
     EXPECT_EQ(to_image(tensor, check).at(1, 0), glm::u8vec4(0, 0, 0, 0));
     tensor.present = {1};
     EXPECT_THROW((void)to_image(tensor, check), std::invalid_argument);
-    EXPECT_THROW((void)to_image(tensor_of<float>(Element::float32, 1, 1, 16, std::vector<float>(16)), check), std::invalid_argument);
+    EXPECT_THROW((void)to_image(tensor_of<float>(Element::float32, 1, 1, 16, std::vector<float>(16)), check),
+                 std::invalid_argument);
     EXPECT_THROW((void)to_image(tensor_of<float>(Element::float32, 5, 5, 1, {1}), check), std::invalid_argument);
-    EXPECT_THROW((void)to_image(tensor_of<float>(static_cast<Element>(99), 1, 1, 1, {1}), check), std::invalid_argument);
+    EXPECT_THROW((void)to_image(tensor_of<float>(static_cast<Element>(99), 1, 1, 1, {1}), check),
+                 std::invalid_argument);
     check.range_high = check.range_low;
     EXPECT_THROW((void)to_image(tensor_of<float>(Element::float32, 1, 1, 1, {1}), check), std::invalid_argument);
     EXPECT_TRUE(to_image(Tensor{Element::float32, 0, 0, 3, {}, {}}, Check{}).cells.empty());

@@ -13,40 +13,54 @@ namespace {
 struct Attack {
     const char* name;
     const char* code;
-    const char* refused;  ///< the call that the report must name when the case is running; nullptr if it fails without being named
+    const char* refused;  ///< the call that the report must name when the case is running; nullptr if it fails without
+                          ///< being named
 };
 
 const std::vector<Attack> attacks = {
     {"open_passwd", R"(say("open", raw(SYS_openat, AT_FDCWD, "/etc/passwd", O_RDONLY));)", "openat"},
     {"open_reference_source", R"(say("open", raw(SYS_openat, AT_FDCWD, REFERENCE, O_RDONLY));)", "openat"},
     {"open_reference_library", R"(say("open", raw(SYS_openat, AT_FDCWD, REFERENCE_LIBRARY, O_RDONLY));)", "openat"},
-    {"open_other_build", R"(say("open", raw(SYS_openat, AT_FDCWD, OTHER_BUILD, O_RDONLY)); say("directory", raw(SYS_openat, AT_FDCWD, CACHE, O_RDONLY));)",
+    {"open_other_build",
+     R"(say("open", raw(SYS_openat, AT_FDCWD, OTHER_BUILD, O_RDONLY)); say("directory", raw(SYS_openat, AT_FDCWD, CACHE, O_RDONLY));)",
      "openat"},
     {"open_maps", R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/maps", O_RDONLY));)", "openat"},
-    {"open_mem", R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDWR)); say("read", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDONLY));)",
+    {"open_mem",
+     R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDWR)); say("read", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDONLY));)",
      "openat"},
     {"openat2", R"(long how[3] = {0, 0, 0}; say("openat2", raw(437, AT_FDCWD, "/etc/passwd", how, 24));)", "openat2"},
     {"write_file", R"(say("open", raw(SYS_openat, AT_FDCWD, CACHE "/planted", O_CREAT | O_WRONLY, 0600));)", "openat"},
-    {"write_tmp", R"(say("open", raw(SYS_openat, AT_FDCWD, "/tmp/umbral-planted", O_CREAT | O_WRONLY, 0600));)", "openat"},
-    {"socket", R"(for (int family : {AF_INET, AF_INET6, AF_UNIX, AF_NETLINK}) say("socket", raw(SYS_socket, family, SOCK_STREAM, 0));)", "socket"},
-    {"connect", R"(sockaddr_in to{}; to.sin_family = AF_INET; for (int fd = 0; fd < 32; ++fd) say("connect", raw(SYS_connect, fd, &to, sizeof to));)",
+    {"write_tmp", R"(say("open", raw(SYS_openat, AT_FDCWD, "/tmp/umbral-planted", O_CREAT | O_WRONLY, 0600));)",
+     "openat"},
+    {"socket",
+     R"(for (int family : {AF_INET, AF_INET6, AF_UNIX, AF_NETLINK}) say("socket", raw(SYS_socket, family, SOCK_STREAM, 0));)",
+     "socket"},
+    {"connect",
+     R"(sockaddr_in to{}; to.sin_family = AF_INET; for (int fd = 0; fd < 32; ++fd) say("connect", raw(SYS_connect, fd, &to, sizeof to));)",
      "connect"},
-    {"sendmsg", R"(msghdr m{}; for (int fd = 3; fd < 32; ++fd) say("sendmsg", raw(SYS_sendmsg, fd, &m, 0));)", "sendmsg"},
+    {"sendmsg", R"(msghdr m{}; for (int fd = 3; fd < 32; ++fd) say("sendmsg", raw(SYS_sendmsg, fd, &m, 0));)",
+     "sendmsg"},
     {"clone", R"(say("clone", raw(SYS_clone, SIGCHLD, 0, 0, 0, 0));)", "clone"},
-    {"clone_thread", R"(static char stack[65536]; say("clone", raw(SYS_clone, 0x50f00, stack + 65536, 0, 0, 0));)", "clone"},
+    {"clone_thread", R"(static char stack[65536]; say("clone", raw(SYS_clone, 0x50f00, stack + 65536, 0, 0, 0));)",
+     "clone"},
     {"clone3", R"(long args[11] = {0, 0, 0, 0, SIGCHLD}; say("clone3", raw(435, args, sizeof args));)", "clone3"},
 #ifdef SYS_fork
     {"fork", R"(say("fork", raw(SYS_fork));)", "fork"},
     {"vfork", R"(say("vfork", raw(SYS_vfork));)", "vfork"},
 #endif
-    {"execve", R"(const char* const words[] = {"/bin/sh", nullptr}; say("execve", raw(SYS_execve, words[0], words, words + 1));)", "execve"},
-    {"execveat", R"(const char* const words[] = {"/bin/sh", nullptr}; say("execveat", raw(SYS_execveat, AT_FDCWD, words[0], words, words + 1, 0));)",
+    {"execve",
+     R"(const char* const words[] = {"/bin/sh", nullptr}; say("execve", raw(SYS_execve, words[0], words, words + 1));)",
+     "execve"},
+    {"execveat",
+     R"(const char* const words[] = {"/bin/sh", nullptr}; say("execveat", raw(SYS_execveat, AT_FDCWD, words[0], words, words + 1, 0));)",
      "execveat"},
-    {"kill_parent", R"(say("getppid", raw(SYS_getppid)); say("kill", raw(SYS_kill, raw(SYS_getppid), SIGKILL)); say("all", raw(SYS_kill, -1, SIGKILL));)",
+    {"kill_parent",
+     R"(say("getppid", raw(SYS_getppid)); say("kill", raw(SYS_kill, raw(SYS_getppid), SIGKILL)); say("all", raw(SYS_kill, -1, SIGKILL));)",
      "kill"},
     {"tgkill", R"(say("tgkill", raw(SYS_tgkill, 1, 1, SIGKILL)); say("tkill", raw(SYS_tkill, 1, SIGKILL));)", "tgkill"},
     {"pidfd", R"(say("open", raw(434, 1, 0)); say("signal", raw(424, 3, SIGKILL, 0, 0));)", "pidfd_open"},
-    {"ptrace", R"(say("ptrace", raw(SYS_ptrace, 16, 1, 0, 0)); say("traceme", raw(SYS_ptrace, 0, 0, 0, 0));)", "ptrace"},
+    {"ptrace", R"(say("ptrace", raw(SYS_ptrace, 16, 1, 0, 0)); say("traceme", raw(SYS_ptrace, 0, 0, 0, 0));)",
+     "ptrace"},
     {"process_vm_readv",
      R"(char b[8]; long v[2] = {(long)b, 8}; say("read", raw(SYS_process_vm_readv, 1, v, 1, v, 1, 0)); say("write", raw(SYS_process_vm_writev, 1, v, 1, v, 1, 0));)",
      "process_vm_readv"},
@@ -59,7 +73,8 @@ const std::vector<Attack> attacks = {
     {"sigaction",
      R"(long action[4] = {0, 0, 0, 0}; say("sigaction", raw(SYS_rt_sigaction, SIGSYS, action, 0, 8)); say("altstack", raw(SYS_sigaltstack, 0, 0));)",
      "rt_sigaction"},
-    {"io_uring", R"(char p[256] = {}; say("setup", raw(425, 8, p)); say("enter", raw(426, 3, 0, 0, 0, 0, 0));)", "io_uring_setup"},
+    {"io_uring", R"(char p[256] = {}; say("setup", raw(425, 8, p)); say("enter", raw(426, 3, 0, 0, 0, 0, 0));)",
+     "io_uring_setup"},
     {"memfd", R"(say("memfd", raw(SYS_memfd_create, "x", 0)); say("secret", raw(447, 0));)", "memfd_create"},
     {"unshare",
      R"(say("unshare", raw(SYS_unshare, 0x10000000)); say("setns", raw(SYS_setns, 3, 0)); say("chroot", raw(SYS_chroot, "/")); say("mount", raw(SYS_mount, 0, "/", 0, 4096, 0));)",
@@ -74,7 +89,8 @@ const std::vector<Attack> attacks = {
      R"(say("nice", raw(SYS_setpriority, 0, 0, -20)); say("affinity", raw(SYS_sched_setaffinity, 0, 0, 0)); say("scheduler", raw(SYS_sched_setscheduler, 0, 1, 0));)",
      "setpriority"},
     {"no_such_call", R"(say("call", raw(9999)); say("call", raw(-1));)", "call 9999"},
-    {"timers_and_alarms", R"(long v[4] = {0, 1, 0, 1}; say("itimer", raw(SYS_setitimer, 0, v, 0)); say("timer", raw(SYS_timer_create, 0, 0, 0));)",
+    {"timers_and_alarms",
+     R"(long v[4] = {0, 1, 0, 1}; say("itimer", raw(SYS_setitimer, 0, v, 0)); say("timer", raw(SYS_timer_create, 0, 0, 0));)",
      "setitimer"},
     {"ioctl_of_terminal",
      R"(char c = 'x'; for (int fd = 0; fd < 3; ++fd) say("ioctl", raw(SYS_ioctl, fd, 0x5412, &c)); say("fcntl", raw(SYS_fcntl, 1, F_SETFL, 0)); say("fcntl", raw(SYS_fcntl, 1, 1033, 0));)",
@@ -85,9 +101,12 @@ class Attacks : public testing::TestWithParam<std::tuple<Attack, bool>> {
 protected:
     [[nodiscard]] std::string defines() const
     {
-        const auto define = [](const char* name, const std::filesystem::path& path) { return std::string("#define ") + name + " \"" + path.string() + "\"\n"; };
-        return define("REFERENCE", bench.tools().reference / "raytracing" / "sphere.cpp") + define("REFERENCE_LIBRARY", reference) +
-               define("OTHER_BUILD", other_build) + define("CACHE", bench.tools().cache);
+        const auto define = [](const char* name, const std::filesystem::path& path) {
+            return std::string("#define ") + name + " \"" + path.string() + "\"\n";
+        };
+        return define("REFERENCE", bench.tools().reference / "raytracing" / "sphere.cpp") +
+               define("REFERENCE_LIBRARY", reference) + define("OTHER_BUILD", other_build) +
+               define("CACHE", bench.tools().cache);
     }
 
     Workbench bench;
@@ -109,8 +128,10 @@ TEST_P(Attacks, get_errors_only_and_leave_the_spawner_in_order)
     const auto& [attack, at_start] = GetParam();
     const std::string body = std::string("void attack()\n{\n") + attack.code + "\n}\n";
     const std::string text =
-        at_start ? sphere_with(raw_calls + defines() + "namespace {\n" + body + "const bool done = (attack(), true);\n}\n", "")
-                 : sphere_with(raw_calls + defines() + "namespace {\n" + body + "}\n", "static const bool done = (attack(), true); (void)done;");
+        at_start ? sphere_with(
+                       raw_calls + defines() + "namespace {\n" + body + "const bool done = (attack(), true);\n}\n", "")
+                 : sphere_with(raw_calls + defines() + "namespace {\n" + body + "}\n",
+                               "static const bool done = (attack(), true); (void)done;");
     const std::filesystem::path library = bench.compile_sphere(text);
 
     Spawner spawner(bench.spawner());
@@ -124,7 +145,8 @@ TEST_P(Attacks, get_errors_only_and_leave_the_spawner_in_order)
     EXPECT_FALSE(results.empty()) << outcome.output;
     for (const long result : results) EXPECT_LT(result, 0) << outcome.output;
     if (attack.refused != nullptr && !at_start) {
-        EXPECT_NE(std::find(outcome.refused.begin(), outcome.refused.end(), attack.refused), outcome.refused.end()) << testing::PrintToString(outcome.refused);
+        EXPECT_NE(std::find(outcome.refused.begin(), outcome.refused.end(), attack.refused), outcome.refused.end())
+            << testing::PrintToString(outcome.refused);
     }
     EXPECT_TRUE(std::filesystem::exists(other_build));
     EXPECT_FALSE(std::filesystem::exists("/tmp/umbral-planted"));
@@ -136,7 +158,10 @@ TEST_P(Attacks, get_errors_only_and_leave_the_spawner_in_order)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Attacks, testing::Combine(testing::ValuesIn(attacks), testing::Bool()),
-                         [](const auto& one) { return std::string(std::get<0>(one.param).name) + (std::get<1>(one.param) ? "_at_start" : "_in_the_case"); });
+                         [](const auto& one) {
+                             return std::string(std::get<0>(one.param).name) +
+                                    (std::get<1>(one.param) ? "_at_start" : "_in_the_case");
+                         });
 
 }
 }

@@ -12,7 +12,8 @@
 
 #include "support/workbench.hpp"
 
-// What a run costs, beside a bare fork of a process that holds as many pages: median and minimum of 200, with --quick of
+// What a run costs, beside a bare fork of a process that holds as many pages: median and minimum of 200, with --quick
+// of
 // 20. The last line is that of the README.
 namespace {
 
@@ -97,7 +98,9 @@ int main(int count, char** words)
     view.case_name = "picture";
     const double picture = measure("run with GL, view-matrix, picture", [&] { run(spawner, view); });
     const double gl_fork = measure_fork_of("as the spawner with GL", std::max<std::size_t>(resident(with_gl), 1));
-    fmt::print("\n{:.1f} ms in all, {:.1f} ms with OpenGL (a bare fork: {:.1f} ms and {:.1f} ms); the first draw of a shader adds about {:.0f} ms\n", plain, gl,
-               plain_fork, gl_fork, picture - gl);
+    fmt::print(
+        "\n{:.1f} ms in all, {:.1f} ms with OpenGL (a bare fork: {:.1f} ms and {:.1f} ms); the first draw of a shader "
+        "adds about {:.0f} ms\n",
+        plain, gl, plain_fork, gl_fork, picture - gl);
     return 0;
 }

@@ -4,8 +4,8 @@
 
 namespace umbral::grader::test {
 
-/// C++ that finds the run's own recording: every page that can be read is looked at for the magic number. The kernel says which
-/// pages can be read: rt_sigprocmask gives EFAULT for the others.
+/// C++ that finds the run's own recording: every page that can be read is looked at for the magic number. The kernel
+/// says which pages can be read: rt_sigprocmask gives EFAULT for the others.
 inline const std::string find_recording = R"(
 #include <umbral/record/wire.hpp>
 #include <cstring>

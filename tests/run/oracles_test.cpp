@@ -54,8 +54,11 @@ protected:
     RunOutcome run(const std::string& before, const std::string& body) const
     {
         const std::string text =
-            GetParam() ? sphere_with(before + "namespace {\nvoid all()\n{\n" + body + "\n}\nconst bool done = (all(), true);\n}\n", "")
-                       : sphere_with(before + "namespace {\nvoid all()\n{\n" + body + "\n}\n}\n", "    static const bool done = (all(), true); (void)done;");
+            GetParam()
+                ? sphere_with(
+                      before + "namespace {\nvoid all()\n{\n" + body + "\n}\nconst bool done = (all(), true);\n}\n", "")
+                : sphere_with(before + "namespace {\nvoid all()\n{\n" + body + "\n}\n}\n",
+                              "    static const bool done = (all(), true); (void)done;");
         Spawner spawner(bench.spawner());
         return spawner.run(bench.sphere_run(bench.compile_sphere(text)));
     }
@@ -73,14 +76,22 @@ std::string answers(const std::string& output, const std::string& from)
 TEST_P(Oracles, every_path_gets_the_same_answers)
 {
     const std::filesystem::path reference = unit_folder(bench.tools(), "raytracing/sphere") / "reference.so";
-    const std::vector<std::string> paths{reference.string(), reference.string() + ".not", "/etc/passwd", "/etc/no-such-file", "/proc/self/maps", "/", "."};
+    const std::vector<std::string> paths{reference.string(),
+                                         reference.string() + ".not",
+                                         "/etc/passwd",
+                                         "/etc/no-such-file",
+                                         "/proc/self/maps",
+                                         "/",
+                                         "."};
     std::string body;
-    for (std::size_t i = 0; i < paths.size(); ++i) body += "say(\"ask " + std::to_string(i) + "\", 0); ask(\"" + paths[i] + "\");\n";
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        body += "say(\"ask " + std::to_string(i) + "\", 0); ask(\"" + paths[i] + "\");\n";
     const RunOutcome outcome = run(raw_calls + questions, body + "say(\"ask\", 0);");
     EXPECT_EQ(outcome.verdict, Verdict::ok) << outcome.message;
     const std::string first = answers(outcome.output, "0");
     EXPECT_GT(std::count(first.begin(), first.end(), '\n'), 15);
-    for (std::size_t i = 1; i < paths.size(); ++i) EXPECT_EQ(answers(outcome.output, std::to_string(i)), first) << paths[i];
+    for (std::size_t i = 1; i < paths.size(); ++i)
+        EXPECT_EQ(answers(outcome.output, std::to_string(i)), first) << paths[i];
     std::istringstream lines(first);
     std::string name;
     for (long got = 0; lines >> name >> got;) EXPECT_EQ(got, -EPERM) << name;
@@ -89,10 +100,11 @@ TEST_P(Oracles, every_path_gets_the_same_answers)
 // Standard output is an open file, about which the C library asks.
 TEST_P(Oracles, the_state_of_an_open_file_is_no_secret)
 {
-    const RunOutcome outcome = run(
-        raw_calls + "#include <sys/stat.h>\n",
-        "struct stat status{}; say(\"state\", raw(SYS_newfstatat, 1, \"\", &status, AT_EMPTY_PATH)); say(\"closed\", raw(SYS_newfstatat, 77, \"\", &status, "
-        "AT_EMPTY_PATH));\nsay(\"here\", raw(SYS_newfstatat, AT_FDCWD, \"\", &status, AT_EMPTY_PATH));");
+    const RunOutcome outcome =
+        run(raw_calls + "#include <sys/stat.h>\n",
+            "struct stat status{}; say(\"state\", raw(SYS_newfstatat, 1, \"\", &status, AT_EMPTY_PATH)); "
+            "say(\"closed\", raw(SYS_newfstatat, 77, \"\", &status, "
+            "AT_EMPTY_PATH));\nsay(\"here\", raw(SYS_newfstatat, AT_FDCWD, \"\", &status, AT_EMPTY_PATH));");
     EXPECT_NE(outcome.output.find("state 0\nclosed -9\nhere -9\n"), std::string::npos) << outcome.output;
     EXPECT_TRUE(outcome.refused.empty()) << testing::PrintToString(outcome.refused);
 }
@@ -100,19 +112,22 @@ TEST_P(Oracles, the_state_of_an_open_file_is_no_secret)
 #if defined(__x86_64__)
 TEST_P(Oracles, calls_through_other_interfaces_fail_and_are_named)
 {
-    const RunOutcome outcome = run(
-        raw_calls,
-        "say(\"x32 fork\", raw(57 | 0x40000000));\nsay(\"x32 getpid\", raw(39 | 0x40000000));\nsay(\"x32 execve\", raw(520 | "
-        "0x40000000, 0, 0, 0));\nlong got = 2; asm volatile(\"int $0x80\" : \"+a\"(got) : : \"memory\", \"r8\", \"r9\", \"r10\", \"r11\"); say(\"old\", got);");
+    const RunOutcome outcome = run(raw_calls,
+                                   "say(\"x32 fork\", raw(57 | 0x40000000));\nsay(\"x32 getpid\", raw(39 | "
+                                   "0x40000000));\nsay(\"x32 execve\", raw(520 | "
+                                   "0x40000000, 0, 0, 0));\nlong got = 2; asm volatile(\"int $0x80\" : \"+a\"(got) : : "
+                                   "\"memory\", \"r8\", \"r9\", \"r10\", \"r11\"); say(\"old\", got);");
     EXPECT_EQ(outcome.verdict, Verdict::ok) << outcome.message;
     for (const char* const line : {"x32 fork -1\n", "x32 getpid -1\n", "x32 execve -1\n"})
         EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
     EXPECT_NE(outcome.output.find("old -"), std::string::npos) << outcome.output;
-    EXPECT_NE(std::ranges::find(outcome.refused, "a call through the x32 interface"), outcome.refused.end()) << testing::PrintToString(outcome.refused);
+    EXPECT_NE(std::ranges::find(outcome.refused, "a call through the x32 interface"), outcome.refused.end())
+        << testing::PrintToString(outcome.refused);
 }
 #endif
 
-INSTANTIATE_TEST_SUITE_P(Both, Oracles, testing::Bool(), [](const auto& one) { return one.param ? "while_loading" : "in_the_case"; });
+INSTANTIATE_TEST_SUITE_P(Both, Oracles, testing::Bool(),
+                         [](const auto& one) { return one.param ? "while_loading" : "in_the_case"; });
 
 }
 }

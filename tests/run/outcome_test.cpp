@@ -36,7 +36,10 @@ protocol::Ended killed(int signal)
     return ended;
 }
 
-Verdict verdict(const protocol::Ended& ended, bool confined, const std::vector<std::byte>& bytes) { return judge_end(ended, confined, bytes, "", {}).verdict; }
+Verdict verdict(const protocol::Ended& ended, bool confined, const std::vector<std::byte>& bytes)
+{
+    return judge_end(ended, confined, bytes, "", {}).verdict;
+}
 
 void finished(wire::Header& header) { header.stage = static_cast<std::uint32_t>(wire::Stage::finished); }
 void nothing(wire::Header&) {}
@@ -116,12 +119,16 @@ RunOutcome aborted(std::string_view printed, const RunRequest& request = {})
 
 TEST(Outcome, what_the_libraries_print_last_is_told_in_words)
 {
-    EXPECT_NE(aborted("1 2 3\n*** stack smashing detected ***: terminated\n").message.find("written beyond its end"), std::string::npos);
+    EXPECT_NE(aborted("1 2 3\n*** stack smashing detected ***: terminated\n").message.find("written beyond its end"),
+              std::string::npos);
     EXPECT_NE(aborted("free(): invalid pointer\n").message.find("on the heap"), std::string::npos);
-    EXPECT_EQ(aborted("free(): invalid pointer\nhello\n").message.find("on the heap"), std::string::npos) << "the last line only";
-    EXPECT_NE(aborted("a: b.cpp:7: f: Assertion `x' failed.\n").message.find("Assertion `x' failed."), std::string::npos);
+    EXPECT_EQ(aborted("free(): invalid pointer\nhello\n").message.find("on the heap"), std::string::npos)
+        << "the last line only";
+    EXPECT_NE(aborted("a: b.cpp:7: f: Assertion `x' failed.\n").message.find("Assertion `x' failed."),
+              std::string::npos);
     // The loader ends the process by itself, with status 127.
-    const RunOutcome outcome = judge_end(exited(127), true, recording(nothing), "student.so: cannot allocate memory for thread-local data: ABORT\n", {});
+    const RunOutcome outcome = judge_end(exited(127), true, recording(nothing),
+                                         "student.so: cannot allocate memory for thread-local data: ABORT\n", {});
     EXPECT_EQ(outcome.verdict, Verdict::out_of_memory);
     EXPECT_NE(outcome.message.find("thread_local"), std::string::npos) << outcome.message;
 }
@@ -131,9 +138,11 @@ TEST(Outcome, texts_show_no_paths_of_this_machine_and_are_bounded)
     RunRequest request;
     request.roots = {"/srv/umbral", "/srv/umbral/cache/ab"};
     const std::string path = "/srv/umbral/cache/ab/student.so";
-    EXPECT_EQ(aborted("/srv/umbral/grid.hpp:7: f: Assertion `/srv/umbral/x' failed.\n", request).message, "Assertion `x' failed.");
+    EXPECT_EQ(aborted("/srv/umbral/grid.hpp:7: f: Assertion `/srv/umbral/x' failed.\n", request).message,
+              "Assertion `x' failed.");
     EXPECT_EQ(aborted(path + "\n", request).output, "student.so\n");
-    for (const wire::Note kind : {wire::Note::uncaught_exception, wire::Note::load_failure, wire::Note::compile_error}) {
+    for (const wire::Note kind :
+         {wire::Note::uncaught_exception, wire::Note::load_failure, wire::Note::compile_error}) {
         const auto bytes = recording([&](wire::Header& header) {
             header.note = static_cast<std::uint32_t>(kind);
             std::strcpy(header.text, path.c_str());
@@ -147,8 +156,8 @@ TEST(Outcome, texts_show_no_paths_of_this_machine_and_are_bounded)
     }
 }
 
-// A run within its limits that the kernel kills has met a machine that is too small; one that has taken most of what it may is told so, or
-// taking much would be a way to a unit that does not count.
+// A run within its limits that the kernel kills has met a machine that is too small; one that has taken most of what it
+// may is told so, or taking much would be a way to a unit that does not count.
 TEST(Outcome, a_run_killed_for_lack_of_memory_is_the_students_only_if_it_took_much)
 {
     protocol::Ended ended = killed(SIGKILL);

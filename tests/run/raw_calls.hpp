@@ -4,7 +4,8 @@
 
 namespace umbral::grader::test {
 
-/// C++ for the head of a hostile sphere.cpp: system calls without the C library, and say(), which prints what a call gave.
+/// C++ for the head of a hostile sphere.cpp: system calls without the C library, and say(), which prints what a call
+/// gave.
 inline const std::string raw_calls = R"(
 #include <cerrno>
 #include <csignal>

@@ -72,7 +72,8 @@ TEST_F(SpawnerTest, names_the_protections_it_saw_work)
 
 TEST_F(SpawnerTest, keeps_what_was_printed_within_bounds)
 {
-    const RunOutcome outcome = run_and_recover(sphere_with("", "    static int lines = 0;\n    while (lines < 1 << 17) std::printf(\"%079d\\n\", lines++);"));
+    const RunOutcome outcome = run_and_recover(
+        sphere_with("", "    static int lines = 0;\n    while (lines < 1 << 17) std::printf(\"%079d\\n\", lines++);"));
     EXPECT_EQ(outcome.verdict, Verdict::ok) << outcome.message;
     EXPECT_GT(outcome.output.size(), std::size_t{32} << 10U);
     EXPECT_LE(outcome.output.size(), (std::size_t{64} << 10U) + 100);
@@ -80,25 +81,28 @@ TEST_F(SpawnerTest, keeps_what_was_printed_within_bounds)
 
 TEST_F(SpawnerTest, prints_no_control_characters)
 {
-    const RunOutcome outcome =
-        run_and_recover(sphere_with("", "    for (int i = 0; i < 4096; ++i) std::putchar(i * 37);\n    std::printf(\"\\033[2J\\033]0;owned\\007 text\\n\");"));
+    const RunOutcome outcome = run_and_recover(sphere_with("",
+                                                           "    for (int i = 0; i < 4096; ++i) std::putchar(i * 37);\n "
+                                                           "   std::printf(\"\\033[2J\\033]0;owned\\007 text\\n\");"));
     EXPECT_EQ(outcome.verdict, Verdict::ok) << outcome.message;
     EXPECT_NE(outcome.output.find("text"), std::string::npos);
-    for (const char c : outcome.output) EXPECT_TRUE(c == '\n' || c == '\t' || static_cast<unsigned char>(c) >= 0x20) << static_cast<int>(c);
+    for (const char c : outcome.output)
+        EXPECT_TRUE(c == '\n' || c == '\t' || static_cast<unsigned char>(c) >= 0x20) << static_cast<int>(c);
 }
 
 TEST_F(SpawnerTest, survives_closed_descriptors)
 {
-    const RunOutcome outcome =
-        run_and_recover(sphere_with(raw_calls, "    for (int fd = 0; fd < 1000; ++fd) raw(SYS_close, fd);\n    std::printf(\"gone\\n\");"));
+    const RunOutcome outcome = run_and_recover(sphere_with(
+        raw_calls, "    for (int fd = 0; fd < 1000; ++fd) raw(SYS_close, fd);\n    std::printf(\"gone\\n\");"));
     EXPECT_EQ(outcome.verdict, Verdict::ok) << outcome.message;
 }
 
 TEST_F(SpawnerTest, survives_closed_descriptors_while_loading)
 {
-    const RunOutcome outcome = run_and_recover(
-        sphere_with(raw_calls + "static int shut() { for (int fd = 0; fd < 1000; ++fd) raw(SYS_close, fd); return 1; }\nstatic const int value = shut();\n",
-                    "    if (value == 7) return std::nullopt;"));
+    const RunOutcome outcome =
+        run_and_recover(sphere_with(raw_calls + "static int shut() { for (int fd = 0; fd < 1000; ++fd) raw(SYS_close, "
+                                                "fd); return 1; }\nstatic const int value = shut();\n",
+                                    "    if (value == 7) return std::nullopt;"));
     EXPECT_NE(outcome.verdict, Verdict::grader_fault) << outcome.message;
 }
 
@@ -108,9 +112,10 @@ TEST_F(SpawnerTest, stops_calls_of_another_architecture)
 #if !defined(__x86_64__)
     GTEST_SKIP() << "x86-64 only";
 #endif
-    const RunOutcome outcome = run_and_recover(sphere_with(
-        "",
-        "    long got = 2;\n    asm volatile(\"int $0x80\" : \"+a\"(got) : : \"memory\");\n    std::printf(\"fork %ld\\n\", got);\n    std::fflush(stdout);"));
+    const RunOutcome outcome =
+        run_and_recover(sphere_with("",
+                                    "    long got = 2;\n    asm volatile(\"int $0x80\" : \"+a\"(got) : : "
+                                    "\"memory\");\n    std::printf(\"fork %ld\\n\", got);\n    std::fflush(stdout);"));
     if (outcome.verdict == Verdict::ok) {
         EXPECT_NE(outcome.output.find("fork -"), std::string::npos) << outcome.output;
     } else {
@@ -137,13 +142,15 @@ static const int value = lie();
     say("passwd", raw(SYS_openat, AT_FDCWD, "/etc/passwd", O_RDONLY));
     say("reference", raw(SYS_openat, AT_FDCWD, ")" + reference.string() + R"(", O_RDONLY));
     say("socket", raw(SYS_socket, AF_INET, SOCK_STREAM, 0));)"));
-    for (const char* const line : {"passwd -", "reference -", "socket -"}) EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
+    for (const char* const line : {"passwd -", "reference -", "socket -"})
+        EXPECT_NE(outcome.output.find(line), std::string::npos) << outcome.output;
 }
 
 TEST_F(SpawnerTest, a_filled_stack_is_told)
 {
     const RunOutcome outcome =
-        run_and_recover(sphere_with("static float fill(float x) { volatile char room[1 << 16]; for (std::size_t i = 0; i < sizeof room; i += 64) room[i] = 1; "
+        run_and_recover(sphere_with("static float fill(float x) { volatile char room[1 << 16]; for (std::size_t i = 0; "
+                                    "i < sizeof room; i += 64) room[i] = 1; "
                                     "return x < 0 ? x : fill(x + 1) + room[0]; }\n",
                                     "    if (fill(1) == 7) return std::nullopt;"));
     EXPECT_EQ(outcome.verdict, Verdict::crashed);
@@ -193,7 +200,8 @@ TEST_F(SpawnerTest, ends_with_the_grader)
     ASSERT_GE(all.size(), 2U);
     kill(grader, SIGKILL);
     waitpid(grader, nullptr, 0);
-    for (int i = 0; i < 250 && std::any_of(all.begin(), all.end(), lives); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    for (int i = 0; i < 250 && std::any_of(all.begin(), all.end(), lives); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
     EXPECT_FALSE(std::any_of(all.begin(), all.end(), lives));
 }
 

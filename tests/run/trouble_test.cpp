@@ -50,7 +50,8 @@ TEST(MachineTroubleOfRuns, no_open_file_left_is_named_and_heals)
     {
         const NoFilesLeft none;
         EXPECT_NE(message_of([&] { (void)spawner.run(request); }).find("no open file left"), std::string::npos);
-        EXPECT_NE(message_of([&] { const Spawner other(bench.spawner()); }).find("no open file left"), std::string::npos);
+        EXPECT_NE(message_of([&] { const Spawner other(bench.spawner()); }).find("no open file left"),
+                  std::string::npos);
     }
     EXPECT_EQ(spawner.run(request).verdict, Verdict::ok);
 }
@@ -87,9 +88,11 @@ RunOutcome run_sphere(const Workbench& bench, const std::string& text)
 TEST(CrashNames, a_thread_local_too_large_is_out_of_memory)
 {
     const Workbench bench;
-    const RunOutcome outcome =
-        run_sphere(bench, sphere_with("static thread_local char everything[std::size_t{900} << 20U];\n",
-                                      "    everything[static_cast<int>(sphere.radius)] = 1;\n    if (everything[0] == 7) return std::nullopt;"));
+    const RunOutcome outcome = run_sphere(
+        bench,
+        sphere_with(
+            "static thread_local char everything[std::size_t{900} << 20U];\n",
+            "    everything[static_cast<int>(sphere.radius)] = 1;\n    if (everything[0] == 7) return std::nullopt;"));
     EXPECT_EQ(outcome.verdict, Verdict::out_of_memory) << outcome.message;
     EXPECT_NE(outcome.message.find("thread_local"), std::string::npos) << outcome.message;
 }
@@ -99,8 +102,9 @@ TEST(CrashNames, an_array_written_beyond_its_end_is_no_endless_recursion)
     const Workbench bench;
     // Far: to the end of the stack. Near: over the return address.
     for (const char* const size : {"1 << 24", "200"}) {
-        const std::string body = std::string("    volatile char few[16];\n    volatile char* at = few;\n    for (int i = 0; i < (") + size +
-                                 "); ++i) at[i] = 65;\n    if (few[3] == 7) return std::nullopt;";
+        const std::string body =
+            std::string("    volatile char few[16];\n    volatile char* at = few;\n    for (int i = 0; i < (") + size +
+            "); ++i) at[i] = 65;\n    if (few[3] == 7) return std::nullopt;";
         const RunOutcome outcome = run_sphere(bench, sphere_with("", body));
         EXPECT_EQ(outcome.verdict, Verdict::crashed);
         EXPECT_EQ(outcome.message.find("itself"), std::string::npos) << outcome.message;
@@ -112,9 +116,11 @@ TEST(CrashNames, recursion_without_end_is)
 {
     const Workbench bench;
     for (const char* const room : {"16", "1 << 16", "1 << 19"}) {
-        const RunOutcome outcome = run_sphere(bench, sphere_with(std::string("static float fill(float x) { volatile char room[") + room +
-                                                                     "]; room[0] = 1; room[sizeof room - 1] = 2; return x < 0 ? x : fill(x + 1) + room[0]; }\n",
-                                                                 "    if (fill(1) == 7) return std::nullopt;"));
+        const RunOutcome outcome = run_sphere(
+            bench,
+            sphere_with(std::string("static float fill(float x) { volatile char room[") + room +
+                            "]; room[0] = 1; room[sizeof room - 1] = 2; return x < 0 ? x : fill(x + 1) + room[0]; }\n",
+                        "    if (fill(1) == 7) return std::nullopt;"));
         EXPECT_NE(outcome.message.find("itself without end"), std::string::npos) << room << ": " << outcome.message;
     }
 }

@@ -22,7 +22,9 @@ std::string with(const std::string& first) { return sphere_with("", first); }
 
 std::string answer(const std::string& body)
 {
-    return "namespace umbral::raytracing {\n\nstd::optional<float> intersect(const Ray& ray, const Sphere& sphere)\n{\n" + body + "\n}\n\n}\n";
+    return "namespace umbral::raytracing {\n\nstd::optional<float> intersect(const Ray& ray, const Sphere& "
+           "sphere)\n{\n" +
+           body + "\n}\n\n}\n";
 }
 
 std::vector<Submission> submissions()
@@ -31,54 +33,76 @@ std::vector<Submission> submissions()
         {"ok", project_file("reference/raytracing/sphere.cpp"), Verdict::ok, ""},
         {"partial", with(""), Verdict::partial, ""},
         {"wrong", answer("    return 12345.0F * (ray.t_min + sphere.radius);"), Verdict::wrong, ""},
-        {"not_implemented", answer("    const float unused = ray.t_min;\n    return not_implemented<std::optional<float>>(ray, sphere, unused);"),
+        {"not_implemented",
+         answer("    const float unused = ray.t_min;\n    return not_implemented<std::optional<float>>(ray, sphere, "
+                "unused);"),
          Verdict::not_implemented, ""},
         {"compile_error", answer("    return ray.nonsense + sphere.radius;"), Verdict::compile_error, "sphere.cpp:5:"},
-        {"interface_mismatch", "namespace umbral::raytracing {\nstd::optional<float> intersect(const Ray& ray, Sphere&) { return ray.t_min; }\n}\n",
+        {"interface_mismatch",
+         "namespace umbral::raytracing {\nstd::optional<float> intersect(const Ray& ray, Sphere&) { return ray.t_min; "
+         "}\n}\n",
          Verdict::interface_mismatch, "Sphere&"},
-        {"forbidden", sphere_with("#include <cstdlib>\n", "    if (std::system(\"id\") != 0) return std::nullopt;"), Verdict::forbidden, "system"},
-        {"assertion", sphere_with("#include <cassert>\n", "    assert(sphere.radius < 0 && \"the ball is inside out\");"), Verdict::crashed, "sphere.cpp:7"},
-        {"glibcxx_assertion", with("    std::vector<float> none;\n    if (none[3] > 0) return std::nullopt;"), Verdict::crashed, "sphere.cpp:7"},
-        {"segmentation_fault", with("    volatile float* nowhere = nullptr;\n    *nowhere = ray.t_min;"), Verdict::crashed, "sphere.cpp:7"},
-        {"division_by_zero", with("    volatile int zero = 0;\n    volatile int seven = 7 / zero;\n    if (seven == 7) return std::nullopt;"), Verdict::crashed,
-         "sphere.cpp:7"},
-        {"exception", with("    if (ray.t_min < 1000) throw std::runtime_error(\"no such ball\");"), Verdict::crashed, "std::runtime_error: no such ball"},
+        {"forbidden", sphere_with("#include <cstdlib>\n", "    if (std::system(\"id\") != 0) return std::nullopt;"),
+         Verdict::forbidden, "system"},
+        {"assertion",
+         sphere_with("#include <cassert>\n", "    assert(sphere.radius < 0 && \"the ball is inside out\");"),
+         Verdict::crashed, "sphere.cpp:7"},
+        {"glibcxx_assertion", with("    std::vector<float> none;\n    if (none[3] > 0) return std::nullopt;"),
+         Verdict::crashed, "sphere.cpp:7"},
+        {"segmentation_fault", with("    volatile float* nowhere = nullptr;\n    *nowhere = ray.t_min;"),
+         Verdict::crashed, "sphere.cpp:7"},
+        {"division_by_zero",
+         with("    volatile int zero = 0;\n    volatile int seven = 7 / zero;\n    if (seven == 7) return "
+              "std::nullopt;"),
+         Verdict::crashed, "sphere.cpp:7"},
+        {"exception", with("    if (ray.t_min < 1000) throw std::runtime_error(\"no such ball\");"), Verdict::crashed,
+         "std::runtime_error: no such ball"},
         {"exception_of_its_own", with("    if (ray.t_min < 1000) throw 17;"), Verdict::crashed, "not a std::exception"},
         {"stack_overflow",
-         sphere_with("static int down(volatile int n) { volatile char big[4096]; big[0] = 1; return n == -1 ? 0 : down(n + 1) + big[0]; }\n",
+         sphere_with("static int down(volatile int n) { volatile char big[4096]; big[0] = 1; return n == -1 ? 0 : "
+                     "down(n + 1) + big[0]; }\n",
                      "    if (down(0) == 7) return std::nullopt;"),
          Verdict::crashed, "stack overflowed"},
-        {"jump_to_nowhere", with("    auto* nowhere = reinterpret_cast<void (*)()>(16);\n    nowhere();"), Verdict::crashed, "signal 11"},
+        {"jump_to_nowhere", with("    auto* nowhere = reinterpret_cast<void (*)()>(16);\n    nowhere();"),
+         Verdict::crashed, "signal 11"},
         {"abort", with("    std::abort();"), Verdict::crashed, "signal 6"},
         {"exit", with("    std::exit(0);"), Verdict::crashed, "exit"},
         {"throws_at_start",
-         sphere_with("static int thrown() { throw std::runtime_error(\"at start\"); }\nstatic const int value = thrown();\n",
-                     "    if (value == 7) return std::nullopt;"),
+         sphere_with(
+             "static int thrown() { throw std::runtime_error(\"at start\"); }\nstatic const int value = thrown();\n",
+             "    if (value == 7) return std::nullopt;"),
          Verdict::crashed, "at start"},
         {"endless_loop", with("    for (volatile int i = 0;; i = i + 1) {}"), Verdict::timeout, "stopped after"},
         {"endless_loop_at_start",
-         sphere_with("static int loop() { for (volatile int i = 0;; i = i + 1) {} }\nstatic const int value = loop();\n",
-                     "    if (value == 7) return std::nullopt;"),
+         sphere_with(
+             "static int loop() { for (volatile int i = 0;; i = i + 1) {} }\nstatic const int value = loop();\n",
+             "    if (value == 7) return std::nullopt;"),
          Verdict::timeout, "stopped after"},
-        {"sleep", sphere_with(raw_calls, "    const long hour[2] = {3600, 0};\n    raw(SYS_nanosleep, hour, 0);"), Verdict::timeout, "stopped after"},
-        {"too_much_memory", with("    std::vector<std::vector<char>> all;\n    for (;;) all.emplace_back(1U << 24U, 'x');"), Verdict::out_of_memory, "512 MiB"},
-        {"too_much_at_once", with("    const std::vector<double> all(std::size_t{1} << 33U, ray.t_min);\n    if (all[7] == 7) return std::nullopt;"),
+        {"sleep", sphere_with(raw_calls, "    const long hour[2] = {3600, 0};\n    raw(SYS_nanosleep, hour, 0);"),
+         Verdict::timeout, "stopped after"},
+        {"too_much_memory",
+         with("    std::vector<std::vector<char>> all;\n    for (;;) all.emplace_back(1U << 24U, 'x');"),
+         Verdict::out_of_memory, "512 MiB"},
+        {"too_much_at_once",
+         with("    const std::vector<double> all(std::size_t{1} << 33U, ray.t_min);\n    if (all[7] == 7) return "
+              "std::nullopt;"),
          Verdict::out_of_memory, "512 MiB"},
         {"too_large_array",
-         sphere_with("static char everything[std::size_t{900} << 20U];\n",
-                     "    everything[static_cast<int>(sphere.radius)] = 1;\n    if (everything[0] == 7) return std::nullopt;"),
+         sphere_with(
+             "static char everything[std::size_t{900} << 20U];\n",
+             "    everything[static_cast<int>(sphere.radius)] = 1;\n    if (everything[0] == 7) return std::nullopt;"),
          Verdict::out_of_memory, "512 MiB"},
     };
 }
 
 UnitResult grade(const Toolchain& tools, const Exercise& original, const Handed& handed, double wall_seconds = 5)
 {
-    Workshop workshop(tools);
+    Worker worker(tools);
     Exercise exercise = original;
     exercise.limits.wall_seconds = wall_seconds;
     GradeOptions options;
     options.explain = false;
-    return grade_unit(workshop, exercise, handed, options);
+    return grade_unit(worker, exercise, handed, options);
 }
 
 class Verdicts : public testing::TestWithParam<Submission> {};
@@ -104,13 +128,16 @@ TEST_P(Verdicts, are_what_the_file_deserves)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Verdicts, testing::ValuesIn(submissions()), [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, Verdicts, testing::ValuesIn(submissions()),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 TEST(VerdictsOfOthers, an_assertion_is_shown_with_its_text)
 {
     const Workbench bench;
-    const std::string text = sphere_with("#include <cassert>\n", "    assert(sphere.radius < 0 && \"the ball is inside out\");");
-    const UnitResult result = grade(bench.tools(), bench.exercise("raytracing/sphere"), {{{"sphere.cpp", text}}, {}, ""});
+    const std::string text =
+        sphere_with("#include <cassert>\n", "    assert(sphere.radius < 0 && \"the ball is inside out\");");
+    const UnitResult result =
+        grade(bench.tools(), bench.exercise("raytracing/sphere"), {{{"sphere.cpp", text}}, {}, ""});
     EXPECT_NE(result.output.find("the ball is inside out"), std::string::npos) << result.output;
 }
 

@@ -33,17 +33,24 @@ TEST(DistinctFolders, reports_never_lie_among_the_submissions)
     fs::create_directories(folder / "beside");
     fs::create_directory_symlink(folder / "class", folder / "link");
     fs::create_directory_symlink(folder / "class/ana", folder / "beside/deep");
-    const auto refusal = [&](const char* submissions, const fs::path& out) { return message_of([&] { expect_distinct(folder / submissions, folder / out); }); };
+    const auto refusal = [&](const char* submissions, const fs::path& out) {
+        return message_of([&] { expect_distinct(folder / submissions, folder / out); });
+    };
     const std::string real = fs::canonical(folder.path()).string();
     for (const char* out : {"class", "class/", "class/.", "class/../class", "link", "link/", "beside/../link"}) {
-        EXPECT_TRUE(has(refusal("class", out), "is the folder of the submissions")) << out << ": " << refusal("class", out);
+        EXPECT_TRUE(has(refusal("class", out), "is the folder of the submissions"))
+            << out << ": " << refusal("class", out);
         EXPECT_TRUE(has(refusal("class", out), real + "/class")) << "the paths themselves are named";
         EXPECT_TRUE(has(refusal("link", out), "is the folder of the submissions")) << out;
     }
-    for (const char* out : {"class/out", "class/ana", "class/not/yet/there", "link/out", "beside/deep", "beside/deep/out"})
-        EXPECT_TRUE(has(refusal("class", out), "lies in the folder of the submissions")) << out << ": " << refusal("class", out);
-    for (const char* out : {"", ".", "class/..", "beside/.."}) EXPECT_TRUE(has(refusal("class", out), "holds the folder of the submissions")) << out;
-    for (const char* out : {"out", "class2", "beside", "beside/out", "clas", "class/../out"}) EXPECT_EQ(refusal("class", out), "nothing was thrown") << out;
+    for (const char* out :
+         {"class/out", "class/ana", "class/not/yet/there", "link/out", "beside/deep", "beside/deep/out"})
+        EXPECT_TRUE(has(refusal("class", out), "lies in the folder of the submissions"))
+            << out << ": " << refusal("class", out);
+    for (const char* out : {"", ".", "class/..", "beside/.."})
+        EXPECT_TRUE(has(refusal("class", out), "holds the folder of the submissions")) << out;
+    for (const char* out : {"out", "class2", "beside", "beside/out", "clas", "class/../out"})
+        EXPECT_EQ(refusal("class", out), "nothing was thrown") << out;
 }
 
 TEST(ReportsFolder, is_made_for_this_user_only_marked_and_locked)
@@ -67,7 +74,8 @@ TEST(ReportsFolder, becomes_that_of_another_grading_and_stays_locked)
     const Grading other{"other course", 2, "fedcba9876543210"};
     ReportsFolder out(folder / "out", grading);
     out.set_grading(other);
-    EXPECT_TRUE(has(message_of([&] { const ReportsFolder second(folder / "out", grading); }), "another `umbral grade`"));
+    EXPECT_TRUE(
+        has(message_of([&] { const ReportsFolder second(folder / "out", grading); }), "another `umbral grade`"));
     EXPECT_EQ(read_mark(folder / "out")->grading, other);
 }
 
@@ -81,7 +89,8 @@ TEST(ReportsFolder, refuses_what_umbral_did_not_make)
     fs::create_directories(folder / "linked");
     folder.write("mark.json", to_text({.grading = grading}));
     fs::create_symlink(folder / "mark.json", folder / "linked/umbral-reports.json");
-    for (const char* name : {"mine", "file", "odd", "newer", "linked"}) EXPECT_THROW(ReportsFolder(folder / name, grading), RefusedFolder) << name;
+    for (const char* name : {"mine", "file", "odd", "newer", "linked"})
+        EXPECT_THROW(ReportsFolder(folder / name, grading), RefusedFolder) << name;
     EXPECT_TRUE(fs::exists(folder / "mine/thesis.tex"));
     fs::create_directories(folder / "empty");
     folder.write("killed/umbral-reports.json.tmp-123-0", "{");
@@ -95,8 +104,10 @@ TEST(ReportsFolder, removes_its_own_temporaries_and_nothing_else)
     {
         const ReportsFolder made(folder / "out", grading);
     }
-    for (const char* name : {"class.json.tmp-1-0", "index.html.tmp-77-3"}) folder.write(std::string("out/") + name, "half");
-    for (const char* name : {"notes.tmp-1-0", "class.json.tmp-1", "class.json.old", "grades.csv"}) folder.write(std::string("out/") + name, "mine");
+    for (const char* name : {"class.json.tmp-1-0", "index.html.tmp-77-3"})
+        folder.write(std::string("out/") + name, "half");
+    for (const char* name : {"notes.tmp-1-0", "class.json.tmp-1", "class.json.old", "grades.csv"})
+        folder.write(std::string("out/") + name, "mine");
     fs::create_directories(folder / "out/class.json.tmp-2-0");
     const ReportsFolder out(folder / "out", grading);
     for (const char* name : {"class.json", "index.html"}) out.tidy(name);
@@ -140,21 +151,25 @@ TEST(ReportFolder, is_for_one_submission_of_ours)
     folder.write("mine/thesis.tex", "");
     folder.write("file", "");
     fs::create_directory_symlink(folder / "ana", folder / "link");
-    for (const char* name : {"mine", "file", "link"}) EXPECT_THROW((void)open_report_folder(folder / name, "ana"), RefusedFolder) << name;
+    for (const char* name : {"mine", "file", "link"})
+        EXPECT_THROW((void)open_report_folder(folder / name, "ana"), RefusedFolder) << name;
 }
 
 TEST(ReportFolder, knows_its_units_and_sweeps_its_pictures)
 {
     const TemporaryFolder folder;
-    for (const auto& file : {unit_file(folder.path(), "a/two-words"), fault_file(folder.path(), "a/b"), unit_file(folder.path(), "a/b")})
+    for (const auto& file :
+         {unit_file(folder.path(), "a/two-words"), fault_file(folder.path(), "a/b"), unit_file(folder.path(), "a/b")})
         folder.write(fs::relative(file, folder.path()), "x");
     EXPECT_EQ(kept_units(folder.path()), (std::vector<std::string>{"a/b", "a/two-words"}));
-    for (const char* name : {"pictures/old.png", "pictures/new.png", "pictures/new.png.tmp-5-0", "units/a_b.unit.tmp-5-0", "report.html.tmp-5-0"})
+    for (const char* name : {"pictures/old.png", "pictures/new.png", "pictures/new.png.tmp-5-0",
+                             "units/a_b.unit.tmp-5-0", "report.html.tmp-5-0"})
         folder.write(name, "x");
     tidy_temporaries(folder.path());
     remove_pictures_but(folder.path(), {"pictures/new.png"});
     EXPECT_TRUE(fs::exists(folder / "pictures/new.png"));
-    for (const char* name : {"pictures/old.png", "pictures/new.png.tmp-5-0", "units/a_b.unit.tmp-5-0", "report.html.tmp-5-0"})
+    for (const char* name :
+         {"pictures/old.png", "pictures/new.png.tmp-5-0", "units/a_b.unit.tmp-5-0", "report.html.tmp-5-0"})
         EXPECT_FALSE(fs::exists(folder / name)) << name;
     forget_units(folder.path());
     EXPECT_TRUE(kept_units(folder.path()).empty());
@@ -165,9 +180,10 @@ TEST(ReportFolder, knows_its_units_and_sweeps_its_pictures)
 
 TEST(Temporaries, are_told_from_other_names)
 {
-    for (const char* name : {"class.json.tmp-1-0", "a.tmp-123-45", "a.tmp-x.tmp-1-2"}) EXPECT_TRUE(is_temporary(name)) << name;
-    for (const char* name : {"", ".tmp-1-0", "class.json", "class.json.tmp-", "class.json.tmp-1", "class.json.tmp-1-", "class.json.tmp--1",
-                             "class.json.tmp-1-0a", "class.json.tmp-1-0-1"})
+    for (const char* name : {"class.json.tmp-1-0", "a.tmp-123-45", "a.tmp-x.tmp-1-2"})
+        EXPECT_TRUE(is_temporary(name)) << name;
+    for (const char* name : {"", ".tmp-1-0", "class.json", "class.json.tmp-", "class.json.tmp-1", "class.json.tmp-1-",
+                             "class.json.tmp--1", "class.json.tmp-1-0a", "class.json.tmp-1-0-1"})
         EXPECT_FALSE(is_temporary(name)) << name;
     EXPECT_TRUE(is_temporary("class.json.tmp-1-0", "class.json"));
     EXPECT_FALSE(is_temporary("xclass.json.tmp-1-0", "class.json"));

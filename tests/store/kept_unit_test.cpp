@@ -66,7 +66,8 @@ TEST(KeptUnit, damaged_files_are_not_there)
         folder.write("one.unit", damaged);
         (void)kept_unit(file);  // must not crash or throw
         if (const auto texts = kept_sections(file)) {
-            EXPECT_EQ(texts->student + texts->instructor, sections.student + sections.instructor) << "no damaged section gets into a report";
+            EXPECT_EQ(texts->student + texts->instructor, sections.student + sections.instructor)
+                << "no damaged section gets into a report";
         }
     }
 }

@@ -17,8 +17,10 @@ struct ArchiveEntry {
     std::string link{};
 };
 
-/// The bytes of an archive that holds `entries`: format "zip", "ustar", "pax" or "7zip", filter "none", "gzip", "xz" or "bzip2".
-inline std::string write_archive(const std::string& format, const std::string& filter, const std::vector<ArchiveEntry>& entries)
+/// The bytes of an archive that holds `entries`: format "zip", "ustar", "pax" or "7zip", filter "none", "gzip", "xz" or
+/// "bzip2".
+inline std::string write_archive(const std::string& format, const std::string& filter,
+                                 const std::vector<ArchiveEntry>& entries)
 {
     std::string bytes;
     archive* writer = archive_write_new();
@@ -41,7 +43,8 @@ inline std::string write_archive(const std::string& format, const std::string& f
         if (one.type == AE_IFLNK) archive_entry_set_symlink(entry, one.link.c_str());
         archive_entry_set_size(entry, one.type == AE_IFREG ? static_cast<la_int64_t>(one.data.size()) : 0);
         check(archive_write_header(writer, entry));
-        if (one.type == AE_IFREG && archive_write_data(writer, one.data.data(), one.data.size()) < 0) throw std::runtime_error(archive_error_string(writer));
+        if (one.type == AE_IFREG && archive_write_data(writer, one.data.data(), one.data.size()) < 0)
+            throw std::runtime_error(archive_error_string(writer));
         archive_entry_free(entry);
     }
     check(archive_write_close(writer));

@@ -26,7 +26,8 @@ inline Printed run(const std::string& command)
     if (!pipe) throw std::runtime_error("popen failed");
     Printed printed;
     std::array<char, 4096> buffer{};
-    for (std::size_t got = 0; (got = fread(buffer.data(), 1, buffer.size(), pipe.get())) > 0;) printed.text.append(buffer.data(), got);
+    for (std::size_t got = 0; (got = fread(buffer.data(), 1, buffer.size(), pipe.get())) > 0;)
+        printed.text.append(buffer.data(), got);
     const int status = pclose(pipe.get());
     printed.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return printed;

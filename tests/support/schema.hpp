@@ -27,7 +27,8 @@ public:
     explicit Schema(const std::string& name)
     {
         const nlohmann::json text = read_schema(name);
-        valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema_);
+        valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+            .populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema_);
     }
 
     /// What is wrong with `document`; empty if nothing is.

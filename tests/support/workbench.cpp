@@ -38,7 +38,12 @@ Workbench::Workbench()
 
 RunRequest Workbench::sphere_run(const fs::path& library, const std::string& case_name) const
 {
-    return {unit_folder(tools_, "raytracing/sphere") / "driver.so", library, {}, case_name, 1, {.wall_seconds = 5, .memory_mib = 512}};
+    return {unit_folder(tools_, "raytracing/sphere") / "driver.so",
+            library,
+            {},
+            case_name,
+            1,
+            {.wall_seconds = 5, .memory_mib = 512}};
 }
 
 fs::path Workbench::compile_sphere(const std::string& text) const
@@ -50,8 +55,9 @@ fs::path Workbench::compile_sphere(const std::string& text) const
     std::string command = tools_.compiler;
     for (const std::string& flag : tools_.flags) command += " " + flag;
     command += " -w -I" + tools_.framework.string() + " -include " + tools_.student_header.string() +
-               " -shared -fuse-ld=mold -Wl,-z,lazy -Wl,--version-script=" + (unit_folder(tools_, "raytracing/sphere") / "exports.map").string() + " -o " +
-               library.string() + " " + source.string();
+               " -shared -fuse-ld=mold -Wl,-z,lazy -Wl,--version-script=" +
+               (unit_folder(tools_, "raytracing/sphere") / "exports.map").string() + " -o " + library.string() + " " +
+               source.string();
     if (std::system(command.c_str()) != 0) throw std::runtime_error("does not compile: " + text);
     return library;
 }

@@ -24,12 +24,16 @@ std::string complaint(const json& root, const Read& read)
 TEST(Field, complaints_name_the_place)
 {
     const json root = {{"checks", {{{"points", "many"}}}}, {"left wing", {1, 2}}, {"", 3}, {"a\"b", 4}};
-    const auto of = [&](const auto& way) { return complaint(root, [&](const Field& field) { return way(field).boolean(); }); };
+    const auto of = [&](const auto& way) {
+        return complaint(root, [&](const Field& field) { return way(field).boolean(); });
+    };
     EXPECT_EQ(of([](const Field& f) { return f.member("checks").items(1, 9)[0].member("points"); }),
               "f.json: checks[0].points: expected true or false, got \"many\"");
-    EXPECT_EQ(of([](const Field& f) { return f.member("left wing").items(2, 2)[1]; }), "f.json: [\"left wing\"][1]: expected true or false, got 2");
+    EXPECT_EQ(of([](const Field& f) { return f.member("left wing").items(2, 2)[1]; }),
+              "f.json: [\"left wing\"][1]: expected true or false, got 2");
     EXPECT_EQ(of([](const Field& f) { return f.member(""); }), "f.json: [\"\"]: expected true or false, got 3");
-    EXPECT_EQ(of([](const Field& f) { return f.member("a\"b"); }), "f.json: [\"a\\\"b\"]: expected true or false, got 4");
+    EXPECT_EQ(of([](const Field& f) { return f.member("a\"b"); }),
+              "f.json: [\"a\\\"b\"]: expected true or false, got 4");
     EXPECT_EQ(of([](const Field& f) { return f.member("none"); }), "f.json: none: expected true or false, got nothing");
 }
 
@@ -62,8 +66,10 @@ TEST(Field, reads_what_is_asked_for)
     ASSERT_EQ(members.size(), 2U);
     EXPECT_EQ(members[0].first, "a");
     EXPECT_EQ(members[0].second.number(0, 9), 2);
-    EXPECT_EQ(complaint(root, [](const Field& f) { return f.member("rest").members(1); }), "f.json: rest: expected at most 1 fields, got {\"a\":2,\"b\":1}");
-    EXPECT_EQ(complaint(root, [](const Field& f) { return f.member("kind").one_of({"ball"}); }), "f.json: kind: expected one of \"ball\", got \"plane\"");
+    EXPECT_EQ(complaint(root, [](const Field& f) { return f.member("rest").members(1); }),
+              "f.json: rest: expected at most 1 fields, got {\"a\":2,\"b\":1}");
+    EXPECT_EQ(complaint(root, [](const Field& f) { return f.member("kind").one_of({"ball"}); }),
+              "f.json: kind: expected one of \"ball\", got \"plane\"");
     const std::vector<std::string> many(13, "ball");
     EXPECT_EQ(complaint(root, [&](const Field& f) { return f.member("kind").one_of(many); }),
               "f.json: kind: expected one of 13 names such as \"ball\", got \"plane\"");

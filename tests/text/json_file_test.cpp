@@ -35,10 +35,12 @@ TEST(JsonFile, must_be_a_regular_file_of_bounded_size)
 {
     const umbral::test::TemporaryFolder folder;
     const auto of = [](const std::filesystem::path& file) { return complaint([&] { return read_json(file, 100); }); };
-    EXPECT_TRUE(of(folder / "none.json").ends_with("none.json: expected a readable regular file, got nothing: there is none of this name"));
+    EXPECT_TRUE(of(folder / "none.json")
+                    .ends_with("none.json: expected a readable regular file, got nothing: there is none of this name"));
     EXPECT_TRUE(of(folder.path()).ends_with("expected a readable regular file, got something else"));
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-    EXPECT_TRUE(of(folder / "pipe").ends_with("expected a readable regular file, got something else")) << "and does not wait for a writer";
+    EXPECT_TRUE(of(folder / "pipe").ends_with("expected a readable regular file, got something else"))
+        << "and does not wait for a writer";
     folder.write("large.json", "[" + std::string(100, ' ') + "]");
     EXPECT_TRUE(of(folder / "large.json").ends_with("large.json: expected at most 100 bytes, got more"));
     folder.write("good.json", "[1]");

@@ -11,7 +11,8 @@ constexpr std::size_t plenty = 1 << 20;
 
 TEST(Printable, keeps_good_text)
 {
-    for (const std::string text : {"", "a\tb\n", "¿Dónde corta?", "θ → 𝜃", "\xF4\x8F\xBF\xBF"}) EXPECT_EQ(printable(text, plenty), text);
+    for (const std::string text : {"", "a\tb\n", "¿Dónde corta?", "θ → 𝜃", "\xF4\x8F\xBF\xBF"})
+        EXPECT_EQ(printable(text, plenty), text);
 }
 
 TEST(Printable, replaces_what_terminals_obey)

@@ -6,7 +6,8 @@
 
 namespace umbral::tests {
 
-/// |got - exact| in units in the last place of `exact` (that of the power of two below it); infinity if `got` is not finite.
+/// |got - exact| in units in the last place of `exact` (that of the power of two below it); infinity if `got` is not
+/// finite.
 inline double ulps_between(float got, float exact)
 {
     if (!std::isfinite(got)) return std::numeric_limits<double>::infinity();

@@ -20,6 +20,9 @@ inline double rotation_error(const glm::mat4& got, const glm::mat4& exact)
 }
 
 /// The distance between the points that two view matrices move the world's origin to, in world units.
-inline double translation_error(const glm::mat4& got, const glm::mat4& exact) { return distance(glm::dvec4(got[3]), glm::dvec4(exact[3])); }
+inline double translation_error(const glm::mat4& got, const glm::mat4& exact)
+{
+    return distance(glm::dvec4(got[3]), glm::dvec4(exact[3]));
+}
 
 }

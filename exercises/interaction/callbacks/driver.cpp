@@ -190,8 +190,8 @@ constexpr const char* a_look_around = R"(
 )";
 
 /// Plays a script to a window with the unit's callbacks, as its event loop would.
-void play(const input::EventScript& script, const input::HeadlessSettings& settings, glm::ivec2 size, const std::function<void(GLFWwindow*)>& begin,
-          const std::function<void()>& after_wait)
+void play(const input::EventScript& script, const input::HeadlessSettings& settings, glm::ivec2 size,
+          const std::function<void(GLFWwindow*)>& begin, const std::function<void()>& after_wait)
 {
     const input::Headless session(script, settings);
     glfwInit();
@@ -202,11 +202,13 @@ void play(const input::EventScript& script, const input::HeadlessSettings& setti
     }
 }
 
-/// Windows in which gestures are made are square: a wrong aspect costs points where sizes are looked at, and not again in every case.
+/// Windows in which gestures are made are square: a wrong aspect costs points where sizes are looked at, and not again
+/// in every case.
 constexpr glm::ivec2 square{480, 480};
 constexpr glm::ivec2 wide{640, 480};
 
-void record(Recorder& out, const input::EventScript& script, glm::ivec2 size, const input::HeadlessSettings& settings = {}, bool listens = false)
+void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
+            const input::HeadlessSettings& settings = {}, bool listens = false)
 {
     std::optional<LoggedWindow> window;
     play(
@@ -214,7 +216,8 @@ void record(Recorder& out, const input::EventScript& script, glm::ivec2 size, co
     for (const CommandRow& row : window->rows()) out.append("commands", std::span<const float>(row));
 }
 
-void record_text(Recorder& out, const char* text, glm::ivec2 size = square, const input::HeadlessSettings& settings = {})
+void record_text(Recorder& out, const char* text, glm::ivec2 size = square,
+                 const input::HeadlessSettings& settings = {})
 {
     out.text("commands.names", command_names);
     record(out, input::parse_script(text), size, settings);
@@ -224,7 +227,9 @@ void record_text(Recorder& out, const char* text, glm::ivec2 size = square, cons
 void record_two_windows(Recorder& out)
 {
     record_text(out, "0.1 press left 10 10\n0.2 move 30 20\n", wide);
-    record(out, input::parse_script("0.1 move 50 60\n0.2 move 70 80\n0.3 press right\n0.4 move 71 79\n0.5 release right\n0.6 press left\n0.7 move 75 85\n"),
+    record(out,
+           input::parse_script("0.1 move 50 60\n0.2 move 70 80\n0.3 press right\n0.4 move 71 79\n0.5 release "
+                               "right\n0.6 press left\n0.7 move 75 85\n"),
            wide);
 }
 
@@ -247,10 +252,14 @@ public:
     void view_mode(int) override {}
     void viewport(int, int, double) override {}
 
-    [[nodiscard]] Image picture() const { return draw_scene(glm::translate(glm::mat4(1), glm::vec3(shift_, 0)) * camera_->view()); }
+    [[nodiscard]] Image picture() const
+    {
+        return draw_scene(glm::translate(glm::mat4(1), glm::vec3(shift_, 0)) * camera_->view());
+    }
 
 private:
-    std::unique_ptr<OrbitCamera> camera_ = make_orbit_camera({.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256});
+    std::unique_ptr<OrbitCamera> camera_ =
+        make_orbit_camera({.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256});
     glm::dvec2 shift_{0};
 };
 

@@ -52,15 +52,17 @@ std::vector<CameraEvent> up_and_down()
 // Steps, fractions of steps, and both limits (0.1 and 1000).
 std::vector<CameraEvent> wheel()
 {
-    return {scroll(1),  scroll(1),    scroll(-1),   scroll(-3), scroll(0.5),   scroll(-0.0625), scroll(0),   scroll(20), scroll(200), scroll(0.25), scroll(-1),
-            scroll(-5), scroll(-500), scroll(-1e9), scroll(1),  scroll(1e300), drag(40, 10),    scroll(-10), scroll(3),  reset(),     scroll(2)};
+    return {scroll(1),  scroll(1),     scroll(-1),   scroll(-3),  scroll(0.5), scroll(-0.0625), scroll(0),
+            scroll(20), scroll(200),   scroll(0.25), scroll(-1),  scroll(-5),  scroll(-500),    scroll(-1e9),
+            scroll(1),  scroll(1e300), drag(40, 10), scroll(-10), scroll(3),   reset(),         scroll(2)};
 }
 
 // The same drags in windows of other sizes; one that is minimised keeps the last good size.
 std::vector<CameraEvent> windows()
 {
-    return {drag(100, 50), resize(640, 800), drag(100, 50),  resize(1600, 200), drag(20, 10),     resize(0, 0),     drag(20, 10), resize(300, 0), drag(20, 10),
-            resize(0, 77), drag(20, 10),     resize(-5, -5), drag(5, -5),       resize(333, 555), drag(-60, -12.5), reset(),      drag(30, 30)};
+    return {drag(100, 50), resize(640, 800), drag(100, 50),    resize(1600, 200), drag(20, 10), resize(0, 0),
+            drag(20, 10),  resize(300, 0),   drag(20, 10),     resize(0, 77),     drag(20, 10), resize(-5, -5),
+            drag(5, -5),   resize(333, 555), drag(-60, -12.5), reset(),           drag(30, 30)};
 }
 
 std::vector<CameraEvent> nonsense()
@@ -91,7 +93,8 @@ void record_two(Recorder& out, Random& random)
 // A million turns in the same direction, 200,000 drags of 0 to 10 turns, while the wheel goes to and fro.
 void record_long_session(Recorder& out, Random& random)
 {
-    const std::unique_ptr<OrbitCamera> camera = make_orbit_camera({.target = {0.5, -0.25, 1}, .distance = 3, .yaw = 0.3});
+    const std::unique_ptr<OrbitCamera> camera =
+        make_orbit_camera({.target = {0.5, -0.25, 1}, .distance = 3, .yaw = 0.3});
     if (!camera) return;
     for (int i = 1; i <= 200'000; ++i) {
         const double right = 4800 + random_pixels(random, 4800);
@@ -114,7 +117,8 @@ void record_far_targets(Recorder& out, Random& random)
 
 Image picture_after(const std::vector<CameraEvent>& events)
 {
-    const std::unique_ptr<OrbitCamera> camera = make_orbit_camera({.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256});
+    const std::unique_ptr<OrbitCamera> camera =
+        make_orbit_camera({.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256});
     if (!camera) return Image(256, 256);
     for (const CameraEvent& event : events) apply(*camera, event);
     return draw_scene(camera->view());
@@ -130,7 +134,8 @@ const Driver driver = {
     {"drag",
      [](Case&, Recorder& out) {
          record(out, small,
-                {drag(200, 0), drag(-400, 0), drag(0, -100), drag(50, 0), drag(0, 100), drag(25.5, 12.25), drag(1600, 0), drag(-0.5, -0.125), drag(-1e6, 60)});
+                {drag(200, 0), drag(-400, 0), drag(0, -100), drag(50, 0), drag(0, 100), drag(25.5, 12.25),
+                 drag(1600, 0), drag(-0.5, -0.125), drag(-1e6, 60)});
      }},
     {"limits of pitch", [](Case&, Recorder& out) { record(out, small, up_and_down()); }},
     {"wheel", [](Case&, Recorder& out) { record(out, {.distance = 4, .pitch = 0.3}, wheel()); }},

@@ -13,8 +13,9 @@ void record_points(Recorder& out, std::string_view name, const std::vector<Probe
     for (const glm::vec3& color : colors_of(probes, program)) out.append(name, color);
 }
 
-// The still life with the world turned under it, lights and all, first without the camera and then with it; and in half the light, and all of it,
-// on black. Lights are given in eye coordinates: those that turn with the camera stay what they are.
+// The still life with the world turned under it, lights and all, first without the camera and then with it; and in half
+// the light, and all of it, on black. Lights are given in eye coordinates: those that turn with the camera stay what
+// they are.
 void record_laws(Recorder& out, const gl::Program& program)
 {
     const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.9F, normalize(glm::vec3(0.4F, 1, -0.3F)));

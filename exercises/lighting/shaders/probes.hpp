@@ -10,12 +10,17 @@ inline std::vector<Probe> random_points(Random& random)
 {
     std::vector<Probe> probes;
     while (probes.size() < 256) {
-        Probe probe{3.0F * random.in_cube() + glm::vec3(0, 0, -6), random.unit_vector(), random_material(random), {}, random_color(random, 0, 0.5F)};
+        Probe probe{3.0F * random.in_cube() + glm::vec3(0, 0, -6),
+                    random.unit_vector(),
+                    random_material(random),
+                    {},
+                    random_color(random, 0, 0.5F)};
         if (dot(probe.normal, normalize(-probe.position)) < 0.1F) continue;
         probe.lights = random_lights(random, placed(probe.position));
         probe.view = placed(4.0F * random.in_cube(), glm::vec3(1), random.uniform(0, turn), random.unit_vector());
-        probe.model = placed(4.0F * random.in_cube(), {random.uniform(0.5F, 2), random.uniform(0.5F, 2), random.uniform(0.5F, 2)}, random.uniform(0, turn),
-                             random.unit_vector());
+        probe.model =
+            placed(4.0F * random.in_cube(), {random.uniform(0.5F, 2), random.uniform(0.5F, 2), random.uniform(0.5F, 2)},
+                   random.uniform(0, turn), random.unit_vector());
         probes.push_back(probe);
     }
     return probes;
@@ -27,7 +32,11 @@ inline std::vector<Probe> edges()
     std::vector<Probe> probes;
     const auto add = [&](const glm::vec3& normal, float shininess, const std::vector<glm::vec4>& places) {
         for (const glm::vec3& tint : {glm::vec3(0.5F, 0.3F, 0.2F), glm::vec3(0.2F, 0.4F, 0.5F)}) {
-            Probe probe{{0, 0, -4}, normal, {0.1F * tint, 0.3F * tint, tint, glm::vec3(0.75F) - tint, shininess}, {}, glm::vec3(0.5F)};
+            Probe probe{{0, 0, -4},
+                        normal,
+                        {0.1F * tint, 0.3F * tint, tint, glm::vec3(0.75F) - tint, shininess},
+                        {},
+                        glm::vec3(0.5F)};
             for (const glm::vec4& place : places) probe.lights.push_back({place, 0.7F * (glm::vec3(1.1F) - tint)});
             probes.push_back(probe);
         }
@@ -42,7 +51,8 @@ inline std::vector<Probe> edges()
     // A negative cosine under other exponents: no highlight, and no power of a negative number.
     for (const float shininess : {1.0F, 2.0F, 2.5F, 5.0F, 128.0F}) add(away, shininess, {{1, 0, 0, 0}});
     add(away, 5, {{4, 0, -4, 1}});
-    // The light exactly opposite to the viewer: l + v = 0 in any arithmetic, since both have the length 4 before they are normalised.
+    // The light exactly opposite to the viewer: l + v = 0 in any arithmetic, since both have the length 4 before they
+    // are normalised.
     add(away, 8, {{0, 0, -4, 0}});
     add(away, 8, {{0, 0, -8, 1}});
     // Grazing exactly, and from behind where n·h is still positive: neither diffuse nor specular.

@@ -18,15 +18,22 @@ inline Scene scene_from(const glm::vec3& eye, const glm::vec3& target, float deg
     return scene;
 }
 
-inline void add_lamp(Scene& scene, const glm::vec3& place, const glm::vec3& color) { scene.lights.push_back({scene.view * glm::vec4(place, 1), color}); }
-inline void add_sun(Scene& scene, const glm::vec3& towards, const glm::vec3& color) { scene.lights.push_back({scene.view * glm::vec4(towards, 0), color}); }
+inline void add_lamp(Scene& scene, const glm::vec3& place, const glm::vec3& color)
+{
+    scene.lights.push_back({scene.view * glm::vec4(place, 1), color});
+}
+inline void add_sun(Scene& scene, const glm::vec3& towards, const glm::vec3& color)
+{
+    scene.lights.push_back({scene.view * glm::vec4(towards, 0), color});
+}
 
 inline Material plastic(const glm::vec3& color, float specular, float shininess)
 {
     return {glm::vec3(0), 0.12F * color, color, glm::vec3(specular), shininess};
 }
 
-inline glm::mat4 placed(const glm::vec3& place, const glm::vec3& scale = glm::vec3(1), float angle = 0, const glm::vec3& axis = {0, 1, 0})
+inline glm::mat4 placed(const glm::vec3& place, const glm::vec3& scale = glm::vec3(1), float angle = 0,
+                        const glm::vec3& axis = {0, 1, 0})
 {
     return glm::scale(glm::rotate(glm::translate(glm::mat4(1), place), angle, axis), scale);
 }
@@ -40,10 +47,14 @@ inline Scene still_life()
     add_lamp(scene, {-2.2F, 0.9F, -0.9F}, {0.10F, 0.26F, 0.52F});
     scene.things = {
         {waves(96, 0.02F), placed({0, -0.02F, 0}, glm::vec3(3)), plastic({0.46F, 0.44F, 0.42F}, 0.25F, 40)},
-        {trefoil(240, 32, 0.19F), placed({0, 0.83F, -0.25F}, glm::vec3(0.78F), 0.35F), plastic({0.86F, 0.58F, 0.16F}, 0.75F, 50)},
+        {trefoil(240, 32, 0.19F), placed({0, 0.83F, -0.25F}, glm::vec3(0.78F), 0.35F),
+         plastic({0.86F, 0.58F, 0.16F}, 0.75F, 50)},
         {sphere(64, 32), placed({-0.92F, 0.40F, 0.62F}, glm::vec3(0.40F)), plastic({0.16F, 0.50F, 0.56F}, 0.9F, 110)},
-        {sphere(64, 32), placed({0.05F, 0.17F, 1.35F}, glm::vec3(0.17F)), {{0.42F, 0.24F, 0.05F}, glm::vec3(0.1F), {0.4F, 0.3F, 0.1F}, glm::vec3(0.3F), 12}},
-        {sphere(64, 24, 0.25F), placed({0.88F, 0.42F, 0.66F}, glm::vec3(0.43F), 0.3F, {1, 0, -0.6F}), plastic({0.70F, 0.20F, 0.24F}, 0.6F, 24)}};
+        {sphere(64, 32),
+         placed({0.05F, 0.17F, 1.35F}, glm::vec3(0.17F)),
+         {{0.42F, 0.24F, 0.05F}, glm::vec3(0.1F), {0.4F, 0.3F, 0.1F}, glm::vec3(0.3F), 12}},
+        {sphere(64, 24, 0.25F), placed({0.88F, 0.42F, 0.66F}, glm::vec3(0.43F), 0.3F, {1, 0, -0.6F}),
+         plastic({0.70F, 0.20F, 0.24F}, 0.6F, 24)}};
     return scene;
 }
 
@@ -52,20 +63,23 @@ inline Scene diffuse_sphere()
     Scene scene = scene_from({0, 0, 3.4F}, {0, 0, 0}, 40);
     scene.global_ambient = glm::vec3(0.3F);
     add_sun(scene, {-0.8F, 0.6F, 0.35F}, {0.95F, 0.92F, 0.85F});
-    scene.things = {{sphere(96, 48), glm::mat4(1), {glm::vec3(0), {0.10F, 0.07F, 0.06F}, {0.88F, 0.50F, 0.34F}, glm::vec3(0), 1}}};
+    scene.things = {
+        {sphere(96, 48), glm::mat4(1), {glm::vec3(0), {0.10F, 0.07F, 0.06F}, {0.88F, 0.50F, 0.34F}, glm::vec3(0), 1}}};
     return scene;
 }
 
 /// Spheres whose exponent grows to the right and downwards, from 1 to 128.
 inline Scene exponents()
 {
-    constexpr std::array steps = {1.0F, 2.0F, 3.0F, 4.0F, 6.0F, 8.0F, 11.0F, 16.0F, 22.0F, 30.0F, 40.0F, 52.0F, 68.0F, 86.0F, 106.0F, 128.0F};
+    constexpr std::array steps = {1.0F,  2.0F,  3.0F,  4.0F,  6.0F,  8.0F,  11.0F,  16.0F,
+                                  22.0F, 30.0F, 40.0F, 52.0F, 68.0F, 86.0F, 106.0F, 128.0F};
     Scene scene = scene_from({0, 0, 11}, {0, 0, 0}, 41);
     add_sun(scene, {-0.9F, 1.1F, 0.9F}, {1.0F, 0.96F, 0.90F});
     add_sun(scene, {1.2F, -0.6F, 0.8F}, {0.18F, 0.32F, 0.55F});
     for (int i = 0; i < 16; ++i) {
         Material material = plastic({0.30F, 0.10F, 0.14F}, 0.58F, steps[static_cast<std::size_t>(i)]);
-        scene.things.push_back({sphere(48, 24), placed({2 * (i % 4) - 3, 3 - 2 * (i / 4), 0}, glm::vec3(0.92F)), material});
+        scene.things.push_back(
+            {sphere(48, 24), placed({2 * (i % 4) - 3, 3 - 2 * (i / 4), 0}, glm::vec3(0.92F)), material});
     }
     return scene;
 }
@@ -90,7 +104,8 @@ inline Scene coarse_sphere(bool flat)
     scene.global_ambient = glm::vec3(0.3F);
     add_lamp(scene, {-1.7F, 2.0F, 2.6F}, {0.72F, 0.70F, 0.66F});
     add_lamp(scene, {2.0F, 0.5F, 1.6F}, {0.22F, 0.30F, 0.50F});
-    scene.things = {{icosphere(1), placed({0, 0, 0}, glm::vec3(1), 0.4F, {0.3F, 1, 0.2F}), plastic({0.26F, 0.52F, 0.36F}, 0.8F, 40)}};
+    scene.things = {{icosphere(1), placed({0, 0, 0}, glm::vec3(1), 0.4F, {0.3F, 1, 0.2F}),
+                     plastic({0.26F, 0.52F, 0.36F}, 0.8F, 40)}};
     return scene;
 }
 
@@ -101,9 +116,12 @@ inline Scene scaled_things()
     scene.global_ambient = glm::vec3(0.3F);
     add_sun(scene, {-0.5F, 0.9F, 0.6F}, {0.72F, 0.69F, 0.62F});
     add_sun(scene, {0.9F, -0.3F, 0.6F}, {0.25F, 0.22F, 0.45F});
-    scene.things = {{sphere(96, 48), placed({-0.72F, 0.42F, 0}, {0.62F, 0.16F, 0.5F}, 0.7F, {0.3F, 0.2F, 1}), plastic({0.75F, 0.42F, 0.22F}, 0.6F, 30)},
-                    {torus(128, 48, 0.33F), placed({0.62F, 0.08F, 0}, {0.26F, 0.92F, 0.55F}, -0.35F, {0, 0.4F, 1}), plastic({0.25F, 0.48F, 0.66F}, 0.6F, 40)},
-                    {sphere(96, 48), placed({-0.45F, -0.62F, 0.4F}, {0.85F, 0.30F, 0.12F}, -0.3F, {1, 1, 0}), plastic({0.48F, 0.58F, 0.24F}, 0.5F, 20)}};
+    scene.things = {{sphere(96, 48), placed({-0.72F, 0.42F, 0}, {0.62F, 0.16F, 0.5F}, 0.7F, {0.3F, 0.2F, 1}),
+                     plastic({0.75F, 0.42F, 0.22F}, 0.6F, 30)},
+                    {torus(128, 48, 0.33F), placed({0.62F, 0.08F, 0}, {0.26F, 0.92F, 0.55F}, -0.35F, {0, 0.4F, 1}),
+                     plastic({0.25F, 0.48F, 0.66F}, 0.6F, 40)},
+                    {sphere(96, 48), placed({-0.45F, -0.62F, 0.4F}, {0.85F, 0.30F, 0.12F}, -0.3F, {1, 1, 0}),
+                     plastic({0.48F, 0.58F, 0.24F}, 0.5F, 20)}};
     return scene;
 }
 
@@ -116,8 +134,10 @@ inline Scene bowls(bool flat)
     add_lamp(scene, {-1.6F, 2.4F, 1.9F}, {0.70F, 0.67F, 0.60F});
     add_lamp(scene, {0.9F, 0.9F, 0.9F}, {0.20F, 0.26F, 0.42F});
     const Shape bowl = sphere(16, 6, 0.1F);
-    scene.things = {{bowl, placed({-0.56F, -0.05F, 0.2F}, glm::vec3(0.60F), 0.5F, {1, 0, -0.3F}), plastic({0.72F, 0.34F, 0.26F}, 0.6F, 24)},
-                    {bowl, placed({0.66F, 0.05F, -0.1F}, glm::vec3(0.58F), -1.1F, {1, 0.2F, 0.4F}), plastic({0.30F, 0.50F, 0.60F}, 0.6F, 24)}};
+    scene.things = {{bowl, placed({-0.56F, -0.05F, 0.2F}, glm::vec3(0.60F), 0.5F, {1, 0, -0.3F}),
+                     plastic({0.72F, 0.34F, 0.26F}, 0.6F, 24)},
+                    {bowl, placed({0.66F, 0.05F, -0.1F}, glm::vec3(0.58F), -1.1F, {1, 0.2F, 0.4F}),
+                     plastic({0.30F, 0.50F, 0.60F}, 0.6F, 24)}};
     return scene;
 }
 
@@ -126,8 +146,9 @@ inline Scene eight_lights()
 {
     Scene scene = scene_from({0, 0, 4.2F}, {0, 0, 0}, 38);
     scene.global_ambient = glm::vec3(0.2F);
-    constexpr std::array<glm::vec3, 8> colors = {glm::vec3(0.42F, 0.06F, 0.06F), {0.40F, 0.24F, 0.03F}, {0.30F, 0.34F, 0.04F}, {0.05F, 0.36F, 0.08F},
-                                                 {0.04F, 0.32F, 0.32F},          {0.05F, 0.12F, 0.44F}, {0.24F, 0.06F, 0.40F}, {0.40F, 0.05F, 0.26F}};
+    constexpr std::array<glm::vec3, 8> colors = {
+        glm::vec3(0.42F, 0.06F, 0.06F), {0.40F, 0.24F, 0.03F}, {0.30F, 0.34F, 0.04F}, {0.05F, 0.36F, 0.08F},
+        {0.04F, 0.32F, 0.32F},          {0.05F, 0.12F, 0.44F}, {0.24F, 0.06F, 0.40F}, {0.40F, 0.05F, 0.26F}};
     for (std::size_t i = 0; i < colors.size(); ++i) {
         const float angle = turn * static_cast<float>(i) / 8;
         const glm::vec3 place(2.2F * std::cos(angle), 2.2F * std::sin(angle), i % 4 < 2 ? 0.9F : -0.2F);
@@ -136,7 +157,8 @@ inline Scene eight_lights()
         else
             add_lamp(scene, place, colors[i]);
     }
-    scene.things = {{trefoil(300, 40, 0.22F), placed({0, 0, 0}, glm::vec3(1.0F)), plastic(glm::vec3(0.70F), 0.55F, 45)}};
+    scene.things = {
+        {trefoil(300, 40, 0.22F), placed({0, 0, 0}, glm::vec3(1.0F)), plastic(glm::vec3(0.70F), 0.55F, 45)}};
     return scene;
 }
 
@@ -166,7 +188,8 @@ inline std::vector<Light> random_lights(Random& random, const glm::mat4& view)
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::vec3 place = random.uniform(1.6F, 3) * random.unit_vector();
         const glm::vec4 homogeneous(place, random.below(2) == 0 ? 0 : 1);
-        lights.push_back({view * homogeneous, random_color(random, 0.3F, 1) * (1.3F / std::sqrt(static_cast<float>(count)) * 0.55F)});
+        lights.push_back({view * homogeneous,
+                          random_color(random, 0.3F, 1) * (1.3F / std::sqrt(static_cast<float>(count)) * 0.55F)});
     }
     return lights;
 }
@@ -178,25 +201,29 @@ inline glm::mat4 open_towards(const glm::vec3& direction, const glm::vec3& place
     return placed(place, scale, std::acos(dot(up, normalize(direction))), cross(up, direction));
 }
 
-/// Four things of all kinds, stretched where their meshes are fine, under random lights. The last one is a bowl that shows its inside.
+/// Four things of all kinds, stretched where their meshes are fine, under random lights. The last one is a bowl that
+/// shows its inside.
 inline Scene random_scene(Random& random, bool flat)
 {
     const float angle = random.uniform(0, turn);
-    Scene scene = scene_from({4.1F * std::sin(angle), random.uniform(0.5F, 1.6F), 4.1F * std::cos(angle)}, {0, 0, 0}, 40);
+    Scene scene =
+        scene_from({4.1F * std::sin(angle), random.uniform(0.5F, 1.6F), 4.1F * std::cos(angle)}, {0, 0, 0}, 40);
     scene.flat = flat;
     scene.unused_light = glaring;
     scene.global_ambient = random_color(random, 0.1F, 0.5F);
     scene.lights = random_lights(random, scene.view);
-    const std::array shapes = {flat ? icosphere(1) : sphere(96, 48), torus(flat ? 16 : 128, flat ? 10 : 48, 0.33F), flat ? icosphere(0) : icosphere(1),
-                               sphere(20, 8, 0)};
+    const std::array shapes = {flat ? icosphere(1) : sphere(96, 48), torus(flat ? 16 : 128, flat ? 10 : 48, 0.33F),
+                               flat ? icosphere(0) : icosphere(1), sphere(20, 8, 0)};
     const glm::vec3 eye(inverse(scene.view)[3]);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         const float corner = angle + turn * (static_cast<float>(i) + random.uniform(0.3F, 0.7F)) / 4;
         const glm::vec3 place(0.85F * std::sin(corner), random.uniform(-0.35F, 0.35F), 0.85F * std::cos(corner));
         glm::vec3 scale(random.uniform(0.54F, 0.66F));
-        if (i < 2) scale *= glm::vec3(random.uniform(0.6F, 1.1F), random.uniform(0.3F, 0.6F), random.uniform(0.8F, 1.2F));
-        const glm::mat4 model = i == 3 ? open_towards(normalize(eye - place) + 0.7F * random.unit_vector(), place, scale)
-                                       : placed(place, scale, random.uniform(0, turn), random.unit_vector());
+        if (i < 2)
+            scale *= glm::vec3(random.uniform(0.6F, 1.1F), random.uniform(0.3F, 0.6F), random.uniform(0.8F, 1.2F));
+        const glm::mat4 model = i == 3
+                                    ? open_towards(normalize(eye - place) + 0.7F * random.unit_vector(), place, scale)
+                                    : placed(place, scale, random.uniform(0, turn), random.unit_vector());
         scene.things.push_back({shapes[i], model, random_material(random)});
     }
     return scene;

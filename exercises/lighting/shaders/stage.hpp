@@ -41,8 +41,8 @@ inline gl::Interface shader_interface()
 /// The case's shaders, compiled. Throws StudentError if they do not compile or are fed with something else.
 inline std::unique_ptr<gl::Program> compile(const Case& what)
 {
-    auto program =
-        std::make_unique<gl::Program>(gl::ShaderSource{"phong.vert", what.source("phong.vert")}, gl::ShaderSource{"phong.frag", what.source("phong.frag")});
+    auto program = std::make_unique<gl::Program>(gl::ShaderSource{"phong.vert", what.source("phong.vert")},
+                                                 gl::ShaderSource{"phong.frag", what.source("phong.frag")});
     program->require_interface(shader_interface());
     return program;
 }
@@ -68,7 +68,8 @@ struct Scene {
 inline constexpr glm::vec3 glaring(0.9F, 0, 0.9F);
 
 /// Sets the lights; entries beyond the last one hold a light of the colour `unused`.
-inline void set_lights(const gl::Program& program, const std::vector<Light>& lights, const glm::vec3& global_ambient, const glm::vec3& unused)
+inline void set_lights(const gl::Program& program, const std::vector<Light>& lights, const glm::vec3& global_ambient,
+                       const glm::vec3& unused)
 {
     std::vector<glm::vec4> positions(maximum_lights, glm::vec4(0.3F, -0.4F, 1, 0));
     std::vector<glm::vec3> colors(maximum_lights, unused);
@@ -97,7 +98,8 @@ inline void comment_on(const Image& picture, const gl::Program& program)
     for (const glm::u8vec4& pixel : picture.cells)
         if (pixel != picture.cells.front()) return;
     std::string names;
-    for (const std::string& name : gl::missing_names(shader_interface(), program.interface())) names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& name : gl::missing_names(shader_interface(), program.interface()))
+        names += (names.empty() ? "" : ", ") + name;
     if (!names.empty()) std::printf("Nothing was drawn. Your shaders do not use: %s\n", names.c_str());
 }
 
@@ -152,7 +154,8 @@ inline std::vector<glm::vec3> colors_of(const std::vector<Probe>& probes, const 
         program.set("view", probe.view);
         set_material(program, probe.material);
         set_lights(program, probe.lights, probe.global_ambient, glaring);
-        // Back to the coordinates of the object; normals through the transpose, since the shader's way is the inverse transpose.
+        // Back to the coordinates of the object; normals through the transpose, since the shader's way is the inverse
+        // transpose.
         const glm::mat4 modelview = probe.view * probe.model;
         const std::vector positions(3, glm::vec3(inverse(modelview) * glm::vec4(probe.position, 1)));
         const std::vector normals(3, normalize(transpose(glm::mat3(modelview)) * probe.normal));

@@ -9,36 +9,46 @@
 
 namespace umbral::meshes {
 
-/// A ball whose triangles are coloured by their areas (triangle_area), from the poles' to the equator's, with the sphere's outline behind it.
+/// A ball whose triangles are coloured by their areas (triangle_area), from the poles' to the equator's, with the
+/// sphere's outline behind it.
 inline void draw_ball(Drawing& drawing, glm::dvec2 middle, double radius, std::uint32_t columns)
 {
     const IndexedMesh mesh = ball(columns, columns / 2);
     drawing.disc(middle, 50 * radius, ink::slate);
-    const auto turned = [](const glm::vec3& p) { return glm::dvec3(p.x, 0.8 * p.y - 0.6 * p.z, 0.6 * p.y + 0.8 * p.z); };
+    const auto turned = [](const glm::vec3& p) {
+        return glm::dvec3(p.x, 0.8 * p.y - 0.6 * p.z, 0.6 * p.y + 0.8 * p.z);
+    };
     const double largest = 9.87 / (static_cast<double>(columns) * columns);  // half of a cell on the equator, nearly
     for (const glm::uvec3& t : mesh.triangles) {
-        const glm::dvec3 corners[] = {turned(mesh.positions[t.x]), turned(mesh.positions[t.y]), turned(mesh.positions[t.z])};
+        const glm::dvec3 corners[] = {turned(mesh.positions[t.x]), turned(mesh.positions[t.y]),
+                                      turned(mesh.positions[t.z])};
         const glm::dvec3 normal = normalize(cross(corners[1] - corners[0], corners[2] - corners[0]));
         if (normal.z <= 0) continue;
         std::vector<glm::dvec2> places;
         for (const glm::dvec3& corner : corners) places.push_back(middle + radius * glm::dvec2(corner));
-        const double share = std::clamp(double{triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z])} / largest, 0.0, 1.0);
+        const double share = std::clamp(
+            double{triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z])} / largest, 0.0, 1.0);
         const double light = 0.35 + 0.65 * std::max(0.0, dot(normal, normalize(glm::dvec3(-0.4, 0.6, 0.7))));
         drawing.area(places, static_cast<float>(light) * glm::mix(ink::blue, ink::orange, static_cast<float>(share)));
         drawing.outline(places, ink::night, 0.8);
     }
 }
 
-/// Left: a ball. Right: how far the areas of finer and finer balls are from 4 π, both in powers of ten: four times the triangles, a quarter of the error.
+/// Left: a ball. Right: how far the areas of finer and finer balls are from 4 π, both in powers of ten: four times the
+/// triangles, a quarter of the error.
 inline Image draw_diagram()
 {
     Drawing drawing(600, 300, {0, 0}, {12, 6});
     draw_ball(drawing, {2.9, 3}, 2.5, 18);
 
     constexpr glm::dvec2 origin(6.4, 0.6);
-    const auto place = [&](double triangles, double error) { return origin + glm::dvec2(0.98 * (std::log10(triangles) - 1), 0.8 * (std::log10(error) + 5.8)); };
-    for (int power = 1; power <= 6; ++power) drawing.line(place(std::pow(10, power), 1.6e-6), place(std::pow(10, power), 1), ink::slate, power == 1 ? 2 : 1);
-    for (int power = -5; power <= 0; ++power) drawing.line(place(10, std::pow(10, power)), place(1e6, std::pow(10, power)), ink::slate, 1);
+    const auto place = [&](double triangles, double error) {
+        return origin + glm::dvec2(0.98 * (std::log10(triangles) - 1), 0.8 * (std::log10(error) + 5.8));
+    };
+    for (int power = 1; power <= 6; ++power)
+        drawing.line(place(std::pow(10, power), 1.6e-6), place(std::pow(10, power), 1), ink::slate, power == 1 ? 2 : 1);
+    for (int power = -5; power <= 0; ++power)
+        drawing.line(place(10, std::pow(10, power)), place(1e6, std::pow(10, power)), ink::slate, 1);
     drawing.line(place(10, 1.6e-6), place(1e6, 1.6e-6), ink::slate, 2);
 
     glm::dvec2 before(0);

@@ -13,7 +13,8 @@ using namespace meshes;
 
 void record_triangles(Recorder& out, const IndexedMesh& mesh)
 {
-    for (const glm::uvec3& t : mesh.triangles) out.append("triangles", triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+    for (const glm::uvec3& t : mesh.triangles)
+        out.append("triangles", triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
 }
 
 void record(Recorder& out, const IndexedMesh& mesh)
@@ -25,8 +26,11 @@ void record(Recorder& out, const IndexedMesh& mesh)
 // The course's example of a PLY file, each quadrilateral cut from its first corner.
 IndexedMesh course_example()
 {
-    IndexedMesh mesh{{{0, 0, 0}, {0, 0, 2}, {0, 1.3F, 1}, {0, 1.4F, 0}, {1.1F, 0, 0}, {1, 0, 2}, {1, 0.8F, 1.5F}, {0.5F, 1, 0}}, {}};
-    for (const glm::uvec4& side : {glm::uvec4(0, 1, 2, 3), {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}}) add_quad(mesh, side);
+    IndexedMesh mesh{
+        {{0, 0, 0}, {0, 0, 2}, {0, 1.3F, 1}, {0, 1.4F, 0}, {1.1F, 0, 0}, {1, 0, 2}, {1, 0.8F, 1.5F}, {0.5F, 1, 0}}, {}};
+    for (const glm::uvec4& side :
+         {glm::uvec4(0, 1, 2, 3), {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}})
+        add_quad(mesh, side);
     return mesh;
 }
 
@@ -54,11 +58,14 @@ void record_random(Random& random, Recorder& out)
 // Corners are multiples of 1/64, so that what is degenerate is so in any arithmetic.
 void record_degenerate(Random& random, Recorder& out)
 {
-    constexpr float broken[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+    constexpr float broken[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                                -std::numeric_limits<float>::infinity()};
     for (int i = 0; i < 12; ++i) {
-        IndexedMesh mesh = mapped(hills(2, 2, random), [](const glm::vec3& position) { return round(64.0F * position) / 64.0F; });
+        IndexedMesh mesh =
+            mapped(hills(2, 2, random), [](const glm::vec3& position) { return round(64.0F * position) / 64.0F; });
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.insert(mesh.positions.end(), {mesh.positions[4], 2.0F * mesh.positions[1] - mesh.positions[0], {9, 9, 9}});
+        mesh.positions.insert(mesh.positions.end(),
+                              {mesh.positions[4], 2.0F * mesh.positions[1] - mesh.positions[0], {9, 9, 9}});
         mesh.triangles.insert(mesh.triangles.end(), {{3, 3, 5}, {4, first, 7}, {0, 1, first + 1}, {2, 2, 2}});
         if (i % 2 == 0) mesh.positions[random.below(9)][i / 2 % 3] = broken[i / 2 % 3];
         record(out, mesh);

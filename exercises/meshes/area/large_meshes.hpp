@@ -10,7 +10,8 @@
 /// Meshes of many triangles, whose areas are hard to add up.
 namespace umbral::meshes {
 
-/// A square of 1000 x 1000, and after it a sheet of 40 x 40 of 2 n² triangles: a float that holds the area of the square takes up none of them where n is 400.
+/// A square of 1000 x 1000, and after it a sheet of 40 x 40 of 2 n² triangles: a float that holds the area of the
+/// square takes up none of them where n is 400.
 inline IndexedMesh sheet_after_a_square(std::uint32_t cells)
 {
     IndexedMesh mesh = sheet(cells, cells, [&](std::uint32_t column, std::uint32_t row) {
@@ -29,7 +30,8 @@ inline IndexedMesh sheet_of_all_sizes(std::uint32_t cells, Random& random)
         const auto grown = [&](std::uint32_t cell) { return std::pow(10.0, 10.0 * cell / cells - 6); };
         return glm::vec3(glm::dvec3(grown(column), 0.1 * random.uniform_double(), grown(row)));
     });
-    for (auto i = static_cast<std::uint32_t>(mesh.triangles.size()); i > 1; --i) std::swap(mesh.triangles[i - 1], mesh.triangles[random.below(i)]);
+    for (auto i = static_cast<std::uint32_t>(mesh.triangles.size()); i > 1; --i)
+        std::swap(mesh.triangles[i - 1], mesh.triangles[random.below(i)]);
     return mesh;
 }
 

@@ -22,7 +22,8 @@ public:
     {
         names_ += std::to_string(++count_) + " " + mesh_name + ": edge\n";
         for (const glm::uvec2& edge : canonical(table(mesh), mesh))
-            out_->append(name_, std::array{static_cast<float>(count_), static_cast<float>(edge.x), static_cast<float>(edge.y)});
+            out_->append(
+                name_, std::array{static_cast<float>(count_), static_cast<float>(edge.x), static_cast<float>(edge.y)});
     }
 
     void finish() const { out_->text(name_ + ".names", names_); }
@@ -34,10 +35,10 @@ private:
     int count_ = 0;
 };
 
-bool is_closed(const Specimen& specimen)
+bool is_closed(const Sample& sample)
 {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-    for (const glm::uvec3& t : specimen.mesh.triangles)
+    for (const glm::uvec3& t : sample.mesh.triangles)
         for (int corner = 0; corner < 3; ++corner) ++sides[std::minmax(t[corner], t[(corner + 1) % 3])];
     return std::ranges::all_of(sides, [](const auto& side) { return side.second == 2; });
 }
@@ -46,9 +47,9 @@ void record_known(Recorder& out)
 {
     EdgeLog any(out, "edges");
     EdgeLog closed(out, "edges of closed");
-    for (const Specimen& specimen : tame_meshes()) {
-        any.add(specimen.name, specimen.mesh, edge_table);
-        if (is_closed(specimen)) closed.add(specimen.name, specimen.mesh, edge_table_of_closed);
+    for (const Sample& sample : tame_meshes()) {
+        any.add(sample.name, sample.mesh, edge_table);
+        if (is_closed(sample)) closed.add(sample.name, sample.mesh, edge_table_of_closed);
     }
     any.finish();
     closed.finish();
@@ -57,7 +58,8 @@ void record_known(Recorder& out)
 void record_any_winding(Random& random, Recorder& out)
 {
     EdgeLog log(out, "edges");
-    for (const Specimen& specimen : tame_meshes()) log.add(specimen.name, with_mixed_winding(shuffled(specimen.mesh, random), random), edge_table);
+    for (const Sample& sample : tame_meshes())
+        log.add(sample.name, with_mixed_winding(shuffled(sample.mesh, random), random), edge_table);
     log.add("hills", with_mixed_winding(shuffled(hills(9, 7, random), random), random), edge_table);
     log.finish();
 }
@@ -65,11 +67,11 @@ void record_any_winding(Random& random, Recorder& out)
 void record_wild(Random& random, Recorder& out)
 {
     EdgeLog log(out, "edges");
-    for (const Specimen& specimen : wild_meshes()) {
-        IndexedMesh mesh = with_lonely_vertices(specimen.mesh, 3);
+    for (const Sample& sample : wild_meshes()) {
+        IndexedMesh mesh = with_lonely_vertices(sample.mesh, 3);
         const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
         mesh.triangles.insert(mesh.triangles.end(), {{last, last, 0}, {1, last, 1}, {2, 2, 2}});
-        log.add(specimen.name, shuffled(mesh, random), edge_table);
+        log.add(sample.name, shuffled(mesh, random), edge_table);
     }
     log.finish();
 }
@@ -77,8 +79,8 @@ void record_wild(Random& random, Recorder& out)
 void record_closed(Random& random, Recorder& out)
 {
     EdgeLog log(out, "edges");
-    for (const Specimen& specimen : tame_meshes())
-        if (is_closed(specimen)) log.add(specimen.name, shuffled(specimen.mesh, random), edge_table_of_closed);
+    for (const Sample& sample : tame_meshes())
+        if (is_closed(sample)) log.add(sample.name, shuffled(sample.mesh, random), edge_table_of_closed);
     log.add("two tori", shuffled(joined(torus(6, 5), torus(9, 4)), random), edge_table_of_closed);
     log.add("cubes at a corner", shuffled(cubes_at_a_corner(), random), edge_table_of_closed);
     log.finish();
@@ -107,7 +109,9 @@ void record_work(Random& random, Recorder& out)
 Image draw_wireframes()
 {
     Drawing drawing(600, 300, {-4.4, -2.2}, {4.4, 2.2});
-    const auto tilted = [](const glm::vec3& p) { return 1.45F * glm::vec3(p.x, 0.8F * p.y - 0.6F * p.z, 0.6F * p.y + 0.8F * p.z); };
+    const auto tilted = [](const glm::vec3& p) {
+        return 1.45F * glm::vec3(p.x, 0.8F * p.y - 0.6F * p.z, 0.6F * p.y + 0.8F * p.z);
+    };
     const IndexedMesh strip = mapped(moebius(48, 5), tilted);
     draw_wireframe(drawing, strip, canonical(edge_table(strip), strip), {-2.35, 0}, 9, ink::orange, ink::red);
     const IndexedMesh knot = mapped(trefoil(54, 8, 0.5), [](const glm::vec3& p) { return 0.55F * p; });

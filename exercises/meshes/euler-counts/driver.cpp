@@ -32,7 +32,7 @@ void record_genus(Recorder& out, const IndexedMesh& mesh)
 }
 
 // Two or three meshes side by side, in an order that says nothing.
-IndexedMesh mixture(const std::vector<Specimen>& meshes, Random& random)
+IndexedMesh mixture(const std::vector<Sample>& meshes, Random& random)
 {
     IndexedMesh mesh;
     for (std::uint32_t parts = 2 + random.below(2); parts > 0; --parts)
@@ -42,8 +42,8 @@ IndexedMesh mixture(const std::vector<Specimen>& meshes, Random& random)
 
 void record_random(Random& random, Recorder& out)
 {
-    const std::vector<Specimen> tame = tame_meshes();
-    const std::vector<Specimen> wild = wild_meshes();
+    const std::vector<Sample> tame = tame_meshes();
+    const std::vector<Sample> wild = wild_meshes();
     for (int i = 0; i < 40; ++i) {
         const IndexedMesh mesh = mixture(i % 2 == 0 ? tame : wild, random);
         record_counts(out, with_mixed_winding(mesh, random));
@@ -53,11 +53,12 @@ void record_random(Random& random, Recorder& out)
 // In pairs: a surface that has a genus, and one that has none for a single reason.
 void record_genera(Random& random, Recorder& out)
 {
-    const std::vector<Specimen> tame = tame_meshes();
+    const std::vector<Sample> tame = tame_meshes();
     for (std::uint32_t round = 0; round < 4; ++round) {
-        const std::vector<IndexedMesh> without = {
-            moebius(5 + round), klein_bottle(4 + round, 5), projective_plane(),  book(3 + round),
-            bow_tie(),          cubes_at_an_edge(),         cubes_at_a_corner(), with_mixed_winding(torus(6 + round, 5), random)};
+        const std::vector<IndexedMesh> without = {moebius(5 + round),  klein_bottle(4 + round, 5),
+                                                  projective_plane(),  book(3 + round),
+                                                  bow_tie(),           cubes_at_an_edge(),
+                                                  cubes_at_a_corner(), with_mixed_winding(torus(6 + round, 5), random)};
         for (const IndexedMesh& mesh : without) {
             const IndexedMesh other = mixture(tame, random);
             const bool first = random.below(2) == 1;
@@ -69,9 +70,10 @@ void record_genera(Random& random, Recorder& out)
 
 void record_degenerate(Random& random, Recorder& out)
 {
-    // A vertex that only a triangle that is no face has is isolated; whoever counts its edges finds some that are not there.
-    for (const Specimen& specimen : tame_meshes()) {
-        IndexedMesh mesh = with_lonely_vertices(specimen.mesh, 2);
+    // A vertex that only a triangle that is no face has is isolated; whoever counts its edges finds some that are not
+    // there.
+    for (const Sample& sample : tame_meshes()) {
+        IndexedMesh mesh = with_lonely_vertices(sample.mesh, 2);
         const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
         mesh.triangles.insert(mesh.triangles.begin(), {{0, last, last}, {1, 0, 1}, {2, 2, 2}});
         mesh = shuffled(mesh, random);
@@ -113,9 +115,9 @@ void record_work(Recorder& out)
 
 void record_known(Recorder& out)
 {
-    for (const Specimen& specimen : tame_meshes()) {
-        record_counts(out, specimen.mesh);
-        record_genus(out, specimen.mesh);
+    for (const Sample& sample : tame_meshes()) {
+        record_counts(out, sample.mesh);
+        record_genus(out, sample.mesh);
     }
 }
 

@@ -17,7 +17,8 @@ struct Mark {
     bool is_disc;
 };
 
-/// A green disc for each 1 of V - E + F, a red one for each -1; a white ring for each handle; a yellow ring for each rim. No more than six of a kind.
+/// A green disc for each 1 of V - E + F, a red one for each -1; a white ring for each handle; a yellow ring for each
+/// rim. No more than six of a kind.
 inline std::vector<Mark> marks_of(const TopologyCounts& counts, const std::optional<int>& handles)
 {
     std::vector<Mark> marks;
@@ -36,7 +37,8 @@ inline void draw_marks(const Show& show, const std::vector<Mark>& marks)
 {
     constexpr double step = 0.27;
     for (std::size_t i = 0; i < marks.size(); ++i) {
-        const glm::vec3 place(step * (static_cast<double>(i) - 0.5 * static_cast<double>(marks.size() - 1)), -1.25, 0.6);
+        const glm::vec3 place(step * (static_cast<double>(i) - 0.5 * static_cast<double>(marks.size() - 1)), -1.25,
+                              0.6);
         show.points(std::array{place}, marks[i].color, 6);
         if (!marks[i].is_disc) show.points(std::array{place}, ink::night, 3.5F, 6e-3F);
     }
@@ -47,10 +49,17 @@ inline Image draw_gallery()
 {
     constexpr int columns = 4;
     Show show(columns, 2, 150, 150);
-    const auto lying = [](const glm::vec3& p) { return glm::vec3(p.x, 0.35F * p.y + 0.85F * p.z, 0.35F * p.z - 0.85F * p.y); };
-    const std::vector<IndexedMesh> meshes = {
-        ball(16, 10),   torus(20, 10, 0.85F), mapped(plate_with_holes(2), lying), mapped(plate_with_holes(3), lying), disc(14), tube(18, 5),
-        moebius(28, 3), cubes_at_a_corner()};
+    const auto lying = [](const glm::vec3& p) {
+        return glm::vec3(p.x, 0.35F * p.y + 0.85F * p.z, 0.35F * p.z - 0.85F * p.y);
+    };
+    const std::vector<IndexedMesh> meshes = {ball(16, 10),
+                                             torus(20, 10, 0.85F),
+                                             mapped(plate_with_holes(2), lying),
+                                             mapped(plate_with_holes(3), lying),
+                                             disc(14),
+                                             tube(18, 5),
+                                             moebius(28, 3),
+                                             cubes_at_a_corner()};
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const std::optional<int> handles = genus(meshes[i]);
         show.pane(static_cast<int>(i) % columns, static_cast<int>(i) / columns, {{0, 2.1F, 4.9F}, {0, -0.2F, 0}, 33});

@@ -16,7 +16,10 @@ struct Shape {
     std::uint32_t columns, rows;
 
     [[nodiscard]] IndexedMesh make() const { return sphere ? make_sphere(columns, rows) : make_grid(columns, rows); }
-    [[nodiscard]] std::size_t vertices() const { return sphere ? columns * (rows - 1) + 2 : (columns + 1) * (rows + 1); }
+    [[nodiscard]] std::size_t vertices() const
+    {
+        return sphere ? columns * (rows - 1) + 2 : (columns + 1) * (rows + 1);
+    }
     [[nodiscard]] std::size_t triangles() const { return 2 * columns * (sphere ? rows - 1 : rows); }
 };
 
@@ -27,8 +30,8 @@ void record_shapes(Recorder& out, const std::vector<Shape>& shapes)
         const IndexedMesh mesh = shapes[i].make();
         record_rows(out, "positions", mesh.positions, shapes[i].vertices());
         record_indices(out, "triangles", static_cast<float>(i), mesh.triangles, shapes[i].triangles());
-        names += std::to_string(i) + (shapes[i].sphere ? " triangle of the sphere " : " triangle of the grid ") + std::to_string(shapes[i].columns) + " x " +
-                 std::to_string(shapes[i].rows) + "\n";
+        names += std::to_string(i) + (shapes[i].sphere ? " triangle of the sphere " : " triangle of the grid ") +
+                 std::to_string(shapes[i].columns) + " x " + std::to_string(shapes[i].rows) + "\n";
     }
     out.text("triangles.names", names);
 }
@@ -46,13 +49,15 @@ std::vector<Shape> random_shapes(Random& random)
 void record_size(Recorder& out, const Shape& shape)
 {
     const IndexedMesh mesh = shape.make();
-    out.append("tables", glm::vec2(static_cast<float>(mesh.positions.size()), static_cast<float>(mesh.triangles.size())));
+    out.append("tables",
+               glm::vec2(static_cast<float>(mesh.positions.size()), static_cast<float>(mesh.triangles.size())));
 }
 
 // Pairs of a shape that there is and one that there is not.
 void record_sizes(Random& random, Recorder& out)
 {
-    const Shape none[] = {{false, 0, 3}, {false, 4, 0}, {true, 2, 5}, {true, 5, 1}, {true, 0, 0}, {false, 0, 0}, {true, 1, 9}, {true, 7, 0}};
+    const Shape none[] = {{false, 0, 3}, {false, 4, 0}, {true, 2, 5}, {true, 5, 1},
+                          {true, 0, 0},  {false, 0, 0}, {true, 1, 9}, {true, 7, 0}};
     for (const Shape& empty : none) {
         const std::uint32_t columns = 3 + random.below(20);
         const Shape some{random.below(2) == 0, columns, 2 + random.below(20)};
@@ -67,13 +72,15 @@ void record_voxels(Recorder& out)
     for (const std::uint32_t k : {1U, 2U, 3U, 4U, 5U, 8U, 11U, 16U, 20U}) {
         const std::vector<std::uint8_t> bytes = make_voxel_sphere(k);
         out.append("sizes", static_cast<float>(bytes.size()));
-        for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i) out.append("bytes", i < bytes.size() ? std::optional<float>(bytes[i]) : std::nullopt);
+        for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i)
+            out.append("bytes", i < bytes.size() ? std::optional<float>(bytes[i]) : std::nullopt);
     }
 }
 
 void record_border(Random& random, Recorder& out)
 {
-    for (const std::uint32_t k : {200U, 5000U, 65'536U, 1'000'001U, 100'000'000U, 400'000'003U, 900'000'001U, 1'073'741'824U})
+    for (const std::uint32_t k :
+         {200U, 5000U, 65'536U, 1'000'001U, 100'000'000U, 400'000'003U, 900'000'001U, 1'073'741'824U})
         for (int i = 0; i < 40; ++i) {
             const auto [inside, outside] = border_voxels(random, k, i % 2 == 0);
             const bool swapped = random.below(2) == 0;
@@ -84,11 +91,13 @@ void record_border(Random& random, Recorder& out)
 
 void record_fine(Random& random, Recorder& out)
 {
-    for (const Shape& shape : {Shape{false, 300'000, 1}, {false, 1, 99'991}, {true, 20'000, 20}, {true, 3, 100'000}, {true, 360, 720}}) {
+    for (const Shape& shape :
+         {Shape{false, 300'000, 1}, {false, 1, 99'991}, {true, 20'000, 20}, {true, 3, 100'000}, {true, 360, 720}}) {
         const IndexedMesh mesh = shape.make();
         for (int i = 0; i < 200; ++i) {
             const std::size_t place = random.below(static_cast<std::uint32_t>(shape.vertices()));
-            out.append(shape.sphere ? "sphere" : "grid", place < mesh.positions.size() ? mesh.positions[place] : glm::vec3(NAN));
+            out.append(shape.sphere ? "sphere" : "grid",
+                       place < mesh.positions.size() ? mesh.positions[place] : glm::vec3(NAN));
         }
     }
 }
@@ -103,7 +112,10 @@ void record_work(Recorder& out)
         });
 }
 
-glm::vec3 tint(double turns) { return glm::vec3(0.55 + 0.33 * glm::cos(6.283185307179586 * (turns + glm::dvec3(0, 0.62, 0.36)))); }
+glm::vec3 tint(double turns)
+{
+    return glm::vec3(0.55 + 0.33 * glm::cos(6.283185307179586 * (turns + glm::dvec3(0, 0.62, 0.36))));
+}
 
 // Colours by where a triangle's first corner lies; a student's triangles may name anything.
 template <class Hue>
@@ -114,7 +126,8 @@ std::vector<glm::vec3> colored(IndexedMesh& mesh, std::size_t most, Hue hue)
     for (const glm::uvec3& t : mesh.triangles) {
         const std::size_t count = mesh.positions.size();
         const bool named = t.x < count && t.y < count && t.z < count;
-        colors.push_back(named ? tint(hue((mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0F)) : glm::vec3(0));
+        colors.push_back(named ? tint(hue((mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0F))
+                               : glm::vec3(0));
     }
     return colors;
 }

@@ -38,14 +38,16 @@ inline IndexedMesh surface(const std::vector<std::uint8_t>& bytes, int k)
                     place[(axis + 2) % 3] += corner / 2;
                     mesh.positions.push_back(glm::vec3(place) / static_cast<float>(k) - 0.5F);
                 }
-                for (const glm::uvec3 t : {glm::uvec3(0, 1, 2), {0, 2, 3}}) mesh.triangles.push_back(first + (side == 1 ? t : glm::uvec3(t.x, t.z, t.y)));
+                for (const glm::uvec3 t : {glm::uvec3(0, 1, 2), {0, 2, 3}})
+                    mesh.triangles.push_back(first + (side == 1 ? t : glm::uvec3(t.x, t.z, t.y)));
             }
     }
     return mesh;
 }
 
-/// A voxel inside the ball of k voxels across and the next one along an axis, which is outside: of 2000 tries, the two that hang on the least.
-/// The centres' coordinates are counted in half voxels. If `level`, the surface runs almost along that axis there, so that it can hang on very little.
+/// A voxel inside the ball of k voxels across and the next one along an axis, which is outside: of 2000 tries, the two
+/// that hang on the least. The centres' coordinates are counted in half voxels. If `level`, the surface runs almost
+/// along that axis there, so that it can hang on very little.
 inline std::pair<glm::uvec3, glm::uvec3> border_voxels(Random& random, std::uint32_t k, bool level)
 {
     const auto side = static_cast<std::int64_t>(k);
@@ -59,7 +61,10 @@ inline std::pair<glm::uvec3, glm::uvec3> border_voxels(Random& random, std::uint
     };
     const auto of_parity = [&](std::int64_t value) { return (value + side) % 2 == 0 ? value - 1 : value; };
     for (int i = 0; i < 2000; ++i) {
-        const auto part = [&] { return of_parity(side * 35 / 100 + static_cast<std::int64_t>(random.uniform_double() * static_cast<double>(side) * 0.3)); };
+        const auto part = [&] {
+            return of_parity(side * 35 / 100 +
+                             static_cast<std::int64_t>(random.uniform_double() * static_cast<double>(side) * 0.3));
+        };
         const std::int64_t x = part();
         const std::int64_t drawn = part();
         const std::int64_t y = level ? of_parity(root(side * side - x * x) - 2) : drawn;
@@ -74,7 +79,8 @@ inline std::pair<glm::uvec3, glm::uvec3> border_voxels(Random& random, std::uint
     const auto voxel = [&](const glm::i64vec3& centre) {
         glm::uvec3 cell(0);
         for (int axis = 0; axis < 3; ++axis) {
-            const std::int64_t half = (mirrored >> static_cast<unsigned>(axis) & 1U) != 0 ? -centre[axis] : centre[axis];
+            const std::int64_t half =
+                (mirrored >> static_cast<unsigned>(axis) & 1U) != 0 ? -centre[axis] : centre[axis];
             cell[(axis + static_cast<int>(turn)) % 3] = static_cast<std::uint32_t>((half + side - 1) / 2);
         }
         return cell;

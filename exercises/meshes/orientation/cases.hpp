@@ -41,12 +41,15 @@ inline IndexedMesh staircase(int steps)
 inline IndexedMesh three_sheets(std::uint32_t length)
 {
     IndexedMesh mesh;
-    for (std::uint32_t row = 0; row <= length; ++row) mesh.positions.emplace_back(0, 2.0F * static_cast<float>(row) / static_cast<float>(length) - 1, 0);
+    for (std::uint32_t row = 0; row <= length; ++row)
+        mesh.positions.emplace_back(0, 2.0F * static_cast<float>(row) / static_cast<float>(length) - 1, 0);
     for (int sheet = 0; sheet < 3; ++sheet) {
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
         const double angle = 2.0943951 * sheet;
-        for (std::uint32_t row = 0; row <= length; ++row) mesh.positions.emplace_back(std::sin(angle), mesh.positions[row].y, std::cos(angle));
-        for (std::uint32_t row = 0; row < length; ++row) add_quad(mesh, {row, first + row, first + row + 1, row + 1}, row % 2 == 0);
+        for (std::uint32_t row = 0; row <= length; ++row)
+            mesh.positions.emplace_back(std::sin(angle), mesh.positions[row].y, std::cos(angle));
+        for (std::uint32_t row = 0; row < length; ++row)
+            add_quad(mesh, {row, first + row, first + row + 1, row + 1}, row % 2 == 0);
     }
     return mesh;
 }
@@ -54,9 +57,10 @@ inline IndexedMesh three_sheets(std::uint32_t length)
 /// Everything that is no manifold, or looks as if it were none.
 inline std::vector<IndexedMesh> suspects(Random& random)
 {
-    std::vector<IndexedMesh> meshes{hourglass(5), staircase(4), three_sheets(3), joined(hourglass(3), cubes_at_a_corner(), {3, 0, 0})};
-    for (const Specimen& specimen : wild_meshes()) meshes.push_back(specimen.mesh);
-    for (const Specimen& specimen : tame_meshes()) meshes.push_back(specimen.mesh);
+    std::vector<IndexedMesh> meshes{hourglass(5), staircase(4), three_sheets(3),
+                                    joined(hourglass(3), cubes_at_a_corner(), {3, 0, 0})};
+    for (const Sample& sample : wild_meshes()) meshes.push_back(sample.mesh);
+    for (const Sample& sample : tame_meshes()) meshes.push_back(sample.mesh);
     for (IndexedMesh& mesh : meshes) mesh = with_mixed_winding(shuffled(mesh, random), random);
     return meshes;
 }
@@ -67,7 +71,8 @@ inline IndexedMesh turned_over(IndexedMesh mesh)
     return mesh;
 }
 
-/// Bodies one within the other, beside each other, and open sheets among them; about half of the pieces look the wrong way.
+/// Bodies one within the other, beside each other, and open sheets among them; about half of the pieces look the wrong
+/// way.
 inline IndexedMesh crowd(Random& random)
 {
     IndexedMesh mesh;
@@ -87,12 +92,15 @@ inline IndexedMesh crowd(Random& random)
     return shuffled(mesh, random);
 }
 
-/// A body of 10 units across, this far from the origin, where its vertices have places of their own: multiples of 2^step.
+/// A body of 10 units across, this far from the origin, where its vertices have places of their own: multiples of
+/// 2^step.
 inline IndexedMesh far_body(const IndexedMesh& body, double distance, int step, Random& random)
 {
     const glm::dvec3 away = distance * glm::dvec3(random.unit_vector());
     const double grid = std::ldexp(1.0, step);
-    IndexedMesh mesh = mapped(body, [&](const glm::vec3& position) { return glm::vec3(grid * round((away + 5.0 * glm::dvec3(position)) / grid)); });
+    IndexedMesh mesh = mapped(body, [&](const glm::vec3& position) {
+        return glm::vec3(grid * round((away + 5.0 * glm::dvec3(position)) / grid));
+    });
     return random.below(2) == 0 ? turned_over(mesh) : mesh;
 }
 

@@ -14,7 +14,8 @@ using namespace meshes;
 /// Triangles one by one, each begun at its smallest index.
 void record_triangles(Recorder& out, const char* name, const std::vector<glm::uvec3>& triangles, std::size_t count)
 {
-    for (std::size_t i = 0; i < count; ++i) out.append(name, i < triangles.size() ? glm::vec3(canonical(triangles[i])) : glm::vec3(std::nanf("")));
+    for (std::size_t i = 0; i < count; ++i)
+        out.append(name, i < triangles.size() ? glm::vec3(canonical(triangles[i])) : glm::vec3(std::nanf("")));
 }
 
 void record_faults(Recorder& out, const IndexedMesh& mesh)
@@ -26,7 +27,8 @@ void record_faults(Recorder& out, const IndexedMesh& mesh)
     // Lists that are longer than the mesh are cut: nothing of them can be right.
     const std::size_t most = 3 * mesh.triangles.size() + mesh.positions.size();
     const auto first = [&](const auto& list) { return std::span(list).first(std::min(list.size(), most)); };
-    row(0, static_cast<std::uint32_t>(mesh.positions.size()), static_cast<std::uint32_t>(mesh.triangles.size()));  // a mesh begins
+    row(0, static_cast<std::uint32_t>(mesh.positions.size()),
+        static_cast<std::uint32_t>(mesh.triangles.size()));  // a mesh begins
     for (const glm::uvec2& edge : first(faults.crowded_edges)) row(1, edge.x, edge.y);
     for (const std::uint32_t vertex : first(faults.lonely_vertices)) row(2, vertex, vertex);
     for (const std::uint32_t vertex : first(faults.torn_vertices)) row(3, vertex, vertex);
@@ -44,12 +46,14 @@ void record_coherent(Recorder& out, const IndexedMesh& mesh)
     }
 }
 
-/// The corners of the triangles, numbered in the order in which they are first met, and where they lie. Which group got the copy is free.
+/// The corners of the triangles, numbered in the order in which they are first met, and where they lie. Which group got
+/// the copy is free.
 void record_separated(Recorder& out, const IndexedMesh& mesh)
 {
     const IndexedMesh result = separated(mesh);
     std::map<std::uint32_t, float> numbers;
-    out.append("sizes", glm::vec2(static_cast<float>(result.positions.size()), static_cast<float>(result.triangles.size())));
+    out.append("sizes",
+               glm::vec2(static_cast<float>(result.positions.size()), static_cast<float>(result.triangles.size())));
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         glm::vec3 row(std::nanf(""));
         for (int k = 0; k < 3; ++k) {
@@ -66,8 +70,9 @@ void record_separated(Recorder& out, const IndexedMesh& mesh)
 void record_windings(Random& random, Recorder& out)
 {
     std::vector<IndexedMesh> good{hourglass(5), staircase(3), three_sheets(3)};
-    for (const Specimen& specimen : tame_meshes()) good.push_back(specimen.mesh);
-    const std::vector<IndexedMesh> bad{moebius(9), moebius(8, 3), klein_bottle(6, 5), projective_plane(), joined(octahedron(), moebius(5), {3, 0, 0})};
+    for (const Sample& sample : tame_meshes()) good.push_back(sample.mesh);
+    const std::vector<IndexedMesh> bad{moebius(9), moebius(8, 3), klein_bottle(6, 5), projective_plane(),
+                                       joined(octahedron(), moebius(5), {3, 0, 0})};
     for (std::size_t i = 0; i < good.size(); ++i) {
         const bool swapped = random.below(2) == 1;
         for (const bool is_good : {!swapped, swapped}) {
@@ -77,7 +82,10 @@ void record_windings(Random& random, Recorder& out)
     }
 }
 
-void record_outward(Recorder& out, const IndexedMesh& mesh) { record_triangles(out, "triangles", outward_triangles(mesh), mesh.triangles.size()); }
+void record_outward(Recorder& out, const IndexedMesh& mesh)
+{
+    record_triangles(out, "triangles", outward_triangles(mesh), mesh.triangles.size());
+}
 
 void record_far(Random& random, Recorder& out)
 {
@@ -88,7 +96,8 @@ void record_far(Random& random, Recorder& out)
 
 void record_work(Random& random, Recorder& out)
 {
-    for (const char* name : {"faults", "coherent", "outward", "separated"}) out.text(std::string(name) + ".names", "triangles");
+    for (const char* name : {"faults", "coherent", "outward", "separated"})
+        out.text(std::string(name) + ".names", "triangles");
     for (const std::uint32_t size : {10U, 15U, 22U, 33U}) {
         const IndexedMesh mesh = shuffled(joined(torus(2 * size, size), disc(2 * size * size), {3, 0, 0}), random);
         record_cost(out, "faults", mesh.triangles.size(), [&] { (void)manifold_faults(mesh); });

@@ -48,12 +48,13 @@ inline IndexedMesh pulled_apart(IndexedMesh mesh)
         middles[piece[i]].first += mesh.positions[i];
         middles[piece[i]].second += 1;
     }
-    for (std::size_t i = 0; i < piece.size(); ++i) mesh.positions[i] += 0.18F * middles[piece[i]].first / middles[piece[i]].second;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+        mesh.positions[i] += 0.18F * middles[piece[i]].first / middles[piece[i]].second;
     return mesh;
 }
 
-/// A torus wound at random; the same wound coherently, but inside out; two balls, one within the other, turned outwards and cut open; cubes that
-/// shared edges, come apart.
+/// A torus wound at random; the same wound coherently, but inside out; two balls, one within the other, turned outwards
+/// and cut open; cubes that shared edges, come apart.
 inline Image picture_of_sides(Random& random)
 {
     Show show(4, 1, 170, 190);

@@ -41,7 +41,8 @@ public:
             if (data_.size() < bytes.size()) return fail<Number>();
             std::memcpy(bytes.data(), data_.data(), bytes.size());
             data_.remove_prefix(bytes.size());
-            if ((format_ == PlyFormat::big_endian) != (std::endian::native == std::endian::big)) std::reverse(bytes.begin(), bytes.end());
+            if ((format_ == PlyFormat::big_endian) != (std::endian::native == std::endian::big))
+                std::reverse(bytes.begin(), bytes.end());
             number = std::bit_cast<Number>(bytes);
         }
         return number;
@@ -83,7 +84,8 @@ inline Decoded decoded(const std::string& file, PlyFormat format)
         for (std::string& w : word) words >> w;
         const std::string_view wanted[] = {"ascii", "binary_little_endian", "binary_big_endian"};
         if (word[0] == "format") same_format = word[1] == wanted[static_cast<int>(format)];
-        if (word[0] == "element") std::from_chars(word[2].data(), word[2].data() + word[2].size(), counts[word[1] == "face" ? 1 : 0]);
+        if (word[0] == "element")
+            std::from_chars(word[2].data(), word[2].data() + word[2].size(), counts[word[1] == "face" ? 1 : 0]);
         if (word[0] == "property" && word[1] == "list") {
             length_type = ply_type(word[2]).value_or(length_type);
             corner_type = ply_type(word[3]).value_or(corner_type);
@@ -92,9 +94,13 @@ inline Decoded decoded(const std::string& file, PlyFormat format)
         }
     }
     Decoded result;
-    if (!header || !same_format || (coordinates != "floatx floaty floatz " && coordinates != "float32x float32y float32z ")) return result;
+    if (!header || !same_format ||
+        (coordinates != "floatx floaty floatz " && coordinates != "float32x float32y float32z "))
+        return result;
     NumberReader numbers(std::string_view(file).substr(static_cast<std::size_t>(header.tellg())), format);
-    const auto whole = [&](PlyType type) { return with_ply_type(type, [&](auto zero) { return static_cast<double>(numbers.take<decltype(zero)>()); }); };
+    const auto whole = [&](PlyType type) {
+        return with_ply_type(type, [&](auto zero) { return static_cast<double>(numbers.take<decltype(zero)>()); });
+    };
     for (std::size_t i = 0; i < 3 * counts[0]; ++i) {
         const auto bits = std::bit_cast<std::uint32_t>(numbers.take<float>());
         if (numbers.failed()) return result;

@@ -48,7 +48,8 @@ public:
                 line_.append(digits, end);
             } else {
                 auto bytes = std::bit_cast<std::array<char, sizeof zero>>(number);
-                if ((format_ == PlyFormat::big_endian) != (std::endian::native == std::endian::big)) std::reverse(bytes.begin(), bytes.end());
+                if ((format_ == PlyFormat::big_endian) != (std::endian::native == std::endian::big))
+                    std::reverse(bytes.begin(), bytes.end());
                 data_.append(bytes.data(), bytes.size());
             }
         });
@@ -76,7 +77,8 @@ inline std::string type_name(const Dialect& dialect, PlyType type)
 /// The header's line of the i-th extra property, and its numbers: every other one is a list.
 inline std::string extra_property(const Dialect& dialect, PlyType type, std::size_t i)
 {
-    return "property " + (i % 2 == 1 ? "list uchar " : std::string()) + type_name(dialect, type) + " extra_" + std::to_string(i);
+    return "property " + (i % 2 == 1 ? "list uchar " : std::string()) + type_name(dialect, type) + " extra_" +
+           std::to_string(i);
 }
 inline void put_extra(NumberWriter& writer, PlyType type, std::size_t i, Random& random)
 {
@@ -92,16 +94,19 @@ inline std::string written_in(const Dialect& dialect, const PolygonMesh& mesh, R
     const std::string end = dialect.line_end;
     NumberWriter vertices(dialect.format);
     for (const glm::vec3& position : mesh.positions) {
-        for (std::size_t i = 0; i < dialect.extras_of_vertices.size(); ++i) put_extra(vertices, dialect.extras_of_vertices[i], i, random);
+        for (std::size_t i = 0; i < dialect.extras_of_vertices.size(); ++i)
+            put_extra(vertices, dialect.extras_of_vertices[i], i, random);
         for (const int axis : dialect.axes) vertices.put(dialect.coordinate_type, static_cast<double>(position[axis]));
         vertices.end_element(dialect.line_end);
-        if (dialect.remarks && dialect.format == PlyFormat::ascii && random.below(8) == 0) vertices.end_element(random.below(2) == 0 ? "\n" : " \t\r\n");
+        if (dialect.remarks && dialect.format == PlyFormat::ascii && random.below(8) == 0)
+            vertices.end_element(random.below(2) == 0 ? "\n" : " \t\r\n");
     }
     NumberWriter faces(dialect.format);
     for (const std::vector<std::uint32_t>& face : mesh.faces) {
         faces.put(dialect.length_type, static_cast<double>(face.size()));
         for (const std::uint32_t corner : face) faces.put(dialect.corner_type, corner);
-        for (std::size_t i = 0; i < dialect.extras_of_faces.size(); ++i) put_extra(faces, dialect.extras_of_faces[i], i, random);
+        for (std::size_t i = 0; i < dialect.extras_of_faces.size(); ++i)
+            put_extra(faces, dialect.extras_of_faces[i], i, random);
         faces.end_element(dialect.line_end);
     }
     NumberWriter others(dialect.format);
@@ -113,22 +118,29 @@ inline std::string written_in(const Dialect& dialect, const PolygonMesh& mesh, R
     }
 
     std::string vertex_header = "element vertex " + std::to_string(mesh.positions.size()) + end;
-    for (std::size_t i = 0; i < dialect.extras_of_vertices.size(); ++i) vertex_header += extra_property(dialect, dialect.extras_of_vertices[i], i) + end;
-    for (const int axis : dialect.axes) vertex_header += "property " + type_name(dialect, dialect.coordinate_type) + ' ' + "xyz"[axis] + end;
-    std::string face_header = "element face " + std::to_string(mesh.faces.size()) + end + "property list " + type_name(dialect, dialect.length_type) + ' ' +
-                              type_name(dialect, dialect.corner_type) + ' ' + dialect.corners_name + end;
-    for (std::size_t i = 0; i < dialect.extras_of_faces.size(); ++i) face_header += extra_property(dialect, dialect.extras_of_faces[i], i) + end;
+    for (std::size_t i = 0; i < dialect.extras_of_vertices.size(); ++i)
+        vertex_header += extra_property(dialect, dialect.extras_of_vertices[i], i) + end;
+    for (const int axis : dialect.axes)
+        vertex_header += "property " + type_name(dialect, dialect.coordinate_type) + ' ' + "xyz"[axis] + end;
+    std::string face_header = "element face " + std::to_string(mesh.faces.size()) + end + "property list " +
+                              type_name(dialect, dialect.length_type) + ' ' + type_name(dialect, dialect.corner_type) +
+                              ' ' + dialect.corners_name + end;
+    for (std::size_t i = 0; i < dialect.extras_of_faces.size(); ++i)
+        face_header += extra_property(dialect, dialect.extras_of_faces[i], i) + end;
     if (dialect.remarks) {
         face_header = "comment element face 7" + end + face_header;
         vertex_header = "obj_info num_cols 512" + end + "comment" + end + "  " + vertex_header;
     }
-    std::string other_header = "element edge 3" + end + "property short x" + end + "property list uchar double vertex_index" + end;
+    std::string other_header =
+        "element edge 3" + end + "property short x" + end + "property list uchar double vertex_index" + end;
     std::string other_data = others.data();
     if (!dialect.extra_elements) other_header = other_data = "";
 
-    std::string file = "ply" + end + "format " + formats[static_cast<int>(dialect.format)] + " 1.0" + (dialect.remarks ? "   " : "") + end;
+    std::string file = "ply" + end + "format " + formats[static_cast<int>(dialect.format)] + " 1.0" +
+                       (dialect.remarks ? "   " : "") + end;
     const bool first = dialect.faces_first;
-    file += (first ? face_header : vertex_header) + other_header + (first ? vertex_header : face_header) + "end_header" + end;
+    file += (first ? face_header : vertex_header) + other_header + (first ? vertex_header : face_header) +
+            "end_header" + end;
     return file + (first ? faces.data() : vertices.data()) + other_data + (first ? vertices.data() : faces.data());
 }
 
@@ -147,7 +159,8 @@ inline Dialect some_dialect(PlyFormat format, Random& random)
     dialect.remarks = random.below(2) == 0;
     dialect.faces_first = random.below(3) == 0;
     dialect.extra_elements = random.below(2) == 0;
-    for (std::size_t i = 3; i > 1; --i) std::swap(dialect.axes[i - 1], dialect.axes[random.below(static_cast<std::uint32_t>(i))]);
+    for (std::size_t i = 3; i > 1; --i)
+        std::swap(dialect.axes[i - 1], dialect.axes[random.below(static_cast<std::uint32_t>(i))]);
     for (std::vector<PlyType>* extras : {&dialect.extras_of_vertices, &dialect.extras_of_faces})
         for (std::uint32_t i = random.below(4); i > 0; --i) extras->push_back(static_cast<PlyType>(random.below(8)));
     return dialect;

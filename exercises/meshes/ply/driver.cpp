@@ -80,8 +80,9 @@ PolygonMesh some_mesh(Random& random)
 /// The course's example, and what a first file may have that it has not.
 void record_known(Recorder& out)
 {
-    const PolygonMesh course{{{0, 0, 0}, {0, 0, 2}, {0, 1.3F, 1}, {0, 1.4F, 0}, {1.1F, 0, 0}, {1, 0, 2}, {1, 0.8F, 1.5F}, {0.5F, 1, 0}},
-                             {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}}};
+    const PolygonMesh course{
+        {{0, 0, 0}, {0, 0, 2}, {0, 1.3F, 1}, {0, 1.4F, 0}, {1.1F, 0, 0}, {1, 0, 2}, {1, 0.8F, 1.5F}, {0.5F, 1, 0}},
+        {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}}};
     Random unused(1);
     Dialect dialect;
     dialect.corners_name = "vertex_index";
@@ -92,8 +93,12 @@ void record_known(Recorder& out)
     dialect.remarks = true;
     record_read(out, written_in(dialect, course, unused), course);
     const PolygonMesh cloud{{{1, 2, 3}, {-4, 5.5F, 6e-3F}}, {}};
-    record_read(out, "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n-4 5.5 6e-3\n", cloud);
-    record_read(out, "ply\nformat ascii 1.0\nelement vertex 0\nproperty int x\nproperty int y\nproperty int z\nend_header", {});
+    record_read(out,
+                "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
+                "z\nend_header\n1 2 3\n-4 5.5 6e-3\n",
+                cloud);
+    record_read(
+        out, "ply\nformat ascii 1.0\nelement vertex 0\nproperty int x\nproperty int y\nproperty int z\nend_header", {});
 }
 
 void record_dialects(std::initializer_list<PlyFormat> kinds, Random& random, Recorder& out)
@@ -107,7 +112,8 @@ void record_dialects(std::initializer_list<PlyFormat> kinds, Random& random, Rec
     }
 }
 
-/// Decimals that are hard to read: just beside the middle of two floats, in long and odd forms, or hardly a float at all.
+/// Decimals that are hard to read: just beside the middle of two floats, in long and odd forms, or hardly a float at
+/// all.
 void record_decimals(Recorder& out)
 {
     const char* const words[] = {"1.00000005960464477540",
@@ -136,8 +142,8 @@ void record_decimals(Recorder& out)
                                  "8.589973e9"};
     for (const char* type : {"float", "double"}) {
         for (const char* word : words) {
-            const std::string header =
-                std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty ") + type + " x\nproperty float y\nproperty float z\nend_header\n";
+            const std::string header = std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty ") + type +
+                                       " x\nproperty float y\nproperty float z\nend_header\n";
             record_bits(out, read_or_nothing(header + word + " 0 1\n"), 1);
         }
     }
@@ -193,7 +199,8 @@ void record_writing(Random& random, Recorder& out)
         const float y = random.uniform(-1, 1);
         large.positions.emplace_back(x, y, static_cast<float>(random.below(2000)) / 100.0F);
     }
-    PolygonMesh small{{{0, -0.0F, 1e-45F}, {0.1F, 1e10F, 3.4028235e38F}, {16777216, 1.0F / 3, -1e-10F}}, {{0, 1, 2}, {2, 1, 0, 1}}};
+    PolygonMesh small{{{0, -0.0F, 1e-45F}, {0.1F, 1e10F, 3.4028235e38F}, {16777216, 1.0F / 3, -1e-10F}},
+                      {{0, 1, 2}, {2, 1, 0, 1}}};
     for (const PlyFormat format : formats) {
         record_written(out, {}, format);
         record_written(out, small, format);
@@ -221,7 +228,8 @@ void record_in_locale(Random& random, Recorder& out)
     const std::string written = write_ply(mesh, PlyFormat::ascii);
     std::locale::global(before);
     record_bits(out, got, 2);
-    append_rows(out, "bits", decoded(written, PlyFormat::ascii).position_bits, 6, [](std::uint32_t row) { return row; });
+    append_rows(out, "bits", decoded(written, PlyFormat::ascii).position_bits, 6,
+                [](std::uint32_t row) { return row; });
 }
 
 }

@@ -12,7 +12,8 @@
 namespace umbral::meshes {
 
 inline const std::string good_ascii =
-    "ply\nformat ascii 1.0\ncomment four corners\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "ply\nformat ascii 1.0\ncomment four corners\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
     "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0.5\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n";
 
@@ -23,7 +24,8 @@ struct Malformed {
 };
 
 /// The text with a piece of it replaced; the first such piece after `after`.
-inline std::string changed(const std::string& text, const std::string& piece, const std::string& by, const std::string& after = "")
+inline std::string changed(const std::string& text, const std::string& piece, const std::string& by,
+                           const std::string& after = "")
 {
     const std::size_t from = text.find(piece, text.find(after));
     if (from == std::string::npos) throw std::logic_error("changed: there is no '" + piece + "'");
@@ -65,7 +67,9 @@ inline std::vector<Malformed> bad_headers()
 
 inline std::vector<Malformed> bad_data()
 {
-    const auto with = [](const char* piece, const char* by) { return Malformed{changed(good_ascii, piece, by, "end_header")}; };
+    const auto with = [](const char* piece, const char* by) {
+        return Malformed{changed(good_ascii, piece, by, "end_header")};
+    };
     return {{changed(good_ascii, "3 0 1 2\n3 0 2 3\n", ""), false},
             {changed(good_ascii, "3 0 2 3\n", ""), false},
             {changed(good_ascii, "face 2", "face 1")},
@@ -91,14 +95,16 @@ inline std::vector<Malformed> bad_data()
 }
 
 /// The good mesh in binary, with one value of its data changed: `offset` is counted from the end of the header.
-inline Malformed poked(PlyFormat format, PlyType length_type, PlyType corner_type, std::size_t offset, const std::string& bytes)
+inline Malformed poked(PlyFormat format, PlyType length_type, PlyType corner_type, std::size_t offset,
+                       const std::string& bytes)
 {
     Dialect dialect;
     dialect.format = format;
     dialect.length_type = length_type;
     dialect.corner_type = corner_type;
     Random unused(1);
-    std::string file = written_in(dialect, {{{0, 0, 0.5F}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}}, unused);
+    std::string file =
+        written_in(dialect, {{{0, 0, 0.5F}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}}, unused);
     return {file.replace(file.find("end_header\n") + 11 + offset, bytes.size(), bytes)};
 }
 
@@ -110,7 +116,8 @@ inline std::vector<Malformed> bad_binaries()
     std::vector<Malformed> files;
     // Four vertices of twelve bytes, then faces of 1 + 3 x 4 bytes.
     const std::string good = poked(little_endian, uint8, int32, 0, "").file;
-    for (const std::size_t lost : {1U, 4U, 13U, 14U, 27U, 74U}) files.push_back({good.substr(0, good.size() - lost), false});
+    for (const std::size_t lost : {1U, 4U, 13U, 14U, 27U, 74U})
+        files.push_back({good.substr(0, good.size() - lost), false});
     files.push_back({good + "\n"});
     files.push_back(poked(little_endian, uint8, int32, 48 + 13 + 5, "\4\0\0\0"s));
     files.push_back(poked(little_endian, uint8, int32, 48 + 13 + 5, "\377\377\377\377"s));
@@ -137,7 +144,9 @@ inline std::vector<Malformed> lying_counts()
             {changed(good, "face 2", "face 6000000000000000000"), false},
             {poked(little_endian, uint32, int32, 48, "\377\377\377\377"s).file, false},
             {poked(big_endian, int32, int32, 48, "\177\377\377\377"s).file, false},
-            {changed(good, "list uchar int vertex_indices\n", "list uchar int vertex_indices\nproperty list uint char rest\n"), false},
+            {changed(good, "list uchar int vertex_indices\n",
+                     "list uchar int vertex_indices\nproperty list uint char rest\n"),
+             false},
             {changed(good_ascii, "element face", "element nothing 9000000000000000000\nelement face")},
             {changed(good, "element face", "element nothing 9000000000000000000\nelement face")}};
 }

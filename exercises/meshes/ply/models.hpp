@@ -17,7 +17,9 @@ namespace umbral::meshes {
 inline PolygonMesh twisted_ring(std::uint32_t columns = 36)
 {
     PolygonMesh mesh;
-    const auto at = [&](std::uint32_t column, std::uint32_t row) { return column < columns ? 4 * column + row % 4 : (row + 1) % 4; };
+    const auto at = [&](std::uint32_t column, std::uint32_t row) {
+        return column < columns ? 4 * column + row % 4 : (row + 1) % 4;
+    };
     for (std::uint32_t column = 0; column < columns; ++column) {
         for (std::uint32_t row = 0; row < 4; ++row) {
             const double u = 6.283185307179586 * column / columns;
@@ -50,7 +52,8 @@ inline Image picture_of(std::span<const PolygonMesh> models)
         std::vector<glm::vec3> colors;
         std::vector<std::array<glm::vec3, 2>> edges;
         for (const auto& face : model.faces) {
-            for (std::size_t i = 2; i < face.size(); ++i) colors.push_back(of_corners[std::clamp<std::size_t>(face.size(), 3, 6) - 3]);
+            for (std::size_t i = 2; i < face.size(); ++i)
+                colors.push_back(of_corners[std::clamp<std::size_t>(face.size(), 3, 6) - 3]);
             for (std::size_t i = 0; i < face.size(); ++i) {
                 const std::uint32_t a = face[i];
                 const std::uint32_t b = face[(i + 1) % face.size()];

@@ -39,8 +39,10 @@ void record_work(Recorder& out, std::uint64_t columns, std::uint64_t rows)
 
 void record_sphere(Recorder& out)
 {
-    for (const std::uint64_t k : {1U, 2U, 3U, 5U, 8U, 16U, 17U, 31U, 100U, 288U, 1024U}) record(out, "voxels", voxel_bytes(k));
-    for (const std::uint64_t k : {2U, 3U, 8U, 16U, 17U, 100U, 287U, 288U, 1024U}) record(out, "mesh", sphere_mesh_bytes(k));
+    for (const std::uint64_t k : {1U, 2U, 3U, 5U, 8U, 16U, 17U, 31U, 100U, 288U, 1024U})
+        record(out, "voxels", voxel_bytes(k));
+    for (const std::uint64_t k : {2U, 3U, 8U, 16U, 17U, 100U, 287U, 288U, 1024U})
+        record(out, "mesh", sphere_mesh_bytes(k));
     for (const auto& [vertex, index] : {std::pair{12U, 4U}, {24U, 4U}, {12U, 2U}, {1U, 1U}, {6U, 8U}, {44U, 4U}})
         record(out, "crossover", crossover_resolution({vertex, index, 8}));
 }
@@ -89,23 +91,29 @@ void record_large(Random& random, Recorder& out)
         const std::uint64_t rows = 50'000'000 + random.below(50'000'000);
         const GridCounts counts = grid_counts(columns, rows);
         const GridBytes sizes = grid_bytes(columns, rows, bytes);
-        for (const std::uint64_t value : {counts.edges, sizes.isolated, sizes.indexed, sizes.strips, sizes.indexed_strips}) record(out, "sizes", value);
+        for (const std::uint64_t value :
+             {counts.edges, sizes.isolated, sizes.indexed, sizes.strips, sizes.indexed_strips})
+            record(out, "sizes", value);
     }
 }
 
 // Both axes logarithmic: k from 2 to 2048, bytes from 1 to 2^31.
 glm::dvec2 on_chart(std::uint64_t k, std::uint64_t bytes)
 {
-    return {0.55 * std::log2(static_cast<double>(std::max<std::uint64_t>(k, 1))), 0.18 * std::log2(static_cast<double>(std::max<std::uint64_t>(bytes, 1)))};
+    return {0.55 * std::log2(static_cast<double>(std::max<std::uint64_t>(k, 1))),
+            0.18 * std::log2(static_cast<double>(std::max<std::uint64_t>(bytes, 1)))};
 }
 
-// Left: bytes of voxels and of meshes for all resolutions, and where they cross. Right: bytes per vertex of a large grid, a square each, those of
-// coordinates in orange; isolated triangles, indexed, strips, indexed strips.
+// Left: bytes of voxels and of meshes for all resolutions, and where they cross. Right: bytes per vertex of a large
+// grid, a square each, those of coordinates in orange; isolated triangles, indexed, strips, indexed strips.
 Image picture()
 {
     Drawing drawing(640, 340, {-0.2, -0.45}, {11.6, 5.8});
-    for (int e = 0; e <= 30; e += 5) drawing.line(on_chart(2, std::uint64_t{1} << e), on_chart(2048, std::uint64_t{1} << e), ink::slate, 1);
-    for (int e = 1; e <= 11; e += 2) drawing.line(on_chart(std::uint64_t{1} << e, 1), on_chart(std::uint64_t{1} << e, std::uint64_t{1} << 30U), ink::slate, 1);
+    for (int e = 0; e <= 30; e += 5)
+        drawing.line(on_chart(2, std::uint64_t{1} << e), on_chart(2048, std::uint64_t{1} << e), ink::slate, 1);
+    for (int e = 1; e <= 11; e += 2)
+        drawing.line(on_chart(std::uint64_t{1} << e, 1), on_chart(std::uint64_t{1} << e, std::uint64_t{1} << 30U),
+                     ink::slate, 1);
     const auto chart = [&](auto bytes, glm::vec3 color) {
         for (std::uint64_t k = 2; k < 2048; k += 1 + k / 8) {
             const std::uint64_t next = std::min<std::uint64_t>(k + 1 + k / 8, 2048);
@@ -121,15 +129,20 @@ Image picture()
     constexpr std::uint64_t side = 4096;
     const GridBytes sizes = grid_bytes(side, side);
     const GridBytes doubled = grid_bytes(side, side, {24, 4, 8});
-    const auto per_vertex = [](std::uint64_t bytes) { return std::min(static_cast<int>(std::lround(static_cast<double>(bytes) / double{side * side})), 96); };
-    const std::pair<std::uint64_t, std::uint64_t> bars[] = {
-        {sizes.isolated, doubled.isolated}, {sizes.indexed, doubled.indexed}, {sizes.strips, doubled.strips}, {sizes.indexed_strips, doubled.indexed_strips}};
+    const auto per_vertex = [](std::uint64_t bytes) {
+        return std::min(static_cast<int>(std::lround(static_cast<double>(bytes) / double{side * side})), 96);
+    };
+    const std::pair<std::uint64_t, std::uint64_t> bars[] = {{sizes.isolated, doubled.isolated},
+                                                            {sizes.indexed, doubled.indexed},
+                                                            {sizes.strips, doubled.strips},
+                                                            {sizes.indexed_strips, doubled.indexed_strips}};
     double left = 6.9;
     for (const auto& [bytes, with_double_vertices] : bars) {
         const int coordinates = per_vertex(with_double_vertices - bytes);
         for (int i = 0; i < per_vertex(bytes); ++i) {
             const glm::dvec2 p(left + 0.25 * (i % 4), 0.297 * static_cast<double>(i / 4));
-            drawing.area(std::vector<glm::dvec2>{p, p + glm::dvec2(0.21, 0), p + glm::dvec2(0.21, 0.25), p + glm::dvec2(0, 0.25)},
+            drawing.area(std::vector<glm::dvec2>{p, p + glm::dvec2(0.21, 0), p + glm::dvec2(0.21, 0.25),
+                                                 p + glm::dvec2(0, 0.25)},
                          i < coordinates ? ink::orange : ink::green);
         }
         left += 1.2;

@@ -27,7 +27,8 @@ void record_vertices(Recorder& out, const TexturedMesh& surface, const Places& p
     for (const std::size_t i : places) {
         out.append("positions", i < surface.mesh.positions.size() ? surface.mesh.positions[i] : glm::vec3(nothing));
         out.append("normals", i < surface.normals.size() ? surface.normals[i] : glm::vec3(nothing));
-        out.append("coordinates", i < surface.texture_coordinates.size() ? surface.texture_coordinates[i] : glm::vec2(nothing));
+        out.append("coordinates",
+                   i < surface.texture_coordinates.size() ? surface.texture_coordinates[i] : glm::vec2(nothing));
     }
 }
 
@@ -37,8 +38,8 @@ void record_whole(Recorder& out, const Profile& profile, std::uint32_t copies)
     const TexturedMesh surface = revolve(profile, copies);
     record_vertices(out, surface, all_places(profile, copies));
     const auto size = [](const auto& list) { return static_cast<float>(list.size()); };
-    out.append("triangles",
-               std::vector<float>{-1, size(surface.mesh.positions), size(surface.mesh.triangles), size(surface.normals) + size(surface.texture_coordinates)});
+    out.append("triangles", std::vector<float>{-1, size(surface.mesh.positions), size(surface.mesh.triangles),
+                                               size(surface.normals) + size(surface.texture_coordinates)});
     record_indices(out, "triangles", 1, surface.mesh.triangles, 2 * profile.size() * copies);
 }
 
@@ -47,18 +48,22 @@ void record_seam(Recorder& out, const Profile& profile, std::uint32_t copies)
 {
     const TexturedMesh surface = revolve(profile, copies);
     Places places;
-    for (std::size_t j = 0; j < profile.size(); ++j) places.insert(places.end(), {j, profile.size() * (copies - 1) + j});
+    for (std::size_t j = 0; j < profile.size(); ++j)
+        places.insert(places.end(), {j, profile.size() * (copies - 1) + j});
     record_vertices(out, surface, places);
 }
 
 void record_many(Random& random, Recorder& out)
 {
-    // Very many copies, of which some are looked at: where errors that add up are largest, and at the quarters of the turn.
+    // Very many copies, of which some are looked at: where errors that add up are largest, and at the quarters of the
+    // turn.
     for (const std::uint32_t copies : {1001U, 10'001U, 65'537U}) {
         const TexturedMesh surface = revolve(Profile{{1, 0}, {2, 1}}, copies);
         Places places;
-        for (std::uint32_t k = 0; k < 200; ++k) places.push_back(2 * std::size_t{copies - 1} * k / 200 + random.below(2 * (copies / 256)));
-        for (const std::uint32_t quarter : {1U, 2U, 3U, 4U}) places.push_back(2 * std::size_t{copies - 1} * quarter / 4 + 1);
+        for (std::uint32_t k = 0; k < 200; ++k)
+            places.push_back(2 * std::size_t{copies - 1} * k / 200 + random.below(2 * (copies / 256)));
+        for (const std::uint32_t quarter : {1U, 2U, 3U, 4U})
+            places.push_back(2 * std::size_t{copies - 1} * quarter / 4 + 1);
         record_vertices(out, surface, places);
     }
     for (const std::uint32_t points : {1000U, 10'000U, 50'000U}) {
@@ -108,7 +113,8 @@ const Driver driver = {
      }},
     {"seam",
      [](Case& c, Recorder& out) {
-         for (const std::uint32_t copies : {4U, 5U, 8U, 13U, 50U, 1000U, 4096U}) record_seam(out, some_profile(c.random), copies);
+         for (const std::uint32_t copies : {4U, 5U, 8U, 13U, 50U, 1000U, 4096U})
+             record_seam(out, some_profile(c.random), copies);
      }},
     {"many", [](Case& c, Recorder& out) { record_many(c.random, out); }},
     {"refused", [](Case&, Recorder& out) { record_attempts(out); }},

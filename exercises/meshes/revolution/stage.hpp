@@ -60,7 +60,10 @@ inline void draw(const gl::Program& program, TexturedMesh surface)
     std::vector<std::uint32_t> indices;
     for (const glm::uvec3& t : surface.mesh.triangles)
         if (t.x < count && t.y < count && t.z < count) indices.insert(indices.end(), {t.x, t.y, t.z});
-    AttributeMesh(program, indices, {{"position", surface.mesh.positions}, {"normal", surface.normals}, {"texture_coordinates", surface.texture_coordinates}})
+    AttributeMesh(program, indices,
+                  {{"position", surface.mesh.positions},
+                   {"normal", surface.normals},
+                   {"texture_coordinates", surface.texture_coordinates}})
         .draw();
 }
 
@@ -77,7 +80,8 @@ inline Image picture()
     for (int i = 0; i < 3; ++i) {
         const glm::vec3 target(0, middles[i], 0);
         stage.column(i, 3);
-        stage.look(target + glm::vec3(1.2F, 1.7F, 5.6F), target, 25, static_cast<float>(width) / static_cast<float>(height));
+        stage.look(target + glm::vec3(1.2F, 1.7F, 5.6F), target, 25,
+                   static_cast<float>(width) / static_cast<float>(height));
         stage.program().set("pattern", i);
         draw(stage.program(), revolve(profiles[i], 49));
     }

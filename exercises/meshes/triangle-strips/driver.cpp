@@ -13,7 +13,8 @@ using namespace meshes;
 void record_grids(Recorder& out)
 {
     StripLog log(out, "strips");
-    for (const auto& [columns, rows] : {std::pair{1U, 1U}, {1U, 4U}, {5U, 1U}, {2U, 3U}, {8U, 4U}, {3U, 7U}, {0U, 3U}, {4U, 0U}}) {
+    for (const auto& [columns, rows] :
+         {std::pair{1U, 1U}, {1U, 4U}, {5U, 1U}, {2U, 3U}, {8U, 4U}, {3U, 7U}, {0U, 3U}, {4U, 0U}}) {
         log.begin("grid of " + std::to_string(columns) + " x " + std::to_string(rows) + ": strip, vertex");
         const std::vector<Strip> strips = grid_strips(columns, rows);
         for (std::uint32_t i = 0; i < std::min<std::size_t>(strips.size(), 20); ++i)
@@ -88,14 +89,15 @@ void record_joined(Random& random, Recorder& out)
     record("none", {});
     for (int i = 0; i < 12; ++i) {
         std::vector<Strip> strips;
-        for (std::uint32_t count = 1 + random.below(6); count > 0; --count) strips.push_back(random_strip(random, random.below(9)));
+        for (std::uint32_t count = 1 + random.below(6); count > 0; --count)
+            strips.push_back(random_strip(random, random.below(9)));
         record("random strips", strips);
     }
     log.finish();
     drawings.finish();
 }
 
-void record_strips_of(Recorder& out, const std::vector<Specimen>& meshes)
+void record_strips_of(Recorder& out, const std::vector<Sample>& meshes)
 {
     StripLog log(out, "triangles");
     for (const auto& [name, mesh] : meshes) {
@@ -105,27 +107,34 @@ void record_strips_of(Recorder& out, const std::vector<Specimen>& meshes)
     log.finish();
 }
 
-std::vector<Specimen> larger_meshes(Random& random)
+std::vector<Sample> larger_meshes(Random& random)
 {
-    std::vector<Specimen> meshes = {{"sheet", flat_sheet(9, 5)},    {"torus", torus(15, 10)},         {"ball", ball(12, 14)}, {"knot", trefoil(30, 7, 0.4)},
-                                    {"plate", plate_with_holes(4)}, {"hills", hills(15, 12, random)}, {"fan", disc(30)}};
+    std::vector<Sample> meshes = {{"sheet", flat_sheet(9, 5)},
+                                  {"torus", torus(15, 10)},
+                                  {"ball", ball(12, 14)},
+                                  {"knot", trefoil(30, 7, 0.4)},
+                                  {"plate", plate_with_holes(4)},
+                                  {"hills", hills(15, 12, random)},
+                                  {"fan", disc(30)}};
     for (auto& [name, mesh] : meshes) mesh = shuffled(mesh, random);
     return meshes;
 }
 
-// How many indices all strips of a mesh have. One mesh is much larger than the others, so that no one number is near them all.
+// How many indices all strips of a mesh have. One mesh is much larger than the others, so that no one number is near
+// them all.
 void record_index_counts(Random& random, Recorder& out)
 {
-    for (const IndexedMesh& mesh : {torus(10, 7), ball(9, 9), trefoil(16, 5, 0.4), plate_with_holes(4), hills(9, 8, random), tube(8, 5), torus(50, 40)}) {
+    for (const IndexedMesh& mesh : {torus(10, 7), ball(9, 9), trefoil(16, 5, 0.4), plate_with_holes(4),
+                                    hills(9, 8, random), tube(8, 5), torus(50, 40)}) {
         std::size_t count = 0;
         for (const Strip& strip : make_strips(shuffled(mesh, random))) count += strip.size();
         out.append("indices", static_cast<float>(count));
     }
 }
 
-std::vector<Specimen> odd_meshes(Random& random)
+std::vector<Sample> odd_meshes(Random& random)
 {
-    std::vector<Specimen> meshes = wild_meshes();
+    std::vector<Sample> meshes = wild_meshes();
     meshes.push_back({"any winding", with_mixed_winding(torus(7, 5), random)});
     for (auto& [name, mesh] : meshes) {
         if (mesh.triangles.empty()) continue;

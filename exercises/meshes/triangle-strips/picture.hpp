@@ -10,7 +10,8 @@
 
 namespace umbral::meshes {
 
-/// Hills over a grid of `columns` x `rows` cells, whose vertices are numbered as grid_strips has it; rows go away from the viewer.
+/// Hills over a grid of `columns` x `rows` cells, whose vertices are numbered as grid_strips has it; rows go away from
+/// the viewer.
 inline std::vector<glm::vec3> hills_over_a_grid(std::uint32_t columns, std::uint32_t rows)
 {
     std::vector<glm::vec3> positions;
@@ -18,15 +19,16 @@ inline std::vector<glm::vec3> hills_over_a_grid(std::uint32_t columns, std::uint
         for (std::uint32_t column = 0; column <= columns; ++column) {
             const double x = 3.2 * column / columns - 1.6;
             const double z = 1.3 - 2.6 * row / rows;
-            const double height =
-                0.55 * std::exp(-3 * ((x - 0.5) * (x - 0.5) + (z + 0.2) * (z + 0.2))) + 0.3 * std::exp(-5 * ((x + 0.8) * (x + 0.8) + (z - 0.4) * (z - 0.4)));
+            const double height = 0.55 * std::exp(-3 * ((x - 0.5) * (x - 0.5) + (z + 0.2) * (z + 0.2))) +
+                                  0.3 * std::exp(-5 * ((x + 0.8) * (x + 0.8) + (z - 0.4) * (z - 0.4)));
             positions.emplace_back(x, height, z);
         }
     }
     return positions;
 }
 
-/// Left: the strips of a grid, joined and taken apart again, each in a colour of its own, with its zigzag over it. Right: a knot drawn from its strips. Backs are red.
+/// Left: the strips of a grid, joined and taken apart again, each in a colour of its own, with its zigzag over it.
+/// Right: a knot drawn from its strips. Backs are red.
 inline Image draw_strips()
 {
     constexpr std::uint32_t columns = 16;

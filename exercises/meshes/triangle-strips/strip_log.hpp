@@ -21,8 +21,8 @@ inline glm::uvec3 turned(const glm::uvec3& t)
     return t;
 }
 
-/// What OpenGL would draw of these strips, as a sorted list: what two ways to cut a mesh into strips have in common. Looks at no more indices than
-/// any sensible cut of a mesh of `triangle_count` triangles needs.
+/// What OpenGL would draw of these strips, as a sorted list: what two ways to cut a mesh into strips have in common.
+/// Looks at no more indices than any sensible cut of a mesh of `triangle_count` triangles needs.
 inline std::vector<glm::uvec3> drawn(const std::vector<Strip>& strips, std::size_t triangle_count)
 {
     std::vector<glm::uvec3> triangles;
@@ -32,7 +32,8 @@ inline std::vector<glm::uvec3> drawn(const std::vector<Strip>& strips, std::size
         for (std::size_t i = 0; i < strip.size() && left > 0; ++i, --left) {
             length = strip[i] == restart_index ? 0 : length + 1;
             if (length < 3) continue;
-            const glm::uvec3 t(strip[length % 2 == 1 ? i - 2 : i - 1], strip[length % 2 == 1 ? i - 1 : i - 2], strip[i]);
+            const glm::uvec3 t(strip[length % 2 == 1 ? i - 2 : i - 1], strip[length % 2 == 1 ? i - 1 : i - 2],
+                               strip[i]);
             if (t.x != t.y && t.y != t.z && t.z != t.x) triangles.push_back(turned(t));
         }
     }

@@ -22,8 +22,8 @@ Strip join_strips(const std::vector<Strip>& strips)
 
 std::vector<Strip> make_strips(const IndexedMesh& mesh)
 {
-    // TODO: begin with a triangle that has no strip yet; go on over the edge that the strip's next triangle must have, as long as there is
-    // a triangle behind it that runs along the edge in the right direction and has no strip yet.
+    // TODO: begin with a triangle that has no strip yet; go on over the edge that the strip's next triangle must have,
+    // as long as there is a triangle behind it that runs along the edge in the right direction and has no strip yet.
     return not_implemented<std::vector<Strip>>(mesh);
 }
 

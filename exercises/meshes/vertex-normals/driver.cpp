@@ -32,7 +32,9 @@ void record_known(Recorder& out)
     for (const float z : {0.0F, 1.0F})
         for (const float y : {0.0F, 1.0F})
             for (const float x : {0.0F, 1.0F}) cube.positions.emplace_back(x, y, z);
-    for (const glm::uvec4& side : {glm::uvec4(4, 5, 7, 6), {1, 0, 2, 3}, {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}}) add_quad(cube, side);
+    for (const glm::uvec4& side :
+         {glm::uvec4(4, 5, 7, 6), {1, 0, 2, 3}, {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}})
+        add_quad(cube, side);
     record(out, cube);
 }
 
@@ -46,7 +48,8 @@ void record_random(Random& random, Recorder& out)
     record(out, trefoil(40, 7, 0.4));
 }
 
-// The places of a sheet's vertices are multiples of 1/64, so that degenerate triangles are exactly degenerate in any arithmetic.
+// The places of a sheet's vertices are multiples of 1/64, so that degenerate triangles are exactly degenerate in any
+// arithmetic.
 IndexedMesh sheet_on_grid(Random& random)
 {
     return mapped(hills(6, 6, random), [](const glm::vec3& position) { return round(64.0F * position) / 64.0F; });
@@ -71,14 +74,16 @@ void record_degenerate(Random& random, Recorder& out)
             mesh.triangles.emplace_back(repeated, some(), repeated);
         }
         // Vertices of no triangle, a vertex in the place of another one, and a needle along an edge.
-        mesh.positions.insert(mesh.positions.end(), {{9, 9, 9}, {-1, 2, 0}, mesh.positions[7], 2.0F * mesh.positions[1] - mesh.positions[0]});
+        mesh.positions.insert(mesh.positions.end(),
+                              {{9, 9, 9}, {-1, 2, 0}, mesh.positions[7], 2.0F * mesh.positions[1] - mesh.positions[0]});
         mesh.triangles.insert(mesh.triangles.end(), {{7, count + 2, 20}, {0, 1, count + 3}});
         // A sheet with a front and a back: all normals of a vertex cancel.
         const IndexedMesh front = sheet_on_grid(random);
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
         mesh.positions.insert(mesh.positions.end(), front.positions.begin(), front.positions.end());
         for (const glm::uvec3& t : front.triangles)
-            mesh.triangles.insert(mesh.triangles.end(), {{first + t.x, first + t.y, first + t.z}, {first + t.y, first + t.x, first + t.z}});
+            mesh.triangles.insert(mesh.triangles.end(),
+                                  {{first + t.x, first + t.y, first + t.z}, {first + t.y, first + t.x, first + t.z}});
         record(out, mesh);
 
         // A broken vertex spoils its triangles, and no others.

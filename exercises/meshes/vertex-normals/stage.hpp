@@ -7,7 +7,8 @@
 #include <umbral/meshes/mesh.hpp>
 #include <vector>
 
-/// Draws one mesh twice, side by side: flat with the normals of its faces, smooth with those of its vertices. A context must be current.
+/// Draws one mesh twice, side by side: flat with the normals of its faces, smooth with those of its vertices. A context
+/// must be current.
 namespace umbral::meshes {
 
 inline constexpr const char* two_colors = R"(

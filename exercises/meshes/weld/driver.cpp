@@ -13,7 +13,10 @@ namespace {
 using namespace meshes;
 
 /// What cannot be compared becomes a number that no position here has: NaN, and the two infinities.
-float comparable(float number) { return std::isnan(number) ? 3e38F : std::isinf(number) ? std::copysign(2e38F, number) : number; }
+float comparable(float number)
+{
+    return std::isnan(number) ? 3e38F : std::isinf(number) ? std::copysign(2e38F, number) : number;
+}
 
 /// Rows are the soup's number and a position, or three vertices; more rows than corners are never right.
 class MeshLog {
@@ -63,7 +66,7 @@ void record_known(Recorder& out)
 void record_random(Random& random, Recorder& out)
 {
     MeshLog log(out);
-    for (const Specimen& specimen : tame_meshes()) log.add(specimen.name, soup_of(shuffled(specimen.mesh, random)));
+    for (const Sample& sample : tame_meshes()) log.add(sample.name, soup_of(shuffled(sample.mesh, random)));
     log.add("hills", soup_of(shuffled(hills(9, 8, random), random)));
     log.add("corners at few places", soup_of_few_places(random));
     log.add("knot", soup_of(shuffled(trefoil(30, 5, 0.4), random)));
@@ -80,9 +83,11 @@ void record_special(Case& c, Recorder& out)
 
 void record_isolated(Random& random, Recorder& out)
 {
-    for (const IndexedMesh& mesh : {cube(), shuffled(torus(5, 4), random), with_lonely_vertices(hills(4, 3, random), 3)}) {
+    for (const IndexedMesh& mesh :
+         {cube(), shuffled(torus(5, 4), random), with_lonely_vertices(hills(4, 3, random), 3)}) {
         const Soup soup = isolated_triangles(mesh);
-        for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) out.append("corners", i < soup.size() ? soup[i] : glm::vec3(0));
+        for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i)
+            out.append("corners", i < soup.size() ? soup[i] : glm::vec3(0));
         out.append("sizes", static_cast<float>(soup.size()));
     }
 }
@@ -94,14 +99,16 @@ void record_work(Random& random, Recorder& out)
     for (const std::uint32_t side : {13U, 19U, 26U, 37U, 52U}) {
         const Soup soup = soup_of(shuffled(torus(side, side), random));
         record_cost(out, "blocks", soup.size(), [&] { (void)weld(soup); });
-        // Side² cells, more and more of them in a row: who hashes rows alike takes time n^1.75, and who compares all corners n².
+        // Side² cells, more and more of them in a row: who hashes rows alike takes time n^1.75, and who compares all
+        // corners n².
         const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(side)));
         const Soup diagonal = diagonal_soup(side * side / rows, rows, random);
         record_cost(out, "blocks in a diagonal plane", diagonal.size(), [&] { (void)weld(diagonal); });
     }
 }
 
-// Left: triangles before welding, drawn apart. Right: the welded mesh; the more triangles a vertex has, the larger and the warmer its disc.
+// Left: triangles before welding, drawn apart. Right: the welded mesh; the more triangles a vertex has, the larger and
+// the warmer its disc.
 Image draw_before_and_after()
 {
     const Soup soup = soup_of(ball(12, 8));
@@ -128,8 +135,10 @@ Image draw_before_and_after()
             if (t[corner] < uses.size()) ++uses[t[corner]];
     for (std::size_t i = 0; i < uses.size(); ++i) places[std::min(uses[i], 12)].push_back(welded.positions[i]);
     for (const auto& [count, positions] : places)
-        show.points(positions, glm::mix(ink::white, ink::orange, static_cast<float>(count) / 8 > 1 ? 1.0F : static_cast<float>(count) / 8),
-                    1.5F + 0.5F * static_cast<float>(count));
+        show.points(
+            positions,
+            glm::mix(ink::white, ink::orange, static_cast<float>(count) / 8 > 1 ? 1.0F : static_cast<float>(count) / 8),
+            1.5F + 0.5F * static_cast<float>(count));
     return show.picture();
 }
 

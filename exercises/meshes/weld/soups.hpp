@@ -17,11 +17,13 @@ using Soup = std::vector<glm::vec3>;
 inline Soup soup_of(const IndexedMesh& mesh)
 {
     Soup soup;
-    for (const glm::uvec3& t : mesh.triangles) soup.insert(soup.end(), {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]});
+    for (const glm::uvec3& t : mesh.triangles)
+        soup.insert(soup.end(), {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]});
     return soup;
 }
 
-/// Sheets in the planes of coordinates: a third of the coordinates are zeros, and about half of these zeros are negative.
+/// Sheets in the planes of coordinates: a third of the coordinates are zeros, and about half of these zeros are
+/// negative.
 inline Soup soup_of_two_zeros(Random& random)
 {
     Soup soup;
@@ -40,7 +42,8 @@ inline Soup soup_of_two_zeros(Random& random)
     return soup;
 }
 
-/// Each triangle of a sheet comes twice, the second time one float further along one axis; and two numbers that are the smallest there are apart.
+/// Each triangle of a sheet comes twice, the second time one float further along one axis; and two numbers that are the
+/// smallest there are apart.
 inline Soup soup_of_close_places(Random& random)
 {
     Soup soup = soup_of(shuffled(hills(5, 4, random), random));
@@ -48,7 +51,8 @@ inline Soup soup_of_close_places(Random& random)
     for (glm::vec3& corner : shifted) corner.y = std::nextafter(corner.y, 100.0F);
     soup.insert(soup.end(), shifted.begin(), shifted.end());
     const float smallest = std::numeric_limits<float>::denorm_min();
-    soup.insert(soup.end(), {{smallest, 0, 0}, {0, 0, 0}, {2 * smallest, 0, 0}, {0, smallest, 0}, {0, 0, 0}, {0, 0, smallest}});
+    soup.insert(soup.end(),
+                {{smallest, 0, 0}, {0, 0, 0}, {2 * smallest, 0, 0}, {0, smallest, 0}, {0, 0, 0}, {0, 0, smallest}});
     return soup;
 }
 
@@ -56,7 +60,9 @@ inline Soup soup_of_close_places(Random& random)
 inline Soup soup_of_broken_corners(Random& random)
 {
     Soup soup = soup_of(shuffled(hills(5, 4, random), random));
-    const auto some = [&]() -> float& { return soup[random.below(static_cast<std::uint32_t>(soup.size()))][static_cast<int>(random.below(3))]; };
+    const auto some = [&]() -> float& {
+        return soup[random.below(static_cast<std::uint32_t>(soup.size()))][static_cast<int>(random.below(3))];
+    };
     for (int i = 0; i < 16; ++i) some() = std::numeric_limits<float>::quiet_NaN();
     const glm::vec3 far(std::numeric_limits<float>::infinity(), 1, -std::numeric_limits<float>::infinity());
     for (int i = 0; i < 8; ++i) soup[random.below(static_cast<std::uint32_t>(soup.size()))] = far;
@@ -77,7 +83,8 @@ inline Soup soup_of_few_places(Random& random)
     return soup;
 }
 
-/// A strip in the plane x = y, as every model has that is turned by 45 degrees: whatever is made of x and y by exclusive or is 0.
+/// A strip in the plane x = y, as every model has that is turned by 45 degrees: whatever is made of x and y by
+/// exclusive or is 0.
 inline Soup diagonal_soup(std::uint32_t columns, std::uint32_t rows, Random& random)
 {
     return soup_of(sheet(columns, rows, [&](std::uint32_t column, std::uint32_t row) {

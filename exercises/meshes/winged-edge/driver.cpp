@@ -19,7 +19,8 @@ void append_row(Recorder& out, const char* name, std::initializer_list<std::uint
 
 void append_list(Recorder& out, const char* name, const std::vector<std::uint32_t>& list, std::size_t count)
 {
-    for (std::size_t i = 0; i < count; ++i) out.append(name, i < list.size() ? static_cast<float>(list[i]) : std::nanf(""));
+    for (std::size_t i = 0; i < count; ++i)
+        out.append(name, i < list.size() ? static_cast<float>(list[i]) : std::nanf(""));
 }
 
 /// The three tables; `expected` says how long they should be.
@@ -34,7 +35,8 @@ void record_tables(Recorder& out, const PolygonMesh& mesh)
     for (std::size_t i = 0; i < corners / 2; ++i) {
         if (i < tables.edges.size()) {
             const WingedEdge& e = tables.edges[i];
-            append_row(out, "edges", {e.start, e.end, e.left, e.right, e.left_previous, e.left_next, e.right_previous, e.right_next});
+            append_row(out, "edges",
+                       {e.start, e.end, e.left, e.right, e.left_previous, e.left_next, e.right_previous, e.right_next});
         } else {
             out.append("edges", std::vector<float>(8, std::nanf("")));
         }
@@ -56,7 +58,8 @@ void record_fault(Recorder& out, const PolygonMesh& mesh)
 using Query = std::vector<std::uint32_t>(const WingedMesh&, std::uint32_t);
 
 /// An answer with its length before it. The right length is that of the question's own ring, which the mesh tells.
-void record_answer(Recorder& out, const char* name, Query* query, const WingedMesh& tables, std::uint32_t number, std::size_t length)
+void record_answer(Recorder& out, const char* name, Query* query, const WingedMesh& tables, std::uint32_t number,
+                   std::size_t length)
 {
     const std::vector<std::uint32_t> answer = query(tables, number);
     out.append(name, static_cast<float>(answer.size()));
@@ -81,7 +84,8 @@ void record_questions(Recorder& out, const PolygonMesh& mesh)
     }
 }
 
-/// Work on meshes of four sizes: rings of quadrilaterals' triangles, and double cones, where two vertices have very many edges.
+/// Work on meshes of four sizes: rings of quadrilaterals' triangles, and double cones, where two vertices have very
+/// many edges.
 void record_work(Recorder& out)
 {
     for (const std::uint32_t size : {6U, 9U, 13U, 20U}) {
@@ -94,8 +98,10 @@ void record_work(Recorder& out)
         const WingedMesh tables[] = {tables_of(ring), tables_of(cone)};
         record_cost(out, "asking", ring.faces.size(), [&] {
             for (const WingedMesh& mesh : tables) {
-                for (std::uint32_t face = 0; face < mesh.edge_of_face.size(); ++face) (void)faces_round_face(mesh, face);
-                for (std::uint32_t vertex = 0; vertex < mesh.edge_of_vertex.size(); ++vertex) (void)vertices_round_vertex(mesh, vertex);
+                for (std::uint32_t face = 0; face < mesh.edge_of_face.size(); ++face)
+                    (void)faces_round_face(mesh, face);
+                for (std::uint32_t vertex = 0; vertex < mesh.edge_of_vertex.size(); ++vertex)
+                    (void)vertices_round_vertex(mesh, vertex);
             }
         });
     }
@@ -103,7 +109,8 @@ void record_work(Recorder& out)
     out.text("asking.names", "faces");
 }
 
-/// A mesh with what lies round one face (left) or round one vertex (right): the faces there, and the edges as they are walked, from white to red.
+/// A mesh with what lies round one face (left) or round one vertex (right): the faces there, and the edges as they are
+/// walked, from white to red.
 void draw_round(const Show& show, const PolygonMesh& mesh, std::uint32_t number, bool is_face)
 {
     const auto result = winged_edges(mesh);
@@ -123,7 +130,8 @@ void draw_round(const Show& show, const PolygonMesh& mesh, std::uint32_t number,
         const glm::vec3 own = is_face && face == number ? ink::orange : glm::vec3(0.86F, 0.87F, 0.88F);
         const auto& corners = mesh.faces[face];
         colors.insert(colors.end(), corners.size() - 2, place < faces.size() ? near : own);
-        for (std::size_t i = 0; i < corners.size(); ++i) lines.push_back({mesh.positions[corners[i]], mesh.positions[corners[(i + 1) % corners.size()]]});
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            lines.push_back({mesh.positions[corners[i]], mesh.positions[corners[(i + 1) % corners.size()]]});
     }
     show.mesh(fan_triangles(mesh), colors, {-1});
     show.lines(lines, {0.10F, 0.11F, 0.14F}, 1.2F);

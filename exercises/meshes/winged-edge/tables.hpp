@@ -19,11 +19,14 @@ inline WingedMesh tables_of(const PolygonMesh& mesh)
     const auto at = [](const std::vector<std::uint32_t>& face, std::size_t i) { return face[i % face.size()]; };
     for (const auto& face : mesh.faces)
         for (std::size_t i = 0; i < face.size(); ++i) numbers[std::minmax(at(face, i), at(face, i + 1))] = 0;
-    WingedMesh tables{{}, std::vector<std::uint32_t>(mesh.positions.size(), 4294967295U), std::vector<std::uint32_t>(mesh.faces.size(), 4294967295U)};
+    WingedMesh tables{{},
+                      std::vector<std::uint32_t>(mesh.positions.size(), 4294967295U),
+                      std::vector<std::uint32_t>(mesh.faces.size(), 4294967295U)};
     for (auto& [ends, number] : numbers) {
         number = static_cast<std::uint32_t>(tables.edges.size());
         tables.edges.push_back({ends.first, ends.second, 0, 0, 0, 0, 0, 0});
-        for (const std::uint32_t vertex : {ends.first, ends.second}) tables.edge_of_vertex[vertex] = std::min(tables.edge_of_vertex[vertex], number);
+        for (const std::uint32_t vertex : {ends.first, ends.second})
+            tables.edge_of_vertex[vertex] = std::min(tables.edge_of_vertex[vertex], number);
     }
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
         const auto& face = mesh.faces[f];
@@ -114,9 +117,10 @@ inline std::vector<PolygonMesh> bodies()
 inline std::vector<PolygonMesh> no_bodies()
 {
     std::vector<PolygonMesh> meshes;
-    for (const Specimen& specimen : wild_meshes())
-        if (!specimen.mesh.positions.empty()) meshes.push_back(polygons_of(specimen.mesh));
-    for (const IndexedMesh& open : {flat_sheet(3, 2), tube(5, 2), disc(6), book(1), book(2)}) meshes.push_back(polygons_of(open));
+    for (const Sample& sample : wild_meshes())
+        if (!sample.mesh.positions.empty()) meshes.push_back(polygons_of(sample.mesh));
+    for (const IndexedMesh& open : {flat_sheet(3, 2), tube(5, 2), disc(6), book(1), book(2)})
+        meshes.push_back(polygons_of(open));
     const PolygonMesh good = prism(5);
     const auto changed = [&](auto change) {
         meshes.push_back(good);

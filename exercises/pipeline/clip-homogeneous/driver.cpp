@@ -10,8 +10,8 @@ namespace {
 
 using namespace pipeline;
 
-// Polygons are the same whatever corner they begin with. Recorded, they begin where a linear function is largest: in one corner only,
-// unless a side happens to lie along its level lines. `value` gives what it is a function of.
+// Polygons are the same whatever corner they begin with. Recorded, they begin where a linear function is largest: in
+// one corner only, unless a side happens to lie along its level lines. `value` gives what it is a function of.
 template <class Value>
 std::vector<ClipVertex> from_extreme(std::vector<ClipVertex> polygon, Value value)
 {
@@ -21,7 +21,10 @@ std::vector<ClipVertex> from_extreme(std::vector<ClipVertex> polygon, Value valu
     return polygon;
 }
 
-double level(const glm::vec4& p) { return 0.83 * double{p.x} + 0.61 * double{p.y} + 0.37 * double{p.z} + 0.19 * double{p.w}; }
+double level(const glm::vec4& p)
+{
+    return 0.83 * double{p.x} + 0.61 * double{p.y} + 0.37 * double{p.z} + 0.19 * double{p.w};
+}
 
 std::vector<ClipVertex> by_position(const std::vector<ClipVertex>& polygon)
 {
@@ -35,7 +38,8 @@ std::vector<ClipVertex> by_weights(const std::vector<ClipVertex>& polygon)
 
 // Rows [triangle, corner, 0, numbers...].
 template <std::size_t Count>
-void append(Recorder& out, const char* name, std::size_t triangle, std::size_t corner, const std::array<float, Count>& numbers)
+void append(Recorder& out, const char* name, std::size_t triangle, std::size_t corner,
+            const std::array<float, Count>& numbers)
 {
     std::array<float, Count + 3> row{static_cast<float>(triangle), static_cast<float>(corner), 0};
     std::copy(numbers.begin(), numbers.end(), row.begin() + 3);
@@ -71,9 +75,9 @@ std::vector<ClipTriangle> by_hand()
         {glm::vec4(0, 0, -3, 2), {0.5F, 0.25F, 1, 2}, {-1, 1, 1.5F, 2}},           // before the near plane
         {glm::vec4(0, 0, 3, 1), {0.5F, 0.25F, 0, 1}, {-1, 0.75F, 0.25F, 1}},       // beyond the far one
         {glm::vec4(-8, -8, 0.25F, 1), {8, -8, 0.25F, 1}, {0, 16, 0.25F, 1}},       // all round
-        {glm::vec4(0, 0.25F, 0, 1), {6, 1, 2, 4}, {-2, 1, -1, 4}},                 // w differs: nothing to clip at x = 1
-        {glm::vec4(0, 0.25F, 0, 1), {12, 1, 2, 4}, {-2, 1, -1, 4}},                // … and here there is
-        {glm::vec4(0.5F, 0, 0, 1), {1.5F, 0, 0, -1}, {0, 0.25F, 0, 1}},            // behind the camera: not to the right
+        {glm::vec4(0, 0.25F, 0, 1), {6, 1, 2, 4}, {-2, 1, -1, 4}},       // w differs: nothing to clip at x = 1
+        {glm::vec4(0, 0.25F, 0, 1), {12, 1, 2, 4}, {-2, 1, -1, 4}},      // … and here there is
+        {glm::vec4(0.5F, 0, 0, 1), {1.5F, 0, 0, -1}, {0, 0.25F, 0, 1}},  // behind the camera: not to the right
         {glm::vec4(0, 0, 0, 2), {1, 0, 0, 2}, {0, 4, 0, -1}},
     };
     triangles.push_back(reversed(triangles[3]));
@@ -87,21 +91,25 @@ std::vector<ClipTriangle> limits()
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     return {
-        {glm::vec4(1, 0, 0, 1), {-0.5F, 0.5F, 0, 1}, {-0.25F, -0.5F, 0, 1}},  // a corner on the right side, the rest inside
-        {glm::vec4(1, 0, 0, 1), {-0.5F, 3, 0, 1}, {-0.25F, -0.5F, 0, 1}},     // … and another above
-        {glm::vec4(1, 0, 0, 1), {1.5F, 0.5F, 0, 1}, {1.25F, -0.5F, 0, 1}},    // … the rest outside: nothing
-        {glm::vec4(1, 0, 0, 1), {1, 0.5F, 0, 1}, {2, 0, 0, 1}},               // a side on it, the rest outside: nothing
-        {glm::vec4(1, 0, 0, 1), {1, 0.5F, 0, 1}, {0, 0, 0, 1}},               // … inside
-        {glm::vec4(1, 0.25F, 0, 1), {3, 0.5F, 0, 1}, {0, -0.5F, 0, 1}},       // a corner on it, one inside, one outside
-        {glm::vec4(-3, -1, 5, 5), {5, -2, 5, 5}, {1, 4, 5, 5}},               // in the far plane: a sky
-        {glm::vec4(-1, -1, -1, 1), {3, -1, -1, 1}, {-1, 3, -1, 1}},           // in the near one, over the whole picture
-        {glm::vec4(2, 2, 2, 2), {2, -2, 2, 2}, {-2, 2, 2, 2}},                // three corners of the volume
-        {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, 0, 1}, {nan, 0, 0, 1}},          // nonsense
+        {glm::vec4(1, 0, 0, 1),
+         {-0.5F, 0.5F, 0, 1},
+         {-0.25F, -0.5F, 0, 1}},  // a corner on the right side, the rest inside
+        {glm::vec4(1, 0, 0, 1), {-0.5F, 3, 0, 1}, {-0.25F, -0.5F, 0, 1}},   // … and another above
+        {glm::vec4(1, 0, 0, 1), {1.5F, 0.5F, 0, 1}, {1.25F, -0.5F, 0, 1}},  // … the rest outside: nothing
+        {glm::vec4(1, 0, 0, 1), {1, 0.5F, 0, 1}, {2, 0, 0, 1}},             // a side on it, the rest outside: nothing
+        {glm::vec4(1, 0, 0, 1), {1, 0.5F, 0, 1}, {0, 0, 0, 1}},             // … inside
+        {glm::vec4(1, 0.25F, 0, 1), {3, 0.5F, 0, 1}, {0, -0.5F, 0, 1}},     // a corner on it, one inside, one outside
+        {glm::vec4(-3, -1, 5, 5), {5, -2, 5, 5}, {1, 4, 5, 5}},             // in the far plane: a sky
+        {glm::vec4(-1, -1, -1, 1), {3, -1, -1, 1}, {-1, 3, -1, 1}},         // in the near one, over the whole picture
+        {glm::vec4(2, 2, 2, 2), {2, -2, 2, 2}, {-2, 2, 2, 2}},              // three corners of the volume
+        {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, 0, 1}, {nan, 0, 0, 1}},        // nonsense
         {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, 0, 1}, {0, 0, 0, infinity}},
-        {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},                                             // a corner in the eye
-        {glm::vec4(0.5F, 0, 0, -1), {0, 0.5F, 0, -1}, {-0.5F, -0.5F, 0, -1}},                                  // all behind
-        {glm::vec4(0, 0.5F, -2, 0), {0.5F, 0, 0, 1}, {-0.5F, 0.125F, 0, 1}},                                   // a corner in the camera's plane
-        {glm::vec4(-1.875F, 1.8125F, 0.0625F, 1), {0, -1.875F, 1.8125F, 1}, {1.8125F, 0.03125F, -1.875F, 1}},  // as many corners as there can be
+        {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},             // a corner in the eye
+        {glm::vec4(0.5F, 0, 0, -1), {0, 0.5F, 0, -1}, {-0.5F, -0.5F, 0, -1}},  // all behind
+        {glm::vec4(0, 0.5F, -2, 0), {0.5F, 0, 0, 1}, {-0.5F, 0.125F, 0, 1}},   // a corner in the camera's plane
+        {glm::vec4(-1.875F, 1.8125F, 0.0625F, 1),
+         {0, -1.875F, 1.8125F, 1},
+         {1.8125F, 0.03125F, -1.875F, 1}},  // as many corners as there can be
     };
 }
 
@@ -138,7 +146,8 @@ std::vector<ClipTriangle> behind(Random& random, int count)
     return triangles;
 }
 
-// Triangles that cross one plane only. Along its axis each corner is recorded after the division: what was cut is at 1 or -1, not beside it.
+// Triangles that cross one plane only. Along its axis each corner is recorded after the division: what was cut is at 1
+// or -1, not beside it.
 void record_on_planes(Random& random, Recorder& out)
 {
     for (std::size_t i = 0; i < 200; ++i) {
@@ -148,7 +157,8 @@ void record_on_planes(Random& random, Recorder& out)
         const float beyond = side * random.uniform(1.1F, 4);
         triangle[random.below(3)][axis] = beyond * 4;
         const std::vector<ClipVertex> polygon = by_position(clipped(triangle));
-        for (std::size_t k = 0; k < polygon.size(); ++k) append(out, "along", i, k, std::array{polygon[k].position[axis] / polygon[k].position.w});
+        for (std::size_t k = 0; k < polygon.size(); ++k)
+            append(out, "along", i, k, std::array{polygon[k].position[axis] / polygon[k].position.w});
     }
 }
 
@@ -163,14 +173,16 @@ void record_seams(Recorder& out)
         const std::vector<ClipVertex> polygon = by_position(clipped(triangle));
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             const glm::vec4 p = polygon[k].position + 0.0F;  // no -0
-            const std::array bits = {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y), std::bit_cast<std::uint32_t>(p.z),
-                                     std::bit_cast<std::uint32_t>(p.w)};
-            append(out, "first", i, k, first.try_emplace(bits, std::array{static_cast<float>(i), static_cast<float>(k)}).first->second);
+            const std::array bits = {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
+                                     std::bit_cast<std::uint32_t>(p.z), std::bit_cast<std::uint32_t>(p.w)};
+            append(out, "first", i, k,
+                   first.try_emplace(bits, std::array{static_cast<float>(i), static_cast<float>(k)}).first->second);
         }
     }
 }
 
-// A plain that reaches to the horizon, with one corner or two behind the camera: sides a million times as long as the near plane is far.
+// A plain that reaches to the horizon, with one corner or two behind the camera: sides a million times as long as the
+// near plane is far.
 void record_plain(Random& random, Recorder& out)
 {
     const glm::dmat4 projection(perspective(1.5F, 1, 1, 3e6F));

@@ -7,7 +7,8 @@
 #include <kit/drawing.hpp>
 #include <umbral/pipeline/clip.hpp>
 
-/// Hills that a camera stands in: many triangles cross the sides of its view volume, and some reach behind it. The goal picture shows them from outside.
+/// Hills that a camera stands in: many triangles cross the sides of its view volume, and some reach behind it. The goal
+/// picture shows them from outside.
 namespace umbral::pipeline {
 
 using ClipTriangle = std::array<glm::vec4, 3>;
@@ -51,7 +52,8 @@ inline Landscape hills(int cells)
     const auto corner = [&](int column, int row) {
         const float x = -3.2F + 6.4F * static_cast<float>(column) / static_cast<float>(cells);
         const float z = 1.3F - 7.6F * static_cast<float>(row) / static_cast<float>(cells);
-        return glm::vec3(x, -0.28F + 0.42F * std::sin(1.5F * x + 0.6F) * std::cos(1.25F * z) + 0.16F * std::sin(2.6F * z - x), z);
+        return glm::vec3(
+            x, -0.28F + 0.42F * std::sin(1.5F * x + 0.6F) * std::cos(1.25F * z) + 0.16F * std::sin(2.6F * z - x), z);
     };
     for (int row = 0; row < cells; ++row)
         for (int column = 0; column < cells; ++column) {
@@ -109,7 +111,8 @@ inline Facet facet(const Landscape& land, std::size_t i, const Onlooker& onlooke
         result.outline.push_back(onlooker.place(point));
         result.is_new.push_back(std::max({vertex.weights.x, vertex.weights.y, vertex.weights.z}) < 1);
         for (int k = 0; k < 3; ++k)
-            result.color += vertex.weights[k] * color_of_height(corners[static_cast<std::size_t>(k)].y) / static_cast<float>(polygon.size());
+            result.color += vertex.weights[k] * color_of_height(corners[static_cast<std::size_t>(k)].y) /
+                            static_cast<float>(polygon.size());
         result.distance += onlooker.distance(point) / static_cast<double>(polygon.size());
     }
     if (!std::isfinite(result.distance)) result.distance = 0;  // they are sorted by it
@@ -123,7 +126,8 @@ inline void draw_volume(Drawing& drawing, const Landscape& land, const Onlooker&
 {
     const glm::dmat4 back = glm::inverse(glm::dmat4(land.projection));
     const auto corner = [&](int bits) {
-        const glm::dvec4 eye = back * glm::dvec4((bits & 1) != 0 ? 1 : -1, (bits & 2) != 0 ? 1 : -1, (bits & 4) != 0 ? 1 : -1, 1);
+        const glm::dvec4 eye =
+            back * glm::dvec4((bits & 1) != 0 ? 1 : -1, (bits & 2) != 0 ? 1 : -1, (bits & 4) != 0 ? 1 : -1, 1);
         return onlooker.place(glm::dvec3(eye) / eye.w);
     };
     for (int bits = 0; bits < 8; ++bits)
@@ -146,12 +150,14 @@ inline Image draw_hills()
     const Landscape land = hills(18);
     const detail::Onlooker onlooker;
     Drawing drawing(640, 420, {-0.73, -0.48}, {0.73, 0.48});
-    for (const auto& [a, b, c] : land.triangles) drawing.outline(std::array{onlooker.place(a), onlooker.place(b), onlooker.place(c)}, ink::slate, 1);
+    for (const auto& [a, b, c] : land.triangles)
+        drawing.outline(std::array{onlooker.place(a), onlooker.place(b), onlooker.place(c)}, ink::slate, 1);
     detail::draw_volume(drawing, land, onlooker, false);
 
     std::vector<detail::Facet> facets;
     for (std::size_t i = 0; i < land.triangles.size(); ++i) facets.push_back(detail::facet(land, i, onlooker));
-    std::stable_sort(facets.begin(), facets.end(), [](const detail::Facet& a, const detail::Facet& b) { return a.distance > b.distance; });
+    std::stable_sort(facets.begin(), facets.end(),
+                     [](const detail::Facet& a, const detail::Facet& b) { return a.distance > b.distance; });
     for (const detail::Facet& facet : facets) {
         drawing.area(facet.outline, facet.color);
         drawing.outline(facet.outline, 0.55F * facet.color, 1);

@@ -5,7 +5,8 @@
 #include <numbers>
 #include <umbral/pipeline/clip_line.hpp>
 
-/// The goal picture of pipeline/clip-line: chords of a circle, each from a point to the one at twice its angle, and a window that they are cut to.
+/// The goal picture of pipeline/clip-line: chords of a circle, each from a point to the one at twice its angle, and a
+/// window that they are cut to.
 namespace umbral::pipeline {
 
 inline Image draw_chords()
@@ -24,14 +25,17 @@ inline Image draw_chords()
         const LineSegment chord{on_circle(i), on_circle(2 * i)};
         const unsigned code = region_code(window, chord.from);
         const glm::vec3 across = (code & 1) != 0 ? ink::blue : (code & 2) != 0 ? ink::orange : ink::white;
-        const glm::vec3 color = (code & 4) != 0 ? glm::mix(across, ink::pink, 0.6F) : (code & 8) != 0 ? glm::mix(across, ink::green, 0.6F) : across;
+        const glm::vec3 color = (code & 4) != 0   ? glm::mix(across, ink::pink, 0.6F)
+                                : (code & 8) != 0 ? glm::mix(across, ink::green, 0.6F)
+                                                  : across;
         drawing.disc(chord.from, 2.5, color);
         const std::optional<LineSegment> inside = clip_segment(window, chord);
         if (!inside) continue;
         drawing.line(inside->from, inside->to, color, 1.5, 0.9);
         for (const glm::vec2& end : {inside->from, inside->to}) drawing.disc(end, 2.2, color);
     }
-    const std::array<glm::dvec2, 4> corners = {glm::dvec2(window.low), {window.high.x, window.low.y}, glm::dvec2(window.high), {window.low.x, window.high.y}};
+    const std::array<glm::dvec2, 4> corners = {
+        glm::dvec2(window.low), {window.high.x, window.low.y}, glm::dvec2(window.high), {window.low.x, window.high.y}};
     drawing.outline(corners, ink::white, 2);
     return drawing.picture();
 }

@@ -10,7 +10,8 @@ unsigned region_code(const ClipWindow& window, const glm::vec2& point)
 
 std::optional<LineSegment> clip_segment(const ClipWindow& window, const LineSegment& segment)
 {
-    // TODO: as long as the codes of the ends do not decide: move an end that is outside to a border that it lies beyond, and take its code anew.
+    // TODO: as long as the codes of the ends do not decide: move an end that is outside to a border that it lies
+    // beyond, and take its code anew.
     return not_implemented<std::optional<LineSegment>>(window, segment);
 }
 

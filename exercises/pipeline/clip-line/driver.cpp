@@ -55,12 +55,19 @@ void record_codes(Recorder& out)
     for (const ClipWindow& window : {ClipWindow{{-1, -1}, {1, 1}}, {{0, 2}, {4, 3}}, {{100, -7}, {101, -5}}}) {
         const auto places = [](float low, float high) {
             const float infinity = std::numeric_limits<float>::infinity();
-            return std::array{
-                low - 1, std::nextafter(low, -infinity), low,     std::nextafter(low, infinity), 0.5F * (low + high), std::nextafter(high, -infinity),
-                high,    std::nextafter(high, infinity), high + 5};
+            return std::array{low - 1,
+                              std::nextafter(low, -infinity),
+                              low,
+                              std::nextafter(low, infinity),
+                              0.5F * (low + high),
+                              std::nextafter(high, -infinity),
+                              high,
+                              std::nextafter(high, infinity),
+                              high + 5};
         };
         for (const float y : places(window.low.y, window.high.y))
-            for (const float x : places(window.low.x, window.high.x)) out.append("codes", std::uint32_t{region_code(window, {x, y})});
+            for (const float x : places(window.low.x, window.high.x))
+                out.append("codes", std::uint32_t{region_code(window, {x, y})});
     }
 }
 
@@ -131,7 +138,8 @@ glm::vec2 direction(Random& random)
     return {std::cos(turn), std::sin(turn)};
 }
 
-// A segment through the inner part of the window, and one with no point in it that no code rejects at once, as long as `reach` windows or less.
+// A segment through the inner part of the window, and one with no point in it that no code rejects at once, as long as
+// `reach` windows or less.
 void add_random_pair(std::vector<Task>& tasks, Random& random, float reach)
 {
     const ClipWindow window = random_window(random);
@@ -159,7 +167,8 @@ std::vector<Task> random_pairs(Random& random, int count, float reach)
     return tasks;
 }
 
-// Segments as long as a thousand windows that pass a corner on this side of it or on that one, by less than a ten-thousandth of a pixel.
+// Segments as long as a thousand windows that pass a corner on this side of it or on that one, by less than a
+// ten-thousandth of a pixel.
 std::vector<Task> corner_pairs(Random& random, int count)
 {
     std::vector<Task> tasks;
@@ -167,14 +176,18 @@ std::vector<Task> corner_pairs(Random& random, int count)
     for (int i = 0; i < count; ++i) {
         const glm::i64vec2 quadrant(random.below(2) == 0 ? 1 : -1, random.below(2) == 0 ? 1 : -1);
         const glm::i64vec2 corner = quadrant * glm::i64vec2(320, 240);
-        // Coprime, so that there is a whole vector beside it; from the outside of one border towards the outside of the other one.
+        // Coprime, so that there is a whole vector beside it; from the outside of one border towards the outside of the
+        // other one.
         glm::i64vec2 u(20'000 + random.below(400'000), 20'000 + random.below(400'000));
         while (std::gcd(u.x, u.y) != 1) ++u.y;
         u *= quadrant * glm::i64vec2(1, -1);
         const std::int64_t k = 1 + random.below(3);
-        // The corner lies to one side of the line if the whole vector turns to the other. Inside is towards the middle, at -quadrant.
+        // The corner lies to one side of the line if the whole vector turns to the other. Inside is towards the middle,
+        // at -quadrant.
         const std::int64_t inwards = quadrant.x * quadrant.y > 0 ? -k : k;
-        const auto task = [&](std::int64_t turn) { return Task{window, {glm::vec2(corner - u), glm::vec2(corner + nearly_along(u, turn))}}; };
+        const auto task = [&](std::int64_t turn) {
+            return Task{window, {glm::vec2(corner - u), glm::vec2(corner + nearly_along(u, turn))}};
+        };
         add_pair(tasks, task(inwards), task(-inwards), random);
     }
     return tasks;
@@ -192,7 +205,8 @@ void record_both_ways(Random& random, Recorder& out)
         const std::array four = {there->from, there->to, back->from, back->to};
         for (std::size_t k = 0; k < four.size(); ++k) {
             const auto first = std::find(four.begin(), four.end(), four[k]) - four.begin();
-            out.append("first", std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(k), 0.0F, static_cast<float>(first)}));
+            out.append("first", std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(k), 0.0F,
+                                                                  static_cast<float>(first)}));
         }
     }
 }

@@ -10,7 +10,8 @@ using namespace pipeline;
 
 double level(const glm::vec2& p) { return 0.83 * double{p.x} + 0.61 * double{p.y}; }
 
-// Whether the polygon, read from corner i, comes before the one read from corner j: the first level in which they differ is larger.
+// Whether the polygon, read from corner i, comes before the one read from corner j: the first level in which they
+// differ is larger.
 bool earlier(const Polygon& polygon, std::size_t i, std::size_t j)
 {
     const std::size_t count = polygon.size();
@@ -42,7 +43,8 @@ void record(Recorder& out, const std::vector<Task>& tasks)
     for (std::size_t i = 0; i < tasks.size(); ++i) {
         const Polygon left = from_extreme(clipped(tasks[i].polygon, tasks[i].window));
         for (std::size_t k = 0; k < left.size(); ++k)
-            out.append("corners", std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(k), 0.0F, left[k].x, left[k].y}));
+            out.append("corners", std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(k), 0.0F,
+                                                                    left[k].x, left[k].y}));
     }
 }
 
@@ -78,7 +80,8 @@ std::vector<Task> by_hand()
 std::vector<Task> concave()
 {
     return {
-        {{{10, 1}, {3, 1.5F}, {10, 2}, {10, 3}, {2, 3.5F}, {10, 4}, {10, 5}, {4, 6}, {10, 7}, {12, 7}, {12, 1}}, square},
+        {{{10, 1}, {3, 1.5F}, {10, 2}, {10, 3}, {2, 3.5F}, {10, 4}, {10, 5}, {4, 6}, {10, 7}, {12, 7}, {12, 1}},
+         square},
         {{{-3, 1}, {5, 1}, {5, 2.5F}, {-1, 2.5F}, {-1, 5}, {6, 5}, {6, 7}, {-3, 7}}, square},
         {{{4, -4}, {12, -4}, {12, 4.5F}, {6, 4}, {6, 3}, {10, 3}, {10, -2}, {5, -2}, {4.5F, 2}, {3.5F, 2}}, square},
         {{{4, 11}, {3, 5}, {-3, 5.5F}, {2, 3}, {1, -3}, {4.5F, 2}, {8, -2}, {6, 3.25F}, {11, 5}, {5, 5.25F}}, square},
@@ -86,7 +89,8 @@ std::vector<Task> concave()
     };
 }
 
-// Whether samples of the picture lie in what is left, by the even-odd rule: bridges count for nothing, in whatever order they come.
+// Whether samples of the picture lie in what is left, by the even-odd rule: bridges count for nothing, in whatever
+// order they come.
 void record_covered(Recorder& out, const std::vector<Task>& tasks)
 {
     constexpr int size = 32;
@@ -100,9 +104,11 @@ void record_covered(Recorder& out, const std::vector<Task>& tasks)
                 for (std::size_t i = 0, j = left.size() - 1; i < left.size(); j = i++) {
                     const glm::dvec2 a(left[i]);
                     const glm::dvec2 b(left[j]);
-                    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+                    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x)
+                        inside = !inside;
                 }
-                covered.at(static_cast<int>(t) * size + x, size - 1 - y) = inside ? 1 + static_cast<std::uint32_t>(t) : 0;
+                covered.at(static_cast<int>(t) * size + x, size - 1 - y) =
+                    inside ? 1 + static_cast<std::uint32_t>(t) : 0;
             }
     }
     out.buffer("covered", covered);
@@ -120,10 +126,10 @@ std::vector<Task> borders()
         {{{8, 2}, {8, 6}, {12, 3}}, square},   // … from outside: nothing
         {square, square},                      // the window itself
         {reversed(square), square},
-        {{{8, 8}, {2, 7}, {7, 2}}, square},                   // a corner in a corner
-        {{{4, 4}, {6, 2}, {6, 6}, {2, 6}}, triangle},         // a corner on a slanted side, the others beyond it or below
-        {{{1, 1}, {5, 1}}, square},                           // two corners: nothing
-        {{{1, 1}, {nan, 1}, {4, 5}}, square},                 // nonsense: nothing
+        {{{8, 8}, {2, 7}, {7, 2}}, square},            // a corner in a corner
+        {{{4, 4}, {6, 2}, {6, 6}, {2, 6}}, triangle},  // a corner on a slanted side, the others beyond it or below
+        {{{1, 1}, {5, 1}}, square},                    // two corners: nothing
+        {{{1, 1}, {nan, 1}, {4, 5}}, square},          // nonsense: nothing
         {{{2, 3}, {8, 3}, {10, 5}, {8, 7}, {2, 6}}, square},  // corners on the side, and beyond it between them
         {{{-2, 8}, {4, 3}, {10, 8}}, square},                 // a side along the upper border, and beyond it
     };
@@ -150,7 +156,9 @@ std::vector<Task> far_tasks(Random& random, int count)
         for (const glm::vec2& corner : window) middle += corner / static_cast<float>(window.size());
         const glm::vec2 through = middle + 0.2F * glm::vec2(random.in_cube());
         const float turn = random.uniform(0, 6.2831853F);
-        const auto away = [&](float angle) { return through + std::exp2(random.uniform(10, 19)) * glm::vec2(std::cos(angle), std::sin(angle)); };
+        const auto away = [&](float angle) {
+            return through + std::exp2(random.uniform(10, 19)) * glm::vec2(std::cos(angle), std::sin(angle));
+        };
         const glm::vec2 one = away(turn);
         const glm::vec2 other = away(turn + 3.1415927F);
         tasks.push_back({{one, other, away(turn + random.uniform(0.5F, 2.6F))}, window});

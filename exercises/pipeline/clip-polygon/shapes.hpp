@@ -28,7 +28,8 @@ inline Polygon random_window(Random& random, std::uint32_t corners)
     const float turn = random.uniform(0, 6.2831853F);
     Polygon window;
     for (std::uint32_t i = 0; i < corners; ++i) {
-        const float angle = turn + (static_cast<float>(i) + random.uniform(-0.3F, 0.3F)) / static_cast<float>(corners) * 6.2831853F;
+        const float angle =
+            turn + (static_cast<float>(i) + random.uniform(-0.3F, 0.3F)) / static_cast<float>(corners) * 6.2831853F;
         window.push_back(middle + radius * glm::vec2(std::cos(angle), std::sin(angle)));
     }
     return window;
@@ -41,7 +42,8 @@ inline Polygon random_polygon(Random& random, std::uint32_t corners, float rough
     const float size = random.uniform(0.6F, 1.6F);
     Polygon polygon;
     for (std::uint32_t i = 0; i < corners; ++i) {
-        const float angle = (static_cast<float>(i) + random.uniform(-0.35F, 0.35F)) / static_cast<float>(corners) * 6.2831853F;
+        const float angle =
+            (static_cast<float>(i) + random.uniform(-0.35F, 0.35F)) / static_cast<float>(corners) * 6.2831853F;
         const float radius = size * (1 - rough * 0.8F * random.uniform());
         polygon.push_back(middle + radius * glm::vec2(std::cos(angle), std::sin(angle)));
     }
@@ -81,11 +83,13 @@ inline void fill(Drawing& drawing, const Polygon& polygon, glm::vec3 color, doub
             if ((a.y > y) != (b.y > y) && std::isfinite(x)) crossings.push_back(x);
         }
         std::sort(crossings.begin(), crossings.end());
-        for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) drawing.line({crossings[k], y}, {crossings[k + 1], y}, color, 1);
+        for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+            drawing.line({crossings[k], y}, {crossings[k + 1], y}, color, 1);
     }
 }
 
-/// The spiral in a slanted window: what is left is filled, with its bridges, and dots at new corners; the rest is a thin line.
+/// The spiral in a slanted window: what is left is filled, with its bridges, and dots at new corners; the rest is a
+/// thin line.
 inline Image draw_spiral()
 {
     constexpr double half = 1.34;

@@ -16,12 +16,13 @@ float stored_depth(DepthFormat format, float depth)
 
 void test_depth(const DepthState& state, std::vector<Fragment>& fragments, Grid<float>& depths)
 {
-    // TODO: for each fragment in turn: round its depth as the buffer does, compare, and keep or remove the fragment. If it passes, store the
-    // rounded depth, unless the state forbids it.
+    // TODO: for each fragment in turn: round its depth as the buffer does, compare, and keep or remove the fragment. If
+    // it passes, store the rounded depth, unless the state forbids it.
     (void)not_implemented<int>(state, fragments, depths);
 }
 
-void draw_fragments(const DepthState& state, ShadeModel model, const std::array<glm::vec3, 3>& colors, const std::vector<Fragment>& fragments, Layer& target)
+void draw_fragments(const DepthState& state, ShadeModel model, const std::array<glm::vec3, 3>& colors,
+                    const std::vector<Fragment>& fragments, Layer& target)
 {
     // TODO: as test_depth; and write a colour where a fragment passes.
     (void)not_implemented<int>(state, model, colors, fragments, target);

@@ -21,13 +21,16 @@ void record_functions(Recorder& out)
     const float next = std::nextafter(0.75F, 1.0F);
     for (const auto& [low, high] : {std::pair(0.25F, 0.5F), {0.0F, 1.0F}, {0.75F, next}, {0.0F, 1e-40F}})
         for (int i = 0; i < functions; ++i)
-            out.append("passes", glm::vec3(depth_passes(function(i), low, high), depth_passes(function(i), high, high), depth_passes(function(i), high, low)));
+            out.append("passes", glm::vec3(depth_passes(function(i), low, high), depth_passes(function(i), high, high),
+                                           depth_passes(function(i), high, low)));
 }
 
 void record_formats(Recorder& out)
 {
-    for (const float depth : {0.0F, 1.0F, 0.5F, 0.25F, 0.1F, 1.0F / 3, 0.71F, 0.999F, 1e-3F, 4e-6F, -0.25F, 1.75F, 0.0099F})
-        for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32}) out.append("depth", stored_depth(format, depth));
+    for (const float depth :
+         {0.0F, 1.0F, 0.5F, 0.25F, 0.1F, 1.0F / 3, 0.71F, 0.999F, 1e-3F, 4e-6F, -0.25F, 1.75F, 0.0099F})
+        for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32})
+            out.append("depth", stored_depth(format, depth));
 }
 
 // Depths of all sizes; what comes back is recorded as its code, the nearest whole number.
@@ -62,7 +65,10 @@ struct Levels {
     }
 };
 
-Levels random_levels(Random& random, DepthFormat format) { return {format, 1000 + random.below(format == DepthFormat::unorm16 ? 60'000 : 1'000'000)}; }
+Levels random_levels(Random& random, DepthFormat format)
+{
+    return {format, 1000 + random.below(format == DepthFormat::unorm16 ? 60'000 : 1'000'000)};
+}
 
 // A depth within two codes of the first one, never halfway between two.
 float random_depth(Random& random, const Levels& levels)
@@ -117,7 +123,8 @@ void record_tests(Random& random, Recorder& out, int fragments_each)
             fragments.resize(std::min<std::size_t>(fragments.size(), static_cast<std::size_t>(fragments_each)));
             const auto scenario = static_cast<float>(row * functions + static_cast<std::size_t>(column));
             for (const auto& [pixel, depth, weights] : fragments)
-                out.append("left", std::span<const float>(std::array{scenario, static_cast<float>(pixel.x), static_cast<float>(pixel.y), depth, weights.x}));
+                out.append("left", std::span<const float>(std::array{scenario, static_cast<float>(pixel.x),
+                                                                     static_cast<float>(pixel.y), depth, weights.x}));
         }
     out.buffer("depths", after);
 }
@@ -129,7 +136,8 @@ void record_colors(Recorder& out, const char* name, std::size_t scenario, const 
         for (int x = 0; x < tile; ++x) {
             const glm::vec3 color = colors.at(x, y);
             if (color == glm::vec3(0)) continue;
-            const std::array row = {static_cast<float>(scenario), static_cast<float>(x), static_cast<float>(y), color.r, color.g, color.b};
+            const std::array row = {
+                static_cast<float>(scenario), static_cast<float>(x), static_cast<float>(y), color.r, color.g, color.b};
             out.append(name, std::span<const float>(row));
         }
 }
@@ -183,10 +191,14 @@ void record_merging(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"functions", [](Case&, Recorder& out) { record_functions(out); }},           {"formats", [](Case&, Recorder& out) { record_formats(out); }},
-    {"codes", [](Case& c, Recorder& out) { record_codes(c.random, out); }},       {"tests", [](Case& c, Recorder& out) { record_tests(c.random, out, 24); }},
-    {"crowds", [](Case& c, Recorder& out) { record_tests(c.random, out, 160); }}, {"drawing", [](Case& c, Recorder& out) { record_drawing(c.random, out); }},
-    {"merging", [](Case& c, Recorder& out) { record_merging(c.random, out); }},   {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rings()); }},
+    {"functions", [](Case&, Recorder& out) { record_functions(out); }},
+    {"formats", [](Case&, Recorder& out) { record_formats(out); }},
+    {"codes", [](Case& c, Recorder& out) { record_codes(c.random, out); }},
+    {"tests", [](Case& c, Recorder& out) { record_tests(c.random, out, 24); }},
+    {"crowds", [](Case& c, Recorder& out) { record_tests(c.random, out, 160); }},
+    {"drawing", [](Case& c, Recorder& out) { record_drawing(c.random, out); }},
+    {"merging", [](Case& c, Recorder& out) { record_merging(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rings()); }},
 };
 
 }

@@ -8,7 +8,8 @@
 #include <umbral/core/grid.hpp>
 #include <umbral/pipeline/depth.hpp>
 
-/// The goal picture of pipeline/depth-buffer: two rings, each drawn into a layer of its own, that are linked once the layers are merged.
+/// The goal picture of pipeline/depth-buffer: two rings, each drawn into a layer of its own, that are linked once the
+/// layers are merged.
 namespace umbral::pipeline {
 
 /// The grid, if it still has the size that it was handed out with; else an empty one of that size.
@@ -29,7 +30,10 @@ namespace detail {
 inline constexpr int panel = 210;
 
 /// Where the unit sees a point in a parallel projection: x and y in panels, z towards the viewer from -1 to 1.
-inline WindowVertex in_window(const glm::vec3& place) { return {0.5F * panel * glm::vec2(1 + place.x, 1 - place.y), 0.5F - 0.5F * place.z, 1}; }
+inline WindowVertex in_window(const glm::vec3& place)
+{
+    return {0.5F * panel * glm::vec2(1 + place.x, 1 - place.y), 0.5F - 0.5F * place.z, 1};
+}
 
 inline glm::vec3 shaded(const glm::vec3& normal, const glm::vec3& color)
 {
@@ -63,7 +67,8 @@ inline Layer linked_rings(const DepthState& state, ShadeModel model)
     const glm::vec3 tilt = glm::normalize(glm::vec3(0, 0.55F, 0.84F));
     Layer left = empty;
     Layer right = empty;
-    draw_ring({{-0.24F, 0.08F, 0}, {1, 0, 0}, glm::normalize(glm::vec3(0.1F, 0.9F, -0.45F)), {0.09F, 0.42F, 0.8F}}, state, model, left);
+    draw_ring({{-0.24F, 0.08F, 0}, {1, 0, 0}, glm::normalize(glm::vec3(0.1F, 0.9F, -0.45F)), {0.09F, 0.42F, 0.8F}},
+              state, model, left);
     draw_ring({{0.24F, -0.08F, 0}, {1, 0, 0}, tilt, {0.85F, 0.32F, 0.02F}}, state, model, right);
     merge_layers(state, right, left);
     return {of_size(left.colors, panel, panel), of_size(left.depths, panel, panel)};
@@ -84,7 +89,8 @@ inline Image draw_rings()
             const float near = 1.25F - 1.5F * std::clamp(depth, 0.0F, 1.0F);
             picture.at(x, y) = pixel_of(flat.colors.at(x, y));
             picture.at(detail::panel + x, y) = pixel_of(smooth.colors.at(x, y));
-            picture.at(2 * detail::panel + x, y) = pixel_of(depth < 1 ? near * near * ink::white : smooth.colors.at(x, y));
+            picture.at(2 * detail::panel + x, y) =
+                pixel_of(depth < 1 ? near * near * ink::white : smooth.colors.at(x, y));
         }
     return picture;
 }

@@ -12,7 +12,10 @@ using namespace pipeline;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Rows of one number, or nothing: doubles have no table of their own for that.
-void append(Recorder& out, const char* name, const std::optional<double>& value) { out.append(name, value ? glm::dvec2(1, *value) : glm::dvec2(0, 0)); }
+void append(Recorder& out, const char* name, const std::optional<double>& value)
+{
+    out.append(name, value ? glm::dvec2(1, *value) : glm::dvec2(0, 0));
+}
 
 // The course's cameras, and one that a hand can work out: n = 1, f = 3.
 void record_by_hand(Recorder& out)
@@ -28,7 +31,8 @@ void record_by_hand(Recorder& out)
 void record_codes(Recorder& out)
 {
     for (const int bits : {1, 2, 8, 16, 24, 32})
-        for (const double depth : {0.0, 1.0, 0.5, 0.49, 0.51, 0.31, 0.70001, 1.0 / 3, 1e-3, 0.999, -2.0, 1.5}) out.append("codes", depth_code(depth, bits));
+        for (const double depth : {0.0, 1.0, 0.5, 0.49, 0.51, 0.31, 0.70001, 1.0 / 3, 1e-3, 0.999, -2.0, 1.5})
+            out.append("codes", depth_code(depth, bits));
 }
 
 // The course's four codes first.
@@ -72,7 +76,8 @@ void record_resolution(Random& random, Recorder& out)
 {
     const auto all = [&](double n, double f, double distance) {
         for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32})
-            for (const bool reversed : {false, true}) out.append("resolution", depth_resolution({n, f, reversed}, format, -distance));
+            for (const bool reversed : {false, true})
+                out.append("resolution", depth_resolution({n, f, reversed}, format, -distance));
     };
     for (const double distance : {0.1, 1.0, 10.0, 100.0, 500.0}) all(0.01, 1000, distance);
     for (const double distance : {1.0, 10.0, 100.0, 300.0}) all(0.2, 400, distance);
@@ -86,7 +91,8 @@ void record_fighting(Random& random, Recorder& out)
 {
     for (const auto& [n, f] : {std::pair(0.01, 1000.0), {0.2, 400.0}, {1.0, infinity}})
         for (const int bits : {16, 24})
-            for (const double gap : {1e-6, 1e-3, 0.1, 1.0, 10.0}) append(out, "begin", fighting_distance({n, f}, bits, gap));
+            for (const double gap : {1e-6, 1e-3, 0.1, 1.0, 10.0})
+                append(out, "begin", fighting_distance({n, f}, bits, gap));
     for (int i = 0; i < 100; ++i) {
         const Camera camera = random_camera(random);
         const double gap = camera.range.near_plane * std::exp2(random.uniform(-14, 6));

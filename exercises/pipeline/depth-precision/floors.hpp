@@ -5,7 +5,8 @@
 #include <kit/drawing.hpp>
 #include <umbral/pipeline/depth_precision.hpp>
 
-/// The goal picture of pipeline/depth-precision: what each format resolves at all distances, and what that does to two floors, one just above the other.
+/// The goal picture of pipeline/depth-precision: what each format resolves at all distances, and what that does to two
+/// floors, one just above the other.
 namespace umbral::pipeline {
 
 namespace detail {
@@ -26,7 +27,8 @@ inline double height_of(double decade) { return (decade + 3) / 6; }
 inline void draw_curves(Drawing& drawing)
 {
     for (int decade = -2; decade <= 3; ++decade) drawing.line({decade, -1.2}, {decade, 1.2}, ink::slate, 1);
-    for (int decade = -10; decade <= 3; ++decade) drawing.line({-2, height_of(decade)}, {3, height_of(decade)}, ink::slate, 1);
+    for (int decade = -10; decade <= 3; ++decade)
+        drawing.line({-2, height_of(decade)}, {3, height_of(decade)}, ink::slate, 1);
     for (const Curve& curve : {Curve{DepthFormat::unorm16, false, ink::red},
                                {DepthFormat::unorm24, false, ink::orange},
                                {DepthFormat::float32, false, ink::blue},
@@ -35,7 +37,8 @@ inline void draw_curves(Drawing& drawing)
         glm::dvec2 last(std::nan(""));
         for (int i = 1; i < steps; ++i) {
             const double decade = -2 + 5.0 * i / steps;
-            const double resolution = depth_resolution({near_plane, far_plane, curve.reversed}, curve.format, -std::pow(10, decade));
+            const double resolution =
+                depth_resolution({near_plane, far_plane, curve.reversed}, curve.format, -std::pow(10, decade));
             const glm::dvec2 place(decade, height_of(std::log10(resolution)));
             drawing.line(last, place, curve.color, 2.5);
             last = place;
@@ -43,11 +46,13 @@ inline void draw_curves(Drawing& drawing)
     }
     for (const auto& [bits, color] : {std::pair(16, ink::red), {24, ink::orange}})
         for (const double gap : {1e-6, 1e-4, 1e-2})
-            if (const std::optional<double> begin = fighting_distance({near_plane, far_plane}, bits, gap); begin && *begin > near_plane)
+            if (const std::optional<double> begin = fighting_distance({near_plane, far_plane}, bits, gap);
+                begin && *begin > near_plane)
                 drawing.ring({std::log10(*begin), height_of(std::log10(gap))}, 5, color, 2.5);
 }
 
-/// A blue floor a ten-thousandth above a red one. Where both have the same depth in the buffer, the red one, drawn last, shows.
+/// A blue floor a ten-thousandth above a red one. Where both have the same depth in the buffer, the red one, drawn
+/// last, shows.
 inline Image draw_floors(const DepthRange& range, int bits, int width, int height)
 {
     Image picture(width, height, glm::u8vec4(14, 15, 23, 255));
@@ -63,7 +68,10 @@ inline Image draw_floors(const DepthRange& range, int bits, int width, int heigh
             const double above = stored(distance);
             const double below = stored(distance * 1.0001);
             const bool hidden = range.reversed ? below < above : below > above;
-            const bool light = (static_cast<long>(std::floor(3 * std::log(distance))) + static_cast<long>(std::floor(4 * aside / distance + 100))) % 2 == 0;
+            const bool light = (static_cast<long>(std::floor(3 * std::log(distance))) +
+                                static_cast<long>(std::floor(4 * aside / distance + 100))) %
+                                   2 ==
+                               0;
             const glm::vec3 color = (hidden ? ink::blue : ink::red) * (light ? 1.0F : 0.72F);
             picture.at(x, y) = glm::u8vec4(glm::u8vec3(255.0F * color), 255);
         }
@@ -84,9 +92,10 @@ inline Image draw_precision()
     Image picture(3 * part, curves + floors, glm::u8vec4(14, 15, 23, 255));
     for (int y = 0; y < curves; ++y)
         for (int x = 0; x < 3 * part; ++x) picture.at(x, y) = top.at(x, y);
-    const std::array<std::pair<DepthRange, int>, 3> views = {std::pair(DepthRange{detail::near_plane, detail::far_plane}, 16),
-                                                             {DepthRange{detail::near_plane, detail::far_plane}, 24},
-                                                             {DepthRange{detail::near_plane, detail::far_plane, true}, 0}};
+    const std::array<std::pair<DepthRange, int>, 3> views = {
+        std::pair(DepthRange{detail::near_plane, detail::far_plane}, 16),
+        {DepthRange{detail::near_plane, detail::far_plane}, 24},
+        {DepthRange{detail::near_plane, detail::far_plane, true}, 0}};
     for (int i = 0; i < 3; ++i) {
         const auto& [range, bits] = views[static_cast<std::size_t>(i)];
         const Image floor = detail::draw_floors(range, bits, part - 8, floors);

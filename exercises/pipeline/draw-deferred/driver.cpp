@@ -53,7 +53,8 @@ void frames(Case&, Recorder& out)
     out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
 }
 
-/// State that has nothing to do with where vertices come from, and for which the software renderer need not compile its shaders anew.
+/// State that has nothing to do with where vertices come from, and for which the software renderer need not compile its
+/// shaders anew.
 void choose_state(Random& random)
 {
     random.below(2) == 0 ? glEnable(GL_SCISSOR_TEST) : glDisable(GL_SCISSOR_TEST);
@@ -107,8 +108,10 @@ void state(Case& c, Recorder& out)
 void several(Case&, Recorder& out)
 {
     const Canvas canvas(256);
-    std::array drawings{drawing_of(polygon(3, {-0.45F, 0.4F, 0.3F}, 0.5F, 0.0F)), drawing_of({}), drawing_of(polygon(6, {0.05F, -0.1F, 0}, 0.6F, 0.55F)),
-                        drawing_of(polygon(12, {0.5F, 0.45F, 0.2F}, 0.4F, 0.3F)), drawing_of(polygon(5, {0.4F, -0.5F, -0.1F}, 0.42F, 0.8F))};
+    std::array drawings{drawing_of(polygon(3, {-0.45F, 0.4F, 0.3F}, 0.5F, 0.0F)), drawing_of({}),
+                        drawing_of(polygon(6, {0.05F, -0.1F, 0}, 0.6F, 0.55F)),
+                        drawing_of(polygon(12, {0.5F, 0.45F, 0.2F}, 0.4F, 0.3F)),
+                        drawing_of(polygon(5, {0.4F, -0.5F, -0.1F}, 0.42F, 0.8F))};
     for (const std::size_t i : {3, 1, 0, 2, 1, 3}) draw(drawings[i]);
     out.image("first", canvas.picture());
     for (const std::size_t i : {0, 2, 1}) drawings[i].reset();
@@ -120,7 +123,8 @@ void several(Case&, Recorder& out)
 
 void random(Case& c, Recorder& out)
 {
-    for (int i = 0; i < 3; ++i) record_picture(out, "picture " + std::to_string(i + 1), random_mesh(c.random, 30, 25), 128);
+    for (int i = 0; i < 3; ++i)
+        record_picture(out, "picture " + std::to_string(i + 1), random_mesh(c.random, 30, 25), 128);
 }
 
 }

@@ -9,8 +9,9 @@
 /// The meshes of the cases.
 namespace umbral::pipeline {
 
-/// Problem 1.2 grown into a rose window: a centre, and rings of vertices round it that swell and shrink into petals. Each ring is turned
-/// against the one before by half a step, and its colours alternate between light and dark, so that every triangle shows.
+/// Problem 1.2 grown into a rose window: a centre, and rings of vertices round it that swell and shrink into petals.
+/// Each ring is turned against the one before by half a step, and its colours alternate between light and dark, so that
+/// every triangle shows.
 inline ColoredMesh rosette(int petals, int rings)
 {
     ColoredMesh mesh;
@@ -20,43 +21,53 @@ inline ColoredMesh rosette(int petals, int rings)
     for (int ring = 1; ring <= rings; ++ring)
         for (int i = 0; i < around; ++i) {
             const float outwards = static_cast<float>(ring) / static_cast<float>(rings);
-            const float turns = (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) / static_cast<float>(around);
+            const float turns =
+                (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) / static_cast<float>(around);
             const float angle = 2 * std::numbers::pi_v<float> * turns;
             const float petal = std::cos(static_cast<float>(petals) * angle);
             const float radius = outwards * (0.82F + 0.15F * outwards * petal);
             mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
             const float light = 0.55F + 0.45F * std::cos(std::numbers::pi_v<float> * static_cast<float>(i + ring / 2));
-            mesh.colors.push_back(rainbow(0.62F * outwards + 0.08F * petal + 0.55F, 0.85F - 0.35F * light, 0.35F + 0.65F * light));
+            mesh.colors.push_back(
+                rainbow(0.62F * outwards + 0.08F * petal + 0.55F, 0.85F - 0.35F * light, 0.35F + 0.65F * light));
         }
-    const auto at = [&](int ring, int i) { return static_cast<std::uint32_t>(ring == 0 ? 0 : 1 + (ring - 1) * around + (i + around) % around); };
+    const auto at = [&](int ring, int i) {
+        return static_cast<std::uint32_t>(ring == 0 ? 0 : 1 + (ring - 1) * around + (i + around) % around);
+    };
     for (int ring = 1; ring <= rings; ++ring)
         for (int i = 0; i < around; ++i) {
             // Odd rings stand half a step further than even ones.
             const int inner = ring % 2 == 1 ? i : i - 1;
-            for (const std::uint32_t index : {at(ring, i), at(ring, i + 1), at(ring - 1, inner + 1)}) mesh.indices.push_back(index);
+            for (const std::uint32_t index : {at(ring, i), at(ring, i + 1), at(ring - 1, inner + 1)})
+                mesh.indices.push_back(index);
             if (ring == 1) continue;
-            for (const std::uint32_t index : {at(ring, i), at(ring - 1, inner + 1), at(ring - 1, inner)}) mesh.indices.push_back(index);
+            for (const std::uint32_t index : {at(ring, i), at(ring - 1, inner + 1), at(ring - 1, inner)})
+                mesh.indices.push_back(index);
         }
     return mesh;
 }
 
-/// A sheet of columns x rows vertices over the square [-0.95, 0.95]², in soft bands of colour. It is bent away from the viewer between its
-/// first row and its last, so that a triangle that wrongly joins the two is in front of it. Triangles join every `step`-th vertex only: there
-/// are many vertices, and little to draw.
+/// A sheet of columns x rows vertices over the square [-0.95, 0.95]², in soft bands of colour. It is bent away from the
+/// viewer between its first row and its last, so that a triangle that wrongly joins the two is in front of it.
+/// Triangles join every `step`-th vertex only: there are many vertices, and little to draw.
 inline ColoredMesh sheet(int columns, int rows, int step)
 {
     ColoredMesh mesh;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
-            const glm::vec2 place(static_cast<float>(column) / static_cast<float>(columns - 1), static_cast<float>(row) / static_cast<float>(rows - 1));
+            const glm::vec2 place(static_cast<float>(column) / static_cast<float>(columns - 1),
+                                  static_cast<float>(row) / static_cast<float>(rows - 1));
             mesh.positions.emplace_back(1.9F * place - 0.95F, 0.8F * std::sin(std::numbers::pi_v<float> * place.y));
             const float wave = std::sin(9 * place.x + 4 * std::sin(5 * place.y)) * std::cos(7 * place.y);
             mesh.colors.push_back(rainbow(0.5F + 0.2F * wave, 0.6F, 0.6F + 0.4F * place.y));
         }
     for (int row = 0; row + step < rows; row += step)
         for (int column = 0; column + step < columns; column += step) {
-            const auto at = [&](int right, int up) { return static_cast<std::uint32_t>((row + up * step) * columns + column + right * step); };
-            for (const std::uint32_t index : {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)}) mesh.indices.push_back(index);
+            const auto at = [&](int right, int up) {
+                return static_cast<std::uint32_t>((row + up * step) * columns + column + right * step);
+            };
+            for (const std::uint32_t index : {at(0, 0), at(1, 0), at(1, 1), at(0, 0), at(1, 1), at(0, 1)})
+                mesh.indices.push_back(index);
         }
     return mesh;
 }
@@ -72,7 +83,8 @@ inline ColoredMesh polygon(int corners, const glm::vec3& centre, float radius, f
         mesh.positions.push_back(centre + radius * glm::vec3(std::cos(angle), std::sin(angle), 0));
         mesh.colors.push_back(rainbow(hue + 0.1F * static_cast<float>(i % 2), 0.9F, 0.8F));
         const auto here = static_cast<std::uint32_t>(1 + i);
-        for (const std::uint32_t index : {0U, here, static_cast<std::uint32_t>(1 + (i + 1) % corners)}) mesh.indices.push_back(index);
+        for (const std::uint32_t index : {0U, here, static_cast<std::uint32_t>(1 + (i + 1) % corners)})
+            mesh.indices.push_back(index);
     }
     return mesh;
 }

@@ -70,9 +70,9 @@ private:
 void buffer_bound(Case&, Recorder& out)
 {
     const BoundBuffer buffer;
-    record_picture(
-        out, 128,
-        {{6, false, {-0.45F, 0.1F, 0}, 0.45F, 0.2F, {0.2F, 0.6F, 0.5F}, {1, 1, 1}}, {9, true, {0.45F, -0.1F, 0}, 0.45F, 0, {0.7F, 0.5F, 0.1F}, {1, 1, 1}}});
+    record_picture(out, 128,
+                   {{6, false, {-0.45F, 0.1F, 0}, 0.45F, 0.2F, {0.2F, 0.6F, 0.5F}, {1, 1, 1}},
+                    {9, true, {0.45F, -0.1F, 0}, 0.45F, 0, {0.7F, 0.5F, 0.1F}, {1, 1, 1}}});
 }
 
 void choose_state(Random& random)
@@ -99,9 +99,10 @@ void record_state(Recorder& out, const Piece& piece, const Image& picture)
     std::array<GLint, 2> mode{};
     glGetIntegerv(GL_POLYGON_MODE, mode.data());
     std::vector<float> row = {color[0], color[1], color[2], color[3], static_cast<float>(mode[0])};
-    for (const GLenum name : {GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_DEPTH_TEST,
-                              GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_LINE_WIDTH, GL_SHADE_MODEL, GL_MATRIX_MODE,
-                              GL_ATTRIB_STACK_DEPTH, GL_CLIENT_ATTRIB_STACK_DEPTH})
+    for (const GLenum name :
+         {GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM,
+          GL_DEPTH_TEST, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE,
+          GL_LINE_WIDTH, GL_SHADE_MODEL, GL_MATRIX_MODE, GL_ATTRIB_STACK_DEPTH, GL_CLIENT_ATTRIB_STACK_DEPTH})
         row.push_back(state_of(name));
     row.push_back(static_cast<float>(glGetError()));
     // In the middle of the first triangle, and of the first edge.
@@ -134,7 +135,9 @@ void state(Case& c, Recorder& out)
 void random(Case& c, Recorder& out)
 {
     std::vector<Piece> pieces;
-    for (int i = 0; i < 14; ++i) pieces.push_back(random_piece(c.random, c.random.uniform(-0.05F, 0.05F) + 0.1F * static_cast<float>(i * 5 % 14 - 7)));
+    for (int i = 0; i < 14; ++i)
+        pieces.push_back(
+            random_piece(c.random, c.random.uniform(-0.05F, 0.05F) + 0.1F * static_cast<float>(i * 5 % 14 - 7)));
     choose_state(c.random);
     glEnable(GL_DEPTH_TEST);
     record_picture(out, 160, pieces);

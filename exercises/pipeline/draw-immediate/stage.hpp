@@ -47,8 +47,8 @@ struct Fan {
     std::vector<std::uint32_t> indices;
 };
 
-/// Triangles come `stride` after each other round the centre, each begun at another of its corners; without a common divisor with `corners`,
-/// each comes once.
+/// Triangles come `stride` after each other round the centre, each begun at another of its corners; without a common
+/// divisor with `corners`, each comes once.
 inline Fan fan(int corners, int stride)
 {
     Fan result{polygon(corners), {}};
@@ -57,7 +57,8 @@ inline Fan fan(int corners, int stride)
         const int k = i * stride % corners;
         const std::array<int, 3> triangle = {k, (k + 1) % corners, corners};
         for (int corner = 0; corner < 3; ++corner)
-            result.indices.push_back(static_cast<std::uint32_t>(triangle[static_cast<std::size_t>((i + 1 + corner) % 3)]));
+            result.indices.push_back(
+                static_cast<std::uint32_t>(triangle[static_cast<std::size_t>((i + 1 + corner) % 3)]));
     }
     return result;
 }
@@ -101,7 +102,8 @@ inline std::vector<Piece> sunflower(int count)
         const float outwards = std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(count));
         const float angle = golden_angle * static_cast<float>(i);
         const float reach = 0.9F * std::pow(outwards, 1.2F);
-        const glm::vec3 fill = rainbow(0.12F + 0.62F * outwards, 0.85F - 0.3F * static_cast<float>(i % 2), 0.62F + 0.3F * static_cast<float>(i % 2));
+        const glm::vec3 fill = rainbow(0.12F + 0.62F * outwards, 0.85F - 0.3F * static_cast<float>(i % 2),
+                                       0.62F + 0.3F * static_cast<float>(i % 2));
         pieces.push_back({3 + i % 6,
                           i % 2 == 0,
                           {reach * std::cos(angle), reach * std::sin(angle), 0},

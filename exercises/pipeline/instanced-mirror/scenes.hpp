@@ -21,12 +21,13 @@ inline Scene lake()
     scene.eye = {0, 1.25F, 6.6F};
     scene.target = {0, 0.12F, 0};
     scene.light = {5, 7, 6};
-    scene.things = {{shapes::trefoil(180, 24, 0.19F), placed({0, 0.72F, -0.4F}, glm::vec3(1.05F), 0.35F), ink::orange, ink::red},
-                    {shapes::torus(80, 20, 0.16F), placed({-2.3F, 0.25F, -1.2F}, glm::vec3(0.85F), 0.7F), ink::blue, ink::white},
-                    {shapes::torus(80, 20, 0.16F), placed({2.4F, 0.1F, -1.6F}, glm::vec3(1), -0.8F), ink::green, ink::white},
-                    {bowl(), placed({-1.35F, 0.2F, 1.1F}, glm::vec3(0.42F), 0.25F, {0, 0, 1}), ink::pink, ink::white},
-                    {bowl(), placed({1.35F, 0.24F, 1.2F}, glm::vec3(0.38F), -0.35F, {1, 0, 1}), ink::red, ink::white},
-                    {shapes::icosphere(4), placed({0.3F, 0.1F, 2.1F}, glm::vec3(0.2F)), ink::white, ink::blue}};
+    scene.things = {
+        {shapes::trefoil(180, 24, 0.19F), placed({0, 0.72F, -0.4F}, glm::vec3(1.05F), 0.35F), ink::orange, ink::red},
+        {shapes::torus(80, 20, 0.16F), placed({-2.3F, 0.25F, -1.2F}, glm::vec3(0.85F), 0.7F), ink::blue, ink::white},
+        {shapes::torus(80, 20, 0.16F), placed({2.4F, 0.1F, -1.6F}, glm::vec3(1), -0.8F), ink::green, ink::white},
+        {bowl(), placed({-1.35F, 0.2F, 1.1F}, glm::vec3(0.42F), 0.25F, {0, 0, 1}), ink::pink, ink::white},
+        {bowl(), placed({1.35F, 0.24F, 1.2F}, glm::vec3(0.38F), -0.35F, {1, 0, 1}), ink::red, ink::white},
+        {shapes::icosphere(4), placed({0.3F, 0.1F, 2.1F}, glm::vec3(0.2F)), ink::white, ink::blue}};
     return scene;
 }
 
@@ -39,8 +40,9 @@ inline Scene wall(Look look)
     scene.mirror = glm::vec4(normal, 1.2F);
     scene.eye = {2.2F, 1.2F, 5.5F};
     scene.target = {-0.1F, 0, -0.8F};
-    scene.things = {{shapes::trefoil(160, 20, 0.2F), placed({0.1F, 0, 0.2F}, glm::vec3(0.7F), 0.5F), ink::blue, ink::red},
-                    {shapes::icosphere(3), placed({1.1F, -0.5F, 0.4F}, glm::vec3(0.3F)), ink::orange, ink::red}};
+    scene.things = {
+        {shapes::trefoil(160, 20, 0.2F), placed({0.1F, 0, 0.2F}, glm::vec3(0.7F), 0.5F), ink::blue, ink::red},
+        {shapes::icosphere(3), placed({1.1F, -0.5F, 0.4F}, glm::vec3(0.3F)), ink::orange, ink::red}};
     return scene;
 }
 
@@ -53,7 +55,8 @@ inline Scene cut()
     scene.eye = {0.4F, 2.6F, 4.4F};
     scene.target = {0, 0.2F, 0};
     scene.things = {{shapes::icosphere(4), placed({-0.9F, 0.35F, 0}, glm::vec3(0.7F)), ink::green, ink::orange},
-                    {shapes::torus(64, 20, 0.2F), placed({0.9F, 0.4F, -0.1F}, glm::vec3(0.75F), 0.4F, {1, 0, 0}), ink::pink, ink::orange}};
+                    {shapes::torus(64, 20, 0.2F), placed({0.9F, 0.4F, -0.1F}, glm::vec3(0.75F), 0.4F, {1, 0, 0}),
+                     ink::pink, ink::orange}};
     return scene;
 }
 
@@ -66,7 +69,8 @@ inline Scene bowls(const glm::vec3& stretch)
     scene.target = {0, 0.1F, 0};
     for (int i = 0; i < 3; ++i) {
         const auto k = static_cast<float>(i);
-        scene.things.push_back({bowl(), placed({1.5F * k - 1.5F, 0.85F, 0}, 0.62F * stretch, 0.5F + 0.9F * k, {1, 0, 0.4F * k}),
+        scene.things.push_back({bowl(),
+                                placed({1.5F * k - 1.5F, 0.85F, 0}, 0.62F * stretch, 0.5F + 0.9F * k, {1, 0, 0.4F * k}),
                                 i == 1 ? ink::orange : ink::blue, i == 1 ? ink::white : ink::pink});
     }
     return scene;
@@ -89,7 +93,8 @@ inline Scene stretched()
     scene.eye = {0, 0.9F, 4};
     scene.target = {0, -0.1F, 0};
     scene.things = {{shapes::icosphere(4), placed({-1.1F, 0, 0}, {0.9F, 0.25F, 0.7F}), ink::orange, ink::blue},
-                    {shapes::torus(64, 20, 0.3F), placed({1.1F, 0, 0}, {0.35F, 0.7F, 1.2F}, 0.6F, {1, 1, 0}), ink::green, ink::blue}};
+                    {shapes::torus(64, 20, 0.3F), placed({1.1F, 0, 0}, {0.35F, 0.7F, 1.2F}, 0.6F, {1, 1, 0}),
+                     ink::green, ink::blue}};
     return scene;
 }
 
@@ -111,8 +116,8 @@ inline Scene random_scene(Random& random, Look look)
         const float z = random.uniform(0.3F, 0.65F) * (i % 2 == 0 ? 1.0F : -1.0F);
         const float turn = random.uniform(0, 6.28F);
         const glm::vec3 axis = random.unit_vector();
-        const glm::vec3 place(1.1F * static_cast<float>(i % 2) - 0.55F + random.uniform(-0.2F, 0.2F), 0.9F * static_cast<float>(i / 2) - 0.45F,
-                              random.uniform(-0.4F, 0.4F));
+        const glm::vec3 place(1.1F * static_cast<float>(i % 2) - 0.55F + random.uniform(-0.2F, 0.2F),
+                              0.9F * static_cast<float>(i / 2) - 0.45F, random.uniform(-0.4F, 0.4F));
         constexpr glm::vec3 colors[] = {ink::blue, ink::orange, ink::green, ink::pink};
         scene.things.push_back({kind == 0   ? bowl()
                                 : kind == 1 ? shapes::torus(64, 20, 0.3F)

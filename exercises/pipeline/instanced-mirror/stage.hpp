@@ -9,7 +9,8 @@
 #include <umbral/gl/program.hpp>
 #include <umbral/record/case.hpp>
 
-/// Where the student's vertex shader meets OpenGL: its interface, the fragment shader behind it, and how a scene is drawn in two instances.
+/// Where the student's vertex shader meets OpenGL: its interface, the fragment shader behind it, and how a scene is
+/// drawn in two instances.
 namespace umbral::pipeline {
 
 /// What of the scene is seen: most pictures look at one thing only, so that one mistake does not spoil them all.
@@ -75,7 +76,8 @@ struct Scene {
 /// The program with the case's vertex shader. Throws StudentError if it does not compile, link or fit.
 inline gl::Program mirror_program(const Case& what)
 {
-    return gl::Program(gl::ShaderSource{"mirror.vert", what.source("mirror.vert")}, gl::ShaderSource{"driver.frag", mirror_fragment_shader});
+    return gl::Program(gl::ShaderSource{"mirror.vert", what.source("mirror.vert")},
+                       gl::ShaderSource{"driver.frag", mirror_fragment_shader});
 }
 
 /// Sky above the horizon, and water below it.
@@ -100,7 +102,8 @@ inline Image draw(const Scene& scene, const gl::Program& program, int width, int
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CLIP_DISTANCE0);
     const glm::mat4 view = glm::lookAt(scene.eye, scene.target, glm::vec3(0, 1, 0));
-    const glm::mat4 projection = glm::perspective(glm::radians(40.0F), static_cast<float>(width) / static_cast<float>(height), 0.5F, 60.0F);
+    const glm::mat4 projection =
+        glm::perspective(glm::radians(40.0F), static_cast<float>(width) / static_cast<float>(height), 0.5F, 60.0F);
     if (scene.lake) paint_water(view, projection, 2 * width, 2 * height);
     program.set("view", view);
     program.set("projection", projection);
@@ -111,7 +114,9 @@ inline Image draw(const Scene& scene, const gl::Program& program, int width, int
         program.set("model", thing.model);
         program.set("outside_color", thing.outside);
         program.set("inside_color", thing.inside);
-        AttributeMesh(program, thing.shape.indices, {{"position", thing.shape.positions}, {"normal", thing.shape.normals}}).draw(scene.instances);
+        AttributeMesh(program, thing.shape.indices,
+                      {{"position", thing.shape.positions}, {"normal", thing.shape.normals}})
+            .draw(scene.instances);
     }
     return frame.picture();
 }

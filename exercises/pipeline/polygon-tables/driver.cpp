@@ -46,7 +46,8 @@ std::vector<std::uint32_t> random_sides(Random& random)
 
 glm::vec3 size_of(const IndexedPolygon& polygon)
 {
-    return glm::vec3(static_cast<float>(polygon.positions.size()), static_cast<float>(polygon.triangles.size()), static_cast<float>(polygon.edges.size()));
+    return glm::vec3(static_cast<float>(polygon.positions.size()), static_cast<float>(polygon.triangles.size()),
+                     static_cast<float>(polygon.edges.size()));
 }
 
 // Pairs of what is no polygon and what is one, so that neither answer to all is worth anything.
@@ -57,13 +58,15 @@ void record_sizes(Random& random, Recorder& out)
         const std::uint32_t some = i < 3 ? 3 + i : 3 + random.below(200);
         const bool swapped = random.below(2) == 1;
         for (const std::uint32_t sides : {swapped ? some : none, swapped ? none : some}) {
-            out.append("tables", glm::vec2(static_cast<float>(polygon_loop(sides).size()), static_cast<float>(polygon_segments(sides).size())));
+            out.append("tables", glm::vec2(static_cast<float>(polygon_loop(sides).size()),
+                                           static_cast<float>(polygon_segments(sides).size())));
             out.append("fan", size_of(polygon_fan(sides)));
         }
     }
 }
 
-// Where segments meet: how many different corners they have, and which of the ends the last one equals first: n and 0 if no joint gapes.
+// Where segments meet: how many different corners they have, and which of the ends the last one equals first: n and 0
+// if no joint gapes.
 void record_joints(Random& random, Recorder& out)
 {
     std::vector<std::uint32_t> all = {3, 4, 5, 7, 12, 100};
@@ -73,7 +76,8 @@ void record_joints(Random& random, Recorder& out)
         std::map<std::pair<float, float>, float> first;
         float last = -1;
         for (std::size_t i = 0; i < std::min(ends.size(), std::size_t{2} * sides); ++i)
-            if (!std::isnan(ends[i].x) && !std::isnan(ends[i].y)) last = first.try_emplace({ends[i].x, ends[i].y}, static_cast<float>(i)).first->second;
+            if (!std::isnan(ends[i].x) && !std::isnan(ends[i].y))
+                last = first.try_emplace({ends[i].x, ends[i].y}, static_cast<float>(i)).first->second;
         out.append("joints", glm::vec2(static_cast<float>(first.size()), last));
     }
 }
@@ -84,7 +88,10 @@ void record_many(Random& random, Recorder& out)
         const std::vector<glm::vec2> corners = polygon_loop(sides);
         for (int i = 0; i < 200; ++i) {
             const std::uint32_t place = random.below(sides);
-            record_rows(out, "corners", std::vector<glm::vec2>(place < corners.size() ? 1 : 0, place < corners.size() ? corners[place] : glm::vec2(0)), 1);
+            record_rows(out, "corners",
+                        std::vector<glm::vec2>(place < corners.size() ? 1 : 0,
+                                               place < corners.size() ? corners[place] : glm::vec2(0)),
+                        1);
         }
     }
 }
@@ -106,8 +113,8 @@ glm::vec3 hue(double turns)
     return glm::vec3(0.12 + 0.8 * wave);
 }
 
-// Left: polygons of 3, 4, 5, … sides, each in the inscribed circle of the one before; the loops drawn filled and as edges. Right: a fan,
-// its triangles and its edges from the tables of indices.
+// Left: polygons of 3, 4, 5, … sides, each in the inscribed circle of the one before; the loops drawn filled and as
+// edges. Right: a fan, its triangles and its edges from the tables of indices.
 Image picture()
 {
     Drawing drawing(640, 320, {-2.1, -1.05}, {2.1, 1.05});
@@ -125,7 +132,8 @@ Image picture()
     constexpr std::uint32_t sides = 24;
     const IndexedPolygon fan = polygon_fan(sides);
     const auto place = [&](std::uint32_t index) {
-        return index < fan.positions.size() ? glm::dvec2(1.05, 0) + 0.95 * glm::dvec2(fan.positions[index]) : glm::dvec2(NAN);
+        return index < fan.positions.size() ? glm::dvec2(1.05, 0) + 0.95 * glm::dvec2(fan.positions[index])
+                                            : glm::dvec2(NAN);
     };
     for (std::size_t i = 0; i < std::min<std::size_t>(fan.triangles.size(), sides); ++i) {
         const glm::uvec3 t = canonical(fan.triangles[i]);

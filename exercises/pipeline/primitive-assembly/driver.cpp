@@ -9,7 +9,8 @@ namespace {
 using namespace pipeline;
 using enum PrimitiveType;
 
-void record_sequences(Recorder& out, std::initializer_list<PrimitiveType> types, std::initializer_list<std::uint32_t> counts)
+void record_sequences(Recorder& out, std::initializer_list<PrimitiveType> types,
+                      std::initializer_list<std::uint32_t> counts)
 {
     for (const PrimitiveType type : types)
         for (const std::uint32_t count : counts) record_assembly(out, type, counted(count));
@@ -29,7 +30,10 @@ void record_random(Random& random, Recorder& out)
     out.text("provoking.names", all_names());
 }
 
-void record_side(Recorder& out, const std::vector<glm::vec2>& corners) { out.append("front", is_front_facing(corners) ? 1.0F : 0.0F); }
+void record_side(Recorder& out, const std::vector<glm::vec2>& corners)
+{
+    out.append("front", is_front_facing(corners) ? 1.0F : 0.0F);
+}
 
 // A face and the same one backwards, in either order.
 void record_both_sides(Random& random, Recorder& out, std::vector<glm::vec2> corners)
@@ -79,7 +83,8 @@ void record_needles(Random& random, Recorder& out)
         }
 }
 
-constexpr PrimitiveType all_types[] = {points, lines, line_strip, line_loop, triangles, triangle_strip, triangle_fan, quads, quad_strip, polygon};
+constexpr PrimitiveType all_types[] = {points,         lines,        line_strip, line_loop,  triangles,
+                                       triangle_strip, triangle_fan, quads,      quad_strip, polygon};
 
 void record_modes(Random& random, Recorder& out)
 {
@@ -118,12 +123,15 @@ void record_joined(Random& random, Recorder& out)
             if (strip > 0) sequence.insert(sequence.end(), {sequence.back(), first});
             if (random.below(2) == 0) sequence.push_back(first);
             for (std::uint32_t k = 0; k < length; ++k) {
-                places.emplace_back(10 * static_cast<float>(k / 2), 100 * static_cast<float>(strip) + (k % 2 == 0 ? 10.0F : 0.0F));
+                places.emplace_back(10 * static_cast<float>(k / 2),
+                                    100 * static_cast<float>(strip) + (k % 2 == 0 ? 10.0F : 0.0F));
                 sequence.push_back(first + k);
             }
         }
         const auto mode = i % 3 == 0 ? PolygonMode::line : PolygonMode::fill;
-        record_draw(out, draw++, draw_list(triangle_strip, sequence, places, i % 2 == 0 ? Culling::back : Culling::none, mode), 3 * sequence.size());
+        record_draw(out, draw++,
+                    draw_list(triangle_strip, sequence, places, i % 2 == 0 ? Culling::back : Culling::none, mode),
+                    3 * sequence.size());
     }
     out.text("list.names", draw_names(draw));
 }
@@ -135,12 +143,15 @@ void draw_smooth(Drawing& drawing, const std::array<glm::dvec2, 3>& places, cons
 {
     constexpr int parts = 12;
     drawing.area(places, glm::vec3((colors[0] + colors[1] + colors[2]) / 3.0));
-    const auto mixed = [](const auto& three, double i, double j) { return three[0] + i / parts * (three[1] - three[0]) + j / parts * (three[2] - three[0]); };
+    const auto mixed = [](const auto& three, double i, double j) {
+        return three[0] + i / parts * (three[1] - three[0]) + j / parts * (three[2] - three[0]);
+    };
     for (int i = 0; i < parts; ++i)
         for (int j = 0; i + j < parts; ++j)
             for (const bool upper : {false, true}) {
                 if (upper && i + j + 1 >= parts) continue;
-                const std::vector<glm::dvec2> piece = {mixed(places, upper ? i + 1 : i, upper ? j + 1 : j), mixed(places, i + 1, j), mixed(places, i, j + 1)};
+                const std::vector<glm::dvec2> piece = {mixed(places, upper ? i + 1 : i, upper ? j + 1 : j),
+                                                       mixed(places, i + 1, j), mixed(places, i, j + 1)};
                 const double shift = upper ? 2.0 / 3 : 1.0 / 3;
                 drawing.area(piece, glm::vec3(mixed(colors, i + shift, j + shift)));
             }
@@ -162,7 +173,9 @@ Image gallery()
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) {
             const glm::dvec2 centre(2.2 * (column - 1), 2.2 * (1 - row));
-            const auto place = [&](std::uint32_t vertex) { return vertex < count ? centre + (glm::dvec2(window[vertex]) - 240.0) / 85.0 : glm::dvec2(NAN); };
+            const auto place = [&](std::uint32_t vertex) {
+                return vertex < count ? centre + (glm::dvec2(window[vertex]) - 240.0) / 85.0 : glm::dvec2(NAN);
+            };
             for (std::uint32_t i = 0; i < count; ++i) drawing.ring(place(i), 4, ink::slate, 1.5);
             const DrawList list = draw_list(columns[column], counted(count), window, Culling::back, rows[row]);
             for (std::size_t i = 0; i < std::min<std::size_t>(list.triangles.size(), 12); ++i) {
@@ -172,7 +185,8 @@ Image gallery()
             for (std::size_t i = 0; i < std::min<std::size_t>(list.segments.size(), 24); ++i) {
                 const glm::uvec2 s = list.segments[i];
                 for (int k = 0; k < 16; ++k)
-                    drawing.line(glm::mix(place(s.x), place(s.y), k / 16.0), glm::mix(place(s.x), place(s.y), (k + 1) / 16.0),
+                    drawing.line(glm::mix(place(s.x), place(s.y), k / 16.0),
+                                 glm::mix(place(s.x), place(s.y), (k + 1) / 16.0),
                                  glm::vec3(glm::mix(color(s.x), color(s.y), (k + 0.5) / 16)), 4);
             }
             for (std::size_t i = 0; i < std::min<std::size_t>(list.points.size(), 24); ++i)

@@ -14,9 +14,11 @@ bool is_front_facing(std::span<const glm::vec2> corners)
     return not_implemented<bool>(corners);
 }
 
-DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, std::span<const glm::vec2> window, Culling culling, PolygonMode mode)
+DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, std::span<const glm::vec2> window,
+                   Culling culling, PolygonMode mode)
 {
-    // TODO: assemble; pass points and segments on; leave out faces by culling; turn the rest into points, segments or triangles.
+    // TODO: assemble; pass points and segments on; leave out faces by culling; turn the rest into points, segments or
+    // triangles.
     return not_implemented<DrawList>(type, vertices, window, culling, mode);
 }
 

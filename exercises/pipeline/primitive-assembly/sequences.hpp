@@ -58,7 +58,8 @@ inline std::vector<std::uint32_t> canonical_corners(std::vector<std::uint32_t> c
     return best;
 }
 
-/// Events: the type, how many corners, and the corners counted from 1 (nine at most); and the provoking vertices in their order.
+/// Events: the type, how many corners, and the corners counted from 1 (nine at most); and the provoking vertices in
+/// their order.
 inline void record_assembly(Recorder& out, PrimitiveType type, const std::vector<std::uint32_t>& vertices)
 {
     const auto code = static_cast<float>(type);
@@ -66,7 +67,8 @@ inline void record_assembly(Recorder& out, PrimitiveType type, const std::vector
     for (std::size_t i = 0; i < std::min(primitives.size(), 2 * vertices.size() + 4); ++i) {
         const std::vector<std::uint32_t> corners = canonical_corners(primitives[i].corners);
         std::array<float, 11> row{code, static_cast<float>(corners.size())};
-        for (std::size_t c = 0; c < std::min<std::size_t>(corners.size(), 9); ++c) row[c + 2] = static_cast<float>(corners[c]) + 1;
+        for (std::size_t c = 0; c < std::min<std::size_t>(corners.size(), 9); ++c)
+            row[c + 2] = static_cast<float>(corners[c]) + 1;
         out.append("primitives", std::span<const float>(row));
         out.append("provoking", glm::vec2(code, static_cast<float>(primitives[i].provoking)));
     }
@@ -76,8 +78,8 @@ inline void record_assembly(Recorder& out, PrimitiveType type, const std::vector
 inline void record_draw(Recorder& out, int draw, const DrawList& list, std::size_t expected)
 {
     const auto row = [&](float kind, glm::uvec3 vertices) {
-        const std::array<float, 4> numbers{static_cast<float>(4 * draw) + kind, static_cast<float>(vertices.x), static_cast<float>(vertices.y),
-                                           static_cast<float>(vertices.z)};
+        const std::array<float, 4> numbers{static_cast<float>(4 * draw) + kind, static_cast<float>(vertices.x),
+                                           static_cast<float>(vertices.y), static_cast<float>(vertices.z)};
         out.append("list", std::span<const float>(numbers));
     };
     const std::size_t most = 2 * expected + 16;
@@ -85,11 +87,15 @@ inline void record_draw(Recorder& out, int draw, const DrawList& list, std::size
     std::vector<glm::uvec3> segments;
     std::vector<glm::uvec3> triangles;
     for (std::size_t i = 0; i < std::min(list.points.size(), most); ++i) points.emplace_back(list.points[i] + 1, 0, 0);
-    for (std::size_t i = 0; i < std::min(list.segments.size(), most); ++i) segments.emplace_back(canonical(list.segments[i] + 1U), 0);
-    for (std::size_t i = 0; i < std::min(list.triangles.size(), most); ++i) triangles.push_back(canonical(list.triangles[i] + 1U));
+    for (std::size_t i = 0; i < std::min(list.segments.size(), most); ++i)
+        segments.emplace_back(canonical(list.segments[i] + 1U), 0);
+    for (std::size_t i = 0; i < std::min(list.triangles.size(), most); ++i)
+        triangles.push_back(canonical(list.triangles[i] + 1U));
     float kind = 0;
     for (std::vector<glm::uvec3>* rows : {&points, &segments, &triangles}) {
-        std::sort(rows->begin(), rows->end(), [](glm::uvec3 a, glm::uvec3 b) { return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z}; });
+        std::sort(rows->begin(), rows->end(), [](glm::uvec3 a, glm::uvec3 b) {
+            return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
+        });
         for (const glm::uvec3& vertices : *rows) row(kind, vertices);
         ++kind;
     }

@@ -8,7 +8,10 @@ namespace {
 
 using namespace pipeline;
 
-Triangle triangle(glm::vec2 a, glm::vec2 b, glm::vec2 c) { return {WindowVertex{a, 0, 1}, {b, 0.5F, 0.5F}, {c, 1, 0.25F}}; }
+Triangle triangle(glm::vec2 a, glm::vec2 b, glm::vec2 c)
+{
+    return {WindowVertex{a, 0, 1}, {b, 0.5F, 0.5F}, {c, 1, 0.25F}};
+}
 
 // Eight by eight pixels, corners in quarters: all can be worked out on squared paper.
 std::vector<Triangle> by_hand()
@@ -80,7 +83,9 @@ std::vector<Triangle> nothing(Random& random)
             case 6: none[0].position.y = -infinity; break;
             case 7: none[2].position.x = 16385; break;
             case 8: none[2].position = {5.5F, 1}; break;
-            case 9: none[1].position = {3.5F, 3.5F}, none[2].position = {6.5F, 6.5F}, none[0].position = {0.5F, 0.5F}; break;
+            case 9:
+                none[1].position = {3.5F, 3.5F}, none[2].position = {6.5F, 6.5F}, none[0].position = {0.5F, 0.5F};
+                break;
             case 10: none[0].position = none[1].position = none[2].position = {2.5F, 2.5F}; break;
             default: none = triangle({-9, -9}, {-1, -9}, {-9, -1});
         }
@@ -127,7 +132,8 @@ void horizon(Random& random, Recorder& out)
         const glm::vec2 vanishing(x, on_grid(random, 0, 4, 256));
         const float near = random.uniform(1, 2);
         const float far = random.uniform(500, 1000);
-        Triangle ground = {WindowVertex{{left, below}, 0, 1 / near}, {{right, below + 3}, 0, 1 / near}, {vanishing, 0.999F, 1 / far}};
+        Triangle ground = {
+            WindowVertex{{left, below}, 0, 1 / near}, {{right, below + 3}, 0, 1 / near}, {vanishing, 0.999F, 1 / far}};
         std::rotate(ground.begin(), ground.begin() + i % 3, ground.end());
         triangles.push_back(ground);
     }
@@ -141,12 +147,13 @@ void cover(Recorder& out, std::string_view name, const std::vector<Triangle>& tr
         fragments.clear();
         rasterize_triangle(triangles[i], 40, 32, fragments);
         for (const Fragment& fragment : fragments)
-            out.append(name, glm::vec3(static_cast<float>(i / together), static_cast<float>(fragment.pixel.x), static_cast<float>(fragment.pixel.y)));
+            out.append(name, glm::vec3(static_cast<float>(i / together), static_cast<float>(fragment.pixel.x),
+                                       static_cast<float>(fragment.pixel.y)));
     }
 }
 
-// Triangles, the same ones moved by whole pixels, and cut in two from a corner to the middle of a side. Corners are multiples of 1/2 or 1/128 pixel,
-// so that the middle is exact, and many cuts pass through centres.
+// Triangles, the same ones moved by whole pixels, and cut in two from a corner to the middle of a side. Corners are
+// multiples of 1/2 or 1/128 pixel, so that the middle is exact, and many cuts pass through centres.
 void laws(Random& random, Recorder& out)
 {
     std::vector<Triangle> whole;

@@ -45,7 +45,8 @@ struct Canvas {
     Canvas(int width, int height) : colours(width, height), depths(width, height, 1), ids(width, height) {}
 };
 
-/// Draws one triangle through the depth buffer; `shade(weights, pixel)` gives the colour. What lies outside the picture is dropped.
+/// Draws one triangle through the depth buffer; `shade(weights, pixel)` gives the colour. What lies outside the picture
+/// is dropped.
 template <class Shade>
 void draw(Canvas& canvas, const Triangle& triangle, std::uint32_t id, Shade shade)
 {
@@ -70,7 +71,9 @@ inline std::vector<ColouredTriangle> knot(int along, int about)
 {
     constexpr float turn = 6.2831853F;
     const auto core = [](float t) {
-        return glm::vec3(std::sin(t) + 2 * std::sin(2 * t), 2.83F + std::cos(t) - 2 * std::cos(2 * t), -1.1F * std::sin(3 * t)) * 0.47F +
+        return glm::vec3(std::sin(t) + 2 * std::sin(2 * t), 2.83F + std::cos(t) - 2 * std::cos(2 * t),
+                         -1.1F * std::sin(3 * t)) *
+                   0.47F +
                glm::vec3(0, 0.32F, 0);
     };
     const glm::vec3 light = normalize(glm::vec3(-0.45F, 0.8F, 0.6F));
@@ -85,7 +88,8 @@ inline std::vector<ColouredTriangle> knot(int along, int about)
             const glm::vec3 hue = 0.5F + 0.5F * cos(t + glm::vec3(0.3F, 2.5F, 4.4F));
             const float diffuse = std::max(0.0F, dot(normal, light));
             const float shine = std::pow(std::max(0.0F, dot(normal, normalize(light + glm::vec3(0, 0.1F, 1)))), 30.0F);
-            vertices.at(j, i) = {core(t) + 0.3F * normal, (hue * hue + 0.03F) * (0.16F + 0.85F * diffuse + 0.08F * normal.y) + 0.35F * shine};
+            vertices.at(j, i) = {core(t) + 0.3F * normal,
+                                 (hue * hue + 0.03F) * (0.16F + 0.85F * diffuse + 0.08F * normal.y) + 0.35F * shine};
         }
     }
     std::vector<ColouredTriangle> triangles;
@@ -118,7 +122,9 @@ inline Canvas scene(int width, int height)
     std::uint32_t id = 2;  // 1 and 2 are the floor's
     for (const ColouredTriangle& triangle : knot(120, 16)) {
         ++id;
-        const auto smooth = [&](glm::vec3 weights, glm::ivec2) { return blended(weights, triangle[0].colour, triangle[1].colour, triangle[2].colour); };
+        const auto smooth = [&](glm::vec3 weights, glm::ivec2) {
+            return blended(weights, triangle[0].colour, triangle[1].colour, triangle[2].colour);
+        };
         Triangle upright{};
         Triangle mirrored{};
         for (std::size_t i = 0; i < 3; ++i) {

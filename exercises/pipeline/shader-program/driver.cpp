@@ -13,7 +13,8 @@ namespace {
 using namespace pipeline;
 using Program = std::unique_ptr<ShaderProgram>;
 
-/// What making a program says: the step that fails, and a log as its size and a sum that depends on every byte and its place.
+/// What making a program says: the step that fails, and a log as its size and a sum that depends on every byte and its
+/// place.
 std::array<float, 3> answer_to(const ShaderTexts& texts)
 {
     try {
@@ -132,7 +133,8 @@ void uniforms(Case& c, Recorder& out)
 /// How many programs and shaders there are.
 glm::vec2 objects() { return {living(glIsProgram), living(glIsShader)}; }
 
-// Shaders of programs that live may stay attached to them; so shaders are only compared across a failure, and at the end.
+// Shaders of programs that live may stay attached to them; so shaders are only compared across a failure, and at the
+// end.
 void leaks(Case&, Recorder& out)
 {
     const glm::vec2 at_first = objects();
@@ -176,7 +178,9 @@ const glm::vec3 lamp = glm::normalize(glm::vec3(-0.5F, 0.7F, 0.8F));
 
 void pictures(Case&, Recorder& out)
 {
-    const auto lit = [](const std::vector<Shot>& shots, int size) { return draw(shots, lit_shaders(), lit_interface(), size); };
+    const auto lit = [](const std::vector<Shot>& shots, int size) {
+        return draw(shots, lit_shaders(), lit_interface(), size);
+    };
     out.image("switches", lit({{seen(0.3F), lamp, false, false, false},
                                {seen(0.3F), lamp, false, false, true},
                                {seen(0.3F), lamp, true, true, false},
@@ -205,7 +209,10 @@ void random(Case& c, Recorder& out)
 
 const Driver driver = {
     {"pictures", pictures},
-    {"minimal", [](Case&, Recorder& out) { out.image("picture", draw({{seen(-0.4F)}}, minimal_shaders(), minimal_interface(), 192)); }},
+    {"minimal",
+     [](Case&, Recorder& out) {
+         out.image("picture", draw({{seen(-0.4F)}}, minimal_shaders(), minimal_interface(), 192));
+     }},
     {"errors", errors},
     {"long log",
      [](Case&, Recorder& out) {

@@ -10,17 +10,22 @@
 #include <umbral/gl/program.hpp>
 #include <umbral/pipeline/program.hpp>
 
-/// Where the student's shaders draw. They are compiled by gl::Program here, so that pictures do not depend on the student's own class.
+/// Where the student's shaders draw. They are compiled by gl::Program here, so that pictures do not depend on the
+/// student's own class.
 namespace umbral::pipeline {
 
 inline gl::Interface minimal_interface()
 {
-    return {{{"position", GL_FLOAT_VEC3, 1}, {"color", GL_FLOAT_VEC3, 1}}, {{"modelview", GL_FLOAT_MAT4, 1}, {"projection", GL_FLOAT_MAT4, 1}}};
+    return {{{"position", GL_FLOAT_VEC3, 1}, {"color", GL_FLOAT_VEC3, 1}},
+            {{"modelview", GL_FLOAT_MAT4, 1}, {"projection", GL_FLOAT_MAT4, 1}}};
 }
 
 inline gl::Interface lit_interface()
 {
-    return {{{"position", GL_FLOAT_VEC3, 1}, {"normal", GL_FLOAT_VEC3, 1}, {"color", GL_FLOAT_VEC3, 1}, {"tex_coord", GL_FLOAT_VEC2, 1}},
+    return {{{"position", GL_FLOAT_VEC3, 1},
+             {"normal", GL_FLOAT_VEC3, 1},
+             {"color", GL_FLOAT_VEC3, 1},
+             {"tex_coord", GL_FLOAT_VEC2, 1}},
             {{"modelview", GL_FLOAT_MAT4, 1},
              {"projection", GL_FLOAT_MAT4, 1},
              {"normal_matrix", GL_FLOAT_MAT3, 1},
@@ -44,7 +49,9 @@ inline AttributeMesh painted(const shapes::Shape& shape, int columns, glm::vec2 
         const glm::vec3 wave = 0.5F + 0.5F * glm::cos(shapes::turn * (2 * u + glm::vec3(0, 0.33F, 0.67F)));
         colors.push_back(glm::mix(wave, glm::vec3(0.9F, 0.8F, 0.6F), 0.25F));
     }
-    return {program, shape.indices, {{"position", shape.positions}, {"normal", shape.normals}, {"color", colors}, {"tex_coord", tex_coords}}};
+    return {program,
+            shape.indices,
+            {{"position", shape.positions}, {"normal", shape.normals}, {"color", colors}, {"tex_coord", tex_coords}}};
 }
 
 /// A tile with a star, bound to texture unit `unit` while it lives.
@@ -70,7 +77,8 @@ public:
         glGenTextures(1, &texture_);
         glActiveTexture(GL_TEXTURE0 + unit);
         glBindTexture(GL_TEXTURE_2D, texture_);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, picture.cells.data());
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     picture.cells.data());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     }
     Tile(const Tile&) = delete;
@@ -102,7 +110,8 @@ inline void draw(const Shot& shot, const AttributeMesh& model, const gl::Program
     model.draw();
 }
 
-/// Four parts of a square picture, each another shot of the same knot; one shot alone fills the picture. Without texts it stays empty.
+/// Four parts of a square picture, each another shot of the same knot; one shot alone fills the picture. Without texts
+/// it stays empty.
 inline Image draw(const std::vector<Shot>& shots, const ShaderTexts& texts, const gl::Interface& interface, int size)
 {
     const DoubleFrame frame(size, size);

@@ -41,14 +41,16 @@ inline std::vector<ShaderTexts> failing_texts()
         {version + "void main() { gl_Position = vec4(nothing, 1.0); }\n", good.fragment},
         {version + "void main()\n{\n    gl_Position = vec4(0.0)\n}\n", good.fragment},
         // The course's own line: a matrix of four columns times a vector of three numbers.
-        {version + "in vec3 normal;\nuniform mat4 turn;\nout vec3 n;\nvoid main()\n{\n    gl_Position = vec4(0.0);\n    n = turn * normal;\n}\n",
+        {version + "in vec3 normal;\nuniform mat4 turn;\nout vec3 n;\nvoid main()\n{\n    gl_Position = vec4(0.0);\n   "
+                   " n = turn * normal;\n}\n",
          good.fragment},
         {good.vertex, version + "out vec4 pixel;\nvoid main()\n{\n    pixel = vec3(1.0, 0.0, 0.0);\n}\n"},
         {good.vertex, "#version 330\nout vec4 pixel;\n\n\nvoid main() { pixel = color; undeclared(); }\n"},
         {"nonsense", "more nonsense"},
         {good.vertex, version + "in float shade;\nout vec4 pixel;\nvoid main() { pixel = vec4(shade); }\n"},
         {version + "void helper() {}\n", good.fragment},
-        {good.vertex, version + "uniform mat3 matrix4;\nin vec3 shade;\nout vec4 pixel;\nvoid main() { pixel = vec4(matrix4 * shade, 1.0); }\n"},
+        {good.vertex, version + "uniform mat3 matrix4;\nin vec3 shade;\nout vec4 pixel;\nvoid main() { pixel = "
+                                "vec4(matrix4 * shade, 1.0); }\n"},
     };
 }
 
@@ -57,7 +59,8 @@ inline ShaderTexts with_many_errors(int count)
 {
     ShaderTexts texts = uniforms_of_all_types();
     texts.fragment = "#version 330\nout vec4 pixel;\nvoid main()\n{\n    pixel = vec4(0.0);\n";
-    for (int i = 0; i < count; ++i) texts.fragment += "    pixel.r += a_name_that_nobody_has_declared_" + std::to_string(i) + ";\n";
+    for (int i = 0; i < count; ++i)
+        texts.fragment += "    pixel.r += a_name_that_nobody_has_declared_" + std::to_string(i) + ";\n";
     texts.fragment += "}\n";
     return texts;
 }

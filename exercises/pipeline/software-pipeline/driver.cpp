@@ -27,10 +27,16 @@ std::vector<Call> by_hand()
     std::vector<Call> calls = {
         on_paper({{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0.5F}}),
         on_paper({{-0.75F, 0.75F, -1}, {-0.75F, -0.5F, 0}, {0.75F, 0.75F, 1}}),
-        on_paper({{-1, -1, 0.5F}, {1, -1, 0.5F}, {0, 1, 0.5F}, {-1, 0.5F, 0}, {0, -1, 0}, {1, 0.5F, 0}}),    // the second one in front
-        on_paper({{-1, 0.5F, 0}, {0, -1, 0}, {1, 0.5F, 0}, {-1, -1, 0.5F}, {1, -1, 0.5F}, {0, 1, 0.5F}}),    // … and drawn first
-        on_paper({{-1, -1, -0.5F}, {1, -1, -0.5F}, {0, 1, 0.5F}, {-1, 0.5F, 0}, {0, -1, 0}, {1, 0.5F, 0}}),  // through each other
-        on_paper({{-1.5F, -0.5F, 0}, {1, -1.75F, 0}, {0.5F, 1.5F, 0}}),                                      // beyond the sides
+        on_paper(
+            {{-1, -1, 0.5F}, {1, -1, 0.5F}, {0, 1, 0.5F}, {-1, 0.5F, 0}, {0, -1, 0}, {1, 0.5F, 0}}),  // the second one
+                                                                                                      // in front
+        on_paper(
+            {{-1, 0.5F, 0}, {0, -1, 0}, {1, 0.5F, 0}, {-1, -1, 0.5F}, {1, -1, 0.5F}, {0, 1, 0.5F}}),  // … and drawn
+                                                                                                      // first
+        on_paper(
+            {{-1, -1, -0.5F}, {1, -1, -0.5F}, {0, 1, 0.5F}, {-1, 0.5F, 0}, {0, -1, 0}, {1, 0.5F, 0}}),  // through each
+                                                                                                        // other
+        on_paper({{-1.5F, -0.5F, 0}, {1, -1.75F, 0}, {0.5F, 1.5F, 0}}),  // beyond the sides
     };
     // w in a column: the right corner four times as far as the others.
     Call far = on_paper({{-1, -1, 0}, {1, 0, 0}, {-1, 1, 0}});
@@ -57,7 +63,8 @@ std::vector<Call> culling(Random& random)
 {
     return several(18, [&](int i) {
         Call call = i < 9 ? in_front(random, 5) : about_the_camera(random, 5);
-        call.state.culling = std::array{Culling::back, Culling::front, Culling::none}.at(static_cast<std::size_t>(i % 3));
+        call.state.culling =
+            std::array{Culling::back, Culling::front, Culling::none}.at(static_cast<std::size_t>(i % 3));
         call.state.shading = i % 2 == 0 ? ShadeModel::flat : ShadeModel::smooth;
         return call;
     });
@@ -103,7 +110,8 @@ std::vector<Call> viewports(Random& random)
     });
 }
 
-// Meshes that reach beyond the view volume on all sides, each triangle in a colour of its own: along their sides pixels belong to one of two.
+// Meshes that reach beyond the view volume on all sides, each triangle in a colour of its own: along their sides pixels
+// belong to one of two.
 std::vector<Call> seams(Random& random)
 {
     return several(6, [&](int) {
@@ -138,7 +146,8 @@ void record_picture(Recorder& out)
 const Driver driver = {
     {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
     {"random", [](Case& c, Recorder& out) { record(out, several(20, [&](int) { return in_front(c.random, 6); })); }},
-    {"about the camera", [](Case& c, Recorder& out) { record(out, several(20, [&](int) { return about_the_camera(c.random, 5); })); }},
+    {"about the camera",
+     [](Case& c, Recorder& out) { record(out, several(20, [&](int) { return about_the_camera(c.random, 5); })); }},
     {"culling", [](Case& c, Recorder& out) { record(out, culling(c.random)); }},
     {"lines", [](Case& c, Recorder& out) { record(out, nets(c.random, PolygonMode::line, 16)); }},
     {"points", [](Case& c, Recorder& out) { record(out, nets(c.random, PolygonMode::point, 40)); }},

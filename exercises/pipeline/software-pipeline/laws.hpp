@@ -15,12 +15,14 @@ inline void record_colours(Recorder& out, std::string_view name, const std::vect
         for (int y = 0; y < std::min(calls[i].height, layer.colors.height); ++y)
             for (int x = 0; x < std::min(calls[i].width, layer.colors.width); ++x)
                 if (const glm::vec3 color = layer.colors.at(x, y); color != untouched)
-                    out.append(name, std::span<const float>(
-                                         std::array{static_cast<float>(i), static_cast<float>(x), static_cast<float>(y), color.r, color.g, color.b}));
+                    out.append(name,
+                               std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(x),
+                                                                 static_cast<float>(y), color.r, color.g, color.b}));
     }
 }
 
-/// Triangles that hide each other, and the same ones in another order; half of them; and all in a viewport 9 pixels further right and 6 down.
+/// Triangles that hide each other, and the same ones in another order; half of them; and all in a viewport 9 pixels
+/// further right and 6 down.
 inline void record_order_and_place(Random& random, Recorder& out)
 {
     std::vector<Call> in_order;
@@ -41,7 +43,8 @@ inline void record_order_and_place(Random& random, Recorder& out)
         moved.back().state.viewport.top += 6;
         permuted.push_back(call);
         std::vector<glm::uvec3>& triangles = permuted.back().triangles;
-        for (std::size_t k = triangles.size(); k > 1; --k) std::swap(triangles[k - 1], triangles[random.below(static_cast<std::uint32_t>(k))]);
+        for (std::size_t k = triangles.size(); k > 1; --k)
+            std::swap(triangles[k - 1], triangles[random.below(static_cast<std::uint32_t>(k))]);
         if (triangles == call.triangles) std::reverse(triangles.begin(), triangles.end());
     }
     record_colours(out, "in order", in_order);
@@ -50,8 +53,8 @@ inline void record_order_and_place(Random& random, Recorder& out)
     record_colours(out, "moved", moved);
 }
 
-/// One triangle a call, whole; cut in two from its last corner to the middle of the side opposite; and one of the halves. Without
-/// perspective, and with places in multiples of 1/64 pixel, the middle is exact.
+/// One triangle a call, whole; cut in two from its last corner to the middle of the side opposite; and one of the
+/// halves. Without perspective, and with places in multiples of 1/64 pixel, the middle is exact.
 inline void record_halves(Random& random, Recorder& out)
 {
     std::vector<Call> whole;

@@ -25,24 +25,29 @@ inline constexpr glm::vec3 untouched(-1);
 
 inline Layer drawn(const Call& call)
 {
-    Layer layer{Grid<glm::vec3>(call.width, call.height, untouched), Grid<float>(call.width, call.height, call.clear_depth)};
+    Layer layer{Grid<glm::vec3>(call.width, call.height, untouched),
+                Grid<float>(call.width, call.height, call.clear_depth)};
     draw_triangles(call.state, call.vertices, call.triangles, layer);
     return layer;
 }
 
-/// Rows [call, x, y, red, green, blue] under "colours" and [call, x, y, depth] under "depths", of the pixels that changed. A student may have
-/// changed the grids' sizes: only cells of the picture are looked at.
+/// Rows [call, x, y, red, green, blue] under "colours" and [call, x, y, depth] under "depths", of the pixels that
+/// changed. A student may have changed the grids' sizes: only cells of the picture are looked at.
 inline void record(Recorder& out, const std::vector<Call>& calls)
 {
     for (std::size_t i = 0; i < calls.size(); ++i) {
         const Layer layer = drawn(calls[i]);
         for (int y = 0; y < std::min(calls[i].height, layer.colors.height); ++y)
             for (int x = 0; x < std::min(calls[i].width, layer.colors.width); ++x) {
-                const std::array<float, 3> where = {static_cast<float>(i), static_cast<float>(x), static_cast<float>(y)};
+                const std::array<float, 3> where = {static_cast<float>(i), static_cast<float>(x),
+                                                    static_cast<float>(y)};
                 const glm::vec3 color = layer.colors.at(x, y);
-                if (color != untouched) out.append("colours", std::span<const float>(std::array{where[0], where[1], where[2], color.r, color.g, color.b}));
+                if (color != untouched)
+                    out.append("colours", std::span<const float>(
+                                              std::array{where[0], where[1], where[2], color.r, color.g, color.b}));
                 if (!layer.depths.contains(x, y) || layer.depths.at(x, y) == calls[i].clear_depth) continue;
-                out.append("depths", std::span<const float>(std::array{where[0], where[1], where[2], layer.depths.at(x, y)}));
+                out.append("depths",
+                           std::span<const float>(std::array{where[0], where[1], where[2], layer.depths.at(x, y)}));
             }
     }
 }
@@ -79,7 +84,8 @@ Call random_call(Random& random, int count, const Place& place)
         const glm::vec3 position = place();
         call.vertices.push_back({position, random_color(random)});
     }
-    for (unsigned i = 0; i < static_cast<unsigned>(count); ++i) call.triangles.emplace_back(3 * i + 1, 3 * i, 3 * i + 2);
+    for (unsigned i = 0; i < static_cast<unsigned>(count); ++i)
+        call.triangles.emplace_back(3 * i + 1, 3 * i, 3 * i + 2);
     return call;
 }
 

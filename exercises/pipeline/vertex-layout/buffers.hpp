@@ -38,12 +38,15 @@ inline std::vector<std::byte> random_bytes(Random& random, std::uint64_t count)
     return bytes;
 }
 
-/// Some layout of these attributes, in any order, with gaps of up to `gap` - 1 bytes; if `zeros`, strides of separate tables are written as 0.
-inline VertexLayout some_layout(Random& random, const std::vector<VertexAttribute>& attributes, std::uint64_t vertices, std::uint32_t gap, bool zeros)
+/// Some layout of these attributes, in any order, with gaps of up to `gap` - 1 bytes; if `zeros`, strides of separate
+/// tables are written as 0.
+inline VertexLayout some_layout(Random& random, const std::vector<VertexAttribute>& attributes, std::uint64_t vertices,
+                                std::uint32_t gap, bool zeros)
 {
     std::vector<std::size_t> order(attributes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
+    for (std::size_t i = order.size(); i > 1; --i)
+        std::swap(order[i - 1], order[random.below(static_cast<std::uint32_t>(i))]);
     const bool separate = zeros || random.below(2) == 0;
     VertexLayout layout{std::vector<AttributePlace>(attributes.size()), 0};
     for (const std::size_t i : order) {

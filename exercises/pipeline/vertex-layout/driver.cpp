@@ -16,7 +16,8 @@ void record_layout(Recorder& out, const char* name, const VertexLayout& layout, 
     const auto number = [](std::uint64_t value) { return static_cast<double>(value); };
     for (std::size_t i = 0; i < attributes; ++i) {
         const bool there = i < layout.places.size();
-        out.append(name, there ? glm::dvec2(number(layout.places[i].offset), number(layout.places[i].stride)) : glm::dvec2(NAN));
+        out.append(name, there ? glm::dvec2(number(layout.places[i].offset), number(layout.places[i].stride))
+                               : glm::dvec2(NAN));
     }
     out.append(name, glm::dvec2(number(layout.bytes), number(layout.places.size())));
 }
@@ -71,13 +72,15 @@ void record_large(Random& random, Recorder& out)
     }
 }
 
-void record_repacked(Random& random, Recorder& out, const std::vector<VertexAttribute>& attributes, std::uint64_t vertices, const VertexLayout& from,
-                     const VertexLayout& to)
+void record_repacked(Random& random, Recorder& out, const std::vector<VertexAttribute>& attributes,
+                     std::uint64_t vertices, const VertexLayout& from, const VertexLayout& to)
 {
     const std::vector<std::byte> source = random_bytes(random, from.bytes);
     const std::vector<std::byte> result = repack(source, from, to, attributes, vertices);
     for (std::size_t i = 0; i < to.bytes; ++i)
-        out.append("bytes", i < result.size() ? std::optional<float>(static_cast<float>(std::to_integer<int>(result[i]))) : std::nullopt);
+        out.append("bytes", i < result.size()
+                                ? std::optional<float>(static_cast<float>(std::to_integer<int>(result[i])))
+                                : std::nullopt);
 }
 
 // The course's vertex between the two layouts, written out here.
@@ -147,7 +150,8 @@ std::vector<std::byte> star(std::uint64_t vertices)
         put(bytes, 12 * i, static_cast<float>(radius * std::sin(angle)));
         put(bytes, 12 * i + 4, static_cast<float>(radius * std::cos(angle)));
         for (std::uint64_t c = 0; c < 3; ++c)
-            put(bytes, 12 * (vertices + i) + 4 * c, static_cast<float>(0.55 + 0.4 * std::cos(angle - 2.1 * static_cast<double>(c))));
+            put(bytes, 12 * (vertices + i) + 4 * c,
+                static_cast<float>(0.55 + 0.4 * std::cos(angle - 2.1 * static_cast<double>(c))));
         put(bytes, 24 * vertices + 12 * i + 8, 1.0F);
     }
     return bytes;
@@ -157,10 +161,14 @@ std::vector<std::byte> star(std::uint64_t vertices)
 void draw_memory(Drawing& drawing, const VertexLayout& layout, std::uint64_t vertices, glm::dvec2 corner)
 {
     const glm::vec3 inks[] = {ink::blue, ink::orange, ink::green, ink::pink};
-    const auto cell = [&](std::uint64_t word) { return corner + glm::dvec2(static_cast<double>(word % 22), -static_cast<double>(word / 22)); };
+    const auto cell = [&](std::uint64_t word) {
+        return corner + glm::dvec2(static_cast<double>(word % 22), -static_cast<double>(word / 22));
+    };
     const auto square = [&](std::uint64_t word, glm::vec3 color, double alpha) {
         const glm::dvec2 p = cell(word);
-        drawing.area(std::vector<glm::dvec2>{p + 0.06, p + glm::dvec2(0.94, 0.06), p + 0.94, p + glm::dvec2(0.06, 0.94)}, color, alpha);
+        drawing.area(
+            std::vector<glm::dvec2>{p + 0.06, p + glm::dvec2(0.94, 0.06), p + 0.94, p + glm::dvec2(0.06, 0.94)}, color,
+            alpha);
     };
     for (std::uint64_t word = 0; word < 11 * vertices; ++word) square(word, ink::slate, 0.5);
     for (std::size_t i = 0; i < std::min(layout.places.size(), course_vertex.size()); ++i)
@@ -184,9 +192,12 @@ Image picture()
     std::vector<std::byte> buffer = repack(star(vertices), separate, interleaved, course_vertex, vertices);
     buffer.resize(44 * vertices);
     const auto place = [&](std::uint64_t vertex) {
-        return glm::dvec2(31, 1) + 7.8 * glm::dvec2(fetch_attribute(buffer, course_vertex[0], interleaved.places[0], vertex % vertices));
+        return glm::dvec2(31, 1) +
+               7.8 * glm::dvec2(fetch_attribute(buffer, course_vertex[0], interleaved.places[0], vertex % vertices));
     };
-    const auto color = [&](std::uint64_t vertex) { return glm::vec3(fetch_attribute(buffer, course_vertex[1], interleaved.places[1], vertex % vertices)); };
+    const auto color = [&](std::uint64_t vertex) {
+        return glm::vec3(fetch_attribute(buffer, course_vertex[1], interleaved.places[1], vertex % vertices));
+    };
     for (std::uint64_t i = 0; i < vertices; ++i) {
         drawing.area(std::vector<glm::dvec2>{{31, 1}, place(i), place(i + 1)}, 0.5F * (color(i) + color(i + 1)));
         drawing.line(place(i), place(i + 1), ink::white, 1.5);

@@ -23,8 +23,12 @@ constexpr Box cube = {{-1, -1, -1}, {1, 1, 1}};
 // Boxes whose matrices can be worked out by hand.
 void known_matrices(Case&, Recorder& out)
 {
-    const Box boxes[] = {
-        cube, {{-2, -1, -1}, {2, 1, 1}}, {{0, 0, 0}, {4, 2, 1}}, {{1, -2, -1}, {4, 0, 1}}, {{-3, 5, 10}, {-1, 13, 12}}, {{0, 0, -8}, {0.5F, 0.25F, -4}}};
+    const Box boxes[] = {cube,
+                         {{-2, -1, -1}, {2, 1, 1}},
+                         {{0, 0, 0}, {4, 2, 1}},
+                         {{1, -2, -1}, {4, 0, 1}},
+                         {{-3, 5, 10}, {-1, 13, 12}},
+                         {{0, 0, -8}, {0.5F, 0.25F, -4}}};
     for (const Box& box : boxes) out.append("projection", projection_of(box));
 }
 
@@ -66,7 +70,8 @@ void record_points(Random& random, Recorder& out, float away)
 
 void known_regions(Case&, Recorder& out)
 {
-    constexpr glm::ivec2 sizes[] = {{512, 512}, {1024, 512}, {512, 1024}, {800, 600}, {600, 800}, {1920, 1080}, {333, 500}, {3, 7}};
+    constexpr glm::ivec2 sizes[] = {{512, 512}, {1024, 512},  {512, 1024}, {800, 600},
+                                    {600, 800}, {1920, 1080}, {333, 500},  {3, 7}};
     for (const glm::ivec2& size : sizes)
         for (const Box& contents : {cube, Box{{-3, -1, -1}, {3, 1, 1}}, tile}) record(out, contents, size.x, size.y);
 }
@@ -80,12 +85,19 @@ void random_regions(Case& c, Recorder& out)
     }
 }
 
-// No pixels, hardly any, and far too many; contents that are flat, mirrored, or nothing but a point. Half of the rows are ordinary.
+// No pixels, hardly any, and far too many; contents that are flat, mirrored, or nothing but a point. Half of the rows
+// are ordinary.
 void odd_windows(Case& c, Recorder& out)
 {
-    constexpr glm::ivec2 sizes[] = {{0, 0}, {640, 0}, {0, 480}, {1, 1}, {1, 1000}, {4096, 1}, {1, 65535}, {32767, 32766}};
-    const Box boxes[] = {
-        cube, {{1, 2, 3}, {2, 4, 3}}, {{1, 2, 3}, {6, 2, 5}}, {{1, 2, 3}, {1, 8, 5}}, {{1, 2, 3}, {1, 2, 3}}, {{4, 0, 1}, {1, 2, -1}}, {{1, 9, 0}, {5, 2, 1}}};
+    constexpr glm::ivec2 sizes[] = {{0, 0},    {640, 0},  {0, 480},   {1, 1},
+                                    {1, 1000}, {4096, 1}, {1, 65535}, {32767, 32766}};
+    const Box boxes[] = {cube,
+                         {{1, 2, 3}, {2, 4, 3}},
+                         {{1, 2, 3}, {6, 2, 5}},
+                         {{1, 2, 3}, {1, 8, 5}},
+                         {{1, 2, 3}, {1, 2, 3}},
+                         {{4, 0, 1}, {1, 2, -1}},
+                         {{1, 9, 0}, {5, 2, 1}}};
     for (const glm::ivec2& size : sizes)
         for (const Box& contents : boxes) {
             record(out, contents, size.x, size.y);
@@ -93,7 +105,8 @@ void odd_windows(Case& c, Recorder& out)
         }
 }
 
-void record_commands(Recorder& out, const input::EventScript& script, glm::dvec2 content_scale, const std::vector<Box>& contents)
+void record_commands(Recorder& out, const input::EventScript& script, glm::dvec2 content_scale,
+                     const std::vector<Box>& contents)
 {
     LoggedViewer viewer(contents);
     play(script, content_scale, viewer);
@@ -122,8 +135,10 @@ constexpr const char* resizing = R"(
 void two_windows(Case&, Recorder& out)
 {
     out.text("commands.names", names);
-    record_commands(out, input::parse_script("0.1 resize 700 350\n0.2 resize 350 700\n"), {1, 1}, {cube, tile, {{0, 0, 0}, {5, 1, 1}}});
-    record_commands(out, input::parse_script("0.1 refresh\n0.2 resize 900 450\n0.3 resize 450 901\n"), {2, 2}, {{{-2, -1, 0}, {0, 5, 1}}, cube});
+    record_commands(out, input::parse_script("0.1 resize 700 350\n0.2 resize 350 700\n"), {1, 1},
+                    {cube, tile, {{0, 0, 0}, {5, 1, 1}}});
+    record_commands(out, input::parse_script("0.1 refresh\n0.2 resize 900 450\n0.3 resize 450 901\n"), {2, 2},
+                    {{{-2, -1, 0}, {0, 5, 1}}, cube});
 }
 
 void random_windows(Case& c, Recorder& out)
@@ -132,7 +147,8 @@ void random_windows(Case& c, Recorder& out)
     std::string script;
     for (int i = 0; i < 40; ++i) {
         const std::uint32_t width = c.random.below(8) == 0 ? 0 : 1 + c.random.below(2000);
-        script += std::to_string(0.1 * i) + " resize " + std::to_string(width) + " " + std::to_string(1 + c.random.below(1500)) + "\n";
+        script += std::to_string(0.1 * i) + " resize " + std::to_string(width) + " " +
+                  std::to_string(1 + c.random.below(1500)) + "\n";
     }
     const Box first = random_box(c.random, 3);
     record_commands(out, input::parse_script(script), {1.5, 1.5}, {first, random_box(c.random, 3)});

@@ -4,7 +4,8 @@ namespace umbral::pipeline {
 
 glm::mat4 projection_of(const Box& region)
 {
-    // TODO: on each axis the scale is 2 / (high - low), and the centre of the box goes to 0. What if the box is flat there?
+    // TODO: on each axis the scale is 2 / (high - low), and the centre of the box goes to 0. What if the box is flat
+    // there?
     return not_implemented<glm::mat4>(region);
 }
 
@@ -22,8 +23,9 @@ Box visible_region(const Box& contents, int width, int height)
 
 void keep_proportions(GLFWwindow* window)
 {
-    // TODO: above, write a callback void on_framebuffer_size(GLFWwindow* window, int width, int height) that calls show(). Register it here
-    // with glfwSetFramebufferSizeCallback, and call it once with the present size. Delete the next line.
+    // TODO: above, write a callback void on_framebuffer_size(GLFWwindow* window, int width, int height) that calls
+    // show(). Register it here with glfwSetFramebufferSizeCallback, and call it once with the present size. Delete the
+    // next line.
     (void)not_implemented<int>(window);
 }
 

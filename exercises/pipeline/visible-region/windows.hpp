@@ -17,7 +17,8 @@ public:
     [[nodiscard]] Box contents() const override { return boxes_[current_ % boxes_.size()]; }
     void show(const glm::ivec2& pixels, const glm::mat4& projection) override
     {
-        rows.push_back({1, static_cast<float>(pixels.x), static_cast<float>(pixels.y), projection[0].x, projection[1].y, projection[3].x, projection[3].y});
+        rows.push_back({1, static_cast<float>(pixels.x), static_cast<float>(pixels.y), projection[0].x, projection[1].y,
+                        projection[3].x, projection[3].y});
     }
     void next() { ++current_; }
 
@@ -97,7 +98,8 @@ inline void draw_pane(Drawing& drawing, const Pane& pane)
         return pane.corner + (0.5 * ndc + 0.5) * glm::dvec2(pane.size);
     };
     const glm::dvec2 size(pane.size);
-    const std::vector<glm::dvec2> frame = {pane.corner, pane.corner + glm::dvec2(size.x, 0), pane.corner + size, pane.corner + glm::dvec2(0, size.y)};
+    const std::vector<glm::dvec2> frame = {pane.corner, pane.corner + glm::dvec2(size.x, 0), pane.corner + size,
+                                           pane.corner + glm::dvec2(0, size.y)};
     drawing.area(frame, ink::slate);
     for (const auto& [corners, color] : ornament()) {
         std::vector<glm::dvec2> moved;
@@ -111,8 +113,8 @@ inline void draw_pane(Drawing& drawing, const Pane& pane)
 inline Image windows_picture()
 {
     Drawing drawing(512, 432, {0, 0}, {512, 432});
-    for (const Pane& pane :
-         {Pane{{16, 276}, {480, 140}}, Pane{{16, 16}, {244, 244}}, Pane{{276, 16}, {76, 244}}, Pane{{368, 174}, {129, 86}}, Pane{{368, 16}, {128, 142}}})
+    for (const Pane& pane : {Pane{{16, 276}, {480, 140}}, Pane{{16, 16}, {244, 244}}, Pane{{276, 16}, {76, 244}},
+                             Pane{{368, 174}, {129, 86}}, Pane{{368, 16}, {128, 142}}})
         draw_pane(drawing, pane);
     return drawing.picture();
 }

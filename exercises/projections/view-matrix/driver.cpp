@@ -75,9 +75,10 @@ glm::vec3 on_grid(const glm::vec3& v) { return round(64.0F * v) / 64.0F; }
 // Where the textbook divides by zero. The rules are those of the interface's comment.
 std::vector<Placement> degenerate(Random& random)
 {
-    std::vector<Placement> cameras = {{{0, 10, 0}, {0, 0, 0}, {0, 1, 0}}, {{0, 10, 0}, {0, 0, 0}, {0, -3, 0}}, {{2, -5, 1}, {2, 4, 1}, {0, 1, 0}},
-                                      {{7, 0, 0}, {0, 0, 0}, {1, 0, 0}},  {{0, 0, 5}, {0, 0, 0}, {0, 0, 1}},   {{1, 2, 3}, {1, 2, 3}, {0, 1, 0}},
-                                      {{1, 2, 3}, {1, 2, 3}, {0, 0, 2}},  {{-4, 5, 6}, {-4, 5, 6}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {1, 1, 0}}};
+    std::vector<Placement> cameras = {
+        {{0, 10, 0}, {0, 0, 0}, {0, 1, 0}}, {{0, 10, 0}, {0, 0, 0}, {0, -3, 0}}, {{2, -5, 1}, {2, 4, 1}, {0, 1, 0}},
+        {{7, 0, 0}, {0, 0, 0}, {1, 0, 0}},  {{0, 0, 5}, {0, 0, 0}, {0, 0, 1}},   {{1, 2, 3}, {1, 2, 3}, {0, 1, 0}},
+        {{1, 2, 3}, {1, 2, 3}, {0, 0, 2}},  {{-4, 5, 6}, {-4, 5, 6}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {1, 1, 0}}};
     while (cameras.size() < 99) {
         Placement camera = random_placement(random);
         camera.eye = on_grid(camera.eye);
@@ -85,7 +86,10 @@ std::vector<Placement> degenerate(Random& random)
         const glm::vec3 view = camera.eye - camera.target;
         if (!has_clear_smallest(view)) continue;
         switch (cameras.size() % 3) {
-            case 0: camera.up = std::ldexp(random.below(2) == 0 ? 1.0F : -1.0F, static_cast<int>(random.below(9)) - 4) * view; break;
+            case 0:
+                camera.up =
+                    std::ldexp(random.below(2) == 0 ? 1.0F : -1.0F, static_cast<int>(random.below(9)) - 4) * view;
+                break;
             case 1: camera.up = glm::vec3(0); break;
             default:
                 camera.target = camera.eye;

@@ -30,10 +30,12 @@ std::vector<BallShot> head_on()
     return shots;
 }
 
-// The root behind the origin is no answer: the second one is. Misses begin inside too: the interval ends before the surface.
+// The root behind the origin is no answer: the second one is. Misses begin inside too: the interval ends before the
+// surface.
 std::vector<BallShot> from_inside(Random& random)
 {
-    std::vector<BallShot> shots = {{Ray{{0, 0, 0}, {0, 0, -1}}, {{0, 0, 0}, 1}}, {Ray{{0, 0, 0}, {0, 0, -1}, 0, 0.5F}, {{0, 0, 0}, 1}}};
+    std::vector<BallShot> shots = {{Ray{{0, 0, 0}, {0, 0, -1}}, {{0, 0, 0}, 1}},
+                                   {Ray{{0, 0, 0}, {0, 0, -1}, 0, 0.5F}, {{0, 0, 0}, 1}}};
     for (int i = 0; i < 200; ++i) {
         const Sphere ball = random_ball(random);
         const glm::vec3 origin = ball.centre + ball.radius * random.uniform(0, 0.9F) * random.unit_vector();
@@ -71,7 +73,8 @@ std::vector<BallShot> behind_and_before(Random& random)
     return shots;
 }
 
-// Rays that touch: all numbers are small integers times a power of two, so that the discriminant is exactly 0 in every formula.
+// Rays that touch: all numbers are small integers times a power of two, so that the discriminant is exactly 0 in every
+// formula.
 std::vector<BallShot> tangent(Random& random)
 {
     std::vector<BallShot> shots;
@@ -88,7 +91,8 @@ std::vector<BallShot> tangent(Random& random)
         glm::vec3 passing = touching;
         passing[aside] *= 1.015625F;
         const Sphere ball{centre, radius};
-        add_pair(shots, {Ray{centre + radius * touching, direction}, ball}, {Ray{centre + radius * passing, direction}, ball}, random);
+        add_pair(shots, {Ray{centre + radius * touching, direction}, ball},
+                 {Ray{centre + radius * passing, direction}, ball}, random);
     }
     return shots;
 }
@@ -119,7 +123,10 @@ void record_silhouette(Random& random, Recorder& out)
     }
 }
 
-std::vector<Sphere> three_spheres() { return {{{-0.55F, 0.05F, -4.2F}, 0.75F}, {{0.5F, -0.2F, -3.4F}, 0.5F}, {{0.3F, 0.75F, -5}, 0.8F}}; }
+std::vector<Sphere> three_spheres()
+{
+    return {{{-0.55F, 0.05F, -4.2F}, 0.75F}, {{0.5F, -0.2F, -3.4F}, 0.5F}, {{0.3F, 0.75F, -5}, 0.8F}};
+}
 
 void record_picture(Recorder& out)
 {

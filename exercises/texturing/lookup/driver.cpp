@@ -31,10 +31,16 @@ void by_hand(Recorder& out)
     std::vector<Query> queries;
     for (const Filter filter : both_filters) {
         const Sampler clamped{filter, Wrap::clamp_to_edge, Wrap::clamp_to_edge};
-        for (const glm::vec2 uv :
-             {glm::vec2(0.25F, 0.25F), {0.75F, 0.25F}, {0.25F, 0.75F}, {0.75F, 0.75F}, {0.375F, 0.25F}, {0.25F, 0.625F}, {0.625F, 0.4375F}})
+        for (const glm::vec2 uv : {glm::vec2(0.25F, 0.25F),
+                                   {0.75F, 0.25F},
+                                   {0.25F, 0.75F},
+                                   {0.75F, 0.75F},
+                                   {0.375F, 0.25F},
+                                   {0.25F, 0.625F},
+                                   {0.625F, 0.4375F}})
             queries.push_back({0, clamped, uv});
-        for (const float u : {0.125F, 0.375F, 0.625F, 0.875F, 0.4375F, 0.3125F, 0.8125F}) queries.push_back({1, clamped, {u, 0.5F}});
+        for (const float u : {0.125F, 0.375F, 0.625F, 0.875F, 0.4375F, 0.3125F, 0.8125F})
+            queries.push_back({1, clamped, {u, 0.5F}});
     }
     record(out, small_textures(), queries);
 }
@@ -42,7 +48,8 @@ void by_hand(Recorder& out)
 // Away from borders by 2 % of a texel, so that no rounding decides; far enough inside for no neighbour to be wrapped.
 void random_inside(Random& random, Recorder& out, Filter filter)
 {
-    const Textures textures = {random_texture(random, 8, 8), random_texture(random, 16, 4), random_texture(random, 5, 7)};
+    const Textures textures = {random_texture(random, 8, 8), random_texture(random, 16, 4),
+                               random_texture(random, 5, 7)};
     std::vector<Query> queries;
     for (int i = 0; i < 600; ++i) {
         const std::size_t texture = random.below(3);
@@ -83,11 +90,14 @@ void on_borders(Random& random, Recorder& out)
     for (int i = 0; i <= 8; ++i)
         for (int j = 0; j <= 4; ++j)
             for (const Wrap wrap : both_wraps)
-                queries.push_back({0, {both_filters[random.below(2)], wrap, wrap}, {static_cast<float>(i) / 8, static_cast<float>(j) / 4}});
+                queries.push_back({0,
+                                   {both_filters[random.below(2)], wrap, wrap},
+                                   {static_cast<float>(i) / 8, static_cast<float>(j) / 4}});
     record(out, textures, queries);
 }
 
-// Half a texel to both sides of the seams, with each pair of wraps: a blend of the last texel and the first, or of the last one with itself.
+// Half a texel to both sides of the seams, with each pair of wraps: a blend of the last texel and the first, or of the
+// last one with itself.
 void across_seams(Random& random, Recorder& out)
 {
     const Textures textures = {random_texture(random, 8, 8), random_texture(random, 3, 5)};
@@ -110,7 +120,8 @@ void across_seams(Random& random, Recorder& out)
 // One texel, one row, one column: everything is its own neighbour.
 void thin(Random& random, Recorder& out)
 {
-    const Textures textures = {random_texture(random, 1, 1), random_texture(random, 7, 1), random_texture(random, 1, 3)};
+    const Textures textures = {random_texture(random, 1, 1), random_texture(random, 7, 1),
+                               random_texture(random, 1, 3)};
     std::vector<Query> queries;
     for (int i = 0; i < 150; ++i) {
         const Sampler sampler{both_filters[random.below(2)], random_wrap(random), random_wrap(random)};
@@ -138,7 +149,8 @@ void not_numbers(Random& random, Recorder& out)
     record(out, textures, queries);
 }
 
-// A long way from 0 the fraction has few bits left, and a product with the size has none to spare; just below 0 it rounds up to 1.
+// A long way from 0 the fraction has few bits left, and a product with the size has none to spare; just below 0 it
+// rounds up to 1.
 void far_out(Random& random, Recorder& out)
 {
     const Textures textures = {random_texture(random, 256, 256), random_texture(random, 300, 77)};
@@ -155,7 +167,8 @@ void far_out(Random& random, Recorder& out)
     record(out, textures, queries);
 }
 
-// The floats on both sides of each border between texels, where the sizes are no powers of two: u * n rounds onto the border.
+// The floats on both sides of each border between texels, where the sizes are no powers of two: u * n rounds onto the
+// border.
 void beside_borders(Random& random, Recorder& out)
 {
     const Textures textures = {random_texture(random, 100, 100)};
@@ -169,8 +182,8 @@ void beside_borders(Random& random, Recorder& out)
     record(out, textures, queries);
 }
 
-// A texture that repeats, and the same one with its texels moved on cyclically by 3 columns and 2 rows: 8 x 8 texels, 8 pixels a texel, one and a
-// half times round. Coordinates are exact.
+// A texture that repeats, and the same one with its texels moved on cyclically by 3 columns and 2 rows: 8 x 8 texels, 8
+// pixels a texel, one and a half times round. Coordinates are exact.
 void record_cycled(Random& random, Recorder& out)
 {
     const Grid<glm::vec4> still = random_texture(random, 8, 8);

@@ -4,7 +4,8 @@
 
 #include "../support.hpp"
 
-/// The goal picture of texturing/lookup: a ring on a tiled floor, with nearest texels on the left and blended ones on the right.
+/// The goal picture of texturing/lookup: a ring on a tiled floor, with nearest texels on the left and blended ones on
+/// the right.
 namespace umbral::texturing {
 
 /// Distance from a point to the ring, which stands on the floor y = 0, leaning towards the viewer; its axes as columns.
@@ -73,7 +74,8 @@ struct Painter {
     [[nodiscard]] glm::vec3 colour(const glm::vec3& eye, const glm::vec3& direction, Filter filter) const
     {
         const Sampler sampler{filter, Wrap::repeat, Wrap::repeat};
-        const glm::vec3 sky = mix(glm::vec3(0.9F, 0.8F, 0.66F), glm::vec3(0.2F, 0.36F, 0.62F), glm::smoothstep(-0.05F, 0.45F, direction.y));
+        const glm::vec3 sky = mix(glm::vec3(0.9F, 0.8F, 0.66F), glm::vec3(0.2F, 0.36F, 0.62F),
+                                  glm::smoothstep(-0.05F, 0.45F, direction.y));
         const float to_ring = meet(ring, eye, direction);
         const float to_floor = direction.y < 0 ? -eye.y / direction.y : 1e9F;
         if (to_ring < std::min(30.0F, to_floor)) {
@@ -103,9 +105,11 @@ inline Image picture(int width, int height)
     Image image(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const glm::vec2 at = (glm::vec2(x, y) + 0.5F - 0.5F * glm::vec2(width, height)) / static_cast<float>(height);
+            const glm::vec2 at =
+                (glm::vec2(x, y) + 0.5F - 0.5F * glm::vec2(width, height)) / static_cast<float>(height);
             const glm::vec3 direction = normalize(forward + 0.92F * (at.x * right - at.y * up));
-            image.at(x, y) = pixel_of(painter.colour(eye, direction, 2 * x < width ? Filter::nearest : Filter::bilinear));
+            image.at(x, y) =
+                pixel_of(painter.colour(eye, direction, 2 * x < width ? Filter::nearest : Filter::bilinear));
         }
     for (int y = 0; y < height; ++y)
         for (int x = width / 2 - 1; x <= width / 2; ++x) image.at(x, y) = glm::u8vec4(255);

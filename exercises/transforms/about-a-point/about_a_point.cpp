@@ -40,7 +40,8 @@ glm::mat4 alignment(const glm::vec3& from, const glm::vec3& to)
 
 glm::mat4 placed_along(const glm::vec3& position, const glm::vec3& direction)
 {
-    // TODO: the columns are unit(Y × direction), z × x, unit(direction) and the position. Where does Y × direction vanish?
+    // TODO: the columns are unit(Y × direction), z × x, unit(direction) and the position. Where does Y × direction
+    // vanish?
     return not_implemented<glm::mat4>(position, direction);
 }
 

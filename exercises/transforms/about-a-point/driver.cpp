@@ -51,7 +51,8 @@ void record_random(Random& random, Recorder& out)
         const glm::vec3 aside = normalize(cross(from, random.unit_vector()));
         const float angle = random.uniform(0.2F, 2.9F);
         const float size = random.uniform(0.5F, 4);
-        out.append("alignment", alignment(direction.x > 0 ? 3.0F * from : from, size * (std::cos(angle) * from + std::sin(angle) * aside)));
+        out.append("alignment", alignment(direction.x > 0 ? 3.0F * from : from,
+                                          size * (std::cos(angle) * from + std::sin(angle) * aside)));
     }
 }
 
@@ -94,7 +95,9 @@ void record_far(Random& random, Recorder& out)
 glm::vec3 whole_vector(Random& random)
 {
     glm::vec3 v;
-    for (int i = 0; i < 3; ++i) v[i] = static_cast<float>(10 * i + 1 + static_cast<int>(random.below(5))) * (random.below(2) == 0 ? 1.0F : -1.0F);
+    for (int i = 0; i < 3; ++i)
+        v[i] =
+            static_cast<float>(10 * i + 1 + static_cast<int>(random.below(5))) * (random.below(2) == 0 ? 1.0F : -1.0F);
     const auto turns = static_cast<int>(random.below(3));
     return {v[turns], v[(turns + 1) % 3], v[(turns + 2) % 3]};
 }
@@ -106,7 +109,8 @@ void record_opposite(Random& random, Recorder& out)
         const glm::vec3 from = i < 3 ? glm::vec3(i == 0, i == 1, i == 2) : whole_vector(random);
         const auto factor = static_cast<float>(1 + random.below(7));
         const bool first = random.below(2) == 1;
-        for (const bool opposite : {first, !first}) out.append("opposite", alignment(from, (opposite ? -factor : factor) * from));
+        for (const bool opposite : {first, !first})
+            out.append("opposite", alignment(from, (opposite ? -factor : factor) * from));
     }
     for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
         for (int i = 0; i < 16; ++i) {
@@ -125,7 +129,8 @@ void record_steep(Random& random, Recorder& out)
         for (int i = 0; i < 10; ++i) {
             const float angle = random.uniform(-pi, pi);
             const float up = i % 2 == 0 ? 1.0F : -2.0F;
-            out.append("placed", placed_along(random.in_cube(), {aside * std::cos(angle), up, aside * std::sin(angle)}));
+            out.append("placed",
+                       placed_along(random.in_cube(), {aside * std::cos(angle), up, aside * std::sin(angle)}));
         }
     }
 }

@@ -5,7 +5,8 @@
 #include <umbral/core/random.hpp>
 #include <umbral/transforms/about_a_point.hpp>
 
-/// A kaleidoscope: shards of glass in a wedge of 30 degrees, its mirror image, and six turns of both about a point that is not the origin.
+/// A kaleidoscope: shards of glass in a wedge of 30 degrees, its mirror image, and six turns of both about a point that
+/// is not the origin.
 namespace umbral::transforms {
 
 /// A triangle of glass, its corners in polar coordinates (radius, degrees) about the centre.
@@ -16,7 +17,8 @@ struct Shard {
 
 inline std::vector<Shard> shards()
 {
-    constexpr glm::vec3 glass[] = {ink::blue, ink::orange, ink::green, ink::red, ink::pink, {0.45F, 0.36F, 0.80F}, {0.95F, 0.85F, 0.45F}};
+    constexpr glm::vec3 glass[] = {ink::blue, ink::orange,           ink::green,           ink::red,
+                                   ink::pink, {0.45F, 0.36F, 0.80F}, {0.95F, 0.85F, 0.45F}};
     Random random(14);
     std::vector<Shard> result;
     for (int i = 0; i < 26; ++i) {

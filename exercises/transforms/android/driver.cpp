@@ -14,7 +14,8 @@ using namespace transforms;
 /// A code, 12 numbers that say where a solid of revolution is, its colour, and the depth of the stack.
 using SolidRow = std::array<float, 17>;
 
-/// Turned or mirrored about its own axis y, a solid looks the same: its origin, its axis, and the sum of the squares of its other two axes stay.
+/// Turned or mirrored about its own axis y, a solid looks the same: its origin, its axis, and the sum of the squares of
+/// its other two axes stay.
 SolidRow solid_row(float code, const glm::dmat4& m, const glm::vec3& color, std::size_t depth)
 {
     const auto f = [](double value) { return static_cast<float>(value); };
@@ -74,14 +75,18 @@ void record(Recorder& out, const Android& android, const Start& start)
     out.append("solids", std::span<const float>(after));
 }
 
-void record_names(Recorder& out) { out.text("solids.names", "1 half sphere\n2 cylinder\n3 afterwards\n9 something that is no solid\n"); }
+void record_names(Recorder& out)
+{
+    out.text("solids.names", "1 half sphere\n2 cylinder\n3 afterwards\n9 something that is no solid\n");
+}
 
 /// Anywhere in space, any colour.
 Start somewhere(Random& random)
 {
     Start start = random_start(random);
     const glm::vec3 place = 3.0F * random.in_cube();
-    const glm::mat4 turned = glm::rotate(glm::translate(glm::mat4(1), place), random.uniform(-3, 3), random.unit_vector());
+    const glm::mat4 turned =
+        glm::rotate(glm::translate(glm::mat4(1), place), random.uniform(-3, 3), random.unit_vector());
     start.modelview = glm::scale(turned, {random.uniform(0.5F, 2), random.uniform(0.5F, 2), random.uniform(0.5F, 2)});
     return start;
 }

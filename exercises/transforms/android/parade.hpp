@@ -9,7 +9,10 @@ namespace umbral::transforms {
 
 inline constexpr glm::vec3 parade_background(0.80F, 0.86F, 0.91F);
 
-inline glm::mat4 parade_view() { return glm::lookAt(glm::vec3(1.0F, 3.8F, 18.0F), glm::vec3(0, 0.5F, 0), glm::vec3(0, 1, 0)); }
+inline glm::mat4 parade_view()
+{
+    return glm::lookAt(glm::vec3(1.0F, 3.8F, 18.0F), glm::vec3(0, 0.5F, 0), glm::vec3(0, 1, 0));
+}
 inline glm::mat4 parade_projection() { return glm::perspective(glm::radians(26.0F), 1.75F, 1.0F, 60.0F); }
 
 /// Five poses, each of them set on the same android, on round stands.

@@ -10,13 +10,15 @@ glm::vec3 rotate_vector(const glm::vec3& vector, const AxisAngle& turn)
 
 glm::mat4 rotation_matrix(const AxisAngle& turn)
 {
-    // TODO: the columns are what becomes of (1,0,0), (0,1,0) and (0,0,1); the last one is (0,0,0,1). matrix[2][0] is in row 0, column 2.
+    // TODO: the columns are what becomes of (1,0,0), (0,1,0) and (0,0,1); the last one is (0,0,0,1). matrix[2][0] is in
+    // row 0, column 2.
     return not_implemented<glm::mat4>(turn);
 }
 
 glm::mat4 compose_rotations(std::span<const AxisAngle> turns)
 {
-    // TODO: the product of all matrices, the first turn on the right. There may be millions of turns: do not round after each.
+    // TODO: the product of all matrices, the first turn on the right. There may be millions of turns: do not round
+    // after each.
     return not_implemented<glm::mat4>(turns);
 }
 

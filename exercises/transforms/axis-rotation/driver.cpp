@@ -15,12 +15,15 @@ constexpr float pi = std::numbers::pi_v<float>;
 // Turns whose results a student can work out by hand; Rot_x[23°], Rot_y[60°] and Rot_z[45°] are the course's examples.
 void record_known(Recorder& out)
 {
-    const AxisAngle turns[] = {{{0, 0, 1}, pi / 2}, {{1, 0, 0}, pi / 2}, {{0, 1, 0}, pi / 2},         {{1, 1, 1}, 2 * pi / 3}, {{1, 0, 0}, 23 * pi / 180},
-                               {{0, 1, 0}, pi / 3}, {{0, 0, 1}, pi / 4}, {{0, 0, -1}, pi / 2},        {{0, 0, 1}, -pi / 2},    {{0, 3, 4}, pi},
-                               {{2, 0, 0}, 1},      {{1, -1, 0}, 0.5F},  {{-0.3F, 0.4F, 1.2F}, 2.5F}, {{0, 0, 7}, 0}};
+    const AxisAngle turns[] = {
+        {{0, 0, 1}, pi / 2},         {{1, 0, 0}, pi / 2}, {{0, 1, 0}, pi / 2}, {{1, 1, 1}, 2 * pi / 3},
+        {{1, 0, 0}, 23 * pi / 180},  {{0, 1, 0}, pi / 3}, {{0, 0, 1}, pi / 4}, {{0, 0, -1}, pi / 2},
+        {{0, 0, 1}, -pi / 2},        {{0, 3, 4}, pi},     {{2, 0, 0}, 1},      {{1, -1, 0}, 0.5F},
+        {{-0.3F, 0.4F, 1.2F}, 2.5F}, {{0, 0, 7}, 0}};
     for (const AxisAngle& turn : turns) {
         out.append("matrix", rotation_matrix(turn));
-        for (const glm::vec3& vector : {glm::vec3(1, 0, 0), {0, 2, 0}, {1, 2, 3}}) out.append("vector", rotate_vector(vector, turn));
+        for (const glm::vec3& vector : {glm::vec3(1, 0, 0), {0, 2, 0}, {1, 2, 3}})
+            out.append("vector", rotate_vector(vector, turn));
     }
 }
 
@@ -60,8 +63,15 @@ void record_nothing(Random& random, Recorder& out)
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-    const AxisAngle idle[] = {{{0, 0, 0}, 1},         {{0, 0, 0}, 0},        {{-0.0F, 0, 0}, -3},          {{1, 0, 0}, not_a_number},   {{0, 1, 0}, infinity},
-                              {{0, 1, 0}, -infinity}, {{infinity, 0, 0}, 1}, {{0, not_a_number, 1}, 0.5F}, {{infinity, 1, infinity}, 2}};
+    const AxisAngle idle[] = {{{0, 0, 0}, 1},
+                              {{0, 0, 0}, 0},
+                              {{-0.0F, 0, 0}, -3},
+                              {{1, 0, 0}, not_a_number},
+                              {{0, 1, 0}, infinity},
+                              {{0, 1, 0}, -infinity},
+                              {{infinity, 0, 0}, 1},
+                              {{0, not_a_number, 1}, 0.5F},
+                              {{infinity, 1, infinity}, 2}};
     for (const AxisAngle& turn : idle) {
         const AxisAngle other = random_turn(random);
         const bool swapped = random.below(2) == 1;
@@ -104,8 +114,10 @@ void record_long_chains(Random& random, Recorder& out)
         out.append("matrix", compose_rotations(std::span(steady).first(count)));
     // Each of these is less than half a unit in the last place of a float 1.
     const std::vector<AxisAngle> creeping(200'000, {{-3, 1, 2}, 2e-8F});
-    for (const std::size_t count : {std::size_t{20'000}, creeping.size()}) out.append("matrix", compose_rotations(std::span(creeping).first(count)));
-    for (const float angle : {1e-3F, 0.1F}) out.append("matrix", compose_rotations(wandering_turns(random.unit_vector(), angle, 200'000, random)));
+    for (const std::size_t count : {std::size_t{20'000}, creeping.size()})
+        out.append("matrix", compose_rotations(std::span(creeping).first(count)));
+    for (const float angle : {1e-3F, 0.1F})
+        out.append("matrix", compose_rotations(wandering_turns(random.unit_vector(), angle, 200'000, random)));
 }
 
 }

@@ -14,7 +14,8 @@ namespace umbral::transforms {
 /// The flower's axis, not unit on purpose.
 inline constexpr glm::vec3 flower_axis{0.9F, 2.1F, 0.7F};
 
-/// A ring of petals: how many, how far round the first one stands, the length of each, and how high it rises (radians above the plane across the axis).
+/// A ring of petals: how many, how far round the first one stands, the length of each, and how high it rises (radians
+/// above the plane across the axis).
 struct Ring {
     int petals;
     float first;
@@ -37,7 +38,8 @@ inline shapes::Shape petal_shape()
         // At its ends the petal is a point: the normal of the ring next to it will do.
         constexpr float step = 1.0F / cells;
         const float ring = std::clamp(u, step, 1 - step);
-        return shapes::Vertex{place(u, v), normalize(cross(place(ring + step, v) - place(ring - step, v), place(ring, v + step) - place(ring, v - step)))};
+        return shapes::Vertex{place(u, v), normalize(cross(place(ring + step, v) - place(ring - step, v),
+                                                           place(ring, v + step) - place(ring, v - step)))};
     });
 }
 
@@ -79,7 +81,9 @@ inline Image draw_flower()
             things.push_back({petal, heart * rotation * twisted, {.color = hue(turn + 0.1F * ring.rise)}});
         }
     }
-    things.push_back({arrow, glm::scale(glm::rotate(frame, -1.5707963F, {1, 0, 0}), {1.8F, 1.8F, 1.75F}), {.color = {0.80F, 0.52F, 0.10F}}});
+    things.push_back({arrow,
+                      glm::scale(glm::rotate(frame, -1.5707963F, {1, 0, 0}), {1.8F, 1.8F, 1.75F}),
+                      {.color = {0.80F, 0.52F, 0.10F}}});
     stage.draw_on({box, slab(20), {.color = {0.58F, 0.60F, 0.62F}, .odd = glm::vec3(0.47F, 0.50F, 0.54F)}}, things);
     return stage.picture();
 }

@@ -18,7 +18,8 @@ glm::mat4 scaling_matrix(const glm::vec3& factors)
 
 glm::mat4 shear_matrix(int moved, int by, float amount)
 {
-    // TODO: the identity, with `amount` in the row of the coordinate that changes and the column of the one that it is multiplied with.
+    // TODO: the identity, with `amount` in the row of the coordinate that changes and the column of the one that it is
+    // multiplied with.
     return not_implemented<glm::mat4>(moved, by, amount);
 }
 

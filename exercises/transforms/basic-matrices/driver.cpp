@@ -26,13 +26,17 @@ void record_rotations(float angle, Recorder& out)
     out.append("rotation", rotation_about_z(angle));
 }
 
-// The course's examples first: Tra[0,1.2,0], Tra[0.7,0.6,-0.5], Esc[1.5,…], the mirror Esc[1,1,-1], Rot_x[23°], Rot_y[60°], Rot_z[45°].
+// The course's examples first: Tra[0,1.2,0], Tra[0.7,0.6,-0.5], Esc[1.5,…], the mirror Esc[1,1,-1], Rot_x[23°],
+// Rot_y[60°], Rot_z[45°].
 void record_known(Recorder& out)
 {
-    for (const glm::vec3& offset : {glm::vec3(0, 1.2F, 0), {0.7F, 0.6F, -0.5F}, {1, 2, 3}, {0, 0, 0}}) out.append("translation", translation_matrix(offset));
-    for (const glm::vec3& factors : {glm::vec3(1.5F), {2.5F, 1, 1}, {1, 3, 1}, {1, 1, -1}, {2, 0, 0.5F}}) out.append("scaling", scaling_matrix(factors));
+    for (const glm::vec3& offset : {glm::vec3(0, 1.2F, 0), {0.7F, 0.6F, -0.5F}, {1, 2, 3}, {0, 0, 0}})
+        out.append("translation", translation_matrix(offset));
+    for (const glm::vec3& factors : {glm::vec3(1.5F), {2.5F, 1, 1}, {1, 3, 1}, {1, 1, -1}, {2, 0, 0.5F}})
+        out.append("scaling", scaling_matrix(factors));
     for (int moved = 0; moved < 3; ++moved)
-        for (const int by : {(moved + 1) % 3, (moved + 2) % 3}) out.append("shear", shear_matrix(moved, by, 0.5F + static_cast<float>(moved)));
+        for (const int by : {(moved + 1) % 3, (moved + 2) % 3})
+            out.append("shear", shear_matrix(moved, by, 0.5F + static_cast<float>(moved)));
     for (const float angle : {pi / 2, 23 * pi / 180, pi / 3, pi / 4, -pi / 2, pi}) record_rotations(angle, out);
 
     glm::mat4 matrix(0.0F, 2.0F, 0.0F, 0.0F, -1.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 5.0F, 6.0F, 7.0F, 1.0F);
@@ -44,7 +48,12 @@ void record_known(Recorder& out)
     moved[3] = {3, 0, 0, 1};
     glm::mat4 doubled(2);
     doubled[3] = {0, 0, 0, 1};
-    for (const auto& steps : {std::vector<glm::mat4>{moved, doubled}, {doubled, moved}, {moved, matrix}, {matrix, moved, doubled}, {matrix}, {}})
+    for (const auto& steps : {std::vector<glm::mat4>{moved, doubled},
+                              {doubled, moved},
+                              {moved, matrix},
+                              {matrix, moved, doubled},
+                              {matrix},
+                              {}})
         out.append("composed", compose_matrices(steps));
 }
 

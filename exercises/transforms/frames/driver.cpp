@@ -17,7 +17,8 @@ Frame cartesian(const glm::vec3& origin, Random& random)
     return {glm::vec3(m[0]), glm::vec3(m[1]), glm::vec3(m[2]), origin};
 }
 
-/// Any lengths from 0.5 to 2, angles far from 0: a Cartesian frame whose vectors are scaled and lean by less than half of it.
+/// Any lengths from 0.5 to 2, angles far from 0: a Cartesian frame whose vectors are scaled and lean by less than half
+/// of it.
 Frame oblique(const glm::vec3& origin, Random& random)
 {
     Frame frame = cartesian(origin, random);
@@ -41,7 +42,8 @@ void record_known(Recorder& out)
     for (const Frame& frame : {world, doubled, sheared, quarter, cyclic, tilted}) {
         out.append("matrix", frame_matrix(frame));
         out.append("inverse", inverse_of_frame(frame));
-        for (const Frame& other : {world, doubled, quarter, sheared}) out.append("between", between_frames(frame, other));
+        for (const Frame& other : {world, doubled, quarter, sheared})
+            out.append("between", between_frames(frame, other));
     }
     for (const Frame& frame : {quarter, cyclic, tilted}) out.append("cartesian", inverse_of_cartesian(frame));
 }
@@ -68,7 +70,8 @@ void record_drifted(Random& random, Recorder& out)
     }
 }
 
-// Pairs of a right-handed frame and a left-handed one, in random order, of all sizes; the slides' criterion for the plane says 0 = 0 for the first.
+// Pairs of a right-handed frame and a left-handed one, in random order, of all sizes; the slides' criterion for the
+// plane says 0 = 0 for the first.
 void record_orientation(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
@@ -100,7 +103,8 @@ void record_kinds(Random& random, Recorder& out)
     }
 }
 
-/// A multiple of 2^-23 between 0.5 and 1 with all its digits, and a sign: the sum of two is a float, their products are no doubles.
+/// A multiple of 2^-23 between 0.5 and 1 with all its digits, and a sign: the sum of two is a float, their products are
+/// no doubles.
 float full_number(Random& random)
 {
     const float size = 0.5F + 0x1p-23F * static_cast<float>(random.below(1U << 22U));
@@ -134,7 +138,8 @@ void record_ill_conditioned(Random& random, Recorder& out)
     }
 }
 
-// Two frames a few steps from each other, as far from the world's origin as a town, a country or a planet is wide in metres.
+// Two frames a few steps from each other, as far from the world's origin as a town, a country or a planet is wide in
+// metres.
 void record_far(Random& random, Recorder& out)
 {
     for (const float far : {1e4F, 1e5F, 1e6F, 1e7F}) {

@@ -22,7 +22,8 @@ glm::mat4 inverse_of_cartesian(const Frame& frame)
 
 glm::mat4 between_frames(const Frame& from, const Frame& to)
 {
-    // TODO: from `from` to the world, from the world to `to`. For the hard check: subtract the origins before anything rounds.
+    // TODO: from `from` to the world, from the world to `to`. For the hard check: subtract the origins before anything
+    // rounds.
     return not_implemented<glm::mat4>(from, to);
 }
 

@@ -4,7 +4,8 @@
 #include <kit/drawing.hpp>
 #include <umbral/transforms/frames.hpp>
 
-/// A whirl of frames, each a little smaller and turned beside the last one, as someone sees it who stands in an oblique frame.
+/// A whirl of frames, each a little smaller and turned beside the last one, as someone sees it who stands in an oblique
+/// frame.
 namespace umbral::transforms {
 
 inline Frame whirl_frame(int k)
@@ -43,10 +44,12 @@ inline Image draw_whirl()
         drawing.area(flag, color, 0.55);
         drawing.outline(flag, color, 1.2);
         drawing.arrow(place(m, {0, 0}), place(m, {1.7F, 0}), ink::white, 1.6);
-        // A bead of the next frame, which goes to the world and back by the transpose: the frame is Cartesian but for its size.
+        // A bead of the next frame, which goes to the world and back by the transpose: the frame is Cartesian but for
+        // its size.
         const float size = length(frame.x);
         const Frame upright{frame.x / size, frame.y / size, frame.z / size, frame.origin};
-        const glm::vec4 bead = frame_matrix(upright) * (inverse_of_cartesian(upright) * (frame_matrix(frame) * glm::vec4(0.8F, 0.7F, 0, 1)));
+        const glm::vec4 bead = frame_matrix(upright) *
+                               (inverse_of_cartesian(upright) * (frame_matrix(frame) * glm::vec4(0.8F, 0.7F, 0, 1)));
         drawing.disc(place(from_world, {bead.x, bead.y}), 3.5 * double{size}, ink::pink);
     }
     return drawing.picture();

@@ -81,7 +81,9 @@ std::vector<Ends> random_pairs(Random& random, int count)
 std::vector<Ends> hard_pairs(Random& random)
 {
     std::vector<Ends> all;
-    const auto add = [&](const glm::vec2& from, const glm::vec2& to) { all.push_back({glm::vec3(from, 1), glm::vec3(to, 1)}); };
+    const auto add = [&](const glm::vec2& from, const glm::vec2& to) {
+        all.push_back({glm::vec3(from, 1), glm::vec3(to, 1)});
+    };
     for (int i = 0; i < 6; ++i) {
         const glm::vec2 place(random.in_cube());
         const glm::vec2 way(random.in_cube());
@@ -111,7 +113,10 @@ void record_circles(Recorder& out, std::initializer_list<unsigned> counts, Rando
 const Driver driver = {
     {"hook", [](Case& c, Recorder& out) { record_figure(out, c.random, Stack::shown, draw_hook); }},
     {"four hooks",
-     [](Case& c, Recorder& out) { record_figure(out, c.random, Stack::shown, [](RecordingPipeline& drawn) { draw_four_hooks(drawn, drawn.marker()); }); }},
+     [](Case& c, Recorder& out) {
+         record_figure(out, c.random, Stack::shown,
+                       [](RecordingPipeline& drawn) { draw_four_hooks(drawn, drawn.marker()); });
+     }},
     {"directions", [](Case&, Recorder& out) { record_both(out, all_directions()); }},
     {"two places",
      [](Case& c, Recorder& out) {

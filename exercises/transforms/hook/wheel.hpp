@@ -16,7 +16,8 @@ inline glm::vec3 hook_hue(float turn)
     return 0.62F + 0.36F * glm::cos(phase);
 }
 
-/// All that can be made of the hook: the pinwheel, circles of 5, 8 and 13, and a spiral whose hooks are placed with and without angles in turn.
+/// All that can be made of the hook: the pinwheel, circles of 5, 8 and 13, and a spiral whose hooks are placed with and
+/// without angles in turn.
 inline void paint_wheel(Pipeline& pipeline)
 {
     const auto scaled = [&](float size, auto draw) {
@@ -63,7 +64,8 @@ inline constexpr float wheel_reach = 7.6F;
 inline Image draw_wheel()
 {
     const DoubleFrame frame(384, 384);
-    ProgrammablePipeline pipeline(make_matrix_stack(), glm::ortho(-wheel_reach, wheel_reach, -wheel_reach, wheel_reach), ink::night, 2);
+    ProgrammablePipeline pipeline(make_matrix_stack(), glm::ortho(-wheel_reach, wheel_reach, -wheel_reach, wheel_reach),
+                                  ink::night, 2);
     pipeline.set_view(glm::mat4(1));
     paint_wheel(pipeline);
     return frame.picture();

@@ -25,7 +25,8 @@ void record_session(Recorder& out, const std::vector<Step>& steps)
     }
 }
 
-// Pops that must work and pops that must not, two by two in random order; whatever was thrown, the matrix is looked at afterwards.
+// Pops that must work and pops that must not, two by two in random order; whatever was thrown, the matrix is looked at
+// afterwards.
 void record_pops(Recorder& out, Random& random)
 {
     for (int i = 0; i < 40; ++i) {
@@ -93,7 +94,8 @@ void record_scales(Recorder& out, Random& random)
         for (int i = 0; i < 5; ++i) {
             const glm::mat4 view = rigid(random);
             const glm::mat4 turn = rigid(random);
-            const glm::vec3 size(scale * random.uniform(1, 3), scale * random.uniform(1, 3), -scale * random.uniform(1, 3));
+            const glm::vec3 size(scale * random.uniform(1, 3), scale * random.uniform(1, 3),
+                                 -scale * random.uniform(1, 3));
             const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
             if (!stack) return;
             stack->set_view(view);
@@ -110,7 +112,8 @@ void record_simple(Recorder& out, Random& random)
     constexpr int size = 96;
     Grid<std::uint32_t> all(size, 4 * size);
     for (int i = 0; i < 4; ++i) {
-        const Start start = i == 0 ? Start{.color = {0.2F, 0.6F, 0.9F}, .background = {0.1F, 0.1F, 0.2F}} : random_start(random);
+        const Start start =
+            i == 0 ? Start{.color = {0.2F, 0.6F, 0.9F}, .background = {0.1F, 0.1F, 0.2F}} : random_start(random);
         RecordingPipeline drawn(start);
         draw_simple_figure(drawn);
         const double reach = i == 0 ? 1.25 : 4;

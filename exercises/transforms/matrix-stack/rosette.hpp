@@ -7,7 +7,8 @@
 
 namespace umbral::transforms {
 
-/// Three rings of complex figures, turned one inside the other, in the programmable pipeline with `stack` for its matrices: 384 x 384 pixels.
+/// Three rings of complex figures, turned one inside the other, in the programmable pipeline with `stack` for its
+/// matrices: 384 x 384 pixels.
 inline Image draw_rosette(std::unique_ptr<MatrixStack> stack)
 {
     const DoubleFrame frame(384, 384);
@@ -28,7 +29,8 @@ inline Image draw_rosette(std::unique_ptr<MatrixStack> stack)
             pipeline.compose(glm::scale(glm::mat4(1), glm::vec3(sizes[ring])));
             draw_complex_figure(pipeline, draw_simple_figure);
             pipeline.pop();
-            pipeline.compose(glm::rotate(glm::mat4(1), 2 * std::numbers::pi_v<float> / static_cast<float>(counts[ring]), {0, 0, 1}));
+            pipeline.compose(
+                glm::rotate(glm::mat4(1), 2 * std::numbers::pi_v<float> / static_cast<float>(counts[ring]), {0, 0, 1}));
         }
         pipeline.pop();
     }

@@ -107,7 +107,8 @@ inline std::vector<Step> known_session()
             pop()};
 }
 
-/// About `count` steps: matrices, pushes, pops that have something to pop, and now and then another frame. At most twelve matrices in a row.
+/// About `count` steps: matrices, pushes, pops that have something to pop, and now and then another frame. At most
+/// twelve matrices in a row.
 inline std::vector<Step> random_session(Random& random, int count)
 {
     std::vector<Step> steps;
@@ -134,7 +135,8 @@ inline std::vector<Step> random_session(Random& random, int count)
     return steps;
 }
 
-/// Something that leaves a matrix on the stack, or nothing: because nothing was pushed, because all was popped, or because a frame began.
+/// Something that leaves a matrix on the stack, or nothing: because nothing was pushed, because all was popped, or
+/// because a frame began.
 inline std::vector<Step> steps_before_a_pop(Random& random, bool works)
 {
     std::vector<Step> steps{compose(random_map(random))};

@@ -47,8 +47,10 @@ void record_known(Recorder& out)
     sheared[1][0] = 0.5F;
     const glm::mat4 stretched = glm::scale(glm::mat4(1), {2, 1, 1});
     const glm::mat4 moved = glm::translate(glm::mat4(1), {3, -4, 5});
-    for (const glm::mat4& model : {stretched, sheared, moved, glm::mat4(1), moved * stretched, glm::scale(glm::mat4(1), {1, 2, 4}), sheared * stretched})
-        for (const glm::vec3& normal : {glm::vec3(1, 1, 0), {0, 1, 0}, {1, 0, 0}, {0, 3, 4}}) record(model, normalize(normal), out);
+    for (const glm::mat4& model : {stretched, sheared, moved, glm::mat4(1), moved * stretched,
+                                   glm::scale(glm::mat4(1), {1, 2, 4}), sheared * stretched})
+        for (const glm::vec3& normal : {glm::vec3(1, 1, 0), {0, 1, 0}, {1, 0, 0}, {0, 3, 4}})
+            record(model, normalize(normal), out);
 }
 
 // Pairs of a mirror and what is none, in random order.
@@ -64,7 +66,8 @@ void record_mirrors(Random& random, Recorder& out)
     }
 }
 
-// Pairs of a matrix without an inverse and one that has one, in random order: factors of 0, shadows, rows that repeat each other, null normals.
+// Pairs of a matrix without an inverse and one that has one, in random order: factors of 0, shadows, rows that repeat
+// each other, null normals.
 void record_flattened(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
@@ -77,7 +80,8 @@ void record_flattened(Random& random, Recorder& out)
         const glm::mat4 solid = random_model(false, random);
         const glm::vec3 normal = random.unit_vector();
         const bool first = random.below(2) == 1;
-        for (const bool flattened : {first, !first}) record(flattened ? flat : solid, flattened && i % 10 == 9 ? glm::vec3(0) : normal, out);
+        for (const bool flattened : {first, !first})
+            record(flattened ? flat : solid, flattened && i % 10 == 9 ? glm::vec3(0) : normal, out);
     }
 }
 
@@ -93,7 +97,8 @@ void record_sizes(Random& random, Recorder& out)
     }
 }
 
-// Turned, pressed to 1e-4 … 1e-8 of the thickness, turned again: what rounding leaves decides on which side the outside is.
+// Turned, pressed to 1e-4 … 1e-8 of the thickness, turned again: what rounding leaves decides on which side the outside
+// is.
 void record_nearly_flat(Random& random, Recorder& out)
 {
     for (const float thickness : {1e-4F, 1e-6F, 1e-7F, 1e-8F}) {

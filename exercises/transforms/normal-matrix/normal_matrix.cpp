@@ -4,7 +4,8 @@ namespace umbral::transforms {
 
 glm::mat3 normal_matrix(const glm::mat4& model)
 {
-    // TODO: the inverse transpose of the upper left 3 × 3, glm::mat3(model), where there is one. For the hard checks: by the cofactors.
+    // TODO: the inverse transpose of the upper left 3 × 3, glm::mat3(model), where there is one. For the hard checks:
+    // by the cofactors.
     return not_implemented<glm::mat3>(model);
 }
 

@@ -57,7 +57,9 @@ inline Image draw_pebbles()
     std::list<gl::Mesh> meshes;
     std::vector<Stage::Thing> things;
     for (const auto& [shape, color] : pebbles())
-        things.push_back({meshes.emplace_back(shape.positions, shape.normals, shape.indices), glm::mat4(1), {.color = color, .gloss = 0.6F}});
+        things.push_back({meshes.emplace_back(shape.positions, shape.normals, shape.indices),
+                          glm::mat4(1),
+                          {.color = color, .gloss = 0.6F}});
     stage.draw_on({box, slab(40), {.color = {0.48F, 0.44F, 0.38F}, .fade = 0.008F}}, things);
     return stage.picture();
 }

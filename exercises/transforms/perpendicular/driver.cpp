@@ -45,7 +45,8 @@ void record_known(Recorder& out)
         }
         for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F}) out.append("rotated", rotate_in_plane(u, angle));
     }
-    for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F, 50 * pi / 180}) out.append("matrix", plane_rotation_matrix(angle));
+    for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F, 50 * pi / 180})
+        out.append("matrix", plane_rotation_matrix(angle));
     record_space({0, 0, 1}, {1, 0, 0}, out);
     record_space({1, 0, 0}, {0, 2, 0}, out);
     record_space({1, 2, 3}, {4, 5, 6}, out);
@@ -67,13 +68,15 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// Pairs of a right-handed frame, where the frame does not matter, and a left-handed one, where it does; in random order.
+// Pairs of a right-handed frame, where the frame does not matter, and a left-handed one, where it does; in random
+// order.
 void record_hands(Random& random, Recorder& out)
 {
     for (int i = 0; i < 80; ++i) {
         const glm::vec2 u = in_square(random);
         const bool first = random.below(2) == 1;
-        for (const bool left_handed : {first, !first}) out.append("in a frame", turn_vector_in(random_frame(left_handed, random), u));
+        for (const bool left_handed : {first, !first})
+            out.append("in a frame", turn_vector_in(random_frame(left_handed, random), u));
     }
 }
 

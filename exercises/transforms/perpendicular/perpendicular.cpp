@@ -16,7 +16,8 @@ glm::vec2 turn_right(const glm::vec2& u)
 
 glm::vec2 turn_vector_in(const PlaneFrame& frame, const glm::vec2& u)
 {
-    // TODO: the coordinates of u in the frame are its dot products with frame.x and frame.y. Turn them, then go back to the world.
+    // TODO: the coordinates of u in the frame are its dot products with frame.x and frame.y. Turn them, then go back to
+    // the world.
     return not_implemented<glm::vec2>(frame, u);
 }
 

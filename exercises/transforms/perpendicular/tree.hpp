@@ -5,7 +5,8 @@
 #include <kit/drawing.hpp>
 #include <umbral/transforms/perpendicular.hpp>
 
-/// A tree of Pythagoras: on every square a right-angled triangle, on its legs two smaller squares, all by P and rotations.
+/// A tree of Pythagoras: on every square a right-angled triangle, on its legs two smaller squares, all by P and
+/// rotations.
 namespace umbral::transforms {
 
 struct Branch {
@@ -18,8 +19,11 @@ struct Branch {
 inline Image draw_tree()
 {
     constexpr int deepest = 11;
-    constexpr std::array<glm::vec3, 5> stops = {
-        glm::vec3(0.36F, 0.24F, 0.20F), {0.55F, 0.36F, 0.22F}, ink::green, {0.55F, 0.80F, 0.35F}, {0.95F, 0.75F, 0.45F}};
+    constexpr std::array<glm::vec3, 5> stops = {glm::vec3(0.36F, 0.24F, 0.20F),
+                                                {0.55F, 0.36F, 0.22F},
+                                                ink::green,
+                                                {0.55F, 0.80F, 0.35F},
+                                                {0.95F, 0.75F, 0.45F}};
     Drawing drawing(400, 400, {-3.5, -0.7}, {3.3, 5.3});
     drawing.line({-4, 0}, {5, 0}, ink::slate, 3);
     // Breadth first: no more squares than a binary tree of this depth has, whatever the functions give.

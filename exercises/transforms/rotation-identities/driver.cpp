@@ -21,7 +21,8 @@ void record_known(Recorder& out)
     for (const WorldAxis axis : axes) {
         for (const float degrees : {0.0F, 90.0F, -90.0F, 180.0F, 23.0F, 60.0F, 45.0F, 30.0F}) {
             out.append("matrix", elementary_matrix({axis, degrees}));
-            for (const glm::vec3& v : {glm::vec3(1, 2, 3), {0, 0, 4}}) out.append("vector", elementary_rotation(v, {axis, degrees}));
+            for (const glm::vec3& v : {glm::vec3(1, 2, 3), {0, 0, 4}})
+                out.append("vector", elementary_rotation(v, {axis, degrees}));
         }
     }
 }

@@ -38,19 +38,23 @@ inline Image draw_globe()
             glm::vec3 last(0);
             for (int i = 0; i <= steps; ++i) {
                 const float share = static_cast<float>(i) / steps;
-                const glm::vec3 inner = elementary_rotation(curve.start, {curve.inner, 360 * curve.inner_rounds * share});
-                const glm::vec3 there = after_turns(elementary_matrix({curve.outer, 360 * curve.outer_rounds * share}) * inner, camera);
+                const glm::vec3 inner =
+                    elementary_rotation(curve.start, {curve.inner, 360 * curve.inner_rounds * share});
+                const glm::vec3 there =
+                    after_turns(elementary_matrix({curve.outer, 360 * curve.outer_rounds * share}) * inner, camera);
                 if (i > 0 && (there.z > 0) == near) {
                     const double alpha = near ? 0.55 + 0.45 * double{there.z} : 0.16;
                     // A wrong answer must not cross the picture a thousand times.
-                    if (length(there - last) < 0.2F) drawing.line({last.x, last.y}, {there.x, there.y}, curve.color, curve.width, alpha);
+                    if (length(there - last) < 0.2F)
+                        drawing.line({last.x, last.y}, {there.x, there.y}, curve.color, curve.width, alpha);
                 }
                 last = there;
             }
         }
     }
-    for (const auto& [axis, start, color] :
-         {std::tuple{WorldAxis::y, glm::vec3(1, 0, 0), ink::red}, {WorldAxis::z, {0, 1, 0}, ink::green}, {WorldAxis::x, {0, 0, 1}, ink::blue}}) {
+    for (const auto& [axis, start, color] : {std::tuple{WorldAxis::y, glm::vec3(1, 0, 0), ink::red},
+                                             {WorldAxis::z, {0, 1, 0}, ink::green},
+                                             {WorldAxis::x, {0, 0, 1}, ink::blue}}) {
         const glm::vec3 tip = after_turns(elementary_rotation(start, {axis, 360}), camera);
         drawing.arrow({0, 0}, {tip.x, tip.y}, color, 3.5);
     }

@@ -15,21 +15,33 @@ inline std::vector<glm::mat4> some_transformations(std::size_t count, Random& ra
     return all;
 }
 
-/// The course's: S3 is there by T1·T4, T1·T5 and T2·T5; two that stand for the lost figure of problem 2.19; and some with empty labels and equal ones.
+/// The course's: S3 is there by T1·T4, T1·T5 and T2·T5; two that stand for the lost figure of problem 2.19; and some
+/// with empty labels and equal ones.
 inline std::vector<ArcGraph> known_arc_graphs(Random& random)
 {
     const std::vector<glm::mat4> t = some_transformations(6, random);
-    return {
-        {t, {{{{1}, node(1)}, {{2}, node(2)}}, {{{3}, object(1)}, {{4}, node(3)}, {{5}, node(3)}}, {{{5}, node(3)}, {{}, object(2)}}, {{{}, object(3)}}}, 0},
-        {t, {{{{1}, object(1)}, {{2}, node(1)}, {{2}, object(4)}}, {{{}, object(1)}, {{3}, object(2)}}}, 0},
-        {t, {{{{1, 2, 3}, object(3)}, {{1}, object(1)}, {{1, 2}, object(2)}}}, 0},
-        {t, {{{{1, 2}, object(1)}, {{1, 3}, object(2)}, {{1, 2, 3}, object(3)}, {{2}, object(4)}, {{1}, object(5)}}}, 0},
-        {t, {{{{}, object(1)}, {{}, object(2)}, {{4}, object(3)}, {{4}, object(3)}}}, 0},
-        {t, {{{{0, 0}, object(1)}, {{0}, node(2)}}, {{{1}, object(9)}}, {{{0}, object(2)}, {{1}, object(3)}, {{2}, object(4)}}}, 0},
-        {t, {{}}, 0}};
+    return {{t,
+             {{{{1}, node(1)}, {{2}, node(2)}},
+              {{{3}, object(1)}, {{4}, node(3)}, {{5}, node(3)}},
+              {{{5}, node(3)}, {{}, object(2)}},
+              {{{}, object(3)}}},
+             0},
+            {t, {{{{1}, object(1)}, {{2}, node(1)}, {{2}, object(4)}}, {{{}, object(1)}, {{3}, object(2)}}}, 0},
+            {t, {{{{1, 2, 3}, object(3)}, {{1}, object(1)}, {{1, 2}, object(2)}}}, 0},
+            {t,
+             {{{{1, 2}, object(1)}, {{1, 3}, object(2)}, {{1, 2, 3}, object(3)}, {{2}, object(4)}, {{1}, object(5)}}},
+             0},
+            {t, {{{{}, object(1)}, {{}, object(2)}, {{4}, object(3)}, {{4}, object(3)}}}, 0},
+            {t,
+             {{{{0, 0}, object(1)}, {{0}, node(2)}},
+              {{{1}, object(9)}},
+              {{{0}, object(2)}, {{1}, object(3)}, {{2}, object(4)}}},
+             0},
+            {t, {{}}, 0}};
 }
 
-/// Up to five nodes; labels of up to three of three transformations, so that many begin alike; one node that nothing leads to.
+/// Up to five nodes; labels of up to three of three transformations, so that many begin alike; one node that nothing
+/// leads to.
 inline ArcGraph random_arc_graph(Random& random)
 {
     const std::uint32_t count = 2 + random.below(4);
@@ -61,7 +73,8 @@ inline ArcGraph random_arc_graph(Random& random)
 /// An object, and the transformations on the way to it.
 using Way = std::pair<std::uint32_t, std::vector<std::uint32_t>>;
 
-/// All ways through a graph, sorted; none if a place is outside its list, the graph is deeper than 100 nodes, or there are more than 5000 ways.
+/// All ways through a graph, sorted; none if a place is outside its list, the graph is deeper than 100 nodes, or there
+/// are more than 5000 ways.
 inline std::optional<std::vector<Way>> ways(const SceneGraph& graph)
 {
     constexpr std::size_t most = 5000;

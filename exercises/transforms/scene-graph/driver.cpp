@@ -55,7 +55,8 @@ void record_cycles(Recorder& out, Random& random)
         } catch (const CycleError& error) {
             const std::vector<std::uint32_t> path = canonical(error.path());
             row = {2, static_cast<float>(path.size())};
-            for (std::size_t k = 0; k < std::min(path.size(), row.size() - 2); ++k) row[k + 2] = static_cast<float>(path[k] + 1);
+            for (std::size_t k = 0; k < std::min(path.size(), row.size() - 2); ++k)
+                row[k + 2] = static_cast<float>(path[k] + 1);
         }
         out.append("found", std::span<const float>(row));
     }
@@ -98,17 +99,20 @@ void record_limits(Recorder& out, Random& random)
             bad_limit = good_limit - 1;
         }
         const bool good_first = random.below(2) == 0;
-        for (const bool is_good : {good_first, !good_first}) out.append("thrown", is_good ? thrown_by(good, good_limit) : thrown_by(bad, bad_limit));
+        for (const bool is_good : {good_first, !good_first})
+            out.append("thrown", is_good ? thrown_by(good, good_limit) : thrown_by(bad, bad_limit));
     }
 }
 
-// 2^17 ways that lead to nothing, beside five objects; and 2^59 objects. The work must grow with the nodes, and not with the ways.
+// 2^17 ways that lead to nothing, beside five objects; and 2^59 objects. The work must grow with the nodes, and not
+// with the ways.
 void record_many_ways(Recorder& out)
 {
     SceneGraph graph = doubling(18, {});
     graph.root = static_cast<std::uint32_t>(graph.nodes.size());
     const Entry step{Entry::Kind::transformation, 0};
-    graph.nodes.push_back({object(1), node(1), step, object(2), node(9), object(3), step, object(4), node(17), object(5)});
+    graph.nodes.push_back(
+        {object(1), node(1), step, object(2), node(9), object(3), step, object(4), node(17), object(5)});
     record_instances(out, expand(graph, plenty));
     out.append("thrown", thrown_by(graph, 4));
     out.append("thrown", thrown_by(graph, 5));

@@ -38,15 +38,16 @@ enum FacadeObject : std::uint32_t { square, triangle, circle, house };
 inline std::uint32_t add_facade(GraphBuilder& b)
 {
     const std::uint32_t left_frame = b.add_node({object(square), b.move(0, 1), b.scale(0.9F, -0.8F), object(triangle)});
-    const std::uint32_t frames = b.add_node({b.scale(0.8F, 1), node(left_frame), b.move(2.4F, 0), b.scale(-1, 1), node(left_frame)});
+    const std::uint32_t frames =
+        b.add_node({b.scale(0.8F, 1), node(left_frame), b.move(2.4F, 0), b.scale(-1, 1), node(left_frame)});
     const std::uint32_t window = b.add_node({object(square), b.move(0.1F, 0.1F), b.scale(0.4F, 0.8F), node(frames)});
     const std::uint32_t small_window = b.add_node({b.scale(0.3F, 0.3F), node(window)});
     const std::uint32_t knob = b.add_node({b.move(0.1F, 0.5F), b.scale(0.06F, 0.06F), object(circle)});
     const std::uint32_t leaf = b.add_node({b.move(0.5F, 0), node(knob), b.scale(0.5F, 1), object(square)});
     const std::uint32_t door = b.add_node({node(leaf), b.move(1, 0), b.scale(-1, 1), node(leaf)});
     const std::uint32_t small_door = b.add_node({b.move(0.56F, 0), b.scale(0.3F, 0.43F), node(door)});
-    return b.add_node({object(house), node(small_door), b.move(0.13F, 0.13F), node(small_window), b.move(0, 0.43F), node(small_window), b.move(0.43F, 0),
-                       node(small_window)});
+    return b.add_node({object(house), node(small_door), b.move(0.13F, 0.13F), node(small_window), b.move(0, 0.43F),
+                       node(small_window), b.move(0.43F, 0), node(small_window)});
 }
 
 inline SceneGraph facade()
@@ -72,7 +73,8 @@ inline std::vector<std::uint32_t> shuffled(std::uint32_t count, Random& random)
     return order;
 }
 
-/// Up to seven nodes with shared parts: each contains up to two of those after it, between objects and transformations; numbered anyhow.
+/// Up to seven nodes with shared parts: each contains up to two of those after it, between objects and transformations;
+/// numbered anyhow.
 inline SceneGraph random_graph(Random& random)
 {
     const std::uint32_t count = 3 + random.below(5);
@@ -97,8 +99,8 @@ inline SceneGraph random_graph(Random& random)
     return graph;
 }
 
-/// A chain of nodes, each with objects and a shared part beside the next one. With `cycle`, one node of the chain contains an earlier one, or itself. A cycle
-/// that the root does not reach may be there in any case.
+/// A chain of nodes, each with objects and a shared part beside the next one. With `cycle`, one node of the chain
+/// contains an earlier one, or itself. A cycle that the root does not reach may be there in any case.
 inline SceneGraph random_chain(Random& random, bool cycle)
 {
     const std::uint32_t length = 2 + random.below(5);
@@ -131,7 +133,8 @@ inline SceneGraph random_chain(Random& random, bool cycle)
 inline SceneGraph doubling(std::uint32_t levels, std::vector<Entry> last)
 {
     SceneGraph graph{{glm::translate(glm::mat4(1), {1, 0, 0})}, {}, 0};
-    for (std::uint32_t i = 1; i < levels; ++i) graph.nodes.push_back({node(i), {Entry::Kind::transformation, 0}, node(i)});
+    for (std::uint32_t i = 1; i < levels; ++i)
+        graph.nodes.push_back({node(i), {Entry::Kind::transformation, 0}, node(i)});
     graph.nodes.push_back(std::move(last));
     return graph;
 }

@@ -15,7 +15,8 @@ Grid<std::uint32_t> layers(const RecordingPipeline& drawn, int width, int height
     Grid<std::uint32_t> sum(width, height);
     std::size_t triangles = 0;
     for (const Call& call : drawn.calls()) {
-        for (std::size_t i = 0; call.kind == Call::Kind::triangles && i + 2 < call.places.size() && triangles < 100; i += 3, ++triangles) {
+        for (std::size_t i = 0; call.kind == Call::Kind::triangles && i + 2 < call.places.size() && triangles < 100;
+             i += 3, ++triangles) {
             RecordingPipeline one;
             one.compose(glm::mat4(call.modelview));
             one.fill_triangles(std::span(call.places).subspan(i, 3));
@@ -52,10 +53,12 @@ void record_edges(Recorder& out, Random& random)
                 glm::vec2 a = call.places[k - 1];
                 glm::vec2 b = call.places[k];
                 if (less(b, a)) std::swap(a, b);
-                const EventRow row = event_row(2, seen_at(call.modelview, a), seen_at(call.modelview, b), {}, call.color, call.line_width);
+                const EventRow row = event_row(2, seen_at(call.modelview, a), seen_at(call.modelview, b), {},
+                                               call.color, call.line_width);
                 const std::array line{a, b};
-                const auto place = std::find_if(lines.begin(), lines.end(),
-                                                [&](const auto& other) { return less(line[0], other[0]) || (line[0] == other[0] && less(line[1], other[1])); });
+                const auto place = std::find_if(lines.begin(), lines.end(), [&](const auto& other) {
+                    return less(line[0], other[0]) || (line[0] == other[0] && less(line[1], other[1]));
+                });
                 rows.insert(rows.begin() + (place - lines.begin()), row);
                 lines.insert(place, line);
             }

@@ -18,7 +18,11 @@ inline void paint_grove(Pipeline& pipeline)
         float height;
         unsigned levels;
     };
-    constexpr Place places[] = {{-2.2F, 0.42F, 0.42F, 4}, {8.5F, -0.55F, 0.55F, 5}, {5.0F, 0.24F, 0.24F, 3}, {-0.9F, -0.3F, 0.3F, 2}, {1, 1, 1, 6}};
+    constexpr Place places[] = {{-2.2F, 0.42F, 0.42F, 4},
+                                {8.5F, -0.55F, 0.55F, 5},
+                                {5.0F, 0.24F, 0.24F, 3},
+                                {-0.9F, -0.3F, 0.3F, 2},
+                                {1, 1, 1, 6}};
     for (const Place& place : places) {
         pipeline.push();
         pipeline.compose(glm::translate(glm::mat4(1), {place.x, 0, 0}));
@@ -30,8 +34,8 @@ inline void paint_grove(Pipeline& pipeline)
     pipeline.draw_polyline(std::array<glm::vec2, 2>{{{-10, 0}, {20, 0}}});
 }
 
-/// 80 pixels a unit, and by parts of a pixel beside whole ones: corners of trunks, at 2^-k, must not lie on the middle between two pixels,
-/// where rounding would choose one.
+/// 80 pixels a unit, and by parts of a pixel beside whole ones: corners of trunks, at 2^-k, must not lie on the middle
+/// between two pixels, where rounding would choose one.
 inline glm::mat4 grove_window() { return glm::ortho(-2.9137F, 9.0863F, -0.6071F, 6.3929F); }
 
 /// 480 x 280 pixels, by the programmable pipeline.

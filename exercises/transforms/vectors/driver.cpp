@@ -28,8 +28,10 @@ void record(const Couple& couple, Recorder& out)
 // Vectors whose answers a student can work out by hand.
 void record_known(Recorder& out)
 {
-    const Couple couples[] = {{{1, 0, 0}, {0, 1, 0}},  {{0, 1, 0}, {0, 0, 1}},  {{0, 0, 1}, {1, 0, 0}}, {{1, 2, 2}, {3, 0, 4}},    {{3, 4, 0}, {2, 0, 0}},
-                              {{2, 3, 6}, {0, 0, -5}}, {{1, 1, 0}, {-1, 0, 0}}, {{1, 2, 3}, {2, 4, 6}}, {{1, -2, 2}, {-2, 4, -4}}, {{0, -4, 3}, {0, 6, 8}}};
+    const Couple couples[] = {{{1, 0, 0}, {0, 1, 0}},  {{0, 1, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}},
+                              {{1, 2, 2}, {3, 0, 4}},  {{3, 4, 0}, {2, 0, 0}}, {{2, 3, 6}, {0, 0, -5}},
+                              {{1, 1, 0}, {-1, 0, 0}}, {{1, 2, 3}, {2, 4, 6}}, {{1, -2, 2}, {-2, 4, -4}},
+                              {{0, -4, 3}, {0, 6, 8}}};
     for (const Couple& couple : couples) record(couple, out);
 }
 
@@ -49,7 +51,9 @@ void record_null(Random& random, Recorder& out)
         const glm::vec3 a = 3.0F * random.unit_vector();
         const glm::vec3 b = 2.0F * random.unit_vector();
         const glm::vec3 c = random.unit_vector();
-        const Couple null = i % 3 == 0 ? Couple{{0, 0, 0}, b} : i % 3 == 1 ? Couple{a, {0, -0.0F, 0}} : Couple{{-0.0F, 0, 0}, {0, 0, 0}};
+        const Couple null = i % 3 == 0   ? Couple{{0, 0, 0}, b}
+                            : i % 3 == 1 ? Couple{a, {0, -0.0F, 0}}
+                                         : Couple{{-0.0F, 0, 0}, {0, 0, 0}};
         const bool swapped = random.below(2) == 1;
         for (const bool is_null : {swapped, !swapped}) {
             const Couple& couple = is_null ? null : Couple{a, c};

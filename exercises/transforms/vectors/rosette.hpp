@@ -5,7 +5,8 @@
 #include <numbers>
 #include <umbral/transforms/vectors.hpp>
 
-/// Thales' theorem as a flower: the feet of the perpendiculars from the tip of a vector onto all directions lie on a circle over it.
+/// Thales' theorem as a flower: the feet of the perpendiculars from the tip of a vector onto all directions lie on a
+/// circle over it.
 namespace umbral::transforms {
 
 inline glm::dvec2 flat(const glm::vec3& v) { return {v.x, v.y}; }
@@ -47,7 +48,8 @@ inline Image draw_rosette()
     for (int petal = 0; petal < petals; ++petal) {
         const glm::vec3 v = direction(2 * pi * static_cast<float>(petal) / petals);
         const glm::vec3 left = cross_product({0, 0, 1}, v);
-        drawing.arrow(flat(0.99F * v - 0.06F * left), flat(0.99F * v + 0.08F * left), colour_at(static_cast<float>(petal) / petals), 3);
+        drawing.arrow(flat(0.99F * v - 0.06F * left), flat(0.99F * v + 0.08F * left),
+                      colour_at(static_cast<float>(petal) / petals), 3);
     }
     return drawing.picture();
 }

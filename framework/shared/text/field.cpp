@@ -16,7 +16,8 @@ namespace {
 
 std::size_t count_characters(const std::string& text)
 {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation(byte); }));
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation(byte); }));
 }
 
 /// On one line, printable, and short enough to read.
@@ -27,7 +28,8 @@ std::string shown(const nlohmann::json& value)
     const bool large = value.is_structured() && value.size() > longest / 4;
     const std::string text = large ? "" : value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     if (value.is_array() && (large || text.size() > longest)) return fmt::format("a list of {} items", value.size());
-    if (value.is_object() && (large || text.size() > longest)) return fmt::format("an object with {} fields", value.size());
+    if (value.is_object() && (large || text.size() > longest))
+        return fmt::format("an object with {} fields", value.size());
     if (text.size() <= longest) return printable(text, 3 * longest);
     std::size_t end = longest - 3;
     while (is_continuation(text[end])) --end;
@@ -36,7 +38,8 @@ std::string shown(const nlohmann::json& value)
 
 bool is_plain(char letter)
 {
-    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') || letter == '-' || letter == '_';
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
+           letter == '-' || letter == '_';
 }
 
 }
@@ -44,12 +47,14 @@ bool is_plain(char letter)
 void Field::refuse(const std::string& expected) const
 {
     const std::string got = value_ == nullptr ? "nothing" : shown(*value_);
-    throw std::runtime_error(fmt::format("{}: {}expected {}, got {}", file_, path_.empty() ? "" : path_ + ": ", expected, got));
+    throw std::runtime_error(
+        fmt::format("{}: {}expected {}, got {}", file_, path_.empty() ? "" : path_ + ": ", expected, got));
 }
 
 std::string Field::path_of(const std::string& name) const
 {
-    if (name.empty() || !std::all_of(name.begin(), name.end(), is_plain)) return fmt::format("{}[{}]", path_, shown(name));
+    if (name.empty() || !std::all_of(name.begin(), name.end(), is_plain))
+        return fmt::format("{}[{}]", path_, shown(name));
     return path_.empty() ? name : path_ + "." + name;
 }
 
@@ -93,7 +98,8 @@ std::vector<Field> Field::items(std::size_t least, std::size_t most) const
         refuse(fmt::format("a list of {} to {} items", least, most));
     std::vector<Field> result;
     result.reserve(value_->size());
-    for (std::size_t i = 0; i < value_->size(); ++i) result.push_back({&(*value_)[i], file_, fmt::format("{}[{}]", path_, i)});
+    for (std::size_t i = 0; i < value_->size(); ++i)
+        result.push_back({&(*value_)[i], file_, fmt::format("{}[{}]", path_, i)});
     return result;
 }
 
@@ -101,7 +107,8 @@ std::string Field::text(std::size_t most) const
 {
     const std::string* text = value_ == nullptr ? nullptr : value_->get_ptr<const std::string*>();
     const bool fits = text != nullptr && !text->empty() && count_characters(*text) <= most;
-    if (!fits || text->find_first_of("\n\t") != std::string::npos || text->front() == ' ' || text->back() == ' ' || printable(*text, 4 * most) != *text)
+    if (!fits || text->find_first_of("\n\t") != std::string::npos || text->front() == ' ' || text->back() == ' ' ||
+        printable(*text, 4 * most) != *text)
         refuse(fmt::format("one line of text, 1 to {} characters, no space at its ends", most));
     return *text;
 }
@@ -128,8 +135,11 @@ std::size_t Field::one_of(std::span<const std::string> choices) const
 {
     const std::string* text = value_ == nullptr ? nullptr : value_->get_ptr<const std::string*>();
     const auto found = text == nullptr ? choices.end() : std::find(choices.begin(), choices.end(), *text);
-    if (found == choices.end() && choices.size() > 12) refuse(fmt::format("one of {} names such as \"{}\"", choices.size(), choices.front()));
-    if (found == choices.end()) refuse(choices.empty() ? "no name: none is defined" : fmt::format("one of \"{}\"", fmt::join(choices, "\", \"")));
+    if (found == choices.end() && choices.size() > 12)
+        refuse(fmt::format("one of {} names such as \"{}\"", choices.size(), choices.front()));
+    if (found == choices.end())
+        refuse(choices.empty() ? "no name: none is defined"
+                               : fmt::format("one of \"{}\"", fmt::join(choices, "\", \"")));
     return static_cast<std::size_t>(found - choices.begin());
 }
 

@@ -18,13 +18,16 @@ nlohmann::json parse_json(std::string_view text, const std::string& where)
     constexpr int deepest = 16;
     std::vector<std::set<std::string>> open_objects;
     const auto watch = [&](int depth, json::parse_event_t event, json& parsed) {
-        if (depth > deepest) throw std::runtime_error(fmt::format("{}: expected lists and objects at most {} deep, got more", where, deepest));
+        if (depth > deepest)
+            throw std::runtime_error(
+                fmt::format("{}: expected lists and objects at most {} deep, got more", where, deepest));
         if (event == json::parse_event_t::object_start) open_objects.emplace_back();
         if (event == json::parse_event_t::object_end) open_objects.pop_back();
         if (event != json::parse_event_t::key) return true;
         const auto& key = parsed.get_ref<const std::string&>();
         if (!open_objects.back().insert(key).second)
-            throw std::runtime_error(fmt::format("{}: expected each key once in an object, got \"{}\" twice", where, printable(key, 200)));
+            throw std::runtime_error(
+                fmt::format("{}: expected each key once in an object, got \"{}\" twice", where, printable(key, 200)));
         return true;
     };
     try {
@@ -50,7 +53,8 @@ nlohmann::json read_json(const std::filesystem::path& file, std::size_t limit)
         stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
         text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
     }
-    if (text.size() > limit) throw std::runtime_error(fmt::format("{}: expected at most {} bytes, got more", file.string(), limit));
+    if (text.size() > limit)
+        throw std::runtime_error(fmt::format("{}: expected at most {} bytes, got more", file.string(), limit));
     return parse_json(text, file.string());
 }
 

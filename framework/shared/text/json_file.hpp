@@ -7,9 +7,9 @@
 
 namespace umbral {
 
-/// Parses JSON text strictly: no comments, valid UTF-8, no key twice in one object (where readers disagree on which counts), and lists and
-/// objects at most 16 deep (our formats need seven).
-/// Throws std::runtime_error that begins with `where` and says at which line and column.
+/// Parses JSON text strictly: no comments, valid UTF-8, no key twice in one object (where readers disagree on which
+/// counts), and lists and objects at most 16 deep (our formats need seven). Throws std::runtime_error that begins with
+/// `where` and says at which line and column.
 [[nodiscard]] nlohmann::json parse_json(std::string_view text, const std::string& where);
 
 /// The same of a file of at most `limit` bytes. What is not a regular file is refused, and not opened.

@@ -6,7 +6,8 @@
 
 namespace umbral {
 
-/// One character of a UTF-8 text. What is not valid UTF-8 (also overlong forms and surrogates) comes byte by byte with `valid` false.
+/// One character of a UTF-8 text. What is not valid UTF-8 (also overlong forms and surrogates) comes byte by byte with
+/// `valid` false.
 struct Character {
     char32_t code = 0;
     std::size_t size = 1;

@@ -24,7 +24,8 @@ struct Grid {
     Grid(int columns, int rows, const Cell& fill = {}) : width(columns), height(rows)
     {
         if (columns < 0 || rows < 0)
-            throw std::invalid_argument("Grid: expected a size of at least 0 x 0, got " + std::to_string(columns) + " x " + std::to_string(rows));
+            throw std::invalid_argument("Grid: expected a size of at least 0 x 0, got " + std::to_string(columns) +
+                                        " x " + std::to_string(rows));
         cells.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), fill);
     }
 
@@ -38,8 +39,8 @@ private:
     [[nodiscard]] std::size_t index(int x, int y) const
     {
         if (!contains(x, y))
-            throw std::out_of_range("Grid: cell (" + std::to_string(x) + ", " + std::to_string(y) + ") is outside " + std::to_string(width) + " x " +
-                                    std::to_string(height));
+            throw std::out_of_range("Grid: cell (" + std::to_string(x) + ", " + std::to_string(y) + ") is outside " +
+                                    std::to_string(width) + " x " + std::to_string(height));
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
 };

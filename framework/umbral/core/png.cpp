@@ -31,7 +31,8 @@ public:
         for (int attempt = 0; descriptor_ < 0; ++attempt) {
             name_ = stem + std::to_string(attempt);
             descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (descriptor_ < 0 && (errno != EEXIST || attempt > 1000)) fail(target_, "cannot create a temporary file beside it", errno);
+            if (descriptor_ < 0 && (errno != EEXIST || attempt > 1000))
+                fail(target_, "cannot create a temporary file beside it", errno);
         }
     }
     TemporaryFile(const TemporaryFile&) = delete;
@@ -57,7 +58,8 @@ public:
         // Some file systems report a full disk only here.
         if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(target_, "cannot flush it to the disk", errno);
         if (::close(std::exchange(descriptor_, -1)) != 0) fail(target_, "cannot close it", errno);
-        if (::rename(name_.c_str(), target_.c_str()) != 0) fail(target_, "cannot rename the temporary file to it", errno);
+        if (::rename(name_.c_str(), target_.c_str()) != 0)
+            fail(target_, "cannot rename the temporary file to it", errno);
         kept_ = true;
         flush_folder();
     }
@@ -66,7 +68,8 @@ private:
     // The rename itself must survive a crash; a file system that cannot flush folders is not an error.
     void flush_folder() const
     {
-        const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
+        const std::filesystem::path folder =
+            target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
         const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         if (descriptor < 0) return;
         (void)::fsync(descriptor);
@@ -87,22 +90,29 @@ struct PngImage : png_image {
     ~PngImage() { png_image_free(this); }
 };
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) { throw std::runtime_error(path.string() + ": " + why); }
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why)
+{
+    throw std::runtime_error(path.string() + ": " + why);
+}
 
 std::vector<unsigned char> read_bytes(const std::filesystem::path& path)
 {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) refuse(path, "no such file");
-    if (!std::filesystem::is_regular_file(status)) refuse(path, "expected a PNG file, got something that is not a regular file");
+    if (!std::filesystem::is_regular_file(status))
+        refuse(path, "expected a PNG file, got something that is not a regular file");
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (error) refuse(path, "cannot read it: " + error.message());
     if (size == 0) refuse(path, "expected a PNG file, got an empty file");
-    if (size > maximum_png_bytes) refuse(path, "expected a PNG file of at most " + std::to_string(maximum_png_bytes) + " bytes, got " + std::to_string(size));
+    if (size > maximum_png_bytes)
+        refuse(path, "expected a PNG file of at most " + std::to_string(maximum_png_bytes) + " bytes, got " +
+                         std::to_string(size));
 
     std::vector<unsigned char> bytes(size);
     std::ifstream file(path, std::ios::binary);
-    if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) refuse(path, "cannot read all of its bytes");
+    if (!file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+        refuse(path, "cannot read all of its bytes");
     return bytes;
 }
 
@@ -111,7 +121,8 @@ std::size_t big_endian(std::span<const unsigned char> bytes)
     return (std::size_t{bytes[0]} << 24U) | (std::size_t{bytes[1]} << 16U) | (std::size_t{bytes[2]} << 8U) | bytes[3];
 }
 
-/// Follows the chunks to the end mark: libpng's simplified interface does not look for it, so a file cut late would pass.
+/// Follows the chunks to the end mark: libpng's simplified interface does not look for it, so a file cut late would
+/// pass.
 void expect_whole(const std::filesystem::path& path, std::span<const unsigned char> bytes)
 {
     constexpr std::array<unsigned char, 8> signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
@@ -142,8 +153,9 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 void write_png(const std::filesystem::path& path, const Image& image)
 {
     if (image.cells.empty() || image.cells.size() > maximum_png_pixels)
-        throw std::invalid_argument(path.string() + ": a PNG holds 1 to " + std::to_string(maximum_png_pixels) + " pixels, got " + std::to_string(image.width) +
-                                    " x " + std::to_string(image.height));
+        throw std::invalid_argument(path.string() + ": a PNG holds 1 to " + std::to_string(maximum_png_pixels) +
+                                    " pixels, got " + std::to_string(image.width) + " x " +
+                                    std::to_string(image.height));
     PngImage png;
     png.width = static_cast<png_uint_32>(image.width);
     png.height = static_cast<png_uint_32>(image.height);
@@ -162,15 +174,17 @@ Image read_png(const std::filesystem::path& path)
     expect_whole(path, bytes);
 
     PngImage png;
-    if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) refuse(path, "damaged PNG file: " + std::string(png.message));
+    if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
+        refuse(path, "damaged PNG file: " + std::string(png.message));
     if (std::size_t{png.width} * png.height > maximum_png_pixels)
-        refuse(path,
-               "expected at most " + std::to_string(maximum_png_pixels) + " pixels, got " + std::to_string(png.width) + " x " + std::to_string(png.height));
+        refuse(path, "expected at most " + std::to_string(maximum_png_pixels) + " pixels, got " +
+                         std::to_string(png.width) + " x " + std::to_string(png.height));
     png.format = PNG_FORMAT_RGBA;
     png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
 
     Image image(static_cast<int>(png.width), static_cast<int>(png.height));
-    if (png_image_finish_read(&png, nullptr, image.cells.data(), 0, nullptr) == 0) refuse(path, "damaged PNG file: " + std::string(png.message));
+    if (png_image_finish_read(&png, nullptr, image.cells.data(), 0, nullptr) == 0)
+        refuse(path, "damaged PNG file: " + std::string(png.message));
     return image;
 }
 

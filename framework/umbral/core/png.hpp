@@ -14,20 +14,22 @@ inline constexpr std::size_t maximum_png_bytes = std::size_t{1} << 29U;
 
 /// Writes `image` as an 8-bit RGBA PNG in sRGB. The file appears whole or not at all (see write_file_atomically).
 ///
-/// Throws std::invalid_argument for a picture without pixels (a PNG cannot hold one) or with more than maximum_png_pixels,
-/// std::runtime_error with the path and the reason if the file cannot be written.
+/// Throws std::invalid_argument for a picture without pixels (a PNG cannot hold one) or with more than
+/// maximum_png_pixels, std::runtime_error with the path and the reason if the file cannot be written.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-/// Reads any PNG (every bit depth, palette, grey, interlaced) as 8-bit RGBA in sRGB; a file that names no colour space is taken as sRGB.
+/// Reads any PNG (every bit depth, palette, grey, interlaced) as 8-bit RGBA in sRGB; a file that names no colour space
+/// is taken as sRGB.
 ///
-/// Throws std::runtime_error with the path and the reason if it is missing, not a regular file, empty, truncated, damaged, no PNG,
-/// or larger than the limits above. The limits hold before memory for the pixels is taken.
+/// Throws std::runtime_error with the path and the reason if it is missing, not a regular file, empty, truncated,
+/// damaged, no PNG, or larger than the limits above. The limits hold before memory for the pixels is taken.
 [[nodiscard]] Image read_png(const std::filesystem::path& path);
 
 /// Writes `bytes` to a new temporary file beside `path`, flushes it to the disk, and renames it to `path`.
 ///
-/// Readers see the old file or the whole new one, never a part. Throws std::runtime_error with the path and the system's reason
-/// (a full disk, a missing folder, no permission); the temporary file is then removed and an old `path` is left as it was.
+/// Readers see the old file or the whole new one, never a part. Throws std::runtime_error with the path and the
+/// system's reason (a full disk, a missing folder, no permission); the temporary file is then removed and an old `path`
+/// is left as it was.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 }

@@ -8,8 +8,9 @@ namespace umbral {
 
 /// A small generator of random numbers that gives the same sequence on every machine.
 ///
-/// The distributions of <random> are left to each standard library, so the same seed would give other test inputs elsewhere.
-/// Based on: M. O'Neill. PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms. 2014 (pcg32).
+/// The distributions of <random> are left to each standard library, so the same seed would give other test inputs
+/// elsewhere. Based on: M. O'Neill. PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms. 2014
+/// (pcg32).
 class Random {
 public:
     explicit Random(std::uint64_t seed) : increment_((seed << 1U) | 1U)
@@ -43,7 +44,10 @@ public:
     }
 
     /// Uniform in {0, …, count - 1}; count > 0.
-    [[nodiscard]] std::uint32_t below(std::uint32_t count) { return static_cast<std::uint32_t>((std::uint64_t{bits()} * count) >> 32U); }
+    [[nodiscard]] std::uint32_t below(std::uint32_t count)
+    {
+        return static_cast<std::uint32_t>((std::uint64_t{bits()} * count) >> 32U);
+    }
 
     /// Uniform in the box of side 2 round the origin.
     [[nodiscard]] glm::vec3 in_cube()

@@ -5,7 +5,8 @@
 
 namespace umbral {
 
-/// Something that a driver found wrong with the student's work before it could be observed: a shader that does not compile, an interface that does not match.
+/// Something that a driver found wrong with the student's work before it could be observed: a shader that does not
+/// compile, an interface that does not match.
 ///
 /// It ends the case; `what()` is shown to the student as it stands, so it says what was expected, what came and where.
 class StudentError : public std::runtime_error {

@@ -21,7 +21,8 @@ BackendKind default_backend()
     const char* const chosen = std::getenv("UMBRAL_GL");
     if (chosen != nullptr && *chosen != 0) {
         if (const auto kind = backend_named(chosen)) return *kind;
-        throw std::runtime_error("UMBRAL_GL is '" + std::string(chosen) + "': expected osmesa or egl, or unset the variable");
+        throw std::runtime_error("UMBRAL_GL is '" + std::string(chosen) +
+                                 "': expected osmesa or egl, or unset the variable");
     }
     std::string errors;
     for (const BackendKind kind : {BackendKind::osmesa, BackendKind::egl}) {
@@ -50,7 +51,8 @@ PrivateLibrary::PrivateLibrary(const char* purpose, std::initializer_list<const 
 void* PrivateLibrary::address(const char* name) const
 {
     void* const found = dlsym(handle_, name);
-    if (found == nullptr) throw std::runtime_error(file_ + " was loaded but has no function " + name + ": install a newer Mesa");
+    if (found == nullptr)
+        throw std::runtime_error(file_ + " was loaded but has no function " + name + ": install a newer Mesa");
     return found;
 }
 

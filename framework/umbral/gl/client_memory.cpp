@@ -8,7 +8,8 @@
 namespace umbral::gl {
 namespace {
 
-/// A fixed-function array: what enables it, and what tells its size (0: always `components`), type (0: a byte) and buffer.
+/// A fixed-function array: what enables it, and what tells its size (0: always `components`), type (0: a byte) and
+/// buffer.
 struct FixedArray {
     GLenum enabled;
     GLenum size;
@@ -20,12 +21,13 @@ constexpr std::array fixed_arrays = {
     FixedArray{GL_VERTEX_ARRAY, GL_VERTEX_ARRAY_SIZE, 0, GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_BUFFER_BINDING},
     FixedArray{GL_NORMAL_ARRAY, 0, 3, GL_NORMAL_ARRAY_TYPE, GL_NORMAL_ARRAY_BUFFER_BINDING},
     FixedArray{GL_COLOR_ARRAY, GL_COLOR_ARRAY_SIZE, 0, GL_COLOR_ARRAY_TYPE, GL_COLOR_ARRAY_BUFFER_BINDING},
-    FixedArray{GL_SECONDARY_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY_SIZE, 0, GL_SECONDARY_COLOR_ARRAY_TYPE, GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING},
+    FixedArray{GL_SECONDARY_COLOR_ARRAY, GL_SECONDARY_COLOR_ARRAY_SIZE, 0, GL_SECONDARY_COLOR_ARRAY_TYPE,
+               GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING},
     FixedArray{GL_INDEX_ARRAY, 0, 1, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_BUFFER_BINDING},
     FixedArray{GL_EDGE_FLAG_ARRAY, 0, 1, 0, GL_EDGE_FLAG_ARRAY_BUFFER_BINDING},
     FixedArray{GL_FOG_COORD_ARRAY, 0, 1, GL_FOG_COORD_ARRAY_TYPE, GL_FOG_COORD_ARRAY_BUFFER_BINDING}};
-constexpr FixedArray texture_array = {GL_TEXTURE_COORD_ARRAY, GL_TEXTURE_COORD_ARRAY_SIZE, 0, GL_TEXTURE_COORD_ARRAY_TYPE,
-                                      GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING};
+constexpr FixedArray texture_array = {GL_TEXTURE_COORD_ARRAY, GL_TEXTURE_COORD_ARRAY_SIZE, 0,
+                                      GL_TEXTURE_COORD_ARRAY_TYPE, GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING};
 
 std::uint64_t bytes_of(const FixedArray& array)
 {
@@ -52,9 +54,12 @@ std::uint64_t vertex_bytes()
         return value;
     };
     for (int i = 0; i < integer(GL_MAX_VERTEX_ATTRIBS); ++i) {
-        if (attribute(i, GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0 || attribute(i, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING) != 0) continue;
+        if (attribute(i, GL_VERTEX_ATTRIB_ARRAY_ENABLED) == 0 ||
+            attribute(i, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING) != 0)
+            continue;
         const auto size = static_cast<unsigned>(attribute(i, GL_VERTEX_ATTRIB_ARRAY_SIZE));
-        bytes += std::uint64_t{size == GL_BGRA ? 4 : size} * type_size(static_cast<GLenum>(attribute(i, GL_VERTEX_ATTRIB_ARRAY_TYPE)));
+        bytes += std::uint64_t{size == GL_BGRA ? 4 : size} *
+                 type_size(static_cast<GLenum>(attribute(i, GL_VERTEX_ATTRIB_ARRAY_TYPE)));
     }
     return bytes;
 }
@@ -67,7 +72,8 @@ std::uint64_t sum_of(const void* counts, double how_many)
     std::uint64_t sum = 0;
     const auto* count = static_cast<const GLsizei*>(counts);
     if (count == nullptr) return 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(std::clamp(how_many, 0.0, most)); ++i) sum += count[i] > 0 ? static_cast<std::uint64_t>(count[i]) : 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(std::clamp(how_many, 0.0, most)); ++i)
+        sum += count[i] > 0 ? static_cast<std::uint64_t>(count[i]) : 0;
     return sum;
 }
 
@@ -93,17 +99,20 @@ constexpr std::array draw_arguments = {DrawArguments{"glMultiDrawArraysIndirect"
 
 std::uint64_t client_bytes(std::string_view draw, const CallArguments& arguments)
 {
-    const auto found = std::ranges::find_if(draw_arguments, [&](const DrawArguments& each) { return draw.starts_with(each.beginning); });
+    const auto found = std::ranges::find_if(
+        draw_arguments, [&](const DrawArguments& each) { return draw.starts_with(each.beginning); });
     if (found == draw_arguments.end()) return 0;
     if (found->indirect) {
         constexpr std::uint64_t command = 20;
         const std::uint64_t draws = found->draws == 0 ? 1 : whole(arguments.number(found->draws));
         return integer(GL_DRAW_INDIRECT_BUFFER_BINDING) == 0 ? draws * (command + vertex_bytes()) : 0;
     }
-    const std::uint64_t vertices =
-        found->draws == 0 ? whole(arguments.number(found->count)) : sum_of(arguments.pointer(found->count), arguments.number(found->draws));
+    const std::uint64_t vertices = found->draws == 0
+                                       ? whole(arguments.number(found->count))
+                                       : sum_of(arguments.pointer(found->count), arguments.number(found->draws));
     const bool own_indices = found->type != 0 && integer(GL_ELEMENT_ARRAY_BUFFER_BINDING) == 0;
-    return vertices * (vertex_bytes() + (own_indices ? type_size(static_cast<GLenum>(arguments.number(found->type))) : 0));
+    return vertices *
+           (vertex_bytes() + (own_indices ? type_size(static_cast<GLenum>(arguments.number(found->type))) : 0));
 }
 
 bool unpacks_from_a_buffer() { return integer(GL_PIXEL_UNPACK_BUFFER_BINDING) != 0; }

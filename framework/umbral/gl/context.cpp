@@ -38,7 +38,10 @@ void forbid_driver_threads()
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 }
 
-OffscreenContext::OffscreenContext(BackendKind kind) : backend_(&backend_of(kind)), handle_(backend_->create()) { make_current(); }
+OffscreenContext::OffscreenContext(BackendKind kind) : backend_(&backend_of(kind)), handle_(backend_->create())
+{
+    make_current();
+}
 
 OffscreenContext::~OffscreenContext()
 {
@@ -69,7 +72,8 @@ bool has_context() noexcept { return current != nullptr; }
 
 std::string backend_description()
 {
-    if (!has_context()) throw std::logic_error("gl::backend_description: no context is current; make a gl::OffscreenContext first");
+    if (!has_context())
+        throw std::logic_error("gl::backend_description: no context is current; make a gl::OffscreenContext first");
     return std::string(current_backend->name) + ": " + text_of(GL_VERSION) + "; " + text_of(GL_RENDERER);
 }
 

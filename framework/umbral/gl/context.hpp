@@ -21,24 +21,26 @@ enum class BackendKind {
     return std::nullopt;
 }
 
-/// What the environment variable UMBRAL_GL names ("osmesa" or "egl"); where it is not set, OSMesa if it can be loaded, else EGL.
-/// Throws std::runtime_error if the variable holds something else, or if neither can be loaded.
+/// What the environment variable UMBRAL_GL names ("osmesa" or "egl"); where it is not set, OSMesa if it can be loaded,
+/// else EGL. Throws std::runtime_error if the variable holds something else, or if neither can be loaded.
 [[nodiscard]] BackendKind default_backend();
 
-/// Sets what keeps Mesa from starting threads: LP_NUM_THREADS=0 (raster threads) and MESA_SHADER_CACHE_DISABLE=true (the thread that
-/// writes compiled shaders to disk; drawing after a fork waits for it for ever, but only where the cache is still empty).
+/// Sets what keeps Mesa from starting threads: LP_NUM_THREADS=0 (raster threads) and MESA_SHADER_CACHE_DISABLE=true
+/// (the thread that writes compiled shaders to disk; drawing after a fork waits for it for ever, but only where the
+/// cache is still empty).
 ///
 /// To be called before the first context is made, while the process has one thread.
 void forbid_driver_threads();
 
 /// An OpenGL 4.5 context, compatibility profile, without a window.
 ///
-/// One context is current at a time, for the whole process; OpenGL is called from one thread only. Draw into a gl::Framebuffer: the
-/// context's own framebuffer is a stub of 64 x 64 pixels, or missing. A process may make a context, fork, and draw in the children, each for itself,
-/// if it called forbid_driver_threads before.
+/// One context is current at a time, for the whole process; OpenGL is called from one thread only. Draw into a
+/// gl::Framebuffer: the context's own framebuffer is a stub of 64 x 64 pixels, or missing. A process may make a
+/// context, fork, and draw in the children, each for itself, if it called forbid_driver_threads before.
 class OffscreenContext {
 public:
-    /// Loads the back end and makes a context, current from now on. Throws std::runtime_error that says what could not be loaded.
+    /// Loads the back end and makes a context, current from now on. Throws std::runtime_error that says what could not
+    /// be loaded.
     explicit OffscreenContext(BackendKind kind = default_backend());
     OffscreenContext(const OffscreenContext&) = delete;
     OffscreenContext& operator=(const OffscreenContext&) = delete;
@@ -56,11 +58,12 @@ private:
 /// Is any context current? Where it is not, every call of OpenGL aborts.
 [[nodiscard]] bool has_context() noexcept;
 
-/// Back end, version and renderer of the current context, as "OSMesa: 4.5 (Compatibility Profile) Mesa …; llvmpipe (…)", for fingerprints.
-/// Throws std::logic_error if no context is current.
+/// Back end, version and renderer of the current context, as "OSMesa: 4.5 (Compatibility Profile) Mesa …; llvmpipe
+/// (…)", for fingerprints. Throws std::logic_error if no context is current.
 [[nodiscard]] std::string backend_description();
 
-/// Throws std::runtime_error if OpenGL has noted errors since it was last asked; `where` says what was being done. Clears them.
+/// Throws std::runtime_error if OpenGL has noted errors since it was last asked; `where` says what was being done.
+/// Clears them.
 void check_errors(const std::string& where);
 
 }

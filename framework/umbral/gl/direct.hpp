@@ -3,7 +3,8 @@
 #include <string_view>
 #include <umbral/gl/forward.hpp>
 
-/// Calls of the back end that no trace sees: questions about the state that a traced call meets. Private to libumbral-gl.
+/// Calls of the back end that no trace sees: questions about the state that a traced call meets. Private to
+/// libumbral-gl.
 namespace umbral::gl {
 
 #pragma GCC visibility push(hidden)

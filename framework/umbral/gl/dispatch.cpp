@@ -21,10 +21,12 @@ void disconnect() { std::fill_n(entries, entry_count, nullptr); }
 
 void no_context(std::size_t slot)
 {
-    (void)std::fprintf(stderr,
-                       "umbral-gl: %s was called while no OpenGL context is current (or the context's driver lacks it). "
-                       "OpenGL can only be called once a context exists: not from the constructor of a static object, nor after the window is closed.\n",
-                       entry_names[slot]);
+    (void)std::fprintf(
+        stderr,
+        "umbral-gl: %s was called while no OpenGL context is current (or the context's driver lacks it). "
+        "OpenGL can only be called once a context exists: not from the constructor of a static object, nor after the "
+        "window is closed.\n",
+        entry_names[slot]);
     std::abort();
 }
 

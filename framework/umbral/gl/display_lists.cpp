@@ -51,7 +51,8 @@ void DisplayLists::note(std::string_view function, const CallArguments& argument
     } else if (function == "glDeleteLists") {
         const double first = arguments.number(0);
         std::erase_if(lists_, [&](const auto& entry) {
-            const bool gone = entry.first != current_ && entry.first >= first && entry.first < first + arguments.number(1);
+            const bool gone =
+                entry.first != current_ && entry.first >= first && entry.first < first + arguments.number(1);
             if (gone) kept_ -= entry.second.size();
             return gone;
         });
@@ -60,11 +61,14 @@ void DisplayLists::note(std::string_view function, const CallArguments& argument
 
 bool DisplayLists::holds(std::string_view function)
 {
-    constexpr std::array at_once = {
-        "glIs",         "glFlush",      "glFinish",     "glGen",     "glCreate",      "glDelete",       "glRenderMode",      "glPixelStore",
-        "glEnableC",    "glDisableC",   "glClientA",    "glFence",   "glAttach",      "glDetach",       "glLinkProgram",     "glCompileShader",
-        "glPushClient", "glPopClient",  "glValidate",   "glBindV",   "glEnableV",     "glDisableV",     "glVertexArray",     "glVertexAttribF",
-        "glTexStorage", "glTextureSto", "glCopyBuffer", "glBindBuf", "glFramebuffer", "glRenderbuffer", "glBindFramebuffer", "glBindRenderbuffer"};
+    constexpr std::array at_once = {"glIs",          "glFlush",        "glFinish",          "glGen",
+                                    "glCreate",      "glDelete",       "glRenderMode",      "glPixelStore",
+                                    "glEnableC",     "glDisableC",     "glClientA",         "glFence",
+                                    "glAttach",      "glDetach",       "glLinkProgram",     "glCompileShader",
+                                    "glPushClient",  "glPopClient",    "glValidate",        "glBindV",
+                                    "glEnableV",     "glDisableV",     "glVertexArray",     "glVertexAttribF",
+                                    "glTexStorage",  "glTextureSto",   "glCopyBuffer",      "glBindBuf",
+                                    "glFramebuffer", "glRenderbuffer", "glBindFramebuffer", "glBindRenderbuffer"};
     const Effect effect = effect_of(function);
     if (effect != Effect::none && effect != Effect::parameters && effect != Effect::draws) return false;
     return std::ranges::none_of(at_once, [&](const char* beginning) { return function.starts_with(beginning); });
@@ -84,7 +88,8 @@ std::vector<unsigned> DisplayLists::called_by(std::string_view function, const C
     const unsigned size = type_size(arguments.name(1));
     std::vector<unsigned> called;
     if (function != "glCallLists" || place == nullptr || size == 0) return called;
-    const auto count = static_cast<std::size_t>(std::clamp(arguments.number(0), 0.0, static_cast<double>(Trace::maximum_calls)));
+    const auto count =
+        static_cast<std::size_t>(std::clamp(arguments.number(0), 0.0, static_cast<double>(Trace::maximum_calls)));
     for (std::size_t i = 0; i < count; ++i) called.push_back(base_ + list_at(place + i * size, arguments.name(1)));
     return called;
 }

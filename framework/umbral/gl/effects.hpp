@@ -9,7 +9,8 @@ namespace umbral::gl {
 enum class Effect {
     none,        ///< takes nothing but numbers, and gives nothing but a number
     uploads,     ///< copies bytes of the application: they are counted at the call
-    parameters,  ///< takes a few numbers by a pointer (a colour, a matrix, one uniform): counts like numbers passed one by one, not as data
+    parameters,  ///< takes a few numbers by a pointer (a colour, a matrix, one uniform): counts like numbers passed one
+                 ///< by one, not as data
     array,       ///< parameters if it is given one element, uploads if it is given several: uniforms
     program,     ///< takes the text of programs: they are counted as objects, not as data
     objects,     ///< takes or gives names of objects, or texts that describe them
@@ -25,9 +26,11 @@ struct Size {
     enum class Kind {
         none,
         bytes,    ///< argument `first` is the number of bytes; `pointer` must not be null
-        picture,  ///< `dimensions` extents from argument `first` on; format, type and address of the pixels end at argument `pointer`
+        picture,  ///< `dimensions` extents from argument `first` on; format, type and address of the pixels end at
+                  ///< argument `pointer`
         bits,     ///< a picture of one bit a pixel, its rows in whole bytes
-        items,    ///< argument `first` is a number of items of `item` bytes; of rows of them if `dimensions` names an argument too
+        items,    ///< argument `first` is a number of items of `item` bytes; of rows of them if `dimensions` names an
+                  ///< argument too
         fixed,    ///< `item` bytes
         uniforms  ///< argument `first` is a number of elements, which the function's name describes
     };
@@ -45,14 +48,16 @@ struct FunctionRule {
     Size size{};
 };
 
-/// The first rule for a function in the one table of effects.cpp, null if there is none: then it must not take or give any pointer, which a
-/// test demands of every function in libumbral-gl. A vendor's suffix is not looked at: glMapBufferARB is glMapBuffer.
+/// The first rule for a function in the one table of effects.cpp, null if there is none: then it must not take or give
+/// any pointer, which a test demands of every function in libumbral-gl. A vendor's suffix is not looked at:
+/// glMapBufferARB is glMapBuffer.
 [[nodiscard]] const FunctionRule* rule_of(std::string_view function);
 
 /// rule_of's effect; Effect::none without a rule.
 [[nodiscard]] Effect effect_of(std::string_view function);
 
-/// Must the library see each call of the function, also while no trace is running? What is mapped and what display lists hold is remembered.
+/// Must the library see each call of the function, also while no trace is running? What is mapped and what display
+/// lists hold is remembered.
 [[nodiscard]] bool is_always_seen(std::string_view function);
 
 }

@@ -8,7 +8,8 @@
 #include <string>
 #include <umbral/gl/backend.hpp>
 
-// Based on: EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context and EGL_KHR_no_config_context, Khronos EGL registry.
+// Based on: EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context and EGL_KHR_no_config_context, Khronos EGL
+// registry.
 namespace umbral::gl {
 namespace {
 
@@ -28,23 +29,27 @@ struct Library {
 {
     char code[16];
     (void)std::snprintf(code, sizeof code, "0x%04x", static_cast<unsigned>(library.error()));
-    throw std::runtime_error("EGL " + what + " (EGL error " + code + "); Debian packages libegl1, libegl-mesa0 and libgl1-mesa-dri are needed");
+    throw std::runtime_error("EGL " + what + " (EGL error " + code +
+                             "); Debian packages libegl1, libegl-mesa0 and libgl1-mesa-dri are needed");
 }
 
 void require(const Library& library, EGLDisplay of, const char* extension)
 {
     const char* const known = library.query(of, EGL_EXTENSIONS);
-    if (known == nullptr || (std::string(" ") + known + " ").find(std::string(" ") + extension + " ") == std::string::npos)
+    if (known == nullptr ||
+        (std::string(" ") + known + " ").find(std::string(" ") + extension + " ") == std::string::npos)
         fail(library, std::string("lacks the extension ") + extension);
 }
 
 Library load_library()
 {
-    // Read when the driver is loaded. Never a graphics card: it would draw other pixels, and its driver does not survive a fork.
+    // Read when the driver is loaded. Never a graphics card: it would draw other pixels, and its driver does not
+    // survive a fork.
     setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1);
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
 
-    const PrivateLibrary file("EGL, which draws off screen (Debian packages libegl1, libegl-mesa0 and libgl1-mesa-dri),", {"libEGL.so.1"});
+    const PrivateLibrary file(
+        "EGL, which draws off screen (Debian packages libegl1, libegl-mesa0 and libgl1-mesa-dri),", {"libEGL.so.1"});
     Library egl;
     file.find("eglGetProcAddress", egl.address_of);
     file.find("eglQueryString", egl.query);
@@ -55,11 +60,15 @@ Library load_library()
     file.find("eglDestroyContext", egl.destroy);
     file.find("eglGetError", egl.error);
 
-    for (const char* extension : {"EGL_EXT_platform_base", "EGL_MESA_platform_surfaceless"}) require(egl, EGL_NO_DISPLAY, extension);
-    const auto platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl.address_of("eglGetPlatformDisplayEXT"));
+    for (const char* extension : {"EGL_EXT_platform_base", "EGL_MESA_platform_surfaceless"})
+        require(egl, EGL_NO_DISPLAY, extension);
+    const auto platform_display =
+        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl.address_of("eglGetPlatformDisplayEXT"));
     egl.display = platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-    if (egl.display == EGL_NO_DISPLAY || egl.initialize(egl.display, nullptr, nullptr) == EGL_FALSE) fail(egl, "has no display without a screen");
-    for (const char* extension : {"EGL_KHR_create_context", "EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) require(egl, egl.display, extension);
+    if (egl.display == EGL_NO_DISPLAY || egl.initialize(egl.display, nullptr, nullptr) == EGL_FALSE)
+        fail(egl, "has no display without a screen");
+    for (const char* extension : {"EGL_KHR_create_context", "EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"})
+        require(egl, egl.display, extension);
     if (egl.bind_api(EGL_OPENGL_API) == EGL_FALSE) fail(egl, "knows OpenGL ES only, not OpenGL");
     return egl;
 }
@@ -74,17 +83,25 @@ void load() { (void)library(); }
 
 void* create()
 {
-    constexpr std::array attributes = {
-        EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT, EGL_NONE};
-    const EGLContext context = library().create(library().display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
-    if (context == EGL_NO_CONTEXT) fail(library(), "made no context: OpenGL 4.5, compatibility profile, is needed (Mesa 21 or later)");
+    constexpr std::array attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                                       4,
+                                       EGL_CONTEXT_MINOR_VERSION,
+                                       5,
+                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                       EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                                       EGL_NONE};
+    const EGLContext context =
+        library().create(library().display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    if (context == EGL_NO_CONTEXT)
+        fail(library(), "made no context: OpenGL 4.5, compatibility profile, is needed (Mesa 21 or later)");
     return context;
 }
 
 void make_current(void* handle)
 {
     const EGLContext context = handle == nullptr ? EGL_NO_CONTEXT : handle;
-    if (library().make_current(library().display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) fail(library(), "could not make its context current");
+    if (library().make_current(library().display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE)
+        fail(library(), "could not make its context current");
 }
 
 void destroy(void* handle) { (void)library().destroy(library().display, handle); }

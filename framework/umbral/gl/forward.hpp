@@ -13,7 +13,8 @@ namespace umbral::gl {
 
 using Entry = void (*)();
 
-/// The arguments of a call: numbers as as_number gives them, and beside each the address if it is a pointer to something (else null).
+/// The arguments of a call: numbers as as_number gives them, and beside each the address if it is a pointer to
+/// something (else null).
 struct CallArguments {
     std::span<const double> numbers;
     std::span<const void* const> pointers;
@@ -55,7 +56,8 @@ const void* as_pointer(Argument argument)
         return nullptr;
 }
 
-/// Passes a call on to the back end. The function itself is only taken for its type. `always`: it is seen even if nothing is watched.
+/// Passes a call on to the back end. The function itself is only taken for its type. `always`: it is seen even if
+/// nothing is watched.
 template <bool always = false, class Result, class... Arguments>
 Result forward(Result (*)(Arguments...), std::size_t slot, std::type_identity_t<Arguments>... arguments)
 {

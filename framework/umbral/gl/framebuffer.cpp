@@ -16,7 +16,8 @@ void attach(GLuint renderbuffer, GLenum format, GLenum attachment, int width, in
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
 }
 
-/// Reads without trusting the pixel-store state that was left behind; turns OpenGL's bottom row first into top row first.
+/// Reads without trusting the pixel-store state that was left behind; turns OpenGL's bottom row first into top row
+/// first.
 template <class Cell>
 Grid<Cell> read(GLuint framebuffer, int width, int height, GLenum format, GLenum type)
 {
@@ -32,7 +33,8 @@ Grid<Cell> read(GLuint framebuffer, int width, int height, GLenum format, GLenum
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width, height, format, type, cells.cells.data());
     glPopClientAttrib();
-    for (int y = 0; y < height / 2; ++y) std::swap_ranges(&cells.at(0, y), &cells.at(0, y) + width, &cells.at(0, height - 1 - y));
+    for (int y = 0; y < height / 2; ++y)
+        std::swap_ranges(&cells.at(0, y), &cells.at(0, y) + width, &cells.at(0, height - 1 - y));
     return cells;
 }
 
@@ -41,7 +43,8 @@ Grid<Cell> read(GLuint framebuffer, int width, int height, GLenum format, GLenum
 Framebuffer::Framebuffer(int width, int height) : width_(width), height_(height)
 {
     if (width <= 0 || height <= 0)
-        throw std::invalid_argument("gl::Framebuffer: expected a size of at least 1 x 1, got " + std::to_string(width) + " x " + std::to_string(height));
+        throw std::invalid_argument("gl::Framebuffer: expected a size of at least 1 x 1, got " + std::to_string(width) +
+                                    " x " + std::to_string(height));
     glGenFramebuffers(1, &framebuffer_);
     glGenRenderbuffers(1, &color_);
     glGenRenderbuffers(1, &depth_);
@@ -49,8 +52,9 @@ Framebuffer::Framebuffer(int width, int height) : width_(width), height_(height)
     attach(color_, GL_RGBA8, GL_COLOR_ATTACHMENT0, width, height);
     attach(depth_, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, width, height);
     if (const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER); status != GL_FRAMEBUFFER_COMPLETE)
-        throw std::runtime_error("gl::Framebuffer: the driver refuses " + std::to_string(width) + " x " + std::to_string(height) +
-                                 " pixels of RGBA8 with depth (status " + std::to_string(status) + ")");
+        throw std::runtime_error("gl::Framebuffer: the driver refuses " + std::to_string(width) + " x " +
+                                 std::to_string(height) + " pixels of RGBA8 with depth (status " +
+                                 std::to_string(status) + ")");
 }
 
 Framebuffer::~Framebuffer()
@@ -78,8 +82,14 @@ void Framebuffer::clear(const glm::vec4& color) const
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-Image Framebuffer::read_pixels() const { return read<glm::u8vec4>(framebuffer_, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE); }
+Image Framebuffer::read_pixels() const
+{
+    return read<glm::u8vec4>(framebuffer_, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE);
+}
 
-Grid<float> Framebuffer::read_depth() const { return read<float>(framebuffer_, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT); }
+Grid<float> Framebuffer::read_depth() const
+{
+    return read<float>(framebuffer_, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT);
+}
 
 }

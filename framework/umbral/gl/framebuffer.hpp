@@ -10,7 +10,8 @@ namespace umbral::gl {
 /// Every graded picture is drawn into one of these, since the default framebuffer differs from it in a few pixels.
 class Framebuffer {
 public:
-    /// Makes it and binds it. Needs a current context; width and height > 0. Throws std::runtime_error if the driver refuses.
+    /// Makes it and binds it. Needs a current context; width and height > 0. Throws std::runtime_error if the driver
+    /// refuses.
     Framebuffer(int width, int height);
     Framebuffer(const Framebuffer&) = delete;
     Framebuffer& operator=(const Framebuffer&) = delete;
@@ -19,7 +20,8 @@ public:
     /// Draws from now on go here, over the whole size.
     void bind() const;
 
-    /// Binds it, and fills it with `color` (components in [0, 1]) and the largest depth. Undoes scissor and write masks first.
+    /// Binds it, and fills it with `color` (components in [0, 1]) and the largest depth. Undoes scissor and write masks
+    /// first.
     void clear(const glm::vec4& color = {0, 0, 0, 1}) const;
 
     /// What was drawn, top row first.

@@ -7,21 +7,25 @@ namespace {
 
 const Variable* find(const std::vector<Variable>& variables, const std::string& name)
 {
-    const auto found = std::find_if(variables.begin(), variables.end(), [&](const Variable& variable) { return variable.name == name; });
+    const auto found = std::find_if(variables.begin(), variables.end(),
+                                    [&](const Variable& variable) { return variable.name == name; });
     return found == variables.end() ? nullptr : &*found;
 }
 
-void compare(const std::string& kind, const std::vector<Variable>& expected, const std::vector<Variable>& actual, std::vector<std::string>& sentences)
+void compare(const std::string& kind, const std::vector<Variable>& expected, const std::vector<Variable>& actual,
+             std::vector<std::string>& sentences)
 {
     for (const Variable& variable : actual) {
         const Variable* wanted = find(expected, variable.name);
         if (wanted == nullptr) {
             std::string names;
             for (const Variable& known : expected) names += (names.empty() ? "" : ", ") + known.name;
-            sentences.push_back("your " + kind + " '" + declaration(variable) +
-                                "' is not part of the interface, so nothing gives it a value; expected one of: " + names);
+            sentences.push_back(
+                "your " + kind + " '" + declaration(variable) +
+                "' is not part of the interface, so nothing gives it a value; expected one of: " + names);
         } else if (wanted->type != variable.type || wanted->count < variable.count) {
-            sentences.push_back("your " + kind + " is declared '" + declaration(variable) + "', expected '" + declaration(*wanted) + "'");
+            sentences.push_back("your " + kind + " is declared '" + declaration(variable) + "', expected '" +
+                                declaration(*wanted) + "'");
         }
     }
 }

@@ -25,8 +25,8 @@ struct Interface {
 /// "vec3 light_color[8]": a variable as GLSL declares it.
 [[nodiscard]] std::string declaration(const Variable& variable);
 
-/// What is wrong with `actual`, one sentence for each variable: another type, an array that is too long, a name that nobody feeds.
-/// A variable that is missing is no mismatch, because compilers remove what a program does not use.
+/// What is wrong with `actual`, one sentence for each variable: another type, an array that is too long, a name that
+/// nobody feeds. A variable that is missing is no mismatch, because compilers remove what a program does not use.
 [[nodiscard]] std::vector<std::string> mismatches(const Interface& expected, const Interface& actual);
 
 /// Names in `expected` that `actual` lacks: never declared, or never used.

@@ -20,17 +20,21 @@ GLuint upload(GLenum target, std::span<const Item> items)
 void check(std::size_t positions, std::size_t normals, std::span<const std::uint32_t> indices)
 {
     if (normals != 0 && normals != positions)
-        throw std::invalid_argument("gl::Mesh: expected as many normals as positions (" + std::to_string(positions) + ") or none, got " +
-                                    std::to_string(normals));
-    if (indices.size() % 3 != 0) throw std::invalid_argument("gl::Mesh: expected three indices a triangle, got " + std::to_string(indices.size()) + " in all");
+        throw std::invalid_argument("gl::Mesh: expected as many normals as positions (" + std::to_string(positions) +
+                                    ") or none, got " + std::to_string(normals));
+    if (indices.size() % 3 != 0)
+        throw std::invalid_argument("gl::Mesh: expected three indices a triangle, got " +
+                                    std::to_string(indices.size()) + " in all");
     for (const std::uint32_t index : indices)
         if (index >= positions)
-            throw std::invalid_argument("gl::Mesh: expected indices below " + std::to_string(positions) + " (the positions), got " + std::to_string(index));
+            throw std::invalid_argument("gl::Mesh: expected indices below " + std::to_string(positions) +
+                                        " (the positions), got " + std::to_string(index));
 }
 
 }
 
-Mesh::Mesh(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, std::span<const std::uint32_t> indices)
+Mesh::Mesh(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+           std::span<const std::uint32_t> indices)
     : index_count_(static_cast<int>(indices.size()))
 {
     check(positions.size(), normals.size(), indices);

@@ -35,7 +35,8 @@ struct Context {
 
 Library load_library()
 {
-    const PrivateLibrary library("OSMesa, which draws off screen (Debian package libosmesa6; gone from Mesa 25.1 on),", {"libOSMesa.so.8", "libOSMesa.so.6"});
+    const PrivateLibrary library("OSMesa, which draws off screen (Debian package libosmesa6; gone from Mesa 25.1 on),",
+                                 {"libOSMesa.so.8", "libOSMesa.so.6"});
     Library found;
     library.find("OSMesaCreateContextAttribs", found.create);
     library.find("OSMesaMakeCurrent", found.make_current);
@@ -69,7 +70,9 @@ void* create()
                                        0};
     auto context = std::make_unique<Context>();
     context->handle = library().create(attributes.data(), nullptr);
-    if (context->handle == nullptr) throw std::runtime_error("OSMesa made no context: OpenGL 4.5, compatibility profile, is needed (Mesa 21 or later)");
+    if (context->handle == nullptr)
+        throw std::runtime_error(
+            "OSMesa made no context: OpenGL 4.5, compatibility profile, is needed (Mesa 21 or later)");
     context->pixels.resize(std::size_t{4} * default_size * default_size);
     return context.release();
 }
@@ -81,7 +84,8 @@ void make_current(void* handle)
         return;
     }
     auto* context = static_cast<Context*>(handle);
-    if (library().make_current(context->handle, context->pixels.data(), GL_UNSIGNED_BYTE, default_size, default_size) == GL_FALSE)
+    if (library().make_current(context->handle, context->pixels.data(), GL_UNSIGNED_BYTE, default_size, default_size) ==
+        GL_FALSE)
         throw std::runtime_error("OSMesa could not make its context current");
 }
 

@@ -97,6 +97,9 @@ unsigned type_size(unsigned type)
     }
 }
 
-unsigned pixel_size(unsigned format, unsigned type) { return is_packed(type) ? type_size(type) : components(format) * type_size(type); }
+unsigned pixel_size(unsigned format, unsigned type)
+{
+    return is_packed(type) ? type_size(type) : components(format) * type_size(type);
+}
 
 }

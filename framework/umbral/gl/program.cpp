@@ -85,7 +85,8 @@ Program::Program(const ShaderSource& vertex, const ShaderSource& fragment)
     GLint linked = GL_FALSE;
     glGetProgramiv(program_, GL_LINK_STATUS, &linked);
     if (linked == GL_TRUE) return;
-    const std::string message = vertex.file + " and " + fragment.file + " compile, but do not link:\n" + with_file_name(link_log(program_), "link");
+    const std::string message = vertex.file + " and " + fragment.file + " compile, but do not link:\n" +
+                                with_file_name(link_log(program_), "link");
     glDeleteProgram(program_);
     throw StudentError(StudentError::Kind::compile_error, message);
 }
@@ -99,13 +100,15 @@ void Program::use() const { glUseProgram(program_); }
 
 Interface Program::interface() const
 {
-    return {active_variables(program_, GL_ACTIVE_ATTRIBUTES, glGetActiveAttrib), active_variables(program_, GL_ACTIVE_UNIFORMS, glGetActiveUniform)};
+    return {active_variables(program_, GL_ACTIVE_ATTRIBUTES, glGetActiveAttrib),
+            active_variables(program_, GL_ACTIVE_UNIFORMS, glGetActiveUniform)};
 }
 
 void Program::require_interface(const Interface& expected) const
 {
     std::string message;
-    for (const std::string& sentence : mismatches(expected, interface())) message += (message.empty() ? "" : "\n") + sentence;
+    for (const std::string& sentence : mismatches(expected, interface()))
+        message += (message.empty() ? "" : "\n") + sentence;
     if (!message.empty()) throw StudentError(StudentError::Kind::interface_mismatch, message);
 }
 
@@ -119,11 +122,26 @@ int Program::attribute_location(const std::string& name) const { return glGetAtt
 
 void Program::set(const std::string& name, int value) const { glUniform1i(place(name), value); }
 void Program::set(const std::string& name, float value) const { glUniform1f(place(name), value); }
-void Program::set(const std::string& name, const glm::vec2& value) const { glUniform2fv(place(name), 1, glm::value_ptr(value)); }
-void Program::set(const std::string& name, const glm::vec3& value) const { glUniform3fv(place(name), 1, glm::value_ptr(value)); }
-void Program::set(const std::string& name, const glm::vec4& value) const { glUniform4fv(place(name), 1, glm::value_ptr(value)); }
-void Program::set(const std::string& name, const glm::mat3& value) const { glUniformMatrix3fv(place(name), 1, GL_FALSE, glm::value_ptr(value)); }
-void Program::set(const std::string& name, const glm::mat4& value) const { glUniformMatrix4fv(place(name), 1, GL_FALSE, glm::value_ptr(value)); }
+void Program::set(const std::string& name, const glm::vec2& value) const
+{
+    glUniform2fv(place(name), 1, glm::value_ptr(value));
+}
+void Program::set(const std::string& name, const glm::vec3& value) const
+{
+    glUniform3fv(place(name), 1, glm::value_ptr(value));
+}
+void Program::set(const std::string& name, const glm::vec4& value) const
+{
+    glUniform4fv(place(name), 1, glm::value_ptr(value));
+}
+void Program::set(const std::string& name, const glm::mat3& value) const
+{
+    glUniformMatrix3fv(place(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+void Program::set(const std::string& name, const glm::mat4& value) const
+{
+    glUniformMatrix4fv(place(name), 1, GL_FALSE, glm::value_ptr(value));
+}
 
 void Program::set(const std::string& name, std::span<const float> values) const
 {

@@ -28,8 +28,8 @@ public:
     /// Attributes and uniforms that the program really uses (built-in inputs such as gl_VertexID are left out).
     [[nodiscard]] Interface interface() const;
 
-    /// Throws StudentError(interface_mismatch) if the program has a variable that is not in `expected`, or has it with another type or
-    /// a longer array; the message names each. What the program lacks is no error: see missing_names.
+    /// Throws StudentError(interface_mismatch) if the program has a variable that is not in `expected`, or has it with
+    /// another type or a longer array; the message names each. What the program lacks is no error: see missing_names.
     void require_interface(const Interface& expected) const;
 
     /// Sets a uniform; the program becomes the one in use. A name that the program does not use is passed over.

@@ -53,7 +53,8 @@ std::string with_file_name(std::string_view log, std::string_view file)
         if (!result.empty()) result += '\n';
         result += renamed(line, file);
     }
-    if (count > maximum_lines) result.append("\n… and ").append(std::to_string(count - maximum_lines)).append(" lines more");
+    if (count > maximum_lines)
+        result.append("\n… and ").append(std::to_string(count - maximum_lines)).append(" lines more");
     return result;
 }
 

@@ -39,7 +39,8 @@ unsigned buffer_of(std::string_view function, const CallArguments& arguments)
 std::uint64_t parameter_of(unsigned buffer, GLenum what)
 {
     GLint64 value = 0;
-    if (direct(&glIsBuffer, "glIsBuffer")(buffer)) direct(&glGetNamedBufferParameteri64v, "glGetNamedBufferParameteri64v")(buffer, what, &value);
+    if (direct(&glIsBuffer, "glIsBuffer")(buffer))
+        direct(&glGetNamedBufferParameteri64v, "glGetNamedBufferParameteri64v")(buffer, what, &value);
     return value > 0 ? static_cast<std::uint64_t>(value) : 0;
 }
 
@@ -67,7 +68,8 @@ std::uint64_t SharedBuffers::moved_by(std::string_view function, const CallArgum
     const unsigned access = arguments.name(range ? 3 : 1);
     if (range ? (access & GL_MAP_WRITE_BIT) == 0 : access == GL_READ_ONLY) return 0;
     const std::uint64_t whole = parameter_of(buffer, GL_BUFFER_SIZE);
-    const std::uint64_t bytes = range ? std::min(whole, static_cast<std::uint64_t>(std::max(arguments.number(2), 0.0))) : whole;
+    const std::uint64_t bytes =
+        range ? std::min(whole, static_cast<std::uint64_t>(std::max(arguments.number(2), 0.0))) : whole;
     shared_[buffer] = {bytes, false, true};
     return bytes;
 }

@@ -10,11 +10,13 @@ namespace umbral::gl {
 
 #pragma GCC visibility push(hidden)
 
-/// Which buffers the application can write to without a call, from the one that maps or pins them until they are unmapped or gone.
+/// Which buffers the application can write to without a call, from the one that maps or pins them until they are
+/// unmapped or gone.
 ///
-/// What is mapped for writing counts whole when it is mapped, or when it is unmapped if the trace began in between. Parts that the
-/// application flushes by itself are no less: drawn by the processor, what was never flushed is seen too. What is still mapped when something
-/// is drawn counts again for each later draw and when it is unmapped, since nothing tells what was written in between.
+/// What is mapped for writing counts whole when it is mapped, or when it is unmapped if the trace began in between.
+/// Parts that the application flushes by itself are no less: drawn by the processor, what was never flushed is seen
+/// too. What is still mapped when something is drawn counts again for each later draw and when it is unmapped, since
+/// nothing tells what was written in between.
 class SharedBuffers {
 public:
     /// Takes note of a call that is about to be made, if it maps, unmaps or pins; the bytes that it moves.

@@ -61,16 +61,18 @@ void append_list(unsigned list, int depth)
     }
 }
 
-/// Bytes that a call copies from the application. Asks the context only where that is allowed in the middle of glBegin and glEnd, or where
-/// the call itself is not.
+/// Bytes that a call copies from the application. Asks the context only where that is allowed in the middle of glBegin
+/// and glEnd, or where the call itself is not.
 std::uint64_t bytes_of(const TracedCall& call, const FunctionRule* rule, const CallArguments& arguments)
 {
     if (rule == nullptr) return 0;
     if (rule->effect != Effect::draws && rule->effect != Effect::uploads && rule->effect != Effect::array) return 0;
-    if (rule->effect == Effect::draws && call.name != "glArrayElement" && !call.name.starts_with("glCallList") && !call.name.starts_with("glEval"))
+    if (rule->effect == Effect::draws && call.name != "glArrayElement" && !call.name.starts_with("glCallList") &&
+        !call.name.starts_with("glEval"))
         return client_bytes(call.name, arguments) + shared.moved_before_a_draw();
     const bool pixels = rule->size.kind == Size::Kind::picture || rule->size.kind == Size::Kind::bits;
-    if (!pixels || arguments.pointer(rule->size.pointer) != nullptr || !unpacks_from_a_buffer()) return upload_size(call.name, call.arguments);
+    if (!pixels || arguments.pointer(rule->size.pointer) != nullptr || !unpacks_from_a_buffer())
+        return upload_size(call.name, call.arguments);
     std::vector<double> from_the_beginning = call.arguments;
     from_the_beginning[rule->size.pointer] = 1;
     return upload_size(call.name, from_the_beginning);

@@ -12,7 +12,8 @@ namespace umbral::gl {
 struct TracedCall {
     std::string_view name;          ///< "glDrawArrays"; lives as long as the library
     std::vector<double> arguments;  ///< numbers as passed (enumerants too); a pointer counts as 0 if null, else 1
-    std::uint64_t bytes = 0;        ///< bytes read from the application by glBufferData, glTexImage2D and their relatives, else 0
+    std::uint64_t bytes =
+        0;  ///< bytes read from the application by glBufferData, glTexImage2D and their relatives, else 0
 };
 
 /// The OpenGL calls between two marks.
@@ -32,15 +33,15 @@ struct Trace {
     }
 };
 
-/// Starts recording every OpenGL call of the process; calls of this library's own classes are seen too, so mark only what shall count.
-/// Throws std::logic_error if a trace is already running.
+/// Starts recording every OpenGL call of the process; calls of this library's own classes are seen too, so mark only
+/// what shall count. Throws std::logic_error if a trace is already running.
 void begin_trace();
 
 /// Stops recording and returns what was seen. Throws std::logic_error if no trace is running.
 [[nodiscard]] Trace end_trace();
 
-/// Bytes that a call reads from the application's memory: 0 for functions that upload nothing, for a null pointer and for an unknown
-/// format. Rows of pictures are counted without padding. `arguments` as in TracedCall.
+/// Bytes that a call reads from the application's memory: 0 for functions that upload nothing, for a null pointer and
+/// for an unknown format. Rows of pictures are counted without padding. `arguments` as in TracedCall.
 [[nodiscard]] std::uint64_t upload_size(std::string_view name, const std::vector<double>& arguments);
 
 }

@@ -12,7 +12,10 @@ constexpr std::uint64_t largest = std::uint64_t{1} << 40U;
 
 std::uint64_t whole(double number) { return number > 0 ? static_cast<std::uint64_t>(std::min(number, 1e12)) : 0; }
 
-std::uint64_t product(std::uint64_t a, std::uint64_t b) { return a == 0 || b == 0 ? 0 : a > largest / b ? largest : a * b; }
+std::uint64_t product(std::uint64_t a, std::uint64_t b)
+{
+    return a == 0 || b == 0 ? 0 : a > largest / b ? largest : a * b;
+}
 
 unsigned digit(char c) { return c >= '1' && c <= '4' ? static_cast<unsigned>(c - '0') : 0; }
 
@@ -36,7 +39,9 @@ std::uint64_t upload_size(std::string_view name, const std::vector<double>& argu
     if (rule == nullptr || (rule->effect != Effect::uploads && rule->effect != Effect::array)) return 0;
     const Size& size = rule->size;
     const auto number = [&](std::size_t i) { return i < arguments.size() ? whole(arguments[i]) : 0; };
-    const auto type_at = [&](std::size_t i) { return static_cast<GLenum>(std::min<std::uint64_t>(number(i), 0xffffffffU)); };
+    const auto type_at = [&](std::size_t i) {
+        return static_cast<GLenum>(std::min<std::uint64_t>(number(i), 0xffffffffU));
+    };
     const bool given = number(size.pointer) != 0;
     switch (size.kind) {
         case Size::Kind::none: return 0;
@@ -49,7 +54,8 @@ std::uint64_t upload_size(std::string_view name, const std::vector<double>& argu
         }
         case Size::Kind::bits: return given ? product((number(size.first) + 7) / 8, number(size.first + 1)) : 0;
         case Size::Kind::items: {
-            const std::uint64_t rows = size.dimensions == 0 ? 1 : number(size.dimensions);  // of a grid of control points
+            const std::uint64_t rows =
+                size.dimensions == 0 ? 1 : number(size.dimensions);  // of a grid of control points
             return given ? product(product(number(size.first), rows), size.item) : 0;
         }
         case Size::Kind::fixed: return size.item;

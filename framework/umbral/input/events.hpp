@@ -7,7 +7,8 @@
 
 /// What a user does with mouse, keyboard and window, as data: written by hand, read from a script, or drawn at random.
 ///
-/// Places are in screen coordinates from the window's upper left corner, y downwards, as GLFW gives them. Buttons and keys have GLFW's numbers.
+/// Places are in screen coordinates from the window's upper left corner, y downwards, as GLFW gives them. Buttons and
+/// keys have GLFW's numbers.
 namespace umbral::input {
 
 /// A mouse button goes down or up. With a place, the pointer moves there first.
@@ -25,7 +26,8 @@ struct CursorMove {
     friend bool operator==(const CursorMove&, const CursorMove&) = default;
 };
 
-/// Steps of a wheel, or parts of steps of a touchpad: x to the left and right, y away from the user (positive) and towards.
+/// Steps of a wheel, or parts of steps of a touchpad: x to the left and right, y away from the user (positive) and
+/// towards.
 struct Scroll {
     glm::dvec2 offset{0};
     friend bool operator==(const Scroll&, const Scroll&) = default;
@@ -79,7 +81,8 @@ struct Close {
     friend bool operator==(const Close&, const Close&) = default;
 };
 
-using Event = std::variant<MouseButton, CursorMove, Scroll, Key, Character, Resize, Focus, CursorEnter, Iconify, Refresh, Close>;
+using Event =
+    std::variant<MouseButton, CursorMove, Scroll, Key, Character, Resize, Focus, CursorEnter, Iconify, Refresh, Close>;
 
 struct TimedEvent {
     double time = 0;  ///< seconds since the script began

@@ -1,6 +1,7 @@
 #pragma once
 
-// GLFW's own header without the OpenGL header that it would include: OpenGL's functions come from <umbral/gl/opengl.hpp>.
+// GLFW's own header without the OpenGL header that it would include: OpenGL's functions come from
+// <umbral/gl/opengl.hpp>.
 #ifndef GLFW_INCLUDE_NONE
 #define GLFW_INCLUDE_NONE
 #endif

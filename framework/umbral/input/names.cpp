@@ -80,11 +80,13 @@ std::optional<int> key_of(std::string_view name)
 {
     const std::string capitals = in_capitals(name);
     if (capitals.size() == 1 && (is_letter(capitals[0]) || is_plain(capitals[0]))) return capitals[0];
-    const auto* const found = std::find_if(long_names.begin(), long_names.end(), [&](const Named& named) { return named.first == capitals; });
+    const auto* const found =
+        std::find_if(long_names.begin(), long_names.end(), [&](const Named& named) { return named.first == capitals; });
     if (found != long_names.end()) return found->second;
     for (const Family& family : families)
         for (int number = family.first_number; number <= family.last_number; ++number)
-            if (capitals == std::string(family.prefix) + std::to_string(number)) return family.first_key + number - family.first_number;
+            if (capitals == std::string(family.prefix) + std::to_string(number))
+                return family.first_key + number - family.first_number;
     return std::nullopt;
 }
 

@@ -7,8 +7,9 @@
 /// Names of keys and buttons in event scripts.
 namespace umbral::input {
 
-/// GLFW's number of a key: "A" to "Z", "0" to "9", "F1" to "F25", "KP_0" to "KP_9", signs as "+" or ";" where the US keyboard has them on a key
-/// of their own ("-" and "="), and long names as "LEFT_SHIFT", "ESCAPE", "PAGE_UP". Case does not matter. None for other texts.
+/// GLFW's number of a key: "A" to "Z", "0" to "9", "F1" to "F25", "KP_0" to "KP_9", signs as "+" or ";" where the US
+/// keyboard has them on a key of their own ("-" and "="), and long names as "LEFT_SHIFT", "ESCAPE", "PAGE_UP". Case
+/// does not matter. None for other texts.
 [[nodiscard]] std::optional<int> key_of(std::string_view name);
 
 /// The name that gives this key back; empty for a number that is no key of GLFW's.

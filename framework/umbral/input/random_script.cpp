@@ -6,13 +6,19 @@
 namespace umbral::input {
 namespace {
 
-constexpr std::array modifiers = {GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_LEFT_ALT, GLFW_KEY_LEFT_SUPER};
-constexpr std::array keys = {GLFW_KEY_R, GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3, GLFW_KEY_4, GLFW_KEY_A, GLFW_KEY_SPACE, GLFW_KEY_UP, GLFW_KEY_F5};
+constexpr std::array modifiers = {GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_LEFT_ALT,
+                                  GLFW_KEY_LEFT_SUPER};
+constexpr std::array keys = {GLFW_KEY_R, GLFW_KEY_1,     GLFW_KEY_2,  GLFW_KEY_3, GLFW_KEY_4,
+                             GLFW_KEY_A, GLFW_KEY_SPACE, GLFW_KEY_UP, GLFW_KEY_F5};
 
-/// Draws one gesture after another onto a script. Numbers come from `random` only, in an order that depends on nothing else.
+/// Draws one gesture after another onto a script. Numbers come from `random` only, in an order that depends on nothing
+/// else.
 class Session {
 public:
-    Session(Random& random, const RandomScriptSettings& settings) : random_(random), settings_(settings), size_(settings.window), place_(somewhere()) {}
+    Session(Random& random, const RandomScriptSettings& settings)
+        : random_(random), settings_(settings), size_(settings.window), place_(somewhere())
+    {
+    }
 
     EventScript record()
     {
@@ -37,7 +43,10 @@ public:
 private:
     bool chance(std::uint32_t one_in) { return random_.below(one_in) == 0; }
 
-    double on_grid(double value, double cells) const { return settings_.fractions ? std::floor(value * cells) / cells : std::floor(value); }
+    double on_grid(double value, double cells) const
+    {
+        return settings_.fractions ? std::floor(value * cells) / cells : std::floor(value);
+    }
 
     void happens(const Event& event)
     {
@@ -78,8 +87,8 @@ private:
 
     void drag()
     {
-        constexpr std::array buttons = {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_RIGHT, GLFW_MOUSE_BUTTON_RIGHT,
-                                        GLFW_MOUSE_BUTTON_MIDDLE};
+        constexpr std::array buttons = {GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_LEFT, GLFW_MOUSE_BUTTON_RIGHT,
+                                        GLFW_MOUSE_BUTTON_RIGHT, GLFW_MOUSE_BUTTON_MIDDLE};
         place_ = somewhere();
         happens(CursorMove{place_});
         const int main = buttons[random_.below(buttons.size())];
@@ -134,7 +143,8 @@ private:
         const bool modified = chance(3);
         if (modified) happens(Key{modifier, Key::Action::press});
         happens(Key{key, Key::Action::press});
-        for (std::uint32_t repeats = chance(3) ? random_.below(4) : 0; repeats > 0; --repeats) happens(Key{key, Key::Action::repeat});
+        for (std::uint32_t repeats = chance(3) ? random_.below(4) : 0; repeats > 0; --repeats)
+            happens(Key{key, Key::Action::repeat});
         happens(Key{key, Key::Action::release});
         if (modified) happens(Key{modifier, Key::Action::release});
     }
@@ -157,6 +167,9 @@ private:
 
 }
 
-EventScript random_script(Random& random, const RandomScriptSettings& settings) { return Session(random, settings).record(); }
+EventScript random_script(Random& random, const RandomScriptSettings& settings)
+{
+    return Session(random, settings).record();
+}
 
 }

@@ -8,18 +8,24 @@
 namespace umbral::input {
 namespace {
 
-constexpr const char* kinds = "press, release, move, scroll, key, char, resize, focus, enter, iconify, refresh or close";
+constexpr const char* kinds =
+    "press, release, move, scroll, key, char, resize, focus, enter, iconify, refresh or close";
 
 /// One line, read word by word; every failure names the place.
 class LineReader {
 public:
-    LineReader(std::string_view line, std::string where) : where_(std::move(where)), words_(std::string(line.substr(0, line.find('#')))) { next(); }
+    LineReader(std::string_view line, std::string where)
+        : where_(std::move(where)), words_(std::string(line.substr(0, line.find('#'))))
+    {
+        next();
+    }
 
     [[nodiscard]] bool at_end() const { return word_.empty(); }
 
     [[noreturn]] void fail(const std::string& expected) const
     {
-        throw std::invalid_argument(where_ + ": expected " + expected + (at_end() ? ", got the end of the line" : ", got '" + word_ + "'"));
+        throw std::invalid_argument(where_ + ": expected " + expected +
+                                    (at_end() ? ", got the end of the line" : ", got '" + word_ + "'"));
     }
 
     std::string word(const std::string& expected)
@@ -35,7 +41,8 @@ public:
     {
         Number value{};
         const auto [end, error] = std::from_chars(word_.data(), word_.data() + word_.size(), value);
-        if (error != std::errc() || end != word_.data() + word_.size() || !(value >= low && value <= high)) fail(expected);
+        if (error != std::errc() || end != word_.data() + word_.size() || !(value >= low && value <= high))
+            fail(expected);
         next();
         return value;
     }
@@ -101,12 +108,16 @@ Event key(LineReader& line)
 {
     const int code = line.key();
     using Action = Key::Action;
-    return Key{code, line.one_of<Action>({{"press", Action::press}, {"repeat", Action::repeat}, {"release", Action::release}}, "press, repeat or release")};
+    return Key{code,
+               line.one_of<Action>({{"press", Action::press}, {"repeat", Action::repeat}, {"release", Action::release}},
+                                   "press, repeat or release")};
 }
 
 Event resize(LineReader& line)
 {
-    const auto size = [&](const char* what) { return line.number(std::string("a ") + what + ", a whole number from 0 to 32768", 0, 32768); };
+    const auto size = [&](const char* what) {
+        return line.number(std::string("a ") + what + ", a whole number from 0 to 32768", 0, 32768);
+    };
     const int width = size("width");
     return Resize{{width, size("height")}};
 }
@@ -120,7 +131,10 @@ Event read_event(LineReader& line)
          {"move", [](LineReader& rest) -> Event { return CursorMove{rest.pair("a place's")}; }},
          {"scroll", [](LineReader& rest) -> Event { return Scroll{rest.pair("an offset's")}; }},
          {"key", key},
-         {"char", [](LineReader& rest) -> Event { return Character{rest.number<std::uint32_t>("a Unicode number from 32 to 1114111", 32, 0x10FFFF)}; }},
+         {"char",
+          [](LineReader& rest) -> Event {
+              return Character{rest.number<std::uint32_t>("a Unicode number from 32 to 1114111", 32, 0x10FFFF)};
+          }},
          {"resize", resize},
          {"focus", [](LineReader& rest) -> Event { return Focus{on_or_off(rest)}; }},
          {"enter", [](LineReader& rest) -> Event { return CursorEnter{on_or_off(rest)}; }},
@@ -144,7 +158,8 @@ const char* switch_text(bool on) { return on ? "on" : "off"; }
 struct Writer {
     std::string operator()(const MouseButton& event) const
     {
-        return (event.pressed ? "press " : "release ") + name_of_button(event.button) + (event.placed ? " " + pair_text(event.place) : "");
+        return (event.pressed ? "press " : "release ") + name_of_button(event.button) +
+               (event.placed ? " " + pair_text(event.place) : "");
     }
     std::string operator()(const CursorMove& event) const { return "move " + pair_text(event.place); }
     std::string operator()(const Scroll& event) const { return "scroll " + pair_text(event.offset); }
@@ -153,11 +168,23 @@ struct Writer {
         constexpr const char* actions[] = {" release", " press", " repeat"};
         return "key " + name_of_key(event.key) + actions[static_cast<int>(event.action)];
     }
-    std::string operator()(const Character& event) const { return "char " + std::to_string(static_cast<std::uint32_t>(event.code_point)); }
-    std::string operator()(const Resize& event) const { return "resize " + std::to_string(event.size.x) + " " + std::to_string(event.size.y); }
+    std::string operator()(const Character& event) const
+    {
+        return "char " + std::to_string(static_cast<std::uint32_t>(event.code_point));
+    }
+    std::string operator()(const Resize& event) const
+    {
+        return "resize " + std::to_string(event.size.x) + " " + std::to_string(event.size.y);
+    }
     std::string operator()(const Focus& event) const { return std::string("focus ") + switch_text(event.gained); }
-    std::string operator()(const CursorEnter& event) const { return std::string("enter ") + switch_text(event.entered); }
-    std::string operator()(const Iconify& event) const { return std::string("iconify ") + switch_text(event.iconified); }
+    std::string operator()(const CursorEnter& event) const
+    {
+        return std::string("enter ") + switch_text(event.entered);
+    }
+    std::string operator()(const Iconify& event) const
+    {
+        return std::string("iconify ") + switch_text(event.iconified);
+    }
     std::string operator()(const Refresh&) const { return "refresh"; }
     std::string operator()(const Close&) const { return "close"; }
 };

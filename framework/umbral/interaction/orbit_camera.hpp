@@ -20,19 +20,22 @@ struct OrbitCameraSettings {
 
 /// A camera that turns round a point: modo orbital, or examinar.
 ///
-/// It stands at target + distance (cos pitch sin yaw, sin pitch, cos pitch cos yaw) and looks at the target, with the world's y axis up in the
-/// picture. **The scene follows the hand**: a drag to the right turns the front of the scene to the right, so the camera goes left, and its yaw
-/// falls; a drag up turns it up, so the camera goes down, and its pitch falls. Events with NaN or infinity are ignored as a whole.
-/// Course: modo orbital o examinar, CamaraOrbitalSimple.
+/// It stands at target + distance (cos pitch sin yaw, sin pitch, cos pitch cos yaw) and looks at the target, with the
+/// world's y axis up in the picture. **The scene follows the hand**: a drag to the right turns the front of the scene
+/// to the right, so the camera goes left, and its yaw falls; a drag up turns it up, so the camera goes down, and its
+/// pitch falls. Events with NaN or infinity are ignored as a whole. Course: modo orbital o examinar,
+/// CamaraOrbitalSimple.
 class OrbitCamera {
 public:
     virtual ~OrbitCamera() = default;
 
-    /// The pointer went `right` and `up` pixels with the button down. As many pixels as the viewport is high turn by π, in both directions.
-    /// Pitch stops at ±max_pitch: what a drag would turn farther is lost, so that the way back begins at once.
+    /// The pointer went `right` and `up` pixels with the button down. As many pixels as the viewport is high turn by π,
+    /// in both directions. Pitch stops at ±max_pitch: what a drag would turn farther is lost, so that the way back
+    /// begins at once.
     virtual void drag(double right, double up) = 0;
 
-    /// The wheel turned by `steps`, or parts of a step; > 0: nearer. Each divides the distance by 1.1; it stops at its limits.
+    /// The wheel turned by `steps`, or parts of a step; > 0: nearer. Each divides the distance by 1.1; it stops at its
+    /// limits.
     virtual void scroll(double steps) = 0;
 
     /// The viewport has another size in pixels. Sizes that are not positive, as of a minimised window, are ignored.
@@ -41,9 +44,9 @@ public:
     /// Back to where it began; the viewport stays.
     virtual void reset() = 0;
 
-    /// The matrix that takes the world to camera coordinates (the camera at the origin, looking along -z), at any moment.
-    /// Guarantee of the reference, for |target| up to 1e6 and after a million turns in 200,000 drags: rotation within 1e-7 in every entry, and
-    /// translation within 1e-7 of |target| + distance.
+    /// The matrix that takes the world to camera coordinates (the camera at the origin, looking along -z), at any
+    /// moment. Guarantee of the reference, for |target| up to 1e6 and after a million turns in 200,000 drags: rotation
+    /// within 1e-7 in every entry, and translation within 1e-7 of |target| + distance.
     [[nodiscard]] virtual glm::mat4 view() const = 0;
 };
 

@@ -14,25 +14,31 @@ enum class PlyFormat { ascii, little_endian, big_endian };
 
 /// Why a file is refused. If a file has several faults, the first one met when it is read from its beginning counts.
 enum class PlyProblem {
-    not_ply = 1,           ///< the first line is not "ply"
-    header = 2,            ///< a line of the header cannot be understood, contradicts an earlier one, or is missing (format, end_header)
-    missing_property = 3,  ///< no element vertex with single numbers x, y and z, or an element face without a list vertex_index or vertex_indices
+    not_ply = 1,  ///< the first line is not "ply"
+    header = 2,   ///< a line of the header cannot be understood, contradicts an earlier one, or is missing (format,
+                  ///< end_header)
+    missing_property = 3,  ///< no element vertex with single numbers x, y and z, or an element face without a list
+                           ///< vertex_index or vertex_indices
     truncated = 4,         ///< the data end before all elements are there
     left_over = 5,         ///< more data follow after the last element
     number = 6,            ///< a word is no number of its property's type, or a list has a negative length
     line_length = 7,       ///< ASCII: a line holds fewer or more numbers than its element has
-    index = 8,             ///< a corner of a face is no vertex: negative, not whole, or not less than the number of vertices
+    index = 8,  ///< a corner of a face is no vertex: negative, not whole, or not less than the number of vertices
 };
 
 /// What `read_ply` throws. The text says what was expected, what came, and where.
 class PlyError : public std::runtime_error {
 public:
-    PlyError(PlyProblem problem, std::size_t place, const std::string& text) : std::runtime_error("PLY: " + text), problem_(problem), place_(place) {}
+    PlyError(PlyProblem problem, std::size_t place, const std::string& text)
+        : std::runtime_error("PLY: " + text), problem_(problem), place_(place)
+    {
+    }
 
     [[nodiscard]] PlyProblem problem() const noexcept { return problem_; }
 
-    /// In the header and in ASCII data: the line, counted from 1. In binary data: the byte of the file, counted from 0, at which the value
-    /// begins that cannot be used. Not defined where something is missing (`missing_property`, `truncated`, a header without its end or format).
+    /// In the header and in ASCII data: the line, counted from 1. In binary data: the byte of the file, counted from 0,
+    /// at which the value begins that cannot be used. Not defined where something is missing (`missing_property`,
+    /// `truncated`, a header without its end or format).
     [[nodiscard]] std::size_t place() const noexcept { return place_; }
 
 private:
@@ -42,30 +48,33 @@ private:
 
 /// The mesh of a PLY file, ASCII or binary, as G. Turk's format 1.0 has it.
 ///
-/// **Header.** Lines end in "\n" or "\r\n"; words are separated by spaces and tabs. `ply` is the first line; `format`, `element`, `property`,
-/// `comment`, `obj_info` and `end_header` are the only keywords; `format` stands once, anywhere. Types are char, uchar, short, ushort, int,
-/// uint, float, double, and int8, uint8, int16, uint16, int32, uint32, float32, float64; a list's length has an integer type.
-/// Counts are at most 2^63 - 1. No two elements, and no two properties of an element, share a name.
+/// **Header.** Lines end in "\n" or "\r\n"; words are separated by spaces and tabs. `ply` is the first line; `format`,
+/// `element`, `property`, `comment`, `obj_info` and `end_header` are the only keywords; `format` stands once, anywhere.
+/// Types are char, uchar, short, ushort, int, uint, float, double, and int8, uint8, int16, uint16, int32, uint32,
+/// float32, float64; a list's length has an integer type. Counts are at most 2^63 - 1. No two elements, and no two
+/// properties of an element, share a name.
 ///
-/// **Elements** come in the header's order, faces may be first. Whatever is not x, y, z of `vertex`, or the first list called vertex_index or
-/// vertex_indices of `face`, is read over. There may be no element `face`. Elements without properties take no room at all.
+/// **Elements** come in the header's order, faces may be first. Whatever is not x, y, z of `vertex`, or the first list
+/// called vertex_index or vertex_indices of `face`, is read over. There may be no element `face`. Elements without
+/// properties take no room at all.
 ///
-/// **ASCII data**: one line an element; blank lines do not count. Integers are decimal; numbers of type float or double are decimal
-/// with an optional exponent, or inf, or nan; all may have a sign, + too. What is too large for its type is refused; what is too small becomes zero.
-/// The program's locale has no influence.
+/// **ASCII data**: one line an element; blank lines do not count. Integers are decimal; numbers of type float or double
+/// are decimal with an optional exponent, or inf, or nan; all may have a sign, + too. What is too large for its type is
+/// refused; what is too small becomes zero. The program's locale has no influence.
 ///
-/// **Numbers.** A decimal of type float is rounded to the nearest float, one of type double to the nearest double. Coordinates of other types than
-/// float are then rounded to float once; a double beyond float's range becomes infinite.
+/// **Numbers.** A decimal of type float is rounded to the nearest float, one of type double to the nearest double.
+/// Coordinates of other types than float are then rounded to float once; a double beyond float's range becomes
+/// infinite.
 ///
-/// Guarantees: takes time and memory in proportion to the file, whatever counts the file claims. Throws PlyError, and nothing else but
-/// std::bad_alloc.
-/// Course: "formato PLY".
+/// Guarantees: takes time and memory in proportion to the file, whatever counts the file claims. Throws PlyError, and
+/// nothing else but std::bad_alloc. Course: "formato PLY".
 [[nodiscard]] PolygonMesh read_ply(std::span<const std::byte> file);
 
 /// The mesh as a PLY file: `vertex` with float x, y, z, and `face` with a list vertex_indices.
 ///
-/// `read_ply` gives back the same mesh, bit for bit (a NaN comes back as some NaN), also faces of more than 255 corners. In ASCII each
-/// coordinate is the shortest decimal that does so ("0.1", not "0.100000001"). The program's locale has no influence.
+/// `read_ply` gives back the same mesh, bit for bit (a NaN comes back as some NaN), also faces of more than 255
+/// corners. In ASCII each coordinate is the shortest decimal that does so ("0.1", not "0.100000001"). The program's
+/// locale has no influence.
 [[nodiscard]] std::string write_ply(const PolygonMesh& mesh, PlyFormat format);
 
 }

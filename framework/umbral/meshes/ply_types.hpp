@@ -10,8 +10,9 @@ namespace umbral::meshes {
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 /// The names of the types, the traditional ones first: the place modulo 8 is the type.
-inline constexpr std::string_view ply_type_names[] = {"char", "uchar", "short", "ushort", "int",   "uint",   "float",   "double",
-                                                      "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
+inline constexpr std::string_view ply_type_names[] = {"char",  "uchar",  "short",   "ushort", "int",   "uint",
+                                                      "float", "double", "int8",    "uint8",  "int16", "uint16",
+                                                      "int32", "uint32", "float32", "float64"};
 
 /// The type of this name, if there is one.
 [[nodiscard]] inline std::optional<PlyType> ply_type(std::string_view name)
@@ -23,7 +24,8 @@ inline constexpr std::string_view ply_type_names[] = {"char", "uchar", "short", 
 
 /// Calls `use` with a zero of the C++ type: with_ply_type(PlyType::int16, use) is use(std::int16_t{}).
 ///
-/// For example, `with_ply_type(type, [](auto zero) { return sizeof zero; })` is how many bytes a number of this type takes.
+/// For example, `with_ply_type(type, [](auto zero) { return sizeof zero; })` is how many bytes a number of this type
+/// takes.
 template <class Use>
 auto with_ply_type(PlyType type, Use use)
 {

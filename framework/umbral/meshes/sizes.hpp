@@ -12,20 +12,19 @@ struct EntryBytes {
     std::uint64_t pointer = 8;
 };
 
-/// Bytes of a cube of k x k x k voxels, one bit each, without gaps but for the last byte: rounded up. k is at most 2^21.
-/// Course: problem 2.1 (a).
+/// Bytes of a cube of k x k x k voxels, one bit each, without gaps but for the last byte: rounded up. k is at most
+/// 2^21. Course: problem 2.1 (a).
 [[nodiscard]] std::uint64_t voxel_bytes(std::uint64_t k);
 
-/// Bytes of the two tables, vertices and triangles, of a sphere with k vertices in each meridian and k in each parallel, poles included (k of at
-/// least 2, at most 2^21).
+/// Bytes of the two tables, vertices and triangles, of a sphere with k vertices in each meridian and k in each
+/// parallel, poles included (k of at least 2, at most 2^21).
 ///
-/// k² vertices, also where they coincide at the poles. Between two parallels that follow one another there are k quadrilaterals, all round, of two
-/// triangles each.
-/// Course: problem 2.1 (b).
+/// k² vertices, also where they coincide at the poles. Between two parallels that follow one another there are k
+/// quadrilaterals, all round, of two triangles each. Course: problem 2.1 (b).
 [[nodiscard]] std::uint64_t sphere_mesh_bytes(std::uint64_t k, const EntryBytes& bytes = {});
 
-/// The smallest k, 2 or more, for which the sphere's mesh takes fewer bytes than its voxels. From there on it always does.
-/// Course: problem 2.1 (iv).
+/// The smallest k, 2 or more, for which the sphere's mesh takes fewer bytes than its voxels. From there on it always
+/// does. Course: problem 2.1 (iv).
 [[nodiscard]] std::uint64_t crossover_resolution(const EntryBytes& bytes = {});
 
 /// What a grid of `columns` x `rows` cells consists of, each cell of two triangles that share a diagonal.
@@ -38,9 +37,9 @@ struct GridCounts {
 
 /// Bytes of the same grid, written down in four ways.
 struct GridBytes {
-    std::uint64_t isolated;        ///< three vertices for each triangle
-    std::uint64_t indexed;         ///< a table of vertices, and three indices for each triangle
-    std::uint64_t strips;          ///< a strip for each row of cells, 2 columns + 2 vertices long, and the table of strips
+    std::uint64_t isolated;  ///< three vertices for each triangle
+    std::uint64_t indexed;   ///< a table of vertices, and three indices for each triangle
+    std::uint64_t strips;    ///< a strip for each row of cells, 2 columns + 2 vertices long, and the table of strips
     std::uint64_t indexed_strips;  ///< a table of vertices, the same strips but of indices, and the table of strips
 };
 

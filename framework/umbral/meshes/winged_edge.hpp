@@ -8,11 +8,12 @@
 
 namespace umbral::meshes {
 
-/// An entry of the edge table. Walking from `start` to `end`, seen from outside, one face is on the left and one on the right.
+/// An entry of the edge table. Walking from `start` to `end`, seen from outside, one face is on the left and one on the
+/// right.
 ///
-/// Faces are walked round counter-clockwise: the left one along this edge from start to end, the right one from end to start. So `left_next` begins at `end`,
-/// and `right_next` begins at `start`.
-/// Course: vi, vf; ti, td; aai, asi; aad, asd.
+/// Faces are walked round counter-clockwise: the left one along this edge from start to end, the right one from end to
+/// start. So `left_next` begins at `end`, and `right_next` begins at `start`. Course: vi, vf; ti, td; aai, asi; aad,
+/// asd.
 struct WingedEdge {
     std::uint32_t start, end;
     std::uint32_t left, right;                 ///< faces
@@ -20,9 +21,9 @@ struct WingedEdge {
     std::uint32_t right_previous, right_next;  ///< the edges before and after this one round the right face
 };
 
-/// The three tables of winged edges. The course leaves the choice of start and end, and of one edge for each vertex and face; here they are fixed, so that
-/// there is one answer: start < end, the edges are sorted by (start, end), and each vertex and face has the smallest of its edges.
-/// Course: "tari", "taver", "tatri".
+/// The three tables of winged edges. The course leaves the choice of start and end, and of one edge for each vertex and
+/// face; here they are fixed, so that there is one answer: start < end, the edges are sorted by (start, end), and each
+/// vertex and face has the smallest of its edges. Course: "tari", "taver", "tatri".
 struct WingedMesh {
     std::vector<WingedEdge> edges;
     std::vector<std::uint32_t> edge_of_vertex;
@@ -39,7 +40,8 @@ enum class WingedFault {
     pinched_vertex = 6,   ///< the faces of a vertex are not one ring, but several
 };
 
-/// The first of the faults, and where: the face or vertex of the smallest number (then a = b), or the edge (a, b), a < b, with the smallest a, then b.
+/// The first of the faults, and where: the face or vertex of the smallest number (then a = b), or the edge (a, b), a <
+/// b, with the smallest a, then b.
 struct NotWinged {
     WingedFault fault;
     std::uint32_t a, b;
@@ -47,13 +49,14 @@ struct NotWinged {
 
 /// The winged edges of a closed, coherently wound 2-manifold, or why it is none.
 ///
-/// Any faces will do: nothing is asked of the mesh before. Two faces may have all their vertices in common. An empty mesh has empty tables.
-/// Takes time in proportion to vertices plus corners, also where a vertex has thousands of edges.
-/// Course: "estructura de aristas aladas".
+/// Any faces will do: nothing is asked of the mesh before. Two faces may have all their vertices in common. An empty
+/// mesh has empty tables. Takes time in proportion to vertices plus corners, also where a vertex has thousands of
+/// edges. Course: "estructura de aristas aladas".
 [[nodiscard]] std::variant<WingedMesh, NotWinged> winged_edges(const PolygonMesh& mesh);
 
-// Questions about a mesh with winged edges, each answered in time proportional to the answer. Lists are counter-clockwise seen from outside, and begin at
-// the edge that the table gives for the face or vertex. Faces and vertices must exist.
+// Questions about a mesh with winged edges, each answered in time proportional to the answer. Lists are
+// counter-clockwise seen from outside, and begin at the edge that the table gives for the face or vertex. Faces and
+// vertices must exist.
 
 /// The edges round a face.
 [[nodiscard]] std::vector<std::uint32_t> edges_round_face(const WingedMesh& mesh, std::uint32_t face);

@@ -37,9 +37,11 @@ public:
     /// What is drawn from now on is drawn by this program.
     virtual void use() = 0;
 
-    /// Sets a uniform of *this* program, whichever program is in use; that one stays in use. Matrices have GLM's order, column by column.
+    /// Sets a uniform of *this* program, whichever program is in use; that one stays in use. Matrices have GLM's order,
+    /// column by column.
     ///
-    /// Returns false, and does nothing, if the program has no such uniform or does not use it. The type must be the uniform's.
+    /// Returns false, and does nothing, if the program has no such uniform or does not use it. The type must be the
+    /// uniform's.
     virtual bool set(const std::string& name, int value) = 0;  ///< int, bool, or a sampler's texture unit
     virtual bool set(const std::string& name, float value) = 0;
     virtual bool set(const std::string& name, const glm::vec3& value) = 0;
@@ -48,7 +50,8 @@ public:
     virtual bool set(const std::string& name, const glm::mat4& value) = 0;
 };
 
-/// Compiles the vertex shader, then the fragment shader, links them, and deletes the shaders: a program does not need them any more.
+/// Compiles the vertex shader, then the fragment shader, links them, and deletes the shaders: a program does not need
+/// them any more.
 ///
 /// Throws ShaderError at the first step that fails; then no object of OpenGL is left. The program in use stays in use.
 /// Course: CompilarShader, VerErroresCompilar, VerErroresEnlazar, CauceProgramable::CauceProgramable.
@@ -62,10 +65,13 @@ public:
 /// With switches for light and texture.
 ///
 /// - Attributes: vec3 position, vec3 normal (unit), vec3 color, vec2 tex_coord.
-/// - Uniforms: mat4 modelview; mat4 projection; mat3 normal_matrix, for normals, object to eye; vec3 light, a unit vector towards the light in eye
+/// - Uniforms: mat4 modelview; mat4 projection; mat3 normal_matrix, for normals, object to eye; vec3 light, a unit
+/// vector towards the light in eye
 ///   coordinates; sampler2D image; int lighting, flat_shading, textured, each 0 or 1.
-/// - The colour c is the image's at tex_coord if textured is 1, else the interpolated color. If lighting is 1 it is c (0.25 + 0.75 max(0, n·light)).
-/// - The unit vector n is the interpolated normal, normalised again; or, if flat_shading is 1, the triangle's own normal that points to the viewer.
+/// - The colour c is the image's at tex_coord if textured is 1, else the interpolated color. If lighting is 1 it is c
+/// (0.25 + 0.75 max(0, n·light)).
+/// - The unit vector n is the interpolated normal, normalised again; or, if flat_shading is 1, the triangle's own
+/// normal that points to the viewer.
 ///
 /// Course: the larger shaders, with eval_mil, sombr_plano and eval_text.
 [[nodiscard]] ShaderTexts lit_shaders();

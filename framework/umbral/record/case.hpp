@@ -8,7 +8,8 @@
 
 namespace umbral {
 
-/// What a driver is given to run one case: its name, random numbers from this case's seed, and the text of files that are not C++.
+/// What a driver is given to run one case: its name, random numbers from this case's seed, and the text of files that
+/// are not C++.
 struct Case {
     std::string name;
     Random random;
@@ -18,7 +19,8 @@ struct Case {
     [[nodiscard]] const std::string& source(std::string_view file) const
     {
         const auto found = sources.find(file);
-        if (found == sources.end()) throw std::out_of_range("case '" + name + "': no source file named '" + std::string(file) + "'");
+        if (found == sources.end())
+            throw std::out_of_range("case '" + name + "': no source file named '" + std::string(file) + "'");
         return found->second;
     }
 };

@@ -22,6 +22,9 @@ bool cost_is_wanted(const Recorder& out, std::string_view table)
 }
 
 // What the compiler calls at the beginning of each basic block.
-extern "C" void __sanitizer_cov_trace_pc() { ++blocks; }  // NOLINT(bugprone-reserved-identifier): the compiler chose the name
+extern "C" void __sanitizer_cov_trace_pc()
+{
+    ++blocks;
+}  // NOLINT(bugprone-reserved-identifier): the compiler chose the name
 
 }

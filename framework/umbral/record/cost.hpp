@@ -9,11 +9,13 @@
 
 namespace umbral {
 
-/// How many basic blocks of counted code have run in this process. Counted are the tenants of units with a check of the judge "cost",
-/// which are compiled with -fsanitize-coverage=trace-pc; the library functions that they call are not.
+/// How many basic blocks of counted code have run in this process. Counted are the solutions of units with a check of
+/// the judge "cost", which are compiled with -fsanitize-coverage=trace-pc; the library functions that they call are
+/// not.
 [[nodiscard]] std::uint64_t blocks_executed() noexcept;
 
-/// One table of costs, and how many of its sizes are worked on: what a run is asked for whose work is measured from outside.
+/// One table of costs, and how many of its sizes are worked on: what a run is asked for whose work is measured from
+/// outside.
 struct CostLimit {
     std::string table;
     std::size_t sizes = 0;
@@ -25,8 +27,8 @@ void limit_costs(CostLimit limit);
 /// Is the next row of this table of costs to be worked on? Yes, unless a limit leaves it out.
 [[nodiscard]] bool cost_is_wanted(const Recorder& out, std::string_view table);
 
-/// Runs `work`, the unit on a problem of this size, and records what it took as the row (size, blocks) of the table `name`. Does neither
-/// where cost_is_wanted says no.
+/// Runs `work`, the unit on a problem of this size, and records what it took as the row (size, blocks) of the table
+/// `name`. Does neither where cost_is_wanted says no.
 template <class Work>
 void record_cost(Recorder& out, std::string_view name, std::size_t size, Work&& work)
 {

@@ -23,8 +23,10 @@ Tensor& Recorder::row(std::string_view name, Element element, std::uint32_t comp
         found = tensors_.emplace(std::string(name), Tensor{element, 0, 1, components, {}, {}}).first;
     } else {
         const Tensor& tensor = found->second;
-        if (tensor.element != element || tensor.components != components || tensor.columns != 1 || optional == tensor.present.empty())
-            throw std::logic_error("Recorder: '" + std::string(name) + "' was recorded before with another type or shape");
+        if (tensor.element != element || tensor.components != components || tensor.columns != 1 ||
+            optional == tensor.present.empty())
+            throw std::logic_error("Recorder: '" + std::string(name) +
+                                   "' was recorded before with another type or shape");
     }
     ++found->second.rows;
     return found->second;
@@ -32,14 +34,38 @@ Tensor& Recorder::row(std::string_view name, Element element, std::uint32_t comp
 
 void Recorder::append(std::string_view name, float value) { add_bytes(row(name, Element::float32, 1, false), value); }
 void Recorder::append(std::string_view name, double value) { add_bytes(row(name, Element::float64, 1, false), value); }
-void Recorder::append(std::string_view name, std::int32_t value) { add_bytes(row(name, Element::int32, 1, false), value); }
-void Recorder::append(std::string_view name, std::uint32_t value) { add_bytes(row(name, Element::uint32, 1, false), value); }
-void Recorder::append(std::string_view name, glm::vec2 value) { add_bytes(row(name, Element::float32, 2, false), value); }
-void Recorder::append(std::string_view name, glm::vec3 value) { add_bytes(row(name, Element::float32, 3, false), value); }
-void Recorder::append(std::string_view name, glm::vec4 value) { add_bytes(row(name, Element::float32, 4, false), value); }
-void Recorder::append(std::string_view name, glm::dvec2 value) { add_bytes(row(name, Element::float64, 2, false), value); }
-void Recorder::append(std::string_view name, const glm::mat3& value) { add_bytes(row(name, Element::float32, 9, false), value); }
-void Recorder::append(std::string_view name, const glm::mat4& value) { add_bytes(row(name, Element::float32, 16, false), value); }
+void Recorder::append(std::string_view name, std::int32_t value)
+{
+    add_bytes(row(name, Element::int32, 1, false), value);
+}
+void Recorder::append(std::string_view name, std::uint32_t value)
+{
+    add_bytes(row(name, Element::uint32, 1, false), value);
+}
+void Recorder::append(std::string_view name, glm::vec2 value)
+{
+    add_bytes(row(name, Element::float32, 2, false), value);
+}
+void Recorder::append(std::string_view name, glm::vec3 value)
+{
+    add_bytes(row(name, Element::float32, 3, false), value);
+}
+void Recorder::append(std::string_view name, glm::vec4 value)
+{
+    add_bytes(row(name, Element::float32, 4, false), value);
+}
+void Recorder::append(std::string_view name, glm::dvec2 value)
+{
+    add_bytes(row(name, Element::float64, 2, false), value);
+}
+void Recorder::append(std::string_view name, const glm::mat3& value)
+{
+    add_bytes(row(name, Element::float32, 9, false), value);
+}
+void Recorder::append(std::string_view name, const glm::mat4& value)
+{
+    add_bytes(row(name, Element::float32, 16, false), value);
+}
 
 void Recorder::append(std::string_view name, std::optional<float> value)
 {
@@ -50,14 +76,20 @@ void Recorder::append(std::string_view name, std::optional<float> value)
 
 void Recorder::append(std::string_view name, std::span<const float> values)
 {
-    if (values.empty()) throw std::logic_error("Recorder: '" + std::string(name) + "': expected a row of at least one number, got an empty one");
+    if (values.empty())
+        throw std::logic_error("Recorder: '" + std::string(name) +
+                               "': expected a row of at least one number, got an empty one");
     Tensor& tensor = row(name, Element::float32, static_cast<std::uint32_t>(values.size()), false);
     for (const float value : values) add_bytes(tensor, value);
 }
 
-void Recorder::text(std::string_view name, std::string_view text) { whole(name, Element::uint8, 1, static_cast<int>(text.size()), 1, text.data()); }
+void Recorder::text(std::string_view name, std::string_view text)
+{
+    whole(name, Element::uint8, 1, static_cast<int>(text.size()), 1, text.data());
+}
 
-void Recorder::whole(std::string_view name, Element element, int width, int height, std::uint32_t components, const void* data)
+void Recorder::whole(std::string_view name, Element element, int width, int height, std::uint32_t components,
+                     const void* data)
 {
     Tensor tensor{element, static_cast<std::uint32_t>(height), static_cast<std::uint32_t>(width), components, {}, {}};
     tensor.bytes.resize(tensor.count() * size_of(element));
@@ -78,6 +110,9 @@ void Recorder::buffer(std::string_view name, const Grid<std::uint32_t>& cells)
 {
     whole(name, Element::uint32, cells.width, cells.height, 1, cells.cells.data());
 }
-void Recorder::buffer(std::string_view name, const Grid<float>& cells) { whole(name, Element::float32, cells.width, cells.height, 1, cells.cells.data()); }
+void Recorder::buffer(std::string_view name, const Grid<float>& cells)
+{
+    whole(name, Element::float32, cells.width, cells.height, 1, cells.cells.data());
+}
 
 }

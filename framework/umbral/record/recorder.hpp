@@ -14,7 +14,7 @@ namespace umbral {
 
 /// Takes down what a driver observes: raw outputs under names, never a verdict of its own.
 ///
-/// What was recorded is testimony, since the student's code shares the address space: the grader computes from it
+/// What was recorded proves nothing, since the student's code shares the address space: the grader computes from it
 /// everything that has a known right value. Throws std::logic_error if one name is used with two types or shapes.
 class Recorder {
 public:
@@ -50,7 +50,8 @@ public:
 
 private:
     Tensor& row(std::string_view name, Element element, std::uint32_t components, bool optional);
-    void whole(std::string_view name, Element element, int width, int height, std::uint32_t components, const void* data);
+    void whole(std::string_view name, Element element, int width, int height, std::uint32_t components,
+               const void* data);
 
     Tensors tensors_;
 };

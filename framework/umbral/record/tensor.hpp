@@ -25,10 +25,10 @@ enum class Element : std::uint32_t { float32 = 1, float64 = 2, int32 = 3, uint32
 
 /// One observation under one name: a table of values, or a picture.
 ///
-/// Shape: `rows` x `columns` x `components`, stored row by row, the components of a cell together. A list of n vectors is
-/// n x 1 x 3, a list of n matrices n x 1 x 16 (column-major, as GLM), a picture height x width x channels (top row first).
-/// `present` is empty where every cell has a value; otherwise it holds one byte a cell, 0 where there is none (std::nullopt),
-/// and the bytes of an absent cell are 0.
+/// Shape: `rows` x `columns` x `components`, stored row by row, the components of a cell together. A list of n vectors
+/// is n x 1 x 3, a list of n matrices n x 1 x 16 (column-major, as GLM), a picture height x width x channels (top row
+/// first). `present` is empty where every cell has a value; otherwise it holds one byte a cell, 0 where there is none
+/// (std::nullopt), and the bytes of an absent cell are 0.
 struct Tensor {
     Element element = Element::float32;
     std::uint32_t rows = 0;

@@ -6,7 +6,8 @@
 #include <type_traits>
 #include <umbral/record/recorder.hpp>
 
-/// How a run hands its recording to the grader: one shared file that begins with a Header; tensors follow at `tensors_offset`.
+/// How a run hands its recording to the grader: one shared file that begins with a Header; tensors follow at
+/// `tensors_offset`.
 ///
 /// The run writes it, so every byte may be hostile: only grader/model/recording.cpp reads it, and it believes nothing.
 namespace umbral::wire {
@@ -62,7 +63,8 @@ struct TensorHeader {
 
 [[nodiscard]] constexpr std::size_t padded(std::size_t size) noexcept { return (size + 7U) & ~std::size_t{7}; }
 
-/// Writes all tensors into `room`; returns the bytes used. Throws std::length_error if they do not fit or a name is too long.
+/// Writes all tensors into `room`; returns the bytes used. Throws std::length_error if they do not fit or a name is too
+/// long.
 std::size_t write_tensors(const Recorder::Tensors& tensors, std::span<std::byte> room);
 
 }

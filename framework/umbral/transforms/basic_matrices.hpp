@@ -6,8 +6,9 @@
 
 namespace umbral::transforms {
 
-// The usual matrices of the course, for column vectors: the point p becomes M · p, and the last row is 0 0 0 1. Coordinates are numbered
-// 0, 1, 2 for x, y, z. Angles are in radians; a rotation is counter-clockwise for whoever looks from the tip of its axis at the origin.
+// The usual matrices of the course, for column vectors: the point p becomes M · p, and the last row is 0 0 0 1.
+// Coordinates are numbered 0, 1, 2 for x, y, z. Angles are in radians; a rotation is counter-clockwise for whoever
+// looks from the tip of its axis at the origin.
 
 /// Tra[d]: moves points by `offset`, and leaves free vectors alone. Course: MAT_Traslacion.
 [[nodiscard]] glm::mat4 translation_matrix(const glm::vec3& offset);
@@ -15,7 +16,8 @@ namespace umbral::transforms {
 /// Esc[s]: multiplies each coordinate by its factor, which may be negative (a mirror) or 0. Course: MAT_Escalado.
 [[nodiscard]] glm::mat4 scaling_matrix(const glm::vec3& factors);
 
-/// Ciz: adds `amount` times the coordinate `by` to the coordinate `moved`; the two are different. shear_matrix(0, 1, a) is Ciz_xy[a].
+/// Ciz: adds `amount` times the coordinate `by` to the coordinate `moved`; the two are different. shear_matrix(0, 1, a)
+/// is Ciz_xy[a].
 [[nodiscard]] glm::mat4 shear_matrix(int moved, int by, float amount);
 
 /// Rot_x, Rot_y, Rot_z: the elementary rotations.

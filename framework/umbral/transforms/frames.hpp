@@ -6,8 +6,8 @@
 
 namespace umbral::transforms {
 
-/// A frame of reference: three vectors and an origin, all in coordinates of the world, whose own frame is Cartesian. They may have any
-/// lengths and angles.
+/// A frame of reference: three vectors and an origin, all in coordinates of the world, whose own frame is Cartesian.
+/// They may have any lengths and angles.
 struct Frame {
     glm::vec3 x;
     glm::vec3 y;
@@ -27,22 +27,24 @@ enum class FrameKind : std::int32_t {
 /// The matrix from coordinates in the frame to those in the world: the course's M_{W,F}, whose columns are the frame.
 [[nodiscard]] glm::mat4 frame_matrix(const Frame& frame);
 
-/// The matrix from coordinates in the world to those in the frame, which may be any that is not degenerate. The reference rounds once.
+/// The matrix from coordinates in the world to those in the frame, which may be any that is not degenerate. The
+/// reference rounds once.
 [[nodiscard]] glm::mat4 inverse_of_frame(const Frame& frame);
 
-/// The same for a Cartesian frame, by the transpose: no division, no determinant. What it makes of other frames is not asked.
+/// The same for a Cartesian frame, by the transpose: no division, no determinant. What it makes of other frames is not
+/// asked.
 [[nodiscard]] glm::mat4 inverse_of_cartesian(const Frame& frame);
 
-/// The matrix from coordinates in `from` to coordinates in `to`. The reference rounds once, so that two frames that are far away from the
-/// world's origin and near each other are seen as near each other.
+/// The matrix from coordinates in `from` to coordinates in `to`. The reference rounds once, so that two frames that are
+/// far away from the world's origin and near each other are seen as near each other.
 [[nodiscard]] glm::mat4 between_frames(const Frame& from, const Frame& to);
 
-/// 1 for a right-handed frame, -1 for a left-handed one, 0 for a degenerate one: the sign of the determinant of its vectors.
-/// Exact for all finite floats.
+/// 1 for a right-handed frame, -1 for a left-handed one, 0 for a degenerate one: the sign of the determinant of its
+/// vectors. Exact for all finite floats.
 [[nodiscard]] int orientation(const Frame& frame);
 
-/// What the frame is. Two vectors count as perpendicular if the cosine of their angle is at most 1e-4, and as unit if their length is
-/// within 1e-4 of 1.
+/// What the frame is. Two vectors count as perpendicular if the cosine of their angle is at most 1e-4, and as unit if
+/// their length is within 1e-4 of 1.
 [[nodiscard]] FrameKind classify_frame(const Frame& frame);
 
 }

@@ -22,12 +22,15 @@ enum class Primitive : std::uint32_t {
     cylinder = 2,     ///< radius 1, from y = 0 to y = 1
 };
 
-/// What drawing functions draw with: a modelview matrix M with its stack, a colour, a line width, and a few things to draw.
+/// What drawing functions draw with: a modelview matrix M with its stack, a colour, a line width, and a few things to
+/// draw.
 ///
-/// All that is drawn goes through M as it is at that moment: a place p of the object is seen at M · p. The course's Cauce: behind it may be OpenGL's fixed
-/// function, a program with uniforms, or a list of what was asked for; a drawing function cannot tell.
+/// All that is drawn goes through M as it is at that moment: a place p of the object is seen at M · p. The course's
+/// Cauce: behind it may be OpenGL's fixed function, a program with uniforms, or a list of what was asked for; a drawing
+/// function cannot tell.
 ///
-/// A function is *neutral* if it leaves matrix, depth of the stack, colour and line width as it found them. Figures are neutral.
+/// A function is *neutral* if it leaves matrix, depth of the stack, colour and line width as it found them. Figures are
+/// neutral.
 class Pipeline {
 public:
     virtual ~Pipeline() = default;
@@ -41,7 +44,8 @@ public:
     /// M := the top of the stack, which is taken off (popMM, glPopMatrix). Throws EmptyStack.
     virtual void pop() = 0;
 
-    /// What is drawn from now on has this colour, red, green, blue in [0, 1]. Not part of the stack: push and pop leave it alone.
+    /// What is drawn from now on has this colour, red, green, blue in [0, 1]. Not part of the stack: push and pop leave
+    /// it alone.
     virtual void set_color(const glm::vec3& color) = 0;
     [[nodiscard]] virtual glm::vec3 color() const = 0;
     /// In pixels; not part of the stack either.
@@ -50,9 +54,11 @@ public:
     /// What the picture was cleared with.
     [[nodiscard]] virtual glm::vec3 background() const = 0;
 
-    /// Lines from each place to the next, in the plane z = 0: open, so the last place is not joined with the first (GL_LINE_STRIP).
+    /// Lines from each place to the next, in the plane z = 0: open, so the last place is not joined with the first
+    /// (GL_LINE_STRIP).
     virtual void draw_polyline(std::span<const glm::vec2> places) = 0;
-    /// Filled triangles in the plane z = 0, three corners each, in any sense of rotation (GL_TRIANGLES). Later ones lie on top.
+    /// Filled triangles in the plane z = 0, three corners each, in any sense of rotation (GL_TRIANGLES). Later ones lie
+    /// on top.
     virtual void fill_triangles(std::span<const glm::vec2> corners) = 0;
     /// A solid, lit.
     virtual void draw(Primitive primitive) = 0;

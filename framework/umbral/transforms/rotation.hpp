@@ -8,8 +8,9 @@ namespace umbral::transforms {
 
 /// A turn by `angle` radians about the line through the origin along `axis`.
 ///
-/// Counter-clockwise seen from the tip of the axis, looking at the origin (right-hand rule). Only the direction of the axis
-/// counts: it may have any length. A turn turns nothing if its axis is zero, or if any of its numbers is not finite.
+/// Counter-clockwise seen from the tip of the axis, looking at the origin (right-hand rule). Only the direction of the
+/// axis counts: it may have any length. A turn turns nothing if its axis is zero, or if any of its numbers is not
+/// finite.
 struct AxisAngle {
     glm::vec3 axis;
     float angle;
@@ -23,7 +24,8 @@ struct AxisAngle {
 /// Course: MAT_Rotacion, but in radians.
 [[nodiscard]] glm::mat4 rotation_matrix(const AxisAngle& turn);
 
-/// The matrix of many turns, the first one first, all about axes of the world: M = M_n · … · M_2 · M_1; the identity for none.
+/// The matrix of many turns, the first one first, all about axes of the world: M = M_n · … · M_2 · M_1; the identity
+/// for none.
 ///
 /// Made for chains of millions of small turns: no length, angle or direction drifts.
 /// Course: "composición de transformaciones"; the drift of products of matrices.

@@ -10,10 +10,12 @@ namespace umbral::transforms {
 /// The axes of the world.
 enum class WorldAxis : std::int32_t { x = 0, y = 1, z = 2 };
 
-/// An elementary rotation, Rot_x, Rot_y or Rot_z, about an axis of the world: counter-clockwise for whoever looks from the tip of the axis at the
-/// origin. In **degrees**, as in the course's MAT_Rotacion: any finite number, any number of times round, to either side.
+/// An elementary rotation, Rot_x, Rot_y or Rot_z, about an axis of the world: counter-clockwise for whoever looks from
+/// the tip of the axis at the origin. In **degrees**, as in the course's MAT_Rotacion: any finite number, any number of
+/// times round, to either side.
 ///
-/// A turn by a multiple of 90 degrees is exact: it exchanges coordinates and changes signs, and rounds nothing, however often it goes round.
+/// A turn by a multiple of 90 degrees is exact: it exchanges coordinates and changes signs, and rounds nothing, however
+/// often it goes round.
 struct ElementaryTurn {
     WorldAxis axis;
     float degrees;

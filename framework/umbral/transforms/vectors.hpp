@@ -5,8 +5,8 @@
 
 namespace umbral::transforms {
 
-// Vectors by their coordinates in a Cartesian frame. All finite floats are allowed, from the smallest to the largest, as long as the
-// result is a float. Names differ from GLM's so that nobody calls one for the other.
+// Vectors by their coordinates in a Cartesian frame. All finite floats are allowed, from the smallest to the largest,
+// as long as the result is a float. Names differ from GLM's so that nobody calls one for the other.
 
 /// a·b = a.x b.x + a.y b.y + a.z b.z. The reference is off by half an ulp and 2^-52 |a||b|.
 /// Course: "cálculo del producto escalar", problem 1.8.
@@ -29,8 +29,8 @@ namespace umbral::transforms {
 /// The part of `a` along `b`, ((a·b) / (b·b)) b; null if `b` is null.
 [[nodiscard]] glm::vec3 parallel_part(const glm::vec3& a, const glm::vec3& b);
 
-/// The part of `a` across `b`: what is left of `a` without its parallel part; `a` itself if `b` is null. Its error is small beside its
-/// own length, however little is left.
+/// The part of `a` across `b`: what is left of `a` without its parallel part; `a` itself if `b` is null. Its error is
+/// small beside its own length, however little is left.
 [[nodiscard]] glm::vec3 perpendicular_part(const glm::vec3& a, const glm::vec3& b);
 
 }

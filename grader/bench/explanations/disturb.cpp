@@ -44,7 +44,8 @@ Tensor replace_rows(const Tensor& right, Random& random)
     const Range range = range_of(to_doubles(right));
     return change_rows(right, random, 0.3F, [&](std::vector<double>& values, std::size_t row, std::size_t components) {
         for (std::size_t c = 0; c < components; ++c)
-            values[row * components + c] = random.uniform(static_cast<float>(range.low), static_cast<float>(range.high));
+            values[row * components + c] =
+                random.uniform(static_cast<float>(range.low), static_cast<float>(range.high));
     });
 }
 
@@ -53,7 +54,8 @@ Tensor add_noise(const Tensor& right, Random& random)
     const Range range = range_of(to_doubles(right));
     const double size = 0.1 * (range.high - range.low);
     return change_rows(right, random, 1, [&](std::vector<double>& values, std::size_t row, std::size_t components) {
-        for (std::size_t c = 0; c < components; ++c) values[row * components + c] += size * (random.uniform(-1, 1) + random.uniform(-1, 1));
+        for (std::size_t c = 0; c < components; ++c)
+            values[row * components + c] += size * (random.uniform(-1, 1) + random.uniform(-1, 1));
     });
 }
 
@@ -75,7 +77,8 @@ Tensor mix_rows(const Tensor& right, Random& random)
     const std::size_t cells = right.cells();
     for (std::size_t i = cells; i > 1; --i) {
         const std::size_t j = random.below(static_cast<std::uint32_t>(i));
-        for (std::size_t c = 0; c < right.components; ++c) std::swap(values[(i - 1) * right.components + c], values[j * right.components + c]);
+        for (std::size_t c = 0; c < right.components; ++c)
+            std::swap(values[(i - 1) * right.components + c], values[j * right.components + c]);
     }
     return with_values(right, values);
 }
@@ -110,7 +113,8 @@ Tensor jitter_lines(const Tensor& right, Random& random)
     for (std::size_t y = 0; y < right.rows; ++y) {
         const std::size_t by = random.below(7);
         for (std::size_t x = 0; x < right.columns; ++x)
-            std::memcpy(result.bytes.data() + (y * right.columns + x) * cell, right.bytes.data() + (y * right.columns + (x + by) % right.columns) * cell, cell);
+            std::memcpy(result.bytes.data() + (y * right.columns + x) * cell,
+                        right.bytes.data() + (y * right.columns + (x + by) % right.columns) * cell, cell);
     }
     return result;
 }
@@ -133,9 +137,15 @@ Tensor smear(const Tensor& right, Random&)
     return with_values(right, to);
 }
 
-constexpr std::array all{Disturbance{"rows replaced", replace_rows},  Disturbance{"noise", add_noise},  Disturbance{"a part lost", lose_a_part},
-                         Disturbance{"rows mixed", mix_rows},         Disturbance{"values bent", bend}, Disturbance{"presence flipped", flip_presence},
-                         Disturbance{"lines jittered", jitter_lines}, Disturbance{"speckled", speckle}, Disturbance{"smeared", smear}};
+constexpr std::array all{Disturbance{"rows replaced", replace_rows},
+                         Disturbance{"noise", add_noise},
+                         Disturbance{"a part lost", lose_a_part},
+                         Disturbance{"rows mixed", mix_rows},
+                         Disturbance{"values bent", bend},
+                         Disturbance{"presence flipped", flip_presence},
+                         Disturbance{"lines jittered", jitter_lines},
+                         Disturbance{"speckled", speckle},
+                         Disturbance{"smeared", smear}};
 
 template <class Float>
 void move_floats(Tensor& tensor, Random& random)
@@ -145,7 +155,8 @@ void move_floats(Tensor& tensor, Random& random)
         std::memcpy(&value, tensor.bytes.data() + i * sizeof value, sizeof value);
         const std::uint32_t way = random.below(3);
         if (way == 2 || value == 0 || !std::isfinite(value)) continue;
-        value = std::nextafter(value, way == 0 ? -std::numeric_limits<Float>::infinity() : std::numeric_limits<Float>::infinity());
+        value = std::nextafter(
+            value, way == 0 ? -std::numeric_limits<Float>::infinity() : std::numeric_limits<Float>::infinity());
         std::memcpy(tensor.bytes.data() + i * sizeof value, &value, sizeof value);
     }
 }
@@ -160,7 +171,9 @@ Tensor rounded_otherwise(const Tensor& tensor, Random& random)
     if (tensor.element == Element::float32) move_floats<float>(result, random);
     if (tensor.element == Element::uint8 && is_grid(tensor))
         for (std::byte& byte : result.bytes)
-            if (random.below(10) == 0) byte = static_cast<std::byte>(std::clamp(std::to_integer<int>(byte) + (random.below(2) == 0 ? 1 : -1), 0, 255));
+            if (random.below(10) == 0)
+                byte = static_cast<std::byte>(
+                    std::clamp(std::to_integer<int>(byte) + (random.below(2) == 0 ? 1 : -1), 0, 255));
     return result;
 }
 

@@ -16,8 +16,8 @@ struct Disturbance {
 /// Rows replaced, noise, a part lost, rows mixed, values bent, pictures smeared, jittered and speckled.
 [[nodiscard]] std::span<const Disturbance> disturbances();
 
-/// The same result rounded otherwise, as another compiler or another order of terms would give it: a third of the floats one ulp up, a
-/// third one down; every tenth byte one level up or down. Texts and whole numbers stay.
+/// The same result rounded otherwise, as another compiler or another order of terms would give it: a third of the
+/// floats one ulp up, a third one down; every tenth byte one level up or down. Texts and whole numbers stay.
 [[nodiscard]] Tensor rounded_otherwise(const Tensor& tensor, Random& random);
 
 }

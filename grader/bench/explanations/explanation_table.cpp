@@ -36,7 +36,10 @@ struct Tally {
         const auto found = by_outcome.find(said);
         return found == by_outcome.end() ? 0 : found->second;
     }
-    [[nodiscard]] double percent(std::size_t count) const { return all == 0 ? 0 : 100.0 * static_cast<double>(count) / static_cast<double>(all); }
+    [[nodiscard]] double percent(std::size_t count) const
+    {
+        return all == 0 ? 0 : 100.0 * static_cast<double>(count) / static_cast<double>(all);
+    }
     [[nodiscard]] std::size_t right() const { return of(Said::right) + of(Said::right_among); }
 };
 
@@ -61,9 +64,11 @@ std::string lines_for(const std::vector<ExplainedWork>& work, const char* headin
         text += has_reason(kind) ? fmt::format("   right {:.1f} %\n", found.percent(found.right()))
                                  : fmt::format("   wrong {:.2f} %\n", found.percent(found.of(Said::wrong)));
     }
-    const Tally none = tally(work, [](const ExplainedWork& one) { return one.kind == WorkKind::left_out || one.kind == WorkKind::disturbed; });
-    return text + fmt::format("{:<28}{:>7}   wrong {} of {}: {:.2f} %\n\n", "all that matches none", none.all, none.of(Said::wrong), none.all,
-                              none.percent(none.of(Said::wrong)));
+    const Tally none = tally(work, [](const ExplainedWork& one) {
+        return one.kind == WorkKind::left_out || one.kind == WorkKind::disturbed;
+    });
+    return text + fmt::format("{:<28}{:>7}   wrong {} of {}: {:.2f} %\n\n", "all that matches none", none.all,
+                              none.of(Said::wrong), none.all, none.percent(none.of(Said::wrong)));
 }
 
 }
@@ -81,7 +86,8 @@ const char* to_string(Said said)
 bool meets_targets(const std::vector<ExplainedWork>& work, bool held_out_only)
 {
     const auto among = [&](auto meant) {
-        return tally(work, [&](const ExplainedWork& one) { return (!held_out_only || held_out(one.unit)) && meant(one.kind); });
+        return tally(
+            work, [&](const ExplainedWork& one) { return (!held_out_only || held_out(one.unit)) && meant(one.kind); });
     };
     const Tally own = among([](WorkKind kind) { return kind == WorkKind::mistake; });
     const Tally none = among([](WorkKind kind) { return kind == WorkKind::left_out || kind == WorkKind::disturbed; });
@@ -93,7 +99,8 @@ std::string explanation_table(const std::vector<ExplainedWork>& work)
     std::vector<ExplainedWork> tuning;
     std::vector<ExplainedWork> other_half;
     for (const ExplainedWork& one : work) (held_out(one.unit) ? other_half : tuning).push_back(one);
-    std::string text = lines_for(work, "all units") + lines_for(tuning, "half that tunes") + lines_for(other_half, "half held out");
+    std::string text =
+        lines_for(work, "all units") + lines_for(tuning, "half that tunes") + lines_for(other_half, "half held out");
     return text + explanation_misses(work);
 }
 
@@ -106,14 +113,18 @@ std::string explanation_misses(const std::vector<ExplainedWork>& work)
             if (!meant(one)) continue;
             lines += fmt::format("  {} seed {}, {}: {}\n", one.unit, one.seed, to_string(one.kind), one.subject);
             for (const Explanation& said : one.explanations)
-                lines += fmt::format("    {} {:.3f}, fits {:.2f}{}\n", said.name, said.confidence, said.fit, said.ambiguous ? ", ambiguous" : "");
+                lines += fmt::format("    {} {:.3f}, fits {:.2f}{}\n", said.name, said.confidence, said.fit,
+                                     said.ambiguous ? ", ambiguous" : "");
         }
         if (!lines.empty()) text += fmt::format("{}\n{}\n", heading, lines);
     };
-    list("Mistakes not told by their own reason:",
-         [](const ExplainedWork& one) { return has_reason(one.kind) && one.said != Said::right && one.said != Said::right_among; });
-    list("Told as one of several:", [](const ExplainedWork& one) { return one.kind == WorkKind::mistake && one.said == Said::right_among; });
-    list("Wrongly explained:", [](const ExplainedWork& one) { return !has_reason(one.kind) && one.said == Said::wrong; });
+    list("Mistakes not told by their own reason:", [](const ExplainedWork& one) {
+        return has_reason(one.kind) && one.said != Said::right && one.said != Said::right_among;
+    });
+    list("Told as one of several:",
+         [](const ExplainedWork& one) { return one.kind == WorkKind::mistake && one.said == Said::right_among; });
+    list("Wrongly explained:",
+         [](const ExplainedWork& one) { return !has_reason(one.kind) && one.said == Said::wrong; });
     return text;
 }
 

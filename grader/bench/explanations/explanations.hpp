@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "batch/workshop.hpp"
+#include "batch/worker.hpp"
 #include "model/exercise.hpp"
 #include "model/scorecard.hpp"
 
@@ -11,10 +11,10 @@ namespace umbral::grader {
 
 /// Failing work whose reason is known, or known to be none of the candidates.
 enum class WorkKind : std::uint8_t {
-    mistake,       ///< a known mistake as it is
-    rounded,       ///< the same, its results rounded otherwise
-    left_out,      ///< a known mistake that is not among the candidates: nothing true can be said but by a named transform
-    disturbed,     ///< the reference's results spoilt in a way that has no name
+    mistake,    ///< a known mistake as it is
+    rounded,    ///< the same, its results rounded otherwise
+    left_out,   ///< a known mistake that is not among the candidates: nothing true can be said but by a named transform
+    disturbed,  ///< the reference's results spoilt in a way that has no name
     two_mistakes,  ///< some cases from one mistake, the others from another
 };
 
@@ -41,18 +41,19 @@ struct ExplainedWork {
 [[nodiscard]] const char* to_string(WorkKind kind);
 [[nodiscard]] const char* to_string(Said said);
 
-/// Explains all such work of one unit, with the inputs of one seed; none of them is a seed of `umbral validate`, on whose the units were made.
-[[nodiscard]] std::vector<ExplainedWork> explain_known_work(Workshop& workshop, const Exercise& exercise, unsigned seed);
+/// Explains all such work of one unit, with the inputs of one seed; none of them is a seed of `umbral validate`, on
+/// whose the units were made.
+[[nodiscard]] std::vector<ExplainedWork> explain_known_work(Worker& worker, const Exercise& exercise, unsigned seed);
 
-/// How often what was said, in all units, in the half on which thresholds were set and in the half held_out(), as lines of text; then every
-/// wrong one by name.
+/// How often what was said, in all units, in the half on which thresholds were set and in the half held_out(), as lines
+/// of text; then every wrong one by name.
 [[nodiscard]] std::string explanation_table(const std::vector<ExplainedWork>& work);
 
 /// Whatever was not told by its own reason, or told wrongly, with what was said.
 [[nodiscard]] std::string explanation_misses(const std::vector<ExplainedWork>& work);
 
-/// Is the right reason first (alone, or among equals) for at least 95 % of the mistakes, and a wrong one given for less than 1 % of the work
-/// that matches none? With `held_out_only`, of the units held out alone.
+/// Is the right reason first (alone, or among equals) for at least 95 % of the mistakes, and a wrong one given for less
+/// than 1 % of the work that matches none? With `held_out_only`, of the units held out alone.
 [[nodiscard]] bool meets_targets(const std::vector<ExplainedWork>& work, bool held_out_only);
 
 }

@@ -18,7 +18,8 @@ int apart(const glm::u8vec4& a, const glm::u8vec4& b)
 void move_levels(glm::u8vec4& pixel, int span, Random& random)
 {
     for (glm::length_t c = 0; c < 3; ++c) {
-        const int moved = int{pixel[c]} + static_cast<int>(random.below(static_cast<std::uint32_t>(2 * span + 1))) - span;
+        const int moved =
+            int{pixel[c]} + static_cast<int>(random.below(static_cast<std::uint32_t>(2 * span + 1))) - span;
         pixel[c] = static_cast<std::uint8_t>(std::clamp(moved, 0, 255));
     }
 }
@@ -58,8 +59,8 @@ Result cut_off_instead_of_rounded(const Image& picture, Random& random)
 constexpr int edge = 24;  ///< levels between the two sides
 constexpr int alike = 12;
 
-// Three edge pixels in ten get the colour of the other side. Both sides are at least two pixels wide: who owns a pixel of a silhouette is
-// a matter of the last bit of a coordinate, but such a bit breaks no line.
+// Three edge pixels in ten get the colour of the other side. Both sides are at least two pixels wide: who owns a pixel
+// of a silhouette is a matter of the last bit of a coordinate, but such a bit breaks no line.
 Result edge_pixels_re_owned(const Image& picture, Random& random)
 {
     Image result = picture;
@@ -71,7 +72,8 @@ Result edge_pixels_re_owned(const Image& picture, Random& random)
             const int dy = way == 2 ? 1 : way == 3 ? -1 : 0;
             const glm::u8vec4& here = picture.at(x, y);
             const glm::u8vec4& other = picture.at(x + dx, y + dy);
-            const bool solid = apart(here, picture.at(x - dx, y - dy)) <= alike && apart(other, picture.at(x + 2 * dx, y + 2 * dy)) <= alike;
+            const bool solid = apart(here, picture.at(x - dx, y - dy)) <= alike &&
+                               apart(other, picture.at(x + 2 * dx, y + 2 * dy)) <= alike;
             if (!solid || apart(here, other) <= edge || random.below(10) >= 3) continue;
             result.at(x, y) = other;
             any = true;
@@ -105,7 +107,8 @@ void visit_operators(const std::string& scene, const Picture& expected, const Vi
     for (const auto& list : {harmless_operators(), harmful_operators()})
         for (const PictureOperator& one : list) {
             Random random(seed++);
-            if (const auto changed = one.apply(picture, random)) visit({scene, one.name, one.harmful, false, true, right, to_picture(*changed)});
+            if (const auto changed = one.apply(picture, random))
+                visit({scene, one.name, one.harmful, false, true, right, to_picture(*changed)});
         }
 }
 

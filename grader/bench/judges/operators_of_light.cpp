@@ -53,7 +53,9 @@ Result grey(const Image& picture, Random&)
 {
     Image result = picture;
     for (glm::u8vec4& pixel : result.cells)
-        pixel = glm::u8vec4(glm::u8vec3(static_cast<std::uint8_t>((299 * pixel.r + 587 * pixel.g + 114 * pixel.b + 500) / 1000)), pixel.a);
+        pixel = glm::u8vec4(
+            glm::u8vec3(static_cast<std::uint8_t>((299 * pixel.r + 587 * pixel.g + 114 * pixel.b + 500) / 1000)),
+            pixel.a);
     return result;
 }
 
@@ -72,7 +74,8 @@ template <int levels>
 Result soft_spot(const Image& picture, Random& random)
 {
     const double radius = 0.17 * std::min(picture.width, picture.height);
-    const glm::dvec2 centre(random.below(static_cast<std::uint32_t>(picture.width)), random.below(static_cast<std::uint32_t>(picture.height)));
+    const glm::dvec2 centre(random.below(static_cast<std::uint32_t>(picture.width)),
+                            random.below(static_cast<std::uint32_t>(picture.height)));
     Image result = picture;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
@@ -80,7 +83,9 @@ Result soft_spot(const Image& picture, Random& random)
             if (part <= 0) continue;
             glm::u8vec4& pixel = result.at(x, y);
             // Light is multiplied by what it falls on: black stays black.
-            for (glm::length_t c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>(std::clamp(pixel[c] * (1 + levels / 128.0 * part), 0.0, 255.0) + 0.5);
+            for (glm::length_t c = 0; c < 3; ++c)
+                pixel[c] =
+                    static_cast<std::uint8_t>(std::clamp(pixel[c] * (1 + levels / 128.0 * part), 0.0, 255.0) + 0.5);
         }
     return result;
 }
@@ -89,7 +94,8 @@ Result speckled(const Image& picture, Random& random)
 {
     Image result = picture;
     for (glm::u8vec4& pixel : result.cells)
-        if (random.below(200) == 0) pixel = glm::u8vec4(glm::u8vec3(random.below(2) == 0 ? std::uint8_t{0} : std::uint8_t{255}), pixel.a);
+        if (random.below(200) == 0)
+            pixel = glm::u8vec4(glm::u8vec3(random.below(2) == 0 ? std::uint8_t{0} : std::uint8_t{255}), pixel.a);
     return result;
 }
 

@@ -49,14 +49,17 @@ Result turned_by_a_degree(const Image& picture, Random&)
     const double angle = glm::pi<double>() / 180;
     return resampled(picture, [&, centre = centre_of(picture)](glm::dvec2 at) {
         const glm::dvec2 d = at - centre;
-        return centre + glm::dvec2(std::cos(angle) * d.x - std::sin(angle) * d.y, std::sin(angle) * d.x + std::cos(angle) * d.y);
+        return centre +
+               glm::dvec2(std::cos(angle) * d.x - std::sin(angle) * d.y, std::sin(angle) * d.x + std::cos(angle) * d.y);
     });
 }
 
 // An aspect ratio forgotten, on a picture of 4 to 3.
 Result aspect_ignored(const Image& picture, Random&)
 {
-    return resampled(picture, [centre = centre_of(picture)](glm::dvec2 at) { return glm::dvec2(centre.x + (at.x - centre.x) * 0.75, at.y); });
+    return resampled(picture, [centre = centre_of(picture)](glm::dvec2 at) {
+        return glm::dvec2(centre.x + (at.x - centre.x) * 0.75, at.y);
+    });
 }
 
 glm::u8vec4 background_colour(const Image& image)
@@ -72,7 +75,8 @@ Result blank(const Image& picture, Random&) { return Image(picture.width, pictur
 std::optional<glm::ivec2> some_content(const Image& picture, const glm::u8vec4& background, Random& random)
 {
     for (int tries = 0; tries < 20000; ++tries) {
-        const glm::ivec2 at(random.below(static_cast<std::uint32_t>(picture.width)), random.below(static_cast<std::uint32_t>(picture.height)));
+        const glm::ivec2 at(random.below(static_cast<std::uint32_t>(picture.width)),
+                            random.below(static_cast<std::uint32_t>(picture.height)));
         if (picture.at(at.x, at.y) != background) return at;
     }
     return std::nullopt;

@@ -34,7 +34,8 @@ template <class Change>
 {
     Image result = picture;
     for (glm::u8vec4& pixel : result.cells)
-        for (glm::length_t c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>(std::clamp(change(static_cast<double>(pixel[c])), 0.0, 255.0) + 0.5);
+        for (glm::length_t c = 0; c < 3; ++c)
+            pixel[c] = static_cast<std::uint8_t>(std::clamp(change(static_cast<double>(pixel[c])), 0.0, 255.0) + 0.5);
     return result;
 }
 
@@ -42,7 +43,9 @@ template <class Change>
 template <class Place>
 [[nodiscard]] Image resampled(const Image& picture, Place place)
 {
-    const auto texel = [&](int x, int y) { return glm::dvec4(picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, picture.height - 1))); };
+    const auto texel = [&](int x, int y) {
+        return glm::dvec4(picture.at(std::clamp(x, 0, picture.width - 1), std::clamp(y, 0, picture.height - 1)));
+    };
     Image result(picture.width, picture.height);
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {

@@ -26,7 +26,8 @@ using VisitPair = std::function<void(const PicturePair&)>;
 [[nodiscard]] Picture to_picture(const Image& image);
 [[nodiscard]] Image to_image(const Picture& picture);
 
-/// Is there no pixel at which a channel differs by more than two levels? Nobody sees such a difference, and no picture can be judged by it.
+/// Is there no pixel at which a channel differs by more than two levels? Nobody sees such a difference, and no picture
+/// can be judged by it.
 [[nodiscard]] bool looks_the_same(const Picture& a, const Picture& b);
 
 }

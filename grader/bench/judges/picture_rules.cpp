@@ -58,7 +58,8 @@ double share_without_similar(const Picture& a, const Picture& b)
     std::vector<std::uint8_t> room(least.size());
     for (int y = 0; y < a.height; ++y) {
         least_difference(a, b, y, least, room);
-        count += static_cast<std::size_t>(std::ranges::count_if(least, [](std::uint8_t difference) { return difference > similar; }));
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(least, [](std::uint8_t difference) { return difference > similar; }));
     }
     return static_cast<double>(count) / (static_cast<double>(a.width) * a.height);
 }
@@ -66,7 +67,8 @@ double share_without_similar(const Picture& a, const Picture& b)
 double share_of_changed(const Picture& a, const Picture& b)
 {
     const auto difference = channel_difference(a, b);
-    return static_cast<double>(std::ranges::count_if(difference, [](std::uint8_t apart) { return apart > 25; })) / static_cast<double>(difference.size());
+    return static_cast<double>(std::ranges::count_if(difference, [](std::uint8_t apart) { return apart > 25; })) /
+           static_cast<double>(difference.size());
 }
 
 }

@@ -35,7 +35,8 @@ inline constexpr std::array picture_rules{
 
 using PictureMeasures = std::array<double, picture_rules.size()>;
 
-/// What our rule says: its worst ratio, that of the statistical test for noisy pictures (there 1 is its bound on a probability).
+/// What our rule says: its worst ratio, that of the statistical test for noisy pictures (there 1 is its bound on a
+/// probability).
 struct OurMeasure {
     double worst = 0;
     ImageRule parts{};  ///< not for noise
@@ -46,11 +47,12 @@ struct OurMeasure {
 [[nodiscard]] PictureMeasures measure_by_rules(const Picture& student, const Picture& expected, const OurMeasure& ours);
 
 /// Gradient magnitude similarity deviation of the luma.
-/// Based on: W. Xue, L. Zhang, X. Mou, A. Bovik. Gradient Magnitude Similarity Deviation: A Highly Efficient Perceptual Image Quality Index. 2014.
+/// Based on: W. Xue, L. Zhang, X. Mou, A. Bovik. Gradient Magnitude Similarity Deviation: A Highly Efficient Perceptual
+/// Image Quality Index. 2014.
 [[nodiscard]] double gradient_deviation(const Picture& student, const Picture& expected);
 
-/// Share of the pixels with no pixel within 10 levels in the other picture's 3 x 3 neighbourhood, in the better of the two directions.
-/// Based on: the fuzzy comparison of the Khronos conformance suite (dEQP, tcuFuzzyImageCompare).
+/// Share of the pixels with no pixel within 10 levels in the other picture's 3 x 3 neighbourhood, in the better of the
+/// two directions. Based on: the fuzzy comparison of the Khronos conformance suite (dEQP, tcuFuzzyImageCompare).
 [[nodiscard]] double fuzzy_share(const Picture& student, const Picture& expected);
 
 }

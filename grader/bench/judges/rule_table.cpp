@@ -24,7 +24,8 @@ RuleResult try_threshold(std::span<const MeasuredPair> pairs, PictureRule rule, 
 double chance_beyond(const std::vector<double>& sorted, double bound)
 {
     const auto size = static_cast<double>(sorted.size());
-    if (sorted.back() > bound) return static_cast<double>(sorted.end() - std::ranges::upper_bound(sorted, bound)) / size;
+    if (sorted.back() > bound)
+        return static_cast<double>(sorted.end() - std::ranges::upper_bound(sorted, bound)) / size;
     const std::size_t tail = std::max<std::size_t>(10, sorted.size() / 10);
     if (tail >= sorted.size()) return 0;
     const double start = sorted[sorted.size() - 1 - tail];
@@ -41,7 +42,9 @@ double chance_beyond(const std::vector<double>& sorted, double bound)
     const double shape = first + bounded;
     const double scale = start * first * (1 - bounded);
     const double base = 1 + shape * (bound - start) / scale;
-    const double beyond = std::abs(shape) < 1e-9 ? std::exp(-(bound - start) / scale) : base <= 0 ? 0 : std::pow(base, -1 / shape);
+    const double beyond = std::abs(shape) < 1e-9 ? std::exp(-(bound - start) / scale)
+                          : base <= 0            ? 0
+                                                 : std::pow(base, -1 / shape);
     return static_cast<double>(tail) / size * beyond;
 }
 
@@ -63,9 +66,12 @@ std::vector<RuleResult> compare_rules(std::span<const MeasuredPair> pairs)
             results.push_back(try_threshold(pairs, info.rule, 1, "in use"));
             continue;
         }
-        if (info.published) results.push_back(try_threshold(pairs, info.rule, *info.published, std::string(info.source)));
+        if (info.published)
+            results.push_back(try_threshold(pairs, info.rule, *info.published, std::string(info.source)));
         // PSNR orders pictures as RMSE does: it has no best threshold of its own.
-        if (info.rule != PictureRule::psnr) results.push_back(try_threshold(pairs, info.rule, fitted_threshold(pairs, info.rule), "best on the other half"));
+        if (info.rule != PictureRule::psnr)
+            results.push_back(
+                try_threshold(pairs, info.rule, fitted_threshold(pairs, info.rule), "best on the other half"));
     }
     return results;
 }
@@ -76,7 +82,9 @@ Margins margins_of(std::vector<double> ratios)
     margins.count = ratios.size();
     if (ratios.empty()) return margins;
     std::ranges::sort(ratios);
-    const auto quantile = [&](double share) { return ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))]; };
+    const auto quantile = [&](double share) {
+        return ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))];
+    };
     margins.median = quantile(0.5);
     margins.percentile90 = quantile(0.9);
     margins.percentile99 = quantile(0.99);

@@ -23,7 +23,8 @@ void draw_scenes(const std::filesystem::path& program, const std::filesystem::pa
     int status = -1;
     if (const int failed = posix_spawn(&process, name.c_str(), nullptr, nullptr, words.data(), environ); failed != 0)
         throw std::runtime_error(fmt::format("cannot run {}: build the target umbral-bench-scenes", name));
-    if (waitpid(process, &status, 0) != process || status != 0) throw std::runtime_error(fmt::format("{} did not draw its scenes into {}", name, target));
+    if (waitpid(process, &status, 0) != process || status != 0)
+        throw std::runtime_error(fmt::format("{} did not draw its scenes into {}", name, target));
 }
 
 void visit_scenes(const std::filesystem::path& folder, const VisitPair& visit)
@@ -36,11 +37,14 @@ void visit_scenes(const std::filesystem::path& folder, const VisitPair& visit)
         for (const auto& variant : scene.at("variants")) {
             const auto file = folder / variant.at("file").get<std::string>();
             Picture student = to_picture(read_png(file));
-            if (student.width != expected.width || student.height != expected.height || student.channels != expected.channels)
-                throw std::runtime_error(fmt::format("{}: expected a picture of {} x {} with {} channels as the scene's own, got {} x {} with {}",
-                                                     file.string(), expected.width, expected.height, expected.channels, student.width, student.height,
-                                                     student.channels));
-            visit({name, variant.at("operator").get<std::string>(), variant.at("harmful").get<bool>(), noise, false, expected, std::move(student)});
+            if (student.width != expected.width || student.height != expected.height ||
+                student.channels != expected.channels)
+                throw std::runtime_error(fmt::format(
+                    "{}: expected a picture of {} x {} with {} channels as the scene's own, got {} x {} with {}",
+                    file.string(), expected.width, expected.height, expected.channels, student.width, student.height,
+                    student.channels));
+            visit({name, variant.at("operator").get<std::string>(), variant.at("harmful").get<bool>(), noise, false,
+                   expected, std::move(student)});
         }
         if (!noise) visit_operators(name, expected, visit);
     }

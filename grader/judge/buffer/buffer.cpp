@@ -20,14 +20,19 @@ void explain(const Check& check, const BufferCells& cells, const Tensor& expecte
                            {"largest_group", static_cast<double>(classes.largest_group)}});
     result.metrics.insert(pattern.metrics.begin(), pattern.metrics.end());
 
-    const auto first =
-        static_cast<std::size_t>(std::ranges::find_if(cells.states, [](CellState state) { return state > CellState::right; }) - cells.states.begin());
-    result.first_difference = Difference{pixel_text(cells, first), cell_text(cells.yours, first), cell_text(cells.expected, first)};
+    const auto first = static_cast<std::size_t>(
+        std::ranges::find_if(cells.states, [](CellState state) { return state > CellState::right; }) -
+        cells.states.begin());
+    result.first_difference =
+        Difference{pixel_text(cells, first), cell_text(cells.yours, first), cell_text(cells.expected, first)};
     const std::size_t content = cells.states.size() - cells.count(CellState::background);
-    result.message = fmt::format("{} of {} {} {} wrong ({} missing, {} extra, {} with another value); {}; the first is {}: yours {}, expected {}",
-                                 classes.wrong, content, cells_of(kind, check.value), classes.wrong == 1 ? "is" : "are", cells.count(CellState::missing),
-                                 cells.count(CellState::extra), cells.count(CellState::other), in_words(classes, pattern), result.first_difference->where,
-                                 result.first_difference->yours, result.first_difference->expected);
+    result.message = fmt::format(
+        "{} of {} {} {} wrong ({} missing, {} extra, {} with another value); {}; the first is {}: yours {}, expected "
+        "{}",
+        classes.wrong, content, cells_of(kind, check.value), classes.wrong == 1 ? "is" : "are",
+        cells.count(CellState::missing), cells.count(CellState::extra), cells.count(CellState::other),
+        in_words(classes, pattern), result.first_difference->where, result.first_difference->yours,
+        result.first_difference->expected);
     result.sketch = buffer_sketch(cells, kind, first);
 }
 

@@ -36,7 +36,8 @@ struct CellMatch {
     double error = 0;
 };
 
-CellMatch match(const Tolerance& tolerance, const TensorView& a, std::size_t cell_a, const TensorView& b, std::size_t cell_b)
+CellMatch match(const Tolerance& tolerance, const TensorView& a, std::size_t cell_a, const TensorView& b,
+                std::size_t cell_b)
 {
     if (!a.present(cell_a) || !b.present(cell_b)) return {a.present(cell_a) == b.present(cell_b), false, 0};
     CellMatch result;
@@ -53,9 +54,13 @@ CellMatch match(const Tolerance& tolerance, const TensorView& a, std::size_t cel
 
 }
 
-std::size_t BufferCells::count(CellState state) const { return static_cast<std::size_t>(std::count(states.begin(), states.end(), state)); }
+std::size_t BufferCells::count(CellState state) const
+{
+    return static_cast<std::size_t>(std::count(states.begin(), states.end(), state));
+}
 
-bool same_cell(const Tolerance& tolerance, const TensorView& a, std::size_t cell_a, const TensorView& b, std::size_t cell_b)
+bool same_cell(const Tolerance& tolerance, const TensorView& a, std::size_t cell_a, const TensorView& b,
+               std::size_t cell_b)
 {
     return match(tolerance, a, cell_a, b, cell_b).equal;
 }
@@ -67,11 +72,15 @@ BufferCells compare_cells(const Check& check, const Tensor& yours, const Tensor&
     cells.states.assign(cells.expected.cells(), CellState::background);
     for (std::size_t cell = 0; cell < cells.states.size(); ++cell) {
         const CellMatch found = match(check.tolerance, cells.yours, cell, cells.expected, cell);
-        const bool expected_background = same_cell(check.tolerance, cells.expected, cell, cells.expected, cells.background);
+        const bool expected_background =
+            same_cell(check.tolerance, cells.expected, cell, cells.expected, cells.background);
         const bool yours_background = same_cell(check.tolerance, cells.yours, cell, cells.expected, cells.background);
         if (expected_background && yours_background && found.equal) continue;
         if (found.comparable) cells.error = std::max(cells.error, found.error);
-        cells.states[cell] = found.equal ? CellState::right : expected_background ? CellState::extra : yours_background ? CellState::missing : CellState::other;
+        cells.states[cell] = found.equal           ? CellState::right
+                             : expected_background ? CellState::extra
+                             : yours_background    ? CellState::missing
+                                                   : CellState::other;
     }
     return cells;
 }

@@ -34,9 +34,10 @@ struct BufferCells {
 /// Cells are equal exactly, or within the check's tolerance. Both tensors are well formed, and of one shape.
 [[nodiscard]] BufferCells compare_cells(const Check& check, const Tensor& yours, const Tensor& expected);
 
-/// Is the cell of `a` right where the cell of `b` is expected? Infinity equals itself: it is what many clear a depth buffer to. NaN
-/// equals nothing.
-[[nodiscard]] bool same_cell(const Tolerance& tolerance, const TensorView& a, std::size_t cell_a, const TensorView& b, std::size_t cell_b);
+/// Is the cell of `a` right where the cell of `b` is expected? Infinity equals itself: it is what many clear a depth
+/// buffer to. NaN equals nothing.
+[[nodiscard]] bool same_cell(const Tolerance& tolerance, const TensorView& a, std::size_t cell_a, const TensorView& b,
+                             std::size_t cell_b);
 
 /// "pixel (3, 4)"
 [[nodiscard]] std::string pixel_text(const BufferCells& cells, std::size_t cell);

@@ -18,16 +18,22 @@ void for_each_near(const BufferCells& cells, std::size_t cell, Visit visit)
     const std::size_t x = cell % cells.columns;
     const std::size_t y = cell / cells.columns;
     for (std::size_t near_y = y - std::min<std::size_t>(y, 1); near_y <= std::min(y + 1, cells.rows - 1); ++near_y)
-        for (std::size_t near_x = x - std::min<std::size_t>(x, 1); near_x <= std::min(x + 1, cells.columns - 1); ++near_x)
+        for (std::size_t near_x = x - std::min<std::size_t>(x, 1); near_x <= std::min(x + 1, cells.columns - 1);
+             ++near_x)
             visit(near_y * cells.columns + near_x);
 }
 
-bool is_background(const BufferCells& cells, std::size_t cell) { return cells.states[cell] == CellState::background || cells.states[cell] == CellState::extra; }
+bool is_background(const BufferCells& cells, std::size_t cell)
+{
+    return cells.states[cell] == CellState::background || cells.states[cell] == CellState::extra;
+}
 
 // Names differ or not; what is measured changes from cell to cell, so that only its coverage has edges.
 bool edge_between(const BufferCells& cells, BufferKind kind, std::size_t a, std::size_t b)
 {
-    if (is_name(kind)) return !std::ranges::equal(cells.expected.cell(a), cells.expected.cell(b)) || cells.expected.present(a) != cells.expected.present(b);
+    if (is_name(kind))
+        return !std::ranges::equal(cells.expected.cell(a), cells.expected.cell(b)) ||
+               cells.expected.present(a) != cells.expected.present(b);
     return is_background(cells, a) != is_background(cells, b);
 }
 
@@ -37,7 +43,8 @@ void add_place(const Check& check, const BufferCells& cells, BufferKind kind, st
     bool of_neighbour = false;
     for_each_near(cells, cell, [&](std::size_t near) {
         edge = edge || edge_between(cells, kind, cell, near);
-        of_neighbour = of_neighbour || (near != cell && same_cell(check.tolerance, cells.yours, cell, cells.expected, near));
+        of_neighbour =
+            of_neighbour || (near != cell && same_cell(check.tolerance, cells.yours, cell, cells.expected, near));
     });
     classes.at_edge += edge ? 1 : 0;
     classes.neighbour_value += of_neighbour ? 1 : 0;
@@ -76,9 +83,11 @@ std::string numbers_text(const char* what, const std::vector<std::size_t>& numbe
 {
     constexpr std::size_t most = 4;
     if (numbers.size() == 1) return fmt::format("{} {}", what, numbers[0]);
-    if (numbers.back() - numbers.front() + 1 == numbers.size()) return fmt::format("{}s {} to {}", what, numbers.front(), numbers.back());
+    if (numbers.back() - numbers.front() + 1 == numbers.size())
+        return fmt::format("{}s {} to {}", what, numbers.front(), numbers.back());
     std::string text = fmt::format("{}s ", what);
-    for (std::size_t i = 0; i < std::min(most, numbers.size()); ++i) text += (i > 0 ? ", " : "") + std::to_string(numbers[i]);
+    for (std::size_t i = 0; i < std::min(most, numbers.size()); ++i)
+        text += (i > 0 ? ", " : "") + std::to_string(numbers[i]);
     return text + (numbers.size() > most ? ", ..." : "");
 }
 
@@ -115,7 +124,8 @@ BufferKind kind_of(const Tensor& expected, const BufferCells& cells)
     if (!measured) {
         if (expected.components != 1) return BufferKind::cells;
         const auto values = cells.expected.values();
-        const bool two = std::all_of(values.begin(), values.end(), [](double value) { return value == 0 || value == 1; });
+        const bool two =
+            std::all_of(values.begin(), values.end(), [](double value) { return value == 0 || value == 1; });
         return two ? BufferKind::coverage : BufferKind::ids;
     }
     if (expected.components == 1) return BufferKind::depth;
@@ -146,12 +156,15 @@ const char* cells_of(BufferKind kind, std::string_view recorded)
 BufferClasses classify(const Check& check, const BufferCells& cells, BufferKind kind)
 {
     BufferClasses classes;
-    const std::set<double> known = is_name(kind) ? std::set<double>(cells.expected.values().begin(), cells.expected.values().end()) : std::set<double>();
+    const std::set<double> known =
+        is_name(kind) ? std::set<double>(cells.expected.values().begin(), cells.expected.values().end())
+                      : std::set<double>();
     for (std::size_t cell = 0; cell < cells.states.size(); ++cell) {
         if (!cells.wrong(cell)) continue;
         ++classes.wrong;
         add_place(check, cells, kind, cell, classes);
-        if (is_name(kind) && cells.yours.present(cell) && !known.contains(cells.yours.cell(cell)[0])) ++classes.unknown_value;
+        if (is_name(kind) && cells.yours.present(cell) && !known.contains(cells.yours.cell(cell)[0]))
+            ++classes.unknown_value;
     }
     add_groups(cells, classes);
     classes.lines = whole_lines(cells, true);
@@ -162,25 +175,29 @@ BufferClasses classify(const Check& check, const BufferCells& cells, BufferKind 
 std::string in_words(const BufferClasses& classes, const BufferPattern& pattern)
 {
     if (classes.wrong == 0) return {};
-    const auto nearly_all = [&](std::size_t count) { return static_cast<double>(count) >= 0.9 * static_cast<double>(classes.wrong); };
-    const std::string most = classes.wrong == 1 ? "it lies" : classes.at_edge == classes.wrong ? "all lie" : "nearly all lie";
+    const auto nearly_all = [&](std::size_t count) {
+        return static_cast<double>(count) >= 0.9 * static_cast<double>(classes.wrong);
+    };
+    const std::string most = classes.wrong == 1                 ? "it lies"
+                             : classes.at_edge == classes.wrong ? "all lie"
+                                                                : "nearly all lie";
     std::string text = pattern.sentence;
     const auto add = [&text](const std::string& clause) { text += (text.empty() ? "" : "; ") + clause; };
     if (!classes.lines.empty()) add("whole " + classes.lines);
     if (nearly_all(classes.at_edge) && classes.lines.empty() && pattern.sentence.empty())
-        add(nearly_all(classes.neighbour_value)
-                ? most + " at an edge and " + (classes.wrong == 1 ? "holds" : "hold") + " a neighbour's value: another pixel owns the edge"
-                : most + " at an edge");
+        add(nearly_all(classes.neighbour_value) ? most + " at an edge and " + (classes.wrong == 1 ? "holds" : "hold") +
+                                                      " a neighbour's value: another pixel owns the edge"
+                                                : most + " at an edge");
     else if (classes.wrong > 1 && classes.at_edge > 0 && classes.at_edge < classes.wrong && pattern.sentence.empty())
         add(fmt::format("{} at an edge, {} inside", classes.at_edge, classes.wrong - classes.at_edge));
     else if (classes.at_edge == 0 && pattern.sentence.empty() && classes.lines.empty())
         add(classes.wrong == 1 ? "it lies inside, not at an edge" : "all lie inside, none at an edge");
     if (classes.unknown_value > 0)
-        add(fmt::format("{} of {} that {} expected nowhere", classes.unknown_value, classes.wrong == 1 ? "a value" : "values",
-                        classes.wrong == 1 ? "is" : "are"));
+        add(fmt::format("{} of {} that {} expected nowhere", classes.unknown_value,
+                        classes.wrong == 1 ? "a value" : "values", classes.wrong == 1 ? "is" : "are"));
     if (classes.groups > 1 && classes.largest_group > 1)
-        add(fmt::format("the largest group has {} in x {}..{}, y {}..{}", classes.largest_group, classes.group.left, classes.group.right, classes.group.top,
-                        classes.group.bottom));
+        add(fmt::format("the largest group has {} in x {}..{}, y {}..{}", classes.largest_group, classes.group.left,
+                        classes.group.right, classes.group.top, classes.group.bottom));
     return text;
 }
 

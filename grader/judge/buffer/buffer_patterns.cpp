@@ -35,7 +35,8 @@ std::vector<Pair> pairs_of(const BufferCells& cells, CellState state, std::size_
 template <class Follows>
 bool most(const std::vector<Pair>& pairs, Follows follows)
 {
-    return static_cast<double>(std::ranges::count_if(pairs, follows)) >= most_of_them * static_cast<double>(pairs.size());
+    return static_cast<double>(std::ranges::count_if(pairs, follows)) >=
+           most_of_them * static_cast<double>(pairs.size());
 }
 
 template <class Measure>
@@ -65,7 +66,10 @@ bool on_steps(double value, double step)
 
 bool is_quantised(const std::vector<Pair>& pairs, double step)
 {
-    return most(pairs, [step](const Pair& pair) { return on_steps(pair.yours, step) && std::abs(pair.yours - pair.expected) <= 1.02 * step; }) &&
+    return most(pairs,
+                [step](const Pair& pair) {
+                    return on_steps(pair.yours, step) && std::abs(pair.yours - pair.expected) <= 1.02 * step;
+                }) &&
            !most(pairs, [step](const Pair& pair) { return on_steps(pair.expected, step); });
 }
 
@@ -83,20 +87,25 @@ BufferPattern depth_pattern(const BufferCells& cells)
     constexpr double slack = 0.02;
 
     for (const int bits : {8, 16, 24})
-        if (is_quantised(wrong, 1 / (std::exp2(bits) - 1))) return {fmt::format("depths are rounded to {} bits", bits), {{"depth_bits", bits}}};
+        if (is_quantised(wrong, 1 / (std::exp2(bits) - 1)))
+            return {fmt::format("depths are rounded to {} bits", bits), {{"depth_bits", bits}}};
     const double offset = median_of(wrong, difference);
     if (constant(difference, offset, slack * std::abs(offset)))
-        return {fmt::format("depths are all {} by {:.4g}", offset > 0 ? "too large" : "too small", std::abs(offset)), {{"depth_offset", offset}}};
+        return {fmt::format("depths are all {} by {:.4g}", offset > 0 ? "too large" : "too small", std::abs(offset)),
+                {{"depth_offset", offset}}};
     // One plane facing the viewer has one depth: nothing to tell a direction or a scale by.
     const bool spread = span > 1e-3 * std::abs(median_of(wrong, [](const Pair& pair) { return pair.expected; }));
     if (const double middle = median_of(wrong, sum); spread && constant(sum, middle, slack * span))
         return {"depths run the other way: what is far is near", {{"depth_sum", middle}}};
-    if (const double factor = median_of(wrong, quotient); spread && std::isfinite(factor) && constant(quotient, factor, slack * std::abs(factor - 1)))
+    if (const double factor = median_of(wrong, quotient);
+        spread && std::isfinite(factor) && constant(quotient, factor, slack * std::abs(factor - 1)))
         return {fmt::format("depths are all {:.4g} times the expected ones", factor), {{"depth_factor", factor}}};
     // Where all else is right, one direction means that another surface was kept.
     if (static_cast<double>(cells.count(CellState::right)) < 0.1 * static_cast<double>(wrong.size())) return {};
-    if (most(wrong, [](const Pair& pair) { return pair.yours > pair.expected; })) return {"the farther surface won: other depths are right", {{"farther", 1}}};
-    if (most(wrong, [](const Pair& pair) { return pair.yours < pair.expected; })) return {"a surface too near won: other depths are right", {{"nearer", 1}}};
+    if (most(wrong, [](const Pair& pair) { return pair.yours > pair.expected; }))
+        return {"the farther surface won: other depths are right", {{"farther", 1}}};
+    if (most(wrong, [](const Pair& pair) { return pair.yours < pair.expected; }))
+        return {"a surface too near won: other depths are right", {{"nearer", 1}}};
     return {};
 }
 
@@ -122,7 +131,8 @@ BufferPattern renaming(const BufferCells& cells)
         followed += usual->second;
         if (!used.emplace(usual->first, id).second) return {};
         if (usual->first == id) continue;
-        if (++changed <= most_named) list += fmt::format("{}{} for {}", list.empty() ? "" : ", ", number_text(usual->first), number_text(id));
+        if (++changed <= most_named)
+            list += fmt::format("{}{} for {}", list.empty() ? "" : ", ", number_text(usual->first), number_text(id));
     }
     if (changed == 0 || static_cast<double>(followed) < most_of_them * static_cast<double>(total)) return {};
     return {fmt::format("the shapes are right, but named otherwise: {}{}", list, changed > most_named ? ", ..." : ""),
@@ -141,10 +151,12 @@ BufferPattern normal_pattern(const BufferCells& cells)
     constexpr double no_angle = 0.05;
     std::vector<Pair> angles;  // degrees; the length stands in `expected`
     for (std::size_t cell = 0; cell < cells.states.size(); ++cell) {
-        if (cells.states[cell] != CellState::other || !cells.yours.present(cell) || !cells.expected.present(cell)) continue;
+        if (cells.states[cell] != CellState::other || !cells.yours.present(cell) || !cells.expected.present(cell))
+            continue;
         const auto yours = cells.yours.cell(cell);
         const double length = std::hypot(yours[0], yours[1], yours[2]);
-        if (std::isfinite(length) && length > 0) angles.push_back({degrees_between(yours, cells.expected.cell(cell)), length});
+        if (std::isfinite(length) && length > 0)
+            angles.push_back({degrees_between(yours, cells.expected.cell(cell)), length});
     }
     if (angles.empty()) return {};
     double worst = 0;
@@ -153,10 +165,11 @@ BufferPattern normal_pattern(const BufferCells& cells)
     const double mean = sum / static_cast<double>(angles.size());
     const std::map<std::string, double> metrics{{"max_degrees", worst}, {"mean_degrees", mean}};
     if (most(angles, [](const Pair& angle) { return angle.yours < no_angle; }))
-        return {
-            fmt::format("the directions are right, the lengths are not (about {})", number_text(median_of(angles, [](const Pair& a) { return a.expected; }))),
-            metrics};
-    if (most(angles, [](const Pair& angle) { return angle.yours > 180 - no_angle; })) return {"normals point the other way", metrics};
+        return {fmt::format("the directions are right, the lengths are not (about {})",
+                            number_text(median_of(angles, [](const Pair& a) { return a.expected; }))),
+                metrics};
+    if (most(angles, [](const Pair& angle) { return angle.yours > 180 - no_angle; }))
+        return {"normals point the other way", metrics};
     return {fmt::format("directions are up to {:.3g} degrees off, {:.3g} on average", worst, mean), metrics};
 }
 
@@ -168,12 +181,13 @@ BufferPattern texture_pattern(const BufferCells& cells)
         const std::vector<Pair> wrong = pairs_of(cells, CellState::other, i);
         if (wrong.empty()) return {};
         for (const Pair& pair : wrong) worst[i] = std::max(worst[i], std::abs(pair.yours - pair.expected));
-        mirrored[i] =
-            wrong.size() >= least_values && worst[i] > 0 && most(wrong, [](const Pair& pair) { return std::abs(pair.yours + pair.expected - 1) < 1e-3; });
+        mirrored[i] = wrong.size() >= least_values && worst[i] > 0 &&
+                      most(wrong, [](const Pair& pair) { return std::abs(pair.yours + pair.expected - 1) < 1e-3; });
     }
     const std::map<std::string, double> metrics{{"max_u_error", worst[0]}, {"max_v_error", worst[1]}};
     for (std::size_t i = 0; i < 2; ++i)
-        if (mirrored[i] && worst[1 - i] < 1e-3) return {fmt::format("{} runs the other way (1 - {} is expected)", "uv"[i], "uv"[i]), metrics};
+        if (mirrored[i] && worst[1 - i] < 1e-3)
+            return {fmt::format("{} runs the other way (1 - {} is expected)", "uv"[i], "uv"[i]), metrics};
     return {fmt::format("off by up to {:.4g} in u, {:.4g} in v", worst[0], worst[1]), metrics};
 }
 

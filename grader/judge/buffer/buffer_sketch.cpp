@@ -16,7 +16,8 @@ Box window_of(const BufferCells& cells, std::size_t centre)
 {
     const std::size_t x = centre % cells.columns;
     const std::size_t y = centre / cells.columns;
-    return {x - std::min(x, reach), y - std::min(y, reach), std::min(x + reach, cells.columns - 1), std::min(y + reach, cells.rows - 1)};
+    return {x - std::min(x, reach), y - std::min(y, reach), std::min(x + reach, cells.columns - 1),
+            std::min(y + reach, cells.rows - 1)};
 }
 
 template <class Visit>
@@ -54,17 +55,23 @@ public:
     [[nodiscard]] std::string legend() const
     {
         std::string text;
-        if (kind_ == BufferKind::depth && low_ <= high_) text = fmt::format(" 0..9 depths {}..{},", number_text(low_), number_text(high_));
-        for (std::size_t i = 0; i < std::min(letters_.size(), most_letters); ++i) text += fmt::format(" {} {},", char('a' + i), letters_[i]);
+        if (kind_ == BufferKind::depth && low_ <= high_)
+            text = fmt::format(" 0..9 depths {}..{},", number_text(low_), number_text(high_));
+        for (std::size_t i = 0; i < std::min(letters_.size(), most_letters); ++i)
+            text += fmt::format(" {} {},", char('a' + i), letters_[i]);
         return text + " . background, > wrong";
     }
 
 private:
     [[nodiscard]] bool is_background(const TensorView& view, std::size_t cell) const
     {
-        return view.present(cell) == cells_.expected.present(cells_.background) && std::ranges::equal(view.cell(cell), cells_.expected.cell(cells_.background));
+        return view.present(cell) == cells_.expected.present(cells_.background) &&
+               std::ranges::equal(view.cell(cell), cells_.expected.cell(cells_.background));
     }
-    [[nodiscard]] int level(double value) const { return high_ > low_ ? static_cast<int>(std::lround(9 * (value - low_) / (high_ - low_))) : 5; }
+    [[nodiscard]] int level(double value) const
+    {
+        return high_ > low_ ? static_cast<int>(std::lround(9 * (value - low_) / (high_ - low_))) : 5;
+    }
     std::string letter(const std::string& text)
     {
         auto found = std::ranges::find(letters_, text);
@@ -109,7 +116,8 @@ std::string buffer_sketch(const BufferCells& cells, BufferKind kind, std::size_t
 {
     const Box box = window_of(cells, centre);
     const std::string place = fmt::format("x {}..{}, y {}..{};", box.left, box.right, box.top, box.bottom);
-    if (kind == BufferKind::normals || kind == BufferKind::texture || (kind == BufferKind::cells && cells.expected.components() > 1))
+    if (kind == BufferKind::normals || kind == BufferKind::texture ||
+        (kind == BufferKind::cells && cells.expected.components() > 1))
         return state_sketch(cells, box, place);
     Signs signs(cells, kind, box);
     std::vector<std::string> yours;

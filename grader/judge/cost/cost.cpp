@@ -31,14 +31,17 @@ std::string growth_text(double exponent)
 std::string trouble(const Cost& yours, const Cost& reference)
 {
     for (std::size_t i = 0; i < reference.size(); ++i)
-        if (i >= yours.size() || yours[i].size != reference[i].size) return fmt::format("no work was counted for the size {}", count_text(reference[i].size));
+        if (i >= yours.size() || yours[i].size != reference[i].size)
+            return fmt::format("no work was counted for the size {}", count_text(reference[i].size));
     if (yours.size() > reference.size()) return "more sizes were counted than the driver tries: the run was disturbed";
     for (const CostRow& row : yours)
         if (!std::isfinite(row.blocks) || row.blocks < 0) return "the counts are damaged: the run was disturbed";
     const double least = std::max(thresholds::least_blocks, thresholds::least_work * reference.back().blocks);
-    const bool idle = std::ranges::any_of(yours, [](const CostRow& row) { return row.blocks == 0; }) || yours.back().blocks < least;
-    return idle ? fmt::format("next to nothing is done: {} steps for the size {}, the reference takes {}", count_text(yours.back().blocks),
-                              count_text(yours.back().size), count_text(reference.back().blocks))
+    const bool idle =
+        std::ranges::any_of(yours, [](const CostRow& row) { return row.blocks == 0; }) || yours.back().blocks < least;
+    return idle ? fmt::format("next to nothing is done: {} steps for the size {}, the reference takes {}",
+                              count_text(yours.back().blocks), count_text(yours.back().size),
+                              count_text(reference.back().blocks))
                 : "";
 }
 
@@ -98,7 +101,8 @@ Judgement judge_cost(const Check& check, const Tensor& student, const Tensor& ex
     const double exponent = growth_of(yours);
     const double growth = parameters_of<CostParameters>(check).growth;
     const double excess = exponent - growth;
-    judgement.right = std::clamp((thresholds::growth_zero - excess) / (thresholds::growth_zero - thresholds::growth_full), 0.0, 1.0);
+    judgement.right =
+        std::clamp((thresholds::growth_zero - excess) / (thresholds::growth_zero - thresholds::growth_full), 0.0, 1.0);
     judgement.metrics = {{"exponent", exponent},
                          {"reference_exponent", growth_of(*reference)},
                          {"blocks_per_item", yours.back().blocks / yours.back().size},
@@ -106,10 +110,13 @@ Judgement judge_cost(const Check& check, const Tensor& student, const Tensor& ex
     if (judgement.right >= 1) return judgement;
     const std::string_view word = text_of(names);
     const std::string what(word.empty() ? "items" : word);
-    judgement.message = fmt::format("from {} to {} {} your work grows {} (like n^{:.1f}); {} is possible (the reference: {})", count_text(yours.front().size),
-                                    count_text(yours.back().size), what, fold_text(yours), exponent, growth_text(growth), fold_text(*reference));
-    judgement.first_difference = Difference{fmt::format("{} {}", count_text(yours.back().size), what), count_text(yours.back().blocks) + " steps",
-                                            count_text(reference->back().blocks) + " steps"};
+    judgement.message =
+        fmt::format("from {} to {} {} your work grows {} (like n^{:.1f}); {} is possible (the reference: {})",
+                    count_text(yours.front().size), count_text(yours.back().size), what, fold_text(yours), exponent,
+                    growth_text(growth), fold_text(*reference));
+    judgement.first_difference =
+        Difference{fmt::format("{} {}", count_text(yours.back().size), what),
+                   count_text(yours.back().blocks) + " steps", count_text(reference->back().blocks) + " steps"};
     return judgement;
 }
 

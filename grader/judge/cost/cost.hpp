@@ -21,8 +21,8 @@ using Cost = std::vector<CostRow>;
 /// The rows of a table that record_cost made; nothing for a tensor of another type or shape.
 [[nodiscard]] std::optional<Cost> cost_of(const Tensor& tensor);
 
-/// The exponent with which the count grows: the slope of the straight line through (log size, log blocks) with the least squares.
-/// Needs two sizes at least, and everything positive.
+/// The exponent with which the count grows: the slope of the straight line through (log size, log blocks) with the
+/// least squares. Needs two sizes at least, and everything positive.
 [[nodiscard]] double growth_of(const Cost& cost);
 
 /// The growth of counts that can be compared with the expected ones: the same sizes, and work done for each.

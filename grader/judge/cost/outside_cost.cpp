@@ -33,7 +33,8 @@ bool is_worth_measuring(double student, double reference)
     return student > thresholds::outside_ratio_unmeasured * reference + thresholds::outside_unmeasured;
 }
 
-std::optional<std::string> objection_from_outside(const OutsideCost& student, const OutsideCost& reference, const std::vector<double>& sizes, double growth,
+std::optional<std::string> objection_from_outside(const OutsideCost& student, const OutsideCost& reference,
+                                                  const std::vector<double>& sizes, double growth,
                                                   std::string_view names)
 {
     if (student.nothing > thresholds::outside_ratio_before * reference.nothing + thresholds::outside_before)
@@ -52,8 +53,8 @@ std::optional<std::string> objection_from_outside(const OutsideCost& student, co
         "the counted steps are fine, but your code took {:.0f} times the reference's time ({:.0f} ms, {:.1f}), and "
         "from {} to {} {} it grows "
         "faster than that count allows: work was done that is not counted",
-        student.work() / std::max(reference.work(), noise), student.work(), reference.work(), count_text(sizes[first - 1]), count_text(sizes.back()),
-        names.empty() ? "items" : names);
+        student.work() / std::max(reference.work(), noise), student.work(), reference.work(),
+        count_text(sizes[first - 1]), count_text(sizes.back()), names.empty() ? "items" : names);
 }
 
 }

@@ -27,16 +27,17 @@ Tensor at_once(const Tensor& expected)
 
 Controls cost_controls(const Check& /*check*/, const Tensor& expected, std::uint64_t /*seed*/)
 {
-    return {{"zeros", filled(expected, std::vector<double>(expected.components, 0))}, {"returns at once", at_once(expected)}};
+    return {{"zeros", filled(expected, std::vector<double>(expected.components, 0))},
+            {"returns at once", at_once(expected)}};
 }
 
 Resemblance same_cost(const FailingCheck& failing, const Tensor& mistake)
 {
     for (const Tensor* tensor : {failing.student, &mistake})
-        if (fraction_right(*failing.check, *tensor, *failing.expected, nullptr) >= 1) return differently;
+        if (fraction_right(*failing.check, *tensor, *failing.expected, nullptr) >= 1) return not_alike;
     const auto a = comparable_growth(*failing.student, *failing.expected);
     const auto b = comparable_growth(mistake, *failing.expected);
-    if (a.has_value() != b.has_value() || (a && std::abs(*a - *b) > thresholds::same_growth)) return differently;
+    if (a.has_value() != b.has_value() || (a && std::abs(*a - *b) > thresholds::same_growth)) return not_alike;
     return alike(2, !a);
 }
 

@@ -21,7 +21,8 @@ Scale scale_of(std::span<const double> numbers, std::size_t index)
     return {float_ulp(numbers[index]), largest};
 }
 
-// Two numbers that are both not finite went wrong in the same way: that matters between a student and a mistake, since no right answer has them.
+// Two numbers that are both not finite went wrong in the same way: that matters between a student and a mistake, since
+// no right answer has them.
 bool same_number(const Tolerance& tolerance, std::span<const double> a, std::span<const double> b, std::size_t index)
 {
     if (!std::isfinite(a[index]) || !std::isfinite(b[index])) return std::isfinite(a[index]) == std::isfinite(b[index]);
@@ -41,7 +42,8 @@ class EventWriter {
 public:
     EventWriter(const TensorView& expected, std::string_view names) : names_(event_names(names))
     {
-        for (std::size_t i = 0; i < expected.cells(); ++i) used_[expected.cell(i)[0]] = std::max(used_[expected.cell(i)[0]], significant(expected.cell(i)));
+        for (std::size_t i = 0; i < expected.cells(); ++i)
+            used_[expected.cell(i)[0]] = std::max(used_[expected.cell(i)[0]], significant(expected.cell(i)));
     }
 
     [[nodiscard]] std::string operator()(std::span<const double> event) const
@@ -106,7 +108,9 @@ std::map<double, std::string> event_names(std::string_view lines)
 Alignment align_events(const Check& check, const TensorView& a, const TensorView& b)
 {
     const std::size_t size = std::min(a.cells(), 10 * b.cells() + 1000);
-    Alignment alignment = align(size, b.cells(), [&](std::size_t i, std::size_t j) { return same_event(check.tolerance, a.cell(i), b.cell(j)); });
+    Alignment alignment = align(size, b.cells(), [&](std::size_t i, std::size_t j) {
+        return same_event(check.tolerance, a.cell(i), b.cell(j));
+    });
     alignment.best = alignment.best && size == a.cells();
     return alignment;
 }
@@ -114,7 +118,9 @@ Alignment align_events(const Check& check, const TensorView& a, const TensorView
 Judgement judge_events(const Check& check, const Tensor& student, const Tensor& expected_tensor, const Tensor* names)
 {
     const TensorView expected(expected_tensor);
-    if (!all_finite(expected.values())) throw std::invalid_argument("check '" + check.name + "': an expected event is not finite, so nothing can match it");
+    if (!all_finite(expected.values()))
+        throw std::invalid_argument("check '" + check.name +
+                                    "': an expected event is not finite, so nothing can match it");
     const TensorView yours(student);
     const Alignment alignment = align_events(check, yours, expected);
     const std::size_t matched = alignment.matches.size();
@@ -133,8 +139,10 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
     const EventWriter write(expected, text_of(names));
     const std::string came = gap->surplus > 0 ? write(yours.cell(gap->yours)) : "nothing";
     const std::string wanted = gap->lost > 0 ? write(expected.cell(gap->expected)) : "nothing";
-    const bool again = gap->lost == 0 && gap->yours > 0 && same_event(check.tolerance, yours.cell(gap->yours), yours.cell(gap->yours - 1));
-    judgement.first_difference = Difference{fmt::format("event {} of {}", gap->expected + 1, expected.cells()), came, wanted};
+    const bool again = gap->lost == 0 && gap->yours > 0 &&
+                       same_event(check.tolerance, yours.cell(gap->yours), yours.cell(gap->yours - 1));
+    judgement.first_difference =
+        Difference{fmt::format("event {} of {}", gap->expected + 1, expected.cells()), came, wanted};
     judgement.message = fmt::format("event {}: ", gap->expected + 1);
     if (again)
         judgement.message += came + " came once more";
@@ -142,8 +150,9 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
         judgement.message += came + " came, nothing was expected";
     else
         judgement.message += fmt::format("expected {}, {} came{}", wanted, came, gap->surplus > 0 ? " instead" : "");
-    judgement.message += fmt::format(" ({} of {} expected events are right, {}{} of yours {} too much)", matched, expected.cells(),
-                                     alignment.best ? "" : "about ", surplus, surplus == 1 ? "is" : "are");
+    judgement.message +=
+        fmt::format(" ({} of {} expected events are right, {}{} of yours {} too much)", matched, expected.cells(),
+                    alignment.best ? "" : "about ", surplus, surplus == 1 ? "is" : "are");
     return judgement;
 }
 

@@ -21,8 +21,8 @@ namespace umbral::grader {
 /// What a page shows of events; nothing if they are right.
 [[nodiscard]] Evidence events_evidence(const Check& check, const Observation& observation, bool right);
 
-/// The events of two tables aligned: equal codes, and numbers within the check's tolerance (none: equal). Where `a` is far longer than
-/// `b`, its end is left out, so that the time is bounded by what was expected.
+/// The events of two tables aligned: equal codes, and numbers within the check's tolerance (none: equal). Where `a` is
+/// far longer than `b`, its end is left out, so that the time is bounded by what was expected.
 [[nodiscard]] Alignment align_events(const Check& check, const TensorView& a, const TensorView& b);
 
 }

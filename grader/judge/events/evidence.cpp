@@ -38,7 +38,9 @@ Evidence events_evidence(const Check& check, const Observation& observation, boo
     Sides sides{event_lines(yours, names, cut), event_lines(expected, names, cut), {}};
     if (yours.cells() > 0 && yours.components() != expected.components()) return {};
     sides.alignment = align_events(check, yours, expected);
-    std::erase_if(sides.alignment.matches, [&](const auto& match) { return match.first >= sides.yours.size() || match.second >= sides.expected.size(); });
+    std::erase_if(sides.alignment.matches, [&](const auto& match) {
+        return match.first >= sides.yours.size() || match.second >= sides.expected.size();
+    });
     return lines_evidence(sides, "Events", cut);
 }
 

@@ -11,8 +11,8 @@
 
 namespace umbral::grader {
 
-// What a page shows of a check beside its words: plain data, of few kinds. Judges make it from recordings; reports draw the kinds, and know
-// no judges.
+// What a page shows of a check beside its words: plain data, of few kinds. Judges make it from recordings; reports draw
+// the kinds, and know no judges.
 
 /// A part of two pictures, pixel by pixel.
 struct Magnified {
@@ -112,7 +112,8 @@ struct CostEvidence {
     double growth = 1;  ///< the largest exponent allowed
 };
 
-using Evidence = std::variant<std::monostate, PictureEvidence, RowsEvidence, LinesEvidence, FragmentsEvidence, CostEvidence>;
+using Evidence =
+    std::variant<std::monostate, PictureEvidence, RowsEvidence, LinesEvidence, FragmentsEvidence, CostEvidence>;
 
 /// What was recorded for one check. `margin`, `names` and `sketch` may be null or empty.
 struct Observation {

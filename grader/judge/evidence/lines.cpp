@@ -10,10 +10,14 @@ namespace {
 constexpr std::size_t most_shown = 120;  // rows of the table
 constexpr std::size_t context = 2;       // equal lines kept beside a difference
 
-LinePair same_lines(const Sides& sides, std::size_t a, std::size_t b) { return {LineKind::same, a + 1, b + 1, sides.yours[a], sides.expected[b], 0}; }
+LinePair same_lines(const Sides& sides, std::size_t a, std::size_t b)
+{
+    return {LineKind::same, a + 1, b + 1, sides.yours[a], sides.expected[b], 0};
+}
 
 /// What lies between two matches: lines of both sides pair up in their order, the rest is missing or extra.
-void add_gap(const Sides& sides, std::size_t a, std::size_t a_end, std::size_t b, std::size_t b_end, LinesEvidence& result)
+void add_gap(const Sides& sides, std::size_t a, std::size_t a_end, std::size_t b, std::size_t b_end,
+             LinesEvidence& result)
 {
     for (; a < a_end || b < b_end;) {
         const bool both = a < a_end && b < b_end;

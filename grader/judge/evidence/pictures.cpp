@@ -83,14 +83,16 @@ Magnified magnify(const Check& check, const Pair& pair, const Window& window, st
             result.levels.push_back(static_cast<std::uint8_t>(level));
             if (level > 0) worst_pixels.push_back({x, y, of_yours, of_expected, level});
         }
-    std::stable_sort(worst_pixels.begin(), worst_pixels.end(), [](const PixelPair& a, const PixelPair& b) { return a.level > b.level; });
+    std::stable_sort(worst_pixels.begin(), worst_pixels.end(),
+                     [](const PixelPair& a, const PixelPair& b) { return a.level > b.level; });
     if (worst_pixels.size() > most_pixels) worst_pixels.resize(most_pixels);
     return result;
 }
 
 bool is_measured(const Check& check, const Tensor& tensor)
 {
-    return judge_of(check).look != Look::values || tensor.element == Element::float32 || tensor.element == Element::float64;
+    return judge_of(check).look != Look::values || tensor.element == Element::float32 ||
+           tensor.element == Element::float64;
 }
 
 /// Pictures of different or no size: both are shown, and why they cannot be compared.
@@ -117,7 +119,9 @@ Evidence picture_evidence(const Check& check, const Observation& observation, bo
     if (!can_be_drawn(check, expected)) return {};
     try {
         if (shape_error(yours, expected)) return uncomparable(check, yours, expected);
-        Pair pair{yours, expected, to_image(yours, check), to_image(expected, check), difference_map(check, yours, expected), {}, 0};
+        Pair pair{
+            yours, expected, to_image(yours, check), to_image(expected, check), difference_map(check, yours, expected),
+            {},    0};
         PictureEvidence result;
         result.graded = is_measured(check, expected);
         for (const std::uint8_t level : pair.map.cells) {
@@ -129,7 +133,8 @@ Evidence picture_evidence(const Check& check, const Observation& observation, bo
         if (pair.largest == 0) return result;
         result.reference = pair.expected_image;
         pair.difference = Image(pair.map.width, pair.map.height);
-        for (std::size_t i = 0; i < pair.map.cells.size(); ++i) pair.difference.cells[i] = magma(static_cast<double>(pair.map.cells[i]) / pair.largest);
+        for (std::size_t i = 0; i < pair.map.cells.size(); ++i)
+            pair.difference.cells[i] = magma(static_cast<double>(pair.map.cells[i]) / pair.largest);
         result.difference = pair.difference;
         const std::optional<WorstRegion> worst = worst_region(check, yours, expected);
         if (worst && !right) result.worst = magnify(check, pair, worst->worst, result.pixels);

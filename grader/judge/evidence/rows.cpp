@@ -111,7 +111,8 @@ Evidence rows_evidence(const Check& check, const Observation& observation, bool 
     RowsEvidence result;
     if (matrices) result.side = expected.components() == 9 ? 3 : expected.components() == 16 ? 4 : 0;
     std::vector<Candidate> wrong;
-    const std::vector<RowState> states = row_states(check, *observation.yours, *observation.expected, observation.margin, kind);
+    const std::vector<RowState> states =
+        row_states(check, *observation.yours, *observation.expected, observation.margin, kind);
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (states[i] != RowState::left_out) ++result.rows;
         if (states[i] == RowState::wrong) wrong.push_back({i, write.error(i)});
@@ -121,7 +122,8 @@ Evidence rows_evidence(const Check& check, const Observation& observation, bool 
     const std::size_t shown = std::min(wrong.size(), wrong.size() <= 2 * most && !matrices ? 2 * most : most);
     for (std::size_t i = 0; i < shown; ++i) result.first.push_back(write(wrong[i].row));
     wrong.erase(wrong.begin(), wrong.begin() + static_cast<std::ptrdiff_t>(shown));
-    std::stable_sort(wrong.begin(), wrong.end(), [](const Candidate& a, const Candidate& b) { return a.error > b.error; });
+    std::stable_sort(wrong.begin(), wrong.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.error > b.error; });
     for (std::size_t i = 0; i < std::min(wrong.size(), most); ++i) result.worst.push_back(write(wrong[i].row));
     return result;
 }

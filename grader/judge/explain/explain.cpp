@@ -20,11 +20,13 @@ namespace {
 
 bool comparable(const FailingCheck& failing)
 {
-    return failing.check != nullptr && failing.student != nullptr && failing.expected != nullptr && well_formed(*failing.expected) &&
-           failing.expected->cells() > 0 && !shape_error(*failing.check, *failing.student, *failing.expected);
+    return failing.check != nullptr && failing.student != nullptr && failing.expected != nullptr &&
+           well_formed(*failing.expected) && failing.expected->cells() > 0 &&
+           !shape_error(*failing.check, *failing.student, *failing.expected);
 }
 
-// Undoing rounds again, so bounds are widened to what a few float operations lose; the result as it came must fail these too.
+// Undoing rounds again, so bounds are widened to what a few float operations lose; the result as it came must fail
+// these too.
 Check widened(Check check)
 {
     Tolerance& tolerance = check.tolerance;
@@ -44,7 +46,8 @@ bool raises(double before, double after, double full)
 std::vector<bool> mended_rows(const std::vector<RowState>& before, const std::vector<RowState>& after)
 {
     std::vector<bool> mended(before.size());
-    for (std::size_t i = 0; i < before.size(); ++i) mended[i] = before[i] == RowState::wrong && after[i] == RowState::right;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        mended[i] = before[i] == RowState::wrong && after[i] == RowState::right;
     return mended;
 }
 
@@ -53,7 +56,8 @@ double mending_bits(const Check& check, const FailingCheck& one, const Tensor& u
 {
     const std::size_t cells = one.expected->cells();
     if (judge_of(check).look == Look::colours)
-        return agreement_bits(*one.student, *one.expected, std::vector<bool>(cells, true), different_pixels(check, *one.student, *one.expected));
+        return agreement_bits(*one.student, *one.expected, std::vector<bool>(cells, true),
+                              different_pixels(check, *one.student, *one.expected));
     Check rows = check;
     rows.pairs = false;
     const Tensor expected = made_finite(*one.expected);
@@ -63,30 +67,35 @@ double mending_bits(const Check& check, const FailingCheck& one, const Tensor& u
 }
 
 /// Nothing if the transform cannot be tried: it is none of such values, or would be fitted to one or two of them.
-std::optional<Resemblance> says_of(const NamedTransform& transform, const Check& check, const FailingCheck& one, double before)
+std::optional<Resemblance> says_of(const NamedTransform& transform, const Check& check, const FailingCheck& one,
+                                   double before)
 {
     if (!one.fails && transform.fitted_bits > 0) return Resemblance{};
     const auto undone = transform.undo(check, *one.student, *one.expected);
     if (!undone) return std::nullopt;
-    if (*undone == *one.student) return one.fails ? differently : Resemblance{};
+    if (*undone == *one.student) return one.fails ? not_alike : Resemblance{};
     const double after = fraction_right(check, *undone, *one.expected, one.margin);
-    if (!one.fails) return after < check.full ? differently : Resemblance{};
-    if (raises(before, after, check.full)) return Resemblance{Says::for_it, std::max(0.0, mending_bits(check, one, *undone) - transform.fitted_bits)};
-    // Where next to all of the error is gone, what is left may be what undoing lost in rounding: hard cases ask for the last digits.
-    const bool nearly = distance(*undone, *one.expected) <= thresholds::rounding_left * distance(*one.student, *one.expected);
-    return nearly ? Resemblance{} : differently;
+    if (!one.fails) return after < check.full ? not_alike : Resemblance{};
+    if (raises(before, after, check.full))
+        return Resemblance{Says::for_it, std::max(0.0, mending_bits(check, one, *undone) - transform.fitted_bits)};
+    // Where next to all of the error is gone, what is left may be what undoing lost in rounding: hard cases ask for the
+    // last digits.
+    const bool nearly =
+        distance(*undone, *one.expected) <= thresholds::rounding_left * distance(*one.student, *one.expected);
+    return nearly ? Resemblance{} : not_alike;
 }
 
 /// What the checks say of one transform.
 struct Trial {
-    Testimony testimony;
+    Tally tally;
     std::set<JudgeKind> mended;                  ///< kinds of checks that speak for it
     std::map<JudgeKind, std::size_t> not_tried;  ///< failing checks on which it could not be tried
 
-    /// Checks of another kind are no witnesses: a picture does not tell that the numbers behind it were scaled. Those of the same kind are.
-    [[nodiscard]] Testimony all() const
+    /// Checks of another kind are no witnesses: a picture does not tell that the numbers behind it were scaled. Those
+    /// of the same kind are.
+    [[nodiscard]] Tally all() const
     {
-        Testimony result = testimony;
+        Tally result = tally;
         for (const auto& [kind, count] : not_tried)
             if (mended.contains(kind)) result.against_it += count;
         return result;
@@ -126,20 +135,21 @@ std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& c
             std::optional<Resemblance> said;
             // Too little of an error to tell what it is: rounding, to the wider tolerance.
             if (can_be_tried && one.fails && before >= check.full)
-                said = differently;
+                said = not_alike;
             else if (can_be_tried)
                 said = says_of(transforms[i], check, one, before);
             if (!said && one.fails) ++trials[i].not_tried[kind];
             if (!said) continue;
-            if (said->says == Says::for_it && trials[i].testimony.for_it == 0 && transforms[i].describe != nullptr)
-                if (std::string sentence = transforms[i].describe(check, *one.student, *one.expected); !sentence.empty())
+            if (said->says == Says::for_it && trials[i].tally.for_it == 0 && transforms[i].describe != nullptr)
+                if (std::string sentence = transforms[i].describe(check, *one.student, *one.expected);
+                    !sentence.empty())
                     explanations[i].sentence = std::move(sentence);
             if (said->says == Says::for_it) trials[i].mended.insert(kind);
-            trials[i].testimony += *said;
+            trials[i].tally += *said;
         }
     }
     for (std::size_t i = 0; i < explanations.size(); ++i) {
-        explanations[i].confidence = sureness(trials[i].all());
+        explanations[i].confidence = confidence(trials[i].all());
         explanations[i].fit = fit(trials[i].all());
     }
     std::erase_if(explanations, [](const Explanation& explanation) { return explanation.confidence == 0; });
@@ -149,11 +159,12 @@ std::vector<Explanation> explain_by_transform(const std::vector<FailingCheck>& c
 
 namespace {
 
-/// Neither can be judged, because of its type or size: then only equality tells, as much as two numbers do (how many rows, and what they hold).
+/// Neither can be judged, because of its type or size: then only equality tells, as much as two numbers do (how many
+/// rows, and what they hold).
 Resemblance same_misfit(const FailingCheck& failing, const Tensor& mistake)
 {
     constexpr double bits = 12;
-    if (failing.student == nullptr || !(*failing.student == mistake)) return differently;
+    if (failing.student == nullptr || !(*failing.student == mistake)) return not_alike;
     return {Says::for_it, mistake.cells() == 0 ? 0 : bits};
 }
 
@@ -161,17 +172,20 @@ Resemblance same_misfit(const FailingCheck& failing, const Tensor& mistake)
 
 Resemblance resemblance(const FailingCheck& one, const Tensor& mistake)
 {
-    if (one.check == nullptr || one.expected == nullptr || !well_formed(*one.expected) || one.expected->cells() == 0) return {};
+    if (one.check == nullptr || one.expected == nullptr || !well_formed(*one.expected) || one.expected->cells() == 0)
+        return {};
     const bool judged = !shape_error(*one.check, mistake, *one.expected);
     if (!one.fails) {
         // By its points, as the student's passed: a few cells of a large buffer round away.
-        const bool passes = judged && points_for(*one.check, fraction_right(*one.check, mistake, *one.expected, one.margin), 0) == one.check->points;
-        return passes ? Resemblance{} : differently;
+        const bool passes =
+            judged && points_for(*one.check, fraction_right(*one.check, mistake, *one.expected, one.margin), 0) ==
+                          one.check->points;
+        return passes ? Resemblance{} : not_alike;
     }
     if (!judged && !comparable(one)) return same_misfit(one, mistake);
-    if (!judged || !comparable(one)) return differently;
+    if (!judged || !comparable(one)) return not_alike;
     const auto resembles = judge_of(*one.check).resemblance;
-    return resembles != nullptr ? resembles(one, mistake) : differently;
+    return resembles != nullptr ? resembles(one, mistake) : not_alike;
 }
 
 }

@@ -12,19 +12,25 @@ namespace {
 /// Of 32 values noise correlates to a half with a probability of 0.002.
 constexpr std::size_t least_values = 32;
 
-double share(std::size_t part, std::size_t whole) { return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole); }
+double share(std::size_t part, std::size_t whole)
+{
+    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
 
 using Cells = std::vector<std::size_t>;
 
 /// The values of one component in some cells, about their mean. Beyond a picture's range the check does not look.
-std::vector<double> centred(const Check& check, const TensorView& view, bool bytes, const Cells& cells, std::size_t component)
+std::vector<double> centred(const Check& check, const TensorView& view, bool bytes, const Cells& cells,
+                            std::size_t component)
 {
     std::vector<double> values;
     values.reserve(cells.size());
     double mean = 0;
     for (const std::size_t cell : cells) {
         const double value = view.cell(cell)[component];
-        values.push_back(judge_of(check).look == Look::colours && !bytes ? std::clamp(value, check.range_low, check.range_high) : value);
+        values.push_back(judge_of(check).look == Look::colours && !bytes
+                             ? std::clamp(value, check.range_low, check.range_high)
+                             : value);
         mean += values.back() / static_cast<double>(cells.size());
     }
     for (double& value : values) value -= mean;
@@ -32,7 +38,8 @@ std::vector<double> centred(const Check& check, const TensorView& view, bool byt
 }
 
 /// Sums of products over all components; nothing is equal to what does not vary.
-double correlation(const Check& check, const Tensor& student, const TensorView& yours, const TensorView& expected, const Cells& cells)
+double correlation(const Check& check, const Tensor& student, const TensorView& yours, const TensorView& expected,
+                   const Cells& cells)
 {
     double of_yours = 0;
     double of_expected = 0;
@@ -61,7 +68,9 @@ Cells cells_with_values(const TensorView& view)
 
 bool varies(const TensorView& view, const Cells& cells)
 {
-    const auto differs = [&](std::size_t cell) { return !std::ranges::equal(view.cell(cell), view.cell(cells.front())); };
+    const auto differs = [&](std::size_t cell) {
+        return !std::ranges::equal(view.cell(cell), view.cell(cells.front()));
+    };
     return std::any_of(cells.begin(), cells.end(), differs);
 }
 

@@ -41,10 +41,12 @@ Tensor comparable_table(const Tensor& tensor, const Tensor& expected)
     return made_finite(tensor);
 }
 
-/// A few numbers that agree, each of which says something; one alone if everything is lost, as with code that does nothing.
+/// A few numbers that agree, each of which says something; one alone if everything is lost, as with code that does
+/// nothing.
 Resemblance alike(std::size_t agreeing, bool nothing_at_all)
 {
-    return {Says::for_it, nothing_at_all ? 1 : std::min(bits_each * static_cast<double>(agreeing), thresholds::most_value_bits)};
+    return {Says::for_it,
+            nothing_at_all ? 1 : std::min(bits_each * static_cast<double>(agreeing), thresholds::most_value_bits)};
 }
 
 /// Pixels that differ by more than rounding can.
@@ -56,7 +58,8 @@ std::vector<bool> different_pixels(const Check& check, const Tensor& a_tensor, c
     const double levels = thresholds::background_levels * range / 255;
     std::vector<bool> result(a.cells());
     for (std::size_t i = 0; i < result.size(); ++i)
-        for (std::size_t c = 0; c < a.components(); ++c) result[i] = result[i] || !(std::abs(a.cell(i)[c] - b.cell(i)[c]) <= levels);
+        for (std::size_t c = 0; c < a.components(); ++c)
+            result[i] = result[i] || !(std::abs(a.cell(i)[c] - b.cell(i)[c]) <= levels);
     return result;
 }
 
@@ -87,22 +90,26 @@ Resemblance same_rows(const FailingCheck& failing, const Tensor& mistake_tensor)
         alike[i] = agreement[i] == RowState::right;
         if (alike[i]) ++agreeing;
     }
-    if (!student_deviates || !mistake_deviates || static_cast<double>(agreeing) < thresholds::mistake_share * static_cast<double>(deviating))
-        return differently;
+    if (!student_deviates || !mistake_deviates ||
+        static_cast<double>(agreeing) < thresholds::mistake_share * static_cast<double>(deviating))
+        return not_alike;
     return {Says::for_it, agreement_bits(*failing.student, *failing.expected, counted(student_states), alike)};
 }
 
 Resemblance same_picture(const FailingCheck& failing, const Tensor& mistake)
 {
     const Check& check = *failing.check;
-    if (fraction_right(check, *failing.student, *failing.expected, nullptr) >= 1 || fraction_right(check, mistake, *failing.expected, nullptr) >= 1)
-        return differently;
+    if (fraction_right(check, *failing.student, *failing.expected, nullptr) >= 1 ||
+        fraction_right(check, mistake, *failing.expected, nullptr) >= 1)
+        return not_alike;
     // A mistake's picture that is not finite is no picture to compare with.
     const auto is_finite = [](const Tensor& tensor) { return all_finite(to_doubles(tensor)); };
-    const bool same = *failing.student == mistake || (is_finite(mistake) && fraction_right(check, *failing.student, mistake, nullptr) >= 1);
-    if (!same) return differently;
+    const bool same = *failing.student == mistake ||
+                      (is_finite(mistake) && fraction_right(check, *failing.student, mistake, nullptr) >= 1);
+    if (!same) return not_alike;
     const auto alike = different_pixels(check, *failing.student, *failing.expected);
-    return {Says::for_it, agreement_bits(*failing.student, *failing.expected, std::vector<bool>(alike.size(), true), alike)};
+    return {Says::for_it,
+            agreement_bits(*failing.student, *failing.expected, std::vector<bool>(alike.size(), true), alike)};
 }
 
 }

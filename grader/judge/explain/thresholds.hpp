@@ -4,29 +4,33 @@
 
 /// Every threshold of the judges that no manifest declares, with where it comes from.
 ///
-/// Those of the image rule were set on half of the scenes of `umbral bench judge`, so that harmless pictures stay below half of each (of (e)
-/// and (f) a third); docs/judging.md holds the table for the other half.
+/// Those of the image rule were set on half of the scenes of `umbral bench judge`, so that harmless pictures stay below
+/// half of each (of (e) and (f) a third); docs/judging.md holds the table for the other half.
 namespace umbral::grader::thresholds {
 
-// (a) Edges: largest of the two one-way 3x3 minimum differences. Based on: the fuzzy compare of the Khronos conformance suite, with the
-// larger direction instead of the smaller, or a missing thin line would pass.
+// (a) Edges: largest of the two one-way 3x3 minimum differences. Based on: the fuzzy compare of the Khronos conformance
+// suite, with the larger direction instead of the smaller, or a missing thin line would pass.
 constexpr int edge_levels = 10;
 constexpr double edge_share = 0.0015;
 
-// (b) Colour in the smooth interior, where no edge can excuse a difference. 5 levels: filament's gate for renders on one machine.
+// (b) Colour in the smooth interior, where no edge can excuse a difference. 5 levels: filament's gate for renders on
+// one machine.
 constexpr int interior_levels = 5;
 constexpr double interior_share = 0.005;
-/// A pixel is smooth if no channel of the expected 3x3 neighbourhood spans more: a unit step of a shading gradient is far below this, a
-/// silhouette far above.
+/// A pixel is smooth if no channel of the expected 3x3 neighbourhood spans more: a unit step of a shading gradient is
+/// far below this, a silhouette far above.
 constexpr int smooth_span = 16;
-/// Where less than this share of the content is smooth (a wireframe), the content's area is the base: one stray pixel is not all.
+/// Where less than this share of the content is smooth (a wireframe), the content's area is the base: one stray pixel
+/// is not all.
 constexpr double smooth_floor = 0.25;
 
-// (c) Mean bias over the content: a wrong light moves everything a little. Cutting off instead of rounding moves it by half a level.
+// (c) Mean bias over the content: a wrong light moves everything a little. Cutting off instead of rounding moves it by
+// half a level.
 constexpr double bias_share = 0.012;
 constexpr double bias_levels = 1.2;
 
-// (d) Shift: another alignment is better only if it leaves less than this share of the difference; re-owned edge pixels reach 0.95.
+// (d) Shift: another alignment is better only if it leaves less than this share of the difference; re-owned edge pixels
+// reach 0.95.
 constexpr double shift_gain = 0.8;
 /// Below this mean difference (levels, over the content) no shift is looked for: it would be fitted to rounding.
 constexpr double shift_minimum = 0.25;
@@ -47,24 +51,28 @@ constexpr double displacement = 0.25;
 /// Ratio charged at most for (e), (f) and (g): three quarters of the credit remain.
 constexpr double window_ratio = 3.0;
 
-/// A pixel belongs to the content if a channel differs by more from the background. Two levels: a dithered or re-rounded background
-/// stays background; errors in what is left out are at most 4 levels, below every other threshold.
+/// A pixel belongs to the content if a channel differs by more from the background. Two levels: a dithered or
+/// re-rounded background stays background; errors in what is left out are at most 4 levels, below every other
+/// threshold.
 constexpr int background_levels = 2;
 
-/// Worst ratio of a measure to its threshold at which a picture is worth nothing. Credit falls with the logarithm of the ratio, as
-/// errors spread over decades: ten times the threshold is worth one half. 100: 15 % of edges or half of the interior wrong.
+/// Worst ratio of a measure to its threshold at which a picture is worth nothing. Credit falls with the logarithm of
+/// the ratio, as errors spread over decades: ten times the threshold is worth one half. 100: 15 % of edges or half of
+/// the interior wrong.
 constexpr double zero_ratio = 100.0;
 
 /// Side of the window that worst_region looks for.
 constexpr int worst_window = 32;
 
-// Growth of counted work. Sizes a factor of 16 apart and n log n make an exponent of 1.12: what admits n admits n log n, and nothing near n^2.
+// Growth of counted work. Sizes a factor of 16 apart and n log n make an exponent of 1.12: what admits n admits n log
+// n, and nothing near n^2.
 constexpr double growth_full = 0.15;  ///< above the declared exponent: still all right
 constexpr double growth_zero = 0.6;   ///< worth nothing
 /// Share of the reference's work, and count, below which a function cannot have done its task: it returned at once.
 constexpr double least_work = 0.02;
 constexpr double least_blocks = 4;
-/// Processor time, seen from outside, in milliseconds. A run that takes this much more than the reference's has its count weighed against it …
+/// Processor time, seen from outside, in milliseconds. A run that takes this much more than the reference's has its
+/// count weighed against it …
 constexpr double outside_ratio_unmeasured = 1.5;
 constexpr double outside_unmeasured = 2;
 /// … where so much is noise: the least of three runs of the same work differs by a third of it …
@@ -85,7 +93,7 @@ constexpr double unexplained_share = 0.5;
 constexpr double rounding_left = 1e-3;
 /// Share of the rows in which a mistake must deviate as the student did.
 constexpr double mistake_share = 0.95;
-/// Sureness of explanations (sureness.hpp): judgement, which `umbral bench explanations` measures.
+/// Confidence of explanations (confidence.hpp): judgement, which `umbral bench explanations` measures.
 constexpr double least_sure = 0.6;        ///< below it nothing is said: a wrong explanation is worse than none
 constexpr double very_sure = 0.9;         ///< from here on "very likely", below it "probably"
 constexpr double equally_sure = 0.02;     ///< two that differ by less match equally well
@@ -94,13 +102,15 @@ constexpr double most_pattern_bits = 12;  ///< from which rows deviate, of one c
 constexpr double most_value_bits = 48;    ///< from the values in them, of one check
 constexpr std::size_t most_explanations = 3;
 
-// Monte Carlo. Chance that correct work fails any noise check of a submission: a course of 100 students with 10 submissions each meets
-// such a failure once in ten such courses.
+// Monte Carlo. Chance that correct work fails any noise check of a submission: a course of 100 students with 10
+// submissions each meets such a failure once in ten such courses.
 constexpr double submission_alpha = 1e-4;
-/// Below this probability a noise check is borderline, and judged on two runs: 1 of 100 correct ones costs a second run.
+/// Below this probability a noise check is borderline, and judged on two runs: 1 of 100 correct ones costs a second
+/// run.
 constexpr double noise_borderline = 0.01;
-/// Share of the light in the wrong place at which a wrong picture is worth all and nothing; linear in its logarithm between. Twice the
-/// light (a missing cosine, a solid angle for a hemisphere) knows nothing of the integral; 1 % is a slip in an offset.
+/// Share of the light in the wrong place at which a wrong picture is worth all and nothing; linear in its logarithm
+/// between. Twice the light (a missing cosine, a solid angle for a hemisphere) knows nothing of the integral; 1 % is a
+/// slip in an offset.
 constexpr double noise_full = 0.01;
 constexpr double noise_zero = 0.5;
 /// … and the most that a proven bias is worth, however small.

@@ -15,7 +15,8 @@ Tensor map_cells(const Tensor& student, const Tensor& expected, const CellMap& c
     std::vector<double> values(source.values().begin(), source.values().end());
     const std::size_t components = source.components();
     for (std::size_t cell = 0; cell < source.cells(); ++cell)
-        if (source.present(cell) && target.present(cell)) change({values.data() + cell * components, components}, target.cell(cell));
+        if (source.present(cell) && target.present(cell))
+            change({values.data() + cell * components, components}, target.cell(cell));
     return with_values(student, values);
 }
 
@@ -33,7 +34,8 @@ std::vector<ValuePair> value_pairs(const Tensor& student, const Tensor& expected
     std::vector<ValuePair> pairs;
     for (std::size_t cell = 0; cell < source.cells(); ++cell)
         for (std::size_t c = 0; c < source.components() && source.present(cell) && target.present(cell); ++c)
-            if (std::isfinite(source.cell(cell)[c]) && std::isfinite(target.cell(cell)[c])) pairs.push_back({source.cell(cell)[c], target.cell(cell)[c]});
+            if (std::isfinite(source.cell(cell)[c]) && std::isfinite(target.cell(cell)[c]))
+                pairs.push_back({source.cell(cell)[c], target.cell(cell)[c]});
     return pairs;
 }
 

@@ -28,16 +28,19 @@ struct ValuePair {
 };
 [[nodiscard]] std::vector<ValuePair> value_pairs(const Tensor& student, const Tensor& expected);
 
-/// Are there enough different expected values for a fitted number to mean something? One equation always has a solution.
+/// Are there enough different expected values for a fitted number to mean something? One equation always has a
+/// solution.
 [[nodiscard]] bool enough_to_fit(const std::vector<ValuePair>& pairs);
 
 /// The middle value; nothing of an empty list.
 [[nodiscard]] std::optional<double> median(std::vector<double> values);
 
-/// The factor between the two sides, from the values that are not almost zero; nothing if it is not one factor for most of them.
+/// The factor between the two sides, from the values that are not almost zero; nothing if it is not one factor for most
+/// of them.
 [[nodiscard]] std::optional<double> common_factor(const std::vector<ValuePair>& pairs);
 
-/// Mean distance of two tensors of one shape, non-finite values counting as far apart: which of several candidates fits best.
+/// Mean distance of two tensors of one shape, non-finite values counting as far apart: which of several candidates fits
+/// best.
 [[nodiscard]] double distance(const Tensor& a, const Tensor& b);
 
 }

@@ -53,7 +53,9 @@ Result flip_horizontally(const Check& check, const Tensor& student, const Tensor
 Result turn(const Check& check, const Tensor& student, const Tensor&)
 {
     if (!is_grid(check)) return std::nullopt;
-    return rearranged(student, [&](std::uint32_t x, std::uint32_t y) { return At{student.columns - 1 - x, student.rows - 1 - y}; });
+    return rearranged(student, [&](std::uint32_t x, std::uint32_t y) {
+        return At{student.columns - 1 - x, student.rows - 1 - y};
+    });
 }
 
 Result swap_axes(const Check& check, const Tensor& student, const Tensor&)
@@ -65,13 +67,15 @@ Result swap_axes(const Check& check, const Tensor& student, const Tensor&)
 Result swap_red_blue(const Check& check, const Tensor& student, const Tensor& expected)
 {
     if (!has_colours(check) || student.components < 3) return std::nullopt;
-    return map_cells(student, expected, [](std::span<double> pixel, std::span<const double>) { std::swap(pixel[0], pixel[2]); });
+    return map_cells(student, expected,
+                     [](std::span<double> pixel, std::span<const double>) { std::swap(pixel[0], pixel[2]); });
 }
 
 Result restore_alpha(const Check& check, const Tensor& student, const Tensor& expected)
 {
     if (!has_colours(check) || student.components != 4) return std::nullopt;
-    return map_cells(student, expected, [](std::span<double> pixel, std::span<const double> target) { pixel[3] = target[3]; });
+    return map_cells(student, expected,
+                     [](std::span<double> pixel, std::span<const double> target) { pixel[3] = target[3]; });
 }
 
 struct Shift {
@@ -80,7 +84,8 @@ struct Shift {
 };
 constexpr int largest_shift = 8;
 
-// The shift of up to largest_shift pixels under which most cells agree; cells are compared by their bytes, as a shift changes none.
+// The shift of up to largest_shift pixels under which most cells agree; cells are compared by their bytes, as a shift
+// changes none.
 Shift best_shift(const Tensor& student, const Tensor& expected)
 {
     const int width = static_cast<int>(student.columns);
@@ -91,7 +96,8 @@ Shift best_shift(const Tensor& student, const Tensor& expected)
     const auto keys = [size](const Tensor& tensor) {
         std::vector<std::uint32_t> result(tensor.cells(), 2166136261U);
         for (std::size_t i = 0; i < result.size(); ++i)
-            for (std::size_t b = 0; b < size; ++b) result[i] = (result[i] ^ std::to_integer<std::uint32_t>(tensor.bytes[i * size + b])) * 16777619U;
+            for (std::size_t b = 0; b < size; ++b)
+                result[i] = (result[i] ^ std::to_integer<std::uint32_t>(tensor.bytes[i * size + b])) * 16777619U;
         return result;
     };
     const std::vector<std::uint32_t> yours = keys(student);
@@ -127,7 +133,8 @@ Result unshift(const Check& check, const Tensor& student, const Tensor& expected
         for (int x = 0; x < static_cast<int>(student.columns); ++x) {
             const int sx = x + shift.x;
             const int sy = y + shift.y;
-            if (sx < 0 || sy < 0 || sx >= static_cast<int>(student.columns) || sy >= static_cast<int>(student.rows)) continue;
+            if (sx < 0 || sy < 0 || sx >= static_cast<int>(student.columns) || sy >= static_cast<int>(student.rows))
+                continue;
             const std::size_t to = static_cast<std::size_t>(y) * student.columns + static_cast<std::size_t>(x);
             const std::size_t from = static_cast<std::size_t>(sy) * student.columns + static_cast<std::size_t>(sx);
             std::memcpy(result.bytes.data() + to * size, student.bytes.data() + from * size, size);
@@ -141,20 +148,27 @@ std::string describe_shift(const Check&, const Tensor& student, const Tensor& ex
     std::string where;
     const auto add = [&where](int by, const char* positive, const char* negative) {
         if (by == 0) return;
-        where += (where.empty() ? "" : " and ") + fmt::format("{} pixel{} {}", std::abs(by), std::abs(by) == 1 ? "" : "s", by > 0 ? positive : negative);
+        where += (where.empty() ? "" : " and ") +
+                 fmt::format("{} pixel{} {}", std::abs(by), std::abs(by) == 1 ? "" : "s", by > 0 ? positive : negative);
     };
     add(shift.x, "to the right", "to the left");
     add(shift.y, "down", "up");
-    return fmt::format("Your picture is the expected one moved by {}: look at the pixel centres (x + 0.5) and at where rounding happens.", where);
+    return fmt::format(
+        "Your picture is the expected one moved by {}: look at the pixel centres (x + 0.5) and at where rounding "
+        "happens.",
+        where);
 }
 
 // Depth counted from the other end: 1 - z, -z, or mirrored in the expected range; infinite cells stay.
 Result invert_depth(const Check& check, const Tensor& student, const Tensor& expected)
 {
-    if (judge_of(check).look != Look::values || (student.element != Element::float32 && student.element != Element::float64)) return std::nullopt;
+    if (judge_of(check).look != Look::values ||
+        (student.element != Element::float32 && student.element != Element::float64))
+        return std::nullopt;
     double low = INFINITY;
     double high = -INFINITY;
-    for (const ValuePair& pair : value_pairs(expected, expected)) low = std::min(low, pair.expected), high = std::max(high, pair.expected);
+    for (const ValuePair& pair : value_pairs(expected, expected))
+        low = std::min(low, pair.expected), high = std::max(high, pair.expected);
     Result best;
     double nearest = 0;
     for (const double sum : {1.0, 0.0, low + high}) {
@@ -170,7 +184,9 @@ Result invert_depth(const Check& check, const Tensor& student, const Tensor& exp
 
 Result shift_ids(const Check& check, const Tensor& student, const Tensor& expected)
 {
-    if (judge_of(check).look != Look::values || (student.element != Element::int32 && student.element != Element::uint32)) return std::nullopt;
+    if (judge_of(check).look != Look::values ||
+        (student.element != Element::int32 && student.element != Element::uint32))
+        return std::nullopt;
     Result best;
     double nearest = 0;
     for (const double by : {1.0, -1.0}) {
@@ -190,15 +206,25 @@ Result shift_ids(const Check& check, const Tensor& student, const Tensor& expect
 std::vector<NamedTransform> image_transforms()
 {
     std::vector<NamedTransform> all = {
-        {"alpha only", "Your colours are right; only the alpha differs: an opaque pixel has alpha 255 (1.0 in a shader).", restore_alpha},
-        {"flipped vertically", "Your picture is upside down: row 0 is the top one here, while OpenGL counts from the bottom.", flip_vertically},
-        {"flipped horizontally", "Your picture is mirrored left to right: look at the sign of the x axis or of a cross product.", flip_horizontally},
-        {"turned by 180 degrees", "Your picture is turned upside down and mirrored: both axes have the wrong sign.", turn},
-        {"x and y swapped", "Your picture is mirrored at its diagonal: x and y (or width and height) are swapped.", swap_axes},
+        {"alpha only",
+         "Your colours are right; only the alpha differs: an opaque pixel has alpha 255 (1.0 in a shader).",
+         restore_alpha},
+        {"flipped vertically",
+         "Your picture is upside down: row 0 is the top one here, while OpenGL counts from the bottom.",
+         flip_vertically},
+        {"flipped horizontally",
+         "Your picture is mirrored left to right: look at the sign of the x axis or of a cross product.",
+         flip_horizontally},
+        {"turned by 180 degrees", "Your picture is turned upside down and mirrored: both axes have the wrong sign.",
+         turn},
+        {"x and y swapped", "Your picture is mirrored at its diagonal: x and y (or width and height) are swapped.",
+         swap_axes},
         {"red and blue swapped", "Red and blue are swapped: you write BGR where RGB is expected.", swap_red_blue},
         {"shifted", "Your picture is the expected one moved by whole pixels.", unshift, describe_shift, 8},
-        {"depth inverted", "Your depth grows the wrong way: near and far are exchanged (1 - z instead of z).", invert_depth, nullptr, 2},
-        {"ids off by one", "Your ids are all one off: count from the same number as the statement does.", shift_ids, nullptr, 1},
+        {"depth inverted", "Your depth grows the wrong way: near and far are exchanged (1 - z instead of z).",
+         invert_depth, nullptr, 2},
+        {"ids off by one", "Your ids are all one off: count from the same number as the statement does.", shift_ids,
+         nullptr, 1},
     };
     for (NamedTransform& tone : tone_transforms()) all.push_back(std::move(tone));
     return all;

@@ -135,11 +135,13 @@ std::string describe_flip(const Check& check, const Tensor& student, const Tenso
     const auto best = best_flip(check, student, expected);
     if (!best) return {};
     return fmt::format(
-        "The {} axis of your matrix ({} {}) points the other way: check the handedness; here the world is right-handed and the camera looks along -z.",
+        "The {} axis of your matrix ({} {}) points the other way: check the handedness; here the world is right-handed "
+        "and the camera looks along -z.",
         "xyz"[best->axis], best -> row ? "row" : "column", best->axis);
 }
 
-// The rotation about the expected axis by `factor` times the expected angle (or by that angle less a full turn), if there is an axis to see.
+// The rotation about the expected axis by `factor` times the expected angle (or by that angle less a full turn), if
+// there is an axis to see.
 bool turned_by_factor(Target yours, Target target, double factor)
 {
     glm::dmat3 rotation;
@@ -151,13 +153,15 @@ bool turned_by_factor(Target yours, Target target, double factor)
             rotation[column][row] = entry(target, i, j);
             found[column][row] = entry(yours, i, j);
         }
-    const glm::dvec3 twice_axis(rotation[1][2] - rotation[2][1], rotation[2][0] - rotation[0][2], rotation[0][1] - rotation[1][0]);
+    const glm::dvec3 twice_axis(rotation[1][2] - rotation[2][1], rotation[2][0] - rotation[0][2],
+                                rotation[0][1] - rotation[1][0]);
     const double size = glm::length(twice_axis);
     if (!(size > 1e-3)) return false;
     const double angle = std::atan2(size, rotation[0][0] + rotation[1][1] + rotation[2][2] - 1);
     // Angles about one axis repeat every turn, their multiples do not: try the turns that people write.
     for (int turn = -2; turn <= 2; ++turn) {
-        const glm::dmat3 wrong(glm::rotate(glm::dmat4(1), factor * (angle + 2 * std::numbers::pi * turn), twice_axis / size));
+        const glm::dmat3 wrong(
+            glm::rotate(glm::dmat4(1), factor * (angle + 2 * std::numbers::pi * turn), twice_axis / size));
         double apart = 0;
         for (glm::length_t c = 0; c < 3; ++c) apart = std::max(apart, glm::length(wrong[c] - found[c]));
         if (apart < 2e-3) return true;
@@ -194,19 +198,31 @@ void repair_angle(Entries m, Target target)
 std::vector<NamedTransform> matrix_transforms()
 {
     return {
-        {"transposed", "Your matrix is the transpose of the expected one: GLM indexes m[column][row].", each_matrix<transpose>},
-        {"inverse", "Your matrix is the inverse of the expected one: it maps the other way, as camera to world instead of world to camera.",
+        {"transposed", "Your matrix is the transpose of the expected one: GLM indexes m[column][row].",
+         each_matrix<transpose>},
+        {"inverse",
+         "Your matrix is the inverse of the expected one: it maps the other way, as camera to world instead of world "
+         "to camera.",
          each_matrix<invert>},
-        {"rotation transposed", "Your axes stand in the columns where they belong in the rows (or the other way round); the translation is right.",
+        {"rotation transposed",
+         "Your axes stand in the columns where they belong in the rows (or the other way round); the translation is "
+         "right.",
          each_matrix<transpose_rotation, 16>},
-        {"translation missing", "Your matrix turns but does not move: its translation is zero.", each_matrix<restore_translation, 16>},
-        {"translation negated", "Your translation has the opposite sign: moving the camera to the right moves the world to the left.",
+        {"translation missing", "Your matrix turns but does not move: its translation is zero.",
+         each_matrix<restore_translation, 16>},
+        {"translation negated",
+         "Your translation has the opposite sign: moving the camera to the right moves the world to the left.",
          each_matrix<negate_translation, 16>},
-        {"translation not rotated", "Your translation is the position itself: it must be rotated too, -R * eye instead of -eye.",
+        {"translation not rotated",
+         "Your translation is the position itself: it must be rotated too, -R * eye instead of -eye.",
          each_matrix<rotate_translation, 16>},
-        {"homogeneous row", "All is right but the last row, which makes the homogeneous coordinate w.", each_matrix<restore_homogeneous_row, 16>},
-        {"axis flipped", "One axis of your matrix points the other way: check the handedness.", unflip, describe_flip, 3},
-        {"angle in degrees", "Your angle was taken in the wrong unit: sin, cos, tan and GLM want radians (glm::radians converts).", each_matrix<repair_angle>},
+        {"homogeneous row", "All is right but the last row, which makes the homogeneous coordinate w.",
+         each_matrix<restore_homogeneous_row, 16>},
+        {"axis flipped", "One axis of your matrix points the other way: check the handedness.", unflip, describe_flip,
+         3},
+        {"angle in degrees",
+         "Your angle was taken in the wrong unit: sin, cos, tan and GLM want radians (glm::radians converts).",
+         each_matrix<repair_angle>},
     };
 }
 

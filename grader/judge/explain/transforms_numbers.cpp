@@ -84,7 +84,8 @@ std::string describe_order(const Check& check, const Tensor& student, const Tens
     const auto best = best_order(check, student, expected);
     if (!best) return {};
     std::string order;
-    for (std::size_t i = 0; i < student.components; ++i) order += (i > 0 ? ", " : "") + std::string(1, "xyzw"[best->first[i]]);
+    for (std::size_t i = 0; i < student.components; ++i)
+        order += (i > 0 ? ", " : "") + std::string(1, "xyzw"[best->first[i]]);
     return fmt::format("Your components are right, but in another order: the expected vector is your ({}).", order);
 }
 
@@ -113,7 +114,10 @@ Result unscale(const Check& check, const Tensor& student, const Tensor& expected
 std::string describe_factor(const Check& check, const Tensor& student, const Tensor& expected)
 {
     const auto factor = plain_factor(check, student, expected);
-    return factor ? fmt::format("Your values are {:.4g} times the expected ones: a constant factor is missing or too much.", *factor) : std::string{};
+    return factor ? fmt::format(
+                        "Your values are {:.4g} times the expected ones: a constant factor is missing or too much.",
+                        *factor)
+                  : std::string{};
 }
 
 std::optional<double> plain_offset(const Check& check, const Tensor& student, const Tensor& expected)
@@ -138,7 +142,9 @@ Result remove_offset(const Check& check, const Tensor& student, const Tensor& ex
 std::string describe_offset(const Check& check, const Tensor& student, const Tensor& expected)
 {
     const auto offset = plain_offset(check, student, expected);
-    return offset ? fmt::format("Your values are off by the constant {:.4g}: a term is missing or counted twice.", *offset) : std::string{};
+    return offset
+               ? fmt::format("Your values are off by the constant {:.4g}: a term is missing or counted twice.", *offset)
+               : std::string{};
 }
 
 // What lies behind the origin, taken for a hit, made absent.
@@ -157,19 +163,29 @@ Result drop_negative(const Check& check, const Tensor& student, const Tensor& ex
 std::vector<NamedTransform> number_transforms()
 {
     return {
-        {"negated", "Your values have the opposite sign: look for a difference taken the wrong way round, or a direction that points the other way.",
+        {"negated",
+         "Your values have the opposite sign: look for a difference taken the wrong way round, or a direction that "
+         "points the other way.",
          each_value<negate, true>},
-        {"degrees for radians", "Your values are in degrees, radians were expected: multiply by pi / 180.", each_value<to_radians>},
-        {"radians for degrees", "Your values are in radians, degrees were expected: multiply by 180 / pi.", each_value<to_degrees>},
-        {"hits behind", "You report hits at negative distances: what lies behind the ray's origin is no hit.", drop_negative},
-        {"not clamped", "Your values are right where they are positive: negative ones must become 0, as with max(0, n . l).", each_value<clamp_below>},
+        {"degrees for radians", "Your values are in degrees, radians were expected: multiply by pi / 180.",
+         each_value<to_radians>},
+        {"radians for degrees", "Your values are in radians, degrees were expected: multiply by 180 / pi.",
+         each_value<to_degrees>},
+        {"hits behind", "You report hits at negative distances: what lies behind the ray's origin is no hit.",
+         drop_negative},
+        {"not clamped",
+         "Your values are right where they are positive: negative ones must become 0, as with max(0, n . l).",
+         each_value<clamp_below>},
         {"not normalised", "Your vectors point the right way but are not of length 1: normalise them.", normalise},
         {"components swapped", "Your components are right, but in another order.", reorder, describe_order, 5},
-        {"reciprocal", "Your values are the reciprocals (1 / x) of the expected ones: a quotient is upside down.", each_value<invert>},
+        {"reciprocal", "Your values are the reciprocals (1 / x) of the expected ones: a quotient is upside down.",
+         each_value<invert>},
         {"squared", "Your values are the squares of the expected ones: a square root is missing.", each_value<root>},
-        {"root taken", "Your values are the square roots of the expected ones: the square was expected.", each_value<square>},
+        {"root taken", "Your values are the square roots of the expected ones: the square was expected.",
+         each_value<square>},
         {"scaled", "Your values differ from the expected ones by a constant factor.", unscale, describe_factor, 6},
-        {"off by a constant", "Your values differ from the expected ones by a constant.", remove_offset, describe_offset, 6},
+        {"off by a constant", "Your values differ from the expected ones by a constant.", remove_offset,
+         describe_offset, 6},
     };
 }
 

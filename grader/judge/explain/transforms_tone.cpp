@@ -25,7 +25,8 @@ struct Range {
 
 Range range_of(const Check& check, const Tensor& tensor)
 {
-    if (tensor.element == Element::float32 || tensor.element == Element::float64) return {check.range_low, check.range_high};
+    if (tensor.element == Element::float32 || tensor.element == Element::float64)
+        return {check.range_low, check.range_high};
     return {0, 255};
 }
 
@@ -41,7 +42,9 @@ Tensor recognise(const Check& check, const Tensor& student, const Tensor& expect
     const std::size_t light = colours(expected);
     return map_cells(student, expected, [&](std::span<double> pixel, std::span<const double> target) {
         for (std::size_t c = 0; c < light; ++c)
-            if (std::abs(range.normal(pixel[c]) - std::clamp(tone(range.normal(target[c])), 0.0, 1.0)) <= 1.5 * one_level) pixel[c] = target[c];
+            if (std::abs(range.normal(pixel[c]) - std::clamp(tone(range.normal(target[c])), 0.0, 1.0)) <=
+                1.5 * one_level)
+                pixel[c] = target[c];
     });
 }
 
@@ -55,7 +58,9 @@ std::vector<ValuePair> free_values(const Check& check, const Tensor& student, co
     for (std::size_t cell = 0; cell < target.cells(); ++cell)
         for (std::size_t c = 0; c < colours(expected); ++c) {
             const ValuePair pair{range.normal(yours.cell(cell)[c]), range.normal(target.cell(cell)[c])};
-            if (pair.student > one_level && pair.student < 1 - one_level && std::abs(pair.student - pair.expected) > 0.5 * one_level) pairs.push_back(pair);
+            if (pair.student > one_level && pair.student < 1 - one_level &&
+                std::abs(pair.student - pair.expected) > 0.5 * one_level)
+                pairs.push_back(pair);
         }
     return pairs;
 }
@@ -102,10 +107,11 @@ Result rescale_light(const Check& check, const Tensor& student, const Tensor& ex
 std::string describe_light(const Check& check, const Tensor& student, const Tensor& expected)
 {
     const auto factor = light_factor(check, student, expected);
-    return factor
-               ? fmt::format("Your picture has about {:.2g} times the expected light: a constant factor is missing or too much (pi, 2, the number of lights).",
-                             *factor)
-               : std::string{};
+    return factor ? fmt::format(
+                        "Your picture has about {:.2g} times the expected light: a constant factor is missing or too "
+                        "much (pi, 2, the number of lights).",
+                        *factor)
+                  : std::string{};
 }
 
 std::optional<double> light_offset(const Check& check, const Tensor& student, const Tensor& expected)
@@ -129,8 +135,10 @@ std::string describe_light_offset(const Check& check, const Tensor& student, con
 {
     const auto offset = light_offset(check, student, expected);
     if (!offset) return {};
-    return fmt::format("Your picture is too {} by the constant {:.3g} (of 1): {}.", *offset < 0 ? "dark" : "bright", std::abs(*offset),
-                       *offset < 0 ? "a term is missing, such as the ambient light" : "a term such as the ambient light is counted twice");
+    return fmt::format("Your picture is too {} by the constant {:.3g} (of 1): {}.", *offset < 0 ? "dark" : "bright",
+                       std::abs(*offset),
+                       *offset < 0 ? "a term is missing, such as the ambient light"
+                                   : "a term such as the ambient light is counted twice");
 }
 
 }
@@ -139,11 +147,17 @@ std::vector<NamedTransform> tone_transforms()
 {
     return {
         {"inverted", "Your picture is a negative: the levels run the wrong way (1 - x instead of x).", by_tone<invert>},
-        {"gamma applied twice", "Your picture is too bright in its dark parts as if sRGB had been encoded twice: encode once, when the picture is written.",
+        {"gamma applied twice",
+         "Your picture is too bright in its dark parts as if sRGB had been encoded twice: encode once, when the "
+         "picture is written.",
          by_tone<srgb_encoded>},
-        {"gamma missing", "Your picture is too dark in its middle tones as if sRGB had been decoded once too often, or never encoded.", by_tone<srgb_decoded>},
-        {"light scaled", "Your picture has a constant factor times the expected light.", rescale_light, describe_light, 6},
-        {"too dark by a constant", "Your picture differs from the expected one by a constant light.", remove_light_offset, describe_light_offset, 6},
+        {"gamma missing",
+         "Your picture is too dark in its middle tones as if sRGB had been decoded once too often, or never encoded.",
+         by_tone<srgb_decoded>},
+        {"light scaled", "Your picture has a constant factor times the expected light.", rescale_light, describe_light,
+         6},
+        {"too dark by a constant", "Your picture differs from the expected one by a constant light.",
+         remove_light_offset, describe_light_offset, 6},
     };
 }
 

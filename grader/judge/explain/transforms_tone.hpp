@@ -6,8 +6,9 @@
 
 namespace umbral::grader {
 
-/// Named transforms of a picture's levels: gamma, light, inversion. Since clamping and rounding lose levels, they are not undone but
-/// recognised: where the student's value is what the error makes of the expected one (within 1.5 of 255 levels), it is replaced by that.
+/// Named transforms of a picture's levels: gamma, light, inversion. Since clamping and rounding lose levels, they are
+/// not undone but recognised: where the student's value is what the error makes of the expected one (within 1.5 of 255
+/// levels), it is replaced by that.
 [[nodiscard]] std::vector<NamedTransform> tone_transforms();
 
 }

@@ -20,7 +20,10 @@ constexpr glm::u8vec4 changed(168, 72, 190, 255);
 
 glm::u8vec4 colour_of(const FragmentTally& tally)
 {
-    return tally.wrong_value > 0 ? changed : tally.missing > 0 ? missing : tally.extra + tally.duplicated > 0 ? extra : matched;
+    return tally.wrong_value > 0                ? changed
+           : tally.missing > 0                  ? missing
+           : tally.extra + tally.duplicated > 0 ? extra
+                                                : matched;
 }
 
 /// A picture of the pixels round the expected fragments; of several primitives at one pixel the wrong one shows.
@@ -50,7 +53,9 @@ Canvas canvas_for(Fragments expected)
         high.x = std::max(high.x, fragment.place.x);
         high.y = std::max(high.y, fragment.place.y);
     }
-    const auto side = [](std::int64_t from, std::int64_t to) { return static_cast<int>(std::min<std::int64_t>(to - from + 1 + 2 * margin, most_side)); };
+    const auto side = [](std::int64_t from, std::int64_t to) {
+        return static_cast<int>(std::min<std::int64_t>(to - from + 1 + 2 * margin, most_side));
+    };
     return {Image(side(low.x, high.x), side(low.y, high.y), glm::u8vec4(0)), low.x - margin, low.y - margin};
 }
 
@@ -62,13 +67,14 @@ std::vector<std::string> attribute_texts(const FragmentTable& table, const Fragm
     return texts;
 }
 
-RowPair row_of(const Place& place, const std::string& noun, const FragmentTable& yours, Fragments of_yours, const FragmentTable& expected,
-               Fragments of_expected, const FragmentTally& tally)
+RowPair row_of(const Place& place, const std::string& noun, const FragmentTable& yours, Fragments of_yours,
+               const FragmentTable& expected, Fragments of_expected, const FragmentTally& tally)
 {
     RowPair row;
     row.name = fmt::format("{} {}, pixel ({}, {})", noun, place.primitive, place.x, place.y);
     row.yours = of_yours.empty() ? std::vector<std::string>{"nothing"} : attribute_texts(yours, of_yours.front());
-    row.expected = of_expected.empty() ? std::vector<std::string>{"nothing"} : attribute_texts(expected, of_expected.front());
+    row.expected =
+        of_expected.empty() ? std::vector<std::string>{"nothing"} : attribute_texts(expected, of_expected.front());
     for (std::size_t i = 0; i < std::max(row.yours.size(), row.expected.size()); ++i)
         row.differs.push_back(row.yours.size() != row.expected.size() || row.yours[i] != row.expected[i]);
     row.note = tally.wrong_value > 0  ? "another value"
@@ -98,16 +104,17 @@ Evidence fragments_evidence(const Check& check, const Observation& observation, 
     const std::string noun(named.empty() ? "triangle" : named.substr(0, named.find('\n')));
 
     Canvas canvas = canvas_for(expected.sorted());
-    for_each_place(yours.sorted(), expected.sorted(), [&](const Place& place, Fragments of_yours, Fragments of_expected) {
-        const FragmentTally tally = matcher.at_place(of_yours, of_expected);
-        evidence.right += tally.matched;
-        evidence.missing += tally.missing;
-        evidence.extra += tally.extra + tally.duplicated;
-        evidence.changed += tally.wrong_value;
-        canvas.paint(place, colour_of(tally));
-        if (!tally.all_right() && evidence.rows.first.size() < most_rows)
-            evidence.rows.first.push_back(row_of(place, noun, yours, of_yours, expected, of_expected, tally));
-    });
+    for_each_place(
+        yours.sorted(), expected.sorted(), [&](const Place& place, Fragments of_yours, Fragments of_expected) {
+            const FragmentTally tally = matcher.at_place(of_yours, of_expected);
+            evidence.right += tally.matched;
+            evidence.missing += tally.missing;
+            evidence.extra += tally.extra + tally.duplicated;
+            evidence.changed += tally.wrong_value;
+            canvas.paint(place, colour_of(tally));
+            if (!tally.all_right() && evidence.rows.first.size() < most_rows)
+                evidence.rows.first.push_back(row_of(place, noun, yours, of_yours, expected, of_expected, tally));
+        });
     evidence.rows.wrong = evidence.missing + evidence.extra + evidence.changed;
     evidence.x = canvas.x;
     evidence.y = canvas.y;

@@ -37,7 +37,8 @@ std::optional<Tensor> bounding_boxes(const Tensor& expected, std::span<const dou
     for (const Box& box : boxes)
         for (std::int32_t y = box.low.y; y <= box.high.y; ++y)
             for (std::int32_t x = box.low.x; x <= box.high.x; ++x) {
-                values.insert(values.end(), {static_cast<double>(box.low.primitive), static_cast<double>(x), static_cast<double>(y)});
+                values.insert(values.end(),
+                              {static_cast<double>(box.low.primitive), static_cast<double>(x), static_cast<double>(y)});
                 values.insert(values.end(), row.begin() + 3, row.end());
             }
     Tensor tensor = expected;

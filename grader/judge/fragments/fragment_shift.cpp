@@ -56,8 +56,10 @@ std::vector<MovedPrimitive> moved_primitives(const FragmentTable& yours, const F
         std::size_t left = before.sum();
         for (int dy = -1; dy <= 1; ++dy)
             for (int dx = -1; dx <= 1; ++dx)
-                if (const std::size_t after = lonely_places(here, theirs, {dx, dy}).sum(); after < left) left = after, best.step = {dx, dy};
-        const bool explained = static_cast<double>(left) <= (1 - thresholds::explained) * static_cast<double>(before.sum());
+                if (const std::size_t after = lonely_places(here, theirs, {dx, dy}).sum(); after < left)
+                    left = after, best.step = {dx, dy};
+        const bool explained =
+            static_cast<double>(left) <= (1 - thresholds::explained) * static_cast<double>(before.sum());
         if (explained) moved.push_back(best);
     }
     return moved;

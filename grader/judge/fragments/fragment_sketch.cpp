@@ -29,13 +29,17 @@ const Sign& sign_of(const FragmentTally& tally)
 struct Window {
     Place low;
     Place high;
-    [[nodiscard]] bool holds(const Place& place) const { return place.x >= low.x && place.x <= high.x && place.y >= low.y && place.y <= high.y; }
+    [[nodiscard]] bool holds(const Place& place) const
+    {
+        return place.x >= low.x && place.x <= high.x && place.y >= low.y && place.y <= high.y;
+    }
 };
 
 // The pixels that either side has round the centre, cut to the reach.
 Window window_of(Fragments yours, Fragments expected, const Place& centre)
 {
-    const Window reachable{{centre.primitive, centre.y - reach, centre.x - reach}, {centre.primitive, centre.y + reach, centre.x + reach}};
+    const Window reachable{{centre.primitive, centre.y - reach, centre.x - reach},
+                           {centre.primitive, centre.y + reach, centre.x + reach}};
     Window window{centre, centre};
     for (const Fragments list : {yours, expected})
         for (const Fragment& fragment : list) {
@@ -50,16 +54,19 @@ Window window_of(Fragments yours, Fragments expected, const Place& centre)
 
 }
 
-std::string fragment_sketch(const FragmentMatcher& matcher, const FragmentTable& yours, const FragmentTable& expected, const Place& centre)
+std::string fragment_sketch(const FragmentMatcher& matcher, const FragmentTable& yours, const FragmentTable& expected,
+                            const Place& centre)
 {
     const Fragments here = yours.of(centre.primitive);
     const Fragments there = expected.of(centre.primitive);
     const Window window = window_of(here, there, centre);
     const auto width = static_cast<std::size_t>(window.high.x - window.low.x + 1);
-    std::vector<std::string> rows(static_cast<std::size_t>(window.high.y - window.low.y + 1), std::string(width, empty.letter));
+    std::vector<std::string> rows(static_cast<std::size_t>(window.high.y - window.low.y + 1),
+                                  std::string(width, empty.letter));
     for_each_place(here, there, [&](const Place& place, Fragments a, Fragments b) {
         if (!window.holds(place)) return;
-        rows[static_cast<std::size_t>(place.y - window.low.y)][static_cast<std::size_t>(place.x - window.low.x)] = sign_of(matcher.at_place(a, b)).letter;
+        rows[static_cast<std::size_t>(place.y - window.low.y)][static_cast<std::size_t>(place.x - window.low.x)] =
+            sign_of(matcher.at_place(a, b)).letter;
     });
     std::string text;
     for (const std::string& row : rows) text += row + "\n";

@@ -61,7 +61,10 @@ FragmentTally FragmentMatcher::at_place(Fragments yours, Fragments expected) con
     const std::size_t both = std::min(yours.size(), expected.size());
     FragmentTally tally;
     if (expected.size() == 1)
-        tally.matched = std::ranges::any_of(yours, [&](const Fragment& fragment) { return compare(fragment, expected[0]).right; }) ? 1 : 0;
+        tally.matched =
+            std::ranges::any_of(yours, [&](const Fragment& fragment) { return compare(fragment, expected[0]).right; })
+                ? 1
+                : 0;
     else
         for (std::size_t i = 0; i < both; ++i) tally.matched += compare(yours[i], expected[i]).right ? 1 : 0;
     tally.wrong_value = both - tally.matched;

@@ -34,7 +34,8 @@ Result compare(const FragmentTable& yours, const FragmentTable& expected, const 
     for_each_place(yours.sorted(), expected.sorted(), [&](const Place& place, Fragments here, Fragments there) {
         const FragmentTally tally = matcher.at_place(here, there);
         result.tally += tally;
-        for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) result.error = std::max(result.error, matcher.error(here[i], there[i]));
+        for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i)
+            result.error = std::max(result.error, matcher.error(here[i], there[i]));
         if (!tally.all_right() && !result.first) result.first = {place, here, there};
     });
     if (result.tally.missing > 0 && result.tally.extra > 0) result.moved = moved_primitives(yours, expected);
@@ -54,7 +55,8 @@ std::string fragments_text(const FragmentTable& table, Fragments here)
     return values.empty() ? "one fragment" : fmt::format("({})", fmt::join(values, ", "));
 }
 
-std::string message(const Result& result, const FragmentTable& yours, const FragmentTable& expected, const std::string& noun)
+std::string message(const Result& result, const FragmentTable& yours, const FragmentTable& expected,
+                    const std::string& noun)
 {
     std::vector<std::string> parts;
     const auto add = [&](std::size_t count, const char* what) {
@@ -65,20 +67,24 @@ std::string message(const Result& result, const FragmentTable& yours, const Frag
     add(result.tally.duplicated, "drawn again");
     add(result.tally.wrong_value, "with a wrong value");
     add(result.wrong_place, "in the wrong place");
-    std::string text = fmt::format("{} of {} fragments are right; {}", result.tally.matched, expected.sorted().size(), fmt::join(parts, ", "));
+    std::string text = fmt::format("{} of {} fragments are right; {}", result.tally.matched, expected.sorted().size(),
+                                   fmt::join(parts, ", "));
     if (!result.moved.empty()) text += "; " + moved_sentence(result.moved, noun);
-    if (yours.unplaced() > 0) text += fmt::format("; {} of yours lie at no pixel: primitive, x or y is no whole number", yours.unplaced());
+    if (yours.unplaced() > 0)
+        text += fmt::format("; {} of yours lie at no pixel: primitive, x or y is no whole number", yours.unplaced());
     return text;
 }
 
 }
 
-Judgement judge_fragments(const Check& check, const Tensor& student, const Tensor& expected_tensor, const Tensor* names, bool with_sketch)
+Judgement judge_fragments(const Check& check, const Tensor& student, const Tensor& expected_tensor, const Tensor* names,
+                          bool with_sketch)
 {
     const auto fault = [&](const char* what) { throw std::invalid_argument("check '" + check.name + "': " + what); };
     if (expected_tensor.components < 3) fault("fragments need rows of at least three numbers: primitive, x, y");
     const FragmentTable expected(expected_tensor);
-    if (!all_finite(expected.view().values()) || expected.unplaced() > 0) fault("an expected fragment is not finite, or lies at no pixel");
+    if (!all_finite(expected.view().values()) || expected.unplaced() > 0)
+        fault("an expected fragment is not finite, or lies at no pixel");
     Tensor nothing = expected_tensor;
     nothing.rows = 0;
     nothing.bytes.clear();
@@ -89,7 +95,8 @@ Judgement judge_fragments(const Check& check, const Tensor& student, const Tenso
     const Result result = compare(yours, expected, matcher);
     const FragmentTally& tally = result.tally;
     Judgement judgement;
-    judgement.right = static_cast<double>(tally.matched) / static_cast<double>(expected.sorted().size() + tally.extra + tally.duplicated);
+    judgement.right = static_cast<double>(tally.matched) /
+                      static_cast<double>(expected.sorted().size() + tally.extra + tally.duplicated);
     judgement.metrics = {{"fragments", static_cast<double>(expected.sorted().size())},
                          {"missing", static_cast<double>(tally.missing)},
                          {"extra", static_cast<double>(tally.extra)},
@@ -104,8 +111,9 @@ Judgement judge_fragments(const Check& check, const Tensor& student, const Tenso
     judgement.message = message(result, yours, expected, noun);
     if (!result.first) return judgement;
     const auto& [place, here, there] = *result.first;
-    judgement.first_difference = Difference{fmt::format("pixel ({}, {}) of {} {}", place.x, place.y, noun, place.primitive), fragments_text(yours, here),
-                                            fragments_text(expected, there)};
+    judgement.first_difference =
+        Difference{fmt::format("pixel ({}, {}) of {} {}", place.x, place.y, noun, place.primitive),
+                   fragments_text(yours, here), fragments_text(expected, there)};
     judgement.message += "; the first is " + judgement.first_difference->where;
     if (with_sketch) judgement.sketch = fragment_sketch(matcher, yours, expected, place);
     return judgement;

@@ -40,7 +40,10 @@ public:
     [[nodiscard]] Fragments of(std::int32_t primitive) const;
     /// How many rows name no pixel: a primitive or coordinate that is no whole number.
     [[nodiscard]] std::size_t unplaced() const noexcept { return view_.cells() - sorted_.size(); }
-    [[nodiscard]] std::span<const double> attributes(const Fragment& fragment) const { return view_.cell(fragment.row).subspan(3); }
+    [[nodiscard]] std::span<const double> attributes(const Fragment& fragment) const
+    {
+        return view_.cell(fragment.row).subspan(3);
+    }
     [[nodiscard]] const TensorView& view() const noexcept { return view_; }
 
 private:
@@ -60,7 +63,8 @@ void for_each_place(Fragments a, Fragments b, Visit&& visit)
         return taken;
     };
     while (!a.empty() || !b.empty()) {
-        const Place place = b.empty() || (!a.empty() && a.front().place < b.front().place) ? a.front().place : b.front().place;
+        const Place place =
+            b.empty() || (!a.empty() && a.front().place < b.front().place) ? a.front().place : b.front().place;
         const Fragments of_a = take(a, place);
         visit(place, of_a, take(b, place));
     }
@@ -81,12 +85,19 @@ struct FragmentTally {
 /// Compares the fragments of one place, attributes by the check's tolerance (none: equal).
 class FragmentMatcher {
 public:
-    FragmentMatcher(const Check& check, const FragmentTable& yours, const FragmentTable& expected) : check_(check), yours_(yours), expected_(expected) {}
+    FragmentMatcher(const Check& check, const FragmentTable& yours, const FragmentTable& expected)
+        : check_(check), yours_(yours), expected_(expected)
+    {
+    }
 
-    /// One expected fragment may be matched by any of several, which are duplicates then; several are matched in the order of their rows.
+    /// One expected fragment may be matched by any of several, which are duplicates then; several are matched in the
+    /// order of their rows.
     [[nodiscard]] FragmentTally at_place(Fragments yours, Fragments expected) const;
     /// The largest deviation of the attributes in the unit of the tolerance; infinite if one is not finite.
-    [[nodiscard]] double error(const Fragment& yours, const Fragment& expected) const { return compare(yours, expected).error; }
+    [[nodiscard]] double error(const Fragment& yours, const Fragment& expected) const
+    {
+        return compare(yours, expected).error;
+    }
 
 private:
     struct Comparison {
@@ -120,8 +131,10 @@ struct MovedPrimitive {
 /// "all fragments of triangle 3 lie one pixel to the right"; `noun` is the word for a primitive.
 [[nodiscard]] std::string moved_sentence(const std::vector<MovedPrimitive>& moved, const std::string& noun);
 
-/// The pixels round `centre` of its primitive, at most 15 x 15, one character each, with a line that says where and what they mean.
-[[nodiscard]] std::string fragment_sketch(const FragmentMatcher& matcher, const FragmentTable& yours, const FragmentTable& expected, const Place& centre);
+/// The pixels round `centre` of its primitive, at most 15 x 15, one character each, with a line that says where and
+/// what they mean.
+[[nodiscard]] std::string fragment_sketch(const FragmentMatcher& matcher, const FragmentTable& yours,
+                                          const FragmentTable& expected, const Place& centre);
 
 /// Wrong as a mistake is: the same fragments at 95 % of the places where either deviates.
 [[nodiscard]] Resemblance same_fragments(const FailingCheck& failing, const Tensor& mistake);
@@ -132,8 +145,9 @@ struct MovedPrimitive {
 /// What a page shows of fragments; nothing if they are right.
 [[nodiscard]] Evidence fragments_evidence(const Check& check, const Observation& observation, bool right);
 
-/// Every pixel of each primitive's bounding box once, with the attributes of `row` (its first three numbers are left out): what one draws
-/// who has forgotten to look inside. Nothing where that is more than 16 times what was expected: it would earn a sixteenth at most.
+/// Every pixel of each primitive's bounding box once, with the attributes of `row` (its first three numbers are left
+/// out): what one draws who has forgotten to look inside. Nothing where that is more than 16 times what was expected:
+/// it would earn a sixteenth at most.
 [[nodiscard]] std::optional<Tensor> bounding_boxes(const Tensor& expected, std::span<const double> row);
 
 }

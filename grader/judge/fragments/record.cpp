@@ -10,11 +10,15 @@ Controls fragment_controls(const Check& check, const Tensor& expected, std::uint
 {
     Controls result = common_controls(check, expected, seed);
     if (expected.components < 3) return result;
-    if (auto boxes = bounding_boxes(expected, component_statistics(expected).mean)) result.emplace_back("bounding boxes", std::move(*boxes));
+    if (auto boxes = bounding_boxes(expected, component_statistics(expected).mean))
+        result.emplace_back("bounding boxes", std::move(*boxes));
     return result;
 }
 
-bool has_places(const Tensor& expected) { return all_finite(to_doubles(expected)) && FragmentTable(expected).unplaced() == 0; }
+bool has_places(const Tensor& expected)
+{
+    return all_finite(to_doubles(expected)) && FragmentTable(expected).unplaced() == 0;
+}
 
 Tensor moved_fragments(const Tensor& tensor, const std::array<int, 2>& shift)
 {

@@ -14,7 +14,8 @@ struct Three {
 
 /// Calls visit(Three) for every place that one of the three has.
 template <class Visit>
-void for_each_of_three(const FragmentTable& yours, const FragmentTable& expected, const FragmentTable& mistake, Visit visit)
+void for_each_of_three(const FragmentTable& yours, const FragmentTable& expected, const FragmentTable& mistake,
+                       Visit visit)
 {
     std::vector<Three> places;
     std::vector<Fragment> heads;  // one for each place of the first two, to walk beside the third
@@ -54,8 +55,9 @@ Resemblance same_fragments(const FailingCheck& failing, const Tensor& mistake_te
         ++deviating;
         if (against_mistake.at_place(here.yours, here.mistake).all_right()) ++agreeing;
     });
-    if (!student_deviates || !mistake_deviates || static_cast<double>(agreeing) < thresholds::mistake_share * static_cast<double>(deviating))
-        return differently;
+    if (!student_deviates || !mistake_deviates ||
+        static_cast<double>(agreeing) < thresholds::mistake_share * static_cast<double>(deviating))
+        return not_alike;
     Resemblance result = alike(agreeing, failing.student->cells() == 0);
     result.bits += pattern_bits(places, agreeing);
     return result;

@@ -21,19 +21,28 @@ std::string complaint(const ImageRule& rule)
     const auto everywhere = std::max_element(rule.ratios.begin(), rule.ratios.begin() + 4);
     const auto worst = *everywhere > 1 ? everywhere : std::max_element(rule.ratios.begin(), rule.ratios.end());
     switch (worst - rule.ratios.begin()) {
-        case 0: return fmt::format("{:.3g} % of the picture's content has no similar pixel next to its place", 100 * rule.edge_share);
+        case 0:
+            return fmt::format("{:.3g} % of the picture's content has no similar pixel next to its place",
+                               100 * rule.edge_share);
         case 1: return fmt::format("{:.3g} % of the smooth surfaces have another colour", 100 * rule.interior_share);
-        case 2: return fmt::format("the picture is too {} by {:.3g} levels of 255 on average", rule.bias > 0 ? "bright" : "dark", std::abs(rule.bias));
+        case 2:
+            return fmt::format("the picture is too {} by {:.3g} levels of 255 on average",
+                               rule.bias > 0 ? "bright" : "dark", std::abs(rule.bias));
         case 4:
-            return fmt::format("{} wrong pixels lie close together at ({}, {}): a hole, a crack, or something too much", rule.cluster.count,
-                               rule.cluster.x + window_side / 2, rule.cluster.y + window_side / 2);
+            return fmt::format("{} wrong pixels lie close together at ({}, {}): a hole, a crack, or something too much",
+                               rule.cluster.count, rule.cluster.x + window_side / 2, rule.cluster.y + window_side / 2);
         case 5:
-            return fmt::format("round pixel ({}, {}) the surface is too {} by {:.3g} levels of 255", rule.surface.x + window_side / 2,
-                               rule.surface.y + window_side / 2, rule.surface.difference > 0 ? "bright" : "dark", std::abs(rule.surface.difference));
+            return fmt::format("round pixel ({}, {}) the surface is too {} by {:.3g} levels of 255",
+                               rule.surface.x + window_side / 2, rule.surface.y + window_side / 2,
+                               rule.surface.difference > 0 ? "bright" : "dark", std::abs(rule.surface.difference));
         case 6:
-            return fmt::format("edges lie {:.2g} pixels to the right and {:.2g} down (negative: left, up): look at the sampling point, the pixel's centre",
-                               rule.displacement.x, rule.displacement.y);
-        default: return fmt::format("everything is shifted: {} pixel(s) to the right and {} down (negative: left, up)", rule.shift_x, rule.shift_y);
+            return fmt::format(
+                "edges lie {:.2g} pixels to the right and {:.2g} down (negative: left, up): look at the sampling "
+                "point, the pixel's centre",
+                rule.displacement.x, rule.displacement.y);
+        default:
+            return fmt::format("everything is shifted: {} pixel(s) to the right and {} down (negative: left, up)",
+                               rule.shift_x, rule.shift_y);
     }
 }
 
@@ -56,9 +65,12 @@ Judgement identical()
 
 }
 
-Judgement judge_image(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor, bool with_metrics)
+Judgement judge_image(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor,
+                      bool with_metrics)
 {
-    if (!complete(expected_tensor)) throw std::invalid_argument("check '" + check.name + "': the expected picture holds values that are not finite");
+    if (!complete(expected_tensor))
+        throw std::invalid_argument("check '" + check.name +
+                                    "': the expected picture holds values that are not finite");
     if (!student_tensor.present.empty() && !complete(student_tensor)) {
         Judgement wrong;
         wrong.message = "Some pixels of the picture have no value.";
@@ -66,10 +78,13 @@ Judgement judge_image(const Check& check, const Tensor& student_tensor, const Te
     }
     check_picture(check, expected_tensor);
     // Both hold as many bytes: their shapes are the same.
-    if (std::memcmp(student_tensor.bytes.data(), expected_tensor.bytes.data(), expected_tensor.bytes.size()) == 0) return identical();
+    if (std::memcmp(student_tensor.bytes.data(), expected_tensor.bytes.data(), expected_tensor.bytes.size()) == 0)
+        return identical();
     if (!complete(student_tensor)) {
         Judgement wrong;
-        wrong.message = "The picture holds values that are not finite (NaN or infinity): look for a division by zero or the root of a negative number.";
+        wrong.message =
+            "The picture holds values that are not finite (NaN or infinity): look for a division by zero or the root "
+            "of a negative number.";
         return wrong;
     }
     const Picture student = to_picture(check, student_tensor);
@@ -96,9 +111,9 @@ Judgement judge_image(const Check& check, const Tensor& student_tensor, const Te
     result.message = "The picture differs: " + complaint(rule);
     if (region) {
         result.message += fmt::format("; look round pixel ({}, {})", region->peak_x, region->peak_y);
-        result.first_difference =
-            Difference{fmt::format("pixel ({}, {})", region->peak_x, region->peak_y), pixel_text(student_tensor, region->peak_x, region->peak_y),
-                       pixel_text(expected_tensor, region->peak_x, region->peak_y)};
+        result.first_difference = Difference{fmt::format("pixel ({}, {})", region->peak_x, region->peak_y),
+                                             pixel_text(student_tensor, region->peak_x, region->peak_y),
+                                             pixel_text(expected_tensor, region->peak_x, region->peak_y)};
     }
     return result;
 }

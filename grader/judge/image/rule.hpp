@@ -8,6 +8,7 @@ namespace umbral::grader {
 [[nodiscard]] inline JudgeKind image_kind() { return {"image"}; }
 
 /// The combined rule of image_rule.hpp; `with_metrics` adds SSIM, PSNR, RMSE and Lab differences, which do not decide.
-[[nodiscard]] Judgement judge_image(const Check& check, const Tensor& student, const Tensor& expected, bool with_metrics);
+[[nodiscard]] Judgement judge_image(const Check& check, const Tensor& student, const Tensor& expected,
+                                    bool with_metrics);
 
 }

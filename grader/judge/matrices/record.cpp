@@ -31,7 +31,8 @@ Scale column_scale(std::span<const double> expected, std::size_t index)
 std::string entry_text(std::size_t matrix, std::size_t components, std::size_t index)
 {
     const std::size_t side = side_of(components);
-    return "matrix " + std::to_string(matrix) + ", entry (row " + std::to_string(index % side) + ", column " + std::to_string(index / side) + ")";
+    return "matrix " + std::to_string(matrix) + ", entry (row " + std::to_string(index % side) + ", column " +
+           std::to_string(index / side) + ")";
 }
 
 // The entry, then the whole matrix by rows: "5 in [1 0 0 5; 0 1 0 0; 0 0 1 0; 0 0 0 1]".
@@ -42,7 +43,8 @@ std::string matrix_text(const TensorView& view, std::size_t row, std::size_t ind
     const std::size_t side = side_of(entries.size());
     std::string text = number_text(entries[index]) + " in [";
     for (std::size_t i = 0; i < side; ++i)
-        for (std::size_t j = 0; j < side; ++j) text += (j > 0 ? " " : i > 0 ? "; " : "") + number_text(entries[j * side + i]);
+        for (std::size_t j = 0; j < side; ++j)
+            text += (j > 0 ? " " : i > 0 ? "; " : "") + number_text(entries[j * side + i]);
     return text + "]";
 }
 
@@ -58,16 +60,17 @@ Judgement judge_matrices(const Question& question)
 {
     const std::uint32_t components = question.expected.components;
     if (components != 9 && components != 16)
-        throw std::invalid_argument("check '" + question.check.name + "': matrices have 9 or 16 components, the expected ones have " +
+        throw std::invalid_argument("check '" + question.check.name +
+                                    "': matrices have 9 or 16 components, the expected ones have " +
                                     std::to_string(components));
     return judge_rows(question.check, question.student, question.expected, question.margin, matrices);
 }
 
 }
 
-/// Rows of 9 or 16 components, column-major. Relative bounds and ulps count against the largest entry of the expected column (of the whole
-/// matrix where that column is zero): a translation of a million does not excuse the rotation beside it, and an entry that is zero by
-/// cancellation may keep the rounding of its neighbours.
+/// Rows of 9 or 16 components, column-major. Relative bounds and ulps count against the largest entry of the expected
+/// column (of the whole matrix where that column is zero): a translation of a million does not excuse the rotation
+/// beside it, and an entry that is zero by cancellation may keep the rounding of its neighbours.
 extern constinit const JudgeRecord matrices_judge;
 constinit const JudgeRecord matrices_judge{
     .name = "matrices",

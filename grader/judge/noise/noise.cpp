@@ -33,7 +33,8 @@ Forgiven forgiven_by(const Check& check, const Tensor& tensor)
 /// Credit of a bias that is proven; see thresholds.hpp.
 double credit_for(double misplaced)
 {
-    const double share = std::log(thresholds::noise_zero / std::max(misplaced, 1e-9)) / std::log(thresholds::noise_zero / thresholds::noise_full);
+    const double share = std::log(thresholds::noise_zero / std::max(misplaced, 1e-9)) /
+                         std::log(thresholds::noise_zero / thresholds::noise_full);
     return std::clamp(share, 0.0, thresholds::noise_most);
 }
 
@@ -46,7 +47,8 @@ std::string quantity_name(const Tensor* names, int component)
 
 Difference worst_tile(const StochasticRule& rule)
 {
-    const std::string where = rule.tiled ? fmt::format("mean light of the {} x {} pixels from ({}, {})", rule.width, rule.height, rule.x, rule.y)
+    const std::string where = rule.tiled ? fmt::format("mean light of the {} x {} pixels from ({}, {})", rule.width,
+                                                       rule.height, rule.x, rule.y)
                                          : fmt::format("mean of component {}", rule.channel);
     return {where, number_text(rule.yours), number_text(rule.expected)};
 }
@@ -62,14 +64,15 @@ Estimates estimates_of(const Check& check, const Tensor& tensor)
         throw std::invalid_argument("check '" + check.name + "': expected Monte Carlo estimates in bytes or floats");
     if (!table) check_picture(check, tensor);
     if (table && tensor.rows < static_cast<std::uint32_t>(thresholds::noise_rows))
-        throw std::invalid_argument(
-            fmt::format("check '{}': expected a table of at least {} replicates, got {}", check.name, thresholds::noise_rows, tensor.rows));
+        throw std::invalid_argument(fmt::format("check '{}': expected a table of at least {} replicates, got {}",
+                                                check.name, thresholds::noise_rows, tensor.rows));
     if (!table && tensor.element == Element::uint8) return light_of(to_picture(check, tensor));
 
     const std::vector<double> values = to_doubles(tensor);
     const std::size_t components = tensor.components;
     const std::size_t channels = table ? components : components < 3 ? 1 : 3;
-    Estimates result{static_cast<int>(tensor.columns), static_cast<int>(tensor.rows), static_cast<int>(channels), !table, {}, {}};
+    Estimates result{
+        static_cast<int>(tensor.columns), static_cast<int>(tensor.rows), static_cast<int>(channels), !table, {}, {}};
     result.values.resize(channels * tensor.cells());
     for (std::size_t channel = 0, to = 0; channel < channels; ++channel)
         for (std::size_t from = channel; from < values.size(); from += components) result.values[to++] = values[from];
@@ -79,10 +82,13 @@ Estimates estimates_of(const Check& check, const Tensor& tensor)
 Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* names)
 {
     const Estimates target = estimates_of(check, expected);
-    if (!complete(expected)) throw std::invalid_argument("check '" + check.name + "': the expected estimates hold values that are not finite");
+    if (!complete(expected))
+        throw std::invalid_argument("check '" + check.name +
+                                    "': the expected estimates hold values that are not finite");
     if (!complete(student))
         return wrong(
-            "Some estimates have no value or are not finite (NaN or infinity): look for a division by a probability of zero, and for a root of a "
+            "Some estimates have no value or are not finite (NaN or infinity): look for a division by a probability of "
+            "zero, and for a root of a "
             "negative number.");
     // The unit's own random numbers in the reference's order: both estimates are equal, and bytes say so at no cost.
     if (std::ranges::equal(student.bytes, expected.bytes)) {
@@ -96,7 +102,8 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
     // What scatters apart by a bias shows it: at least a third of the light then lies in the wrong place.
     if (rule.misplaced < 1.0 / 3 && scatters_apart(yours, target))
         return wrong(
-            "The estimates scatter far more than the reference's, so that their mean proves nothing: take as many samples as you are told, choose "
+            "The estimates scatter far more than the reference's, so that their mean proves nothing: take as many "
+            "samples as you are told, choose "
             "directions where the light is, and look at what each one is divided by.");
 
     Judgement result;
@@ -124,7 +131,8 @@ Judgement judge_both(const Judgement& first, const Judgement& second)
     Judgement result = before < after ? first : second;
     result.error = (first.error.value_or(0) + second.error.value_or(0)) / 2;
     result.right = right ? 1 : credit_for(*result.error);
-    const std::string runs = fmt::format("chance {:.2g} in the first run, {:.2g} with a fresh seed, {:.2g} together", before, after, probability);
+    const std::string runs = fmt::format("chance {:.2g} in the first run, {:.2g} with a fresh seed, {:.2g} together",
+                                         before, after, probability);
     if (right)
         result.message.clear();
     else if (result.message.empty())

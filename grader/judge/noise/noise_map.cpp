@@ -18,11 +18,13 @@ Grid<std::uint8_t> noise_map(const Check& check, const Tensor& student, const Te
             if (small.sums[n].squares == 0) continue;
             // A picture that is not finite differs by all there is.
             const double size = std::abs(small.sums[n].difference) / small.sums[n].count * levels;
-            const auto level = static_cast<std::uint8_t>(std::isfinite(size) ? std::clamp(std::round(size), 1.0, 255.0) : 255.0);
+            const auto level =
+                static_cast<std::uint8_t>(std::isfinite(size) ? std::clamp(std::round(size), 1.0, 255.0) : 255.0);
             const std::size_t column = n % static_cast<std::size_t>(small.across);
             const std::size_t row = n / static_cast<std::size_t>(small.across);
             for (int y = small.top[row]; y < small.top[row + 1]; ++y)
-                for (int x = small.left[column]; x < small.left[column + 1]; ++x) map.at(x, y) = std::max(map.at(x, y), level);
+                for (int x = small.left[column]; x < small.left[column + 1]; ++x)
+                    map.at(x, y) = std::max(map.at(x, y), level);
         }
     }
     return map;

@@ -16,10 +16,12 @@ namespace {
 
 void read_bias(const Field& check, Check& to)
 {
-    if (to.tolerance.ulps || to.tolerance.band_ulps) check.member("tolerance").refuse("absolute or relative only, as the bias that \"noise\" forgives");
+    if (to.tolerance.ulps || to.tolerance.band_ulps)
+        check.member("tolerance").refuse("absolute or relative only, as the bias that \"noise\" forgives");
 }
 
-// What knows the scale of the estimates only. The mean of one quantity is its answer: of a single one, nothing is left that knows nothing.
+// What knows the scale of the estimates only. The mean of one quantity is its answer: of a single one, nothing is left
+// that knows nothing.
 Controls estimate_controls(const Tensor& expected, std::uint64_t seed)
 {
     const std::size_t components = expected.components;
@@ -27,8 +29,10 @@ Controls estimate_controls(const Tensor& expected, std::uint64_t seed)
     const double mean = std::accumulate(each.mean.begin(), each.mean.end(), 0.0) / static_cast<double>(components);
     const double low = *std::min_element(each.low.begin(), each.low.end());
     const double high = *std::max_element(each.high.begin(), each.high.end());
-    const ComponentStatistics all{std::vector<double>(components, mean), std::vector<double>(components, low), std::vector<double>(components, high)};
-    Controls result{{"zeros", filled(expected, std::vector<double>(components, 0))}, {"ones", filled(expected, std::vector<double>(components, 1))}};
+    const ComponentStatistics all{std::vector<double>(components, mean), std::vector<double>(components, low),
+                                  std::vector<double>(components, high)};
+    Controls result{{"zeros", filled(expected, std::vector<double>(components, 0))},
+                    {"ones", filled(expected, std::vector<double>(components, 1))}};
     if (components == 1) return result;
     result.emplace_back("mean of all", filled(expected, all.mean));
     result.emplace_back("noise", noise_within(expected, all, seed));
@@ -43,7 +47,9 @@ Tensor shuffled(const Tensor& expected, std::uint64_t seed)
     const auto size = static_cast<std::ptrdiff_t>(size_of(expected.element) * expected.components);
     for (auto i = static_cast<std::ptrdiff_t>(expected.cells()) - 1; i > 0; --i) {
         const auto other = static_cast<std::ptrdiff_t>(random.below(static_cast<std::uint32_t>(i) + 1));
-        if (other != i) std::swap_ranges(tensor.bytes.begin() + i * size, tensor.bytes.begin() + (i + 1) * size, tensor.bytes.begin() + other * size);
+        if (other != i)
+            std::swap_ranges(tensor.bytes.begin() + i * size, tensor.bytes.begin() + (i + 1) * size,
+                             tensor.bytes.begin() + other * size);
     }
     return tensor;
 }

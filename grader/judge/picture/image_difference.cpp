@@ -27,7 +27,8 @@ double levels_per_unit(const Check& check, const Tensor& tensor, const TensorVie
 
 std::uint8_t level(const TensorView& student, const TensorView& expected, std::size_t cell, double scale)
 {
-    if (!student.present(cell) || !expected.present(cell)) return student.present(cell) == expected.present(cell) ? 0 : 255;
+    if (!student.present(cell) || !expected.present(cell))
+        return student.present(cell) == expected.present(cell) ? 0 : 255;
     double largest = 0;
     for (std::size_t i = 0; i < expected.components(); ++i) {
         const double yours = student.cell(cell)[i];
@@ -64,7 +65,9 @@ Window worst_window(const Grid<std::uint8_t>& map)
     const int high = std::min(thresholds::worst_window, map.height);
     const std::size_t stride = static_cast<std::size_t>(map.width) + 1;
     std::vector<std::uint64_t> sums(stride * (static_cast<std::size_t>(map.height) + 1), 0);
-    const auto at = [stride](int x, int y) { return static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x); };
+    const auto at = [stride](int x, int y) {
+        return static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x);
+    };
     for (int y = 0; y < map.height; ++y) {
         std::uint64_t row = 0;
         for (int x = 0; x < map.width; ++x) {
@@ -76,7 +79,8 @@ Window worst_window(const Grid<std::uint8_t>& map)
     std::uint64_t most = 0;
     for (int y = 0; y + high <= map.height; ++y)
         for (int x = 0; x + wide <= map.width; ++x) {
-            const std::uint64_t sum = sums[at(x + wide, y + high)] + sums[at(x, y)] - sums[at(x + wide, y)] - sums[at(x, y + high)];
+            const std::uint64_t sum =
+                sums[at(x + wide, y + high)] + sums[at(x, y)] - sums[at(x + wide, y)] - sums[at(x, y + high)];
             if (sum > most) most = sum, best = Window{x, y, wide, high};
         }
     return best;
@@ -87,11 +91,12 @@ Window worst_window(const Grid<std::uint8_t>& map)
 Grid<std::uint8_t> difference_map(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor)
 {
     if (!well_formed(expected_tensor) || shape_error(student_tensor, expected_tensor))
-        throw std::invalid_argument("check '" + check.name + "': a map of differences needs two recordings of one shape and type");
+        throw std::invalid_argument("check '" + check.name +
+                                    "': a map of differences needs two recordings of one shape and type");
     if (const auto own = judge_of(check).difference_map) return own(check, student_tensor, expected_tensor);
     Grid<std::uint8_t> map(static_cast<int>(expected_tensor.columns), static_cast<int>(expected_tensor.rows));
-    if (judge_of(check).look == Look::colours && expected_tensor.element == Element::uint8 && student_tensor.present.empty() &&
-        expected_tensor.present.empty() && expected_tensor.cells() > 0) {
+    if (judge_of(check).look == Look::colours && expected_tensor.element == Element::uint8 &&
+        student_tensor.present.empty() && expected_tensor.present.empty() && expected_tensor.cells() > 0) {
         map.cells = channel_difference(to_picture(check, student_tensor), to_picture(check, expected_tensor));
         return map;
     }

@@ -26,12 +26,14 @@ struct WorstRegion {
     int peak_y = 0;
 };
 
-/// How far each pixel lies from the expected one: the largest difference over the channels, 0 .. 255 levels of the check's range for
-/// pictures; for buffers, 255 where cells differ (measured buffers: in proportion to the span of the finite expected values). Where a value
-/// is absent or not finite on one side, 255. Of noise, the means of tiles are compared (noise_map). Throws std::invalid_argument if the two cannot be compared (another shape or type).
+/// How far each pixel lies from the expected one: the largest difference over the channels, 0 .. 255 levels of the
+/// check's range for pictures; for buffers, 255 where cells differ (measured buffers: in proportion to the span of the
+/// finite expected values). Where a value is absent or not finite on one side, 255. Of noise, the means of tiles are
+/// compared (noise_map). Throws std::invalid_argument if the two cannot be compared (another shape or type).
 [[nodiscard]] Grid<std::uint8_t> difference_map(const Check& check, const Tensor& student, const Tensor& expected);
 
 /// Where the two differ most; nothing if they do not.
-[[nodiscard]] std::optional<WorstRegion> worst_region(const Check& check, const Tensor& student, const Tensor& expected);
+[[nodiscard]] std::optional<WorstRegion> worst_region(const Check& check, const Tensor& student,
+                                                      const Tensor& expected);
 
 }

@@ -24,7 +24,8 @@ Displacement edge_displacement(const Picture& student, const Picture& expected, 
             const std::uint8_t* above = expected.row(c, y - 1);
             const std::uint8_t* here = expected.row(c, y);
             const std::uint8_t* below = expected.row(c, y + 1);
-            const std::uint8_t* flat = smooth.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width);
+            const std::uint8_t* flat =
+                smooth.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width);
             // In parts whose sums of squares stay below 2^31: whole numbers of 32 bits are added eight at a time.
             for (int begin = 0; begin < expected.width; begin += part) {
                 int row_xx = 0;
@@ -54,7 +55,8 @@ Displacement edge_displacement(const Picture& student, const Picture& expected, 
     const double ridge = damping * (xx + yy);
     const double determinant = (xx + ridge) * (yy + ridge) - xy * xy;
     if (!(determinant > 0)) return {};
-    return {-2 * (right * (yy + ridge) - down * xy) / determinant, -2 * (down * (xx + ridge) - right * xy) / determinant};
+    return {-2 * (right * (yy + ridge) - down * xy) / determinant,
+            -2 * (down * (xx + ridge) - right * xy) / determinant};
 }
 
 }

@@ -14,9 +14,11 @@ struct Displacement {
 };
 
 /// The displacement that explains the differences at edges best, in parts of a pixel: the least-squares solution of
-/// yours - expected = -(x, y) · gradient over all pixels outside `smooth` (1 where the expected picture is smooth) and all colours. Edge pixels
-/// that change hands at random cancel out; a sampling point half a pixel off moves all of them the same way.
-/// Based on: B. D. Lucas, T. Kanade. An Iterative Image Registration Technique with an Application to Stereo Vision. 1981.
-[[nodiscard]] Displacement edge_displacement(const Picture& student, const Picture& expected, const std::vector<std::uint8_t>& smooth);
+/// yours - expected = -(x, y) · gradient over all pixels outside `smooth` (1 where the expected picture is smooth) and
+/// all colours. Edge pixels that change hands at random cancel out; a sampling point half a pixel off moves all of them
+/// the same way. Based on: B. D. Lucas, T. Kanade. An Iterative Image Registration Technique with an Application to
+/// Stereo Vision. 1981.
+[[nodiscard]] Displacement edge_displacement(const Picture& student, const Picture& expected,
+                                             const std::vector<std::uint8_t>& smooth);
 
 }

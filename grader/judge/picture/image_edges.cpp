@@ -6,7 +6,8 @@ namespace umbral::grader {
 namespace {
 
 // Bytes may alias anything, so the pointers say that they do not: the loops become vector code, 20 times as fast.
-void least_of_row(const Picture& a, const Picture& b, int y, std::uint8_t* __restrict best, std::uint8_t* __restrict pixel)
+void least_of_row(const Picture& a, const Picture& b, int y, std::uint8_t* __restrict best,
+                  std::uint8_t* __restrict pixel)
 {
     const auto width = static_cast<std::size_t>(a.width);
     std::fill_n(best, width, std::uint8_t{255});
@@ -24,12 +25,14 @@ void least_of_row(const Picture& a, const Picture& b, int y, std::uint8_t* __res
 
 }
 
-void least_difference(const Picture& a, const Picture& b, int y, std::vector<std::uint8_t>& best, std::vector<std::uint8_t>& room)
+void least_difference(const Picture& a, const Picture& b, int y, std::vector<std::uint8_t>& best,
+                      std::vector<std::uint8_t>& room)
 {
     least_of_row(a, b, y, best.data(), room.data());
 }
 
-std::vector<std::uint8_t> edge_errors(const Picture& student, const Picture& expected, const std::vector<std::uint8_t>& difference)
+std::vector<std::uint8_t> edge_errors(const Picture& student, const Picture& expected,
+                                      const std::vector<std::uint8_t>& difference)
 {
     const auto width = static_cast<std::size_t>(expected.width);
     std::vector<std::uint8_t> errors(difference.size(), 0);

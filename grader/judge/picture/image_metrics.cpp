@@ -73,7 +73,8 @@ std::array<double, radius + 1> gaussian()
 }
 
 // Sums the window's columns: the four fields in one pass over the eleven rows of the two padded pictures.
-void sum_columns(const cv::Mat& x, const cv::Mat& y, int row, const std::array<double, radius + 1>& weights, Moments& out)
+void sum_columns(const cv::Mat& x, const cv::Mat& y, int row, const std::array<double, radius + 1>& weights,
+                 Moments& out)
 {
     const std::size_t size = out.x.size();
     for (auto* field : {&out.x, &out.y, &out.squares, &out.products}) std::fill(field->begin(), field->end(), 0.0);
@@ -105,7 +106,8 @@ void sum_rows(const std::vector<double>& from, const std::array<double, radius +
         for (std::size_t i = 0; i < to.size(); ++i) target[i] += weights[k] * (*(source + i - k) + source[i + k]);
 }
 
-// One minus the similarity, summed over the pixels of `inner`; `outer` is it with the window's radius round it, inside the picture.
+// One minus the similarity, summed over the pixels of `inner`; `outer` is it with the window's radius round it, inside
+// the picture.
 double dissimilarity(const Picture& student, const Picture& expected, const cv::Rect& outer, const cv::Rect& inner)
 {
     constexpr double c1 = (0.01 * 255) * (0.01 * 255);
@@ -156,7 +158,10 @@ double similarity_in(const Picture& student, const Picture& expected, const cv::
 
 }
 
-double structural_similarity(const Picture& student, const Picture& expected) { return similarity_in(student, expected, differing_part(student, expected)); }
+double structural_similarity(const Picture& student, const Picture& expected)
+{
+    return similarity_in(student, expected, differing_part(student, expected));
+}
 
 ImageMetrics measure_image(const Picture& student, const Picture& expected)
 {
@@ -181,7 +186,8 @@ ImageMetrics measure_image(const Picture& student, const Picture& expected)
         for (int x = 0; x < part.width; ++x) {
             const float* a = yours.ptr<float>(y) + 3 * x;
             const float* b = target.ptr<float>(y) + 3 * x;
-            const double distance = std::sqrt(double{(a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2])});
+            const double distance = std::sqrt(
+                double{(a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2])});
             sum += distance;
             metrics.max_lab = std::max(metrics.max_lab, distance);
         }

@@ -24,7 +24,8 @@ Bytes content_of(const Picture& picture, const std::array<std::uint8_t, 4>& back
             const std::uint8_t* row = picture.row(c, y);
             std::uint8_t* out = content.data() + static_cast<std::size_t>(y) * width;
             const std::uint8_t base = background[static_cast<std::size_t>(c)];
-            for (std::size_t x = 0; x < width; ++x) out[x] = static_cast<std::uint8_t>(out[x] | (apart(row[x], base) > levels ? 1 : 0));
+            for (std::size_t x = 0; x < width; ++x)
+                out[x] = static_cast<std::uint8_t>(out[x] | (apart(row[x], base) > levels ? 1 : 0));
         }
     return content;
 }
@@ -55,9 +56,11 @@ Bytes smooth_part(const Picture& picture)
     return smooth;
 }
 
-// What edge pixels that changed hands, which (a) forgives, add to the sum of a channel's differences: nothing as long as it is within three
-// standard deviations of what chance gives. A line drawn too wide changes them all one way, and goes far beyond.
-double chance_of_edges(const Picture& student, const Picture& expected, int channel, const std::vector<glm::ivec2>& forgiven)
+// What edge pixels that changed hands, which (a) forgives, add to the sum of a channel's differences: nothing as long
+// as it is within three standard deviations of what chance gives. A line drawn too wide changes them all one way, and
+// goes far beyond.
+double chance_of_edges(const Picture& student, const Picture& expected, int channel,
+                       const std::vector<glm::ivec2>& forgiven)
 {
     double sum = 0;
     double squares = 0;
@@ -70,8 +73,8 @@ double chance_of_edges(const Picture& student, const Picture& expected, int chan
 }
 
 // (c): the mean difference of the worst colour channel, and the mean level of the expected content.
-void measure_bias(const Picture& student, const Picture& expected, const Bytes& either, const Bytes& content, double area,
-                  const std::vector<glm::ivec2>& forgiven, ImageRule& rule)
+void measure_bias(const Picture& student, const Picture& expected, const Bytes& either, const Bytes& content,
+                  double area, const std::vector<glm::ivec2>& forgiven, ImageRule& rule)
 {
     const auto width = static_cast<std::size_t>(expected.width);
     double level = 0;
@@ -99,7 +102,8 @@ void measure_bias(const Picture& student, const Picture& expected, const Bytes& 
     rule.ratios[2] = std::abs(rule.bias) / std::max(thresholds::bias_levels, thresholds::bias_share * level);
 }
 
-// Sum of differences if the expected picture is moved by (dx, dy), each -1, 0 or 1; beyond the edge lies the repeated border.
+// Sum of differences if the expected picture is moved by (dx, dy), each -1, 0 or 1; beyond the edge lies the repeated
+// border.
 std::int64_t shifted_difference(const Picture& student, const Picture& expected, int dx, int dy)
 {
     std::int64_t sum = 0;
@@ -185,7 +189,8 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     const Bytes difference = channel_difference(student, expected);
     const auto background = background_of(expected);
     const Bytes content = content_of(expected, background, thresholds::background_levels);
-    // Of the student's picture only what noise cannot lift off the background: else just the pixels that noise made brighter would count.
+    // Of the student's picture only what noise cannot lift off the background: else just the pixels that noise made
+    // brighter would count.
     Bytes either = content_of(student, background, thresholds::interior_levels);
     std::size_t expected_count = 0;
     std::size_t either_count = 0;
@@ -198,7 +203,8 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     ImageRule rule;
     rule.content = static_cast<double>(expected_count);
     // An expected picture without content leaves only what the student drew.
-    const double area = static_cast<double>(expected_count > 0 ? expected_count : std::max<std::size_t>(either_count, 1));
+    const double area =
+        static_cast<double>(expected_count > 0 ? expected_count : std::max<std::size_t>(either_count, 1));
     const Bytes errors = edge_errors(student, expected, difference);
     rule.edge_share = static_cast<double>(std::accumulate(errors.begin(), errors.end(), std::size_t{0})) / area;
     rule.ratios[0] = rule.edge_share / thresholds::edge_share;
@@ -209,7 +215,8 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     if (rule.ratios[0] <= 1)
         for (int y = 0; y < expected.height; ++y)
             for (int x = 0; x < expected.width; ++x)
-                if (const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width) + static_cast<std::size_t>(x);
+                if (const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width) +
+                                           static_cast<std::size_t>(x);
                     difference[at] > thresholds::edge_levels && errors[at] == 0 && either[at] != 0)
                     forgiven.emplace_back(x, y);
 
@@ -220,7 +227,8 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
         interior += static_cast<std::size_t>(smooth[i] & content[i]);
         wrong += smooth[i] != 0 && difference[i] > thresholds::interior_levels ? 1U : 0U;
     }
-    rule.interior_share = static_cast<double>(wrong) / std::max(static_cast<double>(interior), thresholds::smooth_floor * area);
+    rule.interior_share =
+        static_cast<double>(wrong) / std::max(static_cast<double>(interior), thresholds::smooth_floor * area);
     rule.ratios[1] = rule.interior_share / thresholds::interior_share;
 
     measure_bias(student, expected, either, content, area, forgiven, rule);
@@ -228,7 +236,8 @@ ImageRule apply_image_rule(const Picture& student, const Picture& expected)
     if (rule.everywhere() >= thresholds::window_ratio) return rule;
     Bytes surface(smooth.size());
     // What is wrong by (a) is counted there.
-    for (std::size_t i = 0; i < content.size(); ++i) surface[i] = static_cast<std::uint8_t>(smooth[i] & (errors[i] ^ 1U));
+    for (std::size_t i = 0; i < content.size(); ++i)
+        surface[i] = static_cast<std::uint8_t>(smooth[i] & (errors[i] ^ 1U));
     rule.surface = worst_level_window(student, expected, surface);
     rule.ratios[5] = rule.surface.ratio;
     // Edges that move change some pixel by more than noise does.

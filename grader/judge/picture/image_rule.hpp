@@ -8,17 +8,20 @@
 
 namespace umbral::grader {
 
-/// What the combined rule measured: seven ratios of a measure to its threshold (thresholds.hpp); the picture passes if none exceeds 1.
+/// What the combined rule measured: seven ratios of a measure to its threshold (thresholds.hpp); the picture passes if
+/// none exceeds 1.
 ///
-/// Shares are of the expected picture's content (pixels that differ from its background), so that drawing more cannot thin errors out.
+/// Shares are of the expected picture's content (pixels that differ from its background), so that drawing more cannot
+/// thin errors out.
 struct ImageRule {
     double edge_share = 0;      ///< (a) pixels with no similar one in the other picture's 3x3 neighbourhood
     double interior_share = 0;  ///< (b) pixels of another colour where the expected picture is smooth
-    double bias = 0;            ///< (c) mean difference of the worst channel over the content of either picture, in levels, signed
-    int shift_x = 0;            ///< (d) the student's picture lies this many pixels to the right of the expected one …
-    int shift_y = 0;            ///< … and this many below it
-    DensestWindow cluster;      ///< (e) where most of the pixels of (a) lie close together: a hole or a crack
-    LevelWindow surface;        ///< (f) where a smooth surface has another mean level: a highlight, a lamp or a shadow
+    double bias =
+        0;  ///< (c) mean difference of the worst channel over the content of either picture, in levels, signed
+    int shift_x = 0;        ///< (d) the student's picture lies this many pixels to the right of the expected one …
+    int shift_y = 0;        ///< … and this many below it
+    DensestWindow cluster;  ///< (e) where most of the pixels of (a) lie close together: a hole or a crack
+    LevelWindow surface;    ///< (f) where a smooth surface has another mean level: a highlight, a lamp or a shadow
     Displacement displacement;  ///< (g) by which part of a pixel edges are displaced: another sampling point
     double content = 0;         ///< number of pixels of the expected content
     /// In the order (a) to (g). (f) and (g) stay 0 where the others have cost more already than these two can.
@@ -27,8 +30,8 @@ struct ImageRule {
     [[nodiscard]] double worst() const;
     /// Of (a) to (d), which speak of the whole picture.
     [[nodiscard]] double everywhere() const;
-    /// 1 up to a ratio of 1, then falling with its logarithm to 0 at thresholds::zero_ratio. What shows in one window only, (e) and (f),
-    /// or as a part of a pixel, (g), costs no more than thresholds::window_ratio does.
+    /// 1 up to a ratio of 1, then falling with its logarithm to 0 at thresholds::zero_ratio. What shows in one window
+    /// only, (e) and (f), or as a part of a pixel, (g), costs no more than thresholds::window_ratio does.
     [[nodiscard]] double right() const;
 };
 

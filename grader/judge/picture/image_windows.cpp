@@ -22,8 +22,14 @@ struct Cells {
           sums(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0)
     {
     }
-    [[nodiscard]] int* row(int y) { return sums.data() + static_cast<std::size_t>(y / cell_side) * static_cast<std::size_t>(columns); }
-    [[nodiscard]] int at(int x, int y) const { return sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)]; }
+    [[nodiscard]] int* row(int y)
+    {
+        return sums.data() + static_cast<std::size_t>(y / cell_side) * static_cast<std::size_t>(columns);
+    }
+    [[nodiscard]] int at(int x, int y) const
+    {
+        return sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
+    }
     [[nodiscard]] int window(int x, int y) const
     {
         const int right = std::min(x + 1, columns - 1);
@@ -33,7 +39,8 @@ struct Cells {
     }
 };
 
-// Adds value(x) of a row to the cells that it crosses; whole cells have a fixed length, which compilers turn into vector code.
+// Adds value(x) of a row to the cells that it crosses; whole cells have a fixed length, which compilers turn into
+// vector code.
 template <class Value>
 void add_row(int* cells, int width, Value value)
 {
@@ -64,7 +71,8 @@ DensestWindow densest_window(const std::vector<std::uint8_t>& marks, int width, 
     }
     DensestWindow densest;
     for_each_window(cells, [&](int x, int y) {
-        if (const int count = cells.window(x, y); count > densest.count) densest = {count, x * cell_side, y * cell_side};
+        if (const int count = cells.window(x, y); count > densest.count)
+            densest = {count, x * cell_side, y * cell_side};
     });
     return densest;
 }
@@ -73,13 +81,17 @@ LevelWindow worst_level_window(const Picture& student, const Picture& expected, 
 {
     LevelWindow worst;
     Cells counts(expected.width, expected.height);
-    const auto mask_row = [&](int y) { return mask.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width); };
-    for (int y = 0; y < expected.height; ++y) add_row(counts.row(y), expected.width, [row = mask_row(y)](int x) { return int{row[x]}; });
+    const auto mask_row = [&](int y) {
+        return mask.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width);
+    };
+    for (int y = 0; y < expected.height; ++y)
+        add_row(counts.row(y), expected.width, [row = mask_row(y)](int x) { return int{row[x]}; });
     // Of few windows the level matters: of those that may be worse than the worst so far.
     const auto level_at = [&](int c, int left, int top, int count) {
         int sum = 0;
         for (int y = top; y < std::min(expected.height, top + window_side); ++y)
-            for (int x = left; x < std::min(expected.width, left + window_side); ++x) sum += expected.row(c, y)[x] * mask_row(y)[x];
+            for (int x = left; x < std::min(expected.width, left + window_side); ++x)
+                sum += expected.row(c, y)[x] * mask_row(y)[x];
         return static_cast<double>(sum) / count;
     };
     for (int c = 0; c < expected.colours(); ++c) {
@@ -87,7 +99,8 @@ LevelWindow worst_level_window(const Picture& student, const Picture& expected, 
         for (int y = 0; y < expected.height; ++y) {
             const std::uint8_t* yours = student.row(c, y);
             const std::uint8_t* target = expected.row(c, y);
-            add_row(differences.row(y), expected.width, [=, inside = mask_row(y)](int x) { return (yours[x] - target[x]) * inside[x]; });
+            add_row(differences.row(y), expected.width,
+                    [=, inside = mask_row(y)](int x) { return (yours[x] - target[x]) * inside[x]; });
         }
         for_each_window(counts, [&](int x, int y) {
             const int count = counts.window(x, y);
@@ -95,7 +108,8 @@ LevelWindow worst_level_window(const Picture& student, const Picture& expected, 
             const double difference = static_cast<double>(differences.window(x, y)) / count;
             if (std::abs(difference) <= worst.ratio * thresholds::window_levels) return;
             const double level = level_at(c, x * cell_side, y * cell_side, count);
-            const double ratio = std::abs(difference) / std::max(thresholds::window_levels, thresholds::window_share * level);
+            const double ratio =
+                std::abs(difference) / std::max(thresholds::window_levels, thresholds::window_share * level);
             if (ratio > worst.ratio) worst = {difference, level, ratio, x * cell_side, y * cell_side};
         });
     }

@@ -7,7 +7,8 @@
 
 namespace umbral::grader {
 
-/// Side of the windows in which faults are looked for that are too small to count in the whole picture; they overlap by half.
+/// Side of the windows in which faults are looked for that are too small to count in the whole picture; they overlap by
+/// half.
 inline constexpr int window_side = 16;
 
 /// The window of window_side x window_side pixels that holds most marked ones.
@@ -30,6 +31,7 @@ struct LevelWindow {
 };
 
 /// Of the windows with at least thresholds::window_pixels pixels in `mask` (0 or 1 a pixel); only those pixels count.
-[[nodiscard]] LevelWindow worst_level_window(const Picture& student, const Picture& expected, const std::vector<std::uint8_t>& mask);
+[[nodiscard]] LevelWindow worst_level_window(const Picture& student, const Picture& expected,
+                                             const std::vector<std::uint8_t>& mask);
 
 }

@@ -19,7 +19,8 @@ void split_channels(const Tensor& tensor, Picture& picture, Convert convert)
     const auto width = static_cast<std::size_t>(picture.width);
     for (std::size_t c = 0; c < channels; ++c)
         for (int y = 0; y < picture.height; ++y) {
-            const std::byte* __restrict source = tensor.bytes.data() + (static_cast<std::size_t>(y) * width * channels + c) * sizeof(Value);
+            const std::byte* __restrict source =
+                tensor.bytes.data() + (static_cast<std::size_t>(y) * width * channels + c) * sizeof(Value);
             std::uint8_t* __restrict target = picture.row(static_cast<int>(c), y);
             for (std::size_t x = 0; x < width; ++x) {
                 Value value;
@@ -58,16 +59,20 @@ void check_picture(const Check& check, const Tensor& tensor)
 {
     const bool floats = is_float(tensor);
     const std::uint32_t channels = tensor.components;
-    if ((!floats && tensor.element != Element::uint8) || (channels != 1 && channels != 3 && channels != 4) || tensor.cells() == 0)
-        throw std::invalid_argument("check '" + check.name + "': expected a picture of 1, 3 or 4 channels of bytes or floats");
+    if ((!floats && tensor.element != Element::uint8) || (channels != 1 && channels != 3 && channels != 4) ||
+        tensor.cells() == 0)
+        throw std::invalid_argument("check '" + check.name +
+                                    "': expected a picture of 1, 3 or 4 channels of bytes or floats");
     if (floats && !(check.range_high > check.range_low))
-        throw std::invalid_argument("check '" + check.name + "': the range of a picture must be two different numbers, the lower one first");
+        throw std::invalid_argument("check '" + check.name +
+                                    "': the range of a picture must be two different numbers, the lower one first");
 }
 
 Picture to_picture(const Check& check, const Tensor& tensor)
 {
     check_picture(check, tensor);
-    Picture picture{static_cast<int>(tensor.columns), static_cast<int>(tensor.rows), static_cast<int>(tensor.components), {}};
+    Picture picture{
+        static_cast<int>(tensor.columns), static_cast<int>(tensor.rows), static_cast<int>(tensor.components), {}};
     picture.planes.resize(tensor.components * (std::size_t{tensor.rows} + 2) * picture.stride());
     const double low = check.range_low;
     const double scale = 255.0 / (check.range_high - check.range_low);
@@ -87,15 +92,22 @@ Picture to_picture(const Check& check, const Tensor& tensor)
 
 Tensor as_tensor(const Image& image, std::uint32_t channels)
 {
-    Tensor tensor{Element::uint8, static_cast<std::uint32_t>(image.height), static_cast<std::uint32_t>(image.width), channels, {}, {}};
+    Tensor tensor{Element::uint8,
+                  static_cast<std::uint32_t>(image.height),
+                  static_cast<std::uint32_t>(image.width),
+                  channels,
+                  {},
+                  {}};
     tensor.bytes.resize(tensor.count());
-    for (std::size_t i = 0; i < image.cells.size(); ++i) std::memcpy(tensor.bytes.data() + i * channels, &image.cells[i], channels);
+    for (std::size_t i = 0; i < image.cells.size(); ++i)
+        std::memcpy(tensor.bytes.data() + i * channels, &image.cells[i], channels);
     return tensor;
 }
 
 bool complete(const Tensor& tensor)
 {
-    if (std::any_of(tensor.present.begin(), tensor.present.end(), [](std::uint8_t present) { return present == 0; })) return false;
+    if (std::any_of(tensor.present.begin(), tensor.present.end(), [](std::uint8_t present) { return present == 0; }))
+        return false;
     return !is_float(tensor) || all_finite(to_doubles(tensor));
 }
 

@@ -13,7 +13,10 @@ namespace {
 
 constexpr glm::u8vec4 not_a_number(255, 0, 255, 255);
 
-[[noreturn]] void refuse(const Check& check, const std::string& what) { throw std::invalid_argument("check '" + check.name + "': cannot be drawn: " + what); }
+[[noreturn]] void refuse(const Check& check, const std::string& what)
+{
+    throw std::invalid_argument("check '" + check.name + "': cannot be drawn: " + what);
+}
 
 template <class Value>
 Value element(const Tensor& tensor, std::size_t index)
@@ -23,7 +26,8 @@ Value element(const Tensor& tensor, std::size_t index)
     return value;
 }
 
-/// Turns of the colour circle by the golden section put neighbouring ids far apart; three shades tell later rounds from earlier ones.
+/// Turns of the colour circle by the golden section put neighbouring ids far apart; three shades tell later rounds from
+/// earlier ones.
 glm::u8vec4 colour_of_id(std::uint32_t id)
 {
     if (id == 0) return {0, 0, 0, 255};
@@ -46,7 +50,8 @@ glm::u8vec4 measured(const Tensor& tensor, const Check& check, std::size_t cell)
         const double value = static_cast<double>(element<Value>(tensor, cell * tensor.components + c));
         if (std::isnan(value)) return not_a_number;
         const double share = std::clamp((value - check.range_low) / (check.range_high - check.range_low), 0.0, 1.0);
-        colour[static_cast<int>(c)] = static_cast<glm::u8>(std::lround(255 * (judge_of(check).look == Look::light ? srgb_encoded(share) : share)));
+        colour[static_cast<int>(c)] = static_cast<glm::u8>(
+            std::lround(255 * (judge_of(check).look == Look::light ? srgb_encoded(share) : share)));
     }
     if (tensor.components == 1) colour.g = colour.b = colour.r;
     return colour;
@@ -55,7 +60,8 @@ glm::u8vec4 measured(const Tensor& tensor, const Check& check, std::size_t cell)
 glm::u8vec4 bytes(const Tensor& tensor, std::size_t cell)
 {
     glm::u8vec4 colour(0, 0, 0, 255);
-    for (std::uint32_t c = 0; c < tensor.components; ++c) colour[static_cast<int>(c)] = element<glm::u8>(tensor, cell * tensor.components + c);
+    for (std::uint32_t c = 0; c < tensor.components; ++c)
+        colour[static_cast<int>(c)] = element<glm::u8>(tensor, cell * tensor.components + c);
     if (tensor.components == 1) colour.g = colour.b = colour.r;
     return colour;
 }
@@ -80,10 +86,13 @@ Image to_image(const Tensor& tensor, const Check& check)
     const bool ids = tensor.element == Element::int32 || tensor.element == Element::uint32;
     const bool floats = tensor.element == Element::float32 || tensor.element == Element::float64;
     if (ids ? tensor.components != 1 : tensor.components != 1 && tensor.components != 3 && tensor.components != 4)
-        refuse(check, std::string("expected ") + (ids ? "1 channel" : "1, 3 or 4 channels") + ", got " + std::to_string(tensor.components));
+        refuse(check, std::string("expected ") + (ids ? "1 channel" : "1, 3 or 4 channels") + ", got " +
+                          std::to_string(tensor.components));
     if (floats && !(check.range_high > check.range_low)) refuse(check, "its range is empty");
-    if (tensor.bytes.size() != tensor.count() * size_of(tensor.element)) refuse(check, "its bytes do not fit its shape");
-    if (!tensor.present.empty() && tensor.present.size() != tensor.cells()) refuse(check, "its presence flags do not fit its shape");
+    if (tensor.bytes.size() != tensor.count() * size_of(tensor.element))
+        refuse(check, "its bytes do not fit its shape");
+    if (!tensor.present.empty() && tensor.present.size() != tensor.cells())
+        refuse(check, "its presence flags do not fit its shape");
 
     Image image(static_cast<int>(tensor.columns), static_cast<int>(tensor.rows));
     for (std::size_t cell = 0; cell < image.cells.size(); ++cell) image.cells[cell] = colour_of(tensor, check, cell);

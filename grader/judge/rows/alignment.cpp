@@ -14,7 +14,10 @@ constexpr std::size_t most_work = 200'000'000;  // steps for both sequences toge
 class Front {
 public:
     explicit Front(std::int64_t d) : d_(d), furthest_(static_cast<std::size_t>(d) + 1, nowhere) {}
-    [[nodiscard]] std::int64_t at(std::int64_t k) const { return k < -d_ || k > d_ ? nowhere : furthest_[static_cast<std::size_t>((k + d_) / 2)]; }
+    [[nodiscard]] std::int64_t at(std::int64_t k) const
+    {
+        return k < -d_ || k > d_ ? nowhere : furthest_[static_cast<std::size_t>((k + d_) / 2)];
+    }
     void set(std::int64_t k, std::int64_t x) { furthest_[static_cast<std::size_t>((k + d_) / 2)] = x; }
 
 private:
@@ -22,7 +25,8 @@ private:
     std::vector<std::int64_t> furthest_;
 };
 
-/// Where diagonal k is entered from the front before: by passing over an element of a, or of b. `nowhere` if it cannot be.
+/// Where diagonal k is entered from the front before: by passing over an element of a, or of b. `nowhere` if it cannot
+/// be.
 struct Entry {
     std::int64_t x = nowhere;
     bool passes_a = false;
@@ -37,12 +41,16 @@ Entry entry(const Front& before, std::int64_t k, std::int64_t size_a, std::int64
     return over_a > over_b ? Entry{over_a, true} : Entry{over_b, false};
 }
 
-/// One search from a starting point, at most `limit` differences far. Appends its matches, and moves the starting point to where it ended.
-/// Returns whether it came to the end of both sequences.
+/// One search from a starting point, at most `limit` differences far. Appends its matches, and moves the starting point
+/// to where it ended. Returns whether it came to the end of both sequences.
 class Search {
 public:
     Search(std::size_t& start_a, std::size_t& start_b, std::size_t end_a, std::size_t end_b, const Same& same)
-        : start_a_(start_a), start_b_(start_b), a_(static_cast<std::int64_t>(end_a - start_a)), b_(static_cast<std::int64_t>(end_b - start_b)), same_(same)
+        : start_a_(start_a),
+          start_b_(start_b),
+          a_(static_cast<std::int64_t>(end_a - start_a)),
+          b_(static_cast<std::int64_t>(end_b - start_b)),
+          same_(same)
     {
     }
 
@@ -53,7 +61,9 @@ public:
             for (std::int64_t k = -d; k <= d; k += 2) {
                 std::int64_t x = d == 0 ? 0 : entry(fronts_[static_cast<std::size_t>(d) - 1], k, a_, b_).x;
                 if (x == nowhere) continue;
-                while (x < a_ && x - k < b_ && same_(start_a_ + static_cast<std::size_t>(x), start_b_ + static_cast<std::size_t>(x - k))) ++x;
+                while (x < a_ && x - k < b_ &&
+                       same_(start_a_ + static_cast<std::size_t>(x), start_b_ + static_cast<std::size_t>(x - k)))
+                    ++x;
                 fronts_.back().set(k, x);
                 if (x == a_ && x - k == b_) {
                     trace_back(d, k, matches);
@@ -63,7 +73,8 @@ public:
         }
         std::int64_t best = -limit;
         for (std::int64_t k = -limit; k <= limit; k += 2)
-            if (2 * fronts_.back().at(k) - k > 2 * fronts_.back().at(best) - best && fronts_.back().at(k) != nowhere) best = k;
+            if (2 * fronts_.back().at(k) - k > 2 * fronts_.back().at(best) - best && fronts_.back().at(k) != nowhere)
+                best = k;
         trace_back(limit, best, matches);
         return false;
     }
@@ -76,7 +87,9 @@ private:
         const std::int64_t end_b = end - k;
         for (std::int64_t x = end; d >= 0; --d) {
             const Entry from = d == 0 ? Entry{0, false} : entry(fronts_[static_cast<std::size_t>(d) - 1], k, a_, b_);
-            for (; x > from.x; --x) matches.emplace_back(start_a_ + static_cast<std::size_t>(x - 1), start_b_ + static_cast<std::size_t>(x - k - 1));
+            for (; x > from.x; --x)
+                matches.emplace_back(start_a_ + static_cast<std::size_t>(x - 1),
+                                     start_b_ + static_cast<std::size_t>(x - k - 1));
             x = from.passes_a ? from.x - 1 : from.x;
             k += from.passes_a ? -1 : 1;
         }

@@ -17,9 +17,13 @@ struct Row {
     std::size_t component = 0;  ///< the first wrong one
 };
 
-[[noreturn]] void fault(const Check& check, const std::string& what) { throw std::invalid_argument("check '" + check.name + "': " + what); }
+[[noreturn]] void fault(const Check& check, const std::string& what)
+{
+    throw std::invalid_argument("check '" + check.name + "': " + what);
+}
 
-Row compare_row(const Check& check, const TensorView& student, const TensorView& expected, std::size_t index, const RowKind& kind)
+Row compare_row(const Check& check, const TensorView& student, const TensorView& expected, std::size_t index,
+                const RowKind& kind)
 {
     Row row;
     if (!student.present(index) || !expected.present(index)) {
@@ -28,7 +32,8 @@ Row compare_row(const Check& check, const TensorView& student, const TensorView&
     }
     row.comparable = true;
     const auto target = expected.cell(index);
-    if (!all_finite(target)) fault(check, fmt::format("the expected {} {} is not finite, so nothing can match it", kind.one, index));
+    if (!all_finite(target))
+        fault(check, fmt::format("the expected {} {} is not finite, so nothing can match it", kind.one, index));
     for (std::size_t i = 0; i < target.size(); ++i) {
         const Deviation found = deviation(check.tolerance, student.cell(index)[i], target[i], kind.scale(target, i));
         if (!found.right && row.right) {
@@ -43,7 +48,8 @@ Row compare_row(const Check& check, const TensorView& student, const TensorView&
 std::vector<bool> counted_rows(const Check& check, const Tensor* margin, std::size_t rows)
 {
     std::vector<bool> counted(rows, true);
-    if (check.pairs && rows % 2 != 0) fault(check, fmt::format("pairs need an even number of rows, the expected recording has {}", rows));
+    if (check.pairs && rows % 2 != 0)
+        fault(check, fmt::format("pairs need an even number of rows, the expected recording has {}", rows));
     if (margin == nullptr || !check.tolerance.band_ulps) return counted;
     if (!well_formed(*margin) || margin->count() != rows)
         fault(check, fmt::format("its margin must hold one number a row: expected {}, got {}", rows, margin->count()));
@@ -60,7 +66,9 @@ void add_quantiles(std::vector<double> errors, std::map<std::string, double>& me
     if (errors.empty()) return;
     std::sort(errors.begin(), errors.end());
     // The nearest-rank quantile: always an error that occurred.
-    const auto quantile = [&](double share) { return errors[static_cast<std::size_t>(std::ceil(share * static_cast<double>(errors.size()))) - 1]; };
+    const auto quantile = [&](double share) {
+        return errors[static_cast<std::size_t>(std::ceil(share * static_cast<double>(errors.size()))) - 1];
+    };
     metrics["median_error"] = quantile(0.5);
     metrics["p95_error"] = quantile(0.95);
     metrics["max_error"] = errors.back();
@@ -68,18 +76,21 @@ void add_quantiles(std::vector<double> errors, std::map<std::string, double>& me
 
 }
 
-std::vector<RowState> row_states(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor, const Tensor* margin, const RowKind& kind)
+std::vector<RowState> row_states(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor,
+                                 const Tensor* margin, const RowKind& kind)
 {
     const TensorView student(student_tensor);
     const TensorView expected(expected_tensor);
     const std::vector<bool> counted = counted_rows(check, margin, expected.cells());
     std::vector<RowState> states(expected.cells(), RowState::left_out);
     for (std::size_t i = 0; i < states.size(); ++i)
-        if (counted[i]) states[i] = compare_row(check, student, expected, i, kind).right ? RowState::right : RowState::wrong;
+        if (counted[i])
+            states[i] = compare_row(check, student, expected, i, kind).right ? RowState::right : RowState::wrong;
     return states;
 }
 
-Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor, const Tensor* margin, const RowKind& kind)
+Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor,
+                     const Tensor* margin, const RowKind& kind)
 {
     if (!has_bound(check.tolerance)) fault(check, "a tolerance is needed: absolute, relative or ulps");
     const TensorView student(student_tensor);
@@ -117,11 +128,13 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
         ++units;
         if (!unit_right) ++wrong_units;
     }
-    if (units == 0) fault(check, "no row counts: the recording is empty, or every row lies in the band that is left out");
+    if (units == 0)
+        fault(check, "no row counts: the recording is empty, or every row lies in the band that is left out");
 
     Judgement result;
     result.right = static_cast<double>(units - wrong_units) / static_cast<double>(units);
-    if (finite && (!errors.empty() || wrong == 0)) result.error = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
+    if (finite && (!errors.empty() || wrong == 0))
+        result.error = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
     result.metrics["rows"] = static_cast<double>(rows);
     result.metrics["wrong"] = static_cast<double>(wrong);
     if (check.pairs) {
@@ -136,13 +149,19 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     if (!first_wrong) return result;
 
     const std::size_t columns = expected.components();
-    result.first_difference = Difference{kind.where(*first_wrong, columns, first.component), kind.show(student, *first_wrong, first.component),
+    result.first_difference = Difference{kind.where(*first_wrong, columns, first.component),
+                                         kind.show(student, *first_wrong, first.component),
                                          kind.show(expected, *first_wrong, first.component)};
-    const std::string distance = worst.comparable && std::isfinite(worst.error) ? " (" + error_text(unit_of(check.tolerance), worst.error) + ")" : "";
+    const std::string distance = worst.comparable && std::isfinite(worst.error)
+                                     ? " (" + error_text(unit_of(check.tolerance), worst.error) + ")"
+                                     : "";
     const std::string of = rows == 1 ? fmt::format("The only {} is wrong: ", kind.one)
-                                     : fmt::format("{} of {} {} {} wrong; the worst is ", wrong, rows, kind.many, wrong == 1 ? "is" : "are");
-    result.message = fmt::format("{}{}: yours {}, expected {}{}", of, kind.where(*worst_wrong, columns, worst.component),
-                                 kind.show(student, *worst_wrong, worst.component), kind.show(expected, *worst_wrong, worst.component), distance);
+                                     : fmt::format("{} of {} {} {} wrong; the worst is ", wrong, rows, kind.many,
+                                                   wrong == 1 ? "is" : "are");
+    result.message =
+        fmt::format("{}{}: yours {}, expected {}{}", of, kind.where(*worst_wrong, columns, worst.component),
+                    kind.show(student, *worst_wrong, worst.component),
+                    kind.show(expected, *worst_wrong, worst.component), distance);
     return result;
 }
 

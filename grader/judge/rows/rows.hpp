@@ -23,17 +23,21 @@ struct RowKind {
 enum class RowState : std::uint8_t { left_out, right, wrong };
 
 /// What became of each row, without pairing their results; `expected` must be finite where it counts.
-[[nodiscard]] std::vector<RowState> row_states(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin, const RowKind& kind);
+[[nodiscard]] std::vector<RowState> row_states(const Check& check, const Tensor& student, const Tensor& expected,
+                                               const Tensor* margin, const RowKind& kind);
 
 /// The kinds of rows of the judges numbers and matrices.
 [[nodiscard]] const RowKind& number_rows();
 [[nodiscard]] const RowKind& matrix_rows();
 
-/// Judges row by row: a component is right if any given bound holds, a row if all its components are and its presence agrees.
+/// Judges row by row: a component is right if any given bound holds, a row if all its components are and its presence
+/// agrees.
 ///
-/// Rows whose margin is under the band do not count; with check.pairs, rows 2k and 2k + 1 count only together, and a pair is left out
-/// if either row is. The error leaves out components that are right by another bound than the one that gives the unit (an ulp of an
-/// expected 0 says nothing). Throws std::invalid_argument on what only the grader's side can have caused.
-[[nodiscard]] Judgement judge_rows(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin, const RowKind& kind);
+/// Rows whose margin is under the band do not count; with check.pairs, rows 2k and 2k + 1 count only together, and a
+/// pair is left out if either row is. The error leaves out components that are right by another bound than the one that
+/// gives the unit (an ulp of an expected 0 says nothing). Throws std::invalid_argument on what only the grader's side
+/// can have caused.
+[[nodiscard]] Judgement judge_rows(const Check& check, const Tensor& student, const Tensor& expected,
+                                   const Tensor* margin, const RowKind& kind);
 
 }

@@ -50,8 +50,11 @@ const char* element_text(Element element)
 
 std::string shape_text(const Tensor& tensor)
 {
-    if (tensor.columns == 1) return fmt::format("{} row{} of {} {}", tensor.rows, tensor.rows == 1 ? "" : "s", tensor.components, element_text(tensor.element));
-    return fmt::format("{} x {} cells (width x height) of {} {}", tensor.columns, tensor.rows, tensor.components, element_text(tensor.element));
+    if (tensor.columns == 1)
+        return fmt::format("{} row{} of {} {}", tensor.rows, tensor.rows == 1 ? "" : "s", tensor.components,
+                           element_text(tensor.element));
+    return fmt::format("{} x {} cells (width x height) of {} {}", tensor.columns, tensor.rows, tensor.components,
+                       element_text(tensor.element));
 }
 
 }
@@ -90,12 +93,16 @@ Tensor made_finite(const Tensor& tensor)
     return with_values(tensor, values);
 }
 
-TensorView::TensorView(const Tensor& tensor) : cells_(tensor.cells()), components_(tensor.components), values_(to_doubles(tensor)), present_(tensor.present) {}
+TensorView::TensorView(const Tensor& tensor)
+    : cells_(tensor.cells()), components_(tensor.components), values_(to_doubles(tensor)), present_(tensor.present)
+{
+}
 
 bool well_formed(const Tensor& tensor)
 {
     const std::size_t size = size_of(tensor.element);
-    return size > 0 && tensor.components > 0 && tensor.bytes.size() % size == 0 && tensor.bytes.size() / size == tensor.count() &&
+    return size > 0 && tensor.components > 0 && tensor.bytes.size() % size == 0 &&
+           tensor.bytes.size() / size == tensor.count() &&
            (tensor.present.empty() || tensor.present.size() == tensor.cells());
 }
 
@@ -111,9 +118,11 @@ std::optional<std::string> shape_error(const Tensor& student, const Tensor& expe
 std::optional<std::string> row_shape_error(const Tensor& student, const Tensor& expected)
 {
     if (!well_formed(student)) return "What was recorded is damaged: its size does not fit its shape.";
-    if (student.cells() == 0 || (student.element == expected.element && student.columns == expected.columns && student.components == expected.components))
+    if (student.cells() == 0 || (student.element == expected.element && student.columns == expected.columns &&
+                                 student.components == expected.components))
         return std::nullopt;
-    return fmt::format("Yours has rows of {} {}; expected rows of {} {}.", student.columns * std::size_t{student.components}, element_text(student.element),
+    return fmt::format("Yours has rows of {} {}; expected rows of {} {}.",
+                       student.columns * std::size_t{student.components}, element_text(student.element),
                        expected.components, element_text(expected.element));
 }
 

@@ -20,7 +20,10 @@ public:
     [[nodiscard]] std::size_t components() const noexcept { return components_; }
     [[nodiscard]] bool present(std::size_t cell) const { return present_.empty() || present_[cell] != 0; }
     [[nodiscard]] bool optional() const noexcept { return !present_.empty(); }
-    [[nodiscard]] std::span<const double> cell(std::size_t index) const { return {values_.data() + index * components_, components_}; }
+    [[nodiscard]] std::span<const double> cell(std::size_t index) const
+    {
+        return {values_.data() + index * components_, components_};
+    }
     [[nodiscard]] std::span<const double> values() const noexcept { return values_; }
 
 private:
@@ -33,10 +36,12 @@ private:
 /// All values of a well-formed tensor.
 [[nodiscard]] std::vector<double> to_doubles(const Tensor& tensor);
 
-/// A tensor of the shape, type and presence of `like` with these values; integers are rounded and clamped to their range.
+/// A tensor of the shape, type and presence of `like` with these values; integers are rounded and clamped to their
+/// range.
 [[nodiscard]] Tensor with_values(const Tensor& like, std::span<const double> values);
 
-/// The tensor with one value, which no right answer has, for all that are not finite: two results that are both not finite went wrong alike.
+/// The tensor with one value, which no right answer has, for all that are not finite: two results that are both not
+/// finite went wrong alike.
 [[nodiscard]] Tensor made_finite(const Tensor& tensor);
 
 /// Does the tensor hold as many bytes, and as much presence, as its shape says?
@@ -45,7 +50,8 @@ private:
 /// What is wrong with the student's type or shape, as a sentence; nothing if it is the expected one.
 [[nodiscard]] std::optional<std::string> shape_error(const Tensor& student, const Tensor& expected);
 
-/// The same where the number of rows is free: type and components must be the expected ones, and an empty table fits any.
+/// The same where the number of rows is free: type and components must be the expected ones, and an empty table fits
+/// any.
 [[nodiscard]] std::optional<std::string> row_shape_error(const Tensor& student, const Tensor& expected);
 
 /// A recorded text (bytes); empty for a null pointer and for what is no text.

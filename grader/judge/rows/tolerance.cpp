@@ -9,7 +9,10 @@ namespace umbral::grader {
 
 bool has_bound(const Tolerance& tolerance) { return tolerance.absolute || tolerance.relative || tolerance.ulps; }
 
-Unit unit_of(const Tolerance& tolerance) { return tolerance.ulps ? Unit::ulps : tolerance.relative ? Unit::relative : Unit::absolute; }
+Unit unit_of(const Tolerance& tolerance)
+{
+    return tolerance.ulps ? Unit::ulps : tolerance.relative ? Unit::relative : Unit::absolute;
+}
 
 double float_ulp(double value)
 {

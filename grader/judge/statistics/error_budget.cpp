@@ -10,7 +10,10 @@ namespace umbral::grader {
 
 double sidak(double alpha, double tests) { return alpha >= 1 ? 1 : -std::expm1(std::log1p(-alpha) / tests); }
 
-double sidak_probability(double smallest, double tests) { return smallest >= 1 ? 1 : -std::expm1(tests * std::log1p(-smallest)); }
+double sidak_probability(double smallest, double tests)
+{
+    return smallest >= 1 ? 1 : -std::expm1(tests * std::log1p(-smallest));
+}
 
 double check_alpha() { return sidak(thresholds::submission_alpha, most_noise_checks); }
 
@@ -24,7 +27,8 @@ double two_stage_probability(double first, double second, double borderline)
 FirstRun after_first_run(double first)
 {
     if (first >= thresholds::noise_borderline) return FirstRun::right;
-    return two_stage_probability(first, 1, thresholds::noise_borderline) < check_alpha() ? FirstRun::wrong : FirstRun::borderline;
+    return two_stage_probability(first, 1, thresholds::noise_borderline) < check_alpha() ? FirstRun::wrong
+                                                                                         : FirstRun::borderline;
 }
 
 }

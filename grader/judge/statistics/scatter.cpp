@@ -9,7 +9,8 @@ namespace {
 
 /// Values beyond this many expected means are cut: rare bright ones cannot carry the mean alone.
 constexpr double cut_means = 4;
-/// Share of the expected mean by which the mean of what is left may differ: other estimators of some samples a pixel stay far below.
+/// Share of the expected mean by which the mean of what is left may differ: other estimators of some samples a pixel
+/// stay far below.
 constexpr double cut_share = 0.5;
 /// This much rarer than a false alarm of the test itself, so that both share its level.
 constexpr double rarer = 0.01;
@@ -19,7 +20,8 @@ Estimates cut(const Estimates& estimates, std::size_t channel, double limit)
     const std::size_t size = static_cast<std::size_t>(estimates.width) * static_cast<std::size_t>(estimates.height);
     Estimates result{1, static_cast<int>(size), 1, false, {}, {}};
     result.values.reserve(size);
-    for (std::size_t i = channel * size; i < (channel + 1) * size; ++i) result.values.push_back(std::min(std::abs(estimates.values[i]), limit));
+    for (std::size_t i = channel * size; i < (channel + 1) * size; ++i)
+        result.values.push_back(std::min(std::abs(estimates.values[i]), limit));
     return result;
 }
 
@@ -33,9 +35,11 @@ bool scatters_apart(const Estimates& yours, const Estimates& expected)
         for (std::size_t i = channel * size; i < (channel + 1) * size; ++i) sum += std::abs(expected.values[i]);
         const double limit = cut_means * sum / static_cast<double>(size);
         if (!(limit > 0)) continue;
-        const TileSums sums = tilings_of(cut(yours, channel, limit), cut(expected, channel, limit), 0).front().sums.front();
+        const TileSums sums =
+            tilings_of(cut(yours, channel, limit), cut(expected, channel, limit), 0).front().sums.front();
         const double probability = tile_probability(sums, deviation_of(sums, {cut_share, 0}));
-        if (sidak_probability(std::min(1.0, tail_factor * probability), expected.channels) < rarer * check_alpha()) return true;
+        if (sidak_probability(std::min(1.0, tail_factor * probability), expected.channels) < rarer * check_alpha())
+            return true;
     }
     return false;
 }

@@ -13,8 +13,8 @@
 namespace umbral::grader {
 namespace {
 
-/// How far values of normal noise lie beyond its mean, on average, in standard deviations: sqrt(2 / pi). So much does clipping there cut off
-/// from each value that it cuts, and less where it cuts less than half of them.
+/// How far values of normal noise lie beyond its mean, on average, in standard deviations: sqrt(2 / pi). So much does
+/// clipping there cut off from each value that it cuts, and less where it cuts less than half of them.
 constexpr double mean_excess = 0.7979;
 
 /// A tile's difference is no noise beyond this many standard deviations: all of it counts as misplaced.
@@ -41,15 +41,19 @@ const Decoding& decoding()
 }
 
 /// Cells times their variance: what noise alone makes of the sum of squares.
-double noise_squares(const TileSums& sums) { return std::max(0.0, sums.squares - sums.difference * sums.difference / sums.count); }
+double noise_squares(const TileSums& sums)
+{
+    return std::max(0.0, sums.squares - sums.difference * sums.difference / sums.count);
+}
 
 /// Difference of the sums that need not be noise.
 double forgiven_sum(const TileSums& sums, const Forgiven& forgiven)
 {
     double sum = forgiven.relative * sums.expected + forgiven.absolute * sums.count;
     if (sums.steps > 0) {
-        // Rounding moves a mean by half a step at most, and with noise of s steps by no more than exp(-2 pi² s²) of that (the first term of the
-        // Fourier series of the rounding error bounds it); each picture has its share of the variance.
+        // Rounding moves a mean by half a step at most, and with noise of s steps by no more than exp(-2 pi² s²) of
+        // that (the first term of the Fourier series of the rounding error bounds it); each picture has its share of
+        // the variance.
         const double step = sums.steps / sums.count;
         const double variance = noise_squares(sums) / sums.count;
         sum += sums.steps * std::exp(-std::numbers::pi * std::numbers::pi * variance / (step * step));
@@ -71,7 +75,8 @@ double deviation_of(const TileSums& sums, const Forgiven& forgiven)
 {
     const double excess = std::abs(sums.difference) - forgiven_sum(sums, forgiven);
     if (!(excess > 0)) return 0;
-    // Rounding has a variance of its own, a twelfth of a step squared in each picture: no tile is judged as if it had none.
+    // Rounding has a variance of its own, a twelfth of a step squared in each picture: no tile is judged as if it had
+    // none.
     const double step = sums.steps / sums.count;
     return std::copysign(excess / std::sqrt(sums.squares + sums.count * step * step / 6), sums.difference);
 }
@@ -84,8 +89,8 @@ double tile_probability(const TileSums& sums, double deviation)
     if (spread <= 0 || symmetric <= 0) return symmetric;
     const double mean = sums.difference / sums.count;
     const double third = sums.cubes - 3 * mean * sums.squares + 2 * sums.count * mean * mean * mean;
-    // A self-normalised sum is smaller than normal on the side of the long tail, which then enlarges the root below it too, and larger on the
-    // other. The term holds for moderate deviations only: beyond, half the exponent is left.
+    // A self-normalised sum is smaller than normal on the side of the long tail, which then enlarges the root below it
+    // too, and larger on the other. The term holds for moderate deviations only: beyond, half the exponent is left.
     const double skew = third / (spread * std::sqrt(spread)) * (deviation > 0 ? -1 : 1);
     const double heavier = std::min(skew * size * size * size / 3, size * size / 4);
     return heavier > 0 ? std::min(1.0, symmetric * std::exp(heavier)) : symmetric;
@@ -95,7 +100,8 @@ Estimates light_of(const Picture& picture)
 {
     const Decoding& table = decoding();
     Estimates light{picture.width, picture.height, picture.colours(), true, {}, {}};
-    const std::size_t count = static_cast<std::size_t>(light.channels) * static_cast<std::size_t>(light.width) * static_cast<std::size_t>(light.height);
+    const std::size_t count = static_cast<std::size_t>(light.channels) * static_cast<std::size_t>(light.width) *
+                              static_cast<std::size_t>(light.height);
     light.values.reserve(count);
     light.steps.reserve(count);
     for (int channel = 0; channel < light.channels; ++channel)
@@ -112,12 +118,17 @@ std::string StochasticRule::message(const std::string& quantity) const
     if (agree) return {};
     constexpr std::array colours = {"red ", "green ", "blue "};
     const double percent = expected != 0 ? 100 * (yours - expected) / std::abs(expected) : 0;
-    const std::string amount = expected != 0 ? fmt::format("{:.3g} % too {}", std::abs(percent), percent > 0 ? "high" : "low") : std::string("too high");
+    const std::string amount = expected != 0
+                                   ? fmt::format("{:.3g} % too {}", std::abs(percent), percent > 0 ? "high" : "low")
+                                   : std::string("too high");
     const std::string what =
-        tiled ? fmt::format("The {}light is {} in the {} x {} pixels from ({}, {})", channels == 3 ? colours[static_cast<std::size_t>(channel)] : "", amount,
-                            width, height, x, y)
-              : fmt::format("{} is {} on average over {} rows", quantity.empty() ? fmt::format("Component {}", channel) : quantity, amount, height);
-    const std::string odds = probability > 1e-300 ? fmt::format("at most once in {:.2g}", 1 / probability) : std::string("never");
+        tiled
+            ? fmt::format("The {}light is {} in the {} x {} pixels from ({}, {})",
+                          channels == 3 ? colours[static_cast<std::size_t>(channel)] : "", amount, width, height, x, y)
+            : fmt::format("{} is {} on average over {} rows",
+                          quantity.empty() ? fmt::format("Component {}", channel) : quantity, amount, height);
+    const std::string odds =
+        probability > 1e-300 ? fmt::format("at most once in {:.2g}", 1 / probability) : std::string("never");
     return fmt::format("{}: {:.1f} standard deviations, which noise does {}{}", what, std::abs(worst_z), odds,
                        probability > 1e-300 ? (tiled ? " pictures" : " tables") : "");
 }
@@ -145,7 +156,8 @@ StochasticRule apply_stochastic_rule(const Estimates& yours, const Estimates& ex
                 all[level] += light;
                 if (!rule.tiled && light > 0) mean_share += std::min(1.0, misplaced / light) / expected.channels;
                 ++rule.tests;
-                if (probability > smallest || (probability == smallest && std::abs(z) <= std::abs(rule.worst_z))) continue;
+                if (probability > smallest || (probability == smallest && std::abs(z) <= std::abs(rule.worst_z)))
+                    continue;
                 smallest = probability;
                 const std::size_t column = n % static_cast<std::size_t>(tiling.across);
                 const std::size_t row = n / static_cast<std::size_t>(tiling.across);

@@ -13,7 +13,8 @@ struct Estimates {
     int width = 0;
     int height = 0;
     int channels = 0;
-    bool tiled = true;            ///< a picture, judged in tiles too; else a table: one column of replicates, a channel for each quantity
+    bool tiled =
+        true;  ///< a picture, judged in tiles too; else a table: one column of replicates, a channel for each quantity
     std::vector<double> values;   ///< finite
     std::vector<double> steps{};  ///< of pictures of bytes: how far the next code lies from each value; else empty
 };
@@ -26,30 +27,34 @@ struct Forgiven {
     double relative = 0;  ///< share of the expected mean
     double absolute = 0;
 };
-/// Of pictures of bytes. The width of rounding, and what clipping at white takes from the noisier of two, are forgiven besides.
+/// Of pictures of bytes. The width of rounding, and what clipping at white takes from the noisier of two, are forgiven
+/// besides.
 inline constexpr Forgiven forgiven_bytes{0.005, 0};
 /// Of floats: what sums of some hundred roundings can do.
 inline constexpr Forgiven forgiven_floats{2e-5, 0};
 
 /// The largest factor by which two tails of a weighted sum of random signs exceed two normal ones: 1 / (2 erfc(1)).
-/// Based on: V. Bentkus, D. Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables. Bernoulli 2015.
+/// Based on: V. Bentkus, D. Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables.
+/// Bernoulli 2015.
 inline constexpr double tail_factor = 3.179;
 
 /// How likely two Monte Carlo results have the same expectation.
 struct StochasticRule {
     bool agree = false;
-    double probability = 1;  ///< an upper bound for the chance that noise alone gives a tile at least as far off as the worst
-    double worst_z = 0;      ///< of the worst tile, in standard deviations of its sum; positive where yours is larger
-    int x = 0;               ///< left, top and size of that tile
+    double probability =
+        1;  ///< an upper bound for the chance that noise alone gives a tile at least as far off as the worst
+    double worst_z = 0;  ///< of the worst tile, in standard deviations of its sum; positive where yours is larger
+    int x = 0;           ///< left, top and size of that tile
     int y = 0;
     int width = 0;
     int height = 0;
     int channel = 0;   ///< 0 red (or grey), 1 green, 2 blue; of a table the component
     int channels = 1;  ///< of how many
     bool tiled = true;
-    double yours = 0;       ///< its mean (light: 0 .. 1, linear) …
-    double expected = 0;    ///< … and the expected one
-    double misplaced = 0;   ///< share of the light in the wrong place, beyond noise: largest over the sizes of tiles; 0 .. 1
+    double yours = 0;     ///< its mean (light: 0 .. 1, linear) …
+    double expected = 0;  ///< … and the expected one
+    double misplaced =
+        0;  ///< share of the light in the wrong place, beyond noise: largest over the sizes of tiles; 0 .. 1
     std::size_t tests = 0;  ///< tiles times channels, of all sizes
 
     /// "the light is 3 % too high in the tile …": one line, empty if they agree. `quantity` names a table's component.
@@ -59,28 +64,32 @@ struct StochasticRule {
 /// Chance of a false alarm for a pair of right pictures that are judged by themselves (`umbral compare`).
 inline constexpr double stochastic_alpha = 1e-4;
 
-/// Compares two noisy results of one shape whose cells are independent estimates of the same values; `agree` means a probability of at
-/// least stochastic_alpha.
+/// Compares two noisy results of one shape whose cells are independent estimates of the same values; `agree` means a
+/// probability of at least stochastic_alpha.
 ///
-/// In tiles of 16 x 16 and of 64 x 64 pixels, and in the whole picture (of a table: in each component), R is the sum of the differences over
-/// the root of the sum of their squares. Where both estimate alike, a difference and its negative are equally likely, pixel by pixel, whatever
-/// its distribution; then two normal tails at |R| bound the chance up to a factor of 3.179 for every number of pixels (and are exact in the
-/// limit), which that factor makes a guarantee. Where the two estimate differently, and differences are skewed, the leading term of the
-/// tail's deviation is added, if it makes the tail heavier. Sidak's correction covers all tiles and channels.
+/// In tiles of 16 x 16 and of 64 x 64 pixels, and in the whole picture (of a table: in each component), R is the sum of
+/// the differences over the root of the sum of their squares. Where both estimate alike, a difference and its negative
+/// are equally likely, pixel by pixel, whatever its distribution; then two normal tails at |R| bound the chance up to a
+/// factor of 3.179 for every number of pixels (and are exact in the limit), which that factor makes a guarantee. Where
+/// the two estimate differently, and differences are skewed, the leading term of the tail's deviation is added, if it
+/// makes the tail heavier. Sidak's correction covers all tiles and channels.
 ///
-/// A local mistake shows in a small tile, a wrong factor everywhere in the large ones. A filter that spreads samples over neighbouring pixels,
-/// or one seed for all pixels, makes them depend on each other: then the test is too strict.
-/// Based on: K. Subr, J. Arvo. Statistical Hypothesis Testing for Assessing Monte Carlo Estimators. Pacific Graphics 2007; V. Bentkus,
-/// D. Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables. Bernoulli 2015; B.-Y. Jing, Q.-M. Shao, Q. Wang.
-/// Self-Normalized Cramer-Type Large Deviations for Independent Random Variables. Annals of Probability 2003.
-[[nodiscard]] StochasticRule apply_stochastic_rule(const Estimates& yours, const Estimates& expected, const Forgiven& forgiven);
+/// A local mistake shows in a small tile, a wrong factor everywhere in the large ones. A filter that spreads samples
+/// over neighbouring pixels, or one seed for all pixels, makes them depend on each other: then the test is too strict.
+/// Based on: K. Subr, J. Arvo. Statistical Hypothesis Testing for Assessing Monte Carlo Estimators. Pacific Graphics
+/// 2007; V. Bentkus, D. Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables.
+/// Bernoulli 2015; B.-Y. Jing, Q.-M. Shao, Q. Wang. Self-Normalized Cramer-Type Large Deviations for Independent Random
+/// Variables. Annals of Probability 2003.
+[[nodiscard]] StochasticRule apply_stochastic_rule(const Estimates& yours, const Estimates& expected,
+                                                   const Forgiven& forgiven);
 
 /// The same for pictures of bytes.
 [[nodiscard]] StochasticRule apply_stochastic_rule(const Picture& yours, const Picture& expected);
 
-/// Is one of the two so much noisier that equal means prove nothing? Whoever adds enough noise to anything, or puts all light into one pixel of
-/// each tile, hides every bias from the test of means. Here all values are cut at four expected means: if the means of their sizes then
-/// differ by more than half, beyond chance, the two are not comparable. Correct work is accused with a chance below a hundredth of check_alpha().
+/// Is one of the two so much noisier that equal means prove nothing? Whoever adds enough noise to anything, or puts all
+/// light into one pixel of each tile, hides every bias from the test of means. Here all values are cut at four expected
+/// means: if the means of their sizes then differ by more than half, beyond chance, the two are not comparable. Correct
+/// work is accused with a chance below a hundredth of check_alpha().
 [[nodiscard]] bool scatters_apart(const Estimates& yours, const Estimates& expected);
 
 /// Sums over a tile of two results.
@@ -100,7 +109,8 @@ struct TileSums {
 /// R of a tile, less what is forgiven; positive where yours is larger.
 [[nodiscard]] double deviation_of(const TileSums& sums, const Forgiven& forgiven);
 
-/// The p-value of one tile: uniform where differences are symmetric and nothing is forgiven, up to what the limit leaves.
+/// The p-value of one tile: uniform where differences are symmetric and nothing is forgiven, up to what the limit
+/// leaves.
 [[nodiscard]] double tile_probability(const TileSums& sums, double deviation);
 
 /// A channel cut into across x down tiles, row by row.
@@ -112,8 +122,8 @@ struct Tiling {
     std::vector<TileSums> sums;
 };
 
-/// One channel in tiles of all sizes, the smallest first (16 x 16 pixels, then 64 x 64; larger by less than a pixel or a small tile where
-/// that does not fit), the whole last. A table is one tile.
+/// One channel in tiles of all sizes, the smallest first (16 x 16 pixels, then 64 x 64; larger by less than a pixel or
+/// a small tile where that does not fit), the whole last. A table is one tile.
 [[nodiscard]] std::vector<Tiling> tilings_of(const Estimates& yours, const Estimates& expected, int channel);
 
 }

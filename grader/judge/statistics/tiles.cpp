@@ -22,7 +22,8 @@ std::vector<int> edges(int size, int count)
     return result;
 }
 
-TileSums sums_of(const Estimates& yours, const Estimates& expected, std::size_t plane, int left, int top, int right, int bottom)
+TileSums sums_of(const Estimates& yours, const Estimates& expected, std::size_t plane, int left, int top, int right,
+                 int bottom)
 {
     TileSums sums;
     for (int y = top; y < bottom; ++y) {
@@ -50,10 +51,12 @@ Tiling smallest(const Estimates& yours, const Estimates& expected, int channel, 
     Tiling tiling{number_of(expected.width, side), number_of(expected.height, side), {}, {}, {}};
     tiling.left = edges(expected.width, tiling.across);
     tiling.top = edges(expected.height, tiling.down);
-    const std::size_t plane = static_cast<std::size_t>(channel) * static_cast<std::size_t>(expected.width) * static_cast<std::size_t>(expected.height);
+    const std::size_t plane = static_cast<std::size_t>(channel) * static_cast<std::size_t>(expected.width) *
+                              static_cast<std::size_t>(expected.height);
     for (std::size_t j = 0; j + 1 < tiling.top.size(); ++j)
         for (std::size_t i = 0; i + 1 < tiling.left.size(); ++i)
-            tiling.sums.push_back(sums_of(yours, expected, plane, tiling.left[i], tiling.top[j], tiling.left[i + 1], tiling.top[j + 1]));
+            tiling.sums.push_back(
+                sums_of(yours, expected, plane, tiling.left[i], tiling.top[j], tiling.left[i + 1], tiling.top[j + 1]));
     return tiling;
 }
 
@@ -69,7 +72,8 @@ Tiling merged(const Tiling& small, int across, int down)
         for (std::size_t i = 0; i + 1 < columns.size(); ++i, ++n)
             for (int y = rows[j]; y < rows[j + 1]; ++y)
                 for (int x = columns[i]; x < columns[i + 1]; ++x)
-                    large.sums[n] += small.sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(small.across) + static_cast<std::size_t>(x)];
+                    large.sums[n] += small.sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(small.across) +
+                                                static_cast<std::size_t>(x)];
     return large;
 }
 
@@ -93,7 +97,8 @@ std::vector<Tiling> tilings_of(const Estimates& yours, const Estimates& expected
 {
     if (!expected.tiled) return {smallest(yours, expected, channel, std::max(expected.width, expected.height))};
     std::vector<Tiling> tilings{smallest(yours, expected, channel, small_side)};
-    tilings.push_back(merged(tilings.front(), number_of(expected.width, large_side), number_of(expected.height, large_side)));
+    tilings.push_back(
+        merged(tilings.front(), number_of(expected.width, large_side), number_of(expected.height, large_side)));
     tilings.push_back(merged(tilings.front(), 1, 1));
     return tilings;
 }

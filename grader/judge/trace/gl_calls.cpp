@@ -30,7 +30,9 @@ bool read(std::string_view text, Number& number)
 
 bool is_function_name(std::string_view name)
 {
-    const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    };
     return name.size() > 2 && name.size() <= longest_name && name.starts_with("gl") && std::ranges::all_of(name, plain);
 }
 
@@ -81,9 +83,17 @@ constexpr std::array counted{Counted{"glDrawArrays", 2},
                              Counted{"glDrawElementsInstancedBaseInstance", 1, 4},
                              Counted{"glDrawElementsInstancedBaseVertexBaseInstance", 1, 4}};
 
-constexpr std::string_view drawing[] = {
-    "glDrawArrays", "glDrawElements", "glDrawRangeElements", "glDrawTransformFeedback", "glDrawPixels", "glMultiDraw", "glBegin", "glCallList",
-    "glRect",       "glBitmap",       "glEvalMesh"};
+constexpr std::string_view drawing[] = {"glDrawArrays",
+                                        "glDrawElements",
+                                        "glDrawRangeElements",
+                                        "glDrawTransformFeedback",
+                                        "glDrawPixels",
+                                        "glMultiDraw",
+                                        "glBegin",
+                                        "glCallList",
+                                        "glRect",
+                                        "glBitmap",
+                                        "glEvalMesh"};
 
 constexpr std::string_view state[] = {"glEnable",
                                       "glDisable",
@@ -149,7 +159,8 @@ bool draws(const GlCall& call) { return begins(call.name, drawing); }
 
 double vertices_of(const GlCall& call)
 {
-    constexpr std::string_view vertex[] = {"glVertex2", "glVertex3", "glVertex4", "glVertexP2", "glVertexP3", "glVertexP4", "glArrayElement"};
+    constexpr std::string_view vertex[] = {"glVertex2",  "glVertex3",  "glVertex4",     "glVertexP2",
+                                           "glVertexP3", "glVertexP4", "glArrayElement"};
     if (begins(call.name, vertex)) return 1;
     if (call.name.starts_with("glRect")) return 4;
     const auto found = std::ranges::find(counted, call.name, &Counted::name);
@@ -169,7 +180,8 @@ double objects_created(const GlCall& call)
 double objects_deleted(const GlCall& call)
 {
     if (call.name == "glDeleteLists") return count(call, 1);
-    if (call.name == "glDeleteShader" || call.name == "glDeleteProgram" || call.name == "glDeleteSync") return count(call, 0) > 0 ? 1 : 0;
+    if (call.name == "glDeleteShader" || call.name == "glDeleteProgram" || call.name == "glDeleteSync")
+        return count(call, 0) > 0 ? 1 : 0;
     return call.name.starts_with("glDelete") ? count(call, 0) : 0;
 }
 

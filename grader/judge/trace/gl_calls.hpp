@@ -20,14 +20,16 @@ struct GlTrace {
     bool truncated = false;  ///< there were more calls than a trace holds
 };
 
-/// Reads what umbral::gl::record_trace wrote: a call a line, "glDrawArrays 4 0 3", with " | 128" behind it where 128 bytes were uploaded,
-/// and a last line "..." where calls are left out. Believes nothing: any other line makes it nothing.
+/// Reads what umbral::gl::record_trace wrote: a call a line, "glDrawArrays 4 0 3", with " | 128" behind it where 128
+/// bytes were uploaded, and a last line "..." where calls are left out. Believes nothing: any other line makes it
+/// nothing.
 [[nodiscard]] std::optional<GlTrace> parse_gl_trace(std::string_view text);
 
 /// glDraw..., glMultiDraw..., glBegin, glCallList and the like: does it draw?
 [[nodiscard]] bool draws(const GlCall& call);
 
-/// Vertices that the call draws, instances counted each; 1 for glVertex...; 0 where they cannot be told from the arguments.
+/// Vertices that the call draws, instances counted each; 1 for glVertex...; 0 where they cannot be told from the
+/// arguments.
 [[nodiscard]] double vertices_of(const GlCall& call);
 
 /// Objects that glGen... and glCreate..., or glDelete..., make or delete, by the count they are given.
@@ -40,7 +42,8 @@ struct GlTrace {
 /// What the core profile has instead of a function that it lacks, as half a sentence; null for a function that it has.
 [[nodiscard]] const char* instead_of_deprecated(std::string_view name);
 
-/// The call as C++ has it, as "glDrawArrays(GL_TRIANGLES, 0, 3)": enumerants by name where it is known which argument is one.
+/// The call as C++ has it, as "glDrawArrays(GL_TRIANGLES, 0, 3)": enumerants by name where it is known which argument
+/// is one.
 [[nodiscard]] std::string in_cpp(const GlCall& call);
 
 /// The same call but for the numbers of objects, which each program gets as they come.

@@ -3,7 +3,8 @@
 namespace umbral::grader {
 namespace {
 
-/// Functions whose names begin so, and what the core profile has instead. A test compares this list with the headers of both profiles.
+/// Functions whose names begin so, and what the core profile has instead. A test compares this list with the headers of
+/// both profiles.
 struct Removed {
     std::string_view beginnings;  ///< separated by spaces; one with '$' at its end is a whole name
     const char* instead;
@@ -17,25 +18,36 @@ constexpr const char* in_textures = "draw a textured rectangle, or copy between 
 constexpr const char* gone = "the core profile has nothing of the kind";
 
 constexpr Removed removed[] = {
-    {"glBegin$ glEnd$ glVertex2 glVertex3 glVertex4 glVertexP2 glVertexP3 glVertexP4 glNormal3 glNormalP3 glColor3 glColor4 glColorP3 glColorP4 "
-     "glSecondaryColor3 glSecondaryColorP3 glTexCoord1 glTexCoord2 glTexCoord3 glTexCoord4 glTexCoordP glMultiTexCoord glFogCoordd glFogCoordf glIndexd "
+    {"glBegin$ glEnd$ glVertex2 glVertex3 glVertex4 glVertexP2 glVertexP3 glVertexP4 glNormal3 glNormalP3 glColor3 "
+     "glColor4 glColorP3 glColorP4 "
+     "glSecondaryColor3 glSecondaryColorP3 glTexCoord1 glTexCoord2 glTexCoord3 glTexCoord4 glTexCoordP glMultiTexCoord "
+     "glFogCoordd glFogCoordf glIndexd "
      "glIndexf glIndexi glIndexs glIndexub glEdgeFlag$ glEdgeFlagv$ glRect glArrayElement$",
      in_buffers},
     {"glNewList$ glEndList$ glCallList glGenLists$ glDeleteLists$ glIsList$ glListBase$", in_buffers},
-    {"glVertexPointer$ glNormalPointer$ glColorPointer$ glSecondaryColorPointer$ glTexCoordPointer$ glFogCoordPointer$ glIndexPointer$ glEdgeFlagPointer$ "
+    {"glVertexPointer$ glNormalPointer$ glColorPointer$ glSecondaryColorPointer$ glTexCoordPointer$ glFogCoordPointer$ "
+     "glIndexPointer$ glEdgeFlagPointer$ "
      "glInterleavedArrays$ glEnableClientState$ glDisableClientState$ glClientActiveTexture$",
      in_attributes},
-    {"glMatrixMode$ glLoadIdentity$ glLoadMatrix glLoadTranspose glMultMatrix glMultTranspose glPushMatrix$ glPopMatrix$ glRotate glScaled$ glScalef$ "
+    {"glMatrixMode$ glLoadIdentity$ glLoadMatrix glLoadTranspose glMultMatrix glMultTranspose glPushMatrix$ "
+     "glPopMatrix$ glRotate glScaled$ glScalef$ "
      "glTranslate glFrustum$ glOrtho$",
      in_uniforms},
-    {"glLight glMaterial glColorMaterial$ glGetLight glGetMaterial glShadeModel$ glFogf glFogi glTexEnv glGetTexEnv glTexGen glGetTexGen glAlphaFunc$ "
+    {"glLight glMaterial glColorMaterial$ glGetLight glGetMaterial glShadeModel$ glFogf glFogi glTexEnv glGetTexEnv "
+     "glTexGen glGetTexGen glAlphaFunc$ "
      "glClipPlane$ glGetClipPlane$ glMap1 glMap2 glMapGrid glGetMap glGetnMap glEvalCoord glEvalMesh glEvalPoint",
      in_shaders},
-    {"glBitmap$ glDrawPixels$ glCopyPixels$ glPixelZoom$ glPixelTransfer glPixelMap glGetPixelMap glGetnPixelMap glRasterPos glWindowPos", in_textures},
-    {"glPushAttrib$ glPopAttrib$ glPushClientAttrib$ glPopClientAttrib$ glPushName$ glPopName$ glLoadName$ glInitNames$ glPassThrough$ glRenderMode$ "
-     "glSelectBuffer$ glFeedbackBuffer$ glAccum$ glClearAccum$ glClearIndex$ glIndexMask$ glLineStipple$ glPolygonStipple$ glGetPolygonStipple$ "
-     "glGetnPolygonStipple$ glPrioritizeTextures$ glAreTexturesResident$ glColorTable glColorSubTable$ glCopyColor glGetColorTable glGetnColorTable$ "
-     "glConvolution glCopyConvolution glGetConvolution glGetnConvolution glSeparableFilter glGetSeparable glGetnSeparable glHistogram$ glGetHistogram "
+    {"glBitmap$ glDrawPixels$ glCopyPixels$ glPixelZoom$ glPixelTransfer glPixelMap glGetPixelMap glGetnPixelMap "
+     "glRasterPos glWindowPos",
+     in_textures},
+    {"glPushAttrib$ glPopAttrib$ glPushClientAttrib$ glPopClientAttrib$ glPushName$ glPopName$ glLoadName$ "
+     "glInitNames$ glPassThrough$ glRenderMode$ "
+     "glSelectBuffer$ glFeedbackBuffer$ glAccum$ glClearAccum$ glClearIndex$ glIndexMask$ glLineStipple$ "
+     "glPolygonStipple$ glGetPolygonStipple$ "
+     "glGetnPolygonStipple$ glPrioritizeTextures$ glAreTexturesResident$ glColorTable glColorSubTable$ glCopyColor "
+     "glGetColorTable glGetnColorTable$ "
+     "glConvolution glCopyConvolution glGetConvolution glGetnConvolution glSeparableFilter glGetSeparable "
+     "glGetnSeparable glHistogram$ glGetHistogram "
      "glGetnHistogram$ glResetHistogram$ glMinmax$ glGetMinmax glGetnMinmax$ glResetMinmax$",
      gone}};
 

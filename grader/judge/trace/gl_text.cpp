@@ -13,8 +13,8 @@
 namespace umbral::grader {
 namespace {
 
-/// What the arguments of a function are, a letter each: m a primitive mode, e another enumerant, b a boolean, o the number of an object,
-/// p a pointer or offset, n a number.
+/// What the arguments of a function are, a letter each: m a primitive mode, e another enumerant, b a boolean, o the
+/// number of an object, p a pointer or offset, n a number.
 struct Signature {
     std::string_view name;
     std::string_view kinds;
@@ -202,7 +202,8 @@ std::string argument_text(char kind, double value)
 std::string in_cpp(const GlCall& call)
 {
     std::string text = std::string(call.name) + "(";
-    for (std::size_t i = 0; i < call.arguments.size(); ++i) text += (i == 0 ? "" : ", ") + argument_text(kind_of(call, i), call.arguments[i]);
+    for (std::size_t i = 0; i < call.arguments.size(); ++i)
+        text += (i == 0 ? "" : ", ") + argument_text(kind_of(call, i), call.arguments[i]);
     return text + ")";
 }
 

@@ -74,9 +74,13 @@ Resemblance same_trace(const FailingCheck& failing, const Tensor& mistake_tensor
     const auto yours = parse_gl_trace(text_of(failing.student));
     const auto mistake = parse_gl_trace(text_of(&mistake_tensor));
     const auto expected = parse_gl_trace(text_of(failing.expected));
-    if (!yours || !mistake || !expected || fraction_right(*failing.check, *failing.student, *failing.expected, nullptr) >= 1) return differently;
+    if (!yours || !mistake || !expected ||
+        fraction_right(*failing.check, *failing.student, *failing.expected, nullptr) >= 1)
+        return not_alike;
     const auto& rules = parameters_of<TraceParameters>(*failing.check).rules;
-    if (!std::ranges::all_of(rules, [&](const std::string& rule) { return counted(*yours, rule) == counted(*mistake, rule); })) return differently;
+    if (!std::ranges::all_of(rules,
+                             [&](const std::string& rule) { return counted(*yours, rule) == counted(*mistake, rule); }))
+        return not_alike;
     // Each count that differs from the expected one is a number that could have been another.
     std::size_t telling = 0;
     for (const std::string& rule : rules) telling += counted(*yours, rule) != counted(*expected, rule) ? 1 : 0;

@@ -29,15 +29,27 @@ const GlCall* first_of(const GlTrace& trace, std::string_view rule)
 /// What a teacher says of a broken rule.
 std::string complaint(std::string_view rule, double yours, double expected, const GlTrace& trace)
 {
-    const auto number = [](double count, const char* one, const char* many) { return fmt::format("{} {}", count_text(count), count == 1 ? one : many); };
+    const auto number = [](double count, const char* one, const char* many) {
+        return fmt::format("{} {}", count_text(count), count == 1 ? one : many);
+    };
     const char* possible = expected == 1 ? "is" : "are";
-    if (rule == draw_calls) return fmt::format("{}, {} {} possible", number(yours, "draw call", "draw calls"), count_text(expected), possible);
-    if (rule == vertices) return fmt::format("{} drawn, expected {}", number(yours, "vertex is", "vertices are"), count_text(expected));
-    if (rule == uploaded_bytes && expected == 0) return fmt::format("data is uploaded again: {}, 0 are needed", number(yours, "byte", "bytes"));
-    if (rule == uploaded_bytes) return fmt::format("{} uploaded, {} {} needed", number(yours, "byte is", "bytes are"), count_text(expected), possible);
-    if (rule == objects_made) return fmt::format("{} created, expected {}", number(yours, "object is", "objects are"), count_text(expected));
-    if (rule == objects_gone) return fmt::format("{} deleted, expected {}", number(yours, "object is", "objects are"), count_text(expected));
-    if (rule == state_changes) return fmt::format("{}, {} {} enough", number(yours, "state change", "state changes"), count_text(expected), possible);
+    if (rule == draw_calls)
+        return fmt::format("{}, {} {} possible", number(yours, "draw call", "draw calls"), count_text(expected),
+                           possible);
+    if (rule == vertices)
+        return fmt::format("{} drawn, expected {}", number(yours, "vertex is", "vertices are"), count_text(expected));
+    if (rule == uploaded_bytes && expected == 0)
+        return fmt::format("data is uploaded again: {}, 0 are needed", number(yours, "byte", "bytes"));
+    if (rule == uploaded_bytes)
+        return fmt::format("{} uploaded, {} {} needed", number(yours, "byte is", "bytes are"), count_text(expected),
+                           possible);
+    if (rule == objects_made)
+        return fmt::format("{} created, expected {}", number(yours, "object is", "objects are"), count_text(expected));
+    if (rule == objects_gone)
+        return fmt::format("{} deleted, expected {}", number(yours, "object is", "objects are"), count_text(expected));
+    if (rule == state_changes)
+        return fmt::format("{}, {} {} enough", number(yours, "state change", "state changes"), count_text(expected),
+                           possible);
     const GlCall* call = first_of(trace, rule);
     return call == nullptr ? "" : fmt::format("{} is deprecated: {}", call->name, instead_of_deprecated(call->name));
 }
@@ -52,7 +64,8 @@ std::vector<Looked> looked_at(const GlTrace& trace, std::string_view rule)
 {
     std::vector<Looked> calls;
     for (std::size_t i = 0; i < trace.calls.size(); ++i)
-        if (share_of(trace.calls[i], rule) > 0 || (rule == vertices && draws(trace.calls[i]))) calls.push_back({&trace.calls[i], i});
+        if (share_of(trace.calls[i], rule) > 0 || (rule == vertices && draws(trace.calls[i])))
+            calls.push_back({&trace.calls[i], i});
     return calls;
 }
 
@@ -65,7 +78,8 @@ std::optional<Difference> first_difference(std::string_view rule, const GlTrace&
         const std::string where = i < a.size() ? fmt::format("call {} of your {}", a[i].index + 1, yours.calls.size())
                                   : a.empty()  ? "you make no such call"
                                                : "after your last such call";
-        return Difference{fmt::format("{}: {}", rule, where), i < a.size() ? in_cpp(*a[i].call) : "nothing", i < b.size() ? in_cpp(*b[i].call) : "nothing"};
+        return Difference{fmt::format("{}: {}", rule, where), i < a.size() ? in_cpp(*a[i].call) : "nothing",
+                          i < b.size() ? in_cpp(*b[i].call) : "nothing"};
     }
     return std::nullopt;
 }
@@ -81,7 +95,8 @@ double share_of(const GlCall& call, std::string_view rule)
     if (rule == objects_gone) return objects_deleted(call);
     if (rule == deprecated_calls) return instead_of_deprecated(call.name) != nullptr ? 1 : 0;
     if (rule == state_changes) return changes_state(call) ? 1 : 0;
-    throw std::invalid_argument(fmt::format("expected one of the rules \"{}\", got \"{}\"", fmt::join(trace_rules, "\", \""), rule));
+    throw std::invalid_argument(
+        fmt::format("expected one of the rules \"{}\", got \"{}\"", fmt::join(trace_rules, "\", \""), rule));
 }
 
 double counted(const GlTrace& trace, std::string_view rule)
@@ -121,7 +136,8 @@ Judgement judge_trace(const Check& check, const Tensor& student, const Tensor& e
     const auto rules = static_cast<double>(wanted.size());
     judgement.right = (rules - static_cast<double>(complaints.size())) / rules;
     if (yours->truncated) {
-        complaints.insert(complaints.begin(), fmt::format("more than {} calls, {} are enough", count_text(static_cast<double>(yours->calls.size())),
+        complaints.insert(complaints.begin(), fmt::format("more than {} calls, {} are enough",
+                                                          count_text(static_cast<double>(yours->calls.size())),
                                                           count_text(static_cast<double>(expected->calls.size()))));
         judgement.right = 0;
     }

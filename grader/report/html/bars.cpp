@@ -37,11 +37,13 @@ std::string seconds_text(double seconds)
 Markup points_bar(long long score, long long max_score, std::string_view kind)
 {
     constexpr double width = 100;
-    double filled = max_score > 0 ? width * std::clamp(static_cast<double>(score) / static_cast<double>(max_score), 0.0, 1.0) : 0;
+    double filled =
+        max_score > 0 ? width * std::clamp(static_cast<double>(score) / static_cast<double>(max_score), 0.0, 1.0) : 0;
     // A little is seen as a little, and nearly all is not all.
     if (score > 0 && score < max_score) filled = std::clamp(filled, 3.0, width - 3);
     return markup(
-        "<svg class=\"points-bar {}\" viewBox=\"0 0 100 6\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect class=\"track\" width=\"100\" "
+        "<svg class=\"points-bar {}\" viewBox=\"0 0 100 6\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect "
+        "class=\"track\" width=\"100\" "
         "height=\"6\"/>"
         "<rect class=\"fill\" width=\"{:.1f}\" height=\"6\"/></svg>",
         kind, filled);
@@ -54,7 +56,8 @@ Markup time_bars(double yours, double reference)
     const auto line = [&](const char* name, const char* kind, double seconds) {
         const double width = std::isfinite(seconds) ? std::max(100 * seconds / longest, seconds > 0 ? 1.0 : 0.0) : 0;
         result += markup(
-            "<div><dt>{}</dt><dd><svg viewBox=\"0 0 100 6\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect class=\"{}\" width=\"{:.1f}\" "
+            "<div><dt>{}</dt><dd><svg viewBox=\"0 0 100 6\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect "
+            "class=\"{}\" width=\"{:.1f}\" "
             "height=\"6\"/></svg>"
             "<span>{}</span></dd></div>",
             name, kind, width, seconds_text(seconds));
@@ -65,23 +68,32 @@ Markup time_bars(double yours, double reference)
     return result;
 }
 
-Markup error_scale(const std::optional<double>& yours, const std::optional<double>& reference, const CheckDetail& detail)
+Markup error_scale(const std::optional<double>& yours, const std::optional<double>& reference,
+                   const CheckDetail& detail)
 {
     if (!yours && !reference) return {};
     Markup words;
     if (yours) words += markup("<span class=\"of-yours\">your error {}</span>", with_unit(*yours, detail.unit));
-    if (reference) words += markup("<span class=\"of-reference\">the reference’s own {}</span>", with_unit(*reference, detail.unit));
+    if (reference)
+        words +=
+            markup("<span class=\"of-reference\">the reference’s own {}</span>", with_unit(*reference, detail.unit));
     if (!detail.bound.empty()) words += markup("<span>allowed: {}</span>", detail.bound);
 
     Markup drawing;
     if (detail.limit && *detail.limit > 0) {
         drawing = markup(
-            "<svg class=\"scale\" viewBox=\"0 0 240 28\" width=\"240\" height=\"28\" aria-hidden=\"true\"><rect class=\"allowed\" x=\"0\" y=\"12\" "
+            "<svg class=\"scale\" viewBox=\"0 0 240 28\" width=\"240\" height=\"28\" aria-hidden=\"true\"><rect "
+            "class=\"allowed\" x=\"0\" y=\"12\" "
             "width=\"{0:.0f}\" "
-            "height=\"4\"/><rect class=\"beyond\" x=\"{0:.0f}\" y=\"12\" width=\"{0:.0f}\" height=\"4\"/><path class=\"limit\" d=\"M{0:.0f} 5v18\"/>",
+            "height=\"4\"/><rect class=\"beyond\" x=\"{0:.0f}\" y=\"12\" width=\"{0:.0f}\" height=\"4\"/><path "
+            "class=\"limit\" d=\"M{0:.0f} 5v18\"/>",
             scale_width / 2);
-        if (reference) drawing += markup("<circle class=\"of-reference\" cx=\"{:.1f}\" cy=\"14\" r=\"4\"/>", place(*reference, *detail.limit));
-        if (yours) drawing += markup("<path class=\"of-yours\" d=\"M{:.1f} 8l6 6-6 6-6-6z\"/>", std::clamp(place(*yours, *detail.limit), 7.0, scale_width - 7));
+        if (reference)
+            drawing += markup("<circle class=\"of-reference\" cx=\"{:.1f}\" cy=\"14\" r=\"4\"/>",
+                              place(*reference, *detail.limit));
+        if (yours)
+            drawing += markup("<path class=\"of-yours\" d=\"M{:.1f} 8l6 6-6 6-6-6z\"/>",
+                              std::clamp(place(*yours, *detail.limit), 7.0, scale_width - 7));
         drawing += "</svg>";
     }
     return markup("<div class=\"errors\">{}<p>{}</p></div>\n", drawing, words);

@@ -11,9 +11,11 @@ namespace umbral::grader::html {
 
 std::string base64(std::string_view bytes)
 {
-    if (bytes.size() > std::numeric_limits<int>::max() / 2) throw std::length_error("base64: expected less than 1 GiB, got more");
+    if (bytes.size() > std::numeric_limits<int>::max() / 2)
+        throw std::length_error("base64: expected less than 1 GiB, got more");
     std::string result((bytes.size() + 2) / 3 * 4 + 1, '\0');  // EVP_EncodeBlock ends it with a zero
-    EVP_EncodeBlock(reinterpret_cast<unsigned char*>(result.data()), reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
+    EVP_EncodeBlock(reinterpret_cast<unsigned char*>(result.data()),
+                    reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
     result.pop_back();
     return result;
 }

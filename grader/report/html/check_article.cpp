@@ -38,7 +38,8 @@ Markup first_difference(const CheckResult& check)
     if (!check.first_difference) return {};
     const Difference& first = *check.first_difference;
     return markup(
-        "<dl class=\"first\"><div><dt>first at</dt><dd>{}</dd></div><div class=\"of-yours\"><dt>yours</dt><dd>{}</dd></div><div "
+        "<dl class=\"first\"><div><dt>first at</dt><dd>{}</dd></div><div "
+        "class=\"of-yours\"><dt>yours</dt><dd>{}</dd></div><div "
         "class=\"of-reference\"><dt>expected</dt>"
         "<dd>{}</dd></div></dl>\n",
         first.where, first.yours, first.expected);
@@ -59,7 +60,8 @@ struct Show {
 std::string_view short_message(const CheckResult& check, const CheckDetail& detail)
 {
     const std::string_view message = check.message;
-    return std::holds_alternative<RowsEvidence>(detail.evidence) ? message.substr(0, message.find(": yours ")) : message;
+    return std::holds_alternative<RowsEvidence>(detail.evidence) ? message.substr(0, message.find(": yours "))
+                                                                 : message;
 }
 
 }
@@ -69,15 +71,16 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     const bool right = check.score >= check.max_score;
     const char* kind = right ? "ok" : check.score > 0 ? "partial" : "bad";
     const char* words = right ? "right" : check.score > 0 ? "partly right" : "wrong";
-    Markup result =
-        markup("<article class=\"check {0}\" id=\"{1}\" tabindex=\"-1\" aria-labelledby=\"{1}-name\" data-check>\n<header><h3 id=\"{1}-name\">{2}</h3>\n<p>",
-               kind, anchor, check.name);
+    Markup result = markup(
+        "<article class=\"check {0}\" id=\"{1}\" tabindex=\"-1\" aria-labelledby=\"{1}-name\" data-check>\n<header><h3 "
+        "id=\"{1}-name\">{2}</h3>\n<p>",
+        kind, anchor, check.name);
     if (check.hidden) result += "<span class=\"tag\">hidden</span> ";
     if (check.hard) result += "<span class=\"tag\">hard case</span> ";
     result += markup("<span class=\"tag\">{}</span>", to_string(check.kind));
     if (with_points)
-        result += markup(" <span class=\"points\">{}, {}<span class=\"of\"> / {} points</span></span>", words, points_text(check.score),
-                         points_text(check.max_score));
+        result += markup(" <span class=\"points\">{}, {}<span class=\"of\"> / {} points</span></span>", words,
+                         points_text(check.score), points_text(check.max_score));
     result += "</p></header>\n";
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", short_message(check, detail));
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
@@ -86,7 +89,8 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
         result += metrics(check);
     else
         result += error_scale(check.error, check.reference_error, detail);
-    if (!detail.why.empty()) result += markup("<p class=\"tolerance\"><span>Where the tolerance comes from:</span> {}</p>\n", detail.why);
+    if (!detail.why.empty())
+        result += markup("<p class=\"tolerance\"><span>Where the tolerance comes from:</span> {}</p>\n", detail.why);
     result += "</article>\n";
     return result;
 }

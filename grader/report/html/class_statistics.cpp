@@ -34,14 +34,17 @@ std::vector<UnitStatistics> unit_statistics(const ClassResult& result)
             }
             if (unit.verdict == Verdict::grader_fault || unit.max_score <= 0) continue;
             UnitStatistics& one = all[found->second];
-            const double share = std::clamp(static_cast<double>(unit.score) / static_cast<double>(unit.max_score), 0.0, 1.0);
+            const double share =
+                std::clamp(static_cast<double>(unit.score) / static_cast<double>(unit.max_score), 0.0, 1.0);
             one.max_score = std::max(one.max_score, unit.max_score);
             ++one.graded;
             if (all_right(unit)) ++one.right;
             // What is not nothing never counts as nothing, nor what is not all as all.
-            const std::size_t place = unit.score <= 0                ? 0
-                                      : unit.score >= unit.max_score ? 10
-                                                                     : std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(10 * share)), 1, 9);
+            const std::size_t place =
+                unit.score <= 0 ? 0
+                : unit.score >= unit.max_score
+                    ? 10
+                    : std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(10 * share)), 1, 9);
             ++one.by_share[place];
             shares[found->second].push_back(share);
         }

@@ -19,7 +19,10 @@ struct Axis {
     double from = 0;
     double to = 1;
 
-    [[nodiscard]] double at(double value) const { return from + (std::log10(value) - low) / (high - low) * (to - from); }
+    [[nodiscard]] double at(double value) const
+    {
+        return from + (std::log10(value) - low) / (high - low) * (to - from);
+    }
 };
 
 Axis axis_for(double least, double most, double from, double to)
@@ -62,13 +65,16 @@ Markup grid(const Axis& across, const Axis& up)
     Markup result;
     for (double e = across.low; e <= across.high + 0.5; ++e) {
         const double x = across.at(std::pow(10.0, e));
-        result += markup("<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>", x, top, bottom,
-                         bottom + 17, power_of_ten(e));
+        result += markup(
+            "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" "
+            "text-anchor=\"middle\">{4}</text>",
+            x, top, bottom, bottom + 17, power_of_ten(e));
     }
     for (double e = up.low; e <= up.high + 0.5; ++e) {
         const double y = up.at(std::pow(10.0, e));
-        result += markup("<path class=\"grid\" d=\"M{1} {0:.1f}H{2}\"/><text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>", y, left, right, left - 7,
-                         y + 4, power_of_ten(e));
+        result += markup(
+            "<path class=\"grid\" d=\"M{1} {0:.1f}H{2}\"/><text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
+            y, left, right, left - 7, y + 4, power_of_ten(e));
     }
     return result;
 }
@@ -94,13 +100,16 @@ Markup table(const CostEvidence& evidence)
     Markup rows;
     const auto cell = [](const std::optional<double>& value) { return value ? count_text(*value) : std::string("–"); };
     for (const CostPoint& point : evidence.points)
-        rows += markup("<tr><th scope=\"row\" class=\"number\">{}</th><td class=\"number of-yours\">{}</td><td class=\"number of-reference\">{}</td></tr>\n",
-                       count_text(point.size), cell(point.yours), cell(point.reference));
-    return scrolling(
-        "Work by size",
-        markup("<table class=\"rows\"><caption>Basic blocks executed</caption><thead><tr><th scope=\"col\" class=\"number\">size</th><th scope=\"col\" "
-               "class=\"number of-yours\">yours</th><th scope=\"col\" class=\"number of-reference\">reference</th></tr></thead>\n<tbody>\n{}</tbody></table>",
-               rows));
+        rows += markup(
+            "<tr><th scope=\"row\" class=\"number\">{}</th><td class=\"number of-yours\">{}</td><td class=\"number "
+            "of-reference\">{}</td></tr>\n",
+            count_text(point.size), cell(point.yours), cell(point.reference));
+    return scrolling("Work by size",
+                     markup("<table class=\"rows\"><caption>Basic blocks executed</caption><thead><tr><th "
+                            "scope=\"col\" class=\"number\">size</th><th scope=\"col\" "
+                            "class=\"number of-yours\">yours</th><th scope=\"col\" class=\"number "
+                            "of-reference\">reference</th></tr></thead>\n<tbody>\n{}</tbody></table>",
+                            rows));
 }
 
 }
@@ -118,15 +127,19 @@ Markup cost_evidence(const CostEvidence& evidence)
     const Axis across = axis_for(sizes.least, sizes.most, left, right);
     const Axis up = axis_for(counts.least, counts.most, bottom, top);
     return markup(
-        "<div class=\"cost\"><figure><figcaption>work over size, both axes logarithmic</figcaption><svg class=\"plot\" viewBox=\"0 0 440 268\" role=\"img\" "
+        "<div class=\"cost\"><figure><figcaption>work over size, both axes logarithmic</figcaption><svg class=\"plot\" "
+        "viewBox=\"0 0 440 268\" role=\"img\" "
         "aria-label=\"Basic blocks "
-        "over the size of the problem: yours and the reference; the table beside it has the numbers\">{}{}{}<text x=\"{}\" y=\"{}\" "
+        "over the size of the problem: yours and the reference; the table beside it has the numbers\">{}{}{}<text "
+        "x=\"{}\" y=\"{}\" "
         "text-anchor=\"middle\">size</text></svg><p "
-        "class=\"legend\"><span class=\"of-yours\">yours</span> <span class=\"of-reference\">reference</span> <span>it may grow like the size to the power "
+        "class=\"legend\"><span class=\"of-yours\">yours</span> <span class=\"of-reference\">reference</span> <span>it "
+        "may grow like the size to the power "
         "{:.3g}</span></p></figure>\n{}</div>\n",
-        grid(across, up), curve(evidence, across, up, "of-reference", [](const CostPoint& point) { return point.reference; }),
-        curve(evidence, across, up, "of-yours", [](const CostPoint& point) { return point.yours; }), (left + right) / 2, bottom + 34, evidence.growth,
-        table(evidence));
+        grid(across, up),
+        curve(evidence, across, up, "of-reference", [](const CostPoint& point) { return point.reference; }),
+        curve(evidence, across, up, "of-yours", [](const CostPoint& point) { return point.yours; }), (left + right) / 2,
+        bottom + 34, evidence.growth, table(evidence));
 }
 
 }

@@ -50,21 +50,29 @@ std::string document_html(const Document& document)
 
 Markup theme_button()
 {
-    return "<button type=\"button\" class=\"quiet\" id=\"theme\" data-script hidden aria-label=\"Change between light and dark\" title=\"Light or dark (t)\">"
-           "<svg viewBox=\"0 0 16 16\" width=\"16\" height=\"16\" aria-hidden=\"true\"><circle cx=\"8\" cy=\"8\" r=\"6.2\" fill=\"none\" "
-           "stroke=\"currentColor\" stroke-width=\"1.5\"/><path d=\"M8 1.8a6.2 6.2 0 0 1 0 12.4z\" fill=\"currentColor\"/></svg></button>\n";
+    return "<button type=\"button\" class=\"quiet\" id=\"theme\" data-script hidden aria-label=\"Change between light "
+           "and dark\" title=\"Light or dark (t)\">"
+           "<svg viewBox=\"0 0 16 16\" width=\"16\" height=\"16\" aria-hidden=\"true\"><circle cx=\"8\" cy=\"8\" "
+           "r=\"6.2\" fill=\"none\" "
+           "stroke=\"currentColor\" stroke-width=\"1.5\"/><path d=\"M8 1.8a6.2 6.2 0 0 1 0 12.4z\" "
+           "fill=\"currentColor\"/></svg></button>\n";
 }
 
 Markup step_buttons()
 {
     return "<nav class=\"steps\" aria-label=\"Checks\" data-script hidden>"
-           "<button type=\"button\" class=\"quiet\" id=\"previous\" aria-label=\"Previous check\" title=\"Previous check (k)\">"
-           "<svg viewBox=\"0 0 16 16\" width=\"16\" height=\"16\" aria-hidden=\"true\"><path d=\"M3.5 10.5 8 6l4.5 4.5\" fill=\"none\" "
-           "stroke=\"currentColor\" stroke-width=\"1.6\" stroke-linecap=\"round\" stroke-linejoin=\"round\"/></svg></button>"
+           "<button type=\"button\" class=\"quiet\" id=\"previous\" aria-label=\"Previous check\" title=\"Previous "
+           "check (k)\">"
+           "<svg viewBox=\"0 0 16 16\" width=\"16\" height=\"16\" aria-hidden=\"true\"><path d=\"M3.5 10.5 8 6l4.5 "
+           "4.5\" fill=\"none\" "
+           "stroke=\"currentColor\" stroke-width=\"1.6\" stroke-linecap=\"round\" "
+           "stroke-linejoin=\"round\"/></svg></button>"
            "<span id=\"position\" aria-live=\"polite\"></span>"
            "<button type=\"button\" class=\"quiet\" id=\"next\" aria-label=\"Next check\" title=\"Next check (j)\">"
-           "<svg viewBox=\"0 0 16 16\" width=\"16\" height=\"16\" aria-hidden=\"true\"><path d=\"M3.5 5.5 8 10l4.5-4.5\" fill=\"none\" "
-           "stroke=\"currentColor\" stroke-width=\"1.6\" stroke-linecap=\"round\" stroke-linejoin=\"round\"/></svg></button></nav>\n";
+           "<svg viewBox=\"0 0 16 16\" width=\"16\" height=\"16\" aria-hidden=\"true\"><path d=\"M3.5 5.5 8 "
+           "10l4.5-4.5\" fill=\"none\" "
+           "stroke=\"currentColor\" stroke-width=\"1.6\" stroke-linecap=\"round\" "
+           "stroke-linejoin=\"round\"/></svg></button></nav>\n";
 }
 
 }

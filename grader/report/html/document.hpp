@@ -13,7 +13,8 @@ struct Document {
     Markup footer;
 };
 
-/// The whole file: the skeleton of page.html with styles and scripts, whose hashes are all that its Content-Security-Policy allows.
+/// The whole file: the skeleton of page.html with styles and scripts, whose hashes are all that its
+/// Content-Security-Policy allows.
 [[nodiscard]] std::string document_html(const Document& document);
 
 /// Buttons that every page has at its top: the colour theme, and on pages with checks the previous and the next one.

@@ -32,7 +32,8 @@ Markup verdict_chip(Verdict verdict)
         }
     };
     return markup(
-        "<span class=\"chip {}\"><svg viewBox=\"0 0 16 16\" width=\"16\" height=\"16\" aria-hidden=\"true\"><circle cx=\"8\" cy=\"8\" "
+        "<span class=\"chip {}\"><svg viewBox=\"0 0 16 16\" width=\"16\" height=\"16\" aria-hidden=\"true\"><circle "
+        "cx=\"8\" cy=\"8\" "
         "r=\"6.3\"/>{}</svg>{}</span>",
         kind_of(verdict), sign(), in_words(verdict));
 }

@@ -23,6 +23,6 @@ struct UnitDetail {
 };
 
 /// Details of a submission's units, by id.
-using Gallery = std::map<std::string, UnitDetail>;
+using UnitDetails = std::map<std::string, UnitDetail>;
 
 }

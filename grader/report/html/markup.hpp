@@ -12,8 +12,8 @@
 
 namespace umbral::grader::html {
 
-/// HTML that is safe to put into a page. There are three ways to make one: from a literal of ours, by markup(…) below, and by joining
-/// others; text from outside cannot get in unescaped, because it would not compile.
+/// HTML that is safe to put into a page. There are three ways to make one: from a literal of ours, by markup(…) below,
+/// and by joining others; text from outside cannot get in unescaped, because it would not compile.
 class Markup {
 public:
     Markup() = default;
@@ -36,7 +36,8 @@ private:
     friend Markup of_our_own(std::string text);
 
     std::string_view literal_;
-    std::optional<std::string> text_;  ///< where it is no literal; optional, since a constant expression cannot hold a string
+    std::optional<std::string>
+        text_;  ///< where it is no literal; optional, since a constant expression cannot hold a string
 };
 
 /// Text from outside, escaped.
@@ -47,8 +48,8 @@ private:
     return result;
 }
 
-/// Files of this folder (styles, scripts), encoded bytes, and markup that was turned into text before: what holds nothing to escape. Never
-/// for text from outside.
+/// Files of this folder (styles, scripts), encoded bytes, and markup that was turned into text before: what holds
+/// nothing to escape. Never for text from outside.
 [[nodiscard]] inline Markup of_our_own(std::string text)
 {
     Markup result;
@@ -72,9 +73,11 @@ template <class Number>
 requires std::is_arithmetic_v<Number>
 [[nodiscard]] Number argument(Number value) { return value; }
 
-/// A template of ours, checked when it is compiled, with its {} filled in: `markup("<td class=\"{}\">{}</td>", kind, name)`.
+/// A template of ours, checked when it is compiled, with its {} filled in: `markup("<td class=\"{}\">{}</td>", kind,
+/// name)`.
 template <class... Arguments>
-[[nodiscard]] Markup markup(fmt::format_string<decltype(argument(std::declval<const Arguments&>()))...> form, const Arguments&... arguments)
+[[nodiscard]] Markup markup(fmt::format_string<decltype(argument(std::declval<const Arguments&>()))...> form,
+                            const Arguments&... arguments)
 {
     const fmt::string_view text = form;
     return format_markup({text.data(), text.size()}, argument(arguments)...);

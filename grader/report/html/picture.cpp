@@ -20,7 +20,10 @@ struct Encoding {
     std::vector<png_byte> bytes;
 };
 
-std::uint32_t key_of(glm::u8vec4 colour) { return std::uint32_t{colour.r} << 24U | std::uint32_t{colour.g} << 16U | std::uint32_t{colour.b} << 8U | colour.a; }
+std::uint32_t key_of(glm::u8vec4 colour)
+{
+    return std::uint32_t{colour.r} << 24U | std::uint32_t{colour.g} << 16U | std::uint32_t{colour.b} << 8U | colour.a;
+}
 
 bool is_opaque(const Image& image)
 {
@@ -50,7 +53,8 @@ std::optional<Encoding> with_palette(const Image& image)
 
 Encoding with_channels(const Image& image, bool opaque)
 {
-    Encoding result{opaque ? static_cast<png_uint_32>(PNG_FORMAT_RGB) : static_cast<png_uint_32>(PNG_FORMAT_RGBA), {}, {}};
+    Encoding result{
+        opaque ? static_cast<png_uint_32>(PNG_FORMAT_RGB) : static_cast<png_uint_32>(PNG_FORMAT_RGBA), {}, {}};
     const int channels = opaque ? 3 : 4;
     result.bytes.reserve(image.cells.size() * static_cast<std::size_t>(channels));
     for (const glm::u8vec4 cell : image.cells)
@@ -82,7 +86,8 @@ Picture encode(const Image& image)
     png.colormap_entries = static_cast<png_uint_32>(encoding->palette.size() / 3);
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::string bytes(size, '\0');
-    if (png_image_write_to_memory(&png, bytes.data(), &size, 0, encoding->bytes.data(), 0, encoding->palette.data()) == 0)
+    if (png_image_write_to_memory(&png, bytes.data(), &size, 0, encoding->bytes.data(), 0, encoding->palette.data()) ==
+        0)
         throw std::runtime_error(std::string("a picture cannot be encoded: ") + png.message);
     bytes.resize(size);
     return {image.width, image.height, std::move(bytes)};

@@ -14,8 +14,8 @@ struct Picture {
     std::string png;
 };
 
-/// Encodes a picture without loss in few bytes: with a palette where 256 colours do, without alpha where all is opaque. An empty picture
-/// stays empty. Throws std::runtime_error if the picture cannot be encoded.
+/// Encodes a picture without loss in few bytes: with a palette where 256 colours do, without alpha where all is opaque.
+/// An empty picture stays empty. Throws std::runtime_error if the picture cannot be encoded.
 [[nodiscard]] Picture encode(const Image& image);
 
 /// "data:image/png;base64,…" for an attribute.

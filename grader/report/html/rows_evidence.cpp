@@ -7,18 +7,24 @@ namespace {
 
 Markup entry(const std::string& text, bool differs)
 {
-    return differs ? markup("<mark><span class=\"sign\" aria-label=\"differs:\">≠</span>{}</mark>", text) : escaped(text);
+    return differs ? markup("<mark><span class=\"sign\" aria-label=\"differs:\">≠</span>{}</mark>", text)
+                   : escaped(text);
 }
 
-bool differs(const RowPair& row, std::size_t component) { return component < row.differs.size() && row.differs[component]; }
+bool differs(const RowPair& row, std::size_t component)
+{
+    return component < row.differs.size() && row.differs[component];
+}
 
 /// Components as cells below common headings; a row without a value is one wide cell.
 Markup cells(const RowPair& row, const std::vector<std::string>& texts, std::size_t columns, const char* side)
 {
     if (texts.size() != columns)
-        return markup("<td class=\"{}\" colspan=\"{}\">{}</td>", side, columns, entry(texts.empty() ? "nothing" : texts.front(), true));
+        return markup("<td class=\"{}\" colspan=\"{}\">{}</td>", side, columns,
+                      entry(texts.empty() ? "nothing" : texts.front(), true));
     Markup result;
-    for (std::size_t i = 0; i < columns; ++i) result += markup("<td class=\"number {}\">{}</td>", side, entry(texts[i], differs(row, i)));
+    for (std::size_t i = 0; i < columns; ++i)
+        result += markup("<td class=\"number {}\">{}</td>", side, entry(texts[i], differs(row, i)));
     return result;
 }
 
@@ -31,29 +37,37 @@ Markup table_of(const std::vector<RowPair>& rows, const RowsEvidence& evidence, 
     if (evidence.headings.size() == columns) {
         names = "<tr><td></td>";
         for (int side = 0; side < 2; ++side)
-            for (const std::string& heading : evidence.headings) names += markup("<th scope=\"col\" class=\"number\">{}</th>", heading);
+            for (const std::string& heading : evidence.headings)
+                names += markup("<th scope=\"col\" class=\"number\">{}</th>", heading);
         names += "<td></td></tr>";
     }
     Markup body;
     for (const RowPair& row : rows)
-        body += markup("<tr><th scope=\"row\">{}</th>{}{}<td class=\"note\">{}</td></tr>\n", row.name, cells(row, row.yours, columns, "of-yours"),
-                       cells(row, row.expected, columns, "of-reference"), row.note);
-    return scrolling(caption, markup("<table class=\"rows\"><caption>{0}</caption><thead><tr><th scope=\"col\"><span class=\"aside\">row</span></th><th "
+        body += markup("<tr><th scope=\"row\">{}</th>{}{}<td class=\"note\">{}</td></tr>\n", row.name,
+                       cells(row, row.yours, columns, "of-yours"), cells(row, row.expected, columns, "of-reference"),
+                       row.note);
+    return scrolling(caption, markup("<table class=\"rows\"><caption>{0}</caption><thead><tr><th scope=\"col\"><span "
+                                     "class=\"aside\">row</span></th><th "
                                      "scope=\"colgroup\" class=\"number of-yours\" "
-                                     "colspan=\"{1}\">yours</th><th scope=\"colgroup\" class=\"number of-reference\" colspan=\"{1}\">expected</th><th "
+                                     "colspan=\"{1}\">yours</th><th scope=\"colgroup\" class=\"number of-reference\" "
+                                     "colspan=\"{1}\">expected</th><th "
                                      "scope=\"col\">off by</th></tr>{2}</thead>\n<tbody>\n{3}</tbody></table>",
                                      caption, columns, names, body));
 }
 
 /// Stored column by column, drawn row by row.
-Markup matrix(const RowPair& row, const std::vector<std::string>& texts, int side, const char* kind, const char* caption)
+Markup matrix(const RowPair& row, const std::vector<std::string>& texts, int side, const char* kind,
+              const char* caption)
 {
     const auto count = static_cast<std::size_t>(side);
     Markup body;
-    if (texts.size() != count * count) return markup("<div class=\"{}\"><p>{}</p><p>{}</p></div>", kind, caption, texts.empty() ? "nothing" : texts.front());
+    if (texts.size() != count * count)
+        return markup("<div class=\"{}\"><p>{}</p><p>{}</p></div>", kind, caption,
+                      texts.empty() ? "nothing" : texts.front());
     for (std::size_t i = 0; i < count; ++i) {
         body += "<tr>";
-        for (std::size_t j = 0; j < count; ++j) body += markup("<td class=\"number\">{}</td>", entry(texts[j * count + i], differs(row, j * count + i)));
+        for (std::size_t j = 0; j < count; ++j)
+            body += markup("<td class=\"number\">{}</td>", entry(texts[j * count + i], differs(row, j * count + i)));
         body += "</tr>";
     }
     return markup("<table class=\"matrix {}\"><caption>{}</caption><tbody>{}</tbody></table>", kind, caption, body);
@@ -64,8 +78,10 @@ Markup matrices_of(const std::vector<RowPair>& rows, int side, std::string_view 
     if (rows.empty()) return {};
     Markup result = markup("<h4>{}</h4>\n", caption);
     for (const RowPair& row : rows)
-        result += scrolling(row.name, markup("<div class=\"matrices\"><p class=\"name\">{}<span class=\"note\">{}</span></p>{}{}</div>", row.name, row.note,
-                                             matrix(row, row.yours, side, "of-yours", "yours"), matrix(row, row.expected, side, "of-reference", "expected")));
+        result += scrolling(
+            row.name, markup("<div class=\"matrices\"><p class=\"name\">{}<span class=\"note\">{}</span></p>{}{}</div>",
+                             row.name, row.note, matrix(row, row.yours, side, "of-yours", "yours"),
+                             matrix(row, row.expected, side, "of-reference", "expected")));
     return result;
 }
 
@@ -81,7 +97,8 @@ Markup rows_evidence(const RowsEvidence& evidence)
         return result;
     }
     const bool all = evidence.worst.empty() && evidence.first.size() == evidence.wrong;
-    return markup("<div class=\"tables\">{}{}</div>\n", table_of(evidence.first, evidence, all ? "Every wrong row" : first),
+    return markup("<div class=\"tables\">{}{}</div>\n",
+                  table_of(evidence.first, evidence, all ? "Every wrong row" : first),
                   table_of(evidence.worst, evidence, worst));
 }
 

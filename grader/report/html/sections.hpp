@@ -6,14 +6,17 @@
 
 namespace umbral::grader::html {
 
-/// Stands in a unit's section where its number within the report belongs. No text from outside holds it: escaping shows control characters.
+/// Stands in a unit's section where its number within the report belongs. No text from outside holds it: escaping shows
+/// control characters.
 inline constexpr char number_slot = '\x01';
 
-/// One unit of a report: verdict, why, what was printed, time, and its checks; with number_slot in its anchors ("u1", "u1-c1").
+/// One unit of a report: verdict, why, what was printed, time, and its checks; with number_slot in its anchors ("u1",
+/// "u1-c1").
 [[nodiscard]] Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition edition);
 
 /// One check that is not right, or is worth a look: its words, its error and its evidence.
-[[nodiscard]] Markup check_article(const CheckResult& check, const CheckDetail& detail, const Markup& anchor, bool with_points = true);
+[[nodiscard]] Markup check_article(const CheckResult& check, const CheckDetail& detail, const Markup& anchor,
+                                   bool with_points = true);
 
 /// Evidence of each kind.
 [[nodiscard]] Markup picture_evidence(const PictureEvidence& evidence, const Markup& anchor);
@@ -30,7 +33,8 @@ inline constexpr char number_slot = '\x01';
 /// The verdict's sign in front of its words.
 [[nodiscard]] Markup verdict_chip(Verdict verdict);
 
-/// What stands above a class's table: whose points are in no sum and why, what is unfinished. Empty if there is nothing.
+/// What stands above a class's table: whose points are in no sum and why, what is unfinished. Empty if there is
+/// nothing.
 [[nodiscard]] Markup class_notices(const ClassResult& result);
 
 /// What the result depends on, for the foot of a page.

@@ -18,17 +18,20 @@ Markup why(const UnitResult& unit)
     const char* sure = sure_words(reasons.front().confidence);
     Markup result = "<div class=\"why\"><h3>Why</h3>\n";
     if (reasons.size() == 1) {
-        result += markup("<p class=\"hint\">{}</p>\n<p class=\"sure\">That is {} the reason.</p>\n", reasons.front().sentence, sure);
+        result += markup("<p class=\"hint\">{}</p>\n<p class=\"sure\">That is {} the reason.</p>\n",
+                         reasons.front().sentence, sure);
     } else {
         for (std::size_t i = 0; i < reasons.size(); ++i)
-            result += markup("<p class=\"hint\"><span class=\"sure\">{}</span> {}</p>\n", i == 0 ? "Either:" : "Or:", reasons[i].sentence);
+            result += markup("<p class=\"hint\"><span class=\"sure\">{}</span> {}</p>\n",
+                             i == 0 ? "Either:" : "Or:", reasons[i].sentence);
         result += markup("<p class=\"sure\">It is {} one of these: they give the same results here.</p>\n", sure);
     }
     const auto others = other_reasons(unit);
     if (!others.empty()) {
         result += "<p class=\"sure\">It may also be:</p>\n<ul>\n";
         for (const Explanation& other : others)
-            result += markup("<li>{} <span class=\"sure\">({})</span></li>\n", other.sentence, sure_words(other.confidence));
+            result +=
+                markup("<li>{} <span class=\"sure\">({})</span></li>\n", other.sentence, sure_words(other.confidence));
         result += "</ul>\n";
     }
     result += "</div>\n";
@@ -39,7 +42,8 @@ Markup why(const UnitResult& unit)
 Markup text_block(std::string_view heading, std::string_view text, bool code)
 {
     if (text.empty()) return {};
-    return markup("<h3>{}</h3>\n<pre tabindex=\"0\"{}>{}</pre>\n", heading, code ? Markup(" class=\"code\"") : Markup(), text);
+    return markup("<h3>{}</h3>\n<pre tabindex=\"0\"{}>{}</pre>\n", heading, code ? Markup(" class=\"code\"") : Markup(),
+                  text);
 }
 
 const char* heading_of_message(Verdict verdict)
@@ -81,16 +85,21 @@ Markup in_a_row(const std::vector<const CheckResult*>& checks, const Details& de
     Markup rows;
     for (const CheckResult* check : checks) {
         const CheckDetail& detail = details.of(*check);
-        const Markup error = check->error ? markup("{}{}{}", short_number(*check->error), detail.unit.empty() ? "" : " ", detail.unit) : Markup("–");
+        const Markup error =
+            check->error ? markup("{}{}{}", short_number(*check->error), detail.unit.empty() ? "" : " ", detail.unit)
+                         : Markup("–");
         const Markup hidden = check->hidden ? Markup(" <span class=\"tag\">hidden</span>") : Markup();
         rows += markup(
-            "<tr class=\"{}\"><th scope=\"row\">{}{}</th><td>{}</td><td class=\"number\">{}<span class=\"of\"> / {}</span></td><td "
+            "<tr class=\"{}\"><th scope=\"row\">{}{}</th><td>{}</td><td class=\"number\">{}<span class=\"of\"> / "
+            "{}</span></td><td "
             "class=\"number\">{}</td><td>{}</td></tr>\n",
-            fails(*check) ? "bad" : "ok", check->name, hidden, to_string(check->kind), points_text(check->score), points_text(check->max_score), error,
-            detail.why);
+            fails(*check) ? "bad" : "ok", check->name, hidden, to_string(check->kind), points_text(check->score),
+            points_text(check->max_score), error, detail.why);
     }
-    return scrolling(caption, markup("<table class=\"checks\"><caption>{}</caption><thead><tr><th scope=\"col\">Check</th><th scope=\"col\">Judged as</th><th "
-                                     "scope=\"col\" class=\"number\">Points</th><th scope=\"col\" class=\"number\">Error</th><th scope=\"col\">Where the "
+    return scrolling(caption, markup("<table class=\"checks\"><caption>{}</caption><thead><tr><th "
+                                     "scope=\"col\">Check</th><th scope=\"col\">Judged as</th><th "
+                                     "scope=\"col\" class=\"number\">Points</th><th scope=\"col\" "
+                                     "class=\"number\">Error</th><th scope=\"col\">Where the "
                                      "tolerance comes from</th></tr></thead>\n<tbody>\n{}</tbody></table>",
                                      caption, rows));
 }
@@ -117,7 +126,8 @@ Sorted sorted(const UnitResult& unit, const Details& details)
     }
     std::ranges::stable_sort(result.articles, {}, [](const CheckResult* check) { return judge_of(*check).place; });
     // One picture of a unit that is right: what it draws is worth a look.
-    const auto shown = std::ranges::find_if(result.right, [&](const CheckResult* check) { return has_evidence(details.of(*check)); });
+    const auto shown =
+        std::ranges::find_if(result.right, [&](const CheckResult* check) { return has_evidence(details.of(*check)); });
     if (result.articles.empty() && shown != result.right.end()) result.articles.push_back(*shown);
     return result;
 }
@@ -130,10 +140,12 @@ Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition ed
     const Markup number = "\x01";
     static_assert(number_slot == '\x01');
     Markup result = markup(
-        "<section class=\"unit {0}\" id=\"u{1}\" aria-labelledby=\"u{1}-title\">\n<header><h2 id=\"u{1}-title\" tabindex=\"-1\">{2}</h2>\n<p "
-        "class=\"id\">{3}</p>\n<p class=\"verdict\">{4} <span class=\"points\">{5}<span class=\"of\"> / {6} points</span></span></p></header>\n",
-        kind_of(verdict), number, detail.title.empty() ? unit.id : detail.title, unit.id, verdict_chip(verdict), points_text(unit.score),
-        points_text(unit.max_score));
+        "<section class=\"unit {0}\" id=\"u{1}\" aria-labelledby=\"u{1}-title\">\n<header><h2 id=\"u{1}-title\" "
+        "tabindex=\"-1\">{2}</h2>\n<p "
+        "class=\"id\">{3}</p>\n<p class=\"verdict\">{4} <span class=\"points\">{5}<span class=\"of\"> / {6} "
+        "points</span></span></p></header>\n",
+        kind_of(verdict), number, detail.title.empty() ? unit.id : detail.title, unit.id, verdict_chip(verdict),
+        points_text(unit.score), points_text(unit.max_score));
     result += why(unit);
     result += text_block(heading_of_message(verdict), unit.message, verdict == Verdict::compile_error);
     result += text_block("What the program printed", unit.output, false);
@@ -147,7 +159,8 @@ Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition ed
     for (std::size_t i = 0; i < checks.articles.size(); ++i)
         result += check_article(*checks.articles[i], details.of(*checks.articles[i]), markup("u{}-c{}", number, i + 1));
     result += in_a_row(checks.hidden, details, "Hidden checks that fail");
-    result += in_a_row(checks.right, details, checks.right.size() == unit.checks.size() ? "Every check is right" : "Checks that are right");
+    result += in_a_row(checks.right, details,
+                       checks.right.size() == unit.checks.size() ? "Every check is right" : "Checks that are right");
     result += markup("<p class=\"seed\">Random inputs of the visible cases: seed {}.</p>\n", unit.seed);
     for (const std::string& sentence : seeds_of_noise(unit)) result += markup("<p class=\"seed\">{}</p>\n", sentence);
     result += "</section>\n";

@@ -28,7 +28,10 @@ LogAxis::LogAxis(const std::vector<double>& values, double first, double last, d
     high_ = high + pad_last * per_pixel;
 }
 
-double LogAxis::at(double value) const { return first_ + (std::log10(value) - low_) / (high_ - low_) * (last_ - first_); }
+double LogAxis::at(double value) const
+{
+    return first_ + (std::log10(value) - low_) / (high_ - low_) * (last_ - first_);
+}
 
 std::vector<LogAxis::Tick> LogAxis::ticks() const
 {
@@ -39,7 +42,8 @@ std::vector<LogAxis::Tick> LogAxis::ticks() const
         for (const double digit : {1.0, 2.0, 5.0}) {
             const double value = digit * std::pow(10.0, decade);
             const double logarithm = std::log10(value);
-            if (logarithm >= std::max(low_, least_ - margin) && logarithm <= std::min(high_, most_ + margin)) found.push_back({value, few || digit == 1});
+            if (logarithm >= std::max(low_, least_ - margin) && logarithm <= std::min(high_, most_ + margin))
+                found.push_back({value, few || digit == 1});
         }
     }
     return found;

@@ -7,8 +7,8 @@ namespace umbral::bench {
 /// A logarithmic axis between two pixels.
 class LogAxis {
 public:
-    /// From the smallest to the largest of `values` (those that are positive and finite), widened to at least a factor of two.
-    /// Pixels run from `first` to `last`; `pad_first` and `pad_last` pixels at the ends hold no value.
+    /// From the smallest to the largest of `values` (those that are positive and finite), widened to at least a factor
+    /// of two. Pixels run from `first` to `last`; `pad_first` and `pad_last` pixels at the ends hold no value.
     LogAxis(const std::vector<double>& values, double first, double last, double pad_first, double pad_last);
 
     /// The pixel of a positive value.

@@ -20,17 +20,23 @@ double distance_to_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm:
 {
     const double height = dot(a, normal);
     const glm::dvec3 foot = height * normal;
-    const auto inside = [&](const glm::dvec3& from, const glm::dvec3& to) { return dot(cross(to - from, foot - from), normal) >= 0; };
+    const auto inside = [&](const glm::dvec3& from, const glm::dvec3& to) {
+        return dot(cross(to - from, foot - from), normal) >= 0;
+    };
     if (inside(a, b) && inside(b, c) && inside(c, a)) return std::abs(height);
     return std::min({distance_to_segment(a, b), distance_to_segment(b, c), distance_to_segment(c, a)});
 }
 
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 /// Based on: A. M. Andrew. Another efficient algorithm for convex hulls in two dimensions. 1979.
 std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points)
 {
-    std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    std::sort(points.begin(), points.end(),
+              [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     std::vector<glm::dvec2> hull;
     for (int side = 0; side < 2; ++side) {
         const std::size_t start = hull.size();
@@ -44,13 +50,16 @@ std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points)
     return hull;
 }
 
-/// The outline of the sphere is the unit circle; that of a convex mesh is the hull of its corners, and deviates most in the middle of a side.
+/// The outline of the sphere is the unit circle; that of a convex mesh is the hull of its corners, and deviates most in
+/// the middle of a side.
 double outline_error(const BallMesh& mesh, const glm::dvec3& towards)
 {
-    const glm::dvec3 right = normalize(cross(towards, std::abs(towards.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0)));
+    const glm::dvec3 right =
+        normalize(cross(towards, std::abs(towards.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0)));
     const glm::dvec3 up = cross(right, towards);
     std::vector<glm::dvec2> points;
-    for (const glm::vec3& position : mesh.positions) points.emplace_back(dot(glm::dvec3(position), right), dot(glm::dvec3(position), up));
+    for (const glm::vec3& position : mesh.positions)
+        points.emplace_back(dot(glm::dvec3(position), right), dot(glm::dvec3(position), up));
     const std::vector<glm::dvec2> hull = convex_hull(std::move(points));
     double least = 1;
     for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -66,11 +75,13 @@ BallMesh ball_mesh(int sectors, int rings)
 {
     BallMesh mesh;
     const auto place = [](double latitude, double longitude) {
-        return glm::vec3(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+        return glm::vec3(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+                         std::sin(latitude));
     };
     mesh.positions.emplace_back(0, 0, -1);
     for (int ring = 1; ring < rings; ++ring)
-        for (int sector = 0; sector < sectors; ++sector) mesh.positions.push_back(place(pi * (double(ring) / rings - 0.5), 2 * pi * sector / sectors));
+        for (int sector = 0; sector < sectors; ++sector)
+            mesh.positions.push_back(place(pi * (double(ring) / rings - 0.5), 2 * pi * sector / sectors));
     mesh.positions.emplace_back(0, 0, 1);
     const auto corner = [&](int ring, int sector) {
         if (ring == 0) return std::uint32_t{0};
@@ -101,8 +112,10 @@ BallErrors errors_of(const BallMesh& mesh, const glm::dvec3& towards)
         const glm::dvec3 c = mesh.positions[mesh.indices[i + 2]];
         const glm::dvec3 normal = normalize(cross(b - a, c - a));
         nearest = std::min(nearest, distance_to_triangle(a, b, c, normal));
-        // The directions of a facet's points lie between those of its corners, so that the angle is largest at one of them.
-        for (const glm::dvec3& corner : {a, b, c}) least_cosine = std::min(least_cosine, dot(normal, normalize(corner)));
+        // The directions of a facet's points lie between those of its corners, so that the angle is largest at one of
+        // them.
+        for (const glm::dvec3& corner : {a, b, c})
+            least_cosine = std::min(least_cosine, dot(normal, normalize(corner)));
     }
     return {1 - nearest, std::acos(std::clamp(least_cosine, -1.0, 1.0)), outline_error(mesh, towards)};
 }

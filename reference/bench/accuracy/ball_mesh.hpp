@@ -12,7 +12,8 @@ struct BallMesh {
     std::vector<std::uint32_t> indices;  ///< triples, anticlockwise seen from outside
 };
 
-/// `sectors` >= 3 slices round the z axis, `rings` >= 2 bands from pole to pole. The mesh is convex: its quadrilaterals are flat.
+/// `sectors` >= 3 slices round the z axis, `rings` >= 2 bands from pole to pole. The mesh is convex: its quadrilaterals
+/// are flat.
 [[nodiscard]] BallMesh ball_mesh(int sectors, int rings);
 
 /// How far a mesh lies from the unit sphere.

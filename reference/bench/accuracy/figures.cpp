@@ -14,11 +14,15 @@ std::string tip_of(const Knob& knob, const Result& result)
     std::string tip = result.setting;
     if (knob.situations.size() > 1) tip += ", " + situation_of(knob, result.situation).label;
     tip += fmt::format("\n{} {}", number_text(result.time), knob.time_unit);
-    for (const Measure& measure : knob.measures) tip += fmt::format("\n{}: {} {}", measure.name, number_text(result.errors.at(measure.id)), measure.unit);
+    for (const Measure& measure : knob.measures)
+        tip += fmt::format("\n{}: {} {}", measure.name, number_text(result.errors.at(measure.id)), measure.unit);
     return tip;
 }
 
-bool is_on_front(const Curve& curve, const std::string& setting) { return std::find(curve.front.begin(), curve.front.end(), setting) != curve.front.end(); }
+bool is_on_front(const Curve& curve, const std::string& setting)
+{
+    return std::find(curve.front.begin(), curve.front.end(), setting) != curve.front.end();
+}
 
 /// Error against time, cheapest first; what the front beats is quiet.
 Series against_time(const Knob& knob, const Curve& curve)
@@ -26,8 +30,8 @@ Series against_time(const Knob& knob, const Curve& curve)
     Series series{"", {}, true};
     for (const Result& result : results_in(knob, curve.situation)) {
         const bool quiet = !is_on_front(curve, result.setting);
-        series.marks.push_back(
-            {result.time, result.errors.at(curve.measure), quiet ? "" : result.setting, tip_of(knob, result), curve.knee == result.setting, quiet});
+        series.marks.push_back({result.time, result.errors.at(curve.measure), quiet ? "" : result.setting,
+                                tip_of(knob, result), curve.knee == result.setting, quiet});
     }
     std::stable_sort(series.marks.begin(), series.marks.end(), [](const Mark& a, const Mark& b) { return a.x < b.x; });
     return series;
@@ -37,7 +41,11 @@ std::string with_unit(const Measure& measure) { return measure.name + ", " + mea
 
 Plot empty_plot(const Knob& knob, const std::string& id, const Measure& measure, const std::string& x_label)
 {
-    return {knob.id + "-" + id, fmt::format("{}: {} against {}", knob.title, with_unit(measure), x_label), x_label, with_unit(measure), {}};
+    return {knob.id + "-" + id,
+            fmt::format("{}: {} against {}", knob.title, with_unit(measure), x_label),
+            x_label,
+            with_unit(measure),
+            {}};
 }
 
 /// Two of them stand side by side.
@@ -52,14 +60,17 @@ Plot small(Plot plot)
 std::vector<std::string> captions_of(const Knob& knob)
 {
     std::vector<std::string> captions;
-    for (const Curve& curve : knob.curves) captions.push_back(situation_of(knob, curve.situation).label + " — " + curve.sentence);
+    for (const Curve& curve : knob.curves)
+        captions.push_back(situation_of(knob, curve.situation).label + " — " + curve.sentence);
     const Curve& last = knob.curves.back();
-    const bool all_alike = std::all_of(knob.curves.begin(), knob.curves.end(), [&](const Curve& curve) { return curve.knee == last.knee; });
+    const bool all_alike = std::all_of(knob.curves.begin(), knob.curves.end(),
+                                       [&](const Curve& curve) { return curve.knee == last.knee; });
     if (!all_alike || !last.knee) return captions;
     return {"The knee is the same in every situation: " + *last.knee + ".", captions.back()};
 }
 
-/// One column a setting, with its errors in all situations: how tall it is says how much they matter. Ringed is the knee of each situation.
+/// One column a setting, with its errors in all situations: how tall it is says how much they matter. Ringed is the
+/// knee of each situation.
 Figure all_situations(const Knob& knob)
 {
     const std::string& measure = knob.curves.front().measure;
@@ -69,11 +80,13 @@ Figure all_situations(const Knob& knob)
         for (const Curve& curve : knob.curves)
             for (const Result& result : results_in(knob, curve.situation))
                 if (result.setting == setting)
-                    series.marks.push_back({result.time, result.errors.at(measure), situation_of(knob, result.situation).label, tip_of(knob, result),
+                    series.marks.push_back({result.time, result.errors.at(measure),
+                                            situation_of(knob, result.situation).label, tip_of(knob, result),
                                             curve.knee == setting, false});
         if (series.marks.empty()) continue;
         // The name stands beside the topmost mark; situations are named where they make a difference.
-        const auto [bottom, top] = std::minmax_element(series.marks.begin(), series.marks.end(), [](const Mark& a, const Mark& b) { return a.y < b.y; });
+        const auto [bottom, top] = std::minmax_element(series.marks.begin(), series.marks.end(),
+                                                       [](const Mark& a, const Mark& b) { return a.y < b.y; });
         const bool tall = top->y > 10 * bottom->y;
         for (Mark& mark : series.marks)
             if (!tall && &mark != &*top) mark.label.clear();
@@ -91,7 +104,8 @@ Figure over_axis(const Knob& knob, const Measure& measure)
         Series series{setting, {}, true};
         for (const Result& result : knob.results)
             if (result.setting == setting)
-                series.marks.push_back({situation_of(knob, result.situation).place, result.errors.at(measure.id), "", tip_of(knob, result), false, false});
+                series.marks.push_back({situation_of(knob, result.situation).place, result.errors.at(measure.id), "",
+                                        tip_of(knob, result), false, false});
         figure.plot.series.push_back(series);
     }
     return figure;
@@ -109,7 +123,8 @@ std::vector<Figure> figures_of(const Knob& knob)
         return figures;
     }
     for (const Curve& curve : knob.curves) {
-        Figure figure{empty_plot(knob, curve.measure, measure_of(knob, curve.measure), knob.time_unit), {curve.sentence}};
+        Figure figure{empty_plot(knob, curve.measure, measure_of(knob, curve.measure), knob.time_unit),
+                      {curve.sentence}};
         if (!figures.empty()) figure.plot = small(std::move(figure.plot));
         figure.plot.series.push_back(against_time(knob, curve));
         figures.push_back(std::move(figure));

@@ -14,8 +14,8 @@ struct Figure {
     std::vector<std::string> captions;
 };
 
-/// The plots of a knob, the most telling first and large: error against time, a plot for each curve; or, if there are several situations,
-/// one with all of them, and the other measures over their axis.
+/// The plots of a knob, the most telling first and large: error against time, a plot for each curve; or, if there are
+/// several situations, one with all of them, and the other measures over their axis.
 [[nodiscard]] std::vector<Figure> figures_of(const Knob& knob);
 
 }

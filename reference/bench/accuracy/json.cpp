@@ -12,15 +12,18 @@ using nlohmann::json;
 double shortest(const Knob& knob, const std::string& situation)
 {
     const std::vector<Result> some = results_in(knob, situation);
-    return std::min_element(some.begin(), some.end(), [](const Result& a, const Result& b) { return a.time < b.time; })->time;
+    return std::min_element(some.begin(), some.end(), [](const Result& a, const Result& b) { return a.time < b.time; })
+        ->time;
 }
 
 json knob_json(const Knob& knob)
 {
     json measures = json::array();
-    for (const Measure& one : knob.measures) measures.push_back({{"id", one.id}, {"name", one.name}, {"unit", one.unit}});
+    for (const Measure& one : knob.measures)
+        measures.push_back({{"id", one.id}, {"name", one.name}, {"unit", one.unit}});
     json situations = json::array();
-    for (const Situation& one : knob.situations) situations.push_back({{"id", one.id}, {"label", one.label}, {"place", one.place}});
+    for (const Situation& one : knob.situations)
+        situations.push_back({{"id", one.id}, {"label", one.label}, {"place", one.place}});
     json settings = json::array();
     for (const auto& [name, text] : knob.settings) settings.push_back({{"name", name}, {"text", text}});
     json results = json::array();
@@ -37,8 +40,9 @@ json knob_json(const Knob& knob)
                           {"front", one.front},
                           {"knee", one.knee ? json(*one.knee) : json()},
                           {"sentence", one.sentence}});
-    return {{"id", knob.id},        {"title", knob.title},      {"text", knob.text},    {"time_unit", knob.time_unit}, {"axis", knob.axis},
-            {"measures", measures}, {"situations", situations}, {"settings", settings}, {"results", results},          {"curves", curves}};
+    return {{"id", knob.id},      {"title", knob.title},  {"text", knob.text},        {"time_unit", knob.time_unit},
+            {"axis", knob.axis},  {"measures", measures}, {"situations", situations}, {"settings", settings},
+            {"results", results}, {"curves", curves}};
 }
 
 }

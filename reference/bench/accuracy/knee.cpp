@@ -10,7 +10,10 @@ namespace {
 
 constexpr double least_gain = 0.99;
 
-bool is_measured(const Offer& offer) { return std::isfinite(offer.time) && offer.time > 0 && std::isfinite(offer.error); }
+bool is_measured(const Offer& offer)
+{
+    return std::isfinite(offer.time) && offer.time > 0 && std::isfinite(offer.error);
+}
 
 /// The longest time that was measured: the end of every budget.
 double dearest(std::span<const Offer> offers)
@@ -30,30 +33,37 @@ double floor_of(std::span<const Offer> offers)
     return std::isfinite(least) ? least / 2 : 1;
 }
 
-std::string sentence_of(const Knob& knob, const Curve& curve, std::span<const Result> results, std::span<const Offer> offers,
-                        std::span<const std::size_t> front, std::optional<std::size_t> knee)
+std::string sentence_of(const Knob& knob, const Curve& curve, std::span<const Result> results,
+                        std::span<const Offer> offers, std::span<const std::size_t> front,
+                        std::optional<std::size_t> knee)
 {
     const Measure& measure = measure_of(knob, curve.measure);
     const auto told = [&](std::size_t i) {
-        return fmt::format("{}: {} {} at {} {}", results[i].setting, number_text(offers[i].error), measure.unit, number_text(offers[i].time), knob.time_unit);
+        return fmt::format("{}: {} {} at {} {}", results[i].setting, number_text(offers[i].error), measure.unit,
+                           number_text(offers[i].time), knob.time_unit);
     };
     if (front.empty()) return "Nothing was measured.";
     if (!knee) {
         if (front.size() == 1) return told(front[0]) + ", and nothing else is better in anything.";
         // Two settings make no bend, and many may lie on one line: then the ends say it.
-        return told(front.front()) + fmt::format("; {}: 1/{} of that error for {} times the time.", results[front.back()].setting,
-                                                 number_text(offers[front.front()].error / std::max(offers[front.back()].error, floor_of(offers))),
-                                                 number_text(offers[front.back()].time / offers[front.front()].time));
+        return told(front.front()) +
+               fmt::format(
+                   "; {}: 1/{} of that error for {} times the time.", results[front.back()].setting,
+                   number_text(offers[front.front()].error / std::max(offers[front.back()].error, floor_of(offers))),
+                   number_text(offers[front.back()].time / offers[front.front()].time));
     }
     const Offer& here = offers[front[*knee]];
     if (*knee + 1 == front.size())
-        return told(front[*knee]) + fmt::format("; up to {} times the time buys nothing more.", number_text(dearest(offers) / here.time));
+        return told(front[*knee]) +
+               fmt::format("; up to {} times the time buys nothing more.", number_text(dearest(offers) / here.time));
     const Offer end{offers[front.back()].time, std::max(offers[front.back()].error, floor_of(offers))};
     // The exponent p of error ~ time^-p: halving the error costs 2^(1/p) times the time.
     const double price = std::exp2(1 / std::log2(gain_of_doubling(here, end)));
-    if (price < 100) return told(front[*knee]) + fmt::format("; beyond it, halving the error costs {} times the time.", number_text(price));
-    return told(front[*knee]) +
-           fmt::format("; beyond it, {} times the time leaves {} {}.", number_text(end.time / here.time), number_text(end.error), measure.unit);
+    if (price < 100)
+        return told(front[*knee]) +
+               fmt::format("; beyond it, halving the error costs {} times the time.", number_text(price));
+    return told(front[*knee]) + fmt::format("; beyond it, {} times the time leaves {} {}.",
+                                            number_text(end.time / here.time), number_text(end.error), measure.unit);
 }
 
 }
@@ -93,7 +103,10 @@ std::optional<std::size_t> knee_of(std::span<const Offer> offers, std::span<cons
     return knee;
 }
 
-double gain_of_doubling(const Offer& cheap, const Offer& dear) { return std::exp2(std::log2(cheap.error / dear.error) / std::log2(dear.time / cheap.time)); }
+double gain_of_doubling(const Offer& cheap, const Offer& dear)
+{
+    return std::exp2(std::log2(cheap.error / dear.error) / std::log2(dear.time / cheap.time));
+}
 
 Curve curve_of(const Knob& knob, const std::string& situation, const std::string& measure)
 {

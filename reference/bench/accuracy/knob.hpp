@@ -10,9 +10,10 @@ namespace umbral::bench {
 
 /// What a measurement may use.
 struct Means {
-    std::filesystem::path units;  ///< where the build keeps the units' libraries: <units>/raytracing/sphere/reference.so
-    bool quick = false;           ///< a look in seconds: fewer samples and settings
-    std::string gl;               ///< set by a knob that draws: what drew
+    std::filesystem::path
+        units;           ///< where the build keeps the units' libraries: <units>/raytracing/sphere/reference.so
+    bool quick = false;  ///< a look in seconds: fewer samples and settings
+    std::string gl;      ///< set by a knob that draws: what drew
 };
 
 /// One knob: a file of its own with one function, and a line in knobs.cpp.

@@ -6,7 +6,8 @@ namespace umbral::bench {
 
 std::span<const KnobEntry> all_knobs()
 {
-    static constexpr std::array knobs = {KnobEntry{"ray-sphere", measure_ray_sphere}, KnobEntry{"tessellation", measure_tessellation}};
+    static constexpr std::array knobs = {KnobEntry{"ray-sphere", measure_ray_sphere},
+                                         KnobEntry{"tessellation", measure_tessellation}};
     return knobs;
 }
 

@@ -38,7 +38,8 @@ public:
     /// No label shall cover this point and what lies within `radius` of it.
     void keep_free(double x, double y, double radius);
 
-    /// A place beside a point: right, left, above or below; none if all are taken. If `always`, the first that only covers lesser things.
+    /// A place beside a point: right, left, above or below; none if all are taken. If `always`, the first that only
+    /// covers lesser things.
     [[nodiscard]] std::optional<Place> beside(double x, double y, const std::string& text, bool always);
 
     /// Places left or right of the ends of lines, pushed apart so that none covers another; in the order of `ends`.

@@ -36,7 +36,8 @@ std::string processor()
 {
     std::ifstream stream("/proc/cpuinfo");
     for (std::string line; std::getline(stream, line);)
-        if (line.starts_with("model name") || line.starts_with("CPU part")) return line.substr(std::min(line.size(), line.find(':') + 2));
+        if (line.starts_with("model name") || line.starts_with("CPU part"))
+            return line.substr(std::min(line.size(), line.find(':') + 2));
     return "unknown";
 }
 
@@ -45,7 +46,9 @@ Accuracy measure(const Options& options)
     Accuracy accuracy{processor(), UMBRAL_BENCH_COMPILER, "", options.quick, {}};
     Means means{options.units, options.quick, ""};
     for (const KnobEntry& entry : all_knobs()) {
-        if (!options.knobs.empty() && std::find(options.knobs.begin(), options.knobs.end(), entry.id) == options.knobs.end()) continue;
+        if (!options.knobs.empty() &&
+            std::find(options.knobs.begin(), options.knobs.end(), entry.id) == options.knobs.end())
+            continue;
         (void)std::fprintf(stderr, "measuring %s …\n", entry.id);
         accuracy.knobs.push_back(entry.measure(means));
     }
@@ -58,7 +61,9 @@ fs::path write(const fs::path& file, const std::string& text)
     fs::create_directories(file.parent_path());
     std::ofstream stream(file, std::ios::binary);
     stream << text;
-    if (!stream.flush()) throw std::runtime_error("cannot write " + file.string() + ": is the disk full, or the folder not yours? --out DIR chooses another");
+    if (!stream.flush())
+        throw std::runtime_error("cannot write " + file.string() +
+                                 ": is the disk full, or the folder not yours? --out DIR chooses another");
     return file;
 }
 
@@ -84,12 +89,15 @@ int main(int count, char** words)
     options.units = fs::canonical("/proc/self/exe").parent_path().parent_path() / "units";
     CLI::App parser("Measures what accuracy costs in time.", "umbral bench");
     parser.require_subcommand(1);
-    CLI::App* command = parser.add_subcommand("accuracy", "Error against time for every knob that trades one for the other, with its knee marked");
+    CLI::App* command = parser.add_subcommand(
+        "accuracy", "Error against time for every knob that trades one for the other, with its knee marked");
     command->add_option("--knob", options.knobs, "Only this one (may be repeated)")->check(CLI::IsMember(knob_names()));
     command->add_option("--out", options.out, "Where accuracy.html and accuracy.json go")->capture_default_str();
     command->add_flag("--json", options.json, "Print the JSON instead of tables");
     command->add_flag("--quick", options.quick, "A look in seconds: few samples and settings");
-    command->add_option("--units", options.units, "Where the build keeps the units' libraries")->capture_default_str()->group("");
+    command->add_option("--units", options.units, "Where the build keeps the units' libraries")
+        ->capture_default_str()
+        ->group("");
     try {
         parser.parse(count, words);
     } catch (const CLI::ParseError& error) {

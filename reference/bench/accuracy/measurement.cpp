@@ -19,7 +19,8 @@ const Entry& entry(const std::vector<Entry>& entries, const std::string& id, con
 std::vector<Result> results_in(const Knob& knob, const std::string& situation)
 {
     std::vector<Result> some;
-    std::copy_if(knob.results.begin(), knob.results.end(), std::back_inserter(some), [&](const Result& one) { return one.situation == situation; });
+    std::copy_if(knob.results.begin(), knob.results.end(), std::back_inserter(some),
+                 [&](const Result& one) { return one.situation == situation; });
     return some;
 }
 

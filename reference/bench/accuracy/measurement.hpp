@@ -35,9 +35,10 @@ struct Result {
 struct Curve {
     std::string situation;
     std::string measure;
-    std::vector<std::string> front;   ///< settings that no other beats in both time and error
-    std::optional<std::string> knee;  ///< the setting of the front beyond which time buys least; none if the front has no bend
-    std::string sentence;             ///< the same in plain words
+    std::vector<std::string> front;  ///< settings that no other beats in both time and error
+    std::optional<std::string>
+        knee;              ///< the setting of the front beyond which time buys least; none if the front has no bend
+    std::string sentence;  ///< the same in plain words
 };
 
 /// Something that trades accuracy for time, and what it was seen to cost.

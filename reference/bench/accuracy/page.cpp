@@ -23,39 +23,47 @@ there, doubling the time buys more accuracy than on average; beyond it, less. Wh
 /// The curve of the first measure in a situation: the one whose front and knee the table marks.
 const Curve* main_curve(const Knob& knob, const std::string& situation)
 {
-    const auto found = std::find_if(knob.curves.begin(), knob.curves.end(), [&](const Curve& curve) { return curve.situation == situation; });
+    const auto found = std::find_if(knob.curves.begin(), knob.curves.end(),
+                                    [&](const Curve& curve) { return curve.situation == situation; });
     return found == knob.curves.end() ? nullptr : &*found;
 }
 
 std::string row_of(const Knob& knob, const Result& result, const Curve* curve, double shortest)
 {
-    const bool on_front = curve != nullptr && std::find(curve->front.begin(), curve->front.end(), result.setting) != curve->front.end();
+    const bool on_front =
+        curve != nullptr && std::find(curve->front.begin(), curve->front.end(), result.setting) != curve->front.end();
     const bool is_knee = curve != nullptr && curve->knee == result.setting;
-    std::string row = fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td>",
-                                  is_knee    ? " class=\"knee\""
-                                  : on_front ? ""
-                                             : " class=\"quiet\"",
-                                  escape_html(result.setting), number_text(result.time), number_text(result.time / shortest));
-    for (const Measure& measure : knob.measures) row += fmt::format("<td>{}</td>", number_text(result.errors.at(measure.id)));
+    std::string row =
+        fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td>",
+                    is_knee    ? " class=\"knee\""
+                    : on_front ? ""
+                               : " class=\"quiet\"",
+                    escape_html(result.setting), number_text(result.time), number_text(result.time / shortest));
+    for (const Measure& measure : knob.measures)
+        row += fmt::format("<td>{}</td>", number_text(result.errors.at(measure.id)));
     return row + fmt::format("<td class=\"word\">{}</td></tr>\n", is_knee ? "knee" : on_front ? "front" : "");
 }
 
 std::string table_of(const Knob& knob)
 {
     std::string text = fmt::format(
-        "<table><caption>{}: all settings</caption><thead><tr><th scope=\"col\">setting</th><th scope=\"col\">{}</th><th scope=\"col\">times the "
+        "<table><caption>{}: all settings</caption><thead><tr><th scope=\"col\">setting</th><th "
+        "scope=\"col\">{}</th><th scope=\"col\">times the "
         "fastest</th>",
         escape_html(knob.title), escape_html(knob.time_unit));
-    for (const Measure& measure : knob.measures) text += fmt::format("<th scope=\"col\">{}, {}</th>", escape_html(measure.name), escape_html(measure.unit));
+    for (const Measure& measure : knob.measures)
+        text += fmt::format("<th scope=\"col\">{}, {}</th>", escape_html(measure.name), escape_html(measure.unit));
     text += "<th scope=\"col\"></th></tr></thead>\n";
     for (const Situation& situation : knob.situations) {
         std::vector<Result> results = results_in(knob, situation.id);
-        std::stable_sort(results.begin(), results.end(), [](const Result& a, const Result& b) { return a.time < b.time; });
+        std::stable_sort(results.begin(), results.end(),
+                         [](const Result& a, const Result& b) { return a.time < b.time; });
         text += "<tbody>";
         if (knob.situations.size() > 1)
-            text += fmt::format("<tr class=\"situation\"><th scope=\"rowgroup\" colspan=\"{}\">{}</th></tr>\n", knob.measures.size() + 4,
-                                escape_html(situation.label));
-        for (const Result& result : results) text += row_of(knob, result, main_curve(knob, situation.id), results.front().time);
+            text += fmt::format("<tr class=\"situation\"><th scope=\"rowgroup\" colspan=\"{}\">{}</th></tr>\n",
+                                knob.measures.size() + 4, escape_html(situation.label));
+        for (const Result& result : results)
+            text += row_of(knob, result, main_curve(knob, situation.id), results.front().time);
         text += "</tbody>";
     }
     return "<div class=\"scroll\">" + text + "</table></div>\n";
@@ -64,7 +72,8 @@ std::string table_of(const Knob& knob)
 std::string figure_of(const Figure& figure)
 {
     std::string text = "<figure>" + svg_of(figure.plot);
-    if (figure.captions.empty()) return text + fmt::format("<figcaption>{}</figcaption></figure>\n", escape_html(figure.plot.y_label));
+    if (figure.captions.empty())
+        return text + fmt::format("<figcaption>{}</figcaption></figure>\n", escape_html(figure.plot.y_label));
     text += "<figcaption><ul>";
     for (const std::string& caption : figure.captions) text += fmt::format("<li>{}</li>", escape_html(caption));
     return text + "</ul></figcaption></figure>\n";
@@ -72,7 +81,8 @@ std::string figure_of(const Figure& figure)
 
 std::string section_of(const Knob& knob)
 {
-    std::string text = fmt::format("<section id=\"{0}\"><h2>{1}</h2>\n<p>{2}</p>\n", escape_html(knob.id), escape_html(knob.title), escape_html(knob.text));
+    std::string text = fmt::format("<section id=\"{0}\"><h2>{1}</h2>\n<p>{2}</p>\n", escape_html(knob.id),
+                                   escape_html(knob.title), escape_html(knob.text));
     const std::vector<Figure> figures = figures_of(knob);
     for (std::size_t i = 0; i < figures.size(); ++i) {
         if (i == 1) text += "<div class=\"more\">";
@@ -82,7 +92,8 @@ std::string section_of(const Knob& knob)
     text += table_of(knob) + "<dl class=\"settings\">";
     // Descriptions that only count triangles stand in the table's order already: long lists say nothing.
     if (knob.settings.size() <= 8)
-        for (const auto& [name, meaning] : knob.settings) text += fmt::format("<dt>{}</dt><dd>{}</dd>", escape_html(name), escape_html(meaning));
+        for (const auto& [name, meaning] : knob.settings)
+            text += fmt::format("<dt>{}</dt><dd>{}</dd>", escape_html(name), escape_html(meaning));
     return text + "</dl></section>\n";
 }
 
@@ -91,24 +102,29 @@ std::string section_of(const Knob& knob)
 std::string page_of(const Accuracy& accuracy)
 {
     std::string text =
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\">"
         "<meta name=\"color-scheme\" content=\"light dark\"><title>What accuracy costs in time</title>\n<style>";
     text += style_sheet;
-    text += "</style></head><body><header><p class=\"umbral\">Umbral</p><h1>What accuracy costs in time</h1>\n<ul class=\"answers\">";
+    text +=
+        "</style></head><body><header><p class=\"umbral\">Umbral</p><h1>What accuracy costs in time</h1>\n<ul "
+        "class=\"answers\">";
     for (const Knob& knob : accuracy.knobs)
         if (!knob.curves.empty()) {
             const Curve& curve = knob.curves[knob.situations.size() > 1 ? knob.curves.size() / 2 : 0];
-            const std::string where = knob.situations.size() > 1 ? situation_of(knob, curve.situation).label : measure_of(knob, curve.measure).name;
-            text += fmt::format("<li><a href=\"#{}\">{}</a> <span>({})</span><br>{}</li>\n", escape_html(knob.id), escape_html(knob.title), escape_html(where),
-                                escape_html(curve.sentence));
+            const std::string where = knob.situations.size() > 1 ? situation_of(knob, curve.situation).label
+                                                                 : measure_of(knob, curve.measure).name;
+            text += fmt::format("<li><a href=\"#{}\">{}</a> <span>({})</span><br>{}</li>\n", escape_html(knob.id),
+                                escape_html(knob.title), escape_html(where), escape_html(curve.sentence));
         }
     text += "</ul>\n";
     text += definitions;
-    if (accuracy.quick) text += "<p class=\"note\">Measured with --quick: few samples and settings. Figures are coarse.</p>";
+    if (accuracy.quick)
+        text += "<p class=\"note\">Measured with --quick: few samples and settings. Figures are coarse.</p>";
     text += "</header><main>\n";
     for (const Knob& knob : accuracy.knobs) text += section_of(knob);
-    text += fmt::format("</main><footer>{} · {}{}{}</footer></body></html>\n", escape_html(accuracy.processor), escape_html(accuracy.compiler),
-                        accuracy.gl.empty() ? "" : " · ", escape_html(accuracy.gl));
+    text += fmt::format("</main><footer>{} · {}{}{}</footer></body></html>\n", escape_html(accuracy.processor),
+                        escape_html(accuracy.compiler), accuracy.gl.empty() ? "" : " · ", escape_html(accuracy.gl));
     return text;
 }
 

@@ -49,7 +49,8 @@ bool spread_at_start(const std::vector<Series>& series)
         }
         return most / least;
     };
-    return spread([](const Series& one) { return one.marks.front(); }) > spread([](const Series& one) { return one.marks.back(); });
+    return spread([](const Series& one) { return one.marks.front(); }) >
+           spread([](const Series& one) { return one.marks.back(); });
 }
 
 Frame frame_of(const Plot& plot, const std::vector<Series>& series)
@@ -85,7 +86,8 @@ std::string tick_text(double value)
     if (std::abs(exponent - std::round(exponent)) > 1e-9 || std::abs(exponent) < 3.5) return number_text(value);
     constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     std::string text = exponent < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::lround(std::abs(exponent)))) text += digits[static_cast<std::size_t>(digit - '0')];
+    for (const char digit : std::to_string(std::lround(std::abs(exponent))))
+        text += digits[static_cast<std::size_t>(digit - '0')];
     return text;
 }
 
@@ -95,23 +97,30 @@ std::string axes(const Plot& plot, const Frame& frame)
     std::string words;
     for (const LogAxis::Tick& tick : frame.x.ticks()) {
         const double x = frame.x.at(tick.value);
-        text += fmt::format("<path class=\"{}\" d=\"M{:.1f} {}V{}\"/>", tick.labelled ? "major" : "minor", x, top, frame.bottom);
-        if (tick.labelled) words += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x, frame.bottom + 18, tick_text(tick.value));
+        text += fmt::format("<path class=\"{}\" d=\"M{:.1f} {}V{}\"/>", tick.labelled ? "major" : "minor", x, top,
+                            frame.bottom);
+        if (tick.labelled)
+            words += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x, frame.bottom + 18,
+                                 tick_text(tick.value));
     }
     for (const LogAxis::Tick& tick : frame.y.ticks()) {
         const double y = frame.y.at(tick.value);
-        text += fmt::format("<path class=\"{}\" d=\"M{} {:.1f}H{}\"/>", tick.labelled ? "major" : "minor", left, y, frame.right);
-        if (tick.labelled) words += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 8, y + 4, tick_text(tick.value));
+        text += fmt::format("<path class=\"{}\" d=\"M{} {:.1f}H{}\"/>", tick.labelled ? "major" : "minor", left, y,
+                            frame.right);
+        if (tick.labelled)
+            words += fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", left - 8, y + 4,
+                                 tick_text(tick.value));
     }
     if (frame.has_zero) {
         text += fmt::format("<path class=\"zero\" d=\"M{} {}H{}\"/>", left, frame.bottom - zero_room + 8, frame.right);
         words += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">0</text>", left - 8, frame.bottom - 8);
     }
     text += "</g><g class=\"axis\">" + words;
-    text += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", (left + frame.right) / 2, plot.height - 12,
-                        escape_html(plot.x_label));
-    text += fmt::format("<text class=\"name\" transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">{}</text></g>", (top + frame.bottom) / 2,
-                        escape_html(plot.y_label));
+    text += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                        (left + frame.right) / 2, plot.height - 12, escape_html(plot.x_label));
+    text += fmt::format(
+        "<text class=\"name\" transform=\"translate(16 {}) rotate(-90)\" text-anchor=\"middle\">{}</text></g>",
+        (top + frame.bottom) / 2, escape_html(plot.y_label));
     return text;
 }
 
@@ -131,7 +140,8 @@ std::string line_of(const Series& series, const Frame& frame)
 {
     std::string path;
     for (const Mark& mark : series.marks)
-        if (series.joined && !mark.quiet) path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', frame.x_of(mark), frame.y_of(mark));
+        if (series.joined && !mark.quiet)
+            path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', frame.x_of(mark), frame.y_of(mark));
     return path.empty() ? "" : "<path class=\"line\" d=\"" + path + "\"/>";
 }
 
@@ -163,7 +173,8 @@ std::string target(const Mark& mark, double x, double y, double width)
     const double note_x = std::clamp(x + 12, 4.0, width - note_width - 4);
     const double note_y = y - note_height - 12 > 2 ? y - note_height - 12 : y + 14;
     std::string text = fmt::format(
-        "<g class=\"target\" tabindex=\"0\" role=\"img\" aria-label=\"{}\"><circle class=\"hit\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"9\"/>"
+        "<g class=\"target\" tabindex=\"0\" role=\"img\" aria-label=\"{}\"><circle class=\"hit\" cx=\"{:.1f}\" "
+        "cy=\"{:.1f}\" r=\"9\"/>"
         "<g class=\"tip\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"6\"/>",
         escape_html(mark.tip), x, y, note_x, note_y, note_width, note_height);
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -180,7 +191,9 @@ std::string written(const std::vector<Series>& series, const Frame& frame)
         for (const Mark& mark : one.marks) labels.keep_free(frame.x_of(mark), frame.y_of(mark), mark.quiet ? 3 : 6);
     std::string text;
     const auto write = [&](const std::optional<Place>& place, const std::string& words, const char* kind) {
-        if (place) text += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", kind, place->x, place->y, escape_html(words));
+        if (place)
+            text += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", kind, place->x, place->y,
+                                escape_html(words));
     };
     std::vector<NamedEnd> ends;
     for (const Series& one : series) {
@@ -195,9 +208,11 @@ std::string written(const std::vector<Series>& series, const Frame& frame)
     for (const Series& one : series)
         for (const Mark& mark : one.marks)
             if (!mark.label.empty()) wanted.push_back(&mark);
-    std::stable_sort(wanted.begin(), wanted.end(), [](const Mark* a, const Mark* b) { return a->knee != b->knee ? a->knee : a->y > b->y; });
+    std::stable_sort(wanted.begin(), wanted.end(),
+                     [](const Mark* a, const Mark* b) { return a->knee != b->knee ? a->knee : a->y > b->y; });
     for (const Mark* mark : wanted)
-        write(labels.beside(frame.x_of(*mark), frame.y_of(*mark), mark->label, mark->knee), mark->label, mark->knee ? "label knee" : "label");
+        write(labels.beside(frame.x_of(*mark), frame.y_of(*mark), mark->label, mark->knee), mark->label,
+              mark->knee ? "label knee" : "label");
     return text;
 }
 
@@ -208,8 +223,10 @@ std::string svg_of(const Plot& plot)
     std::vector<Series> series = plot.series;
     for (Series& one : series) std::erase_if(one.marks, [](const Mark& mark) { return !is_drawn(mark); });
     const Frame frame = frame_of(plot, series);
-    std::string text = fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"group\" aria-labelledby=\"{}-title\"><title id=\"{}-title\">{}</title>",
-                                   plot.width, plot.height, plot.id, plot.id, escape_html(plot.title));
+    std::string text = fmt::format(
+        "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"group\" aria-labelledby=\"{}-title\"><title "
+        "id=\"{}-title\">{}</title>",
+        plot.width, plot.height, plot.id, plot.id, escape_html(plot.title));
     text += axes(plot, frame);
     std::string targets;
     Rings rings;
@@ -218,14 +235,16 @@ std::string svg_of(const Plot& plot)
         for (const Mark& mark : series[i].marks) {
             const double x = frame.x_of(mark);
             const double y = frame.y_of(mark);
-            if (mark.knee && !rings.near(x, y)) text += fmt::format("<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"10\"/>", x, y);
+            if (mark.knee && !rings.near(x, y))
+                text += fmt::format("<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"10\"/>", x, y);
             text += fmt::format("<path class=\"mark{}\" d=\"{}\"/>", mark.quiet ? " quiet" : "", shape(i, x, y));
             targets += target(mark, x, y, plot.width);
         }
         text += "</g>";
     }
     // Targets come last: what lies later in the document lies on top, and a note must cover every mark.
-    return text + "<g class=\"words\">" + written(series, frame) + "</g><g class=\"targets\">" + targets + "</g></svg>\n";
+    return text + "<g class=\"words\">" + written(series, frame) + "</g><g class=\"targets\">" + targets +
+           "</g></svg>\n";
 }
 
 }

@@ -23,7 +23,8 @@ struct Series {
     bool joined = true;
 };
 
-/// Both axes are logarithms; a y of 0 stands on a line of its own below all others. At most six series keep colours and shapes of their own.
+/// Both axes are logarithms; a y of 0 stands on a line of its own below all others. At most six series keep colours and
+/// shapes of their own.
 struct Plot {
     std::string id;     ///< unique on the page: letters, digits, hyphens
     std::string title;  ///< said by screen readers

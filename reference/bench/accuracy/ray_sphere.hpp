@@ -3,7 +3,7 @@
 #include <umbral/core/random.hpp>
 #include <vector>
 
-#include "tenants.hpp"
+#include "solutions.hpp"
 
 namespace umbral::bench {
 
@@ -12,8 +12,8 @@ struct Shot {
     raytracing::Sphere sphere;
 };
 
-/// `count` rays of unit direction from `distance` radii away (> 1.3), aimed uniformly at a disc of 1.3 radii across the sphere's centre;
-/// radii in [0.5, 2), centres within 1 of the world's along each axis.
+/// `count` rays of unit direction from `distance` radii away (> 1.3), aimed uniformly at a disc of 1.3 radii across the
+/// sphere's centre; radii in [0.5, 2), centres within 1 of the world's along each axis.
 [[nodiscard]] std::vector<Shot> shots_from(double distance, int count, Random& random);
 
 /// How far a variant lies from the truth.

@@ -2,7 +2,8 @@
 
 namespace umbral::bench {
 
-/// The page's CSS. Colours of series: M. Okabe, K. Ito. Color Universal Design. 2008; on dark ground the lighter ones of them.
+/// The page's CSS. Colours of series: M. Okabe, K. Ito. Color Universal Design. 2008; on dark ground the lighter ones
+/// of them.
 inline constexpr const char* style_sheet = R"css(
 :root { --ground: #fcfcfa; --card: #fff; --ink: #1d2126; --soft: #5b6470; --grid: #e3e5e8; --minor: #f1f2f4; --edge: #d9dce0; --tip: #1d2126; --tip-ink: #fff;
   --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #b05c8e; --c4: #c98600; --c5: #3a3f46; --knee: #d55e00; --knee-ground: #fdf1e8; }

@@ -46,8 +46,10 @@ Knob measure_tessellation(Means& means)
               .results = {},
               .curves = {}};
     knob.text = fmt::format(
-        "A sphere of {} pixels' radius in a picture of {} × {}, one lamp for each pixel, drawn by OpenGL on one processor thread. “64x32” has 64 sectors round "
-        "the axis and 32 rings from pole to pole. Errors are the largest there are, computed from the corners in double; the time is that of a frame with the "
+        "A sphere of {} pixels' radius in a picture of {} × {}, one lamp for each pixel, drawn by OpenGL on one "
+        "processor thread. “64x32” has 64 sectors round "
+        "the axis and 32 rings from pole to pole. Errors are the largest there are, computed from the corners in "
+        "double; the time is that of a frame with the "
         "mesh uploaded.",
         BallPainter::radius, BallPainter::size, BallPainter::size);
     gl::forbid_driver_threads();
@@ -59,7 +61,8 @@ Knob measure_tessellation(Means& means)
     for (const auto& [sectors, rings] : grids(means.quick ? 128 : 1024)) {
         const BallMesh ball = ball_mesh(sectors, rings);
         const BallErrors errors = errors_of(ball, BallPainter::towards_eye());
-        knob.settings.emplace_back(fmt::format("{}x{}", sectors, rings), fmt::format("{} triangles", ball.indices.size() / 3));
+        knob.settings.emplace_back(fmt::format("{}x{}", sectors, rings),
+                                   fmt::format("{} triangles", ball.indices.size() / 3));
         knob.results.push_back({knob.settings.back().first,
                                 "frame",
                                 0,
@@ -69,7 +72,8 @@ Knob measure_tessellation(Means& means)
         meshes.emplace_back(ball.positions, ball.positions, ball.indices);
         work.emplace_back([&painter, &mesh = meshes.back()] { painter.draw(mesh); });
     }
-    const std::vector<double> seconds = fastest_of_interleaved(work, means.quick ? Patience{5, 3, 1, 0.01} : Patience{40, 5, 40, 0.02});
+    const std::vector<double> seconds =
+        fastest_of_interleaved(work, means.quick ? Patience{5, 3, 1, 0.01} : Patience{40, 5, 40, 0.02});
     for (std::size_t i = 0; i < seconds.size(); ++i) knob.results[i].time = 1e3 * seconds[i];
     for (const Measure& measure : knob.measures) knob.curves.push_back(curve_of(knob, "frame", measure.id));
     return knob;

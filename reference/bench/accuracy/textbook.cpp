@@ -43,7 +43,10 @@ std::optional<Number> school_formula(const Ray& ray, const raytracing::Sphere& s
 
 }
 
-std::optional<float> intersect_school(const Ray& ray, const raytracing::Sphere& sphere) { return school_formula<float>(ray, sphere); }
+std::optional<float> intersect_school(const Ray& ray, const raytracing::Sphere& sphere)
+{
+    return school_formula<float>(ray, sphere);
+}
 
 std::optional<float> intersect_double(const Ray& ray, const raytracing::Sphere& sphere)
 {
@@ -51,7 +54,10 @@ std::optional<float> intersect_double(const Ray& ray, const raytracing::Sphere& 
     return t ? std::optional(static_cast<float>(*t)) : std::nullopt;
 }
 
-std::optional<Wide> intersect_exactly(const Ray& ray, const raytracing::Sphere& sphere) { return school_formula<Wide>(ray, sphere); }
+std::optional<Wide> intersect_exactly(const Ray& ray, const raytracing::Sphere& sphere)
+{
+    return school_formula<Wide>(ray, sphere);
+}
 
 double error_in_ulp(float got, Wide exact)
 {

@@ -3,7 +3,8 @@
 #include <optional>
 #include <umbral/raytracing/intersect.hpp>
 
-/// The school's way to meet a sphere with a ray, in three widths of numbers: the quadratic formula, as every textbook prints it.
+/// The school's way to meet a sphere with a ray, in three widths of numbers: the quadratic formula, as every textbook
+/// prints it.
 namespace umbral::bench {
 
 /// All in float.

@@ -14,12 +14,15 @@ namespace {
 constexpr const char* vertex_text =
     "#version 330\nlayout(location = 0) in vec4 clip;\nlayout(location = 1) in vec3 color;\nout vec3 blended;\n"
     "void main() { gl_Position = vec4(clip.x, -clip.y, clip.zw); blended = color; }\n";
-constexpr const char* fragment_text = "#version 330\nin vec3 blended;\nout vec4 result;\nvoid main() { result = vec4(blended, 1); }\n";
+constexpr const char* fragment_text =
+    "#version 330\nin vec3 blended;\nout vec4 result;\nvoid main() { result = vec4(blended, 1); }\n";
 
 class Gl final : public RasterContestant {
 public:
     Gl(std::span<const RasterVertex> vertices, int side)
-        : target_(side, side), program_({"raster.vert", vertex_text}, {"raster.frag", fragment_text}), count_(static_cast<GLsizei>(vertices.size()))
+        : target_(side, side),
+          program_({"raster.vert", vertex_text}, {"raster.frag", fragment_text}),
+          count_(static_cast<GLsizei>(vertices.size()))
     {
         glGenVertexArrays(1, &array_);
         glGenBuffers(1, &buffer_);
@@ -27,8 +30,10 @@ public:
         glBindBuffer(GL_ARRAY_BUFFER, buffer_);
         glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size_bytes()), vertices.data(), GL_STATIC_DRAW);
         for (GLuint i = 0; i < 2; ++i) glEnableVertexAttribArray(i);
-        glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(RasterVertex), reinterpret_cast<const void*>(offsetof(RasterVertex, clip)));
-        glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(RasterVertex), reinterpret_cast<const void*>(offsetof(RasterVertex, color)));
+        glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(RasterVertex),
+                              reinterpret_cast<const void*>(offsetof(RasterVertex, clip)));
+        glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(RasterVertex),
+                              reinterpret_cast<const void*>(offsetof(RasterVertex, color)));
         gl::check_errors("preparing the triangles");
     }
     Gl(const Gl&) = delete;
@@ -78,6 +83,9 @@ private:
 
 }
 
-std::unique_ptr<RasterContestant> make_gl_raster(std::span<const RasterVertex> vertices, int side) { return std::make_unique<Gl>(vertices, side); }
+std::unique_ptr<RasterContestant> make_gl_raster(std::span<const RasterVertex> vertices, int side)
+{
+    return std::make_unique<Gl>(vertices, side);
+}
 
 }

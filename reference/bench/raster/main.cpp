@@ -1,4 +1,5 @@
-// bench-raster: triangles and pixels a second of the engine's rasteriser and of Mesa's llvmpipe, each on one thread, in one run.
+// bench-raster: triangles and pixels a second of the engine's rasteriser and of Mesa's llvmpipe, each on one thread, in
+// one run.
 
 #include <fmt/format.h>
 
@@ -47,13 +48,20 @@ Row measure(int legs, bool scattered, double seconds)
     const std::vector<RasterVertex> vertices = raster_workload(legs, side, scattered);
     const auto ours = make_our_raster(vertices, side);
     const auto gl = make_gl_raster(vertices, side);
-    const std::array<std::function<void()>, 4> variants = {[&] { ours->clear(); }, [&] { gl->clear(); }, [&] { ours->draw(); }, [&] { gl->draw(); }};
-    const std::vector<double> fastest = fastest_of_interleaved(variants, {.rounds = 200, .least = 5, .seconds = seconds});
+    const std::array<std::function<void()>, 4> variants = {[&] { ours->clear(); }, [&] { gl->clear(); },
+                                                           [&] { ours->draw(); }, [&] { gl->draw(); }};
+    const std::vector<double> fastest =
+        fastest_of_interleaved(variants, {.rounds = 200, .least = 5, .seconds = seconds});
     ours->draw();
     gl->draw();
     const auto triangles = static_cast<double>(vertices.size() / 3);
-    return {
-        legs, scattered, triangles, 0.5 * legs * legs * triangles, fastest[2] - fastest[0], fastest[3] - fastest[1], differing(ours->picture(), gl->picture())};
+    return {legs,
+            scattered,
+            triangles,
+            0.5 * legs * legs * triangles,
+            fastest[2] - fastest[0],
+            fastest[3] - fastest[1],
+            differing(ours->picture(), gl->picture())};
 }
 
 nlohmann::json to_json(const Row& row)
@@ -70,8 +78,9 @@ nlohmann::json to_json(const Row& row)
 
 std::string to_line(const Row& row)
 {
-    return fmt::format("{:9} {:5} {:12.3f} {:10.3f} {:12.1f} {:10.1f} {:8.2f} {:10}\n", row.scattered ? "scattered" : "mesh", row.legs,
-                       1e-6 * row.triangles / row.ours, 1e-6 * row.triangles / row.gl, 1e-6 * row.pixels / row.ours, 1e-6 * row.pixels / row.gl,
+    return fmt::format("{:9} {:5} {:12.3f} {:10.3f} {:12.1f} {:10.1f} {:8.2f} {:10}\n",
+                       row.scattered ? "scattered" : "mesh", row.legs, 1e-6 * row.triangles / row.ours,
+                       1e-6 * row.triangles / row.gl, 1e-6 * row.pixels / row.ours, 1e-6 * row.pixels / row.gl,
                        row.gl / row.ours, row.different);
 }
 
@@ -96,7 +105,9 @@ std::string readme_table(const std::vector<Row>& rows)
 
 int main(int count, char** words)
 {
-    CLI::App app("Measures the engine's rasteriser against Mesa's llvmpipe: the same triangles, in turns, one thread each.", "umbral bench raster");
+    CLI::App app(
+        "Measures the engine's rasteriser against Mesa's llvmpipe: the same triangles, in turns, one thread each.",
+        "umbral bench raster");
     double seconds = 8;
     bool json = false;
     std::vector<int> sizes = {2, 4, 8, 16, 32, 64, 128, 256};
@@ -109,8 +120,11 @@ int main(int count, char** words)
     const gl::OffscreenContext context;
     std::vector<Row> rows;
     if (!json)
-        fmt::print("{}, {} x {}; legs in pixels; ratio: ours to llvmpipe\n{:9} {:>5} {:>12} {:>10} {:>12} {:>10} {:>8} {:>10}\n", gl::backend_description(),
-                   side, side, "order", "legs", "ours Mtri/s", "llvmpipe", "ours Mpix/s", "llvmpipe", "ratio", "different");
+        fmt::print(
+            "{}, {} x {}; legs in pixels; ratio: ours to llvmpipe\n{:9} {:>5} {:>12} {:>10} {:>12} {:>10} {:>8} "
+            "{:>10}\n",
+            gl::backend_description(), side, side, "order", "legs", "ours Mtri/s", "llvmpipe", "ours Mpix/s",
+            "llvmpipe", "ratio", "different");
     for (const bool scattered : {false, true})
         for (const int legs : sizes) {
             rows.push_back(measure(legs, scattered, seconds));

@@ -20,7 +20,8 @@ struct Gouraud {
     {
         IntLanes packed = {};
         for (int i = 2; i >= 0; --i) {
-            const FloatLanes channel = last[i] + first_less_last[i] * passed.weights[0] + second_less_last[i] * passed.weights[1];
+            const FloatLanes channel =
+                last[i] + first_less_last[i] * passed.weights[0] + second_less_last[i] * passed.weights[1];
             packed = (packed << 8) | __builtin_convertvector(channel, IntLanes);
         }
         store(pixels + passed.at, passed.mask, packed);
@@ -59,9 +60,11 @@ public:
         }
         tiles_.draw_all([&](int left, int top, int right, int bottom, std::size_t i) {
             const glm::vec3& c = vertices_[i + 2].color;
-            const Gouraud shader{255.0F * c + 0.5F, 255.0F * (vertices_[i].color - c), 255.0F * (vertices_[i + 1].color - c), pixels_.data()};
+            const Gouraud shader{255.0F * c + 0.5F, 255.0F * (vertices_[i].color - c),
+                                 255.0F * (vertices_[i + 1].color - c), pixels_.data()};
             draw_triangle(
-                {placed_[i], placed_[i + 1], placed_[i + 2]}, {{left, right}, {top, bottom}}, side_, depths_.data(), [](int) {}, shader);
+                {placed_[i], placed_[i + 1], placed_[i + 2]}, {{left, right}, {top, bottom}}, side_, depths_.data(),
+                [](int) {}, shader);
         });
     }
 
@@ -84,6 +87,9 @@ private:
 
 }
 
-std::unique_ptr<RasterContestant> make_our_raster(std::span<const RasterVertex> vertices, int side) { return std::make_unique<Ours>(vertices, side); }
+std::unique_ptr<RasterContestant> make_our_raster(std::span<const RasterVertex> vertices, int side)
+{
+    return std::make_unique<Ours>(vertices, side);
+}
 
 }

@@ -15,12 +15,14 @@ struct RasterVertex {
     glm::vec3 color;
 };
 
-/// Right triangles whose legs have `legs` pixels, two in each square of a grid over a picture of `side` pixels a side, as in a mesh; one layer
-/// after another, at random depths and a few 1/256 pixel apart, until some millions of pixels are covered. w goes from 1 to 2.
-/// `scattered`: in random order, so that neighbours in the list are far apart on the screen.
+/// Right triangles whose legs have `legs` pixels, two in each square of a grid over a picture of `side` pixels a side,
+/// as in a mesh; one layer after another, at random depths and a few 1/256 pixel apart, until some millions of pixels
+/// are covered. w goes from 1 to 2. `scattered`: in random order, so that neighbours in the list are far apart on the
+/// screen.
 [[nodiscard]] std::vector<RasterVertex> raster_workload(int legs, int side, bool scattered);
 
-/// Draws triangles with a depth test (less) and perspective-correct colours into a picture of 8 bits a channel, on one thread.
+/// Draws triangles with a depth test (less) and perspective-correct colours into a picture of 8 bits a channel, on one
+/// thread.
 class RasterContestant {
 public:
     virtual ~RasterContestant() = default;
@@ -32,7 +34,8 @@ public:
     [[nodiscard]] virtual Grid<std::uint32_t> picture() const = 0;
 };
 
-/// The engine's tiles and rows (render/tiles.hpp, render/raster.hpp), from clip coordinates on as llvmpipe; only the shader is another one.
+/// The engine's tiles and rows (render/tiles.hpp, render/raster.hpp), from clip coordinates on as llvmpipe; only the
+/// shader is another one.
 [[nodiscard]] std::unique_ptr<RasterContestant> make_our_raster(std::span<const RasterVertex> vertices, int side);
 
 /// Mesa's llvmpipe, from buffers filled beforehand, then glFinish. Needs a current gl::OffscreenContext.

@@ -1,4 +1,5 @@
-// Polygons filled scan line by scan line, and lines stepped pixel by pixel, right and wrong. Compiled several times, as software.cpp is.
+// Polygons filled scan line by scan line, and lines stepped pixel by pixel, right and wrong. Compiled several times, as
+// software.cpp is.
 
 #include "drafting.hpp"
 
@@ -15,7 +16,10 @@ using Real = UMBRAL_REAL;
 
 class Sheet {
 public:
-    Sheet(const Drawing& drawing, Flaw flaw, Way way) : flaw_(flaw), way_(way), image_(drawing.width, drawing.height, drawing.background) {}
+    Sheet(const Drawing& drawing, Flaw flaw, Way way)
+        : flaw_(flaw), way_(way), image_(drawing.width, drawing.height, drawing.background)
+    {
+    }
 
     void fill(const Polygon& polygon)
     {
@@ -56,7 +60,8 @@ private:
             const auto& upper = a.y <= b.y ? a : b;
             const auto& lower = a.y <= b.y ? b : a;
             // A side owns its upper end and not its lower one; otherwise a corner on the row would count twice.
-            const bool crosses = upper.y <= middle && (flaw_ == Flaw::vertex_counted_twice ? middle <= lower.y : middle < lower.y);
+            const bool crosses =
+                upper.y <= middle && (flaw_ == Flaw::vertex_counted_twice ? middle <= lower.y : middle < lower.y);
             if (!crosses || upper.y == lower.y) continue;
             const Real slope = (lower.x - upper.x) / (lower.y - upper.y);
             if (way_ == Way::incremental_steps) {
@@ -86,7 +91,8 @@ private:
                 --first;
                 ++last;
             }
-            for (int x = std::max(first, 0); x <= std::min(last, image_.width - 1); ++x) image_.at(x, y) = polygon.color;
+            for (int x = std::max(first, 0); x <= std::min(last, image_.width - 1); ++x)
+                image_.at(x, y) = polygon.color;
         }
     }
 
@@ -118,7 +124,8 @@ private:
         const int steps = std::max(std::abs(d.x), std::abs(d.y));
         const glm::vec<2, Real> slope = glm::vec<2, Real>(d) / static_cast<Real>(std::max(steps, 1));
         glm::vec<2, Real> at(s.from);
-        for (int i = 0; i <= steps; ++i, at += slope) put(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)), s.color);
+        for (int i = 0; i <= steps; ++i, at += slope)
+            put(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)), s.color);
     }
 
     /// Places rounded down instead, `moved` pixels further on.
@@ -128,7 +135,8 @@ private:
         const int steps = std::max(std::abs(d.x), std::abs(d.y));
         for (int i = 0; i <= steps; ++i) {
             const glm::vec<2, Real> at =
-                glm::vec<2, Real>(s.from) + glm::vec<2, Real>(d) * (static_cast<Real>(i) / static_cast<Real>(std::max(steps, 1))) - moved;
+                glm::vec<2, Real>(s.from) +
+                glm::vec<2, Real>(d) * (static_cast<Real>(i) / static_cast<Real>(std::max(steps, 1))) - moved;
             put(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)), s.color);
         }
     }

@@ -7,7 +7,8 @@
 
 namespace umbral::bench::scenes {
 
-/// A polygon in pixels, y down. Seen from `middle` each of its sides is in full view, so that a fan from there fills it.
+/// A polygon in pixels, y down. Seen from `middle` each of its sides is in full view, so that a fan from there fills
+/// it.
 struct Polygon {
     std::vector<glm::vec2> corners;
     glm::vec2 middle{0};

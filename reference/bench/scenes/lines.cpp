@@ -26,7 +26,8 @@ Model wireframe(const Pose& pose)
     Model m = framed(pose, {0, 2.0F, 3.2F});
     m.background = {0.05F, 0.07F, 0.10F, 1};
     m.encoded = false;
-    m.batches = {drawn_lines(edges_of(torus(0.4F, 24, 12)), pose.put({0, 0, 0}, 20 * pose.time(), {0.2F, 1, 0.3F}), {0.4F, 0.95F, 0.6F, 1})};
+    m.batches = {drawn_lines(edges_of(torus(0.4F, 24, 12)), pose.put({0, 0, 0}, 20 * pose.time(), {0.2F, 1, 0.3F}),
+                             {0.4F, 0.95F, 0.6F, 1})};
     return m;
 }
 
@@ -38,7 +39,8 @@ Model hidden_lines(const Pose& pose)
     m.encoded = false;
     const Triangles mesh = gem(2);
     const glm::mat4 placed = pose.put({0, 0, 0}, 20 * pose.time(), {0.3F, 1, 0}, {1.1F, 0.85F, 0.9F});
-    m.batches = {solid(mesh, placed, plain_paint({0.86F, 0.90F, 0.95F, 1})), drawn_lines(edges_of(mesh), placed, {0.1F, 0.15F, 0.35F, 1})};
+    m.batches = {solid(mesh, placed, plain_paint({0.86F, 0.90F, 0.95F, 1})),
+                 drawn_lines(edges_of(mesh), placed, {0.1F, 0.15F, 0.35F, 1})};
     m.batches[1].depth_offset = 2e-3F;
     return m;
 }
@@ -54,7 +56,10 @@ Model star(const Pose& pose)
         const float length = i % 3 == 0 ? 0.95F : 0.75F;
         rays.push_back({{0.12F * along + glm::vec2(0.05F, 0.03F), 0}, {0, 0, 1}, {0, 0}, {0, 0, 0, 1}});
         rays.push_back(
-            {{(pose.flaw == Flaw::line_end_missing ? 0.8F : 1.0F) * length * along + glm::vec2(0.05F, 0.03F), 0}, {0, 0, 1}, {0, 0}, {0.1F, 0.1F, 0.5F, 1}});
+            {{(pose.flaw == Flaw::line_end_missing ? 0.8F : 1.0F) * length * along + glm::vec2(0.05F, 0.03F), 0},
+             {0, 0, 1},
+             {0, 0},
+             {0.1F, 0.1F, 0.5F, 1}});
     }
     m.batches = {drawn_lines(rays, glm::mat4(1), glm::vec4(1))};
     return m;
@@ -73,9 +78,11 @@ Model plot(const Pose& pose)
         add_stroke(ink.corners, from, to, width, color);
     };
     for (int i = 0; i <= 8; ++i)
-        stroke({-1.8F + 0.45F * static_cast<float>(i), -0.85F}, {-1.8F + 0.45F * static_cast<float>(i), 0.85F}, {0.8F, 0.8F, 0.82F, 1});
+        stroke({-1.8F + 0.45F * static_cast<float>(i), -0.85F}, {-1.8F + 0.45F * static_cast<float>(i), 0.85F},
+               {0.8F, 0.8F, 0.82F, 1});
     for (int i = 0; i <= 4; ++i)
-        stroke({-1.8F, -0.85F + 0.425F * static_cast<float>(i)}, {1.8F, -0.85F + 0.425F * static_cast<float>(i)}, {0.8F, 0.8F, 0.82F, 1});
+        stroke({-1.8F, -0.85F + 0.425F * static_cast<float>(i)}, {1.8F, -0.85F + 0.425F * static_cast<float>(i)},
+               {0.8F, 0.8F, 0.82F, 1});
     stroke({-1.9F, 0}, {1.9F, 0}, {0.1F, 0.1F, 0.1F, 1});
     stroke({-1.8F, -0.95F}, {-1.8F, 0.95F}, {0.1F, 0.1F, 0.1F, 1});
     const auto curve = [&](const auto& f, const glm::vec4& color) {
@@ -95,7 +102,8 @@ Model plot(const Pose& pose)
 /// OpenGL's lines have no counterpart in software.
 Scene of_lines(Scene scene)
 {
-    scene.ways = {Way::other_gl_back_end, Way::triangles_reordered, Way::ends_swapped, Way::indexed_mesh, Way::stepwise_matrices};
+    scene.ways = {Way::other_gl_back_end, Way::triangles_reordered, Way::ends_swapped, Way::indexed_mesh,
+                  Way::stepwise_matrices};
     return scene;
 }
 
@@ -106,22 +114,27 @@ std::vector<Scene> line_scenes(int size)
     using namespace groups;
     using enum Flaw;
     return {
-        of_lines(model_scene("wireframe mesh", "The edges of a ring, one pixel wide.", Home::opengl, size, wireframe,
-                             {any,
-                              placed,
-                              {missing_edge, line_width_wrong, rotation_sign, stale_frame, gamma_twice, brightness_5_percent, green_5_percent,
-                               near_plane_too_far, far_plane_too_near, sixteen_levels}})),
-        of_lines(model_scene("hidden lines", "The edges of a solid, those behind it hidden.", Home::opengl, size, hidden_lines,
-                             {any,
-                              placed,
-                              {missing_edge, missing_triangle, line_width_wrong, rotation_sign, stale_frame, z_fighting, depth_test_off, depth_inverted,
-                               front_faces_culled, gamma_twice, brightness_5_percent}})),
+        of_lines(
+            model_scene("wireframe mesh", "The edges of a ring, one pixel wide.", Home::opengl, size, wireframe,
+                        {any,
+                         placed,
+                         {missing_edge, line_width_wrong, rotation_sign, stale_frame, gamma_twice, brightness_5_percent,
+                          green_5_percent, near_plane_too_far, far_plane_too_near, sixteen_levels}})),
+        of_lines(model_scene(
+            "hidden lines", "The edges of a solid, those behind it hidden.", Home::opengl, size, hidden_lines,
+            {any,
+             placed,
+             {missing_edge, missing_triangle, line_width_wrong, rotation_sign, stale_frame, z_fighting, depth_test_off,
+              depth_inverted, front_faces_culled, gamma_twice, brightness_5_percent}})),
         of_lines(model_scene("thin lines", "Rays of one pixel on white.", Home::opengl, size, star,
-                             {any, {missing_edge, line_width_wrong, line_end_missing, stale_frame, gamma_twice, fov_3_percent_wrong, camera_1_percent_off}})),
-        model_scene("function plot", "Axes, a grid and two curves, as strokes of one or two pixels.", Home::software, size, plot,
+                             {any,
+                              {missing_edge, line_width_wrong, line_end_missing, stale_frame, gamma_twice,
+                               fov_3_percent_wrong, camera_1_percent_off}})),
+        model_scene("function plot", "Axes, a grid and two curves, as strokes of one or two pixels.", Home::software,
+                    size, plot,
                     {any,
-                     {missing_edge, line_width_wrong, line_end_missing, stale_frame, aspect_ignored, fov_3_percent_wrong, camera_1_percent_off, gamma_twice,
-                      brightness_5_percent, green_5_percent}}),
+                     {missing_edge, line_width_wrong, line_end_missing, stale_frame, aspect_ignored,
+                      fov_3_percent_wrong, camera_1_percent_off, gamma_twice, brightness_5_percent, green_5_percent}}),
     };
 }
 

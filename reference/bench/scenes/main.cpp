@@ -42,7 +42,11 @@ public:
         for (const Way way : scene.ways)
             if (painters_.has(way)) add(operator_of(way), false, scene.draw(painters_, Flaw::none, way));
         for (const Flaw flaw : scene.flaws) add(operator_of(flaw), true, scene.draw(painters_, flaw, Way::as_it_is));
-        return {{"name", scene.name}, {"about", scene.about}, {"noise", scene.noise}, {"expected", place + "/expected.png"}, {"variants", variants}};
+        return {{"name", scene.name},
+                {"about", scene.about},
+                {"noise", scene.noise},
+                {"expected", place + "/expected.png"},
+                {"variants", variants}};
     }
 
 private:
@@ -86,10 +90,16 @@ int main(int count, char** words)
 {
     using namespace umbral::bench::scenes;
     Options options;
-    CLI::App parser("Draws the scenes on which judges of pictures are calibrated: right, right in other ways, and wrong.", "umbral-bench-scenes");
+    CLI::App parser(
+        "Draws the scenes on which judges of pictures are calibrated: right, right in other ways, and wrong.",
+        "umbral-bench-scenes");
     parser.add_option("folder", options.folder, "Where pictures.json and a folder for each scene go");
-    parser.add_option("--gl", options.gl, "Who draws OpenGL's part")->check(CLI::IsMember({"osmesa", "egl"}))->capture_default_str();
-    parser.add_option("--size", options.size, "Side of most pictures, in pixels")->check(CLI::Range(64, 1024))->capture_default_str();
+    parser.add_option("--gl", options.gl, "Who draws OpenGL's part")
+        ->check(CLI::IsMember({"osmesa", "egl"}))
+        ->capture_default_str();
+    parser.add_option("--size", options.size, "Side of most pictures, in pixels")
+        ->check(CLI::Range(64, 1024))
+        ->capture_default_str();
     parser.add_flag("--list", options.list, "Only name the scenes and what is done to them");
     try {
         parser.parse(count, words);

@@ -7,8 +7,8 @@
 
 namespace umbral::bench::scenes {
 
-/// A texture's levels, the finest first, each half as wide and high as the one before; one level where it has no mipmaps.
-/// Levels are rounded to eight bits, as those of OpenGL are.
+/// A texture's levels, the finest first, each half as wide and high as the one before; one level where it has no
+/// mipmaps. Levels are rounded to eight bits, as those of OpenGL are.
 inline std::vector<Image> level_images(const Texture& texture)
 {
     std::vector<Image> levels = {texture.texels};
@@ -19,8 +19,8 @@ inline std::vector<Image> level_images(const Texture& texture)
             for (int x = 0; x < coarse.width; ++x) {
                 const int right = std::min(2 * x + 1, fine.width - 1);
                 const int below = std::min(2 * y + 1, fine.height - 1);
-                const glm::uvec4 sum = glm::uvec4(fine.at(2 * x, 2 * y)) + glm::uvec4(fine.at(right, 2 * y)) + glm::uvec4(fine.at(2 * x, below)) +
-                                       glm::uvec4(fine.at(right, below));
+                const glm::uvec4 sum = glm::uvec4(fine.at(2 * x, 2 * y)) + glm::uvec4(fine.at(right, 2 * y)) +
+                                       glm::uvec4(fine.at(2 * x, below)) + glm::uvec4(fine.at(right, below));
                 coarse.at(x, y) = glm::u8vec4((sum + 2U) / 4U);
             }
         levels.push_back(coarse);

@@ -65,8 +65,9 @@ enum class Cull { none, back, front };
 /// What one call draws.
 struct Batch {
     Triangles corners;
-    bool lines = false;            ///< two corners a line instead; OpenGL only
-    std::size_t edge_corners = 0;  ///< corners a line: 2 for lines, 6 for lines made of two triangles; 0 where there are none
+    bool lines = false;  ///< two corners a line instead; OpenGL only
+    std::size_t edge_corners =
+        0;  ///< corners a line: 2 for lines, 6 for lines made of two triangles; 0 where there are none
     glm::mat4 model{1};
     Material material;
     std::optional<std::size_t> texture;  ///< place in Model::textures

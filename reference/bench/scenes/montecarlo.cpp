@@ -45,7 +45,8 @@ Traced lens(const Pose& pose)
     return w;
 }
 
-Scene traced_scene(std::string name, std::string about, int size, Traced (*build)(const Pose&), std::vector<Flaw> flaws, std::initializer_list<Way> more)
+Scene traced_scene(std::string name, std::string about, int size, Traced (*build)(const Pose&), std::vector<Flaw> flaws,
+                   std::initializer_list<Way> more)
 {
     Scene scene;
     scene.name = std::move(name);
@@ -90,11 +91,12 @@ std::vector<Scene> noisy_scenes(int size)
 {
     using enum Flaw;
     return {
-        traced_scene("soft shadow", "Balls under a square lamp, 16 samples a pixel.", size, soft_shadow, {cosine_missing, shadow_missing, light_as_point}, {}),
-        traced_scene("ambient occlusion", "How much of the sky is seen, 16 samples a pixel.", size, occlusion, {shadow_missing, pdf_mismatch, normal_forgotten},
-                     {Way::uniform_sampling}),
-        traced_scene("interreflection", "Sky light that bounces between balls, 16 paths a pixel.", size, interreflection,
-                     {pdf_mismatch, normal_forgotten, bounce_missing}, {Way::uniform_sampling}),
+        traced_scene("soft shadow", "Balls under a square lamp, 16 samples a pixel.", size, soft_shadow,
+                     {cosine_missing, shadow_missing, light_as_point}, {}),
+        traced_scene("ambient occlusion", "How much of the sky is seen, 16 samples a pixel.", size, occlusion,
+                     {shadow_missing, pdf_mismatch, normal_forgotten}, {Way::uniform_sampling}),
+        traced_scene("interreflection", "Sky light that bounces between balls, 16 paths a pixel.", size,
+                     interreflection, {pdf_mismatch, normal_forgotten, bounce_missing}, {Way::uniform_sampling}),
         traced_scene("depth of field", "Balls through a lens, 16 samples a pixel.", size, lens,
                      {aperture_halved, pixel_not_jittered, cosine_missing, shadow_missing}, {}),
     };

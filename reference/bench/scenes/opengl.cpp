@@ -16,7 +16,8 @@
 namespace umbral::bench::scenes {
 namespace {
 
-constexpr const char* fragment_lookup = "uniform sampler2D image;\nvec4 lookup(vec2 uv, float lod) { return textureLod(image, uv, lod); }\n";
+constexpr const char* fragment_lookup =
+    "uniform sampler2D image;\nvec4 lookup(vec2 uv, float lod) { return textureLod(image, uv, lod); }\n";
 constexpr const char* vertex_lookup = "vec4 lookup(vec2 uv, float lod) { return vec4(uv, lod, 1); }\n";
 
 constexpr const char* vertex_main = R"(
@@ -70,7 +71,8 @@ std::string beginning()
 {
     std::string text = "#version 330 core\n#define Real float\n#define Choice int\n#define Manner int\n";
     const auto add = [&](const auto kind) {
-        text += "const int " + joined(operator_of(kind).name, '_') + " = " + std::to_string(static_cast<int>(kind)) + ";\n";
+        text +=
+            "const int " + joined(operator_of(kind).name, '_') + " = " + std::to_string(static_cast<int>(kind)) + ";\n";
     };
     for (const Flaw flaw : all_flaws()) add(flaw);
     for (const Way way : all_ways()) add(way);
@@ -126,8 +128,8 @@ public:
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         const std::vector<Image> levels = level_images(texture);
         for (std::size_t i = 0; i < levels.size(); ++i)
-            glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(i), GL_RGBA8, levels[i].width, levels[i].height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                         levels[i].cells.data());
+            glTexImage2D(GL_TEXTURE_2D, static_cast<GLint>(i), GL_RGBA8, levels[i].width, levels[i].height, 0, GL_RGBA,
+                         GL_UNSIGNED_BYTE, levels[i].cells.data());
         const GLint wrap = texture.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
         const GLint plain = texture.linear ? GL_LINEAR : GL_NEAREST;
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
@@ -187,19 +189,24 @@ void send(const Batch& batch, Way way)
     glBindVertexArray(vertex_array);
     glGenBuffers(2, buffers.data());
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.corners.size() * sizeof(Vertex)), mesh.corners.data(), GL_STATIC_DRAW);
-    constexpr auto attributes = std::to_array<std::pair<GLint, std::size_t>>(
-        {{3, offsetof(Vertex, position)}, {3, offsetof(Vertex, normal)}, {2, offsetof(Vertex, uv)}, {4, offsetof(Vertex, color)}});
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.corners.size() * sizeof(Vertex)), mesh.corners.data(),
+                 GL_STATIC_DRAW);
+    constexpr auto attributes = std::to_array<std::pair<GLint, std::size_t>>({{3, offsetof(Vertex, position)},
+                                                                              {3, offsetof(Vertex, normal)},
+                                                                              {2, offsetof(Vertex, uv)},
+                                                                              {4, offsetof(Vertex, color)}});
     for (GLuint i = 0; i < attributes.size(); ++i) {
         glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, attributes[i].first, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(attributes[i].second));
+        glVertexAttribPointer(i, attributes[i].first, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                              reinterpret_cast<const void*>(attributes[i].second));
     }
     const GLenum kind = batch.lines ? GL_LINES : GL_TRIANGLES;
     if (mesh.indices.empty()) {
         glDrawArrays(kind, 0, static_cast<GLsizei>(mesh.corners.size()));
     } else {
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)), mesh.indices.data(), GL_STATIC_DRAW);
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
+                     mesh.indices.data(), GL_STATIC_DRAW);
         glDrawElements(kind, static_cast<GLsizei>(mesh.indices.size()), GL_UNSIGNED_INT, nullptr);
     }
     glBindVertexArray(0);
@@ -255,7 +262,8 @@ Image OpenGlPainter::paint(const Model& model, Flaw flaw, Way way)
     glDisable(GL_CULL_FACE);
     Image image = frame.read_pixels();
     // Read bottom row first, and so upright again.
-    for (int y = 0; y < image.height / 2; ++y) std::swap_ranges(&image.at(0, y), &image.at(0, y) + image.width, &image.at(0, image.height - 1 - y));
+    for (int y = 0; y < image.height / 2; ++y)
+        std::swap_ranges(&image.at(0, y), &image.at(0, y) + image.width, &image.at(0, image.height - 1 - y));
     for (glm::u8vec4& pixel : image.cells) pixel.a = 255;
     return image;
 }

@@ -26,7 +26,8 @@ bool has_other_compiler()
 std::unique_ptr<OpenGlPainter> other_painter(gl::BackendKind kind)
 {
     try {
-        return std::make_unique<OpenGlPainter>(kind == gl::BackendKind::osmesa ? gl::BackendKind::egl : gl::BackendKind::osmesa);
+        return std::make_unique<OpenGlPainter>(kind == gl::BackendKind::osmesa ? gl::BackendKind::egl
+                                                                               : gl::BackendKind::osmesa);
     } catch (const std::runtime_error&) {
         return nullptr;  // this machine has one only
     }
@@ -36,7 +37,10 @@ std::unique_ptr<OpenGlPainter> other_painter(gl::BackendKind kind)
 
 Painters::Painters(gl::BackendKind kind) : main_(kind), other_(other_painter(kind)) {}
 
-Image Painters::opengl(const Model& model, Flaw flaw, Way way) { return (way == Way::other_gl_back_end && other_ ? *other_ : main_).paint(model, flaw, way); }
+Image Painters::opengl(const Model& model, Flaw flaw, Way way)
+{
+    return (way == Way::other_gl_back_end && other_ ? *other_ : main_).paint(model, flaw, way);
+}
 
 SoftwareBuild Painters::software(Way way)
 {

@@ -14,7 +14,8 @@ void reorder(Batch& batch)
     Random random(20'26);
     for (std::size_t left = batch.corners.size() / count; left > 1; --left) {
         const std::size_t other = random.below(static_cast<std::uint32_t>(left));
-        for (std::size_t k = 0; k < count; ++k) std::swap(batch.corners[(left - 1) * count + k], batch.corners[other * count + k]);
+        for (std::size_t k = 0; k < count; ++k)
+            std::swap(batch.corners[(left - 1) * count + k], batch.corners[other * count + k]);
     }
 }
 
@@ -36,7 +37,8 @@ void swap_ends(Batch& batch)
 Vertex centre(const Vertex& a, const Vertex& b, const Vertex& c)
 {
     const auto mean = [](const auto& x, const auto& y, const auto& z) { return (x + y + z) / 3.0F; };
-    return {mean(a.position, b.position, c.position), mean(a.normal, b.normal, c.normal), mean(a.uv, b.uv, c.uv), mean(a.color, b.color, c.color)};
+    return {mean(a.position, b.position, c.position), mean(a.normal, b.normal, c.normal), mean(a.uv, b.uv, c.uv),
+            mean(a.color, b.color, c.color)};
 }
 
 void split(Batch& batch)

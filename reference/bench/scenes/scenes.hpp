@@ -27,7 +27,8 @@ struct Pose {
     /// In steps; 1 is what is shown.
     [[nodiscard]] float time() const { return flaw == Flaw::stale_frame ? 0.0F : 1.0F; }
     /// Scale first, then rotation, then translation.
-    [[nodiscard]] glm::mat4 put(const glm::vec3& at, float degrees = 0, const glm::vec3& axis = {0, 1, 0}, const glm::vec3& scale = glm::vec3(1)) const;
+    [[nodiscard]] glm::mat4 put(const glm::vec3& at, float degrees = 0, const glm::vec3& axis = {0, 1, 0},
+                                const glm::vec3& scale = glm::vec3(1)) const;
 };
 
 /// The scene, with what happens to its finished pictures: shifts, flips, swapped channels.
@@ -39,8 +40,8 @@ using Build = std::function<Model(const Pose&)>;
 enum class Home { opengl, software };
 
 /// A scene of triangles. The usual ways of its home, and those in `more`, are added.
-[[nodiscard]] Scene model_scene(std::string name, std::string about, Home home, int size, Build build, std::vector<std::vector<Flaw>> flaws,
-                                std::initializer_list<Way> more = {});
+[[nodiscard]] Scene model_scene(std::string name, std::string about, Home home, int size, Build build,
+                                std::vector<std::vector<Flaw>> flaws, std::initializer_list<Way> more = {});
 
 /// Flaws that belong together; scenes name some of these groups, and flaws of their own.
 namespace groups {

@@ -10,8 +10,8 @@
 namespace umbral::bench::scenes {
 
 // The functions that shading.glsl calls by GLSL's names.
-using glm::abs, glm::clamp, glm::dot, glm::exp, glm::exp2, glm::floor, glm::fract, glm::length, glm::log2, glm::max, glm::min, glm::mix, glm::normalize,
-    glm::pow, glm::reflect, glm::smoothstep, glm::sqrt, glm::transpose;
+using glm::abs, glm::clamp, glm::dot, glm::exp, glm::exp2, glm::floor, glm::fract, glm::length, glm::log2, glm::max,
+    glm::min, glm::mix, glm::normalize, glm::pow, glm::reflect, glm::smoothstep, glm::sqrt, glm::transpose;
 
 /// Vertex stage and fragment stage, in float or double; the members are the uniforms.
 template <class Number>
@@ -63,7 +63,9 @@ void prepare(Shading<Number>& s, const Model& m, const Batch& batch, Flaw flaw, 
     s.lit_in = world ? s.model : s.view * s.model;
     const mat3 straight(s.lit_in);
     const mat3 inverse = glm::inverse(straight);
-    s.normal_matrix = flaw == Flaw::normals_by_model ? straight : flaw == Flaw::normal_matrix_transposed ? inverse : glm::transpose(inverse);
+    s.normal_matrix = flaw == Flaw::normals_by_model           ? straight
+                      : flaw == Flaw::normal_matrix_transposed ? inverse
+                                                               : glm::transpose(inverse);
     const mat4 to_light_space = world || flaw == Flaw::light_in_wrong_space ? mat4(1) : s.view;
     s.to_world = world ? mat3(1) : glm::transpose(mat3(s.view));
     const vec4 seen_from = half > 0 ? vec4(0, 0, 1, 0) : vec4(0, 0, 0, 1);
@@ -90,8 +92,12 @@ void prepare(Shading<Number>& s, const Model& m, const Batch& batch, Flaw flaw, 
         const Light& light = m.lights[i];
         vec4 place = to_light_space * vec4(light.place);
         if (place.w == 0) place = vec4(glm::normalize(vec3(place)), 0);
-        s.lamps[i] = {
-            place, vec3(light.color), vec3(light.falloff), glm::normalize(mat3(to_light_space) * vec3(light.aim)), Number(light.cone), Number(light.focus)};
+        s.lamps[i] = {place,
+                      vec3(light.color),
+                      vec3(light.falloff),
+                      glm::normalize(mat3(to_light_space) * vec3(light.aim)),
+                      Number(light.cone),
+                      Number(light.focus)};
     }
 }
 

@@ -22,7 +22,8 @@ Triangles surface(int columns, int rows, const std::function<glm::vec3(glm::vec2
 {
     constexpr float step = 1e-3F;
     const auto vertex = [&](int i, int j) {
-        const glm::vec2 uv(static_cast<float>(i) / static_cast<float>(columns), static_cast<float>(j) / static_cast<float>(rows));
+        const glm::vec2 uv(static_cast<float>(i) / static_cast<float>(columns),
+                           static_cast<float>(j) / static_cast<float>(rows));
         // At a pole the differences vanish: they are taken a little inside.
         const glm::vec2 inside = glm::clamp(uv, 2 * step, 1 - 2 * step);
         const glm::vec3 along_u = at({inside.x + step, inside.y}) - at({inside.x - step, inside.y});
@@ -35,7 +36,9 @@ Triangles surface(int columns, int rows, const std::function<glm::vec3(glm::vec2
     Triangles mesh;
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
-            const auto corner = [&](int di, int dj) { return grid[static_cast<std::size_t>((j + dj) * (columns + 1) + i + di)]; };
+            const auto corner = [&](int di, int dj) {
+                return grid[static_cast<std::size_t>((j + dj) * (columns + 1) + i + di)];
+            };
             add(mesh, corner(0, 0), corner(1, 0), corner(1, 1));
             add(mesh, corner(0, 0), corner(1, 1), corner(0, 1));
         }
@@ -47,7 +50,8 @@ Triangles ball(int sectors, int rings)
     Triangles mesh = surface(sectors, rings, [](glm::vec2 uv) {
         const float latitude = (uv.y - 0.5F) * pi;
         const float longitude = 2 * pi * uv.x;
-        return glm::vec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude), std::cos(latitude) * std::cos(longitude));
+        return glm::vec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+                         std::cos(latitude) * std::cos(longitude));
     });
     for (Vertex& v : mesh) v.normal = glm::normalize(v.position);
     return mesh;
@@ -89,7 +93,8 @@ Triangles lathe(std::span<const glm::vec2> profile, int sectors)
         const float f = place - static_cast<float>(i);
         const auto point = [&](int k) { return profile[static_cast<std::size_t>(std::clamp(k, 0, rows))]; };
         const glm::vec2 p0 = point(i - 1), p1 = point(i), p2 = point(i + 1), p3 = point(i + 2);
-        return 0.5F * (2.0F * p1 + (p2 - p0) * f + (2.0F * p0 - 5.0F * p1 + 4.0F * p2 - p3) * f * f + (3.0F * p1 - p0 - 3.0F * p2 + p3) * f * f * f);
+        return 0.5F * (2.0F * p1 + (p2 - p0) * f + (2.0F * p0 - 5.0F * p1 + 4.0F * p2 - p3) * f * f +
+                       (3.0F * p1 - p0 - 3.0F * p2 + p3) * f * f * f);
     };
     return surface(sectors, 4 * rows, [&](glm::vec2 uv) {
         const glm::vec2 p = on_profile(uv.y);
@@ -99,8 +104,14 @@ Triangles lathe(std::span<const glm::vec2> profile, int sectors)
 
 Triangles vase(int sectors)
 {
-    constexpr auto profile =
-        std::to_array<glm::vec2>({{0.45F, -1}, {0.50F, -0.95F}, {0.80F, -0.5F}, {0.88F, -0.1F}, {0.60F, 0.4F}, {0.34F, 0.7F}, {0.40F, 0.9F}, {0.55F, 1}});
+    constexpr auto profile = std::to_array<glm::vec2>({{0.45F, -1},
+                                                       {0.50F, -0.95F},
+                                                       {0.80F, -0.5F},
+                                                       {0.88F, -0.1F},
+                                                       {0.60F, 0.4F},
+                                                       {0.34F, 0.7F},
+                                                       {0.40F, 0.9F},
+                                                       {0.55F, 1}});
     return lathe(profile, sectors);
 }
 
@@ -151,10 +162,12 @@ Triangles gem(int rounds)
                                           {-golden, 0, -1},
                                           {-golden, 0, 1}}};
     constexpr auto faces =
-        std::to_array<glm::uvec3>({{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                                   {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}});
+        std::to_array<glm::uvec3>({{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                                   {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                                   {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}});
     std::vector<std::array<glm::vec3, 3>> triangles;
-    for (const glm::uvec3& f : faces) triangles.push_back({glm::normalize(p[f.x]), glm::normalize(p[f.y]), glm::normalize(p[f.z])});
+    for (const glm::uvec3& f : faces)
+        triangles.push_back({glm::normalize(p[f.x]), glm::normalize(p[f.y]), glm::normalize(p[f.z])});
     for (; rounds > 0; --rounds) {
         std::vector<std::array<glm::vec3, 3>> finer;
         for (const auto& [a, b, c] : triangles) {
@@ -178,8 +191,8 @@ void add_stroke(Triangles& strokes, const glm::vec2& from, const glm::vec2& to, 
     const glm::vec2 along = glm::normalize(to - from);
     const glm::vec2 aside = glm::vec2(-along.y, along.x) * (width / 2);
     const auto corner = [&](const glm::vec2& p) { return Vertex{{p, 0}, {0, 0, 1}, {0, 0}, color}; };
-    strokes.insert(strokes.end(),
-                   {corner(from - aside), corner(to - aside), corner(to + aside), corner(from - aside), corner(to + aside), corner(from + aside)});
+    strokes.insert(strokes.end(), {corner(from - aside), corner(to - aside), corner(to + aside), corner(from - aside),
+                                   corner(to + aside), corner(from + aside)});
 }
 
 Triangles edges_of(const Triangles& mesh)
@@ -190,8 +203,11 @@ Triangles edges_of(const Triangles& mesh)
         for (std::size_t k = 0; k < 3; ++k) {
             const Vertex& a = mesh[i + k];
             const Vertex& b = mesh[i + (k + 1) % 3];
-            const auto key = [](const glm::vec3& p, const glm::vec3& q) { return std::array{p.x, p.y, p.z, q.x, q.y, q.z}; };
-            if (known.contains(key(b.position, a.position)) || !known.insert(key(a.position, b.position)).second) continue;
+            const auto key = [](const glm::vec3& p, const glm::vec3& q) {
+                return std::array{p.x, p.y, p.z, q.x, q.y, q.z};
+            };
+            if (known.contains(key(b.position, a.position)) || !known.insert(key(a.position, b.position)).second)
+                continue;
             edges.insert(edges.end(), {a, b});
         }
     return edges;

@@ -8,8 +8,8 @@
 
 namespace umbral::bench::scenes {
 
-/// A surface over the unit square, columns x rows cells of two triangles; normals by differences, pointing to where `at` turns counter-clockwise.
-/// Cells that degenerate to a triangle, as at poles, give one only.
+/// A surface over the unit square, columns x rows cells of two triangles; normals by differences, pointing to where
+/// `at` turns counter-clockwise. Cells that degenerate to a triangle, as at poles, give one only.
 [[nodiscard]] Triangles surface(int columns, int rows, const std::function<glm::vec3(glm::vec2)>& at);
 
 /// The unit sphere.

@@ -1,4 +1,5 @@
-// Compiled several times, each time into a library of its own: UMBRAL_BUILD is its namespace, UMBRAL_REAL what it computes in.
+// Compiled several times, each time into a library of its own: UMBRAL_BUILD is its namespace, UMBRAL_REAL what it
+// computes in.
 
 #include "software.hpp"
 
@@ -30,7 +31,9 @@ int wrapped(int i, int size, bool repeat) { return repeat ? ((i % size) + size) 
 
 vec4 fetched(const Grid<glm::vec4>& level, const vec2& uv, bool linear, bool repeat)
 {
-    const auto texel = [&](int x, int y) { return vec4(level.at(wrapped(x, level.width, repeat), wrapped(y, level.height, repeat))); };
+    const auto texel = [&](int x, int y) {
+        return vec4(level.at(wrapped(x, level.width, repeat), wrapped(y, level.height, repeat)));
+    };
     const vec2 at = uv * vec2(level.width, level.height) - (linear ? Real(0.5) : Real(0));
     const vec2 low = glm::floor(at);
     const int x = static_cast<int>(low.x);
@@ -69,7 +72,8 @@ namespace {
 /// What is drawn so far.
 class Canvas {
 public:
-    Canvas(const Model& model, Flaw flaw, Way way) : model_(model), flaw_(flaw), way_(way), image_(model.width, model.height), depth_(model.width, model.height)
+    Canvas(const Model& model, Flaw flaw, Way way)
+        : model_(model), flaw_(flaw), way_(way), image_(model.width, model.height), depth_(model.width, model.height)
     {
         std::fill(image_.cells.begin(), image_.cells.end(), bytes(vec4(model.background)));
         std::fill(depth_.cells.begin(), depth_.cells.end(), model.farthest_wins ? 0.0F : 1.0F);
@@ -83,7 +87,8 @@ public:
         levels_ = batch.texture ? mipmaps(model_.textures[*batch.texture]) : std::vector<Grid<glm::vec4>>();
         shading_.levels = &levels_;
         for (std::size_t i = 0; i + 2 < batch.corners.size(); i += 3) {
-            const std::array<Corner, 3> corners = {place(batch.corners[i]), place(batch.corners[i + 1]), place(batch.corners[i + 2])};
+            const std::array<Corner, 3> corners = {place(batch.corners[i]), place(batch.corners[i + 1]),
+                                                   place(batch.corners[i + 2])};
             clip(corners);
         }
     }
@@ -91,13 +96,20 @@ public:
     [[nodiscard]] Image picture() const { return image_; }
 
 private:
-    [[nodiscard]] Corner place(const Vertex& v) { return {shading_.placed(vec3(v.position), vec3(v.normal)), vec2(v.uv), vec4(v.color)}; }
+    [[nodiscard]] Corner place(const Vertex& v)
+    {
+        return {shading_.placed(vec3(v.position), vec3(v.normal)), vec2(v.uv), vec4(v.color)};
+    }
 
-    static glm::u8vec4 bytes(const vec4& color) { return glm::u8vec4(glm::floor(clamp(color, Real(0), Real(1)) * Real(255) + Real(0.5))); }
+    static glm::u8vec4 bytes(const vec4& color)
+    {
+        return glm::u8vec4(glm::floor(clamp(color, Real(0), Real(1)) * Real(255) + Real(0.5)));
+    }
 
     void clip(const std::array<Corner, 3>& t)
     {
-        const std::array<glm::vec4, 3> positions = {glm::vec4(t[0].placed.clip), glm::vec4(t[1].placed.clip), glm::vec4(t[2].placed.clip)};
+        const std::array<glm::vec4, 3> positions = {glm::vec4(t[0].placed.clip), glm::vec4(t[1].placed.clip),
+                                                    glm::vec4(t[2].placed.clip)};
         const unsigned a = pipeline::outside_planes(positions[0]);
         const unsigned b = pipeline::outside_planes(positions[1]);
         const unsigned c = pipeline::outside_planes(positions[2]);
@@ -114,10 +126,10 @@ private:
         for (const pipeline::ClipVertex& v : polygon_) {
             const vec3 w(v.weights);
             const auto mixed = [&](const auto& f) { return f(t[0]) * w.x + f(t[1]) * w.y + f(t[2]) * w.z; };
-            corners.push_back(
-                {{vec4(v.position), mixed([](const Corner& k) { return k.placed.place; }), mixed([](const Corner& k) { return k.placed.normal; })},
-                 mixed([](const Corner& k) { return k.uv; }),
-                 mixed([](const Corner& k) { return k.color; })});
+            corners.push_back({{vec4(v.position), mixed([](const Corner& k) { return k.placed.place; }),
+                                mixed([](const Corner& k) { return k.placed.normal; })},
+                               mixed([](const Corner& k) { return k.uv; }),
+                               mixed([](const Corner& k) { return k.color; })});
         }
         for (std::size_t i = 2; i < corners.size(); ++i) rasterize({corners[0], corners[i - 1], corners[i]});
     }
@@ -126,13 +138,14 @@ private:
     {
         const Real inverse_w = 1 / p.w;
         const vec2 half = vec2(model_.width, model_.height) * Real(0.5);
-        return {glm::vec2(p.x * inverse_w * half.x + half.x, half.y - p.y * inverse_w * half.y), static_cast<float>(p.z * inverse_w * Real(0.5) + Real(0.5)),
-                static_cast<float>(inverse_w)};
+        return {glm::vec2(p.x * inverse_w * half.x + half.x, half.y - p.y * inverse_w * half.y),
+                static_cast<float>(p.z * inverse_w * Real(0.5) + Real(0.5)), static_cast<float>(inverse_w)};
     }
 
     void rasterize(const std::array<Corner, 3>& t)
     {
-        const std::array<pipeline::WindowVertex, 3> w = {window(t[0].placed.clip), window(t[1].placed.clip), window(t[2].placed.clip)};
+        const std::array<pipeline::WindowVertex, 3> w = {window(t[0].placed.clip), window(t[1].placed.clip),
+                                                         window(t[2].placed.clip)};
         if (batch_->cull != Cull::none) {
             const glm::vec2 b = w[1].position - w[0].position;
             const glm::vec2 c = w[2].position - w[0].position;
@@ -142,7 +155,8 @@ private:
         pipeline::rasterize_triangle(w, model_.width, model_.height, fragments_);
         if (fragments_.empty()) return;
         const vec3 inverse_w(w[0].inverse_w, w[1].inverse_w, w[2].inverse_w);
-        const std::array<vec2, 3> slopes = {growth(w, inverse_w), growth(w, vec3(t[0].uv.x, t[1].uv.x, t[2].uv.x) * inverse_w),
+        const std::array<vec2, 3> slopes = {growth(w, inverse_w),
+                                            growth(w, vec3(t[0].uv.x, t[1].uv.x, t[2].uv.x) * inverse_w),
                                             growth(w, vec3(t[0].uv.y, t[1].uv.y, t[2].uv.y) * inverse_w)};
         for (const pipeline::Fragment& f : fragments_) {
             float& depth = depth_.at(f.pixel.x, f.pixel.y);
@@ -154,7 +168,8 @@ private:
         }
     }
 
-    [[nodiscard]] S::Surface surface(const std::array<Corner, 3>& t, const vec3& inverse_w, const vec3& weights, const std::array<vec2, 3>& slopes) const
+    [[nodiscard]] S::Surface surface(const std::array<Corner, 3>& t, const vec3& inverse_w, const vec3& weights,
+                                     const std::array<vec2, 3>& slopes) const
     {
         const auto mixed = [&](const auto& f, const vec3& k) { return f(t[0]) * k.x + f(t[1]) * k.y + f(t[2]) * k.z; };
         const auto uv_of = [](const Corner& k) { return k.uv; };
@@ -183,7 +198,8 @@ private:
         const vec4 c = clamp(color, Real(0), Real(1));
         const vec4 old = vec4(pixel) / Real(255);
         if (batch_->blend == Blend::none) pixel = bytes(c);
-        if (batch_->blend == Blend::over) pixel = bytes(way_ == Way::equal_formulas ? old + c.w * (c - old) : c * c.w + old * (1 - c.w));
+        if (batch_->blend == Blend::over)
+            pixel = bytes(way_ == Way::equal_formulas ? old + c.w * (c - old) : c * c.w + old * (1 - c.w));
         if (batch_->blend == Blend::add) pixel = bytes(c * c.w + old);
         pixel.a = 255;
     }

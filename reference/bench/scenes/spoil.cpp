@@ -33,7 +33,10 @@ std::vector<glm::vec3> on_screen(const Batch& batch, const glm::mat4& m, std::si
     return places;
 }
 
-float area(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+float area(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 /// Does a triangle of any mesh lie in front of this place?
 bool is_hidden(const Model& m, const glm::vec3& at)
@@ -46,7 +49,8 @@ bool is_hidden(const Model& m, const glm::vec3& at)
             if (t.empty()) continue;
             const float whole = area(t[0], t[1], t[2]);
             const glm::vec3 share = glm::vec3(area(at, t[1], t[2]), area(t[0], at, t[2]), area(t[0], t[1], at)) / whole;
-            if (std::abs(whole) > 1e-9F && share.x >= 0 && share.y >= 0 && share.z >= 0 && dot(share, glm::vec3(t[0].z, t[1].z, t[2].z)) < at.z - 1e-5F)
+            if (std::abs(whole) > 1e-9F && share.x >= 0 && share.y >= 0 && share.z >= 0 &&
+                dot(share, glm::vec3(t[0].z, t[1].z, t[2].z)) < at.z - 1e-5F)
                 return true;
         }
     }
@@ -77,11 +81,14 @@ void drop_one(Model& m, bool edges)
             if (t.empty()) continue;
             const glm::vec3 middle = edges ? (t[0] + t[1]) / 2.0F : (t[0] + t[1] + t[2]) / 3.0F;
             const float size = edges ? glm::length(t[1] - t[0]) : area(t[0], t[1], t[2]);
-            if (size > 0 && std::abs(middle.x) < 1 && std::abs(middle.y) < 1) candidates.push_back({size, middle, &batch, i});
+            if (size > 0 && std::abs(middle.x) < 1 && std::abs(middle.y) < 1)
+                candidates.push_back({size, middle, &batch, i});
         }
     }
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.size > b.size; });
-    const auto shown = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& one) { return !is_hidden(m, one.middle); });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.size > b.size; });
+    const auto shown = std::find_if(candidates.begin(), candidates.end(),
+                                    [&](const Candidate& one) { return !is_hidden(m, one.middle); });
     if (shown == candidates.end()) return;
     const auto at = shown->batch->corners.begin() + static_cast<std::ptrdiff_t>(shown->first);
     shown->batch->corners.erase(at, at + static_cast<std::ptrdiff_t>(edges ? shown->batch->edge_corners : 3));
@@ -90,13 +97,16 @@ void drop_one(Model& m, bool edges)
 /// Moves the corners of each triangle towards its centre by so many pixels, or away from it.
 void shrink(Model& m, float pixels)
 {
-    const float pixel = (m.camera.ortho_height > 0 ? m.camera.ortho_height : 2 * std::tan(glm::radians(m.camera.fovy_degrees) / 2) * distance_of(m)) /
-                        static_cast<float>(m.height);
+    const float pixel =
+        (m.camera.ortho_height > 0 ? m.camera.ortho_height
+                                   : 2 * std::tan(glm::radians(m.camera.fovy_degrees) / 2) * distance_of(m)) /
+        static_cast<float>(m.height);
     for (Batch& batch : m.batches) {
         if (batch.edge_corners > 0) continue;
         const float scale = glm::length(glm::vec3(batch.model[0]));
         for (std::size_t i = 0; i + 2 < batch.corners.size(); i += 3) {
-            const glm::vec3 centre = (batch.corners[i].position + batch.corners[i + 1].position + batch.corners[i + 2].position) / 3.0F;
+            const glm::vec3 centre =
+                (batch.corners[i].position + batch.corners[i + 1].position + batch.corners[i + 2].position) / 3.0F;
             for (std::size_t k = i; k < i + 3; ++k) {
                 const glm::vec3 inwards = centre - batch.corners[k].position;
                 const float size = glm::length(inwards);
@@ -135,7 +145,8 @@ void drop_crossing(const Model& m, Batch& batch)
 /// The last triangle first, and the last batch; of what is blended only.
 void reverse_layers(Model& m)
 {
-    const auto layers = std::stable_partition(m.batches.begin(), m.batches.end(), [](const Batch& b) { return b.blend == Blend::none; });
+    const auto layers = std::stable_partition(m.batches.begin(), m.batches.end(),
+                                              [](const Batch& b) { return b.blend == Blend::none; });
     std::reverse(layers, m.batches.end());
     for (auto batch = layers; batch != m.batches.end(); ++batch) {
         Triangles turned;

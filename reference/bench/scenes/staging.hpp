@@ -75,7 +75,8 @@ namespace umbral::bench::scenes {
 }
 
 /// A mesh seen from both sides that lets through what is behind it, and hides nothing.
-[[nodiscard]] inline Batch layer(Triangles mesh, const glm::mat4& placed, const Material& material, Blend blend = Blend::over)
+[[nodiscard]] inline Batch layer(Triangles mesh, const glm::mat4& placed, const Material& material,
+                                 Blend blend = Blend::over)
 {
     Batch batch = solid(std::move(mesh), placed, material);
     batch.cull = Cull::none;

@@ -71,7 +71,8 @@ Image painting(int size)
         glm::vec3 color = glm::mix(glm::vec3(0.15F, 0.35F, 0.55F), glm::vec3(0.95F, 0.75F, 0.45F), uv.y);
         if (std::abs(glm::fract(7 * uv.x + 2 * uv.y) - 0.5F) < 0.08F) color = glm::vec3(0.9F, 0.9F, 0.95F);
         for (const Disc& disc : discs)
-            if (const float d = glm::length(uv - disc.at); d < disc.radius) color = disc.color * (1 - 0.5F * d / disc.radius);
+            if (const float d = glm::length(uv - disc.at); d < disc.radius)
+                color = disc.color * (1 - 0.5F * d / disc.radius);
         return glm::vec4(color, 1);
     });
 }
@@ -89,7 +90,9 @@ Image leaves(int size)
         const float x = random.uniform(0.1F, 0.9F);
         const float y = random.uniform(0.1F, 0.9F);
         const float angle = random.uniform(0, 6.28F);
-        all.push_back({{x, y}, {std::cos(angle), std::sin(angle)}, glm::mix(glm::vec3(0.15F, 0.40F, 0.08F), glm::vec3(0.65F, 0.72F, 0.2F), random.uniform())});
+        all.push_back({{x, y},
+                       {std::cos(angle), std::sin(angle)},
+                       glm::mix(glm::vec3(0.15F, 0.40F, 0.08F), glm::vec3(0.65F, 0.72F, 0.2F), random.uniform())});
     }
     return textured(size, [&](glm::vec2 uv) {
         glm::vec4 color(0.25F, 0.4F, 0.1F, 0);
@@ -136,7 +139,8 @@ Image bricks(int size)
         const glm::vec2 at = glm::fract(glm::vec2(uv.x * 4 + (static_cast<int>(row) % 2 == 0 ? 0.0F : 0.5F), uv.y * 8));
         const auto column = static_cast<int>(uv.x * 4 + (static_cast<int>(row) % 2 == 0 ? 0.0F : 0.5F)) % 4;
         if (at.x < 0.05F || at.y < 0.1F) return glm::vec4(0.78F, 0.75F, 0.70F, 1);
-        return glm::vec4(glm::vec3(0.70F, 0.30F, 0.22F) * shades[static_cast<std::size_t>(static_cast<int>(row) * 4 + column)], 1);
+        return glm::vec4(
+            glm::vec3(0.70F, 0.30F, 0.22F) * shades[static_cast<std::size_t>(static_cast<int>(row) * 4 + column)], 1);
     });
 }
 

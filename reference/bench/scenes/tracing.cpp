@@ -24,7 +24,8 @@ constexpr Real lift = Real(1e-3);
 std::uint8_t encoded(Real light)
 {
     const Real seen = std::clamp(light, Real(0), Real(1));
-    const Real code = seen <= Real(0.0031308) ? Real(12.92) * seen : Real(1.055) * std::pow(seen, 1 / Real(2.4)) - Real(0.055);
+    const Real code =
+        seen <= Real(0.0031308) ? Real(12.92) * seen : Real(1.055) * std::pow(seen, 1 / Real(2.4)) - Real(0.055);
     return static_cast<std::uint8_t>(code * Real(255) + Real(0.5));
 }
 
@@ -105,13 +106,16 @@ private:
         if (along.y < 0)
             if (const Real t = -from.y / along.y; t > lift && t < hit.distance && t < 60) {
                 const vec3 place = from + t * along;
-                const bool odd = (static_cast<int>(std::floor(place.x)) + static_cast<int>(std::floor(place.z))) % 2 != 0;
-                hit = {t, place, vec3(0, 1, 0), odd ? vec3(Real(0.75), Real(0.72), Real(0.65)) : vec3(Real(0.45), Real(0.47), Real(0.5))};
+                const bool odd =
+                    (static_cast<int>(std::floor(place.x)) + static_cast<int>(std::floor(place.z))) % 2 != 0;
+                hit = {t, place, vec3(0, 1, 0),
+                       odd ? vec3(Real(0.75), Real(0.72), Real(0.65)) : vec3(Real(0.45), Real(0.47), Real(0.5))};
             }
         return hit;
     }
 
-    /// Round a normal, cosine-distributed: a point on the unit sphere that touches from above. Uniform for those who want that.
+    /// Round a normal, cosine-distributed: a point on the unit sphere that touches from above. Uniform for those who
+    /// want that.
     vec3 direction(const vec3& n, const vec2& u, bool evenly) const
     {
         const Real turn = 2 * pi * u.x;
@@ -134,13 +138,14 @@ private:
         vec2 inside(Real(0.5));
         if (blurred && flaw_ != Flaw::pixel_not_jittered) inside = in_square();
         if (flaw_ == Flaw::half_pixel_centre) inside -= Real(0.5);
-        const vec2 place =
-            (vec2(x, y) + inside) * Real(2) / static_cast<Real>(world_.height) - vec2(static_cast<Real>(world_.width) / static_cast<Real>(world_.height), 1);
+        const vec2 place = (vec2(x, y) + inside) * Real(2) / static_cast<Real>(world_.height) -
+                           vec2(static_cast<Real>(world_.width) / static_cast<Real>(world_.height), 1);
         vec3 along = glm::normalize(forward_ + half_ * (place.x * right_ - place.y * up_));
         vec3 from = eye_;
         if (blurred) {
             const vec3 sharp = eye_ + along * (glm::length(vec3(world_.target) - eye_) / glm::dot(along, forward_));
-            const Real radius = Real(world_.aperture) * std::sqrt(uniform()) * (flaw_ == Flaw::aperture_halved ? Real(0.5) : Real(1));
+            const Real radius =
+                Real(world_.aperture) * std::sqrt(uniform()) * (flaw_ == Flaw::aperture_halved ? Real(0.5) : Real(1));
             const Real turn = 2 * pi * uniform();
             from = eye_ + radius * (std::cos(turn) * right_ + std::sin(turn) * up_);
             along = glm::normalize(sharp - from);
@@ -167,18 +172,22 @@ private:
         Real cosine = glm::dot(hit.normal, l);
         if (cosine <= 0) return vec3(Real(0.04)) * hit.color;
         if (flaw_ == Flaw::cosine_missing) cosine = 1;
-        if (flaw_ != Flaw::shadow_missing && first_hit(hit.place + lift * hit.normal, l).distance < distance) return vec3(Real(0.04)) * hit.color;
+        if (flaw_ != Flaw::shadow_missing && first_hit(hit.place + lift * hit.normal, l).distance < distance)
+            return vec3(Real(0.04)) * hit.color;
         const Real area = 4 * half * half;
-        return hit.color * (Real(0.04) + Real(world_.lamp_power) / pi * cosine * std::max(l.y, Real(0)) * area / (distance * distance));
+        return hit.color * (Real(0.04) + Real(world_.lamp_power) / pi * cosine * std::max(l.y, Real(0)) * area /
+                                             (distance * distance));
     }
 
-    /// The directions' density is cosine / pi, or 1 / (2 pi) for uniform ones; so the weight of a direction is 1, or twice the cosine.
+    /// The directions' density is cosine / pi, or 1 / (2 pi) for uniform ones; so the weight of a direction is 1, or
+    /// twice the cosine.
     vec3 open_sky(const Hit& hit)
     {
         const bool evenly = way_ == Way::uniform_sampling || flaw_ == Flaw::pdf_mismatch;
         const vec3 along = direction(hit.normal, in_square(), evenly);
         const Real weight = way_ == Way::uniform_sampling ? 2 * glm::dot(along, hit.normal) : Real(1);
-        const bool open = flaw_ == Flaw::shadow_missing || first_hit(hit.place + lift * hit.normal, along).distance == far_away;
+        const bool open =
+            flaw_ == Flaw::shadow_missing || first_hit(hit.place + lift * hit.normal, along).distance == far_away;
         return open ? hit.color * weight * Real(0.8) : vec3(0);
     }
 
@@ -202,7 +211,8 @@ private:
     {
         const vec3 l = glm::normalize(vec3(Real(0.6), 1, Real(0.5)));
         const Real cosine = flaw_ == Flaw::cosine_missing ? Real(1) : std::max(glm::dot(hit.normal, l), Real(0));
-        const bool dark = flaw_ != Flaw::shadow_missing && first_hit(hit.place + lift * hit.normal, l).distance < far_away;
+        const bool dark =
+            flaw_ != Flaw::shadow_missing && first_hit(hit.place + lift * hit.normal, l).distance < far_away;
         return hit.color * (Real(0.25) + (dark ? Real(0) : Real(0.7) * cosine));
     }
 

@@ -9,7 +9,8 @@ namespace {
 constexpr double pi = 3.141592653589793;
 const glm::dvec3 sideways(1, 0, 0);
 
-// Four sectors and two rings: an octahedron. Faces lie at 1/√3, their normals at that cosine from the corners; the outline is a square.
+// Four sectors and two rings: an octahedron. Faces lie at 1/√3, their normals at that cosine from the corners; the
+// outline is a square.
 TEST(BallMesh, is_the_octahedron_at_its_coarsest)
 {
     const BallMesh mesh = ball_mesh(4, 2);
@@ -24,13 +25,17 @@ TEST(BallMesh, is_the_octahedron_at_its_coarsest)
 // Seen from a pole the outline is the equator, a regular polygon: 1 - cos(π/n), known in advance.
 TEST(BallMesh, outline_from_the_pole_is_the_equators)
 {
-    for (const int sectors : {4, 12, 64}) EXPECT_NEAR(errors_of(ball_mesh(sectors, 8), {0, 0, 1}).silhouette, 1 - std::cos(pi / sectors), 2e-7) << sectors;
+    for (const int sectors : {4, 12, 64})
+        EXPECT_NEAR(errors_of(ball_mesh(sectors, 8), {0, 0, 1}).silhouette, 1 - std::cos(pi / sectors), 2e-7)
+            << sectors;
 }
 
 // From the side, with a multiple of four sectors, it is a meridian: a polygon of 2 * rings sides.
 TEST(BallMesh, outline_from_the_side_is_a_meridians)
 {
-    for (const int rings : {4, 10, 32}) EXPECT_NEAR(errors_of(ball_mesh(64, rings), sideways).silhouette, 1 - std::cos(pi / (2 * rings)), 2e-7) << rings;
+    for (const int rings : {4, 10, 32})
+        EXPECT_NEAR(errors_of(ball_mesh(64, rings), sideways).silhouette, 1 - std::cos(pi / (2 * rings)), 2e-7)
+            << rings;
 }
 
 TEST(BallMesh, turns_outwards_and_closes)

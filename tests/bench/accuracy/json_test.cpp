@@ -29,28 +29,29 @@ TEST(AccuracyJson, schema_refuses_what_is_wrong)
 {
     const umbral::test::Schema schema("accuracy");
     const json right = to_json(test::synthetic());
-    for (const auto& [pointer, value] : std::vector<std::pair<const char*, json>>{{"/version", 2},
-                                                                                  {"/format", "umbral-class"},
-                                                                                  {"/quick", "yes"},
-                                                                                  {"/machine/gl", nullptr},
-                                                                                  {"/knobs/0/id", "Two Words"},
-                                                                                  {"/knobs/0/results/0/time", 0},
-                                                                                  {"/knobs/0/results/0/time", -1},
-                                                                                  {"/knobs/0/results/0/ratio", 0.5},
-                                                                                  {"/knobs/0/results/0/errors/e", -1},
-                                                                                  {"/knobs/0/results/0/errors", json::object()},
-                                                                                  {"/knobs/0/results/0/more", 1},
-                                                                                  {"/knobs/0/curves/0/knee", 1},
-                                                                                  {"/knobs/0/curves/0/front", json::array()},
-                                                                                  {"/knobs/0/curves/0/sentence", ""},
-                                                                                  {"/knobs/1/situations/0/place", 0},
-                                                                                  {"/knobs/1/measures", json::array()}}) {
+    for (const auto& [pointer, value] :
+         std::vector<std::pair<const char*, json>>{{"/version", 2},
+                                                   {"/format", "umbral-class"},
+                                                   {"/quick", "yes"},
+                                                   {"/machine/gl", nullptr},
+                                                   {"/knobs/0/id", "Two Words"},
+                                                   {"/knobs/0/results/0/time", 0},
+                                                   {"/knobs/0/results/0/time", -1},
+                                                   {"/knobs/0/results/0/ratio", 0.5},
+                                                   {"/knobs/0/results/0/errors/e", -1},
+                                                   {"/knobs/0/results/0/errors", json::object()},
+                                                   {"/knobs/0/results/0/more", 1},
+                                                   {"/knobs/0/curves/0/knee", 1},
+                                                   {"/knobs/0/curves/0/front", json::array()},
+                                                   {"/knobs/0/curves/0/sentence", ""},
+                                                   {"/knobs/1/situations/0/place", 0},
+                                                   {"/knobs/1/measures", json::array()}}) {
         json wrong = right;
         wrong[json::json_pointer(pointer)] = value;
         EXPECT_NE(schema.complaints(wrong), "") << pointer << " = " << value;
     }
-    for (const char* pointer :
-         {"", "/machine", "/knobs/0", "/knobs/0/measures/0", "/knobs/0/situations/0", "/knobs/0/settings/0", "/knobs/0/results/0", "/knobs/0/curves/0"}) {
+    for (const char* pointer : {"", "/machine", "/knobs/0", "/knobs/0/measures/0", "/knobs/0/situations/0",
+                                "/knobs/0/settings/0", "/knobs/0/results/0", "/knobs/0/curves/0"}) {
         const json object = right[json::json_pointer(pointer)];
         for (const auto& [key, value] : object.items()) {
             json less = right;

@@ -22,12 +22,17 @@ TEST(ParetoFront, keeps_the_first_of_equals_and_the_better_of_equal_times)
     EXPECT_EQ(pareto_front({}), Indices{});
 }
 
-TEST(ParetoFront, takes_no_noise_for_a_gain) { EXPECT_EQ(pareto_front(std::vector<Offer>{{1, 5}, {2, 4.96}, {3, 4.94}}), (Indices{0, 2})); }
+TEST(ParetoFront, takes_no_noise_for_a_gain)
+{
+    EXPECT_EQ(pareto_front(std::vector<Offer>{{1, 5}, {2, 4.96}, {3, 4.94}}), (Indices{0, 2}));
+}
 
 TEST(ParetoFront, ignores_what_is_no_measurement)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(pareto_front(std::vector<Offer>{{nan, 1}, {1, nan}, {0, 0}, {-1, 0}, {INFINITY, 0}, {2, INFINITY}, {5, 7}}), (Indices{6}));
+    EXPECT_EQ(
+        pareto_front(std::vector<Offer>{{nan, 1}, {1, nan}, {0, 0}, {-1, 0}, {INFINITY, 0}, {2, INFINITY}, {5, 7}}),
+        (Indices{6}));
 }
 
 /// Error falls as time^-2 up to time 16, and as time^-0.25 beyond: the bend is there by construction.
@@ -36,7 +41,8 @@ std::vector<Offer> bent()
     std::vector<Offer> offers;
     for (int i = 0; i <= 10; ++i) {
         const double time = std::exp2(i);
-        offers.push_back({time, i <= 4 ? 1000 * std::pow(time, -2) : 1000 * std::pow(16, -2) * std::pow(time / 16, -0.25)});
+        offers.push_back(
+            {time, i <= 4 ? 1000 * std::pow(time, -2) : 1000 * std::pow(16, -2) * std::pow(time / 16, -0.25)});
     }
     return offers;
 }
@@ -85,7 +91,8 @@ TEST(Knee, may_be_the_last_of_the_front)
     EXPECT_EQ(knee_of(std::vector<Offer>{{1, 5}, {2, 6}, {9, 7}}, Indices{0}), std::nullopt);
 }
 
-// (1, 8) (2, 1) (16, 0): the zero stands for 0.5, half of the least. Chord from 3 to -1 over 4 doublings; the middle lies 2 below it.
+// (1, 8) (2, 1) (16, 0): the zero stands for 0.5, half of the least. Chord from 3 to -1 over 4 doublings; the middle
+// lies 2 below it.
 TEST(Knee, takes_an_error_of_nothing)
 {
     const std::vector<Offer> offers = {{1, 8}, {2, 1}, {16, 0}};
@@ -117,7 +124,8 @@ TEST(Curve, says_it_in_plain_words)
     const Curve straight = curve_of(knob_with({{1, 4}, {2, 2}, {4, 1}}), "s", "e");
     EXPECT_EQ(straight.knee, std::nullopt);
     EXPECT_EQ(straight.sentence, "setting 0: 4 px at 1 ms; setting 2: 1/4 of that error for 4 times the time.");
-    EXPECT_EQ(curve_of(knob_with({{1, 4}, {2, 5}}), "s", "e").sentence, "setting 0: 4 px at 1 ms, and nothing else is better in anything.");
+    EXPECT_EQ(curve_of(knob_with({{1, 4}, {2, 5}}), "s", "e").sentence,
+              "setting 0: 4 px at 1 ms, and nothing else is better in anything.");
 }
 
 TEST(NumberText, is_short)

@@ -84,7 +84,8 @@ TEST(Labels, keep_clear_of_each_other_and_of_the_border)
 TEST(Labels, push_the_names_of_lines_apart)
 {
     Labels labels({0, 0, 300, 200});
-    const std::vector<Place> places = labels.name_ends({{"low", 100, 190}, {"same", 100, 190}, {"again", 100, 190}, {"top", 100, 3}}, false);
+    const std::vector<Place> places =
+        labels.name_ends({{"low", 100, 190}, {"same", 100, 190}, {"again", 100, 190}, {"top", 100, 3}}, false);
     std::vector<double> heights;
     for (const Place& place : places) heights.push_back(place.y);
     std::sort(heights.begin(), heights.end());
@@ -99,7 +100,11 @@ TEST(Svg, draws_every_mark_and_rings_the_knee)
                     "A plot",
                     "time",
                     "error",
-                    {{"one", {{1, 100, "a", "tip a", false, false}, {2, 1, "b", "tip b\nmore", true, false}, {4, 50, "", "c", false, true}}, true}}};
+                    {{"one",
+                      {{1, 100, "a", "tip a", false, false},
+                       {2, 1, "b", "tip b\nmore", true, false},
+                       {4, 50, "", "c", false, true}},
+                      true}}};
     const std::string svg = svg_of(plot);
     expect_well_formed(svg);
     EXPECT_EQ(count_of(svg, "class=\"mark"), 3);
@@ -136,7 +141,8 @@ TEST(Svg, leaves_out_what_cannot_be_drawn)
 TEST(Svg, escapes_every_text)
 {
     const std::string bad = "<script>\"&'";
-    const std::string svg = svg_of({"p", bad, bad, bad, {{bad, {{1, 1, bad, bad, true, false}, {2, 2, bad, bad, false, false}}, true}}});
+    const std::string svg =
+        svg_of({"p", bad, bad, bad, {{bad, {{1, 1, bad, bad, true, false}, {2, 2, bad, bad, false, false}}, true}}});
     EXPECT_EQ(svg.find("<script"), std::string::npos);
     EXPECT_EQ(count_of(svg, "&lt;script&gt;&quot;&amp;&#39;"), 3 + 1 + 2 + 4);
     expect_well_formed(svg);

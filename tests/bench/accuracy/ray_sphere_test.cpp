@@ -34,7 +34,7 @@ TEST(Textbook, counts_errors_in_ulps_of_the_truth)
 
 TEST(RaySphere, the_oracle_is_the_truth_rounded_once)
 {
-    Intersect* const oracle = sphere_tenant(UMBRAL_UNITS, "oracle");
+    Intersect* const oracle = sphere_solution(UMBRAL_UNITS, "oracle");
     Random random(3);
     for (const double distance : {10.0, 1e4, 1e6}) {
         const ShotErrors errors = errors_of(oracle, shots_from(distance, 4000, random));
@@ -49,7 +49,7 @@ TEST(RaySphere, the_school_formula_is_worse_than_the_reference_from_afar)
     Random random(4);
     const std::vector<Shot> shots = shots_from(1e4, 4000, random);
     const ShotErrors school = errors_of(intersect_school, shots);
-    const ShotErrors reference = errors_of(sphere_tenant(UMBRAL_UNITS, "reference"), shots);
+    const ShotErrors reference = errors_of(sphere_solution(UMBRAL_UNITS, "reference"), shots);
     EXPECT_GT(school.p95, 100 * reference.p95);
     EXPECT_GT(school.worst, 100 * reference.worst);
     EXPECT_GT(school.wrong_hits, 20);
@@ -73,10 +73,12 @@ TEST(RaySphere, aims_so_that_the_share_of_hits_is_known)
 TEST(RaySphere, a_missing_library_is_named)
 {
     try {
-        (void)sphere_tenant("/nowhere", "oracle");
+        (void)sphere_solution("/nowhere", "oracle");
         FAIL() << "a library that is not there was opened";
     } catch (const std::runtime_error& error) {
-        EXPECT_NE(std::string(error.what()).find("expected the oracle of raytracing/sphere at /nowhere/raytracing/sphere/oracle.so"), std::string::npos)
+        EXPECT_NE(std::string(error.what())
+                      .find("expected the oracle of raytracing/sphere at /nowhere/raytracing/sphere/oracle.so"),
+                  std::string::npos)
             << error.what();
     }
 }

@@ -40,7 +40,8 @@ TEST_F(Painted, a_fine_mesh_fills_the_disc)
 TEST_F(Painted, no_silhouette_lies_farther_off_than_was_computed)
 {
     for (const auto& [sectors, rings] : {std::pair{16, 8}, {64, 32}}) {
-        const double allowed = BallPainter::radius * errors_of(ball_mesh(sectors, rings), BallPainter::towards_eye()).silhouette;
+        const double allowed =
+            BallPainter::radius * errors_of(ball_mesh(sectors, rings), BallPainter::towards_eye()).silhouette;
         const Image image = picture(sectors, rings);
         double least = BallPainter::radius;
         for (int y = 0; y < image.height; ++y) {

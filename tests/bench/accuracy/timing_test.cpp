@@ -12,8 +12,10 @@ namespace {
 TEST(Timing, takes_turns_and_begins_each_round_with_another)
 {
     std::string order;
-    const std::array<std::function<void()>, 3> variants = {[&] { order += 'a'; }, [&] { order += 'b'; }, [&] { order += 'c'; }};
-    const std::vector<double> fastest = fastest_of_interleaved(variants, {.rounds = 4, .least = 4, .seconds = 0, .turn = 0});
+    const std::array<std::function<void()>, 3> variants = {[&] { order += 'a'; }, [&] { order += 'b'; },
+                                                           [&] { order += 'c'; }};
+    const std::vector<double> fastest =
+        fastest_of_interleaved(variants, {.rounds = 4, .least = 4, .seconds = 0, .turn = 0});
     EXPECT_EQ(order,
               "abc"
               "abc"

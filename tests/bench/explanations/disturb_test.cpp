@@ -13,7 +13,12 @@ namespace {
 Tensor floats(std::uint32_t rows, std::uint32_t columns, std::uint64_t seed)
 {
     Random random(seed);
-    Tensor tensor{Element::float32, rows, columns, 3, std::vector<std::byte>(std::size_t{rows} * columns * 3 * sizeof(float)), {}};
+    Tensor tensor{Element::float32,
+                  rows,
+                  columns,
+                  3,
+                  std::vector<std::byte>(std::size_t{rows} * columns * 3 * sizeof(float)),
+                  {}};
     for (std::size_t i = 0; i < tensor.count(); ++i) {
         const float value = random.uniform(-2, 5);
         std::memcpy(tensor.bytes.data() + i * sizeof value, &value, sizeof value);
@@ -67,7 +72,9 @@ TEST(Disturb, RoundingMovesFloatsByOneUlpAndBytesByOneLevel)
     for (std::size_t i = 0; i < right.count(); ++i) {
         const float before = value_at(right, i);
         const float after = value_at(rounded, i);
-        EXPECT_TRUE(after == before || after == std::nextafter(before, -INFINITY) || after == std::nextafter(before, INFINITY)) << before << ' ' << after;
+        EXPECT_TRUE(after == before || after == std::nextafter(before, -INFINITY) ||
+                    after == std::nextafter(before, INFINITY))
+            << before << ' ' << after;
         moved += after == before ? 0 : 1;
     }
     EXPECT_GT(moved, right.count() / 2);

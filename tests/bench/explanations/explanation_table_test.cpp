@@ -11,7 +11,10 @@ ExplainedWork work(WorkKind kind, Said said, const std::string& unit = "topic/un
     return {unit, 0, kind, "subject", said, {{"reason", "A sentence.", 0.9}}};
 }
 
-std::vector<ExplainedWork> many(WorkKind kind, Said said, std::size_t count) { return std::vector<ExplainedWork>(count, work(kind, said)); }
+std::vector<ExplainedWork> many(WorkKind kind, Said said, std::size_t count)
+{
+    return std::vector<ExplainedWork>(count, work(kind, said));
+}
 
 std::vector<ExplainedWork> join(std::vector<std::vector<ExplainedWork>> parts)
 {
@@ -23,11 +26,13 @@ std::vector<ExplainedWork> join(std::vector<std::vector<ExplainedWork>> parts)
 TEST(ExplanationTargets, AreNinetyFivePercentRightAndLessThanOneWrong)
 {
     const auto right = [](std::size_t of_a_hundred) {
-        return join({many(WorkKind::mistake, Said::right, of_a_hundred - 10), many(WorkKind::mistake, Said::right_among, 10),
+        return join({many(WorkKind::mistake, Said::right, of_a_hundred - 10),
+                     many(WorkKind::mistake, Said::right_among, 10),
                      many(WorkKind::mistake, Said::silent, 100 - of_a_hundred)});
     };
     const auto wrong = [](std::size_t of_a_thousand) {
-        return join({many(WorkKind::left_out, Said::wrong, of_a_thousand), many(WorkKind::left_out, Said::true_statement, 300),
+        return join({many(WorkKind::left_out, Said::wrong, of_a_thousand),
+                     many(WorkKind::left_out, Said::true_statement, 300),
                      many(WorkKind::disturbed, Said::silent, 700 - of_a_thousand)});
     };
     EXPECT_TRUE(meets_targets(join({right(95), wrong(9)}), false));
@@ -48,16 +53,18 @@ TEST(ExplanationTargets, LookAtTheHalfHeldOut)
     }
     EXPECT_GT(held, 30U);
     EXPECT_LT(held, 70U);
-    const std::vector<ExplainedWork> all{work(WorkKind::mistake, Said::right, tuning), work(WorkKind::mistake, Said::right, other_half),
-                                         work(WorkKind::left_out, Said::wrong, tuning), work(WorkKind::left_out, Said::silent, other_half)};
+    const std::vector<ExplainedWork> all{
+        work(WorkKind::mistake, Said::right, tuning), work(WorkKind::mistake, Said::right, other_half),
+        work(WorkKind::left_out, Said::wrong, tuning), work(WorkKind::left_out, Said::silent, other_half)};
     EXPECT_TRUE(meets_targets(all, true));
     EXPECT_FALSE(meets_targets(all, false));
 }
 
 TEST(ExplanationTable, CountsAndNamesWhatIsWrong)
 {
-    const std::string table = explanation_table(join({many(WorkKind::mistake, Said::right, 3), many(WorkKind::mistake, Said::silent, 1),
-                                                      many(WorkKind::left_out, Said::wrong, 1), many(WorkKind::disturbed, Said::silent, 3)}));
+    const std::string table =
+        explanation_table(join({many(WorkKind::mistake, Said::right, 3), many(WorkKind::mistake, Said::silent, 1),
+                                many(WorkKind::left_out, Said::wrong, 1), many(WorkKind::disturbed, Said::silent, 3)}));
     EXPECT_NE(table.find("right 75.0 %"), std::string::npos) << table;
     EXPECT_NE(table.find("wrong 1 of 4: 25.00 %"), std::string::npos) << table;
     EXPECT_NE(table.find("topic/unit seed 0, mistake left out: subject\n    reason 0.900"), std::string::npos) << table;

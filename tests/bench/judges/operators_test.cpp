@@ -47,7 +47,9 @@ TEST(PictureOperators, HarmlessOnesMoveFewLevelsOrEdgePixelsOnly)
                 for (int dy = -1; dy <= 1; ++dy)
                     for (int dx = -1; dx <= 1; ++dx) {
                         int most = 0;
-                        for (glm::length_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int{changed->at(x, y)[c]} - int{picture.at(x + dx, y + dy)[c]}));
+                        for (glm::length_t c = 0; c < 3; ++c)
+                            most = std::max(most,
+                                            std::abs(int{changed->at(x, y)[c]} - int{picture.at(x + dx, y + dy)[c]}));
                         least = std::min(least, most);
                     }
                 ASSERT_LE(least, 3) << one.name << " at " << x << ", " << y;
@@ -72,7 +74,8 @@ TEST(PictureOperators, AreHandedOnWithTheSameNumbersEveryTime)
     std::vector<std::vector<std::uint8_t>> first;
     std::vector<std::vector<std::uint8_t>> second;
     for (auto* pictures : {&first, &second})
-        visit_operators("scene", to_picture(disc()), [&](const PicturePair& pair) { pictures->push_back(pair.student.planes); });
+        visit_operators("scene", to_picture(disc()),
+                        [&](const PicturePair& pair) { pictures->push_back(pair.student.planes); });
     EXPECT_EQ(first, second);
     EXPECT_EQ(first.size(), harmless_operators().size() + harmful_operators().size());
 }
@@ -81,7 +84,8 @@ TEST(PictureRules, AllAreZeroForEqualPicturesAndGrowWithTheError)
 {
     const Picture right = to_picture(disc());
     const auto measures_at = [&](int by) {
-        const Picture student = to_picture(with_tones(disc(), [by](double level) { return level + (static_cast<int>(level) % 2 == 0 ? by : -by); }));
+        const Picture student = to_picture(
+            with_tones(disc(), [by](double level) { return level + (static_cast<int>(level) % 2 == 0 ? by : -by); }));
         return measure_by_rules(student, right, our_measure(student, right, false));
     };
     const PictureMeasures none = measures_at(0);

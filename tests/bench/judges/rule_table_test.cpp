@@ -30,8 +30,9 @@ const RuleResult& result_of(const std::vector<RuleResult>& results, PictureRule 
 
 TEST(RuleTable, FitsOnOneHalfAndReportsOnTheOther)
 {
-    const std::vector<MeasuredPair> pairs = {pair(false, false, 0.2), pair(false, false, 0.7), pair(true, false, 0.1), pair(true, true, 0.6),
-                                             pair(true, true, 0.8),   pair(true, true, 1.5),   pair(false, true, 0.9), pair(false, true, 0.3)};
+    const std::vector<MeasuredPair> pairs = {pair(false, false, 0.2), pair(false, false, 0.7), pair(true, false, 0.1),
+                                             pair(true, true, 0.6),   pair(true, true, 0.8),   pair(true, true, 1.5),
+                                             pair(false, true, 0.9),  pair(false, true, 0.3)};
     EXPECT_EQ(fitted_threshold(pairs, PictureRule::rmse), 0.7) << "the largest harmless one of the calibration half";
     const auto results = compare_rules(pairs);
     const RuleResult& fitted = result_of(results, PictureRule::rmse, "best on the other half");

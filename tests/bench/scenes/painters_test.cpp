@@ -39,11 +39,13 @@ TEST(BenchPainters, draw_what_is_known)
 {
     const Model m = one_square({1, 0.2F, 0.6F, 1});
     const glm::u8vec4 color(255, 51, 153, 255);
-    for (const Way way : {Way::as_it_is, Way::not_optimised, Way::double_precision}) expect_square(Painters::software(way).paint(m, Flaw::none, way), color);
+    for (const Way way : {Way::as_it_is, Way::not_optimised, Way::double_precision})
+        expect_square(Painters::software(way).paint(m, Flaw::none, way), color);
     gl::forbid_driver_threads();
     Painters painters(gl::default_backend());
     expect_square(painters.opengl(m, Flaw::none, Way::as_it_is), color);
-    if (painters.has(Way::other_gl_back_end)) expect_square(painters.opengl(m, Flaw::none, Way::other_gl_back_end), color);
+    if (painters.has(Way::other_gl_back_end))
+        expect_square(painters.opengl(m, Flaw::none, Way::other_gl_back_end), color);
 }
 
 // One lamp straight above a white square, and nothing but ambient and diffuse: 0.1 + 0.5, encoded by 1/2.2.
@@ -59,7 +61,9 @@ TEST(BenchPainters, light_as_written)
         spoil(spoilt, flaw);
         return int{Painters::software(Way::as_it_is).paint(spoilt, flaw, Way::as_it_is).at(20, 15).r};
     };
-    const auto encoded = [](double light) { return static_cast<int>(std::floor(255 * std::pow(light, 1 / 2.2) + 0.5)); };
+    const auto encoded = [](double light) {
+        return static_cast<int>(std::floor(255 * std::pow(light, 1 / 2.2) + 0.5));
+    };
     EXPECT_EQ(level(Flaw::none), encoded(0.6));
     EXPECT_EQ(level(Flaw::ambient_missing), encoded(0.5));
     EXPECT_EQ(level(Flaw::ambient_twice), encoded(0.7));
@@ -75,7 +79,8 @@ TEST(BenchPainters, rearranging_keeps_the_triangles)
     const auto area = [](const Model& of) {
         double sum = 0;
         const Triangles& t = of.batches[0].corners;
-        for (std::size_t i = 0; i < t.size(); i += 3) sum += glm::length(glm::cross(t[i + 1].position - t[i].position, t[i + 2].position - t[i].position));
+        for (std::size_t i = 0; i < t.size(); i += 3)
+            sum += glm::length(glm::cross(t[i + 1].position - t[i].position, t[i + 2].position - t[i].position));
         return sum;
     };
     const double before = area(m);
@@ -84,7 +89,8 @@ TEST(BenchPainters, rearranging_keeps_the_triangles)
         rearrange(other, way);
         EXPECT_NEAR(area(other), before, 1e-4 * before) << operator_of(way).name;
         const auto same_place = [](const Vertex& v, const Vertex& w) { return v.position == w.position; };
-        EXPECT_FALSE(std::ranges::equal(other.batches[0].corners, m.batches[0].corners, same_place)) << operator_of(way).name;
+        EXPECT_FALSE(std::ranges::equal(other.batches[0].corners, m.batches[0].corners, same_place))
+            << operator_of(way).name;
     }
     Model less = m;
     spoil(less, Flaw::missing_triangle);
@@ -94,10 +100,11 @@ TEST(BenchPainters, rearranging_keeps_the_triangles)
 TEST(BenchPainters, meshes_turn_outwards)
 {
     constexpr glm::vec2 outline[] = {{0.5F, -0.5F}, {0.6F, 0}, {0.5F, 0.5F}};
-    for (const Triangles& mesh :
-         {ball(16, 8), torus(0.3F, 24, 12), box(glm::vec3(0.5F)), gem(1), knot(0.2F, 60, 12), lathe(outline, 16), vase(16), square(2), ground(2)})
+    for (const Triangles& mesh : {ball(16, 8), torus(0.3F, 24, 12), box(glm::vec3(0.5F)), gem(1), knot(0.2F, 60, 12),
+                                  lathe(outline, 16), vase(16), square(2), ground(2)})
         for (std::size_t i = 0; i < mesh.size(); i += 3) {
-            const glm::vec3 n = glm::cross(mesh[i + 1].position - mesh[i].position, mesh[i + 2].position - mesh[i].position);
+            const glm::vec3 n =
+                glm::cross(mesh[i + 1].position - mesh[i].position, mesh[i + 2].position - mesh[i].position);
             ASSERT_GT(glm::dot(n, mesh[i].normal + mesh[i + 1].normal + mesh[i + 2].normal), 0) << i / 3;
         }
     for (const Vertex& v : ball(16, 8)) EXPECT_GT(glm::dot(v.position, v.normal), 0.99F);

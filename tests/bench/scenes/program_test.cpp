@@ -15,7 +15,8 @@ using nlohmann::json;
 // Small pictures: what is asked here does not depend on their size, and the program draws eight hundred of them.
 json drawn(const fs::path& folder, const std::string& more = "")
 {
-    const std::string command = std::string("'" UMBRAL_BENCH_SCENES "' '") + folder.string() + "' --size 64 " + more + " > /dev/null";
+    const std::string command =
+        std::string("'" UMBRAL_BENCH_SCENES "' '") + folder.string() + "' --size 64 " + more + " > /dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::ifstream file(folder / "pictures.json");
     return json::parse(file);
@@ -52,7 +53,8 @@ TEST_F(BenchScenesProgram, has_enough_scenes_and_operators)
         EXPECT_FALSE(scene["about"].get<std::string>().empty());
         std::map<bool, std::set<std::string>> here;
         for (const json& variant : scene["variants"]) {
-            EXPECT_TRUE(here[variant["harmful"]].insert(variant["operator"]).second) << scene["name"] << ": " << variant["operator"] << " comes twice";
+            EXPECT_TRUE(here[variant["harmful"]].insert(variant["operator"]).second)
+                << scene["name"] << ": " << variant["operator"] << " comes twice";
             EXPECT_FALSE(variant["about"].get<std::string>().empty());
             operators[variant["harmful"]].insert(variant["operator"]);
         }

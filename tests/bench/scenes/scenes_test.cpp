@@ -33,12 +33,14 @@ glm::dvec3 mean_color(const Image& image)
     return sum / static_cast<double>(image.cells.size());
 }
 
-/// The mean light, in 255ths: noise of 16 samples in 20000 pixels is far below half of one there. (The mean of sRGB codes depends on noise.)
+/// The mean light, in 255ths: noise of 16 samples in 20000 pixels is far below half of one there. (The mean of sRGB
+/// codes depends on noise.)
 glm::dvec3 mean_light(const Image& image)
 {
     glm::dvec3 sum(0);
     for (const glm::u8vec4& pixel : image.cells)
-        for (glm::length_t c = 0; c < 3; ++c) sum[c] += pixel[c] <= 10 ? pixel[c] / 12.92 : 255 * std::pow((pixel[c] / 255.0 + 0.055) / 1.055, 2.4);
+        for (glm::length_t c = 0; c < 3; ++c)
+            sum[c] += pixel[c] <= 10 ? pixel[c] / 12.92 : 255 * std::pow((pixel[c] / 255.0 + 0.055) / 1.055, 2.4);
     return sum / static_cast<double>(image.cells.size());
 }
 
@@ -73,11 +75,13 @@ TEST(BenchScenes, every_flaw_shows)
     for (const Scene& scene : all_scenes(256)) {
         const Image expected = scene.draw(painters, Flaw::none, Way::as_it_is);
         for (const Flaw flaw : scene.flaws)
-            EXPECT_GT(largest_difference(expected, scene.draw(painters, flaw, Way::as_it_is)), 2) << scene.name << ": " << operator_of(flaw).name;
+            EXPECT_GT(largest_difference(expected, scene.draw(painters, flaw, Way::as_it_is)), 2)
+                << scene.name << ": " << operator_of(flaw).name;
     }
 }
 
-// Right is right: another way may round differently, and decide a few pixels at edges differently, but has no other brightness.
+// Right is right: another way may round differently, and decide a few pixels at edges differently, but has no other
+// brightness.
 TEST(BenchScenes, other_ways_draw_the_same)
 {
     Painters painters = made();
@@ -104,9 +108,11 @@ TEST(BenchScenes, noise_has_one_mean)
         const glm::dvec3 expected = mean_light(scene.draw(painters, Flaw::none, Way::as_it_is));
         for (const Way way : scene.ways) {
             if (!painters.has(way)) continue;
-            EXPECT_LT(glm::length(mean_light(scene.draw(painters, Flaw::none, way)) - expected), 0.5) << scene.name << ": " << operator_of(way).name;
+            EXPECT_LT(glm::length(mean_light(scene.draw(painters, Flaw::none, way)) - expected), 0.5)
+                << scene.name << ": " << operator_of(way).name;
         }
-        EXPECT_GT(glm::length(mean_light(scene.draw(painters, Flaw::light_3_percent, Way::as_it_is)) - expected), 1.5) << scene.name;
+        EXPECT_GT(glm::length(mean_light(scene.draw(painters, Flaw::light_3_percent, Way::as_it_is)) - expected), 1.5)
+            << scene.name;
     }
 }
 

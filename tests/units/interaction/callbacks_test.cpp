@@ -34,12 +34,17 @@ constexpr CommandRow first_viewport = {6, 640, 480, 4.0F / 3};
 // Worked by hand.
 TEST(Callbacks, Gestures)
 {
-    EXPECT_EQ(commands_of("0 press left 10 20\n1 move 13 18\n2 move 13 20.5\n3 release left\n4 move 0 0"), (Rows{first_viewport, {1, 3, 2}, {1, 0, -2.5F}}));
+    EXPECT_EQ(commands_of("0 press left 10 20\n1 move 13 18\n2 move 13 20.5\n3 release left\n4 move 0 0"),
+              (Rows{first_viewport, {1, 3, 2}, {1, 0, -2.5F}}));
     EXPECT_EQ(commands_of("0 press right 10 20\n1 move -5 40\n2 release right"), (Rows{first_viewport, {2, -15, -20}}));
-    EXPECT_EQ(commands_of("0 key LEFT_SHIFT press\n1 press left 1 1\n2 key LEFT_SHIFT release\n3 move 2 2"), (Rows{first_viewport, {2, 1, -1}}));
-    EXPECT_EQ(commands_of("0 scroll 5 0\n1 scroll 0 -1\n2 scroll 0 2"), (Rows{first_viewport, {3, 1.1F}, {3, static_cast<float>(1 / 1.21)}}));
-    EXPECT_EQ(commands_of("0 key R press\n1 key R repeat\n2 key R release\n3 key 3 press\n4 key ESCAPE press"), (Rows{first_viewport, {4}, {5, 3}, {7}}));
-    EXPECT_EQ(commands_of("0 resize 0 0\n1 resize 100 50", {.content_scale = {3, 3}}), (Rows{{6, 1920, 1440, 4.0F / 3}, {6, 300, 150, 2}}));
+    EXPECT_EQ(commands_of("0 key LEFT_SHIFT press\n1 press left 1 1\n2 key LEFT_SHIFT release\n3 move 2 2"),
+              (Rows{first_viewport, {2, 1, -1}}));
+    EXPECT_EQ(commands_of("0 scroll 5 0\n1 scroll 0 -1\n2 scroll 0 2"),
+              (Rows{first_viewport, {3, 1.1F}, {3, static_cast<float>(1 / 1.21)}}));
+    EXPECT_EQ(commands_of("0 key R press\n1 key R repeat\n2 key R release\n3 key 3 press\n4 key ESCAPE press"),
+              (Rows{first_viewport, {4}, {5, 3}, {7}}));
+    EXPECT_EQ(commands_of("0 resize 0 0\n1 resize 100 50", {.content_scale = {3, 3}}),
+              (Rows{{6, 1920, 1440, 4.0F / 3}, {6, 300, 150, 2}}));
 }
 
 TEST(Callbacks, KeysArePassedOn)
@@ -136,7 +141,8 @@ TEST(Callbacks, RandomSessionsGiveWhatTheModelGives)
         ASSERT_EQ(rows.size(), model.rows.size()) << "seed " << seed;
         for (std::size_t i = 0; i < rows.size(); ++i)
             for (std::size_t j = 0; j < 4; ++j)
-                ASSERT_NEAR(rows[i][j], model.rows[i][j], 1e-6 * std::abs(model.rows[i][j])) << "seed " << seed << ", command " << i;
+                ASSERT_NEAR(rows[i][j], model.rows[i][j], 1e-6 * std::abs(model.rows[i][j]))
+                    << "seed " << seed << ", command " << i;
         seen += rows.size();
     }
     EXPECT_GT(seen, 20'000U);

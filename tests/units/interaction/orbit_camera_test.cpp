@@ -3,7 +3,7 @@
 #include <interaction/support.hpp>
 #include <numbers>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 #include "../view_errors.hpp"
 
 using namespace umbral;
@@ -17,17 +17,18 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Every test here holds for the reference and for the oracle.
-class OrbitTenant : public testing::TestWithParam<const char*> {
+class OrbitSolution : public testing::TestWithParam<const char*> {
 protected:
-    MakeCamera* const make = tests::tenant<MakeCamera>(GetParam());
+    MakeCamera* const make = tests::solution<MakeCamera>(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, OrbitTenant, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
-                         [](const auto& tenant) { return tenant.index == 0 ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, OrbitSolution, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
+                         [](const auto& solution) { return solution.index == 0 ? "reference" : "oracle"; });
 
 void expect_near(const glm::mat4& got, const glm::mat4& rows, double tolerance)
 {
     for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) EXPECT_NEAR(got[column][row], rows[row][column], tolerance) << "row " << row << ", column " << column;
+        for (int column = 0; column < 4; ++column)
+            EXPECT_NEAR(got[column][row], rows[row][column], tolerance) << "row " << row << ", column " << column;
 }
 
 /// Where the camera stands in the world, from its matrix: -Rᵀ t.
@@ -39,22 +40,26 @@ glm::dvec3 eye_of(const OrbitCamera& camera)
 
 void expect_eye(const OrbitCamera& camera, glm::dvec3 place, double tolerance = 2e-6)
 {
-    EXPECT_LE(distance(eye_of(camera), place), tolerance) << "expected to stand at " << place.x << " " << place.y << " " << place.z;
+    EXPECT_LE(distance(eye_of(camera), place), tolerance)
+        << "expected to stand at " << place.x << " " << place.y << " " << place.z;
 }
 
 }
 
 // Worked by hand; the matrices are written by rows, as on paper.
-TEST_P(OrbitTenant, Beginnings)
+TEST_P(OrbitSolution, Beginnings)
 {
     expect_near(make({})->view(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -5, 0, 0, 0, 1}, 0);
-    expect_near(make({.distance = 3, .yaw = pi / 2})->view(), {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, -3, 0, 0, 0, 1}, 1e-15);
-    expect_near(make({.target = {1, 2, 3}, .distance = 7})->view(), {1, 0, 0, -1, 0, 1, 0, -2, 0, 0, 1, -10, 0, 0, 0, 1}, 0);
+    expect_near(make({.distance = 3, .yaw = pi / 2})->view(), {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, -3, 0, 0, 0, 1},
+                1e-15);
+    expect_near(make({.target = {1, 2, 3}, .distance = 7})->view(),
+                {1, 0, 0, -1, 0, 1, 0, -2, 0, 0, 1, -10, 0, 0, 0, 1}, 0);
     const float c = 0.8660254F;
-    expect_near(make({.distance = 4, .pitch = pi / 6})->view(), {1, 0, 0, 0, 0, c, -0.5F, 0, 0, 0.5F, c, -4, 0, 0, 0, 1}, 1e-7);
+    expect_near(make({.distance = 4, .pitch = pi / 6})->view(),
+                {1, 0, 0, 0, 0, c, -0.5F, 0, 0, 0.5F, c, -4, 0, 0, 0, 1}, 1e-7);
 }
 
-TEST_P(OrbitTenant, TheSceneFollowsTheHand)
+TEST_P(OrbitSolution, TheSceneFollowsTheHand)
 {
     const auto camera = make({.distance = 2, .viewport_height = 400});
     camera->drag(200, 0);
@@ -71,7 +76,7 @@ TEST_P(OrbitTenant, TheSceneFollowsTheHand)
     EXPECT_GT(front.y, 0);
 }
 
-TEST_P(OrbitTenant, PitchStopsAndComesBackAtOnce)
+TEST_P(OrbitSolution, PitchStopsAndComesBackAtOnce)
 {
     const auto camera = make({.distance = 1, .viewport_height = 180});
     camera->drag(0, -1e6);
@@ -83,7 +88,7 @@ TEST_P(OrbitTenant, PitchStopsAndComesBackAtOnce)
     expect_eye(*camera, {0, -std::sin(limit), std::cos(limit)});
 }
 
-TEST_P(OrbitTenant, TheWheelMultiplies)
+TEST_P(OrbitSolution, TheWheelMultiplies)
 {
     const auto camera = make({.distance = 5, .min_distance = 1, .max_distance = 8});
     const auto distance_after = [&](double steps) {
@@ -99,7 +104,7 @@ TEST_P(OrbitTenant, TheWheelMultiplies)
     EXPECT_EQ(distance_after(1e308), 1);
 }
 
-TEST_P(OrbitTenant, ResizeChangesWhatAPixelIsWorthAndNothingElse)
+TEST_P(OrbitSolution, ResizeChangesWhatAPixelIsWorthAndNothingElse)
 {
     const auto camera = make({.distance = 2, .viewport_height = 400});
     camera->drag(100, 0);
@@ -108,7 +113,8 @@ TEST_P(OrbitTenant, ResizeChangesWhatAPixelIsWorthAndNothingElse)
     EXPECT_EQ(camera->view(), before);
     camera->drag(200, 0);
     expect_eye(*camera, {-2, 0, 0});
-    for (const glm::ivec2 size : {glm::ivec2(0, 0), {0, 300}, {300, 0}, {-5, 300}, {300, -300}}) camera->resize(size.x, size.y);
+    for (const glm::ivec2 size : {glm::ivec2(0, 0), {0, 300}, {300, 0}, {-5, 300}, {300, -300}})
+        camera->resize(size.x, size.y);
     camera->drag(400, 0);
     expect_eye(*camera, {0, 0, -2});
     camera->reset();
@@ -117,7 +123,7 @@ TEST_P(OrbitTenant, ResizeChangesWhatAPixelIsWorthAndNothingElse)
     expect_eye(*camera, {-2, 0, 0});
 }
 
-TEST_P(OrbitTenant, NonsenseAndNothingChangeNothing)
+TEST_P(OrbitSolution, NonsenseAndNothingChangeNothing)
 {
     const auto camera = make({.target = {1, 2, 3}, .yaw = 1, .pitch = 0.5});
     const glm::mat4 before = camera->view();
@@ -133,13 +139,14 @@ TEST_P(OrbitTenant, NonsenseAndNothingChangeNothing)
 }
 
 // The target stays in the middle, at the distance; up stays up; the matrix is a rotation and a translation.
-TEST_P(OrbitTenant, LooksAtItsTargetAlways)
+TEST_P(OrbitSolution, LooksAtItsTargetAlways)
 {
     constexpr std::uint64_t seed = 20271;
     Random random(seed);
     for (int session = 0; session < 100; ++session) {
         OrbitCameraSettings settings = random_settings(random);
-        settings.target = glm::dvec3(glm::vec3(settings.target));  // a float, so that the product below is the matrix's only error
+        settings.target =
+            glm::dvec3(glm::vec3(settings.target));  // a float, so that the product below is the matrix's only error
         const auto camera = make(settings);
         for (const CameraEvent& event : random_session(random, 40)) {
             apply(*camera, event);
@@ -155,7 +162,7 @@ TEST_P(OrbitTenant, LooksAtItsTargetAlways)
     }
 }
 
-TEST_P(OrbitTenant, CamerasShareNothing)
+TEST_P(OrbitSolution, CamerasShareNothing)
 {
     const auto first = make({.yaw = 1});
     const glm::mat4 before = first->view();
@@ -171,7 +178,7 @@ namespace {
 /// The worst error of the rotation in a session of `drags`, each of up to ten turns to the same side.
 double drift(MakeCamera* make, std::uint64_t seed, int drags)
 {
-    static MakeCamera* const oracle = tests::tenant<MakeCamera>(ORACLE_MODULE);
+    static MakeCamera* const oracle = tests::solution<MakeCamera>(ORACLE_MODULE);
     const OrbitCameraSettings settings{.target = {0.5, -0.25, 1}, .distance = 3, .yaw = 0.3};
     const auto camera = make(settings);
     const auto exact = oracle(settings);
@@ -185,7 +192,8 @@ double drift(MakeCamera* make, std::uint64_t seed, int drags)
             each->scroll(i % 2 == 0 ? 2.5 : -2.5);
         }
         if (i % 500 == 0)
-            worst = std::max({worst, tests::rotation_error(camera->view(), exact->view()), tests::translation_error(camera->view(), exact->view()) / 3});
+            worst = std::max({worst, tests::rotation_error(camera->view(), exact->view()),
+                              tests::translation_error(camera->view(), exact->view()) / 3});
     }
     return worst;
 }
@@ -195,8 +203,9 @@ double drift(MakeCamera* make, std::uint64_t seed, int drags)
 // The header's guarantee after a million turns, and that the hard check tells the forms apart.
 TEST(OrbitAccuracy, AMillionTurns)
 {
-    for (const std::uint64_t seed : {20272, 20273}) EXPECT_LE(drift(tests::tenant<MakeCamera>(REFERENCE_MODULE), seed, 200'000), 1e-7) << "seed " << seed;
-    EXPECT_GT(drift(tests::tenant<MakeCamera>(ANGLES_IN_FLOAT_MODULE), 20272, 200'000), 1e-4) << "sums in float";
+    for (const std::uint64_t seed : {20272, 20273})
+        EXPECT_LE(drift(tests::solution<MakeCamera>(REFERENCE_MODULE), seed, 200'000), 1e-7) << "seed " << seed;
+    EXPECT_GT(drift(tests::solution<MakeCamera>(ANGLES_IN_FLOAT_MODULE), 20272, 200'000), 1e-4) << "sums in float";
 }
 
 TEST(OrbitAccuracy, FarTargets)
@@ -206,13 +215,15 @@ TEST(OrbitAccuracy, FarTargets)
     for (int i = 0; i < 3000; ++i) {
         OrbitCameraSettings settings = random_settings(random);
         settings.target = glm::dvec3(std::pow(10.0F, random.uniform(0, 6)) * random.unit_vector());
-        const auto camera = tests::tenant<MakeCamera>(REFERENCE_MODULE)(settings);
-        const auto exact = tests::tenant<MakeCamera>(ORACLE_MODULE)(settings);
+        const auto camera = tests::solution<MakeCamera>(REFERENCE_MODULE)(settings);
+        const auto exact = tests::solution<MakeCamera>(ORACLE_MODULE)(settings);
         for (const CameraEvent& event : random_session(random, 5)) {
             apply(*camera, event);
             apply(*exact, event);
         }
         ASSERT_LE(tests::rotation_error(camera->view(), exact->view()), 1e-7) << "seed " << seed << ", camera " << i;
-        ASSERT_LE(tests::translation_error(camera->view(), exact->view()), 1e-7 * (length(settings.target) + settings.max_distance)) << "seed " << seed;
+        ASSERT_LE(tests::translation_error(camera->view(), exact->view()),
+                  1e-7 * (length(settings.target) + settings.max_distance))
+            << "seed " << seed;
     }
 }

@@ -16,7 +16,8 @@ void expect_outward(const Shape& shape, const char* name)
         ASSERT_LT(std::max({a, b, c}), shape.positions.size()) << name;
         const glm::vec3 face = cross(shape.positions[b] - shape.positions[a], shape.positions[c] - shape.positions[a]);
         if (length(face) < 1e-6F) continue;  // at a pole, where a cell is a triangle
-        EXPECT_GT(dot(face, shape.normals[a] + shape.normals[b] + shape.normals[c]), 0) << name << ", triangle " << i / 3;
+        EXPECT_GT(dot(face, shape.normals[a] + shape.normals[b] + shape.normals[c]), 0)
+            << name << ", triangle " << i / 3;
     }
 }
 
@@ -37,7 +38,9 @@ TEST(Shapes, enclose_their_volume)
     const auto volume = [](const Shape& shape) {
         double sum = 0;
         for (std::size_t i = 0; i < shape.indices.size(); i += 3)
-            sum += double{dot(shape.positions[shape.indices[i]], cross(shape.positions[shape.indices[i + 1]], shape.positions[shape.indices[i + 2]]))} / 6;
+            sum += double{dot(shape.positions[shape.indices[i]],
+                              cross(shape.positions[shape.indices[i + 1]], shape.positions[shape.indices[i + 2]]))} /
+                   6;
         return sum;
     };
     EXPECT_NEAR(volume(box()), 1, 1e-6);
@@ -53,7 +56,8 @@ TEST(Shapes, a_grid_is_joined_behind_what_was_there)
     shape.positions.resize(4 + 6);
     join_grid(shape, 2, 1);
     ASSERT_EQ(shape.indices.size(), 6U + 12U);
-    EXPECT_EQ(std::vector(shape.indices.begin() + 6, shape.indices.begin() + 12), (std::vector<std::uint32_t>{4, 5, 8, 4, 8, 7}));
+    EXPECT_EQ(std::vector(shape.indices.begin() + 6, shape.indices.begin() + 12),
+              (std::vector<std::uint32_t>{4, 5, 8, 4, 8, 7}));
 }
 
 }

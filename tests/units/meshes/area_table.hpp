@@ -4,7 +4,7 @@
 
 namespace umbral::tests {
 
-/// Both functions of one tenant of meshes/area.
+/// Both functions of one solution of meshes/area.
 struct Areas {
     decltype(meshes::triangle_area)* triangle;
     decltype(meshes::surface_area)* mesh;

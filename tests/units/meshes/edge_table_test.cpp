@@ -18,7 +18,8 @@ std::vector<Pair> edges_by_definition(const IndexedMesh& mesh)
     std::set<Pair> edges;
     for (const glm::uvec3& t : mesh.triangles)
         if (t.x != t.y && t.y != t.z && t.x != t.z)
-            for (const auto& [a, b] : {Pair{t.x, t.y}, {t.y, t.z}, {t.z, t.x}}) edges.insert({std::min(a, b), std::max(a, b)});
+            for (const auto& [a, b] : {Pair{t.x, t.y}, {t.y, t.z}, {t.z, t.x}})
+                edges.insert({std::min(a, b), std::max(a, b)});
     return {edges.begin(), edges.end()};
 }
 
@@ -56,7 +57,8 @@ TEST(EdgeTable, HasEveryEdgeOnce)
 TEST(EdgeTable, ClosedMeshesNeedNoSearch)
 {
     Random random(20502);
-    for (const IndexedMesh& mesh : {tetrahedron(), cube(), ball(9, 6), torus(8, 6), plate_with_holes(3), cubes_at_a_corner(), trefoil(30, 7, 0.4)}) {
+    for (const IndexedMesh& mesh : {tetrahedron(), cube(), ball(9, 6), torus(8, 6), plate_with_holes(3),
+                                    cubes_at_a_corner(), trefoil(30, 7, 0.4)}) {
         const IndexedMesh any_order = shuffled(mesh, random);
         const std::vector<glm::uvec2> edges = edge_table_of_closed(any_order);
         EXPECT_EQ(2 * edges.size(), 3 * mesh.triangles.size());

@@ -39,7 +39,8 @@ TopologyCounts counted_by_definition(const IndexedMesh& mesh)
         if (t.x == t.y || t.y == t.z || t.x == t.z) continue;
         ++counts.faces;
         vertices.insert({t.x, t.y, t.z});
-        for (const auto& [a, b] : {Edge{t.x, t.y}, {t.y, t.z}, {t.z, t.x}}) sides.insert({std::min(a, b), std::max(a, b)});
+        for (const auto& [a, b] : {Edge{t.x, t.y}, {t.y, t.z}, {t.z, t.x}})
+            sides.insert({std::min(a, b), std::max(a, b)});
     }
     const std::set<Edge> edges(sides.begin(), sides.end());
     std::set<Edge> boundary;
@@ -66,7 +67,8 @@ TEST(EulerCounts, AgreesWithTheDefinitionOnTheZoo)
         for (const auto& [name, mesh] : meshes) {
             const TopologyCounts expected = counted_by_definition(mesh);
             EXPECT_EQ(count_topology(mesh), expected) << name;
-            EXPECT_EQ(count_topology(with_mixed_winding(shuffled(mesh, random), random)), expected) << name << ", seed " << seed;
+            EXPECT_EQ(count_topology(with_mixed_winding(shuffled(mesh, random), random)), expected)
+                << name << ", seed " << seed;
         }
     }
 }
@@ -90,7 +92,8 @@ TEST(EulerCounts, AgreesWithTheDefinitionOnRandomTables)
 
 TEST(EulerCounts, KnownGenera)
 {
-    const std::map<std::string, int> handles = {{"torus", 1}, {"plate with two holes", 2}, {"plate with three holes", 3}};
+    const std::map<std::string, int> handles = {
+        {"torus", 1}, {"plate with two holes", 2}, {"plate with three holes", 3}};
     Random random(20403);
     for (const auto& [name, mesh] : tame_meshes()) {
         const auto found = handles.find(name);

@@ -12,7 +12,9 @@ double signed_volume(const IndexedMesh& mesh)
 {
     double volume = 0;
     for (const glm::uvec3& t : mesh.triangles)
-        volume += dot(glm::dvec3(mesh.positions.at(t.x)), cross(glm::dvec3(mesh.positions.at(t.y)), glm::dvec3(mesh.positions.at(t.z)))) / 6;
+        volume += dot(glm::dvec3(mesh.positions.at(t.x)),
+                      cross(glm::dvec3(mesh.positions.at(t.y)), glm::dvec3(mesh.positions.at(t.z)))) /
+                  6;
     return volume;
 }
 
@@ -41,12 +43,14 @@ TEST(GridAndSphere, GridCoversTheSquare)
     ASSERT_EQ(grid.positions.size(), 45U);
     ASSERT_EQ(grid.triangles.size(), 64U);
     for (const glm::uvec3& t : grid.triangles) {
-        const glm::vec3 normal = cross(grid.positions[t.y] - grid.positions[t.x], grid.positions[t.z] - grid.positions[t.x]);
+        const glm::vec3 normal =
+            cross(grid.positions[t.y] - grid.positions[t.x], grid.positions[t.z] - grid.positions[t.x]);
         EXPECT_EQ(normal, glm::vec3(0, 0, 1.0F / 32)) << t.x << ' ' << t.y << ' ' << t.z;
     }
 }
 
-// Every edge is walked once in each direction: closed, and one orientation. V - E + F = 2. Volume within O(1/k²) of the ball's: outside is outside.
+// Every edge is walked once in each direction: closed, and one orientation. V - E + F = 2. Volume within O(1/k²) of the
+// ball's: outside is outside.
 TEST(GridAndSphere, SphereIsClosedAndLooksOutwards)
 {
     for (const auto& [slices, stacks] : {std::pair{3U, 2U}, {4U, 3U}, {7U, 9U}, {64U, 64U}}) {
@@ -62,7 +66,8 @@ TEST(GridAndSphere, SphereIsClosedAndLooksOutwards)
 
 TEST(GridAndSphere, NothingFromTooLittle)
 {
-    for (const IndexedMesh& mesh : {make_grid(0, 3), make_grid(3, 0), make_sphere(2, 5), make_sphere(5, 1), make_sphere(0, 0)}) {
+    for (const IndexedMesh& mesh :
+         {make_grid(0, 3), make_grid(3, 0), make_sphere(2, 5), make_sphere(5, 1), make_sphere(0, 0)}) {
         EXPECT_TRUE(mesh.positions.empty());
         EXPECT_TRUE(mesh.triangles.empty());
     }
@@ -79,8 +84,10 @@ TEST(GridAndSphere, PositionsAreRoundedOnce)
     for (std::uint32_t i = 0; i < slices * (stacks - 1); ++i) {
         const long double latitude = pi * static_cast<long double>(1 + i / slices) / stacks;
         const long double longitude = 2 * pi * (static_cast<long double>(i % slices) / slices);
-        const glm::dvec3 exact(std::sin(latitude) * std::sin(longitude) / 2, std::cos(latitude) / 2, std::sin(latitude) * std::cos(longitude) / 2);
-        for (int axis = 0; axis < 3; ++axis) worst = std::max(worst, std::abs(double{sphere.positions[i + 1][axis]} - exact[axis]));
+        const glm::dvec3 exact(std::sin(latitude) * std::sin(longitude) / 2, std::cos(latitude) / 2,
+                               std::sin(latitude) * std::cos(longitude) / 2);
+        for (int axis = 0; axis < 3; ++axis)
+            worst = std::max(worst, std::abs(double{sphere.positions[i + 1][axis]} - exact[axis]));
     }
     EXPECT_LT(worst, 1.6e-8);
     const IndexedMesh grid = make_grid(1000, 1);
@@ -90,7 +97,8 @@ TEST(GridAndSphere, PositionsAreRoundedOnce)
 // Counts that an independent program found in double.
 TEST(GridAndSphere, VoxelCounts)
 {
-    for (const auto& [k, count] : {std::pair{8U, 280U}, {16U, 2176U}, {32U, 17'256U}, {64U, 137'376U}, {128U, 1'099'136U}}) {
+    for (const auto& [k, count] :
+         {std::pair{8U, 280U}, {16U, 2176U}, {32U, 17'256U}, {64U, 137'376U}, {128U, 1'099'136U}}) {
         const std::vector<std::uint8_t> bytes = make_voxel_sphere(k);
         EXPECT_EQ(bytes.size(), k * k * k / 8);
         EXPECT_EQ(filled(bytes), count);
@@ -117,14 +125,16 @@ TEST(GridAndSphere, ErrorsOfTheStatement)
         int count;
         double grid, sphere;
     };
-    for (const auto& [count, grid, sphere] : {Column{10, 1e-7, 3e-7}, {100, 7e-7, 1e-6}, {1000, 9e-6, 3e-5}, {10'000, 5e-5, 2e-4}, {100'000, 1e-3, 4e-3}}) {
+    for (const auto& [count, grid, sphere] :
+         {Column{10, 1e-7, 3e-7}, {100, 7e-7, 1e-6}, {1000, 9e-6, 3e-5}, {10'000, 5e-5, 2e-4}, {100'000, 1e-3, 4e-3}}) {
         const float angle_step = 2 * std::numbers::pi_v<float> / static_cast<float>(count);
         float x = 0;
         float angle = 0;
         glm::dvec2 worst(0);
         for (int i = 0; i <= count; ++i) {
             const double share = i / static_cast<double>(count);
-            const glm::dvec2 error(double{x} - share, double{0.5F * std::sin(angle)} - 0.5 * std::sin(2 * std::numbers::pi * share));
+            const glm::dvec2 error(double{x} - share,
+                                   double{0.5F * std::sin(angle)} - 0.5 * std::sin(2 * std::numbers::pi * share));
             worst = max(worst, abs(error));
             x += 1 / static_cast<float>(count);
             angle += angle_step;
@@ -140,8 +150,12 @@ TEST(GridAndSphere, VolumesOfTheStatement)
         std::uint32_t k;
         double voxels, mesh;
     };
-    for (const auto& [k, voxels, mesh] :
-         {Column{8, 4.4, -13}, {16, 1.5, -3.5}, {32, 0.58, -0.88}, {64, 0.086, -0.22}, {128, 0.097, -0.055}, {256, -0.008, -0.014}}) {
+    for (const auto& [k, voxels, mesh] : {Column{8, 4.4, -13},
+                                          {16, 1.5, -3.5},
+                                          {32, 0.58, -0.88},
+                                          {64, 0.086, -0.22},
+                                          {128, 0.097, -0.055},
+                                          {256, -0.008, -0.014}}) {
         const double ball = std::numbers::pi / 6;
         const double cubes = static_cast<double>(filled(make_voxel_sphere(k))) / (double(k) * k * k);
         EXPECT_NEAR(100 * (cubes / ball - 1), voxels, std::max(0.0005, 0.06 * std::abs(voxels)));

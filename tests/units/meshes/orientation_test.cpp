@@ -24,12 +24,17 @@ bool is_manifold(const IndexedMesh& mesh)
     return faults.crowded_edges.empty() && faults.lonely_vertices.empty() && faults.torn_vertices.empty();
 }
 
-bool runs_along(const glm::uvec3& t, std::uint32_t a, std::uint32_t b) { return (t.x == a && t.y == b) || (t.y == a && t.z == b) || (t.z == a && t.x == b); }
+bool runs_along(const glm::uvec3& t, std::uint32_t a, std::uint32_t b)
+{
+    return (t.x == a && t.y == b) || (t.y == a && t.z == b) || (t.z == a && t.x == b);
+}
 
 bool is_coherent(const std::vector<glm::uvec3>& triangles)
 {
     for (const auto& [ends, at] : triangles_at_edges(triangles))
-        if (at.size() == 2 && runs_along(triangles[at[0]], ends.first, ends.second) == runs_along(triangles[at[1]], ends.first, ends.second)) return false;
+        if (at.size() == 2 && runs_along(triangles[at[0]], ends.first, ends.second) ==
+                                  runs_along(triangles[at[1]], ends.first, ends.second))
+            return false;
     return true;
 }
 
@@ -37,7 +42,9 @@ bool is_coherent(const std::vector<glm::uvec3>& triangles)
 __extension__ using Exact = __int128;
 Exact exact_volume(const IndexedMesh& mesh, const std::vector<glm::uvec3>& triangles, double grid)
 {
-    const auto at = [&](std::uint32_t vertex, int axis) { return static_cast<Exact>(static_cast<double>(mesh.positions[vertex][axis]) / grid); };
+    const auto at = [&](std::uint32_t vertex, int axis) {
+        return static_cast<Exact>(static_cast<double>(mesh.positions[vertex][axis]) / grid);
+    };
     Exact sum = 0;
     for (const glm::uvec3& t : triangles)
         for (int k = 0; k < 3; ++k) {
@@ -52,7 +59,7 @@ Exact exact_volume(const IndexedMesh& mesh, const std::vector<glm::uvec3>& trian
 
 TEST(Orientation, KnownFaults)
 {
-    for (const Specimen& specimen : tame_meshes()) EXPECT_TRUE(is_manifold(specimen.mesh)) << specimen.name;
+    for (const KnownSolution& solution : tame_meshes()) EXPECT_TRUE(is_manifold(solution.mesh)) << solution.name;
     EXPECT_EQ(manifold_faults(book(3)).crowded_edges, (std::vector<glm::uvec2>{{0, 1}}));
     EXPECT_TRUE(manifold_faults(book(3)).torn_vertices.empty());
     EXPECT_EQ(manifold_faults(bow_tie()).torn_vertices, (std::vector<std::uint32_t>{0}));
@@ -60,7 +67,8 @@ TEST(Orientation, KnownFaults)
     EXPECT_EQ(manifold_faults(cubes_at_an_edge()).crowded_edges.size(), 1U);
     EXPECT_TRUE(manifold_faults(cubes_at_an_edge()).torn_vertices.empty());
     EXPECT_EQ(manifold_faults(cubes_at_a_corner()).torn_vertices.size(), 1U);
-    EXPECT_EQ(manifold_faults(with_lonely_vertices(octahedron(), 2)).lonely_vertices, (std::vector<std::uint32_t>{6, 7}));
+    EXPECT_EQ(manifold_faults(with_lonely_vertices(octahedron(), 2)).lonely_vertices,
+              (std::vector<std::uint32_t>{6, 7}));
     for (const IndexedMesh& mesh : {moebius(7), klein_bottle(6, 5), projective_plane()}) EXPECT_TRUE(is_manifold(mesh));
 }
 
@@ -69,14 +77,15 @@ TEST(Orientation, CoherentOrNothing)
     constexpr std::uint64_t seed = 20278;
     Random random(seed);
     for (int round = 0; round < 20; ++round) {
-        for (const Specimen& specimen : tame_meshes()) {
-            const IndexedMesh mesh = with_mixed_winding(shuffled(specimen.mesh, random), random);
+        for (const KnownSolution& solution : tame_meshes()) {
+            const IndexedMesh mesh = with_mixed_winding(shuffled(solution.mesh, random), random);
             const auto triangles = coherent_triangles(mesh);
-            ASSERT_TRUE(triangles) << specimen.name << ", seed " << seed;
-            EXPECT_TRUE(is_coherent(*triangles)) << specimen.name;
+            ASSERT_TRUE(triangles) << solution.name << ", seed " << seed;
+            EXPECT_TRUE(is_coherent(*triangles)) << solution.name;
             EXPECT_EQ((*triangles)[0], mesh.triangles[0]);
         }
-        for (const IndexedMesh& mesh : {moebius(7), moebius(6, 2), klein_bottle(6, 5), projective_plane(), joined(cube(), moebius(3))})
+        for (const IndexedMesh& mesh :
+             {moebius(7), moebius(6, 2), klein_bottle(6, 5), projective_plane(), joined(cube(), moebius(3))})
             EXPECT_FALSE(coherent_triangles(with_mixed_winding(shuffled(mesh, random), random)));
     }
     // The course's example: (2,3,7) and (4,7,3) agree.
@@ -109,11 +118,14 @@ TEST(Orientation, PiecesOnTheirOwnAndOpenOnesAsTheyAre)
     const IndexedMesh expected = joined(joined(ball(6, 4), octahedron()), turned_over(flat_sheet(2, 2)));
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const glm::uvec3 t = expected.triangles[i];
-        EXPECT_TRUE(triangles[i] == t || triangles[i] == glm::uvec3(t.y, t.z, t.x) || triangles[i] == glm::uvec3(t.z, t.x, t.y)) << i;
+        EXPECT_TRUE(triangles[i] == t || triangles[i] == glm::uvec3(t.y, t.z, t.x) ||
+                    triangles[i] == glm::uvec3(t.z, t.x, t.y))
+            << i;
     }
 }
 
-// Whatever triangles are put together at random: separated, they are a manifold in the same place, and separating again changes nothing.
+// Whatever triangles are put together at random: separated, they are a manifold in the same place, and separating again
+// changes nothing.
 TEST(Orientation, SeparatedIsAlwaysManifold)
 {
     constexpr std::uint64_t seed = 20280;
@@ -139,7 +151,8 @@ TEST(Orientation, SeparatedIsAlwaysManifold)
         ASSERT_EQ(faults.lonely_vertices, manifold_faults(mesh).lonely_vertices);
         ASSERT_EQ(result.triangles.size(), mesh.triangles.size());
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-            for (int k = 0; k < 3; ++k) ASSERT_EQ(result.positions[result.triangles[i][k]], mesh.positions[mesh.triangles[i][k]]);
+            for (int k = 0; k < 3; ++k)
+                ASSERT_EQ(result.positions[result.triangles[i][k]], mesh.positions[mesh.triangles[i][k]]);
         EXPECT_EQ(separated(result).positions.size(), result.positions.size());
     }
     EXPECT_EQ(separated(hourglass(5)).positions.size(), hourglass(5).positions.size() + 1);

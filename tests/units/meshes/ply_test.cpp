@@ -45,15 +45,19 @@ std::vector<fs::path> files_in(const fs::path& folder)
 TEST(Ply, CourseExample)
 {
     const PolygonMesh mesh = tests::read(
-        "ply\nformat ascii 1.0\ncomment Archivo de ejemplo del formato PLY (8 vertices y 6 caras)\nelement vertex 8\nproperty float x\nproperty float y\n"
-        "property float z\nelement face 6\nproperty list uchar int vertex_index\nend_header\n0.0 0.0 0.0\n0.0 0.0 2.0\n0.0 1.3 1.0\n0.0 1.4 0.0\n1.1 0.0 0.0\n"
+        "ply\nformat ascii 1.0\ncomment Archivo de ejemplo del formato PLY (8 vertices y 6 caras)\nelement vertex "
+        "8\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 6\nproperty list uchar int vertex_index\nend_header\n0.0 0.0 0.0\n0.0 0.0 "
+        "2.0\n0.0 1.3 1.0\n0.0 1.4 0.0\n1.1 0.0 0.0\n"
         "1.0 0.0 2.0\n1.0 0.8 1.5\n0.5 1.0 0.0\n4 0 1 2 3\n4 7 6 5 4\n4 0 4 5 1\n4 1 5 6 2\n4 2 6 7 3\n4 3 7 4 0\n");
     ASSERT_EQ(mesh.positions.size(), 8U);
     EXPECT_EQ(mesh.positions[2], glm::vec3(0, 1.3F, 1));
     ASSERT_EQ(mesh.faces.size(), 6U);
     EXPECT_EQ(mesh.faces[4], (std::vector<std::uint32_t>{2, 6, 7, 3}));
     // The two areas of the statement.
-    const auto area = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) { return length(cross(b - a, c - a)) / 2; };
+    const auto area = [](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        return length(cross(b - a, c - a)) / 2;
+    };
     double fan = 0;
     double other = 0;
     for (const auto& f : mesh.faces) {
@@ -90,7 +94,8 @@ TEST(Ply, MalformedFilesAreRefused)
 TEST(Ply, CountsThatLieCostNothing)
 {
     const std::vector<Malformed> files = lying_counts();
-    for (std::size_t i = 0; i < files.size(); ++i) EXPECT_EQ(problem_of(files[i].file) == 0, i + 2 >= files.size()) << i;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        EXPECT_EQ(problem_of(files[i].file) == 0, i + 2 >= files.size()) << i;
 }
 
 TEST(Ply, EveryDialectAndEveryFormatGivesTheMeshBack)
@@ -99,7 +104,8 @@ TEST(Ply, EveryDialectAndEveryFormatGivesTheMeshBack)
     Random random(seed);
     for (int i = 0; i < 600; ++i) {
         PolygonMesh mesh = football();
-        for (glm::vec3& position : mesh.positions) position = random.in_cube() * std::exp2(static_cast<float>(random.below(40)) - 20);
+        for (glm::vec3& position : mesh.positions)
+            position = random.in_cube() * std::exp2(static_cast<float>(random.below(40)) - 20);
         if (i % 5 == 0) mesh.faces.clear();
         const Dialect dialect = some_dialect(static_cast<PlyFormat>(i % 3), random);
         const std::string file = written_in(dialect, mesh, random);
@@ -155,7 +161,10 @@ TEST(Ply, ModelsOfOtherPrograms)
     expect("PLY/float-color.ply", 3, 1);
     expect("PLY/points.ply", 4, 0);
     EXPECT_EQ(problem_of(text_of(folder / "invalid/empty.ply")), static_cast<int>(PlyProblem::not_ply));
-    EXPECT_EQ(problem_of(text_of(folder / "PLY/Wuson.ply")), static_cast<int>(PlyProblem::header)) << "line 3 is a comment that does not say so";
-    EXPECT_EQ(problem_of(text_of(folder / "PLY/issue623.ply")), static_cast<int>(PlyProblem::line_length)) << "declares a list that no line has";
-    EXPECT_EQ(problem_of(text_of(folder / "PLY/pond.0.ply")), static_cast<int>(PlyProblem::truncated)) << "69 bytes are missing";
+    EXPECT_EQ(problem_of(text_of(folder / "PLY/Wuson.ply")), static_cast<int>(PlyProblem::header))
+        << "line 3 is a comment that does not say so";
+    EXPECT_EQ(problem_of(text_of(folder / "PLY/issue623.ply")), static_cast<int>(PlyProblem::line_length))
+        << "declares a list that no line has";
+    EXPECT_EQ(problem_of(text_of(folder / "PLY/pond.0.ply")), static_cast<int>(PlyProblem::truncated))
+        << "69 bytes are missing";
 }

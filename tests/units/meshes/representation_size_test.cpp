@@ -40,11 +40,15 @@ TEST(RepresentationSize, CountsOfABuiltGrid)
         std::uint64_t triangles = 0;
         for (std::uint32_t row = 0; row < rows; ++row)
             for (std::uint32_t column = 0; column < columns; ++column) {
-                const auto at = [&](std::uint32_t right, std::uint32_t up) { return (row + up) * 1000 + column + right; };
-                for (const auto& [a, b, c] : {std::array{at(0, 0), at(1, 0), at(1, 1)}, {at(0, 0), at(1, 1), at(0, 1)}}) {
+                const auto at = [&](std::uint32_t right, std::uint32_t up) {
+                    return (row + up) * 1000 + column + right;
+                };
+                for (const auto& [a, b, c] :
+                     {std::array{at(0, 0), at(1, 0), at(1, 1)}, {at(0, 0), at(1, 1), at(0, 1)}}) {
                     ++triangles;
                     vertices.insert({a, b, c});
-                    for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) edges.insert(std::minmax(from, to));
+                    for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}})
+                        edges.insert(std::minmax(from, to));
                 }
             }
         const GridCounts counts = grid_counts(columns, rows);

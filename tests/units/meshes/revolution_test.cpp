@@ -3,7 +3,7 @@
 #include <meshes/revolution/profiles.hpp>
 #include <umbral/meshes/revolution.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 
 using namespace umbral;
 using namespace umbral::meshes;
@@ -15,16 +15,18 @@ using Revolve = TexturedMesh(std::span<const glm::vec2>, std::uint32_t);
 /// Every test here holds for the reference and for the oracle.
 class Revolution : public testing::TestWithParam<const char*> {
 protected:
-    Revolve* const revolve = tests::tenant<Revolve>(GetParam());
+    Revolve* const revolve = tests::solution<Revolve>(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, Revolution, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
-                         [](const auto& tenant) { return tenant.index == 0 ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, Revolution, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
+                         [](const auto& solution) { return solution.index == 0 ? "reference" : "oracle"; });
 
 double signed_volume(const IndexedMesh& mesh)
 {
     double volume = 0;
     for (const glm::uvec3& t : mesh.triangles)
-        volume += dot(glm::dvec3(mesh.positions[t.x]), cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z]))) / 6;
+        volume += dot(glm::dvec3(mesh.positions[t.x]),
+                      cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z]))) /
+                  6;
     return volume;
 }
 
@@ -48,7 +50,8 @@ TEST_P(Revolution, BallIsClosedAndLooksOutwards)
     const TexturedMesh ball = revolve(semicircle(65), 129);
     EXPECT_NEAR(signed_volume(ball.mesh), 4.18879, 0.01);
     EXPECT_EQ(ball.mesh.triangles.size(), 128U * (2 * 64 - 2));
-    for (std::size_t i = 0; i < ball.normals.size(); ++i) EXPECT_GT(dot(ball.normals[i], ball.mesh.positions[i]), 0.999F);
+    for (std::size_t i = 0; i < ball.normals.size(); ++i)
+        EXPECT_GT(dot(ball.normals[i], ball.mesh.positions[i]), 0.999F);
     EXPECT_EQ(ball.normals[0], glm::vec3(0, -1, 0));
     EXPECT_EQ(ball.normals[64], glm::vec3(0, 1, 0));
 }
@@ -89,8 +92,8 @@ TEST_P(Revolution, BadProfilesAreRefused)
 TEST(RevolutionAccuracy, ReferenceIsWithinAnUlp)
 {
     constexpr std::uint64_t seed = 20283;
-    auto* const reference = tests::tenant<Revolve>(REFERENCE_MODULE);
-    auto* const oracle = tests::tenant<Revolve>(ORACLE_MODULE);
+    auto* const reference = tests::solution<Revolve>(REFERENCE_MODULE);
+    auto* const oracle = tests::solution<Revolve>(ORACLE_MODULE);
     Random random(seed);
     const auto compare = [&](const Profile& profile, std::uint32_t copies) {
         const TexturedMesh got = reference(profile, copies);
@@ -99,12 +102,14 @@ TEST(RevolutionAccuracy, ReferenceIsWithinAnUlp)
         for (std::size_t i = 0; i < exact.mesh.positions.size(); ++i) {
             for (int axis = 0; axis < 3; ++axis) {
                 const float want = exact.mesh.positions[i][axis];
-                ASSERT_LE(std::abs(got.mesh.positions[i][axis] - want), std::abs(want) * 0x1p-23F) << "seed " << seed << ", vertex " << i;
+                ASSERT_LE(std::abs(got.mesh.positions[i][axis] - want), std::abs(want) * 0x1p-23F)
+                    << "seed " << seed << ", vertex " << i;
                 ASSERT_NEAR(got.normals[i][axis], exact.normals[i][axis], 1e-6);
             }
             for (int axis = 0; axis < 2; ++axis) {
                 const float want = exact.texture_coordinates[i][axis];
-                ASSERT_LE(std::abs(got.texture_coordinates[i][axis] - want), std::abs(want) * 0x1p-23F) << "seed " << seed << ", vertex " << i;
+                ASSERT_LE(std::abs(got.texture_coordinates[i][axis] - want), std::abs(want) * 0x1p-23F)
+                    << "seed " << seed << ", vertex " << i;
             }
         }
     };

@@ -13,7 +13,9 @@ std::vector<glm::uvec3> canonical(std::vector<glm::uvec3> triangles)
 {
     std::erase_if(triangles, [](const glm::uvec3& t) { return t.x == t.y || t.y == t.z || t.z == t.x; });
     std::ranges::transform(triangles, triangles.begin(), turned);
-    std::ranges::sort(triangles, [](const glm::uvec3& a, const glm::uvec3& b) { return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z}; });
+    std::ranges::sort(triangles, [](const glm::uvec3& a, const glm::uvec3& b) {
+        return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
+    });
     return triangles;
 }
 
@@ -36,8 +38,10 @@ TEST(TriangleStrips, ParityRestartAndRepeats)
 {
     using Triangles = std::vector<glm::uvec3>;
     EXPECT_EQ(in_order(triangles_of_strip({0, 1, 2, 3, 4})), (Triangles{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}}));
-    EXPECT_EQ(in_order(triangles_of_strip({0, 1, 2, restart_index, 3, 4, 5, 6})), (Triangles{{0, 1, 2}, {3, 4, 5}, {4, 6, 5}}));
-    EXPECT_EQ(in_order(triangles_of_strip({0, 1, 2, 2, 3, 4})), (Triangles{{0, 1, 2}, {2, 4, 3}})) << "what is not drawn counts";
+    EXPECT_EQ(in_order(triangles_of_strip({0, 1, 2, restart_index, 3, 4, 5, 6})),
+              (Triangles{{0, 1, 2}, {3, 4, 5}, {4, 6, 5}}));
+    EXPECT_EQ(in_order(triangles_of_strip({0, 1, 2, 2, 3, 4})), (Triangles{{0, 1, 2}, {2, 4, 3}}))
+        << "what is not drawn counts";
     EXPECT_TRUE(triangles_of_strip({}).empty());
     EXPECT_TRUE(triangles_of_strip({0, 1, restart_index, 2, 3}).empty());
 }
@@ -52,7 +56,9 @@ TEST(TriangleStrips, Grid)
         std::size_t triangles = 0;
         for (const Strip& strip : strips) {
             for (const glm::uvec3& t : triangles_of_strip(strip)) {
-                const auto place = [&](std::uint32_t vertex) { return glm::ivec2(vertex % (columns + 1), vertex / (columns + 1)); };
+                const auto place = [&](std::uint32_t vertex) {
+                    return glm::ivec2(vertex % (columns + 1), vertex / (columns + 1));
+                };
                 const glm::ivec2 u = place(t.y) - place(t.x);
                 const glm::ivec2 v = place(t.z) - place(t.x);
                 EXPECT_EQ(u.x * v.y - u.y * v.x, 1);
@@ -86,14 +92,16 @@ TEST(TriangleStrips, EveryTriangleOnceAsItIsWound)
     constexpr std::uint64_t seed = 20302;
     Random random(seed);
     for (const auto& meshes : {tame_meshes(), wild_meshes()}) {
-        for (const Specimen& specimen : meshes) {
-            for (const IndexedMesh& mesh : {shuffled(specimen.mesh, random), with_mixed_winding(specimen.mesh, random)}) {
+        for (const KnownSolution& solution : meshes) {
+            for (const IndexedMesh& mesh :
+                 {shuffled(solution.mesh, random), with_mixed_winding(solution.mesh, random)}) {
                 const std::vector<Strip> strips = make_strips(mesh);
-                EXPECT_EQ(drawn(strips, mesh.triangles.size()), canonical(mesh.triangles)) << specimen.name << ", seed " << seed;
+                EXPECT_EQ(drawn(strips, mesh.triangles.size()), canonical(mesh.triangles))
+                    << solution.name << ", seed " << seed;
                 std::vector<glm::uvec3> decoded;
                 for (const Strip& strip : strips)
                     for (const glm::uvec3& t : triangles_of_strip(strip)) decoded.push_back(t);
-                EXPECT_EQ(canonical(decoded), canonical(mesh.triangles)) << specimen.name;
+                EXPECT_EQ(canonical(decoded), canonical(mesh.triangles)) << solution.name;
             }
         }
     }

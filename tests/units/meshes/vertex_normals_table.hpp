@@ -4,7 +4,7 @@
 
 namespace umbral::tests {
 
-/// Both functions of one tenant of meshes/vertex-normals.
+/// Both functions of one solution of meshes/vertex-normals.
 struct Normals {
     decltype(meshes::face_normals)* faces;
     decltype(meshes::vertex_normals)* vertices;

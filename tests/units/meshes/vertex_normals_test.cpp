@@ -3,7 +3,7 @@
 #include <limits>
 #include <meshes/support.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 #include "vertex_normals_table.hpp"
 
 using namespace umbral;
@@ -16,12 +16,12 @@ constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr glm::vec3 zero(0);
 
 /// Every test here holds for the reference and for the oracle.
-class NormalsTenant : public testing::TestWithParam<const char*> {
+class NormalsSolution : public testing::TestWithParam<const char*> {
 protected:
-    const tests::Normals normals = *tests::tenant<const tests::Normals>(GetParam());
+    const tests::Normals normals = *tests::solution<const tests::Normals>(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, NormalsTenant, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
-                         [](const auto& tenant) { return tenant.index == 0 ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, NormalsSolution, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
+                         [](const auto& solution) { return solution.index == 0 ? "reference" : "oracle"; });
 
 void expect_near(const glm::vec3& got, const glm::dvec3& exact, double tolerance = 6.1e-8)
 {
@@ -33,7 +33,9 @@ double signed_volume(const IndexedMesh& mesh)
 {
     double volume = 0;
     for (const glm::uvec3& t : mesh.triangles)
-        volume += dot(glm::dvec3(mesh.positions[t.x]), cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z]))) / 6;
+        volume += dot(glm::dvec3(mesh.positions[t.x]),
+                      cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z]))) /
+                  6;
     return volume;
 }
 
@@ -42,17 +44,21 @@ double worst_difference(const std::vector<glm::vec3>& got, const std::vector<glm
     EXPECT_EQ(got.size(), exact.size());
     double worst = 0;
     for (std::size_t i = 0; i < exact.size(); ++i)
-        for (int c = 0; c < 3; ++c) worst = std::max(worst, std::isfinite(got[i][c]) ? std::abs(double{got[i][c]} - double{exact[i][c]}) : HUGE_VAL);
+        for (int c = 0; c < 3; ++c)
+            worst = std::max(worst,
+                             std::isfinite(got[i][c]) ? std::abs(double{got[i][c]} - double{exact[i][c]}) : HUGE_VAL);
     return worst;
 }
 
 }
 
-// Worked by hand: the corner at the origin of a tetrahedron sees three faces in the planes of coordinates; the one at (1,0,0) two of
-// them and the slanted face (1,1,1)/√3, whose area is √3 times theirs. Unweighted, its sum is (0,-1,0) + (0,0,-1) + (1,1,1)/√3.
-TEST_P(NormalsTenant, KnownAnswers)
+// Worked by hand: the corner at the origin of a tetrahedron sees three faces in the planes of coordinates; the one at
+// (1,0,0) two of them and the slanted face (1,1,1)/√3, whose area is √3 times theirs. Unweighted, its sum is (0,-1,0) +
+// (0,0,-1) + (1,1,1)/√3.
+TEST_P(NormalsSolution, KnownAnswers)
 {
-    const IndexedMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+    const IndexedMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                  {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
     const double third = 1 / std::sqrt(3.0);
     const std::vector<glm::vec3> faces = normals.faces(tetrahedron);
     ASSERT_EQ(faces.size(), 4U);
@@ -67,7 +73,7 @@ TEST_P(NormalsTenant, KnownAnswers)
 }
 
 // The pyramid of the statement.
-TEST_P(NormalsTenant, WorkedNumberOfTheStatement)
+TEST_P(NormalsSolution, WorkedNumberOfTheStatement)
 {
     const IndexedMesh roof{{{0, 0, 0}, {4, 0, 0}, {4, 0, -3}, {0, 2, 0}}, {{0, 1, 3}, {0, 2, 1}}};
     const std::vector<glm::vec3> faces = normals.faces(roof);
@@ -79,9 +85,10 @@ TEST_P(NormalsTenant, WorkedNumberOfTheStatement)
     EXPECT_EQ(vertices[3], glm::vec3(0, 0, 1));
 }
 
-TEST_P(NormalsTenant, DegenerateTrianglesCountAsZero)
+TEST_P(NormalsSolution, DegenerateTrianglesCountAsZero)
 {
-    const IndexedMesh mesh{{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 4, 3}, {0, 0, 3}, {3, 3, 3}, {0, 3, 5}}};
+    const IndexedMesh mesh{{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}},
+                           {{0, 1, 2}, {0, 4, 3}, {0, 0, 3}, {3, 3, 3}, {0, 3, 5}}};
     const std::vector<glm::vec3> faces = normals.faces(mesh);
     for (int i = 0; i < 4; ++i) EXPECT_EQ(faces[static_cast<std::size_t>(i)], zero) << i;
     const std::vector<glm::vec3> vertices = normals.vertices(mesh);
@@ -90,7 +97,7 @@ TEST_P(NormalsTenant, DegenerateTrianglesCountAsZero)
     EXPECT_EQ(vertices[4], zero);
 }
 
-TEST_P(NormalsTenant, BrokenVerticesSpoilTheirTrianglesOnly)
+TEST_P(NormalsSolution, BrokenVerticesSpoilTheirTrianglesOnly)
 {
     for (const float broken : {not_a_number, infinity, -infinity}) {
         const IndexedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, broken, 1}}, {{0, 1, 2}, {1, 2, 3}, {3, 0, 1}}};
@@ -99,14 +106,14 @@ TEST_P(NormalsTenant, BrokenVerticesSpoilTheirTrianglesOnly)
     }
 }
 
-TEST_P(NormalsTenant, NothingGivesNothing)
+TEST_P(NormalsSolution, NothingGivesNothing)
 {
     EXPECT_TRUE(normals.faces({}).empty());
     EXPECT_TRUE(normals.vertices({}).empty());
     EXPECT_EQ(normals.vertices({{{1, 2, 3}, {4, 5, 6}}, {}}), (std::vector<glm::vec3>(2, zero)));
 }
 
-TEST_P(NormalsTenant, OppositeSidesCancel)
+TEST_P(NormalsSolution, OppositeSidesCancel)
 {
     Random random(20261);
     IndexedMesh mesh = hills(7, 7, random);
@@ -115,22 +122,26 @@ TEST_P(NormalsTenant, OppositeSidesCancel)
     EXPECT_EQ(normals.vertices(mesh), (std::vector<glm::vec3>(mesh.positions.size(), zero)));
 }
 
-// Any scale that keeps the coordinates floats gives the same normals; powers of two, so that the scaled mesh is exactly the same.
-TEST_P(NormalsTenant, ScaleDoesNotCount)
+// Any scale that keeps the coordinates floats gives the same normals; powers of two, so that the scaled mesh is exactly
+// the same.
+TEST_P(NormalsSolution, ScaleDoesNotCount)
 {
     Random random(20262);
-    const IndexedMesh mesh = mapped(hills(6, 6, random), [](const glm::vec3& position) { return round(64.0F * position) / 64.0F; });
+    const IndexedMesh mesh =
+        mapped(hills(6, 6, random), [](const glm::vec3& position) { return round(64.0F * position) / 64.0F; });
     const std::vector<glm::vec3> faces = normals.faces(mesh);
     const std::vector<glm::vec3> vertices = normals.vertices(mesh);
     for (const int exponent : {-140, -100, -20, 20, 100, 120}) {
-        const IndexedMesh scaled = mapped(mesh, [&](const glm::vec3& position) { return glm::vec3(ldexp(glm::dvec3(position), glm::ivec3(exponent))); });
+        const IndexedMesh scaled = mapped(mesh, [&](const glm::vec3& position) {
+            return glm::vec3(ldexp(glm::dvec3(position), glm::ivec3(exponent)));
+        });
         EXPECT_EQ(normals.faces(scaled), faces) << "2^" << exponent;
         EXPECT_EQ(normals.vertices(scaled), vertices) << "2^" << exponent;
     }
 }
 
 // The knot is closed: normals point out of it, and those of its vertices lie near the exact ones of the tube.
-TEST_P(NormalsTenant, KnotLooksOutwards)
+TEST_P(NormalsSolution, KnotLooksOutwards)
 {
     const IndexedMesh knot = trefoil(300, 24, 0.4);
     EXPECT_GT(signed_volume(knot), 1);
@@ -138,7 +149,8 @@ TEST_P(NormalsTenant, KnotLooksOutwards)
     for (std::size_t ring = 0; ring < 300; ++ring) {
         glm::vec3 centre(0);
         for (std::size_t i = 0; i < 24; ++i) centre += knot.positions[24 * ring + i] / 24.0F;
-        for (std::size_t i = 24 * ring; i < 24 * ring + 24; ++i) ASSERT_GT(dot(vertices[i], normalize(knot.positions[i] - centre)), 0.995F);
+        for (std::size_t i = 24 * ring; i < 24 * ring + 24; ++i)
+            ASSERT_GT(dot(vertices[i], normalize(knot.positions[i] - centre)), 0.995F);
     }
 }
 
@@ -146,14 +158,16 @@ TEST_P(NormalsTenant, KnotLooksOutwards)
 TEST(NormalsAccuracy, ReferenceKeepsItsGuarantee)
 {
     constexpr std::uint64_t seed = 20263;
-    const auto reference = *tests::tenant<const tests::Normals>(REFERENCE_MODULE);
-    const auto oracle = *tests::tenant<const tests::Normals>(ORACLE_MODULE);
+    const auto reference = *tests::solution<const tests::Normals>(REFERENCE_MODULE);
+    const auto oracle = *tests::solution<const tests::Normals>(ORACLE_MODULE);
     Random random(seed);
     for (const double sine : {1.0, 1e-2, 1e-4, 1e-6, 1e-7}) {
         const IndexedMesh slivers = sliver_triangles(sine, 5000, random);
-        EXPECT_LE(worst_difference(reference.faces(slivers), oracle.faces(slivers)), 6e-8) << "seed " << seed << ", sine " << sine;
+        EXPECT_LE(worst_difference(reference.faces(slivers), oracle.faces(slivers)), 6e-8)
+            << "seed " << seed << ", sine " << sine;
         const IndexedMesh folds = sharp_folds(std::max(sine, 1e-5), 5000, random);
-        EXPECT_LE(worst_difference(reference.vertices(folds), oracle.vertices(folds)), 6e-8) << "seed " << seed << ", angle " << sine;
+        EXPECT_LE(worst_difference(reference.vertices(folds), oracle.vertices(folds)), 6e-8)
+            << "seed " << seed << ", angle " << sine;
     }
     // Corners of sizes from 1e-4 to 1e4 in one triangle.
     IndexedMesh mixed;
@@ -169,8 +183,8 @@ TEST(NormalsAccuracy, ReferenceKeepsItsGuarantee)
 // The hard cases must tell the forms apart.
 TEST(NormalsAccuracy, FloatFailsOnSliversAndFolds)
 {
-    const auto naive = *tests::tenant<const tests::Normals>(IN_FLOAT_MODULE);
-    const auto oracle = *tests::tenant<const tests::Normals>(ORACLE_MODULE);
+    const auto naive = *tests::solution<const tests::Normals>(IN_FLOAT_MODULE);
+    const auto oracle = *tests::solution<const tests::Normals>(ORACLE_MODULE);
     Random random(20264);
     const IndexedMesh slivers = sliver_triangles(1e-4, 1000, random);
     EXPECT_GT(worst_difference(naive.faces(slivers), oracle.faces(slivers)), 1e-4);

@@ -18,7 +18,8 @@ IndexedMesh welded_by_definition(const Soup& soup)
         indices.push_back(static_cast<std::uint32_t>(found - mesh.positions.begin()));
         if (found == mesh.positions.end()) mesh.positions.push_back(corner);
     }
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) mesh.triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+        mesh.triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
     return mesh;
 }
 
@@ -43,8 +44,9 @@ TEST(Weld, AgreesWithTheDefinition)
     Random random(seed);
     for (int i = 0; i < 5; ++i) {
         const std::string what = "seed " + std::to_string(seed) + ", round " + std::to_string(i);
-        for (const Soup& soup : {soup_of_two_zeros(random), soup_of_close_places(random), soup_of_broken_corners(random), soup_of_few_places(random),
-                                 diagonal_soup(20, 4, random)})
+        for (const Soup& soup :
+             {soup_of_two_zeros(random), soup_of_close_places(random), soup_of_broken_corners(random),
+              soup_of_few_places(random), diagonal_soup(20, 4, random)})
             expect_same(weld(soup), welded_by_definition(soup), what);
     }
 }
@@ -52,11 +54,11 @@ TEST(Weld, AgreesWithTheDefinition)
 TEST(Weld, WayBackGivesTheCornersAgain)
 {
     Random random(21002);
-    for (const Specimen& specimen : tame_meshes()) {
-        const Soup soup = soup_of(shuffled(specimen.mesh, random));
+    for (const KnownSolution& solution : tame_meshes()) {
+        const Soup soup = soup_of(shuffled(solution.mesh, random));
         const IndexedMesh mesh = weld(soup);
-        EXPECT_EQ(mesh.positions.size(), specimen.mesh.positions.size()) << specimen.name;
-        EXPECT_EQ(isolated_triangles(mesh), soup) << specimen.name;
+        EXPECT_EQ(mesh.positions.size(), solution.mesh.positions.size()) << solution.name;
+        EXPECT_EQ(isolated_triangles(mesh), soup) << solution.name;
     }
 }
 

@@ -24,7 +24,8 @@ std::vector<std::uint32_t> faces_with(const PolygonMesh& mesh, std::uint32_t fro
 WingedMesh winged(const PolygonMesh& mesh)
 {
     auto result = winged_edges(mesh);
-    if (const auto* fault = std::get_if<NotWinged>(&result)) throw std::logic_error("refused with fault " + std::to_string(static_cast<int>(fault->fault)));
+    if (const auto* fault = std::get_if<NotWinged>(&result))
+        throw std::logic_error("refused with fault " + std::to_string(static_cast<int>(fault->fault)));
     return std::get<WingedMesh>(result);
 }
 
@@ -43,8 +44,9 @@ TEST(WingedEdge, Tetrahedron)
     const WingedMesh mesh = winged(polygons_of(tetrahedron()));
     ASSERT_EQ(mesh.edges.size(), 6U);
     const WingedEdge& e = mesh.edges[0];
-    EXPECT_EQ((std::vector{e.start, e.end, e.left, e.right, e.left_previous, e.left_next, e.right_previous, e.right_next}),
-              (std::vector<std::uint32_t>{0, 1, 0, 2, 1, 3, 4, 2}));
+    EXPECT_EQ(
+        (std::vector{e.start, e.end, e.left, e.right, e.left_previous, e.left_next, e.right_previous, e.right_next}),
+        (std::vector<std::uint32_t>{0, 1, 0, 2, 1, 3, 4, 2}));
     EXPECT_EQ(edges_round_vertex(mesh, 0), (std::vector<std::uint32_t>{0, 1, 2}));
     EXPECT_EQ(vertices_round_face(mesh, 0), (std::vector<std::uint32_t>{0, 1, 2}));
 }
@@ -82,7 +84,8 @@ TEST(WingedEdge, AnswersAreThoseOfBruteForce)
                 for (std::size_t i = 0; i < others.size(); ++i) {
                     const WingedEdge& e = tables.edges[edges[i]];
                     ASSERT_EQ(Ends(e.start, e.end), Ends(std::minmax(v, others[i])));
-                    // Counter-clockwise: the face on the left of (v, others[i]) comes back to v from the next neighbour.
+                    // Counter-clockwise: the face on the left of (v, others[i]) comes back to v from the next
+                    // neighbour.
                     ASSERT_EQ(faces_with(mesh, v, others[i]), std::vector{faces[i]});
                     ASSERT_EQ(faces_with(mesh, after(others, i), v), std::vector{faces[i]});
                 }

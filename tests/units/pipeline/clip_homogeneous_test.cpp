@@ -3,7 +3,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/clip.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 
 using namespace umbral;
 using namespace umbral::pipeline;
@@ -34,9 +34,11 @@ Triangle random_triangle(Random& random, float ratio)
 // How far a point of the triangle lies inside the view volume, relative to its corners.
 double inside_volume(const Triangle& triangle, const glm::dvec3& weights)
 {
-    const glm::dvec4 p = weights.x * glm::dvec4(triangle[0]) + weights.y * glm::dvec4(triangle[1]) + weights.z * glm::dvec4(triangle[2]);
+    const glm::dvec4 p =
+        weights.x * glm::dvec4(triangle[0]) + weights.y * glm::dvec4(triangle[1]) + weights.z * glm::dvec4(triangle[2]);
     double size = 0;
-    for (int k = 0; k < 3; ++k) size = std::max(size, weights[k] * double{length(triangle[static_cast<std::size_t>(k)])});
+    for (int k = 0; k < 3; ++k)
+        size = std::max(size, weights[k] * double{length(triangle[static_cast<std::size_t>(k)])});
     return (p.w - std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})) / size;
 }
 
@@ -53,16 +55,17 @@ double inside_polygon(const std::vector<ClipVertex>& polygon, const glm::dvec3& 
     return least;
 }
 
-class ClipTenant : public testing::TestWithParam<bool> {
+class ClipSolution : public testing::TestWithParam<bool> {
 protected:
-    Clip* const clip = GetParam() ? &clip_triangle : tests::tenant<Clip>(ORACLE_MODULE);
+    Clip* const clip = GetParam() ? &clip_triangle : tests::solution<Clip>(ORACLE_MODULE);
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, ClipTenant, testing::Values(true, false), [](const auto& tenant) { return tenant.param ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, ClipSolution, testing::Values(true, false),
+                         [](const auto& solution) { return solution.param ? "reference" : "oracle"; });
 
 }
 
 // The polygon holds exactly those points of the triangle that lie in the volume, and turns as the triangle does.
-TEST_P(ClipTenant, KeepsWhatIsInside)
+TEST_P(ClipSolution, KeepsWhatIsInside)
 {
     constexpr std::uint64_t seed = 20271;
     Random random(seed);
@@ -86,7 +89,7 @@ TEST_P(ClipTenant, KeepsWhatIsInside)
     EXPECT_GT(outside, 50'000U);
 }
 
-TEST_P(ClipTenant, CornersLieInTheVolumeExactly)
+TEST_P(ClipSolution, CornersLieInTheVolumeExactly)
 {
     constexpr std::uint64_t seed = 20272;
     Random random(seed);
@@ -95,7 +98,8 @@ TEST_P(ClipTenant, CornersLieInTheVolumeExactly)
         const Triangle triangle = random_triangle(random, i % 2 == 0 ? 2.0F : 1e6F);
         const std::vector<ClipVertex> polygon = polygon_of(clip, triangle);
         most = std::max(most, polygon.size());
-        ASSERT_TRUE(polygon.empty() || (polygon.size() >= 3 && polygon.size() <= 9)) << polygon.size() << " corners; seed " << seed << ", triangle " << i;
+        ASSERT_TRUE(polygon.empty() || (polygon.size() >= 3 && polygon.size() <= 9))
+            << polygon.size() << " corners; seed " << seed << ", triangle " << i;
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             const auto& [p, weights] = polygon[k];
             ASSERT_EQ(outside_planes(p), 0U) << "seed " << seed << ", triangle " << i;
@@ -109,14 +113,15 @@ TEST_P(ClipTenant, CornersLieInTheVolumeExactly)
     EXPECT_GE(most, 8U);
 }
 
-TEST_P(ClipTenant, NineCornersAtMost)
+TEST_P(ClipSolution, NineCornersAtMost)
 {
-    const Triangle triangle = {glm::vec4(-1.875F, 1.8125F, 0.0625F, 1), {0, -1.875F, 1.8125F, 1}, {1.8125F, 0.03125F, -1.875F, 1}};
+    const Triangle triangle = {
+        glm::vec4(-1.875F, 1.8125F, 0.0625F, 1), {0, -1.875F, 1.8125F, 1}, {1.8125F, 0.03125F, -1.875F, 1}};
     EXPECT_EQ(polygon_of(clip, triangle).size(), 9U);
 }
 
 // Two triangles at one side, begun at any corner and turned either way: what lies on the side has the same bits.
-TEST_P(ClipTenant, NoCracks)
+TEST_P(ClipSolution, NoCracks)
 {
     constexpr std::uint64_t seed = 20273;
     Random random(seed);
@@ -142,7 +147,7 @@ TEST_P(ClipTenant, NoCracks)
 }
 
 // What the header promises to those who clip at a guard band.
-TEST_P(ClipTenant, GuardBandByScaling)
+TEST_P(ClipSolution, GuardBandByScaling)
 {
     const Triangle far_away = {glm::vec4(-3, 0, 0, 1), {7, -6, 0, 1}, {0, 7.5F, 0.5F, 1}};
     Triangle scaled = far_away;
@@ -157,7 +162,7 @@ TEST(ClipAccuracy, ReferenceKeepsItsGuarantee)
 {
     constexpr std::uint64_t seed = 20274;
     Random random(seed);
-    Clip* const oracle = tests::tenant<Clip>(ORACLE_MODULE);
+    Clip* const oracle = tests::solution<Clip>(ORACLE_MODULE);
     double worst_position = 0;
     double worst_weight = 0;
     for (int i = 0; i < 30'000; ++i) {
@@ -169,7 +174,9 @@ TEST(ClipAccuracy, ReferenceKeepsItsGuarantee)
             const glm::dvec4 off = glm::dvec4(got[k].position) - glm::dvec4(exact[k].position);
             const double ulp = std::ldexp(1.0, std::ilogb(exact[k].position.w) - 23);
             for (int c = 0; c < 4; ++c) worst_position = std::max(worst_position, std::abs(off[c]) / ulp);
-            for (int c = 0; c < 3; ++c) worst_weight = std::max(worst_weight, std::abs(double{got[k].weights[c]} - double{exact[k].weights[c]}) / 0x1p-24);
+            for (int c = 0; c < 3; ++c)
+                worst_weight =
+                    std::max(worst_weight, std::abs(double{got[k].weights[c]} - double{exact[k].weights[c]}) / 0x1p-24);
         }
     }
     RecordProperty("ulps", std::to_string(worst_position) + " " + std::to_string(worst_weight));

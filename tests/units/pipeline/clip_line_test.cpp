@@ -3,7 +3,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/clip_line.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 
 using namespace umbral;
 using namespace umbral::pipeline;
@@ -26,19 +26,25 @@ bool on_border(const ClipWindow& window, const glm::vec2& p)
 // Small whole numbers, so that touching happens.
 glm::vec2 on_lattice(Random& random, int reach)
 {
-    const auto coordinate = [&] { return static_cast<float>(random.below(static_cast<std::uint32_t>(2 * reach + 1))) - static_cast<float>(reach); };
+    const auto coordinate = [&] {
+        return static_cast<float>(random.below(static_cast<std::uint32_t>(2 * reach + 1))) - static_cast<float>(reach);
+    };
     const float x = coordinate();
     return {x, coordinate()};
 }
 
-// Exact: the window is convex, so a segment meets it if it meets both of its intervals and has corners on both sides, or on it.
+// Exact: the window is convex, so a segment meets it if it meets both of its intervals and has corners on both sides,
+// or on it.
 bool meets(const ClipWindow& window, const LineSegment& s)
 {
     for (int axis = 0; axis < 2; ++axis)
-        if (std::max(s.from[axis], s.to[axis]) < window.low[axis] || std::min(s.from[axis], s.to[axis]) > window.high[axis]) return false;
+        if (std::max(s.from[axis], s.to[axis]) < window.low[axis] ||
+            std::min(s.from[axis], s.to[axis]) > window.high[axis])
+            return false;
     bool left = false;
     bool right = false;
-    for (const glm::vec2& corner : {window.low, glm::vec2(window.low.x, window.high.y), window.high, glm::vec2(window.high.x, window.low.y)}) {
+    for (const glm::vec2& corner :
+         {window.low, glm::vec2(window.low.x, window.high.y), window.high, glm::vec2(window.high.x, window.low.y)}) {
         const glm::dvec2 d = glm::dvec2(s.to) - glm::dvec2(s.from);
         const glm::dvec2 c = glm::dvec2(corner) - glm::dvec2(s.from);
         const double side = d.x * c.y - d.y * c.x;
@@ -48,11 +54,12 @@ bool meets(const ClipWindow& window, const LineSegment& s)
     return left && right;
 }
 
-class ClipLineTenant : public testing::TestWithParam<bool> {
+class ClipLineSolution : public testing::TestWithParam<bool> {
 protected:
-    Clip* const clip = GetParam() ? &clip_segment : tests::tenant<Clip>(ORACLE_MODULE);
+    Clip* const clip = GetParam() ? &clip_segment : tests::solution<Clip>(ORACLE_MODULE);
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, ClipLineTenant, testing::Values(true, false), [](const auto& tenant) { return tenant.param ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, ClipLineSolution, testing::Values(true, false),
+                         [](const auto& solution) { return solution.param ? "reference" : "oracle"; });
 
 }
 
@@ -67,7 +74,7 @@ TEST(ClipLine, CodesOfTheNineRegions)
 }
 
 // On a lattice every decision can be made exactly.
-TEST_P(ClipLineTenant, LatticeSegments)
+TEST_P(ClipLineSolution, LatticeSegments)
 {
     constexpr std::uint64_t seed = 20291;
     Random random(seed);
@@ -84,19 +91,22 @@ TEST_P(ClipLineTenant, LatticeSegments)
         ++hits;
         for (const auto& [end, original] : {std::pair(left->from, segment.from), {left->to, segment.to}}) {
             ASSERT_TRUE(inside(window, end)) << "seed " << seed << ", segment " << i;
-            ASSERT_TRUE(inside(window, original) ? end == original : on_border(window, end)) << "seed " << seed << ", segment " << i;
+            ASSERT_TRUE(inside(window, original) ? end == original : on_border(window, end))
+                << "seed " << seed << ", segment " << i;
         }
-        ASSERT_GE(dot(left->to - left->from, segment.to - segment.from), 0) << "the direction stays; seed " << seed << ", segment " << i;
+        ASSERT_GE(dot(left->to - left->from, segment.to - segment.from), 0)
+            << "the direction stays; seed " << seed << ", segment " << i;
         const std::optional<LineSegment> back = clip(window, {segment.to, segment.from});
         ASSERT_TRUE(back && back->from == left->to && back->to == left->from) << "seed " << seed << ", segment " << i;
     }
     EXPECT_GT(hits, 30'000U);
 }
 
-TEST_P(ClipLineTenant, NonsenseGivesNothing)
+TEST_P(ClipLineSolution, NonsenseGivesNothing)
 {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
-        for (const LineSegment& segment : {LineSegment{{bad, 0}, {0, 0}}, {{0, bad}, {0, 0}}, {{0, 0}, {bad, 0}}, {{0, 0}, {-bad, -bad}}})
+        for (const LineSegment& segment :
+             {LineSegment{{bad, 0}, {0, 0}}, {{0, bad}, {0, 0}}, {{0, 0}, {bad, 0}}, {{0, 0}, {-bad, -bad}}})
             EXPECT_EQ(clip(unit, segment).has_value(), false);
 }
 
@@ -105,7 +115,7 @@ TEST(ClipLineAccuracy, ReferenceKeepsItsGuarantee)
 {
     constexpr std::uint64_t seed = 20292;
     Random random(seed);
-    Clip* const oracle = tests::tenant<Clip>(ORACLE_MODULE);
+    Clip* const oracle = tests::solution<Clip>(ORACLE_MODULE);
     double worst = 0;
     std::size_t hits = 0;
     for (int i = 0; i < 300'000; ++i) {
@@ -115,15 +125,18 @@ TEST(ClipLineAccuracy, ReferenceKeepsItsGuarantee)
         const glm::vec2 through = middle + 1.5F * glm::vec2(random.in_cube());
         const glm::vec2 along(random.in_cube());
         const float reach = largest * std::exp2(19 * random.uniform());
-        const LineSegment segment{through - reach * random.uniform() * along, through + reach * random.uniform() * along};
+        const LineSegment segment{through - reach * random.uniform() * along,
+                                  through + reach * random.uniform() * along};
         const std::optional<LineSegment> got = clip_segment(window, segment);
         const std::optional<LineSegment> exact = oracle(window, segment);
         ASSERT_EQ(got.has_value(), exact.has_value()) << "seed " << seed << ", segment " << i;
         if (!got) continue;
         ++hits;
-        const double ulp =
-            std::ldexp(1.0, std::ilogb(std::max({std::abs(window.low.x), std::abs(window.low.y), std::abs(window.high.x), std::abs(window.high.y)})) - 23);
-        worst = std::max({worst, double{length(got->from - exact->from)} / ulp, double{length(got->to - exact->to)} / ulp});
+        const double ulp = std::ldexp(1.0, std::ilogb(std::max({std::abs(window.low.x), std::abs(window.low.y),
+                                                                std::abs(window.high.x), std::abs(window.high.y)})) -
+                                               23);
+        worst =
+            std::max({worst, double{length(got->from - exact->from)} / ulp, double{length(got->to - exact->to)} / ulp});
     }
     RecordProperty("ulps", std::to_string(worst));
     EXPECT_LE(worst, 1) << "seed " << seed;

@@ -2,7 +2,7 @@
 
 #include <pipeline/clip-polygon/shapes.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 
 using namespace umbral;
 using namespace umbral::pipeline;
@@ -15,7 +15,8 @@ double cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) { return (b.x - a.x) * (p
 double signed_area(const Polygon& polygon)
 {
     double area = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) area += 0.5 * cross({0, 0}, polygon[i], polygon[(i + 1) % polygon.size()]);
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        area += 0.5 * cross({0, 0}, polygon[i], polygon[(i + 1) % polygon.size()]);
     return area;
 }
 
@@ -30,16 +31,17 @@ bool inside(const Polygon& polygon, glm::dvec2 p)
     return in;
 }
 
-class ClipPolygonTenant : public testing::TestWithParam<bool> {
+class ClipPolygonSolution : public testing::TestWithParam<bool> {
 protected:
-    Clip* const clip = GetParam() ? &clip_polygon : tests::tenant<Clip>(ORACLE_MODULE);
+    Clip* const clip = GetParam() ? &clip_polygon : tests::solution<Clip>(ORACLE_MODULE);
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, ClipPolygonTenant, testing::Values(true, false), [](const auto& tenant) { return tenant.param ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, ClipPolygonSolution, testing::Values(true, false),
+                         [](const auto& solution) { return solution.param ? "reference" : "oracle"; });
 
 }
 
 // A point is in what is left if it is in both; corners lie in the window; and the orientation stays.
-TEST_P(ClipPolygonTenant, IsTheIntersection)
+TEST_P(ClipPolygonSolution, IsTheIntersection)
 {
     constexpr std::uint64_t seed = 20301;
     Random random(seed);
@@ -55,7 +57,8 @@ TEST_P(ClipPolygonTenant, IsTheIntersection)
             ASSERT_EQ(inside(left, p), both) << "seed " << seed << ", polygon " << i;
         }
         for (const glm::vec2& corner : left)
-            for (std::size_t k = 0; k < window.size(); ++k) ASSERT_GT(cross(window[k], window[(k + 1) % window.size()], corner), -1e-6) << "seed " << seed;
+            for (std::size_t k = 0; k < window.size(); ++k)
+                ASSERT_GT(cross(window[k], window[(k + 1) % window.size()], corner), -1e-6) << "seed " << seed;
         if (std::abs(signed_area(left)) > 1e-6) {
             ASSERT_GT(signed_area(left) * signed_area(polygon), 0) << "seed " << seed << ", polygon " << i;
         }
@@ -64,7 +67,7 @@ TEST_P(ClipPolygonTenant, IsTheIntersection)
 }
 
 // Two windows that share a side divide what one window holds.
-TEST_P(ClipPolygonTenant, TwoWindowsShareTheArea)
+TEST_P(ClipPolygonSolution, TwoWindowsShareTheArea)
 {
     constexpr std::uint64_t seed = 20302;
     Random random(seed);
@@ -74,16 +77,19 @@ TEST_P(ClipPolygonTenant, TwoWindowsShareTheArea)
         const Polygon whole = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
         const Polygon left = {{-1, -1}, {split, -1}, {split, 1}, {-1, 1}};
         const Polygon right = {{split, -1}, {1, -1}, {1, 1}, {split, 1}};
-        ASSERT_NEAR(signed_area(clip(polygon, left)) + signed_area(clip(polygon, right)), signed_area(clip(polygon, whole)), 2e-6) << "seed " << seed;
+        ASSERT_NEAR(signed_area(clip(polygon, left)) + signed_area(clip(polygon, right)),
+                    signed_area(clip(polygon, whole)), 2e-6)
+            << "seed " << seed;
     }
 }
 
-TEST_P(ClipPolygonTenant, NothingComesOfNothing)
+TEST_P(ClipPolygonSolution, NothingComesOfNothing)
 {
     const Polygon square = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (const Polygon& polygon : {Polygon{}, Polygon{{1, 1}}, Polygon{{1, 1}, {2, 2}}, Polygon{{8, 4}, {11, 6}, {12, 1}}, Polygon{{8, 2}, {8, 6}, {12, 3}},
-                                   Polygon{{1, 1}, {nan, 2}, {4, 4}}})
+    for (const Polygon& polygon :
+         {Polygon{}, Polygon{{1, 1}}, Polygon{{1, 1}, {2, 2}}, Polygon{{8, 4}, {11, 6}, {12, 1}},
+          Polygon{{8, 2}, {8, 6}, {12, 3}}, Polygon{{1, 1}, {nan, 2}, {4, 4}}})
         EXPECT_TRUE(clip(polygon, square).empty());
     EXPECT_TRUE(clip(square, {}).empty());
     EXPECT_EQ(clip(square, square).size(), 4U);
@@ -94,7 +100,7 @@ TEST(ClipPolygonAccuracy, ReferenceKeepsItsGuarantee)
 {
     constexpr std::uint64_t seed = 20303;
     Random random(seed);
-    Clip* const oracle = tests::tenant<Clip>(ORACLE_MODULE);
+    Clip* const oracle = tests::solution<Clip>(ORACLE_MODULE);
     double worst = 0;
     for (int i = 0; i < 30'000; ++i) {
         Polygon polygon = random_polygon(random, 3 + random.below(8), i % 2 == 0 ? 0.0F : 1.0F);

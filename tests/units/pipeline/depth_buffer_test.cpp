@@ -3,7 +3,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/depth.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 
 using namespace umbral;
 using namespace umbral::pipeline;
@@ -35,14 +35,17 @@ TEST(DepthBuffer, FunctionsSayWhatTheirNamesSay)
                                                        {true, true, true}}};
     for (std::size_t i = 0; i < 8; ++i) {
         const auto function = static_cast<DepthFunction>(i);
-        EXPECT_EQ((std::array{depth_passes(function, 0.25F, 0.5F), depth_passes(function, 0.5F, 0.5F), depth_passes(function, 0.75F, 0.5F)}), table[i]) << i;
+        EXPECT_EQ((std::array{depth_passes(function, 0.25F, 0.5F), depth_passes(function, 0.5F, 0.5F),
+                              depth_passes(function, 0.75F, 0.5F)}),
+                  table[i])
+            << i;
     }
 }
 
 // All codes of both formats: each is kept as it is, is less than the next, and is what the oracle makes of it.
 TEST(DepthBuffer, CodesAreKept)
 {
-    auto* const oracle = tests::tenant<StoredDepth>(ORACLE_MODULE);
+    auto* const oracle = tests::solution<StoredDepth>(ORACLE_MODULE);
     for (const auto& [format, last] : {std::pair(DepthFormat::unorm16, 65535U), {DepthFormat::unorm24, 16777215U}}) {
         float below = -1;
         for (std::uint32_t code = 0; code <= last; ++code) {
@@ -61,7 +64,7 @@ TEST(DepthBuffer, RoundsAsTheOracleDoes)
 {
     constexpr std::uint64_t seed = 20281;
     Random random(seed);
-    auto* const oracle = tests::tenant<StoredDepth>(ORACLE_MODULE);
+    auto* const oracle = tests::solution<StoredDepth>(ORACLE_MODULE);
     for (int i = 0; i < 1'000'000; ++i) {
         const float depth = std::exp2(-30 * random.uniform() * random.uniform());
         for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32})
@@ -75,7 +78,9 @@ TEST(DepthBuffer, RoundsAsTheOracleDoes)
 TEST(DepthBuffer, EachFragmentMeetsWhatThoseBeforeItLeft)
 {
     Grid<float> depths(2, 1, 0.5F);
-    EXPECT_EQ(depths_left({}, {fragment(0, 0.4F), fragment(1, 0.6F), fragment(0, 0.45F), fragment(0, 0.3F), fragment(0, 0.3F)}, depths),
+    EXPECT_EQ(depths_left(
+                  {}, {fragment(0, 0.4F), fragment(1, 0.6F), fragment(0, 0.45F), fragment(0, 0.3F), fragment(0, 0.3F)},
+                  depths),
               (std::vector{0.4F, 0.3F}));
     EXPECT_EQ(depths.cells, (std::vector{0.3F, 0.5F}));
 }
@@ -83,7 +88,8 @@ TEST(DepthBuffer, EachFragmentMeetsWhatThoseBeforeItLeft)
 TEST(DepthBuffer, StateDecidesWhatIsStored)
 {
     Grid<float> depths(1, 1, 0.5F);
-    EXPECT_EQ(depths_left({true, DepthFunction::less, false}, {fragment(0, 0.4F), fragment(0, 0.45F)}, depths).size(), 2U);
+    EXPECT_EQ(depths_left({true, DepthFunction::less, false}, {fragment(0, 0.4F), fragment(0, 0.45F)}, depths).size(),
+              2U);
     EXPECT_EQ(depths_left({false, DepthFunction::never}, {fragment(0, 0.4F), fragment(0, 0.9F)}, depths).size(), 2U);
     EXPECT_EQ(depths.cells[0], 0.5F);
     EXPECT_EQ(depths_left({true, DepthFunction::always}, {fragment(0, 0.9F)}, depths).size(), 1U);
@@ -97,7 +103,10 @@ TEST(DepthBuffer, RoundsBeforeItCompares)
     const float farther = 1000.3F / 65535;
     for (const auto& [function, count] : {std::pair(DepthFunction::less, 1U), {DepthFunction::less_equal, 2U}}) {
         Grid<float> depths(1, 1, 1.0F);
-        EXPECT_EQ(depths_left({true, function, true, DepthFormat::unorm16}, {fragment(0, farther), fragment(0, near)}, depths).size(), count);
+        EXPECT_EQ(
+            depths_left({true, function, true, DepthFormat::unorm16}, {fragment(0, farther), fragment(0, near)}, depths)
+                .size(),
+            count);
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <umbral/pipeline/depth_precision.hpp>
 
-/// What the test of pipeline/depth-precision asks of a tenant.
+/// What the test of pipeline/depth-precision asks of a solution.
 struct DepthPrecision {
     double (*window_depth)(const umbral::pipeline::DepthRange&, double);
     double (*eye_depth)(const umbral::pipeline::DepthRange&, std::uint32_t, int);

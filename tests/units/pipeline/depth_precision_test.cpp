@@ -35,7 +35,8 @@ TEST(DepthPrecision, CourseValues)
     EXPECT_NEAR(65535 * window_depth(course_near, -1), 52454.227, 1e-3);
     EXPECT_NEAR(65535 * window_depth(course_near, -388), 65533.986, 1e-3);
     EXPECT_NEAR(65535 * window_depth(course_far, -999), 65534.99934, 1e-5);
-    EXPECT_EQ(depth_code(window_depth(course_far, -304.0), 16), 65533U) << "rounded, the last code but one begins beyond 304";
+    EXPECT_EQ(depth_code(window_depth(course_far, -304.0), 16), 65533U)
+        << "rounded, the last code but one begins beyond 304";
     EXPECT_EQ(depth_code(window_depth(course_far, -304.1), 16), 65534U);
     EXPECT_EQ(depth_code(window_depth(course_far, -567.2), 16), 65534U);
     EXPECT_EQ(depth_code(window_depth(course_far, -567.3), 16), 65535U);
@@ -114,14 +115,16 @@ TEST(DepthPrecision, ReferenceKeepsItsGuarantee)
         const double beside = std::pow(10, -10 * random.uniform_double());
         const bool reversed = random.below(2) == 0;
         const DepthRange range{n, f, reversed};
-        const double z = reversed ? (std::isinf(f) ? -n / beside : -std::max(n, f * (1 - beside))) : -std::min(f, n * (1 + beside));
+        const double z =
+            reversed ? (std::isinf(f) ? -n / beside : -std::max(n, f * (1 - beside))) : -std::min(f, n * (1 + beside));
         const int bits = 1 + static_cast<int>(random.below(32));
         const auto last = static_cast<std::uint32_t>((std::uint64_t{1} << static_cast<unsigned>(bits)) - 1);
         const std::uint32_t code = i % 2 == 0 ? random.bits() & last : last - std::min(last, 1 + random.below(50));
         const double gap = n * std::exp2(random.uniform(-20, 20));
         worst = std::max({worst, relative(window_depth(range, z), exact.window_depth(range, z)),
                           relative(eye_depth(range, code, bits), exact.eye_depth(range, code, bits)),
-                          relative(depth_resolution(range, DepthFormat::unorm24, -2 * n), exact.depth_resolution(range, DepthFormat::unorm24, -2 * n))});
+                          relative(depth_resolution(range, DepthFormat::unorm24, -2 * n),
+                                   exact.depth_resolution(range, DepthFormat::unorm24, -2 * n))});
         const std::optional<double> got = fighting_distance(range, bits, gap);
         const std::optional<double> begin = exact.fighting_distance(range, bits, gap);
         ASSERT_EQ(got.has_value(), begin.has_value()) << "seed " << seed << ", camera " << i;

@@ -52,12 +52,14 @@ TEST(PolygonTables, CoordinatesAreOffByHalfAUnitInTheLastPlace)
         ASSERT_EQ(corners.size(), sides);
         double worst = 0;
         for (std::uint32_t i = 0; i < sides; ++i)
-            for (int axis = 0; axis < 2; ++axis) worst = std::max(worst, std::abs(double{corners[i][axis]} - exact_corner(i, sides)[axis]));
+            for (int axis = 0; axis < 2; ++axis)
+                worst = std::max(worst, std::abs(double{corners[i][axis]} - exact_corner(i, sides)[axis]));
         EXPECT_LT(worst, 3.0e-8) << sides << " sides";
     }
 }
 
-// Area (n/2) sin(2π/n): 1.299038 for a triangle, 2.377641 for a pentagon, 2.736410 for a heptagon. Every triangle has its share of it, and front is counter-clockwise.
+// Area (n/2) sin(2π/n): 1.299038 for a triangle, 2.377641 for a pentagon, 2.736410 for a heptagon. Every triangle has
+// its share of it, and front is counter-clockwise.
 TEST(PolygonTables, TrianglesAreEqualAndCounterClockwise)
 {
     for (const auto& [sides, area] : {std::pair{3U, 1.299038}, {5U, 2.377641}, {7U, 2.736410}, {100U, 3.139526}}) {
@@ -66,7 +68,8 @@ TEST(PolygonTables, TrianglesAreEqualAndCounterClockwise)
         double sum = 0;
         for (const glm::uvec3& t : fan.triangles) {
             const glm::dvec2 a(fan.positions.at(t.x));
-            const double part = 0.5 * cross(glm::dvec2(fan.positions.at(t.y)) - a, glm::dvec2(fan.positions.at(t.z)) - a);
+            const double part =
+                0.5 * cross(glm::dvec2(fan.positions.at(t.y)) - a, glm::dvec2(fan.positions.at(t.z)) - a);
             EXPECT_NEAR(part, area / sides, 1e-6);
             sum += part;
         }
@@ -81,7 +84,8 @@ TEST(PolygonTables, EdgesAreThoseOfTheTriangles)
         const IndexedPolygon fan = polygon_fan(sides);
         std::set<std::pair<std::uint32_t, std::uint32_t>> listed;
         std::set<std::pair<std::uint32_t, std::uint32_t>> needed;
-        for (const glm::uvec2& e : fan.edges) EXPECT_TRUE(listed.insert(std::minmax(e.x, e.y)).second) << "twice: " << e.x << ' ' << e.y;
+        for (const glm::uvec2& e : fan.edges)
+            EXPECT_TRUE(listed.insert(std::minmax(e.x, e.y)).second) << "twice: " << e.x << ' ' << e.y;
         for (const glm::uvec3& t : fan.triangles)
             for (int i = 0; i < 3; ++i) needed.insert(std::minmax(t[i], t[(i + 1) % 3]));
         EXPECT_EQ(listed, needed);
@@ -102,15 +106,18 @@ TEST(PolygonTables, SegmentsJoinExactly)
     }
 }
 
-// The statement's table: what the other ways to the same corners cost. The reference's row is the test of its guarantee above.
+// The statement's table: what the other ways to the same corners cost. The reference's row is the test of its guarantee
+// above.
 TEST(PolygonTables, TableOfTheStatement)
 {
     struct Column {
         std::uint32_t sides;
         double added_up, turned, anew;
     };
-    for (const auto& [sides, added_up, turned, anew] :
-         {Column{100, 2e-6, 5e-7, 6e-7}, {1000, 6e-5, 8e-6, 6e-7}, {10'000, 3e-4, 1e-4, 6e-7}, {100'000, 7e-3, 2e-4, 7e-7}}) {
+    for (const auto& [sides, added_up, turned, anew] : {Column{100, 2e-6, 5e-7, 6e-7},
+                                                        {1000, 6e-5, 8e-6, 6e-7},
+                                                        {10'000, 3e-4, 1e-4, 6e-7},
+                                                        {100'000, 7e-3, 2e-4, 7e-7}}) {
         const float step = 2 * std::numbers::pi_v<float> / static_cast<float>(sides);
         const glm::mat2 turn(std::cos(step), std::sin(step), -std::sin(step), std::cos(step));
         float sum = 0;
@@ -120,7 +127,9 @@ TEST(PolygonTables, TableOfTheStatement)
             const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(sides);
             const glm::vec2 corners[] = {{std::cos(sum), std::sin(sum)}, place, {std::cos(angle), std::sin(angle)}};
             for (int way = 0; way < 3; ++way)
-                for (int axis = 0; axis < 2; ++axis) worst[way] = std::max(worst[way], std::abs(double{corners[way][axis]} - exact_corner(i, sides)[axis]));
+                for (int axis = 0; axis < 2; ++axis)
+                    worst[way] =
+                        std::max(worst[way], std::abs(double{corners[way][axis]} - exact_corner(i, sides)[axis]));
             sum += step;
             place = turn * place;
         }

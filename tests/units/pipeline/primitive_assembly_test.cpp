@@ -42,9 +42,12 @@ std::vector<glm::vec2> on_circle(std::size_t count)
 // The lists of the course's slides.
 TEST(PrimitiveAssembly, ListsOfTheCourse)
 {
-    EXPECT_EQ(corners_of(triangle_strip, 8), (std::vector<Indices>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {4, 5, 6}, {6, 5, 7}}));
-    EXPECT_EQ(corners_of(quad_strip, 10), (std::vector<Indices>{{0, 1, 3, 2}, {2, 3, 5, 4}, {4, 5, 7, 6}, {6, 7, 9, 8}}));
-    EXPECT_EQ(corners_of(triangle_fan, 7), (std::vector<Indices>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}}));
+    EXPECT_EQ(corners_of(triangle_strip, 8),
+              (std::vector<Indices>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {4, 5, 6}, {6, 5, 7}}));
+    EXPECT_EQ(corners_of(quad_strip, 10),
+              (std::vector<Indices>{{0, 1, 3, 2}, {2, 3, 5, 4}, {4, 5, 7, 6}, {6, 7, 9, 8}}));
+    EXPECT_EQ(corners_of(triangle_fan, 7),
+              (std::vector<Indices>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}}));
     EXPECT_EQ(corners_of(line_loop, 4), (std::vector<Indices>{{0, 1}, {1, 2}, {2, 3}, {3, 0}}));
 }
 
@@ -94,10 +97,12 @@ TEST(PrimitiveAssembly, SidesOfSliversAreExact)
     Random random(seed);
     for (int i = 0; i < 100'000; ++i) {
         const glm::i64vec2 u(1 + random.below(4'000'000), 1 + random.below(4'000'000));
-        const glm::i64vec2 v = u + glm::i64vec2(static_cast<std::int64_t>(random.below(3)) - 1, static_cast<std::int64_t>(random.below(3)) - 1);
+        const glm::i64vec2 v = u + glm::i64vec2(static_cast<std::int64_t>(random.below(3)) - 1,
+                                                static_cast<std::int64_t>(random.below(3)) - 1);
         const glm::i64vec2 a(static_cast<std::int64_t>(random.below(1000)) - 500, random.below(1000));
         const std::int64_t exact = u.x * v.y - u.y * v.x;
-        const std::vector<glm::vec2> corners = {glm::vec2(a) / 256.0F, glm::vec2(a + u) / 256.0F, glm::vec2(a + v) / 256.0F};
+        const std::vector<glm::vec2> corners = {glm::vec2(a) / 256.0F, glm::vec2(a + u) / 256.0F,
+                                                glm::vec2(a + v) / 256.0F};
         ASSERT_EQ(is_front_facing(corners), exact > 0) << "seed " << seed << ", row " << i;
     }
 }
@@ -106,7 +111,9 @@ TEST(PrimitiveAssembly, SidesOfSliversAreExact)
 TEST(PrimitiveAssembly, ModesOfAnOctagon)
 {
     const std::vector<glm::vec2> places = on_circle(8);
-    const auto list = [&](PolygonMode mode, Culling culling) { return draw_list(polygon, counted(8), places, culling, mode); };
+    const auto list = [&](PolygonMode mode, Culling culling) {
+        return draw_list(polygon, counted(8), places, culling, mode);
+    };
     EXPECT_EQ(list(PolygonMode::point, Culling::back).points.size(), 8U);
     EXPECT_EQ(list(PolygonMode::line, Culling::back).segments.size(), 8U);
     double area = 0;
@@ -119,7 +126,8 @@ TEST(PrimitiveAssembly, ModesOfAnOctagon)
     EXPECT_TRUE(list(PolygonMode::fill, Culling::front).triangles.empty());
 }
 
-// Two strips joined by repeating a vertex twice: the triangles without area show nothing, in either mode, and keep the parity.
+// Two strips joined by repeating a vertex twice: the triangles without area show nothing, in either mode, and keep the
+// parity.
 TEST(PrimitiveAssembly, JoinedStrips)
 {
     std::vector<glm::vec2> places;
@@ -130,7 +138,8 @@ TEST(PrimitiveAssembly, JoinedStrips)
               (std::vector<glm::uvec3>{{0, 1, 2}, {2, 1, 3}, {4, 5, 6}, {6, 5, 7}}));
 }
 
-// The statement's table: of 20,000 needles, the share for which a way in float takes the front for a back, or the other way round.
+// The statement's table: of 20,000 needles, the share for which a way in float takes the front for a back, or the other
+// way round.
 TEST(PrimitiveAssembly, TableOfTheStatement)
 {
     constexpr std::uint64_t seed = 77;
@@ -138,7 +147,8 @@ TEST(PrimitiveAssembly, TableOfTheStatement)
         int reach;
         double products, subtracted;
     };
-    for (const auto& [reach, products, subtracted] : {Column{30, 60, 0}, {200, 64, 34}, {1000, 68, 90}, {4000, 65, 99}, {16'000, 63, 100}}) {
+    for (const auto& [reach, products, subtracted] :
+         {Column{30, 60, 0}, {200, 64, 34}, {1000, 68, 90}, {4000, 65, 99}, {16'000, 63, 100}}) {
         Random random(seed);
         glm::dvec2 wrong(0);
         for (int i = 0; i < 20'000; ++i) {

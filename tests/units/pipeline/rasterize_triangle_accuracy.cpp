@@ -1,12 +1,12 @@
-// Prints how many needles the reference and edge functions in float get wrong, and how far off weights are in large triangles: the table in
-// the statement of pipeline/rasterize-triangle.
-// Usage: rasterize-triangle-accuracy [SEED [TRIANGLES]]
+// Prints how many needles the reference and edge functions in float get wrong, and how far off weights are in large
+// triangles: the table in the statement of pipeline/rasterize-triangle. Usage: rasterize-triangle-accuracy [SEED
+// [TRIANGLES]]
 
 #include <cstdio>
 #include <cstdlib>
 #include <pipeline/support.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 
 using namespace umbral;
 using namespace umbral::pipeline;
@@ -59,12 +59,13 @@ int main(int count, char** arguments)
 {
     const std::uint64_t seed = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1;
     const int triangles = count > 2 ? std::atoi(arguments[2]) : 20'000;
-    Rasterize* const oracle = tests::tenant<Rasterize>(ORACLE_MODULE);
-    std::printf("seed %llu, %d needles and as many large triangles a line, w from 1 to 8, picture %d x %d\n", static_cast<unsigned long long>(seed), triangles,
-                width, height);
-    std::printf("%-12s %8s %24s %24s %14s\n", "tenant", "reach", "pixels of needles lost, %", "pixels too many, %", "worst weight");
+    Rasterize* const oracle = tests::solution<Rasterize>(ORACLE_MODULE);
+    std::printf("seed %llu, %d needles and as many large triangles a line, w from 1 to 8, picture %d x %d\n",
+                static_cast<unsigned long long>(seed), triangles, width, height);
+    std::printf("%-12s %8s %24s %24s %14s\n", "solution", "reach", "pixels of needles lost, %", "pixels too many, %",
+                "worst weight");
     for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"float edges", FLOAT_EDGES_MODULE}}) {
-        Rasterize* const rasterize = tests::tenant<Rasterize>(module);
+        Rasterize* const rasterize = tests::solution<Rasterize>(module);
         for (const int reach : {16, 64, 256, 1024, 4096, 16000}) {
             Random random(seed);
             Errors needles;
@@ -80,8 +81,11 @@ int main(int count, char** arguments)
                 compare(needles, random_attributes(random, needle(random, width, height, reach, i % 2 == 0)));
                 compare(large, aimed(random, static_cast<float>(reach)));
             }
-            const auto percent = [&](std::size_t part) { return 100.0 * static_cast<double>(part) / static_cast<double>(needles.expected); };
-            std::printf("%-12s %8d %24.3f %24.3f %14.2g\n", name, reach, percent(needles.missing), percent(needles.extra), large.worst_weight);
+            const auto percent = [&](std::size_t part) {
+                return 100.0 * static_cast<double>(part) / static_cast<double>(needles.expected);
+            };
+            std::printf("%-12s %8d %24.3f %24.3f %14.2g\n", name, reach, percent(needles.missing),
+                        percent(needles.extra), large.worst_weight);
         }
     }
 }

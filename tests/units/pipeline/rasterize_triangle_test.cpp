@@ -3,7 +3,7 @@
 #include <numeric>
 #include <pipeline/support.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 #include "../ulps.hpp"
 #include "scan_conversion.hpp"
 
@@ -16,7 +16,10 @@ namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
-Triangle flat(const Corners& corners) { return {WindowVertex{corners[0], 0, 1}, {corners[1], 0, 1}, {corners[2], 0, 1}}; }
+Triangle flat(const Corners& corners)
+{
+    return {WindowVertex{corners[0], 0, 1}, {corners[1], 0, 1}, {corners[2], 0, 1}};
+}
 
 std::vector<Fragment> fragments_of(Rasterize* rasterize, const Triangle& triangle, int width, int height)
 {
@@ -40,43 +43,48 @@ Grid<int> counted(Rasterize* rasterize, const std::vector<Corners>& triangles, i
 {
     Grid<int> counts(width, height);
     for (const Corners& corners : triangles)
-        for (const Fragment& fragment : fragments_of(rasterize, flat(corners), width, height)) ++counts.at(fragment.pixel.x, fragment.pixel.y);
+        for (const Fragment& fragment : fragments_of(rasterize, flat(corners), width, height))
+            ++counts.at(fragment.pixel.x, fragment.pixel.y);
     return counts;
 }
 
 /// Every test here holds for the reference and for the oracle.
-class RasterizeTenant : public testing::TestWithParam<const char*> {
+class RasterizeSolution : public testing::TestWithParam<const char*> {
 protected:
-    Rasterize* const rasterize = tests::tenant<Rasterize>(GetParam());
+    Rasterize* const rasterize = tests::solution<Rasterize>(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, RasterizeTenant, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
-                         [](const auto& tenant) { return tenant.index == 0 ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, RasterizeSolution, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
+                         [](const auto& solution) { return solution.index == 0 ? "reference" : "oracle"; });
 
 }
 
 // Drawn by hand on squared paper.
-TEST_P(RasterizeTenant, KnownAnswers)
+TEST_P(RasterizeSolution, KnownAnswers)
 {
     EXPECT_EQ(drawn(rasterize, {glm::vec2(1, 1), {4, 1}, {1, 4}}, 5, 5), ".....\n.##..\n.#...\n.....\n.....\n");
-    EXPECT_EQ(drawn(rasterize, {glm::vec2(4, 4), {1, 4}, {4, 1}}, 5, 5), ".....\n...#.\n..##.\n.###.\n.....\n") << "the other half takes the diagonal";
-    EXPECT_EQ(drawn(rasterize, {glm::vec2(0.5F, 0.5F), {3.5F, 0.5F}, {3.5F, 3.5F}}, 4, 4), "###.\n.##.\n..#.\n....\n") << "corners on centres";
+    EXPECT_EQ(drawn(rasterize, {glm::vec2(4, 4), {1, 4}, {4, 1}}, 5, 5), ".....\n...#.\n..##.\n.###.\n.....\n")
+        << "the other half takes the diagonal";
+    EXPECT_EQ(drawn(rasterize, {glm::vec2(0.5F, 0.5F), {3.5F, 0.5F}, {3.5F, 3.5F}}, 4, 4), "###.\n.##.\n..#.\n....\n")
+        << "corners on centres";
     EXPECT_EQ(drawn(rasterize, {glm::vec2(0.5F, 0.5F), {0.5F, 3.5F}, {3.5F, 3.5F}}, 4, 4), "....\n#...\n##..\n....\n");
     EXPECT_EQ(drawn(rasterize, {glm::vec2(-9, -9), {20, -9}, {-9, 20}}, 2, 2), "##\n##\n");
-    EXPECT_EQ(drawn(rasterize, {glm::vec2(0.75F, 0.75F), {1.25F, 0.75F}, {1, 1.25F}}, 2, 2), "..\n..\n") << "between the centres";
+    EXPECT_EQ(drawn(rasterize, {glm::vec2(0.75F, 0.75F), {1.25F, 0.75F}, {1, 1.25F}}, 2, 2), "..\n..\n")
+        << "between the centres";
 }
 
-TEST_P(RasterizeTenant, RowByRowInBothOrientations)
+TEST_P(RasterizeSolution, RowByRowInBothOrientations)
 {
     const std::vector<Fragment> one = fragments_of(rasterize, flat({glm::vec2(0, 0), {5, 1}, {2, 6}}), 6, 6);
     const std::vector<Fragment> other = fragments_of(rasterize, flat({glm::vec2(0, 0), {2, 6}, {5, 1}}), 6, 6);
     ASSERT_GT(one.size(), 8U);
     ASSERT_EQ(one.size(), other.size());
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].pixel, other[i].pixel);
-    EXPECT_TRUE(std::is_sorted(one.begin(), one.end(),
-                               [](const Fragment& a, const Fragment& b) { return std::pair(a.pixel.y, a.pixel.x) < std::pair(b.pixel.y, b.pixel.x); }));
+    EXPECT_TRUE(std::is_sorted(one.begin(), one.end(), [](const Fragment& a, const Fragment& b) {
+        return std::pair(a.pixel.y, a.pixel.x) < std::pair(b.pixel.y, b.pixel.x);
+    }));
 }
 
-TEST_P(RasterizeTenant, AppendsToWhatIsThere)
+TEST_P(RasterizeSolution, AppendsToWhatIsThere)
 {
     std::vector<Fragment> fragments(1, Fragment{{7, 7}, 0.5F, glm::vec3(0)});
     rasterize(flat({glm::vec2(0, 0), {2, 0}, {0, 2}}), 4, 4, fragments);
@@ -84,17 +92,20 @@ TEST_P(RasterizeTenant, AppendsToWhatIsThere)
     EXPECT_EQ(fragments[0].pixel, glm::ivec2(7, 7));
 }
 
-TEST_P(RasterizeTenant, PositionsAreRoundedToEvenTies)
+TEST_P(RasterizeSolution, PositionsAreRoundedToEvenTies)
 {
-    // A left edge at 2.5 is covered, one at 2.5 + 1/256 is not; 2/1024 lies between them and goes to the even one, 2.5 = 640/256.
-    const auto covers = [&](float left) { return !fragments_of(rasterize, flat({glm::vec2(left, 0), {left, 9}, {3.25F, 4}}), 3, 8).empty(); };
+    // A left edge at 2.5 is covered, one at 2.5 + 1/256 is not; 2/1024 lies between them and goes to the even one, 2.5
+    // = 640/256.
+    const auto covers = [&](float left) {
+        return !fragments_of(rasterize, flat({glm::vec2(left, 0), {left, 9}, {3.25F, 4}}), 3, 8).empty();
+    };
     EXPECT_TRUE(covers(2.5F));
     EXPECT_TRUE(covers(2.5F + 2.0F / 1024));
     EXPECT_FALSE(covers(2.5F + 3.0F / 1024));
     EXPECT_TRUE(covers(2.5F - 2.0F / 1024));
 }
 
-TEST_P(RasterizeTenant, NonsenseLeavesNoTrace)
+TEST_P(RasterizeSolution, NonsenseLeavesNoTrace)
 {
     const Triangle good = flat({glm::vec2(0, 0), {8, 0}, {0, 8}});
     ASSERT_FALSE(fragments_of(rasterize, good, 8, 8).empty());
@@ -113,7 +124,8 @@ TEST_P(RasterizeTenant, NonsenseLeavesNoTrace)
         EXPECT_TRUE(without([](WindowVertex& v) { v.inverse_w = 0; }));
         EXPECT_TRUE(without([](WindowVertex& v) { v.inverse_w = -2; }));
     }
-    EXPECT_TRUE(fragments_of(rasterize, flat({glm::vec2(0.5F, 0.5F), {3.5F, 3.5F}, {7.5F, 7.5F}}), 8, 8).empty()) << "a line through centres";
+    EXPECT_TRUE(fragments_of(rasterize, flat({glm::vec2(0.5F, 0.5F), {3.5F, 3.5F}, {7.5F, 7.5F}}), 8, 8).empty())
+        << "a line through centres";
     EXPECT_TRUE(fragments_of(rasterize, flat({glm::vec2(0.5F, 2.5F), {3.5F, 2.5F}, {7.5F, 2.5F}}), 8, 8).empty());
     EXPECT_TRUE(fragments_of(rasterize, flat({glm::vec2(2.5F, 2.5F), {2.5F, 2.5F}, {2.5F, 2.5F}}), 8, 8).empty());
     EXPECT_TRUE(fragments_of(rasterize, good, 0, 8).empty());
@@ -121,7 +133,7 @@ TEST_P(RasterizeTenant, NonsenseLeavesNoTrace)
 }
 
 // Whatever the mesh, every pixel of the square belongs to exactly one triangle.
-TEST_P(RasterizeTenant, PartitionsCoverEachPixelOnce)
+TEST_P(RasterizeSolution, PartitionsCoverEachPixelOnce)
 {
     constexpr std::uint64_t seed = 20269;
     Random random(seed);
@@ -129,11 +141,12 @@ TEST_P(RasterizeTenant, PartitionsCoverEachPixelOnce)
         const Grid<int> counts = counted(rasterize, random_partition(random, 6), 26, 26);
         for (int y = 0; y < 26; ++y)
             for (int x = 0; x < 26; ++x)
-                ASSERT_EQ(counts.at(x, y), x < 24 && y < 24 ? 1 : 0) << "seed " << seed << ", round " << round << ", " << x << ", " << y;
+                ASSERT_EQ(counts.at(x, y), x < 24 && y < 24 ? 1 : 0)
+                    << "seed " << seed << ", round " << round << ", " << x << ", " << y;
     }
 }
 
-TEST_P(RasterizeTenant, FansCoverEachPixelOnce)
+TEST_P(RasterizeSolution, FansCoverEachPixelOnce)
 {
     Random random(20270);
     for (const glm::vec2 centre : {glm::vec2(12.5F, 12.5F), {12, 12}, {12.5F, 12}, {12.25F, 12.625F}}) {
@@ -142,13 +155,14 @@ TEST_P(RasterizeTenant, FansCoverEachPixelOnce)
             for (int x = 0; x < 25; ++x) {
                 const glm::vec2 off = glm::vec2(x, y) + 0.5F - centre;
                 const bool inside = off.x >= -9 && off.x < 9 && off.y >= -9 && off.y < 9;
-                ASSERT_EQ(counts.at(x, y), inside ? 1 : 0) << x << ", " << y << " round " << centre.x << ", " << centre.y;
+                ASSERT_EQ(counts.at(x, y), inside ? 1 : 0)
+                    << x << ", " << y << " round " << centre.x << ", " << centre.y;
             }
     }
 }
 
 // Corners in halves, quarters … 1/256 of a pixel: from nearly all on ties to nearly none.
-TEST_P(RasterizeTenant, AgreesWithScanConversionInRationalNumbers)
+TEST_P(RasterizeSolution, AgreesWithScanConversionInRationalNumbers)
 {
     constexpr std::uint64_t seed = 20271;
     Random random(seed);
@@ -165,8 +179,9 @@ TEST_P(RasterizeTenant, AgreesWithScanConversionInRationalNumbers)
     }
 }
 
-// Worked by hand: w = 1 and w = 10 at the ends of an edge. In the middle of the screen the far end has the weight 1/11, the depth is halfway.
-TEST_P(RasterizeTenant, WeightsInPerspective)
+// Worked by hand: w = 1 and w = 10 at the ends of an edge. In the middle of the screen the far end has the weight 1/11,
+// the depth is halfway.
+TEST_P(RasterizeSolution, WeightsInPerspective)
 {
     const Triangle triangle = {WindowVertex{{0.5F, 0.5F}, 0.25F, 1}, {{8.5F, 0.5F}, 0.75F, 0.1F}, {{0.5F, 8.5F}, 1, 1}};
     for (const auto& [pixel, depth, weights] : fragments_of(rasterize, triangle, 9, 9)) {
@@ -182,12 +197,13 @@ TEST_P(RasterizeTenant, WeightsInPerspective)
     }
 }
 
-// The header's guarantee: the same pixels as the oracle, weights and depth within one ulp; inside the picture, far outside, in slivers.
+// The header's guarantee: the same pixels as the oracle, weights and depth within one ulp; inside the picture, far
+// outside, in slivers.
 TEST(RasterizeAccuracy, ReferenceKeepsItsGuarantee)
 {
     constexpr std::uint64_t seed = 20272;
-    const auto reference = tests::tenant<Rasterize>(REFERENCE_MODULE);
-    const auto oracle = tests::tenant<Rasterize>(ORACLE_MODULE);
+    const auto reference = tests::solution<Rasterize>(REFERENCE_MODULE);
+    const auto oracle = tests::solution<Rasterize>(ORACLE_MODULE);
     Random random(seed);
     std::size_t fragments = 0;
     for (int round = 0; round < 4000; ++round) {
@@ -203,7 +219,9 @@ TEST(RasterizeAccuracy, ReferenceKeepsItsGuarantee)
         for (std::size_t i = 0; i < got.size(); ++i) {
             ASSERT_EQ(got[i].pixel, exact[i].pixel) << "seed " << seed << ", round " << round;
             ASSERT_LE(tests::ulps_between(got[i].depth, exact[i].depth), 1) << "seed " << seed << ", round " << round;
-            for (int k = 0; k < 3; ++k) ASSERT_LE(tests::ulps_between(got[i].weights[k], exact[i].weights[k]), 1) << "seed " << seed << ", round " << round;
+            for (int k = 0; k < 3; ++k)
+                ASSERT_LE(tests::ulps_between(got[i].weights[k], exact[i].weights[k]), 1)
+                    << "seed " << seed << ", round " << round;
         }
     }
     EXPECT_GT(fragments, 100'000U);
@@ -228,8 +246,8 @@ TEST(RasterizeInputs, NeedlesPassACentreClosely)
 // The hard cases must tell the forms apart: edge functions in float get most needles wrong.
 TEST(RasterizeAccuracy, FloatFailsOnNeedles)
 {
-    const auto naive = tests::tenant<Rasterize>(FLOAT_EDGES_MODULE);
-    const auto oracle = tests::tenant<Rasterize>(ORACLE_MODULE);
+    const auto naive = tests::solution<Rasterize>(FLOAT_EDGES_MODULE);
+    const auto oracle = tests::solution<Rasterize>(ORACLE_MODULE);
     Random random(20273);
     int wrong = 0;
     for (int round = 0; round < 400; ++round) {

@@ -11,14 +11,17 @@ namespace umbral::pipeline {
 namespace {
 
 constexpr const char* vertex_text =
-    "#version 330\nlayout(location = 0) in vec3 position;\nlayout(location = 1) in vec3 color;\nuniform mat4 to_clip;\nout vec3 smooth_color;\n"
-    "flat out vec3 flat_color;\nvoid main() {\n    vec4 clip = to_clip * vec4(position, 1.0);\n    gl_Position = vec4(clip.x, -clip.y, clip.zw);\n"
+    "#version 330\nlayout(location = 0) in vec3 position;\nlayout(location = 1) in vec3 color;\nuniform mat4 "
+    "to_clip;\nout vec3 smooth_color;\n"
+    "flat out vec3 flat_color;\nvoid main() {\n    vec4 clip = to_clip * vec4(position, 1.0);\n    gl_Position = "
+    "vec4(clip.x, -clip.y, clip.zw);\n"
     "    smooth_color = color;\n    flat_color = color;\n}\n";
 constexpr const char* fragment_text =
     "#version 330\nin vec3 smooth_color;\nflat in vec3 flat_color;\nuniform int is_flat;\nout vec4 result;\n"
     "void main() { result = vec4(is_flat != 0 ? flat_color : smooth_color, 1.0); }\n";
 
-/// A framebuffer of float colours with a depth buffer of any format. Its first row is the top one, since the shader turns pictures over.
+/// A framebuffer of float colours with a depth buffer of any format. Its first row is the top one, since the shader
+/// turns pictures over.
 class Target {
 public:
     Target(int width, int height, DepthFormat format) : width_(width), height_(height)
@@ -98,13 +101,16 @@ Layer drawn_by_mesa(const Call& call, const gl::Program& program)
     glGenBuffers(2, buffers.data());
     glBindVertexArray(array);
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(call.vertices.size() * sizeof(ColoredVertex)), call.vertices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(call.vertices.size() * sizeof(ColoredVertex)),
+                 call.vertices.data(), GL_STATIC_DRAW);
     for (GLuint i = 0; i < 2; ++i) {
         glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(ColoredVertex), reinterpret_cast<const void*>(i * sizeof(glm::vec3)));
+        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(ColoredVertex),
+                              reinterpret_cast<const void*>(i * sizeof(glm::vec3)));
     }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(call.triangles.size() * sizeof(glm::uvec3)), call.triangles.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(call.triangles.size() * sizeof(glm::uvec3)),
+                 call.triangles.data(), GL_STATIC_DRAW);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * call.triangles.size()), GL_UNSIGNED_INT, nullptr);
     glDeleteBuffers(2, buffers.data());
     glDeleteVertexArrays(1, &array);
@@ -116,7 +122,8 @@ struct Tally {
     std::size_t pixels = 0;    ///< that either changed
     std::size_t coverage = 0;  ///< that one alone changed
     std::size_t colors = 0;    ///< both, in colours more than 0.01 apart
-    std::size_t depths = 0;    ///< whose depths are more than 0.0004 apart: Mesa interpolates from positions that are not rounded to 1/256 pixel
+    std::size_t depths = 0;  ///< whose depths are more than 0.0004 apart: Mesa interpolates from positions that are not
+                             ///< rounded to 1/256 pixel
     std::size_t only_here = 0;
 
     [[nodiscard]] std::size_t different() const { return coverage + colors + depths; }
@@ -156,8 +163,8 @@ protected:
     {
         Tally tally;
         for (int i = 0; i < count; ++i) compare(make(i), tally);
-        std::printf("%-24s %8zu pixels; differ in coverage %zu (here only %zu), colour %zu, depth %zu\n", name, tally.pixels, tally.coverage, tally.only_here,
-                    tally.colors, tally.depths);
+        std::printf("%-24s %8zu pixels; differ in coverage %zu (here only %zu), colour %zu, depth %zu\n", name,
+                    tally.pixels, tally.coverage, tally.only_here, tally.colors, tally.depths);
         return tally;
     }
 
@@ -234,7 +241,8 @@ TEST_F(SoftwarePipeline, lines_and_points_are_nearly_mesas)
 {
     for (const PolygonMode mode : {PolygonMode::line, PolygonMode::point})
         for (const bool clipped : {false, true}) {
-            const std::string name = std::string(mode == PolygonMode::line ? "lines" : "points") + (clipped ? ", clipped" : "");
+            const std::string name =
+                std::string(mode == PolygonMode::line ? "lines" : "points") + (clipped ? ", clipped" : "");
             const Tally tally = compare_many(name.c_str(), 200, [&](int) {
                 Call call = larger(clipped ? about_the_camera(random, 4) : in_front(random, 4));
                 call.state.mode = mode;
@@ -244,7 +252,8 @@ TEST_F(SoftwarePipeline, lines_and_points_are_nearly_mesas)
         }
 }
 
-// Two triangles that share a side, clipped or not: with "always" and colours that say which, no pixel is drawn twice or left out.
+// Two triangles that share a side, clipped or not: with "always" and colours that say which, no pixel is drawn twice or
+// left out.
 TEST_F(SoftwarePipeline, sides_leave_no_gap_and_no_pixel_twice)
 {
     std::size_t covered = 0;
@@ -256,10 +265,12 @@ TEST_F(SoftwarePipeline, sides_leave_no_gap_and_no_pixel_twice)
         other.triangles = {{2, 1, 3}};
         Call both = one;
         both.triangles = {{0, 1, 2}, {2, 1, 3}};
-        // Only where they lie on different sides of what they share do they not overlap: told by culling, both show the same face.
+        // Only where they lie on different sides of what they share do they not overlap: told by culling, both show the
+        // same face.
         const auto count = [](const Call& call) {
             const Layer layer = drawn(call);
-            return std::count_if(layer.colors.cells.begin(), layer.colors.cells.end(), [](const glm::vec3& color) { return color != untouched; });
+            return std::count_if(layer.colors.cells.begin(), layer.colors.cells.end(),
+                                 [](const glm::vec3& color) { return color != untouched; });
         };
         for (const Culling culling : {Culling::back, Culling::front}) {
             one.state.culling = other.state.culling = both.state.culling = culling;
@@ -280,7 +291,8 @@ TEST_F(SoftwarePipeline, nonsense_draws_nothing)
             for (std::size_t i = 0; i < 6; i += 3) call.vertices[i].position.x = number;
             const Layer layer = drawn(call);
             if (number < 1e38F || number == INFINITY) {
-                EXPECT_TRUE(std::all_of(layer.colors.cells.begin(), layer.colors.cells.end(), [](const glm::vec3& color) { return color == untouched; }));
+                EXPECT_TRUE(std::all_of(layer.colors.cells.begin(), layer.colors.cells.end(),
+                                        [](const glm::vec3& color) { return color == untouched; }));
             }
         }
     }

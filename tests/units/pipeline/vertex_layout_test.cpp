@@ -42,7 +42,8 @@ TEST(VertexLayout, InterleavedIsWhatTheCompilerMakesOfAStruct)
         float normal[3];
     };
     const std::vector<VertexAttribute> a = {{float64, 3}, {unsigned_byte, 4}, {float32, 3}};
-    EXPECT_EQ(offsets(interleaved_layout(a, 1)), (std::vector<std::uint64_t>{offsetof(A, position), offsetof(A, color), offsetof(A, normal)}));
+    EXPECT_EQ(offsets(interleaved_layout(a, 1)),
+              (std::vector<std::uint64_t>{offsetof(A, position), offsetof(A, color), offsetof(A, normal)}));
     EXPECT_EQ(interleaved_layout(a, 7).bytes, sizeof(A[7]));
     struct B {
         float position[3];
@@ -50,7 +51,8 @@ TEST(VertexLayout, InterleavedIsWhatTheCompilerMakesOfAStruct)
         std::uint16_t texture[2];
     };
     const std::vector<VertexAttribute> b = {{float32, 3}, {unsigned_byte, 1}, {unsigned_short, 2}};
-    EXPECT_EQ(offsets(interleaved_layout(b, 1)), (std::vector<std::uint64_t>{offsetof(B, position), offsetof(B, material), offsetof(B, texture)}));
+    EXPECT_EQ(offsets(interleaved_layout(b, 1)),
+              (std::vector<std::uint64_t>{offsetof(B, position), offsetof(B, material), offsetof(B, texture)}));
     EXPECT_EQ(interleaved_layout(b, 7).bytes, sizeof(B[7]));
     struct C {
         std::uint8_t flags[3];
@@ -58,7 +60,8 @@ TEST(VertexLayout, InterleavedIsWhatTheCompilerMakesOfAStruct)
         std::uint8_t last;
     };
     const std::vector<VertexAttribute> c = {{unsigned_byte, 3}, {float64, 2}, {unsigned_byte, 1}};
-    EXPECT_EQ(offsets(interleaved_layout(c, 1)), (std::vector<std::uint64_t>{offsetof(C, flags), offsetof(C, position), offsetof(C, last)}));
+    EXPECT_EQ(offsets(interleaved_layout(c, 1)),
+              (std::vector<std::uint64_t>{offsetof(C, flags), offsetof(C, position), offsetof(C, last)}));
     EXPECT_EQ(interleaved_layout(c, 7).bytes, sizeof(C[7]));
 }
 

@@ -22,7 +22,10 @@ Box random_box(Random& random, float away)
     return box;
 }
 
-glm::vec3 point_in(Random& random, const Box& box) { return box.low + 0.5F * (random.in_cube() + 1.0F) * (box.high - box.low); }
+glm::vec3 point_in(Random& random, const Box& box)
+{
+    return box.low + 0.5F * (random.in_cube() + 1.0F) * (box.high - box.low);
+}
 
 /// (2x - low - high) / (high - low) in 64 bits of mantissa: no product cancels.
 glm::vec<3, long double> exact_ndc(const Box& box, const glm::vec3& point)
@@ -39,11 +42,15 @@ glm::vec<3, long double> exact_ndc(const Box& box, const glm::vec3& point)
 double worst(const glm::vec3& got, const glm::vec<3, long double>& exact)
 {
     double error = 0;
-    for (int axis = 0; axis < 3; ++axis) error = std::max(error, static_cast<double>(std::abs(static_cast<long double>(got[axis]) - exact[axis])));
+    for (int axis = 0; axis < 3; ++axis)
+        error = std::max(error, static_cast<double>(std::abs(static_cast<long double>(got[axis]) - exact[axis])));
     return error;
 }
 
-glm::vec3 with_centre_in_float(const Box& box, const glm::vec3& point) { return 2.0F / (box.high - box.low) * (point - 0.5F * (box.low + box.high)); }
+glm::vec3 with_centre_in_float(const Box& box, const glm::vec3& point)
+{
+    return 2.0F / (box.high - box.low) * (point - 0.5F * (box.low + box.high));
+}
 
 }
 
@@ -72,7 +79,8 @@ TEST(VisibleRegion, FarBoxes)
             errors[1] = std::max(errors[1], worst(with_centre_in_float(box, point), exact));
             errors[2] = std::max(errors[2], worst(ndc_of(box, point), exact));
         }
-        std::printf("%6.0e %8.2g %8.2g %8.2g\n", static_cast<double>(away), 256 * errors[0], 256 * errors[1], 256 * errors[2]);
+        std::printf("%6.0e %8.2g %8.2g %8.2g\n", static_cast<double>(away), 256 * errors[0], 256 * errors[1],
+                    256 * errors[2]);
         EXPECT_LE(errors[2], 3e-7) << "seed " << seed << ", offset " << away;
     }
 }

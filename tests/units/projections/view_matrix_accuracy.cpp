@@ -1,11 +1,11 @@
-// Prints how far the reference and the textbook in float lie from the oracle: the tables in the statement of projections/view-matrix.
-// Usage: view-matrix-accuracy [SEED [CAMERAS]]
+// Prints how far the reference and the textbook in float lie from the oracle: the tables in the statement of
+// projections/view-matrix. Usage: view-matrix-accuracy [SEED [CAMERAS]]
 
 #include <cstdio>
 #include <cstdlib>
 #include <projections/support.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 #include "../view_errors.hpp"
 
 using namespace umbral;
@@ -16,18 +16,20 @@ int main(int count, char** arguments)
 {
     const std::uint64_t seed = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1;
     const int cameras = count > 2 ? std::atoi(arguments[2]) : 200'000;
-    View* const oracle = tests::tenant<View>(ORACLE_MODULE);
-    const std::pair<const char*, View*> tenants[] = {{"reference", tests::tenant<View>(REFERENCE_MODULE)},
-                                                     {"in float", tests::tenant<View>(FLOAT_CROSS_MODULE)}};
-    std::printf("seed %llu, %d cameras a line, worst errors against the oracle\n", static_cast<unsigned long long>(seed), cameras);
+    View* const oracle = tests::solution<View>(ORACLE_MODULE);
+    const std::pair<const char*, View*> solutions[] = {{"reference", tests::solution<View>(REFERENCE_MODULE)},
+                                                       {"in float", tests::solution<View>(FLOAT_CROSS_MODULE)}};
+    std::printf("seed %llu, %d cameras a line, worst errors against the oracle\n",
+                static_cast<unsigned long long>(seed), cameras);
 
-    for (const auto& [name, view_matrix] : tenants) {
+    for (const auto& [name, view_matrix] : solutions) {
         for (const double sine : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 2e-6}) {
             Random random(seed);
             double rotation = 0;
             for (int i = 0; i < cameras; ++i) {
                 const Placement c = with_up_near_view(random_placement(random), sine, i % 2 == 1, random);
-                rotation = std::max(rotation, tests::rotation_error(view_matrix(c.eye, c.target, c.up), oracle(c.eye, c.target, c.up)));
+                rotation = std::max(
+                    rotation, tests::rotation_error(view_matrix(c.eye, c.target, c.up), oracle(c.eye, c.target, c.up)));
             }
             std::printf("%-10s sine of up to view %7.0e: rotation %.2g\n", name, sine, rotation);
         }
@@ -45,7 +47,8 @@ int main(int count, char** arguments)
                 rotation = std::max(rotation, tests::rotation_error(got, exact));
                 translation = std::max(translation, tests::translation_error(got, exact));
             }
-            std::printf("%-10s eye at %7.0e: rotation %.2g, translation %.2g world units\n", name, far, rotation, translation);
+            std::printf("%-10s eye at %7.0e: rotation %.2g, translation %.2g world units\n", name, far, rotation,
+                        translation);
         }
     }
 }

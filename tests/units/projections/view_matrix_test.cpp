@@ -2,7 +2,7 @@
 
 #include <projections/support.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 #include "../view_errors.hpp"
 
 using namespace umbral;
@@ -12,7 +12,7 @@ using View = glm::mat4(const glm::vec3&, const glm::vec3&, const glm::vec3&);
 namespace {
 
 /// Every test here holds for the reference and for the oracle.
-class ViewTenant : public testing::TestWithParam<const char*> {
+class ViewSolution : public testing::TestWithParam<const char*> {
 protected:
     glm::mat4 view_of(const Placement& camera) const { return view_(camera.eye, camera.target, camera.up); }
 
@@ -34,39 +34,45 @@ protected:
         EXPECT_LE(distance(seen, glm::dvec3(0, 0, -away)), 3e-7 * size) << "the target goes to the -z axis";
     }
 
-    View* const view_ = tests::tenant<View>(GetParam());
+    View* const view_ = tests::solution<View>(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, ViewTenant, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
-                         [](const auto& tenant) { return tenant.index == 0 ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, ViewSolution, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
+                         [](const auto& solution) { return solution.index == 0 ? "reference" : "oracle"; });
 
 void expect_near(const glm::mat4& got, const glm::mat4& rows, double tolerance)
 {
     for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) EXPECT_NEAR(got[column][row], rows[row][column], tolerance) << "row " << row << ", column " << column;
+        for (int column = 0; column < 4; ++column)
+            EXPECT_NEAR(got[column][row], rows[row][column], tolerance) << "row " << row << ", column " << column;
 }
 
 }
 
 // Worked by hand; the matrices are written by rows, as on paper.
-TEST_P(ViewTenant, KnownAnswers)
+TEST_P(ViewSolution, KnownAnswers)
 {
     expect_near(view_of({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}}), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -5, 0, 0, 0, 1}, 0);
     expect_near(view_of({{3, 0, 0}, {0, 0, 0}, {0, 1, 0}}), {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, -3, 0, 0, 0, 1}, 0);
-    expect_near(view_of({{0, 3, 4}, {0, 0, 0}, {0, 7, 0}}), {1, 0, 0, 0, 0, 0.8F, -0.6F, 0, 0, 0.6F, 0.8F, -5, 0, 0, 0, 1}, 1e-7);
+    expect_near(view_of({{0, 3, 4}, {0, 0, 0}, {0, 7, 0}}),
+                {1, 0, 0, 0, 0, 0.8F, -0.6F, 0, 0, 0.6F, 0.8F, -5, 0, 0, 0, 1}, 1e-7);
     // Problem 3.1, and the middle of the animation in problem 4.1.
     const float h = 0.70710678F;
-    expect_near(view_of({{2.1213203F, 0.5F, 2.1213203F}, {0, 0.5F, 0}, {0, 1, 0}}), {h, 0, -h, 0, 0, 1, 0, -0.5F, h, 0, h, -3, 0, 0, 0, 1}, 3e-7);
+    expect_near(view_of({{2.1213203F, 0.5F, 2.1213203F}, {0, 0.5F, 0}, {0, 1, 0}}),
+                {h, 0, -h, 0, 0, 1, 0, -0.5F, h, 0, h, -3, 0, 0, 0, 1}, 3e-7);
     expect_near(view_of({{2.5F, 1, 2.5F}, {0, 0.5F, 0}, {0, 1, 0}}),
-                {h, 0, -h, 0, -0.0990148F, 0.9901475F, -0.0990148F, -0.4950738F, 0.70014F, 0.140028F, 0.70014F, -3.6407282F, 0, 0, 0, 1}, 3e-7);
+                {h, 0, -h, 0, -0.0990148F, 0.9901475F, -0.0990148F, -0.4950738F, 0.70014F, 0.140028F, 0.70014F,
+                 -3.6407282F, 0, 0, 0, 1},
+                3e-7);
 }
 
-TEST_P(ViewTenant, IsAViewMatrix)
+TEST_P(ViewSolution, IsAViewMatrix)
 {
     constexpr std::uint64_t seed = 20264;
     Random random(seed);
     for (int i = 0; i < 3000; ++i) {
         Placement camera = random_placement(random);
-        if (i % 3 == 1) camera = with_up_near_view(camera, std::pow(10.0, -6.0 * random.uniform_double()), i % 2 == 0, random);
+        if (i % 3 == 1)
+            camera = with_up_near_view(camera, std::pow(10.0, -6.0 * random.uniform_double()), i % 2 == 0, random);
         if (i % 3 == 2) camera.eye *= std::pow(10.0F, random.uniform(0, 5));
         camera.up *= std::pow(10.0F, random.uniform(-20, 20));
         SCOPED_TRACE("seed " + std::to_string(seed) + ", camera " + std::to_string(i));
@@ -80,7 +86,7 @@ TEST_P(ViewTenant, IsAViewMatrix)
     }
 }
 
-TEST_P(ViewTenant, DegenerateInputFollowsTheRule)
+TEST_P(ViewSolution, DegenerateInputFollowsTheRule)
 {
     // Looking down along y: x and z are equally perpendicular, x is the first. So the vertical of the picture is x.
     expect_near(view_of({{0, 10, 0}, {0, 0, 0}, {0, 1, 0}}), {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, -10, 0, 0, 0, 1}, 0);
@@ -101,7 +107,7 @@ TEST_P(ViewTenant, DegenerateInputFollowsTheRule)
 }
 
 // The sine decides, on both sides of the threshold and at both ends of the view.
-TEST_P(ViewTenant, ThresholdIsAMillionth)
+TEST_P(ViewSolution, ThresholdIsAMillionth)
 {
     const auto turned = [](float sine) { return Placement{{0, 0, 4}, {0, 0, 0}, {0, sine, 1}}; };
     expect_near(view_of(turned(1.01e-6F)), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -4, 0, 0, 0, 1}, 0);
@@ -112,8 +118,8 @@ TEST_P(ViewTenant, ThresholdIsAMillionth)
 TEST(ViewAccuracy, ReferenceKeepsItsGuarantee)
 {
     constexpr std::uint64_t seed = 20266;
-    View* const reference = tests::tenant<View>(REFERENCE_MODULE);
-    View* const oracle = tests::tenant<View>(ORACLE_MODULE);
+    View* const reference = tests::solution<View>(REFERENCE_MODULE);
+    View* const oracle = tests::solution<View>(ORACLE_MODULE);
     Random random(seed);
     for (int i = 0; i < 50'000; ++i) {
         const double sine = 2e-6 * std::pow(5e5, random.uniform_double());
@@ -123,15 +129,16 @@ TEST(ViewAccuracy, ReferenceKeepsItsGuarantee)
         const glm::mat4 got = reference(camera.eye, camera.target, camera.up);
         const glm::mat4 exact = oracle(camera.eye, camera.target, camera.up);
         ASSERT_LE(tests::rotation_error(got, exact), 6e-8) << "seed " << seed << ", camera " << i;
-        ASSERT_LE(tests::translation_error(got, exact), 1.2e-7 * double{length(camera.eye)}) << "seed " << seed << ", camera " << i;
+        ASSERT_LE(tests::translation_error(got, exact), 1.2e-7 * double{length(camera.eye)})
+            << "seed " << seed << ", camera " << i;
     }
 }
 
 // The hard cases must tell the forms apart.
 TEST(ViewAccuracy, FloatFailsNearTheParallel)
 {
-    View* const naive = tests::tenant<View>(FLOAT_CROSS_MODULE);
-    View* const oracle = tests::tenant<View>(ORACLE_MODULE);
+    View* const naive = tests::solution<View>(FLOAT_CROSS_MODULE);
+    View* const oracle = tests::solution<View>(ORACLE_MODULE);
     Random random(20267);
     int wrong = 0;
     for (int i = 0; i < 1000; ++i) {

@@ -1,5 +1,5 @@
-// Prints how far the reference and the school formula lie from the oracle: the table in the statement of raytracing/sphere.
-// Usage: sphere-accuracy [SEED [RAYS]]
+// Prints how far the reference and the school formula lie from the oracle: the table in the statement of
+// raytracing/sphere. Usage: sphere-accuracy [SEED [RAYS]]
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <raytracing/support.hpp>
 #include <string>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 #include "../ulps.hpp"
 
 using namespace umbral;
@@ -42,7 +42,7 @@ void add(Errors& errors, const BallShot& shot, std::optional<float> got, std::op
 /// `rays` rays from `distance` radii away, aimed uniformly at a disc of `disc` radii; prints one line of the table.
 Errors print_line(const char* name, Intersect* intersect, double distance, double disc, std::uint64_t seed, int rays)
 {
-    static Intersect* const oracle = tests::tenant<Intersect>(ORACLE_MODULE);
+    static Intersect* const oracle = tests::solution<Intersect>(ORACLE_MODULE);
     Random random(seed);
     Errors errors;
     for (int i = 0; i < rays; ++i) {
@@ -50,7 +50,8 @@ Errors print_line(const char* name, Intersect* intersect, double distance, doubl
         const BallShot shot = aimed(ball, distance, disc * std::sqrt(random.uniform_double()), random);
         add(errors, shot, intersect(shot.ray, shot.ball), oracle(shot.ray, shot.ball));
     }
-    std::printf("%-15s %9.4g %12.4f %10.2f %12.0f %12.0f\n", name, distance, 100.0 * errors.wrong / rays, errors.band, errors.worst, errors.worst_all);
+    std::printf("%-15s %9.4g %12.4f %10.2f %12.0f %12.0f\n", name, distance, 100.0 * errors.wrong / rays, errors.band,
+                errors.worst, errors.worst_all);
     return errors;
 }
 
@@ -58,7 +59,8 @@ Errors print_line(const char* name, Intersect* intersect, double distance, doubl
 std::string with_commas(double number)
 {
     std::string text = std::to_string(std::llround(number));
-    for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3) text.insert(static_cast<std::size_t>(at), ",");
+    for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3)
+        text.insert(static_cast<std::size_t>(at), ",");
     return text;
 }
 
@@ -68,13 +70,18 @@ int main(int count, char** arguments)
 {
     const std::uint64_t seed = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1;
     const int rays = count > 2 ? std::atoi(arguments[2]) : 400'000;
-    std::printf("seed %llu, %d rays a line; from 10 radii on aimed uniformly at a disc of 1.3 radii, nearer at one of 0.99\n",
-                static_cast<unsigned long long>(seed), rays);
-    std::printf("%-15s %9s %12s %10s %12s %12s\n", "tenant", "radii", "wrong, %", "band, ulp", "worst t, ulp", "with grazing");
-    std::string table = "| origin at … radii | 10 | 10² | 10³ | 10⁴ | 10⁵ | 10⁶ |\n|---|---|---|---|---|---|---|\n";  // of the README
-    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"school formula", SCHOOL_FORMULA_MODULE}}) {
-        Intersect* const intersect = tests::tenant<Intersect>(module);
-        for (const double distance : {1.001, 1.01, 1.1, 1.5, 2.0}) print_line(name, intersect, distance, 0.99, seed, rays);
+    std::printf(
+        "seed %llu, %d rays a line; from 10 radii on aimed uniformly at a disc of 1.3 radii, nearer at one of 0.99\n",
+        static_cast<unsigned long long>(seed), rays);
+    std::printf("%-15s %9s %12s %10s %12s %12s\n", "solution", "radii", "wrong, %", "band, ulp", "worst t, ulp",
+                "with grazing");
+    std::string table =
+        "| origin at … radii | 10 | 10² | 10³ | 10⁴ | 10⁵ | 10⁶ |\n|---|---|---|---|---|---|---|\n";  // of the README
+    for (const auto& [name, module] :
+         {std::pair{"reference", REFERENCE_MODULE}, {"school formula", SCHOOL_FORMULA_MODULE}}) {
+        Intersect* const intersect = tests::solution<Intersect>(module);
+        for (const double distance : {1.001, 1.01, 1.1, 1.5, 2.0})
+            print_line(name, intersect, distance, 0.99, seed, rays);
         std::string wrong = std::string("| ") + name + ": wrong hit or miss, % |";
         std::string worst = std::string("| ") + name + ": worst t, ulp |";
         for (const double distance : {1e1, 1e2, 1e3, 1e4, 1e5, 1e6}) {

@@ -2,7 +2,7 @@
 
 #include <raytracing/support.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 #include "../ulps.hpp"
 
 using namespace umbral;
@@ -16,17 +16,17 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// Every test here holds for the reference and for the oracle.
-class SphereTenant : public testing::TestWithParam<const char*> {
+class SphereSolution : public testing::TestWithParam<const char*> {
 protected:
-    Intersect* const intersect = tests::tenant<Intersect>(GetParam());
+    Intersect* const intersect = tests::solution<Intersect>(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, SphereTenant, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
-                         [](const auto& tenant) { return tenant.index == 0 ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, SphereSolution, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
+                         [](const auto& solution) { return solution.index == 0 ? "reference" : "oracle"; });
 
 }
 
 // Worked by hand from |origin + t * direction - centre| = radius.
-TEST_P(SphereTenant, KnownAnswers)
+TEST_P(SphereSolution, KnownAnswers)
 {
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, -1}}, unit_ball), 4.0F);
     EXPECT_EQ(intersect({{1, 2, 10}, {0, 0, -1}}, {{1, 2, 3}, 2}), 5.0F);
@@ -39,16 +39,17 @@ TEST_P(SphereTenant, KnownAnswers)
     EXPECT_LE(tests::ulps_between(*tangent, 5), 2);
 }
 
-TEST_P(SphereTenant, IntervalIsOpen)
+TEST_P(SphereSolution, IntervalIsOpen)
 {
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, -1}, 4}, unit_ball), 6.0F);
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, -1}, 3, 4}, unit_ball), std::nullopt);
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, -1}, 4, 6}, unit_ball), std::nullopt);
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, -1}, 7, 3}, unit_ball), std::nullopt) << "an empty interval";
-    EXPECT_EQ(intersect({{0, 0, -5}, {0, 0, -1}, -infinity, infinity}, unit_ball), -6.0F) << "negative t count if the interval holds them";
+    EXPECT_EQ(intersect({{0, 0, -5}, {0, 0, -1}, -infinity, infinity}, unit_ball), -6.0F)
+        << "negative t count if the interval holds them";
 }
 
-TEST_P(SphereTenant, NonsenseHitsNothing)
+TEST_P(SphereSolution, NonsenseHitsNothing)
 {
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, 0}}, unit_ball), std::nullopt);
     EXPECT_EQ(intersect({{not_a_number, 0, 5}, {0, 0, -1}}, unit_ball), std::nullopt);
@@ -59,7 +60,7 @@ TEST_P(SphereTenant, NonsenseHitsNothing)
 }
 
 // The point found lies on the sphere, whatever formula found it.
-TEST_P(SphereTenant, PointsLieOnTheSphere)
+TEST_P(SphereSolution, PointsLieOnTheSphere)
 {
     constexpr std::uint64_t seed = 20261;
     RecordProperty("seed", std::to_string(seed));
@@ -71,7 +72,8 @@ TEST_P(SphereTenant, PointsLieOnTheSphere)
         ASSERT_EQ(t.has_value(), miss_distance(shots[i]) < double{ball.radius}) << "seed " << seed << ", ray " << i;
         if (!t) continue;
         const glm::dvec3 point = glm::dvec3(ray.origin) + double{*t} * glm::dvec3(ray.direction);
-        ASSERT_NEAR(length(point - glm::dvec3(ball.centre)) / double{ball.radius}, 1, 1e-5) << "seed " << seed << ", ray " << i;
+        ASSERT_NEAR(length(point - glm::dvec3(ball.centre)) / double{ball.radius}, 1, 1e-5)
+            << "seed " << seed << ", ray " << i;
     }
 }
 
@@ -79,8 +81,8 @@ TEST_P(SphereTenant, PointsLieOnTheSphere)
 TEST(SphereAccuracy, ReferenceKeepsItsGuarantee)
 {
     constexpr std::uint64_t seed = 20262;
-    const auto reference = tests::tenant<Intersect>(REFERENCE_MODULE);
-    const auto oracle = tests::tenant<Intersect>(ORACLE_MODULE);
+    const auto reference = tests::solution<Intersect>(REFERENCE_MODULE);
+    const auto oracle = tests::solution<Intersect>(ORACLE_MODULE);
     Random random(seed);
     for (const double distance : {2e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6}) {
         for (int i = 0; i < 20'000; ++i) {
@@ -93,7 +95,8 @@ TEST(SphereAccuracy, ReferenceKeepsItsGuarantee)
             ASSERT_EQ(got.has_value(), exact.has_value()) << "seed " << seed << ", " << distance << " radii, ray " << i;
             const double sine = miss_distance(shot) / double{ball.radius};
             if (!got || sine * sine > 0.99) continue;
-            ASSERT_LE(tests::ulps_between(*got, *exact), 24) << "seed " << seed << ", " << distance << " radii, ray " << i;
+            ASSERT_LE(tests::ulps_between(*got, *exact), 24)
+                << "seed " << seed << ", " << distance << " radii, ray " << i;
         }
     }
 }
@@ -101,10 +104,11 @@ TEST(SphereAccuracy, ReferenceKeepsItsGuarantee)
 // The hard cases must tell the forms apart: the school formula fails most of them.
 TEST(SphereAccuracy, SchoolFormulaFailsFarAway)
 {
-    const auto naive = tests::tenant<Intersect>(SCHOOL_FORMULA_MODULE);
-    const auto oracle = tests::tenant<Intersect>(ORACLE_MODULE);
+    const auto naive = tests::solution<Intersect>(SCHOOL_FORMULA_MODULE);
+    const auto oracle = tests::solution<Intersect>(ORACLE_MODULE);
     EXPECT_EQ(oracle({{0.5F, 0, 5000}}, unit_ball).value(), 4999.134F);
-    EXPECT_EQ(naive({{0.5F, 0, 5000}}, unit_ball).value(), 5000.0F) << "b² and 4ac agree in all their digits: discriminant 0";
+    EXPECT_EQ(naive({{0.5F, 0, 5000}}, unit_ball).value(), 5000.0F)
+        << "b² and 4ac agree in all their digits: discriminant 0";
     Random random(20263);
     int right = 0;
     const std::vector<BallShot> shots = silhouette_pairs(random, 1e4, 1000, 3);
@@ -124,7 +128,8 @@ TEST(SphereInputs, SilhouettePairsKeepTheirMargin)
     for (const double distance : {1e2, 1e4, 1e6}) {
         const std::vector<BallShot> shots = silhouette_pairs(random, distance, 5000, 3);
         for (std::size_t i = 0; i < shots.size(); i += 2) {
-            EXPECT_NE(miss_distance(shots[i]) < double{shots[i].ball.radius}, miss_distance(shots[i + 1]) < double{shots[i + 1].ball.radius});
+            EXPECT_NE(miss_distance(shots[i]) < double{shots[i].ball.radius},
+                      miss_distance(shots[i + 1]) < double{shots[i + 1].ball.radius});
             EXPECT_GE(silhouette_margin(shots[i]), 3) << "seed " << seed << ", ray " << i;
             EXPECT_GE(silhouette_margin(shots[i + 1]), 3) << "seed " << seed << ", ray " << i + 1;
         }

@@ -1,11 +1,11 @@
-// Prints how often the reference and the naive form differ from the oracle: the table in the statement of texturing/lookup.
-// Usage: lookup-accuracy [SEED [LOOKUPS]]
+// Prints how often the reference and the naive form differ from the oracle: the table in the statement of
+// texturing/lookup. Usage: lookup-accuracy [SEED [LOOKUPS]]
 
 #include <cstdio>
 #include <cstdlib>
 #include <texturing/support.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 
 using namespace umbral;
 using namespace umbral::texturing;
@@ -13,7 +13,8 @@ using Lookup = glm::vec4(const Grid<glm::vec4>&, const Sampler&, glm::vec2);
 
 namespace {
 
-// Up in steps of one and down again: all neighbours differ by one, the last and the first, too, so that errors count in texels.
+// Up in steps of one and down again: all neighbours differ by one, the last and the first, too, so that errors count in
+// texels.
 Grid<glm::vec4> ruler(int count)
 {
     Grid<glm::vec4> texture(count, 1);
@@ -41,18 +42,21 @@ int main(int count, char** arguments)
 {
     const std::uint64_t seed = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1;
     const int lookups = count > 2 ? std::atoi(arguments[2]) : 300'000;
-    Lookup* const oracle = tests::tenant<Lookup>(ORACLE_MODULE);
-    std::printf("seed %llu, %d coordinates in [-reach, reach), 300 texels, repeated; percent wrong\n", static_cast<unsigned long long>(seed), lookups);
-    std::printf("%-12s %-26s", "tenant", "filter");
+    Lookup* const oracle = tests::solution<Lookup>(ORACLE_MODULE);
+    std::printf("seed %llu, %d coordinates in [-reach, reach), 300 texels, repeated; percent wrong\n",
+                static_cast<unsigned long long>(seed), lookups);
+    std::printf("%-12s %-26s", "solution", "filter");
     constexpr float reaches[] = {1, 10, 1e2F, 1e3F, 1e4F, 1e5F, 1e6F};
     for (const float reach : reaches) std::printf(" %9.0f", double{reach});
     std::printf("\n");
-    for (const auto& [name, module] : {std::pair{"reference", REFERENCE_MODULE}, {"u * n first", FLOAT_PRODUCT_MODULE}}) {
-        Lookup* const lookup = tests::tenant<Lookup>(module);
+    for (const auto& [name, module] :
+         {std::pair{"reference", REFERENCE_MODULE}, {"u * n first", FLOAT_PRODUCT_MODULE}}) {
+        Lookup* const lookup = tests::solution<Lookup>(module);
         for (const Filter filter : both_filters) {
             const bool blends = filter == Filter::bilinear;
             std::printf("%-12s %-26s", name, blends ? "bilinear: off by > 1e-3" : "nearest: another texel");
-            for (const float reach : reaches) std::printf(" %9.4f", wrong(lookup, oracle, filter, reach, blends ? 1e-3F : 0, seed, lookups));
+            for (const float reach : reaches)
+                std::printf(" %9.4f", wrong(lookup, oracle, filter, reach, blends ? 1e-3F : 0, seed, lookups));
             std::printf("\n");
         }
     }

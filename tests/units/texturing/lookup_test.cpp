@@ -2,7 +2,7 @@
 
 #include <texturing/support.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 
 using namespace umbral;
 using namespace umbral::texturing;
@@ -34,18 +34,21 @@ Grid<glm::vec4> numbered(int count)
 }
 
 /// Every test here holds for the reference and for the oracle.
-class LookupTenant : public testing::TestWithParam<const char*> {
+class LookupSolution : public testing::TestWithParam<const char*> {
 protected:
-    Lookup* const lookup = tests::tenant<Lookup>(GetParam());
+    Lookup* const lookup = tests::solution<Lookup>(GetParam());
 
-    [[nodiscard]] float grey(const Grid<glm::vec4>& texture, const Sampler& sampler, float u) const { return lookup(texture, sampler, {u, 0.5F}).x; }
+    [[nodiscard]] float grey(const Grid<glm::vec4>& texture, const Sampler& sampler, float u) const
+    {
+        return lookup(texture, sampler, {u, 0.5F}).x;
+    }
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, LookupTenant, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
-                         [](const auto& tenant) { return tenant.index == 0 ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, LookupSolution, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
+                         [](const auto& solution) { return solution.index == 0 ? "reference" : "oracle"; });
 
 }
 
-TEST_P(LookupTenant, LowerLeftCornerIsTheOrigin)
+TEST_P(LookupSolution, LowerLeftCornerIsTheOrigin)
 {
     Grid<glm::vec4> texture(2, 2);  // red, green above blue, white
     texture.cells = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
@@ -58,7 +61,7 @@ TEST_P(LookupTenant, LowerLeftCornerIsTheOrigin)
 }
 
 // The statement's numbers.
-TEST_P(LookupTenant, KnownAnswers)
+TEST_P(LookupSolution, KnownAnswers)
 {
     const Grid<glm::vec4> texture = row({0, 0.25F, 0.5F, 1});
     EXPECT_EQ(grey(texture, nearest_repeat, 0.4375F), 0.25F);
@@ -69,22 +72,25 @@ TEST_P(LookupTenant, KnownAnswers)
     EXPECT_EQ(grey(texture, bilinear_repeat, -0.5625F), 0.3125F) << "once round";
 }
 
-TEST_P(LookupTenant, BordersBelongToTheTexelAfterThem)
+TEST_P(LookupSolution, BordersBelongToTheTexelAfterThem)
 {
     const Grid<glm::vec4> texture = numbered(8);
     for (int i = 0; i < 8; ++i) {
         const float border = static_cast<float>(i) / 8;
         EXPECT_EQ(grey(texture, nearest_repeat, border), static_cast<float>(i));
         EXPECT_EQ(grey(texture, nearest_repeat, std::nextafter(border, -1.0F)), static_cast<float>((i + 7) % 8));
-        EXPECT_EQ(grey(texture, nearest_clamped, std::nextafter(border, -1.0F)), static_cast<float>(std::max(i - 1, 0)));
-        EXPECT_EQ(grey(texture, bilinear_repeat, border + 1.0F / 16), static_cast<float>(i)) << "a centre is its texel's own";
+        EXPECT_EQ(grey(texture, nearest_clamped, std::nextafter(border, -1.0F)),
+                  static_cast<float>(std::max(i - 1, 0)));
+        EXPECT_EQ(grey(texture, bilinear_repeat, border + 1.0F / 16), static_cast<float>(i))
+            << "a centre is its texel's own";
     }
     EXPECT_EQ(grey(texture, nearest_repeat, 1), 0);
     EXPECT_EQ(grey(texture, nearest_clamped, 1), 7);
 }
 
-// With three texels no border is a float: on which side a float lies, exact arithmetic says (3 * u against whole numbers, in double).
-TEST_P(LookupTenant, FloatsBesideBordersThatAreNone)
+// With three texels no border is a float: on which side a float lies, exact arithmetic says (3 * u against whole
+// numbers, in double).
+TEST_P(LookupSolution, FloatsBesideBordersThatAreNone)
 {
     for (const int count : {3, 5, 7, 100, 300, 1000, 16383}) {
         const Grid<glm::vec4> texture = numbered(count);
@@ -99,7 +105,7 @@ TEST_P(LookupTenant, FloatsBesideBordersThatAreNone)
     }
 }
 
-TEST_P(LookupTenant, WhatLiesFarOut)
+TEST_P(LookupSolution, WhatLiesFarOut)
 {
     const Grid<glm::vec4> texture = numbered(256);
     EXPECT_EQ(grey(texture, nearest_repeat, 1e6F + 0.3125F), 80);  // 0.3125 * 256
@@ -114,7 +120,7 @@ TEST_P(LookupTenant, WhatLiesFarOut)
     }
 }
 
-TEST_P(LookupTenant, NonsenseCountsAsZero)
+TEST_P(LookupSolution, NonsenseCountsAsZero)
 {
     const Grid<glm::vec4> texture = numbered(4);
     for (const Sampler& sampler : {nearest_repeat, nearest_clamped, bilinear_repeat, bilinear_clamped}) {
@@ -127,7 +133,7 @@ TEST_P(LookupTenant, NonsenseCountsAsZero)
     EXPECT_EQ(grey(texture, nearest_clamped, -infinity), 0);
 }
 
-TEST_P(LookupTenant, OneTexelIsEverywhere)
+TEST_P(LookupSolution, OneTexelIsEverywhere)
 {
     const Grid<glm::vec4> texture(1, 1, glm::vec4(0.1F, 0.2F, 0.3F, 0.4F));
     for (const Sampler& sampler : {nearest_repeat, nearest_clamped, bilinear_repeat, bilinear_clamped})
@@ -136,8 +142,9 @@ TEST_P(LookupTenant, OneTexelIsEverywhere)
                 EXPECT_NEAR(lookup(texture, sampler, {u, -u})[channel], texture.cells[0][channel], 6e-8F) << "at " << u;
 }
 
-// A repeated texture has no edges: a blend changes by little over a small step, wherever it is, and is the same one turn further.
-TEST_P(LookupTenant, BlendsAreContinuousAndPeriodic)
+// A repeated texture has no edges: a blend changes by little over a small step, wherever it is, and is the same one
+// turn further.
+TEST_P(LookupSolution, BlendsAreContinuousAndPeriodic)
 {
     constexpr std::uint64_t seed = 20266;
     Random random(seed);
@@ -148,7 +155,8 @@ TEST_P(LookupTenant, BlendsAreContinuousAndPeriodic)
         const glm::vec4 beside = lookup(texture, bilinear_repeat, uv + glm::vec2(1e-4F, -1e-4F));
         const glm::vec4 around = lookup(texture, bilinear_repeat, uv + glm::vec2(1, -1));
         for (int channel = 0; channel < 4; ++channel) {
-            ASSERT_NEAR(here[channel], beside[channel], 12 * 1.2e-4F) << "seed " << seed << ", at " << uv.x << ", " << uv.y;
+            ASSERT_NEAR(here[channel], beside[channel], 12 * 1.2e-4F)
+                << "seed " << seed << ", at " << uv.x << ", " << uv.y;
             ASSERT_NEAR(here[channel], around[channel], 1e-5F) << "seed " << seed << ", at " << uv.x << ", " << uv.y;
         }
     }
@@ -156,35 +164,40 @@ TEST_P(LookupTenant, BlendsAreContinuousAndPeriodic)
 
 TEST(LookupReference, RefusesATextureWithoutTexels)
 {
-    const auto lookup = tests::tenant<Lookup>(REFERENCE_MODULE);
+    const auto lookup = tests::solution<Lookup>(REFERENCE_MODULE);
     EXPECT_THROW(lookup(Grid<glm::vec4>(0, 3), nearest_repeat, {0, 0}), std::invalid_argument);
 }
 
-// The header's guarantee, with sizes and coordinates of all magnitudes: the same texels, and fractions off by at most half an ulp of 1.
+// The header's guarantee, with sizes and coordinates of all magnitudes: the same texels, and fractions off by at most
+// half an ulp of 1.
 TEST(LookupAccuracy, ReferenceKeepsItsGuarantee)
 {
     constexpr std::uint64_t seed = 20267;
-    const auto reference = tests::tenant<Lookup>(REFERENCE_MODULE);
-    const auto oracle = tests::tenant<Lookup>(ORACLE_MODULE);
+    const auto reference = tests::solution<Lookup>(REFERENCE_MODULE);
+    const auto oracle = tests::solution<Lookup>(ORACLE_MODULE);
     Random random(seed);
-    const std::vector<Grid<glm::vec4>> textures = {random_texture(random, 1, 16384), random_texture(random, 300, 77), random_texture(random, 13, 4)};
+    const std::vector<Grid<glm::vec4>> textures = {random_texture(random, 1, 16384), random_texture(random, 300, 77),
+                                                   random_texture(random, 13, 4)};
     for (int i = 0; i < 300'000; ++i) {
         const Grid<glm::vec4>& texture = textures[random.below(3)];
         glm::vec2 uv(0);
-        for (int axis = 0; axis < 2; ++axis) uv[axis] = std::exp2(random.uniform(-60, 24)) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        for (int axis = 0; axis < 2; ++axis)
+            uv[axis] = std::exp2(random.uniform(-60, 24)) * (random.below(2) == 0 ? 1.0F : -1.0F);
         Sampler sampler{Filter::nearest, random_wrap(random), random_wrap(random)};
-        ASSERT_EQ(reference(texture, sampler, uv), oracle(texture, sampler, uv)) << "seed " << seed << ", at " << uv.x << ", " << uv.y;
+        ASSERT_EQ(reference(texture, sampler, uv), oracle(texture, sampler, uv))
+            << "seed " << seed << ", at " << uv.x << ", " << uv.y;
         sampler.filter = Filter::bilinear;
         const glm::vec4 error = abs(reference(texture, sampler, uv) - oracle(texture, sampler, uv));
-        ASSERT_LE(std::max(std::max(error.x, error.y), std::max(error.z, error.w)), 3e-7F) << "seed " << seed << ", at " << uv.x << ", " << uv.y;
+        ASSERT_LE(std::max(std::max(error.x, error.y), std::max(error.z, error.w)), 3e-7F)
+            << "seed " << seed << ", at " << uv.x << ", " << uv.y;
     }
 }
 
 // The hard cases must tell the forms apart.
 TEST(LookupAccuracy, MultiplyingFirstFailsFarOut)
 {
-    const auto naive = tests::tenant<Lookup>(FLOAT_PRODUCT_MODULE);
-    const auto oracle = tests::tenant<Lookup>(ORACLE_MODULE);
+    const auto naive = tests::solution<Lookup>(FLOAT_PRODUCT_MODULE);
+    const auto oracle = tests::solution<Lookup>(ORACLE_MODULE);
     const Grid<glm::vec4> texture = numbered(300);
     Random random(20268);
     int wrong = 0;

@@ -48,14 +48,17 @@ TEST(AboutAPoint, CentresStayAndDistancesToo)
         const glm::mat4 line = reflection_in_line(centre, direction);
         const glm::mat4 plane = reflection_in_plane(centre, direction);
         for (const glm::mat4& m : {turn, line, plane}) {
-            ASSERT_LE(length(image(m, glm::dvec3(centre)) - glm::dvec3(centre)), 4e-6) << "seed " << seed << ", number " << i;
+            ASSERT_LE(length(image(m, glm::dvec3(centre)) - glm::dvec3(centre)), 4e-6)
+                << "seed " << seed << ", number " << i;
             ASSERT_LE(off_orthonormal(m), 4e-7) << "seed " << seed << ", number " << i;
         }
         ASSERT_NEAR(glm::determinant(glm::dmat3(glm::mat3(line))), 1, 1e-6);
         ASSERT_NEAR(glm::determinant(glm::dmat3(glm::mat3(plane))), -1, 1e-6);
         const glm::dvec3 e = normalize(glm::dvec3(direction));
-        ASSERT_LE(length(image(line, glm::dvec3(centre) + e) - glm::dvec3(centre) - e), 4e-6) << "seed " << seed << ", number " << i;
-        ASSERT_LE(length(image(plane, glm::dvec3(centre) + e) - glm::dvec3(centre) + e), 4e-6) << "seed " << seed << ", number " << i;
+        ASSERT_LE(length(image(line, glm::dvec3(centre) + e) - glm::dvec3(centre) - e), 4e-6)
+            << "seed " << seed << ", number " << i;
+        ASSERT_LE(length(image(plane, glm::dvec3(centre) + e) - glm::dvec3(centre) + e), 4e-6)
+            << "seed " << seed << ", number " << i;
     }
 }
 
@@ -70,7 +73,8 @@ TEST(AboutAPoint, AlignmentIsTheShortestTurn)
         const glm::vec3 to = i % 2 == 0 ? near : -near;
         const glm::mat4 m = alignment(from, to);
         ASSERT_LE(off_orthonormal(m), 4e-7) << "seed " << seed << ", number " << i;
-        ASSERT_LE(length(image(m, normalize(glm::dvec3(from))) - normalize(glm::dvec3(to))), 2e-7) << "seed " << seed << ", number " << i;
+        ASSERT_LE(length(image(m, normalize(glm::dvec3(from))) - normalize(glm::dvec3(to))), 2e-7)
+            << "seed " << seed << ", number " << i;
         const glm::dvec3 normal = cross(glm::dvec3(from), glm::dvec3(to));
         if (normal == glm::dvec3(0)) continue;
         ASSERT_LE(length(image(m, normalize(normal)) - normalize(normal)), 2e-7) << "seed " << seed << ", number " << i;
@@ -87,7 +91,8 @@ TEST(AboutAPoint, PlacedObjectsStandUpright)
         const glm::mat4 m = placed_along({0, 0, 0}, direction);
         ASSERT_LE(off_orthonormal(m), 4e-7) << "seed " << seed << ", number " << i;
         ASSERT_EQ(m[0].y, 0) << "seed " << seed << ", number " << i;
-        ASSERT_LE(length(glm::dvec3(m[2]) - normalize(glm::dvec3(direction))), 2e-7) << "seed " << seed << ", number " << i;
+        ASSERT_LE(length(glm::dvec3(m[2]) - normalize(glm::dvec3(direction))), 2e-7)
+            << "seed " << seed << ", number " << i;
         ASSERT_GT(glm::determinant(glm::mat3(m)), 0.99F);
     }
 }

@@ -4,7 +4,7 @@
 
 namespace umbral::tests {
 
-/// All functions of one tenant of transforms/axis-rotation.
+/// All functions of one solution of transforms/axis-rotation.
 struct Rotations {
     decltype(transforms::rotate_vector)* vector;
     decltype(transforms::rotation_matrix)* matrix;

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <transforms/support.hpp>
 
-#include "../tenant.hpp"
+#include "../solution.hpp"
 #include "../ulps.hpp"
 #include "axis_rotation_table.hpp"
 
@@ -18,12 +18,12 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// Every test here holds for the reference and for the oracle.
-class RotationTenant : public testing::TestWithParam<const char*> {
+class RotationSolution : public testing::TestWithParam<const char*> {
 protected:
-    const tests::Rotations rotate = *tests::tenant<const tests::Rotations>(GetParam());
+    const tests::Rotations rotate = *tests::solution<const tests::Rotations>(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Tenants, RotationTenant, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
-                         [](const auto& tenant) { return tenant.index == 0 ? "reference" : "oracle"; });
+INSTANTIATE_TEST_SUITE_P(Solutions, RotationSolution, testing::Values(REFERENCE_MODULE, ORACLE_MODULE),
+                         [](const auto& solution) { return solution.index == 0 ? "reference" : "oracle"; });
 
 void expect_near(const glm::vec3& got, const glm::dvec3& exact, double tolerance = 1.3e-7)
 {
@@ -46,13 +46,14 @@ double largest_difference(const glm::mat4& one, const glm::mat4& other)
 {
     double worst = 0;
     for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row) worst = std::max(worst, std::abs(double{one[column][row]} - double{other[column][row]}));
+        for (int row = 0; row < 4; ++row)
+            worst = std::max(worst, std::abs(double{one[column][row]} - double{other[column][row]}));
     return worst;
 }
 
 }
 
-TEST_P(RotationTenant, KnownAnswers)
+TEST_P(RotationSolution, KnownAnswers)
 {
     expect_near(rotate.vector({1, 0, 0}, {{0, 0, 1}, pi / 2}), {0, 1, 0});
     expect_near(rotate.vector({0, 1, 0}, {{1, 0, 0}, pi / 2}), {0, 0, 1});
@@ -63,7 +64,7 @@ TEST_P(RotationTenant, KnownAnswers)
 }
 
 // Laid out by rows, as one writes it: Rot_z[θ] = [c -s 0; s c 0; 0 0 1].
-TEST_P(RotationTenant, MatrixHasItsEntriesInPlace)
+TEST_P(RotationSolution, MatrixHasItsEntriesInPlace)
 {
     const glm::mat4 m = rotate.matrix({{0, 0, 5}, 0.5F});
     EXPECT_FLOAT_EQ(m[0][0], 0.87758256F);
@@ -75,7 +76,7 @@ TEST_P(RotationTenant, MatrixHasItsEntriesInPlace)
     EXPECT_EQ(m[0][2], 0);
 }
 
-TEST_P(RotationTenant, NothingIsTurnedByNoTurn)
+TEST_P(RotationSolution, NothingIsTurnedByNoTurn)
 {
     for (const AxisAngle& turn : {AxisAngle{{0, 0, 0}, 1},
                                   {{1, 0, 0}, 0},
@@ -92,7 +93,7 @@ TEST_P(RotationTenant, NothingIsTurnedByNoTurn)
 }
 
 // The three functions agree, keep lengths and angles, and leave the axis alone.
-TEST_P(RotationTenant, IsARotation)
+TEST_P(RotationSolution, IsARotation)
 {
     constexpr std::uint64_t seed = 20261;
     Random random(seed);
@@ -103,7 +104,9 @@ TEST_P(RotationTenant, IsARotation)
         const glm::mat4 matrix = rotate.matrix(turn);
         ASSERT_LE(off_orthonormal(matrix), 3e-7) << "seed " << seed << ", turn " << i;
         const glm::vec3 vector = random.in_cube();
-        ASSERT_LE(length(glm::dvec3(rotate.vector(vector, turn)) - glm::dvec3(glm::dmat4(matrix) * glm::dvec4(vector, 0))), 3e-7)
+        ASSERT_LE(
+            length(glm::dvec3(rotate.vector(vector, turn)) - glm::dvec3(glm::dmat4(matrix) * glm::dvec4(vector, 0))),
+            3e-7)
             << "seed " << seed << ", turn " << i;
         ASSERT_EQ(rotate.chain(std::span(&turn, 1)), matrix) << "seed " << seed << ", turn " << i;
         const glm::dvec3 axis = normalize(glm::dvec3(turn.axis));
@@ -111,8 +114,9 @@ TEST_P(RotationTenant, IsARotation)
     }
 }
 
-// A tiny turn by hand: for an axis in the xy-plane, the entry (0, 1) is (1 - cosθ) e.x e.y = θ²/2 · e.x e.y, but for θ² of itself.
-TEST_P(RotationTenant, TinyTurnsKeepTheirSecondOrder)
+// A tiny turn by hand: for an axis in the xy-plane, the entry (0, 1) is (1 - cosθ) e.x e.y = θ²/2 · e.x e.y, but for θ²
+// of itself.
+TEST_P(RotationSolution, TinyTurnsKeepTheirSecondOrder)
 {
     for (const float angle : {1e-3F, 1e-5F, 1e-8F, 1e-15F}) {
         const glm::mat4 matrix = rotate.matrix({{3, 4, 0}, angle});
@@ -123,7 +127,7 @@ TEST_P(RotationTenant, TinyTurnsKeepTheirSecondOrder)
     }
 }
 
-TEST_P(RotationTenant, FirstTurnIsTheFirst)
+TEST_P(RotationSolution, FirstTurnIsTheFirst)
 {
     const AxisAngle turns[] = {{{1, 0, 0}, pi / 2}, {{0, 1, 0}, pi / 2}};
     // (0,1,0) becomes (0,0,1), which becomes (1,0,0).
@@ -131,8 +135,9 @@ TEST_P(RotationTenant, FirstTurnIsTheFirst)
     expect_near(glm::vec3(rotate.chain(std::span(turns)) * glm::vec4(0, 0, 1, 0)), {0, -1, 0});
 }
 
-// A chain about one axis is one turn by the sum of the angles, which is computed here from the float that the angle really is.
-TEST_P(RotationTenant, LongChainTurnsByTheSum)
+// A chain about one axis is one turn by the sum of the angles, which is computed here from the float that the angle
+// really is.
+TEST_P(RotationSolution, LongChainTurnsByTheSum)
 {
     const AxisAngle step{{0, 0, 2}, 1e-4F};
     const std::vector<AxisAngle> chain(3'600'000, step);
@@ -148,26 +153,30 @@ TEST_P(RotationTenant, LongChainTurnsByTheSum)
 TEST(RotationAccuracy, ReferenceKeepsItsGuarantee)
 {
     constexpr std::uint64_t seed = 20262;
-    const auto reference = *tests::tenant<const tests::Rotations>(REFERENCE_MODULE);
-    const auto oracle = *tests::tenant<const tests::Rotations>(ORACLE_MODULE);
+    const auto reference = *tests::solution<const tests::Rotations>(REFERENCE_MODULE);
+    const auto oracle = *tests::solution<const tests::Rotations>(ORACLE_MODULE);
     Random random(seed);
     for (int i = 0; i < 20'000; ++i) {
-        const AxisAngle turn{std::pow(10.0F, random.uniform(-37, 37)) * clear_axis(i % 2 == 0, random), std::pow(10.0F, random.uniform(-15, 0))};
+        const AxisAngle turn{std::pow(10.0F, random.uniform(-37, 37)) * clear_axis(i % 2 == 0, random),
+                             std::pow(10.0F, random.uniform(-15, 0))};
         const glm::mat4 got = reference.matrix(turn);
         const glm::mat4 exact = oracle.matrix(turn);
         for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 4; ++row) ASSERT_LE(tests::ulps_between(got[column][row], exact[column][row]), 1) << "seed " << seed << ", turn " << i;
+            for (int row = 0; row < 4; ++row)
+                ASSERT_LE(tests::ulps_between(got[column][row], exact[column][row]), 1)
+                    << "seed " << seed << ", turn " << i;
     }
     for (const float angle : {1e-7F, 1e-4F, 1e-1F, 3.0F}) {
         const std::vector<AxisAngle> chain = wandering_turns(random.unit_vector(), angle, 200'000, random);
-        EXPECT_LE(largest_difference(reference.chain(chain), oracle.chain(chain)), 6e-8) << "seed " << seed << ", angles " << angle;
+        EXPECT_LE(largest_difference(reference.chain(chain), oracle.chain(chain)), 6e-8)
+            << "seed " << seed << ", angles " << angle;
     }
 }
 
 // The hard cases must tell the forms apart.
 TEST(RotationAccuracy, FloatFails)
 {
-    const auto naive = *tests::tenant<const tests::Rotations>(IN_FLOAT_MODULE);
+    const auto naive = *tests::solution<const tests::Rotations>(IN_FLOAT_MODULE);
     EXPECT_EQ(naive.matrix({{3, 4, 0}, 1e-4F})[1][0], 0) << "1 - cosθ is 0";
     EXPECT_EQ(naive.matrix({{0, 0, 1e-30F}, 1}), glm::mat4(1)) << "the square of the axis is 0";
     const std::vector<AxisAngle> chain(3'600'000, {{1, -2, 2}, 1e-4F});

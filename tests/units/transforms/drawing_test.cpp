@@ -50,7 +50,8 @@ void expect_at(const glm::dmat4& matrix, glm::dvec2 place, glm::dvec2 expected, 
 
 }
 
-// Normals stay at right angles to the surface: a tangent and a normal before are so afterwards, and n points to the same side.
+// Normals stay at right angles to the surface: a tangent and a normal before are so afterwards, and n points to the
+// same side.
 TEST(MatrixStack, KeepsNormalsAcrossTheSurface)
 {
     constexpr std::uint64_t seed = 20240607;
@@ -108,7 +109,8 @@ TEST(HookBetween, BothWaysMeetBothEnds)
     for (int i = 0; i < 500; ++i) {
         const glm::vec3 from(glm::vec2(random.in_cube()), 1);
         const glm::vec3 to = i % 10 == 0 ? from : glm::vec3(glm::vec2(random.in_cube()), 1);
-        const std::vector<glm::dmat4> one = copies([&](Pipeline& pipeline, const Figure& hook) { draw_hook_between(pipeline, hook, from, to); });
+        const std::vector<glm::dmat4> one =
+            copies([&](Pipeline& pipeline, const Figure& hook) { draw_hook_between(pipeline, hook, from, to); });
         ASSERT_EQ(one.size(), 1U);
         for (const glm::dmat4& matrix : {one[0], glm::dmat4(hook_matrix(from, to))}) {
             expect_at(matrix, {0, 0}, glm::dvec2(from));
@@ -123,8 +125,10 @@ TEST(HookCircle, TurnsItsTeethOutwards)
 {
     for (const unsigned count : {5U, 8U, 13U}) {
         double reach = 0;
-        for (const glm::dmat4& matrix : copies([&](Pipeline&pipeline, const Figure&hook) { draw_hook_circle(pipeline, hook, count); }))
-            reach = std::max({reach, glm::length(glm::dvec2(matrix * glm::dvec4(1, 0, 0, 1))), glm::length(glm::dvec2(matrix * glm::dvec4(1, 1, 0, 1)))});
+        for (const glm::dmat4& matrix :
+             copies([&](Pipeline&pipeline, const Figure&hook) { draw_hook_circle(pipeline, hook, count); }))
+            reach = std::max({reach, glm::length(glm::dvec2(matrix * glm::dvec4(1, 0, 0, 1))),
+                              glm::length(glm::dvec2(matrix * glm::dvec4(1, 1, 0, 1)))});
         const double half = std::sin(std::numbers::pi / count);
         EXPECT_NEAR(reach, std::hypot(half, std::cos(std::numbers::pi / count) + half), 1e-6);
     }
@@ -149,7 +153,8 @@ TEST(Trunk, HasItsAreaAndSixEdges)
 TEST(Tree, HasItsBoundsAndItsNumberOfTrunks)
 {
     for (const unsigned levels : {0U, 1U, 2U, 6U, 10U}) {
-        const std::vector<glm::dmat4> trunks = copies([&](Pipeline& pipeline, const Figure& trunk) { draw_tree(pipeline, levels, trunk); });
+        const std::vector<glm::dmat4> trunks =
+            copies([&](Pipeline& pipeline, const Figure& trunk) { draw_tree(pipeline, levels, trunk); });
         EXPECT_EQ(trunks.size(), (std::size_t{1} << levels) - 1);
         glm::dvec2 low(1e9);
         glm::dvec2 high(-1e9);
@@ -184,7 +189,8 @@ TEST(Android, IsMirroredAtRestAndKeepsItsJoints)
         android->set_head(angle);
         const std::vector<Call> posed = drawn_by(draw);
         ASSERT_EQ(posed.size(), 18U);
-        for (const std::size_t fixed : {0, 1, 6, 9, 10, 11, 12, 15}) EXPECT_EQ(posed[fixed].modelview[3], rest[fixed].modelview[3]) << fixed;
+        for (const std::size_t fixed : {0, 1, 6, 9, 10, 11, 12, 15})
+            EXPECT_EQ(posed[fixed].modelview[3], rest[fixed].modelview[3]) << fixed;
         const double lifted = android_measures::shoulder.y - android_measures::limb_length * std::cos(angle);
         EXPECT_NEAR(posed[8].modelview[3].y, lifted, 1e-6);
     }

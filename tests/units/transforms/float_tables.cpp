@@ -1,5 +1,5 @@
-// Prints the tables of the statements of vectors, frames, rotation-identities, about-a-point and normal-matrix: what their school formulas lose in
-// float, measured against the references.
+// Prints the tables of the statements of vectors, frames, rotation-identities, about-a-point and normal-matrix: what
+// their school formulas lose in float, measured against the references.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,10 @@ double worst(Sample sample)
     return result;
 }
 
-glm::vec3 nearly(const glm::vec3& v, float angle, Random& random) { return v + angle * normalize(cross(v, random.unit_vector())); }
+glm::vec3 nearly(const glm::vec3& v, float angle, Random& random)
+{
+    return v + angle * normalize(cross(v, random.unit_vector()));
+}
 
 glm::mat4 any_rotation(Random& random)
 {
@@ -48,7 +51,8 @@ double angle_by_arc_cosine(const Vector& a, const Vector& b)
 void print_vectors()
 {
     Random random(1);
-    std::printf("vectors: worst relative errors at an angle\n%8s %22s %22s %22s\n", "angle", "arc cosine, float", "arc cosine, double", "cross, float");
+    std::printf("vectors: worst relative errors at an angle\n%8s %22s %22s %22s\n", "angle", "arc cosine, float",
+                "arc cosine, double", "cross, float");
     for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
         double in_float = 0;
         double in_double = 0;
@@ -57,7 +61,8 @@ void print_vectors()
             const glm::vec3 v = nearly(u, angle, random);
             const double exact = double{angle_between(u, v)};
             in_float = std::max(in_float, std::abs(angle_by_arc_cosine(u, v) - exact) / exact);
-            in_double = std::max(in_double, std::abs(angle_by_arc_cosine(glm::dvec3(u), glm::dvec3(v)) - exact) / exact);
+            in_double =
+                std::max(in_double, std::abs(angle_by_arc_cosine(glm::dvec3(u), glm::dvec3(v)) - exact) / exact);
             return double{length(cross_product(u, v) - cross(u, v)) / length(cross_product(u, v))};
         });
         std::printf("%8.0e %22.1e %22.1e %22.1e\n", double{angle}, in_float, in_double, crossed);
@@ -67,7 +72,9 @@ void print_vectors()
 void print_frames()
 {
     Random random(2);
-    std::printf("frames: worst error of the last column, two Cartesian frames 8 from each other, by way of the world in float\n");
+    std::printf(
+        "frames: worst error of the last column, two Cartesian frames 8 from each other, by way of the world in "
+        "float\n");
     for (const float far : {1e4F, 1e5F, 1e6F, 1e7F}) {
         const double error = worst([&] {
             const glm::mat4 a = any_rotation(random);
@@ -85,7 +92,8 @@ void print_frames()
 void print_rotations()
 {
     Random random(3);
-    std::printf("rotation-identities: worst error of a unit vector turned by so many degrees\n%8s %12s %12s\n", "degrees", "float", "double");
+    std::printf("rotation-identities: worst error of a unit vector turned by so many degrees\n%8s %12s %12s\n",
+                "degrees", "float", "double");
     for (const float degrees : {1e3F, 1e5F, 1e7F, 1e9F}) {
         double in_double = 0;
         const double in_float = worst([&] {
@@ -98,7 +106,8 @@ void print_rotations()
         std::printf("%8.0e %12.1e %12.1e\n", double{degrees}, in_float, in_double);
     }
     std::printf(
-        "and of (1,2,3), brought to length 1, turned by a thousandth of a degree about x, y, z, x, … so often, rounded to float after each\n%8s %12s %12s\n",
+        "and of (1,2,3), brought to length 1, turned by a thousandth of a degree about x, y, z, x, … so often, rounded "
+        "to float after each\n%8s %12s %12s\n",
         "turns", "direction", "length");
     for (const std::size_t count : {std::size_t{6'000}, std::size_t{60'000}, std::size_t{600'000}}) {
         const glm::vec3 start = normalize(glm::vec3(1, 2, 3));
@@ -109,7 +118,8 @@ void print_rotations()
             v = elementary_rotation(v, turns[i]);
         }
         const glm::dvec3 exact(after_turns(start, turns));
-        std::printf("%8zu %12.1e %12.1e\n", count, length(glm::dvec3(v) - exact), std::abs(length(glm::dvec3(v)) - length(exact)));
+        std::printf("%8zu %12.1e %12.1e\n", count, length(glm::dvec3(v) - exact),
+                    std::abs(length(glm::dvec3(v)) - length(exact)));
     }
 }
 
@@ -121,12 +131,14 @@ void print_about_a_point()
         const double error = worst([&] {
             const glm::vec3 centre = far * random.unit_vector();
             const AxisAngle turn{random.unit_vector(), 1e-5F};
-            const glm::mat4 product = glm::translate(glm::rotate(glm::translate(glm::mat4(1), centre), turn.angle, turn.axis), -centre);
+            const glm::mat4 product =
+                glm::translate(glm::rotate(glm::translate(glm::mat4(1), centre), turn.angle, turn.axis), -centre);
             return distance_between(rotation_about_point(centre, turn)[3], product[3]);
         });
         std::printf("%8.0e moves %8.1e %10.1e\n", double{far}, 1e-5 * double{far}, error);
     }
-    std::printf("worst error of a column of the alignment, so far from opposite, in float\n%8s %16s %16s\n", "angle", "1 / (1 + cos)", "arc cosine");
+    std::printf("worst error of a column of the alignment, so far from opposite, in float\n%8s %16s %16s\n", "angle",
+                "1 / (1 + cos)", "arc cosine");
     for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F}) {
         double by_angle = 0;
         const double by_division = worst([&] {
@@ -162,7 +174,8 @@ void print_normals()
         return 100.0 * wrong / samples;
     };
     std::printf("normal-matrix: normals that are off by more than 1e-3, inverse transpose in float\n");
-    for (const float thickness : {1e-6F, 1e-7F, 1e-8F}) std::printf("pressed to %.0e: %.0f %%\n", double{thickness}, wrong_share({1, 1, thickness}));
+    for (const float thickness : {1e-6F, 1e-7F, 1e-8F})
+        std::printf("pressed to %.0e: %.0f %%\n", double{thickness}, wrong_share({1, 1, thickness}));
     for (const float size : {1e-10F, 1e-13F, 1e-20F, 1e12F, 1e13F, 1e20F})
         std::printf("size %.0e: %.0f %%\n", double{size}, wrong_share(size * glm::vec3(1, 2, 0.5F)));
 }

@@ -4,7 +4,8 @@
 #include <umbral/core/random.hpp>
 #include <umbral/transforms/frames.hpp>
 
-// Linked with the reference; what is expected follows from what coordinates are: origin + a x + b y + c z is the same point in every frame.
+// Linked with the reference; what is expected follows from what coordinates are: origin + a x + b y + c z is the same
+// point in every frame.
 
 using namespace umbral;
 using namespace umbral::transforms;
@@ -21,7 +22,8 @@ Frame any_frame(float far, Random& random)
 // From the world's origin moved to `near`, in double.
 glm::dvec3 point_at(const Frame& frame, const glm::dvec4& coordinates, const glm::dvec3& near)
 {
-    return coordinates.x * glm::dvec3(frame.x) + coordinates.y * glm::dvec3(frame.y) + coordinates.z * glm::dvec3(frame.z) + (glm::dvec3(frame.origin) - near);
+    return coordinates.x * glm::dvec3(frame.x) + coordinates.y * glm::dvec3(frame.y) +
+           coordinates.z * glm::dvec3(frame.z) + (glm::dvec3(frame.origin) - near);
 }
 
 }
@@ -33,7 +35,8 @@ TEST(Frames, KnownAnswers)
     EXPECT_EQ(inverse_of_cartesian(quarter), inverse_of_frame(quarter));
     EXPECT_EQ(frame_matrix(quarter) * glm::vec4(-4, 3, 0, 1), glm::vec4(0, 0, 0, 1));
     EXPECT_EQ(classify_frame(quarter), FrameKind::cartesian);
-    EXPECT_EQ(classify_frame({{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, 0}}), FrameKind::orthonormal) << "the course's criterion for the plane: 0 = 0";
+    EXPECT_EQ(classify_frame({{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, 0}}), FrameKind::orthonormal)
+        << "the course's criterion for the plane: 0 = 0";
     EXPECT_EQ(classify_frame({{2, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}), FrameKind::orthogonal);
     EXPECT_EQ(classify_frame({{2, 0, 0}, {1, 1, 0}, {0, 0, 1}, {0, 0, 0}}), FrameKind::oblique);
     EXPECT_EQ(classify_frame({{2, 0, 0}, {1, 1, 0}, {3, 1, 0}, {0, 0, 0}}), FrameKind::degenerate);
@@ -51,7 +54,8 @@ TEST(Frames, SamePointInBothFrames)
         const glm::dmat4 m(between_frames(from, to));
         const glm::dvec4 coordinates(random.in_cube(), 1);
         const glm::dvec3 expected = point_at(from, coordinates, glm::dvec3(to.origin));
-        ASSERT_LE(length(point_at(to, m * coordinates, glm::dvec3(to.origin)) - expected), 1e-4) << "seed " << seed << ", frames " << i;
+        ASSERT_LE(length(point_at(to, m * coordinates, glm::dvec3(to.origin)) - expected), 1e-4)
+            << "seed " << seed << ", frames " << i;
     }
 }
 

@@ -5,7 +5,8 @@
 #include <umbral/core/random.hpp>
 #include <umbral/transforms/normal_matrix.hpp>
 
-// Linked with the reference; what is expected follows from what a normal is: perpendicular to the transformed tangents, on the outer side.
+// Linked with the reference; what is expected follows from what a normal is: perpendicular to the transformed tangents,
+// on the outer side.
 
 using namespace umbral;
 using namespace umbral::transforms;
@@ -44,16 +45,19 @@ TEST(NormalMatrix, PerpendicularAndOutwards)
         const glm::dvec3 got(transformed_normal(model, normal));
         ASSERT_NEAR(length(got), 1, 2e-7) << "seed " << seed << ", matrix " << i;
         const glm::dvec3 tangent = cross(glm::dvec3(normal), glm::dvec3(random.unit_vector()));
-        ASSERT_LE(std::abs(dot(got, a * tangent)), 2e-7 * (length(a[0]) + length(a[1]) + length(a[2]))) << "seed " << seed << ", matrix " << i;
+        ASSERT_LE(std::abs(dot(got, a * tangent)), 2e-7 * (length(a[0]) + length(a[1]) + length(a[2])))
+            << "seed " << seed << ", matrix " << i;
         ASSERT_GE(dot(got, a * glm::dvec3(normal)), -1e-6) << "seed " << seed << ", matrix " << i;
-        ASSERT_LE(length(cross(got, glm::dmat3(normal_matrix(model)) * glm::dvec3(normal))), 4e-7) << "seed " << seed << ", matrix " << i;
+        ASSERT_LE(length(cross(got, glm::dmat3(normal_matrix(model)) * glm::dvec3(normal))), 4e-7)
+            << "seed " << seed << ", matrix " << i;
     }
 }
 
 TEST(NormalMatrix, FlattenedMatrices)
 {
     EXPECT_EQ(transformed_normal(glm::scale(glm::mat4(1), {2, 0, 3}), {0.6F, 0.8F, 0}), glm::vec3(0, 1, 0));
-    EXPECT_EQ(transformed_normal(glm::scale(glm::mat4(1), {-2, 0, 3}), {0, 1, 0}), glm::vec3(0, -1, 0)) << "the cofactors' sign, since there is no inverse";
+    EXPECT_EQ(transformed_normal(glm::scale(glm::mat4(1), {-2, 0, 3}), {0, 1, 0}), glm::vec3(0, -1, 0))
+        << "the cofactors' sign, since there is no inverse";
     EXPECT_EQ(transformed_normal(glm::scale(glm::mat4(1), {2, 0, 3}), {1, 0, 0}), glm::vec3(0)) << "edge-on";
     EXPECT_EQ(normal_matrix(glm::scale(glm::mat4(1), {0, 0, 3})), glm::mat3(0));
     EXPECT_EQ(transformed_normal(glm::scale(glm::mat4(1), {0, 0, 3}), {0, 0, 1}), glm::vec3(0));

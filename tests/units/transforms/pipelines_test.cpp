@@ -24,7 +24,8 @@ Difference compare(const Image& one, const Image& other)
     Difference difference;
     for (std::size_t i = 0; i < one.cells.size(); ++i) {
         int largest = 0;
-        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(int{one.cells[i][k]} - int{other.cells[i][k]}));
+        for (int k = 0; k < 3; ++k)
+            largest = std::max(largest, std::abs(int{one.cells[i][k]} - int{other.cells[i][k]}));
         difference.drawn += one.cells[i] == one.cells[0] ? 0 : 1;
         difference.different += largest > 2 ? 1 : 0;
         difference.worst = std::max(difference.worst, largest);
@@ -46,7 +47,8 @@ Difference compare_pipelines(const glm::mat4& projection, const glm::vec3& backg
         gl::check_errors("a picture");
         return frame.read_pixels();
     };
-    const Image programmable = draw([&] { return std::make_unique<ProgrammablePipeline>(make_matrix_stack(), projection, background, 1.0F); });
+    const Image programmable =
+        draw([&] { return std::make_unique<ProgrammablePipeline>(make_matrix_stack(), projection, background, 1.0F); });
     const Image fixed = draw([&] { return std::make_unique<FixedPipeline>(projection, background, 1.0F); });
     return compare(programmable, fixed);
 }
@@ -54,7 +56,8 @@ Difference compare_pipelines(const glm::mat4& projection, const glm::vec3& backg
 void expect_same(const Difference& difference)
 {
     EXPECT_GT(difference.drawn, 5000);
-    EXPECT_EQ(difference.different, 0) << "of " << difference.drawn << " drawn pixels; the worst by " << difference.worst;
+    EXPECT_EQ(difference.different, 0) << "of " << difference.drawn << " drawn pixels; the worst by "
+                                       << difference.worst;
 }
 
 }
@@ -65,22 +68,27 @@ TEST_F(PipelinesTest, DrawTheSameHooks)
     expect_same(compare_pipelines(window, ink::night, false, paint_wheel));
 }
 
-TEST_F(PipelinesTest, DrawTheSameTrees) { expect_same(compare_pipelines(grove_window(), grove_background, false, paint_grove)); }
+TEST_F(PipelinesTest, DrawTheSameTrees)
+{
+    expect_same(compare_pipelines(grove_window(), grove_background, false, paint_grove));
+}
 
 TEST_F(PipelinesTest, DrawTheSameFigures)
 {
-    expect_same(compare_pipelines(glm::ortho(-1.0F, 6.0F, -2.5F, 4.5F), glm::vec3(0.1F, 0.2F, 0.3F), false, [](Pipeline& pipeline) {
-        pipeline.compose(glm::rotate(glm::mat4(1), 0.2F, {0, 0, 1}));
-        pipeline.set_color({0.9F, 0.6F, 0.1F});
-        draw_complex_figure(pipeline, draw_simple_figure);
-    }));
+    expect_same(compare_pipelines(glm::ortho(-1.0F, 6.0F, -2.5F, 4.5F), glm::vec3(0.1F, 0.2F, 0.3F), false,
+                                  [](Pipeline& pipeline) {
+                                      pipeline.compose(glm::rotate(glm::mat4(1), 0.2F, {0, 0, 1}));
+                                      pipeline.set_color({0.9F, 0.6F, 0.1F});
+                                      draw_complex_figure(pipeline, draw_simple_figure);
+                                  }));
 }
 
 // Lit, in perspective, through matrices that stretch: what the normals are multiplied with shows.
 TEST_F(PipelinesTest, DrawTheSameAndroids)
 {
     const std::unique_ptr<Android> android = make_android();
-    expect_same(compare_pipelines(parade_projection(), parade_background, true, [&](Pipeline& pipeline) { paint_parade(pipeline, *android); }));
+    expect_same(compare_pipelines(parade_projection(), parade_background, true,
+                                  [&](Pipeline& pipeline) { paint_parade(pipeline, *android); }));
 }
 
 TEST_F(PipelinesTest, RefuseToPopAnEmptyStack)

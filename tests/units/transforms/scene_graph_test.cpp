@@ -47,8 +47,9 @@ std::size_t fewest_nodes(const ArcGraph& graph, std::uint32_t place, std::set<st
     for (const Arc& arc : graph.nodes[place]) labels.insert(arc.label);
     std::size_t longest = 0;
     for (const auto& label : labels)
-        longest += std::none_of(labels.begin(), labels.end(),
-                                [&](const auto& other) { return other.size() > label.size() && std::equal(label.begin(), label.end(), other.begin()); });
+        longest += std::none_of(labels.begin(), labels.end(), [&](const auto& other) {
+            return other.size() > label.size() && std::equal(label.begin(), label.end(), other.begin());
+        });
     std::size_t sum = std::max<std::size_t>(1, longest);
     for (const Arc& arc : graph.nodes[place])
         if (arc.target.kind == Entry::Kind::node) sum += fewest_nodes(graph, arc.target.index, seen);
@@ -70,7 +71,8 @@ nlohmann::json small_graph()
     return {{"format", "umbral-scene-graph"},
             {"version", 1},
             {"objects", {{"disc", {{"primitive", "cylinder"}}}}},
-            {"nodes", {{"a", {{{"node", "b"}}, {{"scale", {1, 2, 3}}}, {{"object", "disc"}}}}, {"b", nlohmann::json::array()}}},
+            {"nodes",
+             {{"a", {{{"node", "b"}}, {{"scale", {1, 2, 3}}}, {{"object", "disc"}}}}, {"b", nlohmann::json::array()}}},
             {"root", "a"}};
 }
 
@@ -114,7 +116,9 @@ TEST(Expand, NamesTheCycle)
             EXPECT_EQ(path.front(), path.back());
             for (std::size_t k = 1; k < path.size(); ++k) {
                 const auto& entries = graph.nodes[path[k - 1]];
-                EXPECT_TRUE(std::any_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.kind == Entry::Kind::node && e.index == path[k]; }));
+                EXPECT_TRUE(std::any_of(entries.begin(), entries.end(), [&](const Entry& e) {
+                    return e.kind == Entry::Kind::node && e.index == path[k];
+                }));
             }
         }
     }
@@ -150,8 +154,12 @@ TEST(GraphFile, HoldsTheFacade)
     const scenegraph::GraphFile file = scenegraph::read_graph(graphs + "facade.json");
     const std::vector<Instance> found = expand(file.graph, 100);
     EXPECT_EQ(found.size(), expand(facade(), 100).size());
-    const auto corner = [&](std::size_t i, glm::vec2 place) { return glm::vec2(found[i].world * glm::vec4(place, 0, 1)); };
-    const auto expect_near = [](glm::vec2 a, glm::vec2 b) { EXPECT_LT(glm::length(a - b), 1e-6F) << a.x << ' ' << a.y; };
+    const auto corner = [&](std::size_t i, glm::vec2 place) {
+        return glm::vec2(found[i].world * glm::vec4(place, 0, 1));
+    };
+    const auto expect_near = [](glm::vec2 a, glm::vec2 b) {
+        EXPECT_LT(glm::length(a - b), 1e-6F) << a.x << ' ' << a.y;
+    };
     std::vector<std::size_t> squares;
     for (std::size_t i = 0; i < found.size(); ++i)
         if (file.object_names[found[i].object] == "square") squares.push_back(i);
@@ -178,7 +186,8 @@ TEST(GraphFile, HoldsTheAndroidThatIsDrawn)
         ASSERT_LT(i, found.size());
         EXPECT_EQ(std::get<Primitive>(file.shapes[found[i].object]), call.primitive);
         for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 4; ++row) EXPECT_NEAR(found[i].world[column][row], call.modelview[column][row], 1e-6) << i;
+            for (int row = 0; row < 4; ++row)
+                EXPECT_NEAR(found[i].world[column][row], call.modelview[column][row], 1e-6) << i;
         ++i;
     }
     EXPECT_EQ(i, found.size());
@@ -192,18 +201,19 @@ TEST(GraphFile, SaysWhereItIsWrong)
         nlohmann::json value;
         const char* complaint;
     };
-    const Wrong wrongs[] = {{"/root", "c", "g.json: root: expected one of \"a\", \"b\", got \"c\""},
-                            {"/nodes/a/0", {{"node", "c"}}, "g.json: nodes.a[0].node: expected one of \"a\", \"b\", got \"c\""},
-                            {"/nodes/a/2/object", "ball", "g.json: nodes.a[2].object: expected one of \"disc\", got \"ball\""},
-                            {"/nodes/a/1/scale", {1, 2}, "g.json: nodes.a[1].scale: expected a list of 3 to 3 items, got [1,2]"},
-                            {"/version", 2, "g.json: version: expected a whole number from 1 to 1, got 2"}};
+    const Wrong wrongs[] = {
+        {"/root", "c", "g.json: root: expected one of \"a\", \"b\", got \"c\""},
+        {"/nodes/a/0", {{"node", "c"}}, "g.json: nodes.a[0].node: expected one of \"a\", \"b\", got \"c\""},
+        {"/nodes/a/2/object", "ball", "g.json: nodes.a[2].object: expected one of \"disc\", got \"ball\""},
+        {"/nodes/a/1/scale", {1, 2}, "g.json: nodes.a[1].scale: expected a list of 3 to 3 items, got [1,2]"},
+        {"/version", 2, "g.json: version: expected a whole number from 1 to 1, got 2"}};
     for (const Wrong& wrong : wrongs) {
         nlohmann::json json = small_graph();
         json[nlohmann::json::json_pointer(wrong.place)] = wrong.value;
         EXPECT_EQ(refusal(json.dump()), wrong.complaint);
     }
-    for (const char* const entry :
-         {"{}", R"({"node": "b", "object": "disc"})", R"({"shear": [1, 0, 0]})", R"({"rotate": {"degrees": 5, "axis": [0, 0, 0]}})"}) {
+    for (const char* const entry : {"{}", R"({"node": "b", "object": "disc"})", R"({"shear": [1, 0, 0]})",
+                                    R"({"rotate": {"degrees": 5, "axis": [0, 0, 0]}})"}) {
         nlohmann::json json = small_graph();
         json["nodes"]["a"][0] = nlohmann::json::parse(entry);
         EXPECT_NE(refusal(json.dump()).find("nodes.a[0]"), std::string::npos) << entry;
@@ -231,7 +241,8 @@ TEST(GraphFile, IsWhatItsSchemaSays)
         EXPECT_EQ(schema.complaints(nlohmann::json::parse(stream)), "") << name;
     }
     EXPECT_EQ(schema.complaints(small_graph()), "");
-    for (const char* const wrong : {R"({"shear": [1, 0, 0]})", R"({"scale": [1, 2]})", R"({"node": "b", "object": "disc"})", R"({"matrix": [[1, 0, 0, 0]]})"}) {
+    for (const char* const wrong : {R"({"shear": [1, 0, 0]})", R"({"scale": [1, 2]})",
+                                    R"({"node": "b", "object": "disc"})", R"({"matrix": [[1, 0, 0, 0]]})"}) {
         nlohmann::json json = small_graph();
         json["nodes"]["a"][0] = nlohmann::json::parse(wrong);
         EXPECT_NE(schema.complaints(json), "") << wrong;

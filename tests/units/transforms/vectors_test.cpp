@@ -17,7 +17,10 @@ namespace {
 constexpr std::uint64_t seed = 20271;
 using Long = long double;
 
-Long dot(const glm::vec3& a, const glm::vec3& b) { return Long{a.x} * Long{b.x} + Long{a.y} * Long{b.y} + Long{a.z} * Long{b.z}; }
+Long dot(const glm::vec3& a, const glm::vec3& b)
+{
+    return Long{a.x} * Long{b.x} + Long{a.y} * Long{b.y} + Long{a.z} * Long{b.z};
+}
 Long size(const glm::vec3& v) { return std::hypot(Long{v.x}, Long{v.y}, Long{v.z}); }
 
 glm::vec3 any_size(Random& random) { return std::pow(10.0F, random.uniform(-37, 37)) * random.unit_vector(); }
@@ -39,7 +42,8 @@ TEST(Vectors, LengthsOfAllSizes)
     Random random(seed);
     for (int i = 0; i < 20'000; ++i) {
         const glm::vec3 v = any_size(random);
-        ASSERT_LE(tests::ulps_between(length_of(v), static_cast<float>(size(v))), 1) << "seed " << seed << ", vector " << i;
+        ASSERT_LE(tests::ulps_between(length_of(v), static_cast<float>(size(v))), 1)
+            << "seed " << seed << ", vector " << i;
         ASSERT_NEAR(static_cast<double>(size(normalised(v))), 1, 1e-7) << "seed " << seed << ", vector " << i;
     }
     EXPECT_EQ(length_of({0, std::numeric_limits<float>::denorm_min(), 0}), std::numeric_limits<float>::denorm_min());
@@ -64,7 +68,8 @@ TEST(Vectors, AnglesWithinAnUlp)
         ASSERT_LE(tests::ulps_between(angle_between(a, b), expected), 1) << "seed " << seed + 1 << ", vectors " << i;
     }
     // Small angles in the plane, where they are known.
-    for (const float tangent : {1e-3F, 1e-6F, 1e-20F, 1e-38F}) EXPECT_LE(tests::ulps_between(angle_between({1, 0, 0}, {1, tangent, 0}), std::atan(tangent)), 1);
+    for (const float tangent : {1e-3F, 1e-6F, 1e-20F, 1e-38F})
+        EXPECT_LE(tests::ulps_between(angle_between({1, 0, 0}, {1, tangent, 0}), std::atan(tangent)), 1);
 }
 
 TEST(Vectors, PartsAddUpAndArePerpendicular)
@@ -73,14 +78,16 @@ TEST(Vectors, PartsAddUpAndArePerpendicular)
     for (int i = 0; i < 20'000; ++i) {
         const glm::vec3 a = random.unit_vector();
         const glm::vec3 b =
-            std::pow(10.0F, random.uniform(-37, 37)) * (i % 2 == 0 ? random.unit_vector() : a + std::pow(10.0F, random.uniform(-6, 0)) * random.unit_vector());
+            std::pow(10.0F, random.uniform(-37, 37)) *
+            (i % 2 == 0 ? random.unit_vector() : a + std::pow(10.0F, random.uniform(-6, 0)) * random.unit_vector());
         const glm::vec3 along = parallel_part(a, b);
         const glm::vec3 across = perpendicular_part(a, b);
         ASSERT_LE(static_cast<double>(size(a - along - across)), 4e-7) << "seed " << seed + 2 << ", vectors " << i;
         ASSERT_LE(static_cast<double>(std::abs(dot(across, b))), 2e-7 * static_cast<double>(size(across) * size(b)))
             << "seed " << seed + 2 << ", vectors " << i;
         const glm::vec3 normal = cross_product(a, glm::vec3(glm::dvec3(b) / static_cast<double>(size(b))));
-        ASSERT_LE(static_cast<double>(std::abs(dot(normal, a))), 2e-7 * static_cast<double>(size(normal))) << "seed " << seed + 2 << ", vectors " << i;
+        ASSERT_LE(static_cast<double>(std::abs(dot(normal, a))), 2e-7 * static_cast<double>(size(normal)))
+            << "seed " << seed + 2 << ", vectors " << i;
     }
 }
 

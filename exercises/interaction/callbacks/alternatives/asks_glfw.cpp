@@ -10,11 +10,17 @@ struct Window {
     Controls& controls;
     Commands& commands;
 
-    explicit Window(GLFWwindow* window) : handle(window), controls(*reinterpret_cast<Controls*>(glfwGetWindowUserPointer(window))), commands(*controls.commands)
+    explicit Window(GLFWwindow* window)
+        : handle(window),
+          controls(*reinterpret_cast<Controls*>(glfwGetWindowUserPointer(window))),
+          commands(*controls.commands)
     {
     }
 
-    bool dragging() const { return controls.drag != Drag::none && glfwGetMouseButton(handle, controls.drag_button) == GLFW_PRESS; }
+    bool dragging() const
+    {
+        return controls.drag != Drag::none && glfwGetMouseButton(handle, controls.drag_button) == GLFW_PRESS;
+    }
 
     void tell_viewport() const
     {

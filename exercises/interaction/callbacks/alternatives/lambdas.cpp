@@ -31,22 +31,23 @@ void install_callbacks(GLFWwindow* window)
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
         if (std::fabs(y) > 0) controls(w)->commands->zoom(std::exp(-y * std::log(1.1)));
     });
-    controls(window)->previous_key = glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-        Controls* c = controls(w);
-        const bool shortcut = mods & ~(GLFW_MOD_SHIFT | GLFW_MOD_CAPS_LOCK | GLFW_MOD_NUM_LOCK);
-        const bool pressed = action == GLFW_PRESS;
-        if (pressed && !shortcut) {
-            switch (key) {
-                case GLFW_KEY_R: c->commands->reset(); break;
-                case GLFW_KEY_1: c->commands->view_mode(1); break;
-                case GLFW_KEY_2: c->commands->view_mode(2); break;
-                case GLFW_KEY_3: c->commands->view_mode(3); break;
-                default: break;
+    controls(window)->previous_key =
+        glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+            Controls* c = controls(w);
+            const bool shortcut = mods & ~(GLFW_MOD_SHIFT | GLFW_MOD_CAPS_LOCK | GLFW_MOD_NUM_LOCK);
+            const bool pressed = action == GLFW_PRESS;
+            if (pressed && !shortcut) {
+                switch (key) {
+                    case GLFW_KEY_R: c->commands->reset(); break;
+                    case GLFW_KEY_1: c->commands->view_mode(1); break;
+                    case GLFW_KEY_2: c->commands->view_mode(2); break;
+                    case GLFW_KEY_3: c->commands->view_mode(3); break;
+                    default: break;
+                }
             }
-        }
-        if (c->previous_key) c->previous_key(w, key, scancode, action, mods);
-        if (pressed && key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(w, 1);
-    });
+            if (c->previous_key) c->previous_key(w, key, scancode, action, mods);
+            if (pressed && key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(w, 1);
+        });
     static constexpr auto resized = [](GLFWwindow* w, int width, int height) {
         if (width == 0 || height == 0) return;
         controls(w)->commands->viewport(width, height, double(width) / double(height));

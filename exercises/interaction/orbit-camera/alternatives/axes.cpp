@@ -10,7 +10,10 @@ constexpr double pi = 3.14159265358979323846;
 
 class AxesCamera : public OrbitCamera {
 public:
-    explicit AxesCamera(const OrbitCameraSettings& settings) : first_(settings), pixels_(settings.viewport_height) { reset(); }
+    explicit AxesCamera(const OrbitCameraSettings& settings) : first_(settings), pixels_(settings.viewport_height)
+    {
+        reset();
+    }
 
     void drag(double right, double up) override
     {
@@ -21,7 +24,9 @@ public:
     }
     void scroll(double steps) override
     {
-        if (std::abs(steps) <= 1e308) distance_ = std::fmax(first_.min_distance, std::fmin(first_.max_distance, distance_ * std::pow(1 / 1.1, steps)));
+        if (std::abs(steps) <= 1e308)
+            distance_ =
+                std::fmax(first_.min_distance, std::fmin(first_.max_distance, distance_ * std::pow(1 / 1.1, steps)));
     }
     void resize(int width, int height) override { pixels_ = width >= 1 && height >= 1 ? height : pixels_; }
     void reset() override
@@ -56,6 +61,9 @@ private:
 
 }
 
-std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings) { return std::make_unique<AxesCamera>(settings); }
+std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings)
+{
+    return std::make_unique<AxesCamera>(settings);
+}
 
 }

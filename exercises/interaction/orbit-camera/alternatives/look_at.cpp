@@ -1,4 +1,5 @@
-// alternative: where the camera stands by spherical coordinates, then GLM's look-at in double; radians that are never wrapped
+// alternative: where the camera stands by spherical coordinates, then GLM's look-at in double; radians that are never
+// wrapped
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/interaction/orbit_camera.hpp>
@@ -18,7 +19,8 @@ struct LookingCamera : OrbitCamera {
     }
     void scroll(double steps) override
     {
-        if (std::isfinite(steps)) now.distance = glm::clamp(now.distance / std::pow(1.1, steps), begin.min_distance, begin.max_distance);
+        if (std::isfinite(steps))
+            now.distance = glm::clamp(now.distance / std::pow(1.1, steps), begin.min_distance, begin.max_distance);
     }
     void resize(int width, int height) override
     {
@@ -32,7 +34,8 @@ struct LookingCamera : OrbitCamera {
     }
     glm::mat4 view() const override
     {
-        const glm::dvec3 n(std::cos(now.pitch) * std::sin(now.yaw), std::sin(now.pitch), std::cos(now.pitch) * std::cos(now.yaw));
+        const glm::dvec3 n(std::cos(now.pitch) * std::sin(now.yaw), std::sin(now.pitch),
+                           std::cos(now.pitch) * std::cos(now.yaw));
         // Round the target: the camera's place is far too large a number to look from.
         const glm::dmat4 around = glm::lookAt(now.distance * n, glm::dvec3(0), glm::dvec3(0, 1, 0));
         return glm::mat4(glm::translate(around, -now.target));
@@ -44,6 +47,9 @@ struct LookingCamera : OrbitCamera {
 
 }
 
-std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings) { return std::make_unique<LookingCamera>(settings); }
+std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings)
+{
+    return std::make_unique<LookingCamera>(settings);
+}
 
 }

@@ -1,4 +1,5 @@
-// alternative: the course's product Tra(0,0,-d) Rot(b,X) Rot(-a,Y) Tra(-target), each factor by GLM in double; degrees within one turn
+// alternative: the course's product Tra(0,0,-d) Rot(b,X) Rot(-a,Y) Tra(-target), each factor by GLM in double; degrees
+// within one turn
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -9,7 +10,10 @@ namespace {
 
 class ProductCamera : public OrbitCamera {
 public:
-    explicit ProductCamera(const OrbitCameraSettings& settings) : settings_(settings), height_(settings.viewport_height) { reset(); }
+    explicit ProductCamera(const OrbitCameraSettings& settings) : settings_(settings), height_(settings.viewport_height)
+    {
+        reset();
+    }
 
     void drag(double right, double up) override
     {
@@ -52,6 +56,9 @@ private:
 
 }
 
-std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings) { return std::make_unique<ProductCamera>(settings); }
+std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings)
+{
+    return std::make_unique<ProductCamera>(settings);
+}
 
 }

@@ -1,6 +1,7 @@
 // mistake: adds up angles and distance in float
 // credit: 85..94
-// hint: After a hundred thousand drags the rounding of each float addition adds up to degrees. Keep angles and distance in double, and take off whole turns.
+// hint: After a hundred thousand drags the rounding of each float addition adds up to degrees. Keep angles and distance
+// in double, and take off whole turns.
 #include <cmath>
 #include <umbral/interaction/orbit_camera.hpp>
 
@@ -11,7 +12,10 @@ constexpr double pi = 3.14159265358979323846;
 
 class FloatCamera : public OrbitCamera {
 public:
-    explicit FloatCamera(const OrbitCameraSettings& settings) : settings_(settings), height_(settings.viewport_height) { reset(); }
+    explicit FloatCamera(const OrbitCameraSettings& settings) : settings_(settings), height_(settings.viewport_height)
+    {
+        reset();
+    }
 
     void drag(double right, double up) override
     {
@@ -23,7 +27,8 @@ public:
     void scroll(double steps) override
     {
         if (!std::isfinite(steps)) return;
-        distance_ = static_cast<float>(glm::clamp(distance_ * std::pow(1.1, -steps), settings_.min_distance, settings_.max_distance));
+        distance_ = static_cast<float>(
+            glm::clamp(distance_ * std::pow(1.1, -steps), settings_.min_distance, settings_.max_distance));
     }
     void resize(int width, int height) override
     {
@@ -58,6 +63,9 @@ private:
 
 }
 
-std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings) { return std::make_unique<FloatCamera>(settings); }
+std::unique_ptr<OrbitCamera> make_orbit_camera(const OrbitCameraSettings& settings)
+{
+    return std::make_unique<FloatCamera>(settings);
+}
 
 }

@@ -22,7 +22,10 @@ double sum_of(const IndexedMesh& mesh, std::size_t begin, std::size_t end)
 
 }
 
-float triangle_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) { return static_cast<float>(twice_the_area(a, b, c) / 2); }
+float triangle_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+{
+    return static_cast<float>(twice_the_area(a, b, c) / 2);
+}
 
 float surface_area(const IndexedMesh& mesh) { return static_cast<float>(sum_of(mesh, 0, mesh.triangles.size()) / 2); }
 

@@ -1,6 +1,7 @@
 // mistake: Heron's formula, from the lengths of the sides, in double
 // credit: 88..97
-// hint: In a sliver the longest side is nearly as long as the other two together, and their difference is mostly rounding error. The cross product of two edges keeps the digits.
+// hint: In a sliver the longest side is nearly as long as the other two together, and their difference is mostly
+// rounding error. The cross product of two edges keeps the digits.
 #include <cmath>
 #include <umbral/meshes/area.hpp>
 
@@ -19,12 +20,16 @@ double heron(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 
 }
 
-float triangle_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) { return static_cast<float>(heron(a, b, c)); }
+float triangle_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+{
+    return static_cast<float>(heron(a, b, c));
+}
 
 float surface_area(const IndexedMesh& mesh)
 {
     double sum = 0;
-    for (const glm::uvec3& t : mesh.triangles) sum += heron(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
+    for (const glm::uvec3& t : mesh.triangles)
+        sum += heron(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
     return static_cast<float>(sum);
 }
 

@@ -1,6 +1,7 @@
 // mistake: computes and adds in float throughout
 // credit: 55..82
-// hint: Your formula is right, but float has seven digits: a thin triangle loses them in the cross product, a million triangles lose them in the sum. Compute in double, and round once.
+// hint: Your formula is right, but float has seven digits: a thin triangle loses them in the cross product, a million
+// triangles lose them in the sum. Compute in double, and round once.
 #include <cmath>
 #include <umbral/meshes/area.hpp>
 
@@ -15,7 +16,8 @@ float triangle_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 float surface_area(const IndexedMesh& mesh)
 {
     float sum = 0;
-    for (const glm::uvec3& t : mesh.triangles) sum += triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
+    for (const glm::uvec3& t : mesh.triangles)
+        sum += triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
     return sum;
 }
 

@@ -1,4 +1,5 @@
-// alternative: a hash table of the edges met so far; for closed meshes the other direction, from the larger vertex to the smaller
+// alternative: a hash table of the edges met so far; for closed meshes the other direction, from the larger vertex to
+// the smaller
 #include <umbral/meshes/edges.hpp>
 #include <unordered_set>
 

@@ -1,4 +1,5 @@
-// alternative: a short list of larger neighbours for each vertex, searched from end to end, as the bounded number of edges at a vertex allows
+// alternative: a short list of larger neighbours for each vertex, searched from end to end, as the bounded number of
+// edges at a vertex allows
 #include <umbral/meshes/edges.hpp>
 
 namespace umbral::meshes {

@@ -27,7 +27,8 @@ std::vector<HalfEdge> sorted_half_edges(const std::vector<glm::uvec3>& triangles
             list.push_back({std::min(a, b), std::max(a, b), face, c, a < b});
         }
     }
-    std::sort(list.begin(), list.end(), [](const HalfEdge& a, const HalfEdge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+    std::sort(list.begin(), list.end(),
+              [](const HalfEdge& a, const HalfEdge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
     return list;
 }
 
@@ -111,7 +112,10 @@ std::optional<ElementCounts> sphere_from_faces(std::int64_t faces)
     return ElementCounts{faces / 2 + 2, faces / 2 * 3, faces};
 }
 
-std::optional<ElementCounts> sphere_from_vertices(std::int64_t vertices) { return sphere_from_faces(2 * (vertices - 2)); }
+std::optional<ElementCounts> sphere_from_vertices(std::int64_t vertices)
+{
+    return sphere_from_faces(2 * (vertices - 2));
+}
 
 std::optional<ElementCounts> sphere_from_edges(std::int64_t edges)
 {

@@ -1,4 +1,5 @@
-// alternative: rows of vertices one above the other, joined by a function that does not know whether they are a grid's or a sphere's
+// alternative: rows of vertices one above the other, joined by a function that does not know whether they are a grid's
+// or a sphere's
 #include <cmath>
 #include <numbers>
 #include <umbral/meshes/builders.hpp>
@@ -11,7 +12,8 @@ using Row = std::vector<std::uint32_t>;
 void join(const Row& lower, const Row& upper, IndexedMesh& mesh)
 {
     for (std::size_t i = 1; i < lower.size(); ++i)
-        for (const glm::uvec3& t : {glm::uvec3(lower[i], upper[i], lower[i - 1]), glm::uvec3(upper[i - 1], lower[i - 1], upper[i])})
+        for (const glm::uvec3& t :
+             {glm::uvec3(lower[i], upper[i], lower[i - 1]), glm::uvec3(upper[i - 1], lower[i - 1], upper[i])})
             if (t.x != t.y && t.y != t.z && t.z != t.x) mesh.triangles.push_back(t);
 }
 
@@ -30,7 +32,8 @@ IndexedMesh make_grid(std::uint32_t columns, std::uint32_t rows)
     Row last;
     for (std::uint32_t j = 0; j <= rows; ++j) {
         Row row;
-        for (std::uint32_t i = 0; i <= columns; ++i) row.push_back(added(mesh, {i / double(columns), j / double(rows), 0}));
+        for (std::uint32_t i = 0; i <= columns; ++i)
+            row.push_back(added(mesh, {i / double(columns), j / double(rows), 0}));
         if (j > 0) join(last, row, mesh);
         last = row;
     }
@@ -47,8 +50,8 @@ IndexedMesh make_sphere(std::uint32_t slices, std::uint32_t stacks)
         const double latitude = std::numbers::pi * ring / stacks;
         for (std::uint32_t slice = 0; slice < slices && ring < stacks; ++slice) {
             const double longitude = std::numbers::pi * 2 * slice / slices;
-            row.push_back(
-                added(mesh, 0.5 * glm::dvec3(std::sin(latitude) * std::sin(longitude), std::cos(latitude), std::sin(latitude) * std::cos(longitude))));
+            row.push_back(added(mesh, 0.5 * glm::dvec3(std::sin(latitude) * std::sin(longitude), std::cos(latitude),
+                                                       std::sin(latitude) * std::cos(longitude))));
         }
         if (ring == stacks) row.assign(slices, added(mesh, {0, -0.5, 0}));
         row.push_back(row.front());
@@ -75,7 +78,8 @@ std::vector<std::uint8_t> make_voxel_sphere(std::uint32_t k)
     std::vector<std::uint8_t> bytes;
     for (std::uint32_t i = 0; i < k * k * k; ++i) {
         if (i % 8 == 0) bytes.push_back(0);
-        if (voxel_is_inside(k, {i % k, i / k % k, i / (k * k)})) bytes.back() |= static_cast<std::uint8_t>(1U << (i % 8));
+        if (voxel_is_inside(k, {i % k, i / k % k, i / (k * k)}))
+            bytes.back() |= static_cast<std::uint8_t>(1U << (i % 8));
     }
     return bytes;
 }

@@ -13,11 +13,15 @@ EdgeMap triangles_at_edges(const IndexedMesh& mesh)
 {
     EdgeMap edges;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-        for (int k = 0; k < 3; ++k) edges[std::minmax(mesh.triangles[i][k], mesh.triangles[i][(k + 1) % 3])].push_back(i);
+        for (int k = 0; k < 3; ++k)
+            edges[std::minmax(mesh.triangles[i][k], mesh.triangles[i][(k + 1) % 3])].push_back(i);
     return edges;
 }
 
-bool runs_along(const glm::uvec3& t, std::uint32_t a, std::uint32_t b) { return (t.x == a && t.y == b) || (t.y == a && t.z == b) || (t.z == a && t.x == b); }
+bool runs_along(const glm::uvec3& t, std::uint32_t a, std::uint32_t b)
+{
+    return (t.x == a && t.y == b) || (t.y == a && t.z == b) || (t.z == a && t.x == b);
+}
 
 void turn(glm::uvec3& t) { std::swap(t.y, t.z); }
 
@@ -31,7 +35,8 @@ VertexGroups groups_at_vertices(const IndexedMesh& mesh, bool over_crowded_edges
 {
     const EdgeMap edges = triangles_at_edges(mesh);
     constexpr std::uint32_t unknown = 4294967295U;
-    VertexGroups groups{std::vector<glm::uvec3>(mesh.triangles.size(), glm::uvec3(unknown)), std::vector<std::uint32_t>(mesh.positions.size(), 0)};
+    VertexGroups groups{std::vector<glm::uvec3>(mesh.triangles.size(), glm::uvec3(unknown)),
+                        std::vector<std::uint32_t>(mesh.positions.size(), 0)};
     std::set<Ends> used;  // crowded edges from which the flood has gone on, each with the vertex that it ran round
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         for (int k = 0; k < 3; ++k) {
@@ -135,7 +140,8 @@ std::vector<glm::uvec3> outward_triangles(const IndexedMesh& mesh)
             const glm::uvec3 t = mesh.triangles[piece[i]];
             const glm::dvec3 eye(mesh.positions[mesh.triangles[first].z]);
             volume +=
-                determinant(glm::dmat3(glm::dvec3(mesh.positions[t.x]) - eye, glm::dvec3(mesh.positions[t.y]) - eye, glm::dvec3(mesh.positions[t.z]) - eye));
+                determinant(glm::dmat3(glm::dvec3(mesh.positions[t.x]) - eye, glm::dvec3(mesh.positions[t.y]) - eye,
+                                       glm::dvec3(mesh.positions[t.z]) - eye));
         }
         if (sides == 3 * piece.size() && volume < 0)
             for (const std::uint32_t triangle : piece) turn(result[triangle]);
@@ -150,7 +156,8 @@ IndexedMesh separated(const IndexedMesh& mesh)
     std::vector<std::uint32_t> first_copy(mesh.positions.size(), 0);
     for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
         first_copy[vertex] = static_cast<std::uint32_t>(result.positions.size());
-        for (std::uint32_t group = 1; group < groups.counts[vertex]; ++group) result.positions.push_back(mesh.positions[vertex]);
+        for (std::uint32_t group = 1; group < groups.counts[vertex]; ++group)
+            result.positions.push_back(mesh.positions[vertex]);
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (int k = 0; k < 3; ++k)

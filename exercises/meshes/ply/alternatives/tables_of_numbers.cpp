@@ -1,4 +1,5 @@
-// alternative: every element becomes a table of rows of numbers, and the mesh is made of the tables at the end; decimals by streams in the classic locale
+// alternative: every element becomes a table of rows of numbers, and the mesh is made of the tables at the end;
+// decimals by streams in the classic locale
 #include <charconv>
 #include <cstring>
 #include <locale>
@@ -10,7 +11,10 @@
 namespace umbral::meshes {
 namespace {
 
-[[noreturn]] void refuse(PlyProblem problem, std::size_t place) { throw PlyError(problem, place, "refused at " + std::to_string(place)); }
+[[noreturn]] void refuse(PlyProblem problem, std::size_t place)
+{
+    throw PlyError(problem, place, "refused at " + std::to_string(place));
+}
 
 struct Property {
     std::string name;
@@ -109,11 +113,13 @@ struct Reader {
                 const std::optional<double> count = parsed_as<long long>(words[2]);
                 elements.push_back({words[1], static_cast<unsigned long long>(count.value_or(0)), {}});
                 good = count && names.insert(words[1]).second;
-            } else if (keyword == "property" && !elements.empty() && (words.size() == 3 || (words.size() == 5 && words[1] == "list"))) {
+            } else if (keyword == "property" && !elements.empty() &&
+                       (words.size() == 3 || (words.size() == 5 && words[1] == "list"))) {
                 const bool list = words.size() == 5;
                 const auto type = ply_type(words[list ? 3 : 1]);
                 const auto length = list ? ply_type(words[2]) : std::nullopt;
-                good = type && (!list || (length && *length < PlyType::float32)) && names.insert(elements.back().name + ' ' + words.back()).second;
+                good = type && (!list || (length && *length < PlyType::float32)) &&
+                       names.insert(elements.back().name + ' ' + words.back()).second;
                 if (good) elements.back().properties.push_back({words.back(), *type, length});
             }
             if (!good) refuse(PlyProblem::header, line);
@@ -169,13 +175,15 @@ struct Reader {
             }
             const double length = number(*property.length);
             if (length < 0) refuse(PlyProblem::number, place);
-            const bool corners = element.name == "face" && !has_corners && (property.name == "vertex_index" || property.name == "vertex_indices");
+            const bool corners = element.name == "face" && !has_corners &&
+                                 (property.name == "vertex_index" || property.name == "vertex_indices");
             has_corners = has_corners || corners;
             if (corners) mesh.faces.emplace_back();
             for (double i = 0; i < length; ++i) {
                 const double value = number(property.type);
                 if (!corners) continue;
-                if (!(value >= 0) || value >= static_cast<double>(vertices) || value != std::trunc(value)) refuse(PlyProblem::index, place);
+                if (!(value >= 0) || value >= static_cast<double>(vertices) || value != std::trunc(value))
+                    refuse(PlyProblem::index, place);
                 mesh.faces.back().push_back(static_cast<std::uint32_t>(value));
             }
         }
@@ -195,7 +203,8 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
     for (const Element& element : reader.elements) {
         bool has_corners = element.name != "face";
         for (const Property& p : element.properties) {
-            if (element.name == "vertex" && !p.length && (p.name == "x" || p.name == "y" || p.name == "z")) ++coordinates;
+            if (element.name == "vertex" && !p.length && (p.name == "x" || p.name == "y" || p.name == "z"))
+                ++coordinates;
             if (p.length && (p.name == "vertex_index" || p.name == "vertex_indices")) has_corners = true;
         }
         if (!has_corners) refuse(PlyProblem::missing_property, reader.line);
@@ -204,7 +213,8 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
     if (coordinates != 3) refuse(PlyProblem::missing_property, reader.line);
     PolygonMesh mesh;
     for (const Element& element : reader.elements)
-        for (unsigned long long i = 0; i < element.count && !element.properties.empty(); ++i) reader.read_row(element, vertices, mesh);
+        for (unsigned long long i = 0; i < element.count && !element.properties.empty(); ++i)
+            reader.read_row(element, vertices, mesh);
     if (reader.format != PlyFormat::ascii && reader.at < reader.file.size()) refuse(PlyProblem::left_over, reader.at);
     while (reader.format == PlyFormat::ascii)
         if (const auto text = reader.next_line(); !text)
@@ -216,12 +226,17 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
 
 std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
 {
-    const std::string name = format == PlyFormat::ascii ? "ascii" : format == PlyFormat::little_endian ? "binary_little_endian" : "binary_big_endian";
-    std::string file = "ply\nformat " + name + " 1.0\ncomment by a student\nelement vertex " + std::to_string(mesh.positions.size());
-    file += "\nproperty float32 x\nproperty float32 y\nproperty float32 z\nelement face " + std::to_string(mesh.faces.size());
+    const std::string name = format == PlyFormat::ascii           ? "ascii"
+                             : format == PlyFormat::little_endian ? "binary_little_endian"
+                                                                  : "binary_big_endian";
+    std::string file =
+        "ply\nformat " + name + " 1.0\ncomment by a student\nelement vertex " + std::to_string(mesh.positions.size());
+    file += "\nproperty float32 x\nproperty float32 y\nproperty float32 z\nelement face " +
+            std::to_string(mesh.faces.size());
     file += "\nproperty list int32 uint32 vertex_index\nend_header\n";
     const auto put = [&](std::uint32_t bits) {
-        for (int i = 0; i < 4; ++i) file += static_cast<char>(bits >> (format == PlyFormat::little_endian ? 8 * i : 24 - 8 * i));
+        for (int i = 0; i < 4; ++i)
+            file += static_cast<char>(bits >> (format == PlyFormat::little_endian ? 8 * i : 24 - 8 * i));
     };
     for (const glm::vec3& position : mesh.positions) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -234,15 +249,19 @@ std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
             // The shortest in fixed or in scientific notation.
             char fixed[128];
             char scientific[32];
-            const std::string one(fixed, std::to_chars(fixed, fixed + 128, position[axis], std::chars_format::fixed).ptr);
-            const std::string other(scientific, std::to_chars(scientific, scientific + 32, position[axis], std::chars_format::scientific).ptr);
+            const std::string one(fixed,
+                                  std::to_chars(fixed, fixed + 128, position[axis], std::chars_format::fixed).ptr);
+            const std::string other(
+                scientific,
+                std::to_chars(scientific, scientific + 32, position[axis], std::chars_format::scientific).ptr);
             file += (one.size() <= other.size() ? one : other) + (axis < 2 ? "\t" : "\r\n");
         }
     }
     for (const auto& face : mesh.faces) {
         std::vector<std::uint32_t> row{static_cast<std::uint32_t>(face.size())};
         row.insert(row.end(), face.begin(), face.end());
-        for (const std::uint32_t number : row) format == PlyFormat::ascii ? void(file += std::to_string(number) + ' ') : put(number);
+        for (const std::uint32_t number : row)
+            format == PlyFormat::ascii ? void(file += std::to_string(number) + ' ') : put(number);
         if (format == PlyFormat::ascii) file += '\n';
     }
     return file;

@@ -1,6 +1,7 @@
 // mistake: reads words from a stream, ASCII only, and takes whatever stops it for the end
 // credit: 20..55
-// hint: A stream reads on over line ends, says neither what was wrong nor where, and its decimal point is the locale's. Take the file apart by lines and words, and read each word with std::from_chars.
+// hint: A stream reads on over line ends, says neither what was wrong nor where, and its decimal point is the locale's.
+// Take the file apart by lines and words, and read each word with std::from_chars.
 #include <sstream>
 #include <umbral/meshes/ply.hpp>
 
@@ -20,16 +21,19 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
     };
     std::vector<Element> elements;
     std::string line;
-    if (!std::getline(file, line) || line.substr(0, 3) != "ply") throw PlyError(PlyProblem::not_ply, 1, "expected 'ply'");
+    if (!std::getline(file, line) || line.substr(0, 3) != "ply")
+        throw PlyError(PlyProblem::not_ply, 1, "expected 'ply'");
     for (std::size_t number = 2; std::getline(file, line); ++number) {
         std::istringstream words(line);
         std::string word;
         words >> word;
         if (word == "end_header") break;
-        if (word == "format" && words >> word && word != "ascii") throw PlyError(PlyProblem::header, number, "only ASCII");
+        if (word == "format" && words >> word && word != "ascii")
+            throw PlyError(PlyProblem::header, number, "only ASCII");
         if (word == "element") {
             Element element;
-            if (!(words >> element.name >> element.count)) throw PlyError(PlyProblem::header, number, "expected a name and a count");
+            if (!(words >> element.name >> element.count))
+                throw PlyError(PlyProblem::header, number, "expected a name and a count");
             elements.push_back(element);
         } else if (word == "property") {
             Property property;
@@ -37,7 +41,8 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
             property.list = word == "list";
             if (property.list) words >> word >> word;
             words >> property.name;
-            if (elements.empty() || property.name.empty()) throw PlyError(PlyProblem::header, number, "expected a name");
+            if (elements.empty() || property.name.empty())
+                throw PlyError(PlyProblem::header, number, "expected a name");
             elements.back().properties.push_back(property);
         }
     }
@@ -69,7 +74,8 @@ std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
 {
     std::ostringstream file;
     if (format != PlyFormat::ascii) return "";
-    file << "ply\nformat ascii 1.0\nelement vertex " << mesh.positions.size() << "\nproperty float x\nproperty float y\nproperty float z\n";
+    file << "ply\nformat ascii 1.0\nelement vertex " << mesh.positions.size()
+         << "\nproperty float x\nproperty float y\nproperty float z\n";
     file << "element face " << mesh.faces.size() << "\nproperty list uchar int vertex_index\nend_header\n";
     for (const glm::vec3& p : mesh.positions) file << p.x << ' ' << p.y << ' ' << p.z << '\n';
     for (const auto& face : mesh.faces) {

@@ -35,8 +35,8 @@ GridBytes grid_bytes(std::uint64_t columns, std::uint64_t rows, const EntryBytes
     const auto [vertices, edges, triangles] = grid_counts(columns, rows);
     const GridWork stored = grid_work(columns, rows);
     const std::uint64_t table = bytes.pointer * rows + bytes.index;
-    return {stored.isolated * bytes.vertex, stored.indexed * bytes.vertex + 3 * triangles * bytes.index, stored.strips * bytes.vertex + table,
-            vertices * bytes.vertex + stored.strips * bytes.index + table};
+    return {stored.isolated * bytes.vertex, stored.indexed * bytes.vertex + 3 * triangles * bytes.index,
+            stored.strips * bytes.vertex + table, vertices * bytes.vertex + stored.strips * bytes.index + table};
 }
 
 GridWork grid_work(std::uint64_t columns, std::uint64_t rows)

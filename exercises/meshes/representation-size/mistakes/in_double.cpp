@@ -1,6 +1,7 @@
 // mistake: computes with double
 // credit: 86..96
-// hint: A double has 53 bits: from 9·10¹⁵ on it skips odd numbers, then more. Sizes are whole numbers; keep them in std::uint64_t from beginning to end.
+// hint: A double has 53 bits: from 9·10¹⁵ on it skips odd numbers, then more. Sizes are whole numbers; keep them in
+// std::uint64_t from beginning to end.
 #include <cmath>
 #include <umbral/meshes/sizes.hpp>
 
@@ -40,6 +41,9 @@ GridBytes grid_bytes(std::uint64_t columns, std::uint64_t rows, const EntryBytes
             whole(v * (n + 1) * (m + 1) + i * m * (2 * n + 2) + table)};
 }
 
-GridWork grid_work(std::uint64_t columns, std::uint64_t rows) { return {6 * columns * rows, (columns + 1) * (rows + 1), rows * (2 * columns + 2)}; }
+GridWork grid_work(std::uint64_t columns, std::uint64_t rows)
+{
+    return {6 * columns * rows, (columns + 1) * (rows + 1), rows * (2 * columns + 2)};
+}
 
 }

@@ -56,7 +56,8 @@ TexturedMesh revolve(std::span<const glm::vec2> profile, std::uint32_t copies)
         for (const Point& p : points) {
             result.mesh.positions.emplace_back(p.x * c, p.y, -p.x * s);
             result.normals.emplace_back(p.normal_x * c, p.normal_y, -p.normal_x * s);
-            result.texture_coordinates.emplace_back(static_cast<double>(i) / (copies - 1), p.before / points.back().before);
+            result.texture_coordinates.emplace_back(static_cast<double>(i) / (copies - 1),
+                                                    p.before / points.back().before);
         }
     }
     for (std::size_t j = 0; j < row; ++j) {

@@ -18,7 +18,8 @@ std::vector<Strip> grid_strips(std::uint32_t columns, std::uint32_t rows)
     if (columns == 0) return {};
     std::vector<Strip> strips(rows, Strip(2 * columns + 2));
     for (std::uint32_t row = 0; row < rows; ++row)
-        for (std::uint32_t i = 0; i < strips[row].size(); ++i) strips[row][i] = (row + 1 - i % 2) * (columns + 1) + i / 2;
+        for (std::uint32_t i = 0; i < strips[row].size(); ++i)
+            strips[row][i] = (row + 1 - i % 2) * (columns + 1) + i / 2;
     return strips;
 }
 
@@ -35,7 +36,8 @@ std::vector<glm::uvec3> triangles_of_strip(const Strip& indices)
         }
         window.push_back(index);
         if (window.size() < 3) continue;
-        const glm::uvec3 t = odd ? glm::uvec3(window[1], window[0], window[2]) : glm::uvec3(window[0], window[1], window[2]);
+        const glm::uvec3 t =
+            odd ? glm::uvec3(window[1], window[0], window[2]) : glm::uvec3(window[0], window[1], window[2]);
         if (t.x != t.y && t.y != t.z && t.z != t.x) triangles.push_back(t);
         window.erase(window.begin());
         odd = !odd;
@@ -76,7 +78,8 @@ std::vector<Strip> make_strips(const IndexedMesh& mesh)
         for (bool odd = true;; odd = !odd) {
             const std::uint32_t a = strip[strip.size() - (odd ? 1 : 2)];
             const std::uint32_t b = strip[strip.size() - (odd ? 2 : 1)];
-            auto side = std::lower_bound(sides.begin(), sides.end(), 0, [&](const Side& s, int) { return s.before(a, b); });
+            auto side =
+                std::lower_bound(sides.begin(), sides.end(), 0, [&](const Side& s, int) { return s.before(a, b); });
             while (side != sides.end() && side->from == a && side->to == b && done[side->triangle]) ++side;
             if (side == sides.end() || side->from != a || side->to != b) break;
             done[side->triangle] = true;

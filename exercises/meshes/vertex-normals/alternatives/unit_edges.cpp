@@ -1,4 +1,5 @@
-// alternative: the edges are made unit first, so that nothing can overflow; a sine under 1e-12 counts as a straight line
+// alternative: the edges are made unit first, so that nothing can overflow; a sine under 1e-12 counts as a straight
+// line
 #include <cmath>
 #include <umbral/meshes/normals.hpp>
 
@@ -13,7 +14,8 @@ glm::dvec3 unit(const glm::dvec3& v)
 
 glm::dvec3 normal_of(const IndexedMesh& mesh, const glm::uvec3& t)
 {
-    const glm::dvec3 corner[3] = {glm::dvec3(mesh.positions[t.x]), glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z])};
+    const glm::dvec3 corner[3] = {glm::dvec3(mesh.positions[t.x]), glm::dvec3(mesh.positions[t.y]),
+                                  glm::dvec3(mesh.positions[t.z])};
     const glm::dvec3 normal = cross(unit(corner[1] - corner[0]), unit(corner[2] - corner[0]));
     return length(normal) > 1e-12 ? unit(normal) : glm::dvec3(0);
 }

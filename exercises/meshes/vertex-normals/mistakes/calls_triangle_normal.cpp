@@ -11,7 +11,8 @@ namespace umbral::meshes {
 std::vector<glm::vec3> face_normals(const IndexedMesh& mesh)
 {
     std::vector<glm::vec3> normals;
-    for (const glm::uvec3& t : mesh.triangles) normals.push_back(glm::triangleNormal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+    for (const glm::uvec3& t : mesh.triangles)
+        normals.push_back(glm::triangleNormal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
     return normals;
 }
 

@@ -1,6 +1,7 @@
 // mistake: the textbook in float
 // credit: 78..90
-// hint: In float the cross product of nearly parallel edges is mostly rounding error, and the length of a cross product leaves float's range for edges under 1e-11 or over 1e9. Make glm::dvec3 of the corners first.
+// hint: In float the cross product of nearly parallel edges is mostly rounding error, and the length of a cross product
+// leaves float's range for edges under 1e-11 or over 1e9. Make glm::dvec3 of the corners first.
 #include <umbral/meshes/normals.hpp>
 
 namespace umbral::meshes {

@@ -27,7 +27,8 @@ IndexedMesh weld(const std::vector<glm::vec3>& corners)
         if (is_new) mesh.positions.push_back(corner);
         indices.push_back(found->second);
     }
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) mesh.triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+        mesh.triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
     return mesh;
 }
 

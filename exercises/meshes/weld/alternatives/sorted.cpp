@@ -1,4 +1,5 @@
-// alternative: sorts the corners by place, gives all of a place the first one's number, and then counts in the order of the input
+// alternative: sorts the corners by place, gives all of a place the first one's number, and then counts in the order of
+// the input
 #include <tuple>
 #include <umbral/meshes/weld.hpp>
 
@@ -13,7 +14,8 @@ IndexedMesh weld(const std::vector<glm::vec3>& corners)
         if (corners[i] == corners[i]) order.push_back(i);
     }
     const auto key = [&](std::uint32_t i) { return std::tuple(corners[i].x, corners[i].y, corners[i].z); };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
     for (std::size_t i = 1; i < order.size(); ++i)
         if (corners[order[i]] == corners[order[i - 1]]) first_at[order[i]] = first_at[order[i - 1]];
 
@@ -34,7 +36,8 @@ IndexedMesh weld(const std::vector<glm::vec3>& corners)
 std::vector<glm::vec3> isolated_triangles(const IndexedMesh& mesh)
 {
     std::vector<glm::vec3> corners(3 * mesh.triangles.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = mesh.positions[mesh.triangles[i / 3][static_cast<int>(i % 3)]];
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = mesh.positions[mesh.triangles[i / 3][static_cast<int>(i % 3)]];
     return corners;
 }
 

@@ -32,7 +32,8 @@ std::variant<WingedMesh, NotWinged> winged_edges(const PolygonMesh& mesh)
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
         const auto& face = mesh.faces[f];
         const std::set<std::uint32_t> corners(face.begin(), face.end());
-        if (face.size() < 3 || corners.size() < face.size() || *corners.rbegin() >= mesh.positions.size()) return NotWinged{WingedFault::face, f, f};
+        if (face.size() < 3 || corners.size() < face.size() || *corners.rbegin() >= mesh.positions.size())
+            return NotWinged{WingedFault::face, f, f};
         for (std::size_t i = 0; i < face.size(); ++i) {
             const std::uint32_t from = face[i];
             const std::uint32_t to = face[(i + 1) % face.size()];
@@ -64,7 +65,8 @@ std::variant<WingedMesh, NotWinged> winged_edges(const PolygonMesh& mesh)
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
         std::vector<std::uint32_t> round;
         const auto& face = mesh.faces[f];
-        for (std::size_t i = 0; i < face.size(); ++i) round.push_back(numbers.at(std::minmax(face[i], face[(i + 1) % face.size()])));
+        for (std::size_t i = 0; i < face.size(); ++i)
+            round.push_back(numbers.at(std::minmax(face[i], face[(i + 1) % face.size()])));
         result.edge_of_face[f] = *std::min_element(round.begin(), round.end());
         for (std::size_t i = 0; i < round.size(); ++i) {
             WingedEdge& e = result.edges[round[i]];
@@ -91,7 +93,8 @@ std::variant<WingedMesh, NotWinged> winged_edges(const PolygonMesh& mesh)
 std::vector<std::uint32_t> edges_round_face(const WingedMesh& mesh, std::uint32_t face)
 {
     std::vector<std::uint32_t> edges{mesh.edge_of_face[face]};
-    for (std::uint32_t e = next_round_face(mesh, edges[0], face); e != edges[0]; e = next_round_face(mesh, e, face)) edges.push_back(e);
+    for (std::uint32_t e = next_round_face(mesh, edges[0], face); e != edges[0]; e = next_round_face(mesh, e, face))
+        edges.push_back(e);
     return edges;
 }
 
@@ -106,21 +109,25 @@ std::vector<std::uint32_t> vertices_round_face(const WingedMesh& mesh, std::uint
 std::vector<std::uint32_t> faces_round_face(const WingedMesh& mesh, std::uint32_t face)
 {
     std::vector<std::uint32_t> result;
-    for (const std::uint32_t edge : edges_round_face(mesh, face)) result.push_back(mesh.edges[edge].left + mesh.edges[edge].right - face);
+    for (const std::uint32_t edge : edges_round_face(mesh, face))
+        result.push_back(mesh.edges[edge].left + mesh.edges[edge].right - face);
     return result;
 }
 
 std::vector<std::uint32_t> edges_round_vertex(const WingedMesh& mesh, std::uint32_t vertex)
 {
     std::vector<std::uint32_t> edges{mesh.edge_of_vertex[vertex]};
-    for (std::uint32_t e = next_round_vertex(mesh, edges[0], vertex); e != edges[0]; e = next_round_vertex(mesh, e, vertex)) edges.push_back(e);
+    for (std::uint32_t e = next_round_vertex(mesh, edges[0], vertex); e != edges[0];
+         e = next_round_vertex(mesh, e, vertex))
+        edges.push_back(e);
     return edges;
 }
 
 std::vector<std::uint32_t> vertices_round_vertex(const WingedMesh& mesh, std::uint32_t vertex)
 {
     std::vector<std::uint32_t> result;
-    for (const std::uint32_t edge : edges_round_vertex(mesh, vertex)) result.push_back(mesh.edges[edge].start + mesh.edges[edge].end - vertex);
+    for (const std::uint32_t edge : edges_round_vertex(mesh, vertex))
+        result.push_back(mesh.edges[edge].start + mesh.edges[edge].end - vertex);
     return result;
 }
 

@@ -53,7 +53,8 @@ void clip_triangle(const std::array<glm::vec4, 3>& triangle, std::vector<ClipVer
         glm::dvec4 position(0);
         for (int k = 0; k < 3; ++k) position += point.weights[k] * glm::dvec4(triangle[static_cast<std::size_t>(k)]);
         for (unsigned plane = 0; plane < 6; ++plane)
-            if (((point.planes >> plane) & 1U) != 0) position[static_cast<int>(plane / 2)] = plane % 2 == 0 ? -position.w : position.w;
+            if (((point.planes >> plane) & 1U) != 0)
+                position[static_cast<int>(plane / 2)] = plane % 2 == 0 ? -position.w : position.w;
         if (!(position.w > 0)) return;
         const ClipVertex vertex{glm::vec4(position), glm::vec3(point.weights)};
         if (result.empty() || result.back().position != vertex.position) result.push_back(vertex);

@@ -1,6 +1,7 @@
 // mistake: divides by w, then clips
 // credit: 5..35
-// hint: Behind the camera w is negative, and the division throws such corners to the other side; at w = 0 it throws them to infinity. Clip
+// hint: Behind the camera w is negative, and the division throws such corners to the other side; at w = 0 it throws
+// them to infinity. Clip
 //     first: compare x, y, z with w itself.
 
 #include <umbral/pipeline/clip.hpp>
@@ -17,7 +18,9 @@ void clip_triangle(const std::array<glm::vec4, 3>& triangle, std::vector<ClipVer
         points.push_back({glm::vec4(glm::vec3(corner) / corner.w, corner.w), weights});
     }
     for (int plane = 0; plane < 6; ++plane) {
-        const auto inside = [&](const ClipVertex& v) { return 1 + (plane % 2 == 0 ? v.position[plane / 2] : -v.position[plane / 2]); };
+        const auto inside = [&](const ClipVertex& v) {
+            return 1 + (plane % 2 == 0 ? v.position[plane / 2] : -v.position[plane / 2]);
+        };
         std::vector<ClipVertex> kept;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const ClipVertex& a = points[i];
@@ -26,12 +29,14 @@ void clip_triangle(const std::array<glm::vec4, 3>& triangle, std::vector<ClipVer
             const float at_b = inside(b);
             if (at_a >= 0) kept.push_back(a);
             const float t = at_a / (at_a - at_b);
-            if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0)) kept.push_back({glm::mix(a.position, b.position, t), glm::mix(a.weights, b.weights, t)});
+            if ((at_a > 0 && at_b < 0) || (at_a < 0 && at_b > 0))
+                kept.push_back({glm::mix(a.position, b.position, t), glm::mix(a.weights, b.weights, t)});
         }
         points = kept;
     }
     if (points.size() < 3) return;
-    for (const ClipVertex& point : points) polygon.push_back({glm::vec4(glm::vec3(point.position) * point.position.w, point.position.w), point.weights});
+    for (const ClipVertex& point : points)
+        polygon.push_back({glm::vec4(glm::vec3(point.position) * point.position.w, point.position.w), point.weights});
 }
 
 }

@@ -1,6 +1,7 @@
 // mistake: the textbook's loop, in float
 // credit: 65..85
-// hint: In float a far end swallows the digits of the window: from a million away the new end is off by a sixteenth. And each cut
+// hint: In float a far end swallows the digits of the window: from a million away the new end is off by a sixteenth.
+// And each cut
 //     adds its error to the next. Compute in double, from the ends that you were given.
 
 #include <umbral/pipeline/clip_line.hpp>

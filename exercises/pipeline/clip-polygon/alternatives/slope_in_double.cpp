@@ -19,7 +19,9 @@ Line through(glm::dvec2 a, glm::dvec2 b)
 glm::dvec2 meeting(const Line& one, const Line& other)
 {
     const double determinant = one.normal.x * other.normal.y - one.normal.y * other.normal.x;
-    return glm::dvec2(one.offset * other.normal.y - other.offset * one.normal.y, one.normal.x * other.offset - other.normal.x * one.offset) / determinant;
+    return glm::dvec2(one.offset * other.normal.y - other.offset * one.normal.y,
+                      one.normal.x * other.offset - other.normal.x * one.offset) /
+           determinant;
 }
 
 double above(const Line& line, glm::dvec2 p) { return line.normal.x * p.x + line.normal.y * p.y - line.offset; }
@@ -41,7 +43,8 @@ std::vector<glm::vec2> clip_polygon(const std::vector<glm::vec2>& polygon, const
         for (const glm::dvec2& point : points) {
             const double before = above(line, previous);
             const double now = above(line, point);
-            if ((before < 0 && now > 0) || (before > 0 && now < 0)) kept.push_back(meeting(line, through(previous, point)));
+            if ((before < 0 && now > 0) || (before > 0 && now < 0))
+                kept.push_back(meeting(line, through(previous, point)));
             if (now >= 0) kept.push_back(point);
             previous = point;
         }

@@ -44,7 +44,8 @@ void test_depth(const DepthState& state, std::vector<Fragment>& fragments, Grid<
     fragments.swap(left);
 }
 
-void draw_fragments(const DepthState& state, ShadeModel model, const std::array<glm::vec3, 3>& colors, const std::vector<Fragment>& fragments, Layer& target)
+void draw_fragments(const DepthState& state, ShadeModel model, const std::array<glm::vec3, 3>& colors,
+                    const std::vector<Fragment>& fragments, Layer& target)
 {
     std::vector<Fragment> left = fragments;
     test_depth(state, left, target.depths);
@@ -60,7 +61,8 @@ void merge_layers(const DepthState& state, const Layer& source, Layer& target)
     for (int y = 0; y < source.colors.height; ++y)
         for (int x = 0; x < source.colors.width; ++x) {
             const glm::vec3 color = source.colors.at(x, y);
-            draw_fragments(state, ShadeModel::flat, {color, color, color}, {{{x, y}, source.depths.at(x, y), {1, 0, 0}}}, target);
+            draw_fragments(state, ShadeModel::flat, {color, color, color},
+                           {{{x, y}, source.depths.at(x, y), {1, 0, 0}}}, target);
         }
 }
 

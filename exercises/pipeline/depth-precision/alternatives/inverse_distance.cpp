@@ -42,7 +42,8 @@ double eye_depth(const DepthRange& range, std::uint32_t code, int bits)
 {
     const Long last = codes(bits);
     const Long from_near = range.reversed ? last - code : code;
-    return static_cast<double>(-last / ((last - from_near) * inverse(range.near_plane) + from_near * inverse(range.far_plane)));
+    return static_cast<double>(-last /
+                               ((last - from_near) * inverse(range.near_plane) + from_near * inverse(range.far_plane)));
 }
 
 double depth_resolution(const DepthRange& range, DepthFormat format, double z_eye)

@@ -70,6 +70,9 @@ private:
 
 }
 
-std::unique_ptr<IndexedDrawing> make_indexed_drawing(const ColoredMesh& mesh) { return std::make_unique<VertexArrays>(mesh); }
+std::unique_ptr<IndexedDrawing> make_indexed_drawing(const ColoredMesh& mesh)
+{
+    return std::make_unique<VertexArrays>(mesh);
+}
 
 }

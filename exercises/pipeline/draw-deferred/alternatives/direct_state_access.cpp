@@ -43,6 +43,9 @@ struct NamedDrawing : IndexedDrawing {
 
 }
 
-std::unique_ptr<IndexedDrawing> make_indexed_drawing(const ColoredMesh& mesh) { return std::make_unique<NamedDrawing>(mesh); }
+std::unique_ptr<IndexedDrawing> make_indexed_drawing(const ColoredMesh& mesh)
+{
+    return std::make_unique<NamedDrawing>(mesh);
+}
 
 }

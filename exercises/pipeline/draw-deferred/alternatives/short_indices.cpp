@@ -7,12 +7,14 @@ namespace {
 
 class CompactDrawing : public IndexedDrawing {
 public:
-    explicit CompactDrawing(const ColoredMesh& mesh) : type_(mesh.positions.size() <= 65536 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT), count_(mesh.indices.size())
+    explicit CompactDrawing(const ColoredMesh& mesh)
+        : type_(mesh.positions.size() <= 65536 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT), count_(mesh.indices.size())
     {
         glGenVertexArrays(1, &array_);
         glBindVertexArray(array_);
         const std::vector<std::uint16_t> narrow(mesh.indices.begin(), mesh.indices.end());
-        const void* indices = type_ == GL_UNSIGNED_SHORT ? static_cast<const void*>(narrow.data()) : mesh.indices.data();
+        const void* indices =
+            type_ == GL_UNSIGNED_SHORT ? static_cast<const void*>(narrow.data()) : mesh.indices.data();
         buffers_[2] = filled(GL_ELEMENT_ARRAY_BUFFER, indices, count_ * (type_ == GL_UNSIGNED_SHORT ? 2 : 4));
         for (GLuint location = 0; location < 2; ++location) {
             const std::vector<glm::vec3>& table = location == 0 ? mesh.positions : mesh.colors;
@@ -57,6 +59,9 @@ private:
 
 }
 
-std::unique_ptr<IndexedDrawing> make_indexed_drawing(const ColoredMesh& mesh) { return std::make_unique<CompactDrawing>(mesh); }
+std::unique_ptr<IndexedDrawing> make_indexed_drawing(const ColoredMesh& mesh)
+{
+    return std::make_unique<CompactDrawing>(mesh);
+}
 
 }

@@ -36,10 +36,13 @@ void two_passes(const std::vector<glm::vec2>& table, const glm::vec3& fill, cons
 
 void draw_polygon(const std::vector<glm::vec2>& corners, const glm::vec3& fill, const glm::vec3& edges)
 {
-    two_passes(corners, fill, edges, [&](bool outline) { glDrawArrays(outline ? GL_LINE_LOOP : GL_POLYGON, 0, static_cast<GLsizei>(corners.size())); });
+    two_passes(corners, fill, edges, [&](bool outline) {
+        glDrawArrays(outline ? GL_LINE_LOOP : GL_POLYGON, 0, static_cast<GLsizei>(corners.size()));
+    });
 }
 
-void draw_triangles(const std::vector<glm::vec2>& positions, const std::vector<std::uint32_t>& indices, const glm::vec3& fill, const glm::vec3& edges)
+void draw_triangles(const std::vector<glm::vec2>& positions, const std::vector<std::uint32_t>& indices,
+                    const glm::vec3& fill, const glm::vec3& edges)
 {
     two_passes(positions, fill, edges, [&](bool outline) {
         if (outline) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);

@@ -35,7 +35,8 @@ void draw_polygon(const std::vector<glm::vec2>& corners, const glm::vec3& fill, 
     end();
 }
 
-void draw_triangles(const std::vector<glm::vec2>& positions, const std::vector<std::uint32_t>& indices, const glm::vec3& fill, const glm::vec3& edges)
+void draw_triangles(const std::vector<glm::vec2>& positions, const std::vector<std::uint32_t>& indices,
+                    const glm::vec3& fill, const glm::vec3& edges)
 {
     begin(positions.data());
     for (const bool outline : {false, true}) {

@@ -55,7 +55,8 @@ std::vector<Primitive> assemble(PrimitiveType type, std::span<const std::uint32_
         case PrimitiveType::triangle_strip: return triangles_from_pairs(vertices, false);
         case PrimitiveType::triangle_fan: return triangles_from_pairs(vertices, true);
         case PrimitiveType::quad_strip:
-            for (; vertices.size() >= 4; vertices = vertices.subspan(2)) result.push_back({{vertices[3], vertices[2], vertices[0], vertices[1]}, vertices[3]});
+            for (; vertices.size() >= 4; vertices = vertices.subspan(2))
+                result.push_back({{vertices[3], vertices[2], vertices[0], vertices[1]}, vertices[3]});
             return result;
         case PrimitiveType::polygon:
             if (vertices.size() > 2) result.push_back({{vertices.begin(), vertices.end()}, vertices.front()});
@@ -74,7 +75,8 @@ bool is_front_facing(std::span<const glm::vec2> corners)
     return twice_area > 0;
 }
 
-DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, std::span<const glm::vec2> window, Culling culling, PolygonMode mode)
+DrawList draw_list(PrimitiveType type, std::span<const std::uint32_t> vertices, std::span<const glm::vec2> window,
+                   Culling culling, PolygonMode mode)
 {
     DrawList list;
     for (const Primitive& primitive : assemble(type, vertices)) {

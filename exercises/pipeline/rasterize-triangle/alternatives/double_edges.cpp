@@ -4,7 +4,10 @@
 namespace umbral::pipeline {
 namespace {
 
-glm::dvec2 rounded(glm::vec2 position) { return {std::nearbyint(position.x * 256.0) / 256, std::nearbyint(position.y * 256.0) / 256}; }
+glm::dvec2 rounded(glm::vec2 position)
+{
+    return {std::nearbyint(position.x * 256.0) / 256, std::nearbyint(position.y * 256.0) / 256};
+}
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -18,7 +21,8 @@ bool inside(glm::dvec2 from, glm::dvec2 to, double value)
 
 }
 
-void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height, std::vector<Fragment>& fragments)
+void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height,
+                        std::vector<Fragment>& fragments)
 {
     std::array<WindowVertex, 3> v = triangle;
     std::array<int, 3> order = {0, 1, 2};

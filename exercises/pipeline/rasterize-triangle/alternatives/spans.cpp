@@ -1,4 +1,5 @@
-// alternative: each row's run from where the three edges cut it, by whole division; weights in float from the exact edge functions
+// alternative: each row's run from where the three edges cut it, by whole division; weights in float from the exact
+// edge functions
 #include <umbral/pipeline/rasterize.hpp>
 
 namespace umbral::pipeline {
@@ -24,13 +25,16 @@ Line line(Int ax, Int ay, Int bx, Int by)
 
 }
 
-void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height, std::vector<Fragment>& fragments)
+void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height,
+                        std::vector<Fragment>& fragments)
 {
     std::array<Int, 3> px{};
     std::array<Int, 3> py{};
     for (std::size_t i = 0; i < 3; ++i) {
         const WindowVertex& v = triangle[i];
-        if (!(std::abs(v.position.x) <= 16384) || !(std::abs(v.position.y) <= 16384) || !(v.inverse_w > 0) || std::isnan(v.depth)) return;
+        if (!(std::abs(v.position.x) <= 16384) || !(std::abs(v.position.y) <= 16384) || !(v.inverse_w > 0) ||
+            std::isnan(v.depth))
+            return;
         px[i] = std::llrint(v.position.x * 256);
         py[i] = std::llrint(v.position.y * 256);
     }
@@ -58,9 +62,12 @@ void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, 
             glm::vec3 affine(0);
             for (std::size_t i = 0; i < 3; ++i) affine[static_cast<int>(i)] = static_cast<float>(lines[i].at(x, y));
             affine /= affine[0] + affine[1] + affine[2];
-            const glm::vec3 share = affine * glm::vec3(triangle[0].inverse_w, triangle[1].inverse_w, triangle[2].inverse_w);
-            const float depth = affine[0] * triangle[0].depth + affine[1] * triangle[1].depth + affine[2] * triangle[2].depth;
-            fragments.push_back({{static_cast<int>(x), static_cast<int>(y)}, depth, share / (share[0] + share[1] + share[2])});
+            const glm::vec3 share =
+                affine * glm::vec3(triangle[0].inverse_w, triangle[1].inverse_w, triangle[2].inverse_w);
+            const float depth =
+                affine[0] * triangle[0].depth + affine[1] * triangle[1].depth + affine[2] * triangle[2].depth;
+            fragments.push_back(
+                {{static_cast<int>(x), static_cast<int>(y)}, depth, share / (share[0] + share[1] + share[2])});
         }
     }
 }

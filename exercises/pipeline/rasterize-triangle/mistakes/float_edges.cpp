@@ -1,12 +1,16 @@
 // mistake: computes edge functions in float
 // credit: 75..95
-// hint: Far outside the picture a float has no bits left for what lies between two pixels: numbers of millions are subtracted. Use whole numbers of 64 bits.
+// hint: Far outside the picture a float has no bits left for what lies between two pixels: numbers of millions are
+// subtracted. Use whole numbers of 64 bits.
 #include <umbral/pipeline/rasterize.hpp>
 
 namespace umbral::pipeline {
 namespace {
 
-glm::vec2 rounded(glm::vec2 position) { return {std::nearbyint(position.x * 256) / 256, std::nearbyint(position.y * 256) / 256}; }
+glm::vec2 rounded(glm::vec2 position)
+{
+    return {std::nearbyint(position.x * 256) / 256, std::nearbyint(position.y * 256) / 256};
+}
 
 float cross(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -20,7 +24,8 @@ bool inside(glm::vec2 from, glm::vec2 to, float value)
 
 }
 
-void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height, std::vector<Fragment>& fragments)
+void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, int height,
+                        std::vector<Fragment>& fragments)
 {
     std::array<WindowVertex, 3> v = triangle;
     std::array<int, 3> order = {0, 1, 2};
@@ -52,7 +57,8 @@ void rasterize_triangle(const std::array<WindowVertex, 3>& triangle, int width, 
             const float depth = (ea * v[0].depth + eb * v[1].depth + ec * v[2].depth) / area;
             const glm::vec3 share(ea * v[0].inverse_w, eb * v[1].inverse_w, ec * v[2].inverse_w);
             glm::vec3 weights(0);
-            for (int i = 0; i < 3; ++i) weights[order[static_cast<std::size_t>(i)]] = share[i] / (share[0] + share[1] + share[2]);
+            for (int i = 0; i < 3; ++i)
+                weights[order[static_cast<std::size_t>(i)]] = share[i] / (share[0] + share[1] + share[2]);
             fragments.push_back({{x, y}, depth, weights});
         }
 }

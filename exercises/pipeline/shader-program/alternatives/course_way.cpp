@@ -1,4 +1,5 @@
-// alternative: the course's way: glUseProgram before each glUniform, and back; shaders stay attached until the program goes
+// alternative: the course's way: glUseProgram before each glUniform, and back; shaders stay attached until the program
+// goes
 #include <map>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/pipeline/program.hpp>
@@ -106,7 +107,8 @@ std::unique_ptr<ShaderProgram> make_shader_program(const ShaderTexts& texts)
 ShaderTexts minimal_shaders()
 {
     return {
-        "#version 400\nlayout(location = 3) in vec3 position; layout(location = 5) in vec3 color; uniform mat4 projection, modelview; out vec4 v_color;\n"
+        "#version 400\nlayout(location = 3) in vec3 position; layout(location = 5) in vec3 color; uniform mat4 "
+        "projection, modelview; out vec4 v_color;\n"
         "void main() { v_color = vec4(color, 1); gl_Position = (projection * modelview) * vec4(position, 1); }",
         "#version 400\nin vec4 v_color; layout(location = 0) out vec4 result; void main() { result = v_color; }"};
 }

@@ -47,7 +47,8 @@ bool is_new(const glm::vec3& a, const glm::vec3& b)
     return true;
 }
 
-void draw_side(const Painter& painter, const WindowVertex& a, const glm::vec3& wa, const WindowVertex& b, const glm::vec3& wb)
+void draw_side(const Painter& painter, const WindowVertex& a, const glm::vec3& wa, const WindowVertex& b,
+               const glm::vec3& wb)
 {
     const Whole from[2] = {in_256ths(a.position.x), in_256ths(a.position.y)};
     const Whole to[2] = {in_256ths(b.position.x), in_256ths(b.position.y)};
@@ -58,7 +59,8 @@ void draw_side(const Painter& painter, const WindowVertex& a, const glm::vec3& w
     for (Whole i = floor_of(low + 127, 256); 256 * i + 128 < high; ++i) {
         const Whole done = 256 * i + 128 - from[m];
         const Whole sign = length > 0 ? 1 : -1;
-        const Whole other = floor_of(sign * (from[1 - m] * length + done * (to[1 - m] - from[1 - m])), sign * length * 256);
+        const Whole other =
+            floor_of(sign * (from[1 - m] * length + done * (to[1 - m] - from[1 - m])), sign * length * 256);
         const double t = double(done) / double(length);
         const double sa = (1 - t) * a.inverse_w;
         const double sb = t * b.inverse_w;
@@ -70,19 +72,22 @@ void draw_side(const Painter& painter, const WindowVertex& a, const glm::vec3& w
 
 }
 
-void draw_triangles(const PipelineState& state, std::span<const ColoredVertex> vertices, std::span<const glm::uvec3> triangles, Layer& target)
+void draw_triangles(const PipelineState& state, std::span<const ColoredVertex> vertices,
+                    std::span<const glm::uvec3> triangles, Layer& target)
 {
     const glm::dmat4 to_window = viewport_matrix(state.viewport);
     for (const glm::uvec3& t : triangles) {
         const Painter painter{state, glm::mat3(vertices[t.x].color, vertices[t.y].color, vertices[t.z].color), target};
         std::array<glm::vec4, 3> corners{};
-        for (int i = 0; i < 3; ++i) corners[static_cast<std::size_t>(i)] = state.to_clip * glm::vec4(vertices[t[i]].position, 1);
+        for (int i = 0; i < 3; ++i)
+            corners[static_cast<std::size_t>(i)] = state.to_clip * glm::vec4(vertices[t[i]].position, 1);
         std::vector<ClipVertex> polygon;
         clip_triangle(corners, polygon);
         std::vector<WindowVertex> window;
         for (const ClipVertex& corner : polygon) {
             const glm::dvec4 place = to_window * (glm::dvec4(corner.position) / double(corner.position.w));
-            window.push_back({glm::vec2(place), static_cast<float>(place.z), static_cast<float>(1 / double(corner.position.w))});
+            window.push_back(
+                {glm::vec2(place), static_cast<float>(place.z), static_cast<float>(1 / double(corner.position.w))});
         }
         const std::size_t n = window.size();
         double twice_area = 0;
@@ -97,14 +102,18 @@ void draw_triangles(const PipelineState& state, std::span<const ColoredVertex> v
             const bool old = !is_new(polygon[i].weights, polygon[(i + 1) % n].weights);
             if (old && state.mode == PolygonMode::point)
                 painter.paint(static_cast<int>(floor_of(in_256ths(window[i].position.x), 256)),
-                              static_cast<int>(floor_of(in_256ths(window[i].position.y), 256)), window[i].depth, polygon[i].weights);
-            if (old && state.mode == PolygonMode::line) draw_side(painter, window[i], polygon[i].weights, window[(i + 1) % n], polygon[(i + 1) % n].weights);
+                              static_cast<int>(floor_of(in_256ths(window[i].position.y), 256)), window[i].depth,
+                              polygon[i].weights);
+            if (old && state.mode == PolygonMode::line)
+                draw_side(painter, window[i], polygon[i].weights, window[(i + 1) % n], polygon[(i + 1) % n].weights);
             if (state.mode != PolygonMode::fill || i < 2) continue;
             std::vector<Fragment> fragments;
-            rasterize_triangle({window[0], window[i - 1], window[i]}, state.viewport.width, state.viewport.height, fragments);
+            rasterize_triangle({window[0], window[i - 1], window[i]}, state.viewport.width, state.viewport.height,
+                               fragments);
             for (const Fragment& f : fragments)
                 painter.paint(f.pixel.x, f.pixel.y, f.depth,
-                              f.weights[0] * polygon[0].weights + f.weights[1] * polygon[i - 1].weights + f.weights[2] * polygon[i].weights);
+                              f.weights[0] * polygon[0].weights + f.weights[1] * polygon[i - 1].weights +
+                                  f.weights[2] * polygon[i].weights);
         }
     }
 }

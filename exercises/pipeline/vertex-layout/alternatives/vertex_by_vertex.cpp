@@ -1,4 +1,5 @@
-// alternative: copies vertex by vertex and byte by byte; one switch that calls a generic function with a number of the right type
+// alternative: copies vertex by vertex and byte by byte; one switch that calls a generic function with a number of the
+// right type
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -29,7 +30,10 @@ std::uint64_t stride_of(const VertexAttribute& attribute, const AttributePlace& 
     return place.stride != 0 ? place.stride : attribute.components * size_of(attribute.type);
 }
 
-std::uint64_t up_to(std::uint64_t offset, std::uint64_t size) { return offset % size == 0 ? offset : offset + size - offset % size; }
+std::uint64_t up_to(std::uint64_t offset, std::uint64_t size)
+{
+    return offset % size == 0 ? offset : offset + size - offset % size;
+}
 
 }
 
@@ -54,8 +58,8 @@ VertexLayout separate_layout(std::span<const VertexAttribute> attributes, std::u
     return layout;
 }
 
-std::vector<std::byte> repack(std::span<const std::byte> source, const VertexLayout& from, const VertexLayout& to, std::span<const VertexAttribute> attributes,
-                              std::uint64_t vertices)
+std::vector<std::byte> repack(std::span<const std::byte> source, const VertexLayout& from, const VertexLayout& to,
+                              std::span<const VertexAttribute> attributes, std::uint64_t vertices)
 {
     std::vector<std::byte> result(to.bytes, std::byte{0});
     for (std::uint64_t vertex = 0; vertex < vertices; ++vertex)
@@ -66,16 +70,19 @@ std::vector<std::byte> repack(std::span<const std::byte> source, const VertexLay
     return result;
 }
 
-glm::vec4 fetch_attribute(std::span<const std::byte> buffer, const VertexAttribute& attribute, const AttributePlace& place, std::uint64_t vertex)
+glm::vec4 fetch_attribute(std::span<const std::byte> buffer, const VertexAttribute& attribute,
+                          const AttributePlace& place, std::uint64_t vertex)
 {
     return with_type(attribute.type, [&](auto zero) {
         using Number = decltype(zero);
         Number numbers[4] = {};
-        std::memcpy(numbers, &buffer[place.offset + vertex * stride_of(attribute, place)], attribute.components * sizeof zero);
+        std::memcpy(numbers, &buffer[place.offset + vertex * stride_of(attribute, place)],
+                    attribute.components * sizeof zero);
         glm::vec4 result(0, 0, 0, 1);
         for (int i = 0; i < static_cast<int>(attribute.components); ++i) {
             result[i] = static_cast<float>(numbers[i]);
-            if (std::is_integral_v<Number> && attribute.normalized) result[i] /= static_cast<float>(std::numeric_limits<Number>::max());
+            if (std::is_integral_v<Number> && attribute.normalized)
+                result[i] /= static_cast<float>(std::numeric_limits<Number>::max());
         }
         return result;
     });

@@ -11,9 +11,15 @@ static glm::dvec3 scale_of(const Box& region)
 
 static glm::dvec3 centre_of(const Box& region) { return (glm::dvec3(region.low) + glm::dvec3(region.high)) / 2.0; }
 
-glm::mat4 projection_of(const Box& region) { return glm::mat4(glm::translate(glm::scale(glm::dmat4(1), scale_of(region)), -centre_of(region))); }
+glm::mat4 projection_of(const Box& region)
+{
+    return glm::mat4(glm::translate(glm::scale(glm::dmat4(1), scale_of(region)), -centre_of(region)));
+}
 
-glm::vec3 ndc_of(const Box& region, const glm::vec3& point) { return glm::vec3(scale_of(region) * (glm::dvec3(point) - centre_of(region))); }
+glm::vec3 ndc_of(const Box& region, const glm::vec3& point)
+{
+    return glm::vec3(scale_of(region) * (glm::dvec3(point) - centre_of(region)));
+}
 
 Box visible_region(const Box& contents, int width, int height)
 {

@@ -7,6 +7,9 @@
 
 namespace umbral::projections {
 
-glm::mat4 view_matrix(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up) { return glm::lookAt(eye, target, up); }
+glm::mat4 view_matrix(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up)
+{
+    return glm::lookAt(eye, target, up);
+}
 
 }

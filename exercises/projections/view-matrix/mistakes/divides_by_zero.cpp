@@ -1,6 +1,7 @@
 // mistake: the textbook as it stands: NaN where up is parallel to the view
 // credit: 60..72
-// hint: Look straight down with the usual up vector: u × n is zero, and so is its length. The interface's comment says what to do then.
+// hint: Look straight down with the usual up vector: u × n is zero, and so is its length. The interface's comment says
+// what to do then.
 #include <umbral/projections/view.hpp>
 
 namespace umbral::projections {

@@ -1,6 +1,7 @@
 // mistake: forms u × n in float
 // credit: 70..82
-// hint: If up is almost parallel to the view, u × n subtracts products that agree in nearly all their digits. Form it in double.
+// hint: If up is almost parallel to the view, u × n subtracts products that agree in nearly all their digits. Form it
+// in double.
 #include <cmath>
 #include <umbral/projections/view.hpp>
 

@@ -1,4 +1,5 @@
-// alternative: geometry instead of algebra: the foot of the perpendicular from the centre, and half the chord to both sides of it
+// alternative: geometry instead of algebra: the foot of the perpendicular from the centre, and half the chord to both
+// sides of it
 #include <cmath>
 #include <umbral/raytracing/intersect.hpp>
 

@@ -1,11 +1,13 @@
-// alternative: as the course puts it: the ray is moved to the space where the sphere is the unit sphere round the origin
+// alternative: as the course puts it: the ray is moved to the space where the sphere is the unit sphere round the
+// origin
 #include <cmath>
 #include <umbral/raytracing/intersect.hpp>
 
 namespace umbral::raytracing {
 namespace {
 
-std::optional<float> intersect_unit_sphere(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, double t_max)
+std::optional<float> intersect_unit_sphere(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
+                                           double t_max)
 {
     const double a = dot(direction, direction);
     const double half_b = dot(origin, direction);

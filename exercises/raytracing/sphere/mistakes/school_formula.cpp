@@ -1,6 +1,7 @@
 // mistake: subtracts two numbers of size |origin - centre|²
 // credit: 75..85
-// hint: From far away b² and 4ac agree in all their digits, so their difference is noise. Measure how far the ray passes the centre instead.
+// hint: From far away b² and 4ac agree in all their digits, so their difference is noise. Measure how far the ray
+// passes the centre instead.
 #include <cmath>
 #include <umbral/raytracing/intersect.hpp>
 

@@ -1,6 +1,7 @@
 // mistake: multiplies by the size in float, before it takes the fraction
 // credit: 85..97
-// hint: Far from 0 a float has few bits behind the point, and u * n has fewer still: take the fraction of u first. Beside borders, the product rounds: use double.
+// hint: Far from 0 a float has few bits behind the point, and u * n has fewer still: take the fraction of u first.
+// Beside borders, the product rounds: use double.
 #include <umbral/texturing/lookup.hpp>
 
 namespace umbral::texturing {

@@ -17,7 +17,10 @@ Matrix4 translation(const Vector& d)
     return m;
 }
 
-glm::mat4 about(const glm::vec3& centre, const Matrix3& m) { return glm::mat4(translation(Vector(centre)) * Matrix4(m) * translation(-Vector(centre))); }
+glm::mat4 about(const glm::vec3& centre, const Matrix3& m)
+{
+    return glm::mat4(translation(Vector(centre)) * Matrix4(m) * translation(-Vector(centre)));
+}
 
 Vector unit(const glm::vec3& v) { return Vector(v) / length(Vector(v)); }
 
@@ -29,7 +32,10 @@ Matrix3 rotation(Long w, const Vector& v)
     return Matrix3(1) + 2 / square * (w * across + across * across);
 }
 
-bool finite(const AxisAngle& turn) { return std::isfinite(turn.axis.x + turn.axis.y + turn.axis.z) && std::isfinite(turn.angle); }
+bool finite(const AxisAngle& turn)
+{
+    return std::isfinite(turn.axis.x + turn.axis.y + turn.axis.z) && std::isfinite(turn.angle);
+}
 
 }
 

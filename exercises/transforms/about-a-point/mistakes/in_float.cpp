@@ -1,20 +1,34 @@
 // mistake: products of matrices in float, and the angle of an alignment by the arc cosine
 // credit: 72..88
-// hint: Far from the origin the translation is a difference of nearly equal points, near 0 and 180 degrees the arc cosine has lost its digits, and squares of tiny and huge directions are no floats. Compute in double, and take the angle by atan2.
+// hint: Far from the origin the translation is a difference of nearly equal points, near 0 and 180 degrees the arc
+// cosine has lost its digits, and squares of tiny and huge directions are no floats. Compute in double, and take the
+// angle by atan2.
 #include <cmath>
 #include <umbral/transforms/about_a_point.hpp>
 
 namespace umbral::transforms {
 namespace {
 
-glm::mat4 about(const glm::vec3& centre, const glm::mat4& m) { return glm::translate(glm::mat4(1), centre) * m * glm::translate(glm::mat4(1), -centre); }
+glm::mat4 about(const glm::vec3& centre, const glm::mat4& m)
+{
+    return glm::translate(glm::mat4(1), centre) * m * glm::translate(glm::mat4(1), -centre);
+}
 bool is_null(const glm::vec3& v) { return v == glm::vec3(0); }
 
 }
 
-glm::mat4 rotation_about_point(const glm::vec3& centre, const AxisAngle& turn) { return about(centre, rotation_matrix(turn)); }
-glm::mat4 scaling_about_point(const glm::vec3& centre, const glm::vec3& factors) { return about(centre, glm::scale(glm::mat4(1), factors)); }
-glm::mat4 reflection_in_point(const glm::vec3& centre) { return about(centre, glm::scale(glm::mat4(1), glm::vec3(-1))); }
+glm::mat4 rotation_about_point(const glm::vec3& centre, const AxisAngle& turn)
+{
+    return about(centre, rotation_matrix(turn));
+}
+glm::mat4 scaling_about_point(const glm::vec3& centre, const glm::vec3& factors)
+{
+    return about(centre, glm::scale(glm::mat4(1), factors));
+}
+glm::mat4 reflection_in_point(const glm::vec3& centre)
+{
+    return about(centre, glm::scale(glm::mat4(1), glm::vec3(-1)));
+}
 
 glm::mat4 reflection_in_line(const glm::vec3& point, const glm::vec3& direction)
 {

@@ -22,13 +22,17 @@ public:
         pipeline.set_color({1, 1, 1});
         for (int side = 1; side >= -1; side -= 2) {
             const glm::mat4 there = glm::translate(head, {static_cast<float>(side) * eye.x, eye.y, eye.z});
-            part(pipeline, glm::scale(glm::rotate(there, glm::radians(90.0F), {1, 0, 0}), glm::vec3(eye_radius)), Primitive::half_sphere);
+            part(pipeline, glm::scale(glm::rotate(there, glm::radians(90.0F), {1, 0, 0}), glm::vec3(eye_radius)),
+                 Primitive::half_sphere);
         }
         pipeline.set_color(before);
         for (int side = 1; side >= -1; side -= 2) {
             const auto s = static_cast<float>(side);
             const glm::mat4 there = glm::translate(head, {s * antenna.x, antenna.y, antenna.z});
-            part(pipeline, glm::scale(glm::rotate(there, s * antenna_tilt, {0, 0, -1}), {antenna_radius, antenna_length, antenna_radius}), Primitive::cylinder);
+            part(pipeline,
+                 glm::scale(glm::rotate(there, s * antenna_tilt, {0, 0, -1}),
+                            {antenna_radius, antenna_length, antenna_radius}),
+                 Primitive::cylinder);
         }
         limb(pipeline, glm::rotate(glm::translate(one, shoulder), angles_[0], {1, 0, 0}));
         limb(pipeline, glm::rotate(glm::translate(one, shoulder * glm::vec3(-1, 1, 1)), angles_[1], {1, 0, 0}));

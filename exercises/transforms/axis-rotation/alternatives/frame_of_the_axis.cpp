@@ -1,4 +1,5 @@
-// alternative: in a frame whose z is the axis every rotation is Rot_z; only its difference from the identity is carried to the world
+// alternative: in a frame whose z is the axis every rotation is Rot_z; only its difference from the identity is carried
+// to the world
 #include <cmath>
 #include <umbral/transforms/rotation.hpp>
 

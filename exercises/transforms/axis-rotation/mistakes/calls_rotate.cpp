@@ -6,9 +6,15 @@
 
 namespace umbral::transforms {
 
-glm::vec3 rotate_vector(const glm::vec3& vector, const AxisAngle& turn) { return glm::vec3(rotation_matrix(turn) * glm::vec4(vector, 0)); }
+glm::vec3 rotate_vector(const glm::vec3& vector, const AxisAngle& turn)
+{
+    return glm::vec3(rotation_matrix(turn) * glm::vec4(vector, 0));
+}
 
-glm::mat4 rotation_matrix(const AxisAngle& turn) { return turn.axis == glm::vec3(0) ? glm::mat4(1) : glm::rotate(glm::mat4(1), turn.angle, turn.axis); }
+glm::mat4 rotation_matrix(const AxisAngle& turn)
+{
+    return turn.axis == glm::vec3(0) ? glm::mat4(1) : glm::rotate(glm::mat4(1), turn.angle, turn.axis);
+}
 
 glm::mat4 compose_rotations(std::span<const AxisAngle> turns)
 {

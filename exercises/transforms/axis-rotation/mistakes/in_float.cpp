@@ -1,6 +1,7 @@
 // mistake: the textbook in float
 // credit: 65..80
-// hint: In float, 1 - cosθ of a tiny angle is 0, the square of a tiny axis is 0, and long products drift. Compute in double, and round once at the end.
+// hint: In float, 1 - cosθ of a tiny angle is 0, the square of a tiny axis is 0, and long products drift. Compute in
+// double, and round once at the end.
 #include <cmath>
 #include <umbral/transforms/rotation.hpp>
 

@@ -6,7 +6,10 @@ namespace umbral::transforms {
 namespace {
 
 /// The three upper rows, as one writes them.
-glm::mat4 rows(const glm::vec4& x, const glm::vec4& y, const glm::vec4& z) { return glm::transpose(glm::mat4(x, y, z, glm::vec4(0, 0, 0, 1))); }
+glm::mat4 rows(const glm::vec4& x, const glm::vec4& y, const glm::vec4& z)
+{
+    return glm::transpose(glm::mat4(x, y, z, glm::vec4(0, 0, 0, 1)));
+}
 
 glm::vec3 times(const glm::mat4& m, const glm::vec3& v, double w)
 {

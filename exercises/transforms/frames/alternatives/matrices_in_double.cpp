@@ -1,4 +1,5 @@
-// alternative: general inverses of 4 × 4 matrices in double; the sign by passes over the twelve parts of the determinant until the last holds their sum
+// alternative: general inverses of 4 × 4 matrices in double; the sign by passes over the twelve parts of the
+// determinant until the last holds their sum
 #include <array>
 #include <cmath>
 #include <umbral/transforms/frames.hpp>
@@ -6,9 +7,15 @@
 namespace umbral::transforms {
 namespace {
 
-glm::dmat4 wide(const Frame& frame) { return {glm::dvec4(frame.x, 0), glm::dvec4(frame.y, 0), glm::dvec4(frame.z, 0), glm::dvec4(frame.origin, 1)}; }
+glm::dmat4 wide(const Frame& frame)
+{
+    return {glm::dvec4(frame.x, 0), glm::dvec4(frame.y, 0), glm::dvec4(frame.z, 0), glm::dvec4(frame.origin, 1)};
+}
 
-bool perpendicular(const glm::vec3& a, const glm::vec3& b) { return std::abs(dot(normalize(glm::dvec3(a)), normalize(glm::dvec3(b)))) <= 1e-4; }
+bool perpendicular(const glm::vec3& a, const glm::vec3& b)
+{
+    return std::abs(dot(normalize(glm::dvec3(a)), normalize(glm::dvec3(b)))) <= 1e-4;
+}
 
 bool unit(const glm::vec3& v) { return std::abs(length(glm::dvec3(v)) - 1) <= 1e-4; }
 
@@ -41,7 +48,8 @@ int orientation(const Frame& frame)
             ++count;
         }
     }
-    // Each pass carries sums to the right and leaves their roundings behind: after as many as there are parts nothing is left to carry.
+    // Each pass carries sums to the right and leaves their roundings behind: after as many as there are parts nothing
+    // is left to carry.
     for (std::size_t pass = 0; pass < parts.size(); ++pass) {
         for (std::size_t i = 1; i < parts.size(); ++i) {
             const double sum = parts[i - 1] + parts[i];
@@ -56,7 +64,8 @@ int orientation(const Frame& frame)
 FrameKind classify_frame(const Frame& frame)
 {
     if (orientation(frame) == 0) return FrameKind::degenerate;
-    if (!perpendicular(frame.x, frame.y) || !perpendicular(frame.x, frame.z) || !perpendicular(frame.y, frame.z)) return FrameKind::oblique;
+    if (!perpendicular(frame.x, frame.y) || !perpendicular(frame.x, frame.z) || !perpendicular(frame.y, frame.z))
+        return FrameKind::oblique;
     if (!unit(frame.x) || !unit(frame.y) || !unit(frame.z)) return FrameKind::orthogonal;
     return orientation(frame) == 1 ? FrameKind::cartesian : FrameKind::orthonormal;
 }

@@ -1,11 +1,15 @@
 // mistake: every formula in float, one frame to the other by way of the world
 // credit: 80..92
-// hint: Frames that are far from the world's origin lose their place when they go through the world in float: subtract the origins first, and compute in double.
+// hint: Frames that are far from the world's origin lose their place when they go through the world in float: subtract
+// the origins first, and compute in double.
 #include <umbral/transforms/frames.hpp>
 
 namespace umbral::transforms {
 
-glm::mat4 frame_matrix(const Frame& frame) { return {glm::vec4(frame.x, 0), glm::vec4(frame.y, 0), glm::vec4(frame.z, 0), glm::vec4(frame.origin, 1)}; }
+glm::mat4 frame_matrix(const Frame& frame)
+{
+    return {glm::vec4(frame.x, 0), glm::vec4(frame.y, 0), glm::vec4(frame.z, 0), glm::vec4(frame.origin, 1)};
+}
 
 glm::mat4 inverse_of_frame(const Frame& frame) { return glm::inverse(frame_matrix(frame)); }
 
@@ -27,7 +31,9 @@ int orientation(const Frame& frame)
 
 FrameKind classify_frame(const Frame& frame)
 {
-    const auto perpendicular = [](const glm::vec3& a, const glm::vec3& b) { return std::abs(dot(a, b)) <= 1e-4F * length(a) * length(b); };
+    const auto perpendicular = [](const glm::vec3& a, const glm::vec3& b) {
+        return std::abs(dot(a, b)) <= 1e-4F * length(a) * length(b);
+    };
     const auto unit = [](const glm::vec3& v) { return std::abs(length(v) - 1) <= 1e-4F; };
     const auto& [x, y, z, origin] = frame;
     const int side = orientation(frame);

@@ -1,4 +1,5 @@
-// alternative: keeps the normal matrix beside the modelling matrix, as the course's class does, and builds the diamond of turns and scales
+// alternative: keeps the normal matrix beside the modelling matrix, as the course's class does, and builds the diamond
+// of turns and scales
 #include <umbral/transforms/matrix_stack.hpp>
 
 namespace umbral::transforms {

@@ -1,6 +1,7 @@
 // mistake: transforms normals as any other vector
 // credit: 1..20
-// hint: Your normals are turned by the model matrix itself. That is right for tangents; under a non-uniform scale or a shear a normal does not stay perpendicular to them. Use the inverse transpose.
+// hint: Your normals are turned by the model matrix itself. That is right for tangents; under a non-uniform scale or a
+// shear a normal does not stay perpendicular to them. Use the inverse transpose.
 #include <umbral/transforms/normal_matrix.hpp>
 
 namespace umbral::transforms {

@@ -1,6 +1,7 @@
 // mistake: the inverse transpose in float
 // credit: 65..80
-// hint: With entries of 1e-20 or 1e20 the determinant is 0 or infinite in float, and a flattened matrix has none to divide by. The cofactors need no division: compute them in double.
+// hint: With entries of 1e-20 or 1e20 the determinant is 0 or infinite in float, and a flattened matrix has none to
+// divide by. The cofactors need no division: compute them in double.
 #include <umbral/transforms/normal_matrix.hpp>
 
 namespace umbral::transforms {

@@ -13,13 +13,19 @@ Complex conjugate(const Complex& a) { return {a.x, -a.y}; }
 constexpr Complex i(0, 1);
 
 // The frame's axes are e and ±i e: in a mirrored frame P is the product with -i.
-Complex unit_of(const PlaneFrame& frame) { return product(conjugate(Complex(frame.x)), Complex(frame.y)).y < 0 ? conjugate(i) : i; }
+Complex unit_of(const PlaneFrame& frame)
+{
+    return product(conjugate(Complex(frame.x)), Complex(frame.y)).y < 0 ? conjugate(i) : i;
+}
 
 }
 
 glm::vec2 turn_left(const glm::vec2& u) { return glm::vec2(product(i, Complex(u))); }
 glm::vec2 turn_right(const glm::vec2& u) { return glm::vec2(product(conjugate(i), Complex(u))); }
-glm::vec2 turn_vector_in(const PlaneFrame& frame, const glm::vec2& u) { return glm::vec2(product(unit_of(frame), Complex(u))); }
+glm::vec2 turn_vector_in(const PlaneFrame& frame, const glm::vec2& u)
+{
+    return glm::vec2(product(unit_of(frame), Complex(u)));
+}
 
 glm::vec2 turn_point_in(const PlaneFrame& frame, const glm::vec2& point)
 {
@@ -27,7 +33,10 @@ glm::vec2 turn_point_in(const PlaneFrame& frame, const glm::vec2& point)
     return glm::vec2(origin + product(unit_of(frame), Complex(point) - origin));
 }
 
-glm::vec2 rotate_in_plane(const glm::vec2& u, float angle) { return glm::vec2(product({std::cos(double{angle}), std::sin(double{angle})}, Complex(u))); }
+glm::vec2 rotate_in_plane(const glm::vec2& u, float angle)
+{
+    return glm::vec2(product({std::cos(double{angle}), std::sin(double{angle})}, Complex(u)));
+}
 
 glm::mat3 plane_rotation_matrix(float angle)
 {
@@ -38,6 +47,9 @@ glm::mat3 plane_rotation_matrix(float angle)
 
 glm::vec3 across(const glm::vec3& e, const glm::vec3& u) { return across_matrix(e) * u; }
 
-glm::mat3 across_matrix(const glm::vec3& e) { return glm::transpose(glm::mat3(0, -e.z, e.y, e.z, 0, -e.x, -e.y, e.x, 0)); }
+glm::mat3 across_matrix(const glm::vec3& e)
+{
+    return glm::transpose(glm::mat3(0, -e.z, e.y, e.z, 0, -e.x, -e.y, e.x, 0));
+}
 
 }

@@ -32,7 +32,10 @@ glm::dmat3 matrix(const ElementaryTurn& turn)
 
 }
 
-glm::vec3 elementary_rotation(const glm::vec3& vector, const ElementaryTurn& turn) { return glm::vec3(matrix(turn) * glm::dvec3(vector)); }
+glm::vec3 elementary_rotation(const glm::vec3& vector, const ElementaryTurn& turn)
+{
+    return glm::vec3(matrix(turn) * glm::dvec3(vector));
+}
 
 glm::mat3 elementary_matrix(const ElementaryTurn& turn) { return glm::mat3(matrix(turn)); }
 

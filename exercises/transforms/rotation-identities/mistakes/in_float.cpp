@@ -1,6 +1,7 @@
 // mistake: radians, sines and chains in float
 // credit: 60..78
-// hint: Your quarter turns leave a rest of 1e-8 where there should be 0, and long chains drift: lengths, dot and cross products are not kept. Take off whole and quarter turns in degrees, where that is exact, and go on in double.
+// hint: Your quarter turns leave a rest of 1e-8 where there should be 0, and long chains drift: lengths, dot and cross
+// products are not kept. Take off whole and quarter turns in degrees, where that is exact, and go on in double.
 #include <cmath>
 #include <umbral/transforms/rotation_identities.hpp>
 
@@ -17,7 +18,8 @@ glm::vec3 elementary_rotation(const glm::vec3& v, const ElementaryTurn& turn)
 
 glm::mat3 elementary_matrix(const ElementaryTurn& turn)
 {
-    return {elementary_rotation({1, 0, 0}, turn), elementary_rotation({0, 1, 0}, turn), elementary_rotation({0, 0, 1}, turn)};
+    return {elementary_rotation({1, 0, 0}, turn), elementary_rotation({0, 1, 0}, turn),
+            elementary_rotation({0, 0, 1}, turn)};
 }
 
 glm::vec3 after_turns(const glm::vec3& vector, std::span<const ElementaryTurn> turns)

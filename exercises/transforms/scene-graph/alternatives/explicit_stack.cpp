@@ -32,7 +32,8 @@ std::vector<std::size_t> count_instances(const SceneGraph& graph, std::size_t mo
             continue;
         }
         const Entry entry = graph.nodes[node][next++];
-        if (entry.kind == Entry::Kind::transformation && entry.index >= graph.transformations.size()) throw std::out_of_range("no such transformation");
+        if (entry.kind == Entry::Kind::transformation && entry.index >= graph.transformations.size())
+            throw std::out_of_range("no such transformation");
         if (entry.kind != Entry::Kind::node) continue;
         if (entry.index < graph.nodes.size() && states[entry.index] == State::open) {
             std::vector<std::uint32_t> path;
@@ -48,9 +49,10 @@ std::vector<std::size_t> count_instances(const SceneGraph& graph, std::size_t mo
 
 using Item = std::pair<std::vector<std::uint32_t>, Entry>;
 
-// Sorted labels [first, last) that agree in their first `depth` transformations, which stand in node `place` already. A first part that must
-// not act on what follows goes into a node of its own.
-void write(SceneGraph& out, std::uint32_t place, const std::vector<Item>& items, std::size_t first, std::size_t last, std::size_t depth)
+// Sorted labels [first, last) that agree in their first `depth` transformations, which stand in node `place` already. A
+// first part that must not act on what follows goes into a node of its own.
+void write(SceneGraph& out, std::uint32_t place, const std::vector<Item>& items, std::size_t first, std::size_t last,
+           std::size_t depth)
 {
     while (first < last && items[first].first.size() == depth) out.nodes[place].push_back(items[first++].second);
     while (first < last) {

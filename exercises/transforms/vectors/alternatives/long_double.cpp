@@ -34,7 +34,10 @@ Long minor(const glm::vec3& a, const glm::vec3& b, int i)
 
 float dot_product(const glm::vec3& a, const glm::vec3& b) { return static_cast<float>(sum_of_products(a, b)); }
 
-glm::vec3 cross_product(const glm::vec3& a, const glm::vec3& b) { return {minor(a, b, 0), minor(a, b, 1), minor(a, b, 2)}; }
+glm::vec3 cross_product(const glm::vec3& a, const glm::vec3& b)
+{
+    return {minor(a, b, 0), minor(a, b, 1), minor(a, b, 2)};
+}
 
 float length_of(const glm::vec3& v) { return static_cast<float>(size(v)); }
 

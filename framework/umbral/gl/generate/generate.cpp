@@ -8,8 +8,9 @@
 
 #include "prototypes.hpp"
 
-// Writes the forwarders of libumbral-gl: one exported function for each entry point of OpenGL 1.0 to 4.5 (compatibility profile), with the
-// table of names beside the table of addresses that the back end fills. Functions with a vendor's suffix are left out.
+// Writes the forwarders of libumbral-gl: one exported function for each entry point of OpenGL 1.0 to 4.5 (compatibility
+// profile), with the table of names beside the table of addresses that the back end fills. Functions with a vendor's
+// suffix are left out.
 namespace umbral::gl::generate {
 namespace {
 
@@ -29,7 +30,9 @@ std::vector<Prototype> all_functions(const std::string& gl, const std::string& g
         for (const Prototype& function : prototypes(text))
             if (seen.insert(function.name).second) all.push_back(function);
     // The headers of OpenGL 4.5 hold over a thousand: fewer means that their layout changed and was not understood.
-    if (all.size() < 1000) throw std::runtime_error("generate: expected at least 1000 functions in the headers, found " + std::to_string(all.size()));
+    if (all.size() < 1000)
+        throw std::runtime_error("generate: expected at least 1000 functions in the headers, found " +
+                                 std::to_string(all.size()));
     return all;
 }
 
@@ -42,14 +45,17 @@ std::string forwarder(const Prototype& function, std::size_t slot)
         arguments += ", " + parameter.name;
     }
     return function.result + " APIENTRY " + function.name + "(" + declarations + ") { return umbral::gl::forward" +
-           (is_always_seen(function.name) ? "<true>(" : "(") + function.name + ", " + std::to_string(slot) + arguments + "); }\n";
+           (is_always_seen(function.name) ? "<true>(" : "(") + function.name + ", " + std::to_string(slot) + arguments +
+           "); }\n";
 }
 
 void write(const std::string& path, const std::vector<Prototype>& functions)
 {
     std::ofstream out(path);
-    out << "// Generated from the installed OpenGL headers; do not edit.\n#include <umbral/gl/forward.hpp>\n\nnamespace umbral::gl {\n"
-        << "const std::size_t entry_count = " << functions.size() << ";\nEntry entries[" << functions.size() << "];\nconst char* const entry_names[] = {\n";
+    out << "// Generated from the installed OpenGL headers; do not edit.\n#include "
+           "<umbral/gl/forward.hpp>\n\nnamespace umbral::gl {\n"
+        << "const std::size_t entry_count = " << functions.size() << ";\nEntry entries[" << functions.size()
+        << "];\nconst char* const entry_names[] = {\n";
     for (const Prototype& function : functions) out << "    \"" << function.name << "\",\n";
     out << "};\n}\n\nextern \"C\" {\n";
     for (std::size_t slot = 0; slot < functions.size(); ++slot) out << forwarder(functions[slot], slot);

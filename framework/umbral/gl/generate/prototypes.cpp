@@ -8,7 +8,8 @@
 namespace umbral::gl::generate {
 namespace {
 
-constexpr std::array vendor_suffixes = {"ARB", "EXT", "MESA", "ATI", "NV", "OES", "SGIS", "SGIX", "INTEL", "AMD", "APPLE", "KHR", "IBM", "HP", "SUN", "OVR"};
+constexpr std::array vendor_suffixes = {"ARB",   "EXT", "MESA",  "ATI", "NV",  "OES", "SGIS", "SGIX",
+                                        "INTEL", "AMD", "APPLE", "KHR", "IBM", "HP",  "SUN",  "OVR"};
 
 bool has_vendor_suffix(const std::string& name)
 {
@@ -22,7 +23,8 @@ Parameter parse_parameter(const std::string& text, const std::string& function)
     static const std::regex shape(R"(^\s*(.*?)(\w+)\s*(\[\d*\])?\s*$)");
     std::smatch match;
     if (!std::regex_match(text, match, shape) || match[1].str().empty())
-        throw std::runtime_error("generate: expected a parameter like 'GLenum mode' in " + function + ", got '" + text + "'");
+        throw std::runtime_error("generate: expected a parameter like 'GLenum mode' in " + function + ", got '" + text +
+                                 "'");
     return {match[1].str() + match[2].str() + match[3].str(), match[2].str()};
 }
 

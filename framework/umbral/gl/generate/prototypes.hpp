@@ -21,7 +21,8 @@ struct Prototype {
 /// The text without comments; line ends stay, so that preprocessor lines can still be told.
 [[nodiscard]] std::string without_comments(std::string_view text);
 
-/// What lies between `#ifndef GL_VERSION_x_y` and its end, for every version up to `major`.`minor`. Empty for a header without such blocks.
+/// What lies between `#ifndef GL_VERSION_x_y` and its end, for every version up to `major`.`minor`. Empty for a header
+/// without such blocks.
 [[nodiscard]] std::string core_versions(std::string_view text, int major, int minor);
 
 /// Every `GLAPI result APIENTRY name(parameters);` of the text, but for names with a vendor's suffix (ARB, EXT, …).

@@ -65,9 +65,15 @@ GLFWwindowcontentscalefun glfwSetWindowContentScaleCallback(GLFWwindow* window, 
     return set(window, &Callbacks::content_scale, callback, "glfwSetWindowContentScaleCallback");
 }
 
-GLFWkeyfun glfwSetKeyCallback(GLFWwindow* window, GLFWkeyfun callback) { return set(window, &Callbacks::key, callback, "glfwSetKeyCallback"); }
+GLFWkeyfun glfwSetKeyCallback(GLFWwindow* window, GLFWkeyfun callback)
+{
+    return set(window, &Callbacks::key, callback, "glfwSetKeyCallback");
+}
 
-GLFWcharfun glfwSetCharCallback(GLFWwindow* window, GLFWcharfun callback) { return set(window, &Callbacks::character, callback, "glfwSetCharCallback"); }
+GLFWcharfun glfwSetCharCallback(GLFWwindow* window, GLFWcharfun callback)
+{
+    return set(window, &Callbacks::character, callback, "glfwSetCharCallback");
+}
 
 GLFWcharmodsfun glfwSetCharModsCallback(GLFWwindow* window, GLFWcharmodsfun callback)
 {
@@ -89,11 +95,23 @@ GLFWcursorenterfun glfwSetCursorEnterCallback(GLFWwindow* window, GLFWcursorente
     return set(window, &Callbacks::cursor_enter, callback, "glfwSetCursorEnterCallback");
 }
 
-GLFWscrollfun glfwSetScrollCallback(GLFWwindow* window, GLFWscrollfun callback) { return set(window, &Callbacks::scroll, callback, "glfwSetScrollCallback"); }
+GLFWscrollfun glfwSetScrollCallback(GLFWwindow* window, GLFWscrollfun callback)
+{
+    return set(window, &Callbacks::scroll, callback, "glfwSetScrollCallback");
+}
 
-GLFWdropfun glfwSetDropCallback(GLFWwindow* window, GLFWdropfun callback) { return set(window, &Callbacks::drop, callback, "glfwSetDropCallback"); }
+GLFWdropfun glfwSetDropCallback(GLFWwindow* window, GLFWdropfun callback)
+{
+    return set(window, &Callbacks::drop, callback, "glfwSetDropCallback");
+}
 
-GLFWmonitorfun glfwSetMonitorCallback(GLFWmonitorfun callback) { return ready() ? exchange_callback(state().monitor_callback, callback) : nullptr; }
+GLFWmonitorfun glfwSetMonitorCallback(GLFWmonitorfun callback)
+{
+    return ready() ? exchange_callback(state().monitor_callback, callback) : nullptr;
+}
 
-GLFWjoystickfun glfwSetJoystickCallback(GLFWjoystickfun callback) { return ready() ? exchange_callback(state().joystick_callback, callback) : nullptr; }
+GLFWjoystickfun glfwSetJoystickCallback(GLFWjoystickfun callback)
+{
+    return ready() ? exchange_callback(state().joystick_callback, callback) : nullptr;
+}
 }

@@ -13,7 +13,8 @@ double glfwGetTime() { return ready() ? state().now + state().time_offset : 0; }
 void glfwSetTime(double time)
 {
     if (!ready()) return;
-    if (!(time >= 0 && time <= 18446744073.0)) return report(GLFW_INVALID_VALUE, "Invalid time " + std::to_string(time));
+    if (!(time >= 0 && time <= 18446744073.0))
+        return report(GLFW_INVALID_VALUE, "Invalid time " + std::to_string(time));
     state().time_offset = time - state().now;
 }
 
@@ -25,7 +26,8 @@ void glfwMakeContextCurrent(GLFWwindow* handle)
 {
     if (!ready()) return;
     if (handle != nullptr && window_of(handle, "glfwMakeContextCurrent").attributes[GLFW_CLIENT_API] == GLFW_NO_API)
-        return report(GLFW_NO_WINDOW_CONTEXT, "Cannot make current with a window that has no OpenGL or OpenGL ES context");
+        return report(GLFW_NO_WINDOW_CONTEXT,
+                      "Cannot make current with a window that has no OpenGL or OpenGL ES context");
     state().current = handle;
 }
 
@@ -34,7 +36,9 @@ GLFWwindow* glfwGetCurrentContext() { return ready() ? state().current : nullptr
 void glfwSwapInterval(int interval)
 {
     if (!ready()) return;
-    if (state().current == nullptr) return report(GLFW_NO_CURRENT_CONTEXT, "Cannot set swap interval without a current OpenGL or OpenGL ES context");
+    if (state().current == nullptr)
+        return report(GLFW_NO_CURRENT_CONTEXT,
+                      "Cannot set swap interval without a current OpenGL or OpenGL ES context");
     state().swap_interval = interval;
 }
 
@@ -43,7 +47,8 @@ void glfwSwapBuffers(GLFWwindow* handle)
     if (!ready()) return;
     State& now = state();
     if (window_of(handle, "glfwSwapBuffers").attributes[GLFW_CLIENT_API] == GLFW_NO_API)
-        return report(GLFW_NO_WINDOW_CONTEXT, "Cannot swap buffers of a window that has no OpenGL or OpenGL ES context");
+        return report(GLFW_NO_WINDOW_CONTEXT,
+                      "Cannot swap buffers of a window that has no OpenGL or OpenGL ES context");
     now.usage.frames.push_back(now.now);
     if (now.swap_interval != 0) now.now += now.settings.frame_seconds;
 }

@@ -17,7 +17,8 @@ void set(int& held, int action, bool sticky) { held = action == GLFW_RELEASE && 
 
 void input_button(GLFWwindow& window, int button, int action, int mods)
 {
-    set(window.buttons.at(static_cast<std::size_t>(button)), action, window.input_modes[GLFW_STICKY_MOUSE_BUTTONS] != 0);
+    set(window.buttons.at(static_cast<std::size_t>(button)), action,
+        window.input_modes[GLFW_STICKY_MOUSE_BUTTONS] != 0);
     call(window.callbacks.mouse_button, &window, button, action, mods);
 }
 
@@ -33,7 +34,8 @@ void input_key(GLFWwindow& window, int key, int action, int mods)
 void input_character(GLFWwindow& window, char32_t code_point, int mods)
 {
     call(window.callbacks.character_mods, &window, static_cast<unsigned>(code_point), mods);
-    if ((mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) == 0) call(window.callbacks.character, &window, static_cast<unsigned>(code_point));
+    if ((mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) == 0)
+        call(window.callbacks.character, &window, static_cast<unsigned>(code_point));
 }
 
 /// One overload for each event.
@@ -53,7 +55,10 @@ struct Delivery {
         input_button(window, event.button, event.pressed ? GLFW_PRESS : GLFW_RELEASE, held_modifiers(window));
     }
 
-    void operator()(const Scroll& event) const { call(window.callbacks.scroll, &window, event.offset.x, event.offset.y); }
+    void operator()(const Scroll& event) const
+    {
+        call(window.callbacks.scroll, &window, event.offset.x, event.offset.y);
+    }
 
     void operator()(const Key& event) const
     {
@@ -61,7 +66,8 @@ struct Delivery {
         const int mods = held_modifiers(window);
         input_key(window, event.key, static_cast<int>(event.action), mods);
         if (event.action == Key::Action::release) return;
-        if (const char typed = character_of(event.key, (mods & GLFW_MOD_SHIFT) != 0)) input_character(window, static_cast<char32_t>(typed), mods);
+        if (const char typed = character_of(event.key, (mods & GLFW_MOD_SHIFT) != 0))
+            input_character(window, static_cast<char32_t>(typed), mods);
     }
 
     void operator()(const Character& event) const
@@ -88,7 +94,8 @@ struct Delivery {
         for (int key = 0; key <= GLFW_KEY_LAST; ++key)
             if (window.keys.at(static_cast<std::size_t>(key)) == GLFW_PRESS) input_key(window, key, GLFW_RELEASE, 0);
         for (int button = 0; button <= GLFW_MOUSE_BUTTON_LAST; ++button)
-            if (window.buttons.at(static_cast<std::size_t>(button)) == GLFW_PRESS) input_button(window, button, GLFW_RELEASE, 0);
+            if (window.buttons.at(static_cast<std::size_t>(button)) == GLFW_PRESS)
+                input_button(window, button, GLFW_RELEASE, 0);
     }
 
     void operator()(const CursorEnter& event) const

@@ -17,7 +17,8 @@ int told(int& held)
 
 bool is_input_mode(int mode)
 {
-    for (const int known : {GLFW_CURSOR, GLFW_STICKY_KEYS, GLFW_STICKY_MOUSE_BUTTONS, GLFW_LOCK_KEY_MODS, GLFW_RAW_MOUSE_MOTION})
+    for (const int known :
+         {GLFW_CURSOR, GLFW_STICKY_KEYS, GLFW_STICKY_MOUSE_BUTTONS, GLFW_LOCK_KEY_MODS, GLFW_RAW_MOUSE_MOTION})
         if (mode == known) return true;
     report(GLFW_INVALID_ENUM, "Invalid input mode " + std::to_string(mode));
     return false;
@@ -32,9 +33,11 @@ void release_stuck(std::array<int, Count>& all)
 
 void set_input_mode(GLFWwindow& window, int mode, int value)
 {
-    if (mode == GLFW_CURSOR && value != GLFW_CURSOR_NORMAL && value != GLFW_CURSOR_HIDDEN && value != GLFW_CURSOR_DISABLED)
+    if (mode == GLFW_CURSOR && value != GLFW_CURSOR_NORMAL && value != GLFW_CURSOR_HIDDEN &&
+        value != GLFW_CURSOR_DISABLED)
         return report(GLFW_INVALID_ENUM, "Invalid cursor mode " + std::to_string(value));
-    if (mode == GLFW_RAW_MOUSE_MOTION) return report(GLFW_PLATFORM_ERROR, "Raw mouse motion is not supported on this system");
+    if (mode == GLFW_RAW_MOUSE_MOTION)
+        return report(GLFW_PLATFORM_ERROR, "Raw mouse motion is not supported on this system");
     window.input_modes[mode] = mode == GLFW_CURSOR ? value : static_cast<int>(value != 0);
     if (value == 0 && mode == GLFW_STICKY_KEYS) release_stuck(window.keys);
     if (value == 0 && mode == GLFW_STICKY_MOUSE_BUTTONS) release_stuck(window.buttons);
@@ -60,7 +63,8 @@ int glfwGetMouseButton(GLFWwindow* handle, int button)
 {
     if (!ready()) return GLFW_RELEASE;
     GLFWwindow& window = window_of(handle, "glfwGetMouseButton");
-    if (button >= 0 && button <= GLFW_MOUSE_BUTTON_LAST) return told(window.buttons.at(static_cast<std::size_t>(button)));
+    if (button >= 0 && button <= GLFW_MOUSE_BUTTON_LAST)
+        return told(window.buttons.at(static_cast<std::size_t>(button)));
     report(GLFW_INVALID_ENUM, "Invalid mouse button " + std::to_string(button));
     return GLFW_RELEASE;
 }

@@ -19,14 +19,18 @@ public:
 bool script_is_over() { return state().next_event == state().script.size(); }
 
 /// Is there something to deliver at this moment?
-bool something_waits() { return !state().pending.empty() || (!script_is_over() && state().script[state().next_event].time <= state().now); }
+bool something_waits()
+{
+    return !state().pending.empty() || (!script_is_over() && state().script[state().next_event].time <= state().now);
+}
 
 void deliver_to_window(const Event& event)
 {
     if (state().window) deliver(*state().window, event);
 }
 
-/// Everything that is due, in order. What callbacks cause themselves comes with the next call, as it does with a window system.
+/// Everything that is due, in order. What callbacks cause themselves comes with the next call, as it does with a window
+/// system.
 void deliver_due()
 {
     State& now = state();
@@ -37,7 +41,8 @@ void deliver_due()
         now.pending.pop_front();
         deliver_to_window(event);
     }
-    while (!script_is_over() && now.script[now.next_event].time <= now.now) deliver_to_window(now.script[now.next_event++].event);
+    while (!script_is_over() && now.script[now.next_event].time <= now.now)
+        deliver_to_window(now.script[now.next_event++].event);
 }
 
 void ask_to_close()
@@ -58,7 +63,9 @@ void end_polling()
         return;
     }
     if (++now.polls_after_closing > now.settings.polls_after_closing)
-        give_up("glfwPollEvents: the window was asked to close long ago, but the loop goes on; does it look at glfwWindowShouldClose?");
+        give_up(
+            "glfwPollEvents: the window was asked to close long ago, but the loop goes on; does it look at "
+            "glfwWindowShouldClose?");
 }
 
 void poll()
@@ -76,7 +83,8 @@ void wait()
         if (script_is_over()) {
             if (now.asked_to_close)
                 give_up(
-                    "glfwWaitEvents: would wait for ever: the user has done everything and asked the window to close; does the loop look at "
+                    "glfwWaitEvents: would wait for ever: the user has done everything and asked the window to close; "
+                    "does the loop look at "
                     "glfwWindowShouldClose?");
             return ask_to_close();
         }
@@ -88,7 +96,8 @@ void wait()
 void wait_until(double limit)
 {
     State& now = state();
-    if (!something_waits() && !now.woken) now.now = script_is_over() ? limit : std::min(limit, now.script[now.next_event].time);
+    if (!something_waits() && !now.woken)
+        now.now = script_is_over() ? limit : std::min(limit, now.script[now.next_event].time);
     deliver_due();
     if (script_is_over() && now.pending.empty()) end_polling();
 }
@@ -121,7 +130,8 @@ void glfwWaitEventsTimeout(double timeout)
     using namespace umbral::input::headless;
     if (!ready()) return;
     not_from_a_callback("glfwWaitEventsTimeout");
-    if (!(timeout >= 0 && timeout <= 1e300)) return report(GLFW_INVALID_VALUE, "Invalid time " + std::to_string(timeout));
+    if (!(timeout >= 0 && timeout <= 1e300))
+        return report(GLFW_INVALID_VALUE, "Invalid time " + std::to_string(timeout));
     ++state().usage.waits;
     wait_until(state().now + timeout);
 }

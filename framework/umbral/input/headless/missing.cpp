@@ -7,7 +7,8 @@ namespace umbral::input::headless {
 void missing(const char* function)
 {
     give_up(std::string(function) +
-            ": headless GLFW does not have this; it has the window, its callbacks, mouse, keyboard, time, and the event loop. Leave the call out of this unit");
+            ": headless GLFW does not have this; it has the window, its callbacks, mouse, keyboard, time, and the "
+            "event loop. Leave the call out of this unit");
 }
 
 }

@@ -29,14 +29,17 @@ void give_up(const std::string& text) { throw StudentError(StudentError::Kind::i
 
 GLFWwindow& window_of(GLFWwindow* handle, const char* function)
 {
-    if (handle == nullptr) give_up(std::string(function) + ": the window is NULL; pass the GLFWwindow* that your function was given");
-    if (handle != state().window.get()) give_up(std::string(function) + ": this is not a window that exists (it was destroyed, or never created)");
+    if (handle == nullptr)
+        give_up(std::string(function) + ": the window is NULL; pass the GLFWwindow* that your function was given");
+    if (handle != state().window.get())
+        give_up(std::string(function) + ": this is not a window that exists (it was destroyed, or never created)");
     return *handle;
 }
 
 void not_from_a_callback(const char* function)
 {
-    if (state().delivering) give_up(std::string(function) + " must not be called from a callback: GLFW's documentation forbids it");
+    if (state().delivering)
+        give_up(std::string(function) + " must not be called from a callback: GLFW's documentation forbids it");
 }
 
 glm::ivec2 framebuffer_size(const GLFWwindow& window)
@@ -50,8 +53,10 @@ int held_modifiers(const GLFWwindow& window)
     const auto held = [&](std::size_t left, std::size_t right, int bit) {
         return window.keys[left] == GLFW_PRESS || window.keys[right] == GLFW_PRESS ? bit : 0;
     };
-    return held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT, GLFW_MOD_SHIFT) | held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL, GLFW_MOD_CONTROL) |
-           held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT, GLFW_MOD_ALT) | held(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER, GLFW_MOD_SUPER);
+    return held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT, GLFW_MOD_SHIFT) |
+           held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL, GLFW_MOD_CONTROL) |
+           held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT, GLFW_MOD_ALT) |
+           held(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER, GLFW_MOD_SUPER);
 }
 
 }

@@ -92,7 +92,8 @@ void report(int code, const std::string& text);
 /// The program's window. Where GLFW would crash (a null or a foreign pointer), a StudentError says so.
 GLFWwindow& window_of(GLFWwindow* handle, const char* function);
 
-/// Throws a StudentError if a callback is running: GLFW's documentation says "must not be called from a callback" of this function.
+/// Throws a StudentError if a callback is running: GLFW's documentation says "must not be called from a callback" of
+/// this function.
 void not_from_a_callback(const char* function);
 
 [[nodiscard]] std::map<int, int> default_hints();

@@ -1,12 +1,14 @@
 #include "state.hpp"
 
-// Making the window, its attributes, and what a program may do to it. What the window system would answer comes as an event with the next poll.
+// Making the window, its attributes, and what a program may do to it. What the window system would answer comes as an
+// event with the next poll.
 
 namespace umbral::input::headless {
 namespace {
 
 /// Attributes that a program may change while the window lives.
-constexpr std::array changeable = {GLFW_DECORATED, GLFW_RESIZABLE, GLFW_FLOATING, GLFW_AUTO_ICONIFY, GLFW_FOCUS_ON_SHOW};
+constexpr std::array changeable = {GLFW_DECORATED, GLFW_RESIZABLE, GLFW_FLOATING, GLFW_AUTO_ICONIFY,
+                                   GLFW_FOCUS_ON_SHOW};
 
 bool is_known(const std::map<int, int>& known, int number, const char* what)
 {
@@ -114,7 +116,10 @@ GLFWwindow* glfwCreateWindow(int width, int height, const char* title, GLFWmonit
         return nullptr;
     }
     State& now = state();
-    if (now.window) give_up("glfwCreateWindow: headless GLFW has one window, and it exists already; destroy it before you make another");
+    if (now.window)
+        give_up(
+            "glfwCreateWindow: headless GLFW has one window, and it exists already; destroy it before you make "
+            "another");
     now.window = new_window(now.hints, {width, height}, title == nullptr ? "" : title);
     return now.window.get();
 }
@@ -129,7 +134,10 @@ void glfwDestroyWindow(GLFWwindow* handle)
     state().pending.clear();
 }
 
-int glfwWindowShouldClose(GLFWwindow* handle) { return ready() && window_of(handle, "glfwWindowShouldClose").should_close ? GLFW_TRUE : GLFW_FALSE; }
+int glfwWindowShouldClose(GLFWwindow* handle)
+{
+    return ready() && window_of(handle, "glfwWindowShouldClose").should_close ? GLFW_TRUE : GLFW_FALSE;
+}
 
 void glfwSetWindowShouldClose(GLFWwindow* handle, int value)
 {
@@ -141,7 +149,10 @@ void glfwSetWindowTitle(GLFWwindow* handle, const char* title)
     if (ready()) window_of(handle, "glfwSetWindowTitle").title = title == nullptr ? "" : title;
 }
 
-void glfwGetWindowPos(GLFWwindow* handle, int* x, int* y) { give(x, y, ready() ? window_of(handle, "glfwGetWindowPos").position : glm::ivec2(0)); }
+void glfwGetWindowPos(GLFWwindow* handle, int* x, int* y)
+{
+    give(x, y, ready() ? window_of(handle, "glfwGetWindowPos").position : glm::ivec2(0));
+}
 
 void glfwSetWindowPos(GLFWwindow* handle, int x, int y)
 {
@@ -171,7 +182,10 @@ void glfwGetWindowContentScale(GLFWwindow* handle, float* x, float* y)
     give(x, y, ready() ? state().settings.content_scale : glm::dvec2(0));
 }
 
-float glfwGetWindowOpacity(GLFWwindow* handle) { return ready() ? window_of(handle, "glfwGetWindowOpacity").opacity : 1; }
+float glfwGetWindowOpacity(GLFWwindow* handle)
+{
+    return ready() ? window_of(handle, "glfwGetWindowOpacity").opacity : 1;
+}
 
 void glfwSetWindowOpacity(GLFWwindow* handle, float opacity)
 {
@@ -244,5 +258,8 @@ void glfwSetWindowUserPointer(GLFWwindow* handle, void* pointer)
     if (ready()) window_of(handle, "glfwSetWindowUserPointer").user_pointer = pointer;
 }
 
-void* glfwGetWindowUserPointer(GLFWwindow* handle) { return ready() ? window_of(handle, "glfwGetWindowUserPointer").user_pointer : nullptr; }
+void* glfwGetWindowUserPointer(GLFWwindow* handle)
+{
+    return ready() ? window_of(handle, "glfwGetWindowUserPointer").user_pointer : nullptr;
+}
 }

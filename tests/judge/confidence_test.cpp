@@ -1,4 +1,4 @@
-#include "judge/explain/sureness.hpp"
+#include "judge/explain/confidence.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,39 +12,41 @@ namespace {
 
 constexpr double much = 1000;
 
-TEST(Sureness, IsTheShareOfTheChecksThatSpeakForIt)
+TEST(Confidence, IsTheShareOfTheChecksThatSpeakForIt)
 {
-    EXPECT_EQ(sureness({}), 0);
-    EXPECT_EQ(sureness({0, 3, much}), 0);
-    EXPECT_NEAR(sureness({3, 0, much}), 1, 1e-12);
-    EXPECT_NEAR(sureness({1, 4, much}), 0.2, 1e-12) << "a mistake that breaks five checks, of which the student fails one";
+    EXPECT_EQ(confidence({}), 0);
+    EXPECT_EQ(confidence({0, 3, much}), 0);
+    EXPECT_NEAR(confidence({3, 0, much}), 1, 1e-12);
+    EXPECT_NEAR(confidence({1, 4, much}), 0.2, 1e-12)
+        << "a mistake that breaks five checks, of which the student fails one";
 }
 
-TEST(Sureness, IsLessWhereTheAgreementSaysLittle)
+TEST(Confidence, IsLessWhereTheAgreementSaysLittle)
 {
-    EXPECT_EQ(sureness({3, 0, 0}), 0);
-    EXPECT_LT(sureness({1, 0, 1}), thresholds::least_sure) << "one wrong boolean says too little";
+    EXPECT_EQ(confidence({3, 0, 0}), 0);
+    EXPECT_LT(confidence({1, 0, 1}), thresholds::least_sure) << "one wrong boolean says too little";
     double before = 0;
     for (double bits = 1; bits < 60; bits += 1) {
-        EXPECT_GT(sureness({1, 0, bits}), before);
-        before = sureness({1, 0, bits});
+        EXPECT_GT(confidence({1, 0, bits}), before);
+        before = confidence({1, 0, bits});
     }
 }
 
-TEST(Sureness, TheBestStillPossibleIsABound)
+TEST(Confidence, TheBestStillPossibleIsABound)
 {
     for (std::size_t yes = 0; yes < 5; ++yes)
         for (std::size_t no = 0; no < 5; ++no)
             for (std::size_t undecided = 0; undecided < 5; ++undecided) {
-                const Testimony now{yes, no, 10};
+                const Tally now{yes, no, 10};
                 for (std::size_t more = 0; more <= undecided; ++more) {
-                    const Testimony later{yes + more, no + undecided - more, 10 + 50.0 * static_cast<double>(more)};
-                    EXPECT_GE(most_sureness(now, undecided), sureness(later)) << yes << ' ' << no << ' ' << undecided << ' ' << more;
+                    const Tally later{yes + more, no + undecided - more, 10 + 50.0 * static_cast<double>(more)};
+                    EXPECT_GE(most_confidence(now, undecided), confidence(later))
+                        << yes << ' ' << no << ' ' << undecided << ' ' << more;
                 }
             }
 }
 
-TEST(Sureness, OfAPatternCountsTheWaysToChooseIt)
+TEST(Confidence, OfAPatternCountsTheWaysToChooseIt)
 {
     EXPECT_NEAR(pattern_bits(8, 1), 3, 1e-9);
     EXPECT_NEAR(pattern_bits(6, 3), std::log2(20), 1e-9);
@@ -53,7 +55,7 @@ TEST(Sureness, OfAPatternCountsTheWaysToChooseIt)
     EXPECT_EQ(pattern_bits(100000, 500), thresholds::most_pattern_bits);
 }
 
-TEST(Sureness, TheBackgroundOfAGridIsNoPlace)
+TEST(Confidence, TheBackgroundOfAGridIsNoPlace)
 {
     const Tensor blank = grid(10, 10, std::vector<std::uint32_t>(100, 0));
     std::vector<std::uint32_t> ids(100, 0);
@@ -65,23 +67,29 @@ TEST(Sureness, TheBackgroundOfAGridIsNoPlace)
     EXPECT_NEAR(agreement_bits(blank, shape, std::vector<bool>(100, true), lost), 1, 1e-12);
 }
 
-TEST(Sureness, ChecksAddUp)
+TEST(Confidence, ChecksAddUp)
 {
-    Testimony all;
-    for (const Resemblance& one : {Resemblance{Says::for_it, 3}, Resemblance{Says::against_it, 0}, Resemblance{}, Resemblance{Says::for_it, 4}}) all += one;
+    Tally all;
+    for (const Resemblance& one :
+         {Resemblance{Says::for_it, 3}, Resemblance{Says::against_it, 0}, Resemblance{}, Resemblance{Says::for_it, 4}})
+        all += one;
     EXPECT_EQ(all.for_it, 2U);
     EXPECT_EQ(all.against_it, 1U);
     EXPECT_EQ(all.bits, 7);
     EXPECT_NEAR(fit(all), 2.0 / 3, 1e-12);
 }
 
-TEST(Sureness, SharedWrongValuesCountByWhatTheySay)
+TEST(Confidence, SharedWrongValuesCountByWhatTheySay)
 {
-    const auto bits = [](const std::vector<float>& yours, const std::vector<float>& expected, const std::vector<bool>& alike, std::uint32_t components = 1) {
-        return agreement_bits(floats(yours, components), floats(expected, components), std::vector<bool>(alike.size(), true), alike);
+    const auto bits = [](const std::vector<float>& yours, const std::vector<float>& expected,
+                         const std::vector<bool>& alike, std::uint32_t components = 1) {
+        return agreement_bits(floats(yours, components), floats(expected, components),
+                              std::vector<bool>(alike.size(), true), alike);
     };
-    EXPECT_NEAR(bits({5.5F, 5.5F, 7.25F, 4}, {1, 2, 3, 4}, {true, true, true, false}), 2 * 6 + 2, 1e-9) << "two different numbers, one of four patterns";
-    EXPECT_NEAR(bits({0, 0, 3, 4}, {1, 2, 3, 4}, {true, true, false, false}), 1 + std::log2(6), 1e-9) << "many errors give nothing";
+    EXPECT_NEAR(bits({5.5F, 5.5F, 7.25F, 4}, {1, 2, 3, 4}, {true, true, true, false}), 2 * 6 + 2, 1e-9)
+        << "two different numbers, one of four patterns";
+    EXPECT_NEAR(bits({0, 0, 3, 4}, {1, 2, 3, 4}, {true, true, false, false}), 1 + std::log2(6), 1e-9)
+        << "many errors give nothing";
     EXPECT_NEAR(bits({9.5F, 2}, {1, 2}, {true}, 2), 6, 1e-9) << "the right half of a row says nothing";
     std::vector<float> many(40);
     for (std::size_t i = 0; i < many.size(); ++i) many[i] = 2.5F + static_cast<float>(i);
@@ -101,7 +109,8 @@ using Names = std::vector<std::string>;
 
 TEST(Ranked, BestFirstAndNothingBelowTheFloor)
 {
-    EXPECT_EQ(names(ranked({said("a", 0.7), said("mistake: b", 0.95), said("c", thresholds::least_sure - 0.01)})), (Names{"mistake: b", "a"}));
+    EXPECT_EQ(names(ranked({said("a", 0.7), said("mistake: b", 0.95), said("c", thresholds::least_sure - 0.01)})),
+              (Names{"mistake: b", "a"}));
     EXPECT_TRUE(ranked({said("a", 0.3)}).empty());
     EXPECT_TRUE(ranked({}).empty());
     EXPECT_EQ(ranked(std::vector<Explanation>(9, said("a", 1))).size(), thresholds::most_explanations);

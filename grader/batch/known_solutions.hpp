@@ -13,7 +13,7 @@
 namespace umbral::grader {
 
 /// A solution that comes with a unit: a known mistake, or another right way to write it.
-struct Specimen {
+struct KnownSolution {
     std::string name;           ///< the file's name without suffix
     std::string what;           ///< what is wrong, or how it differs
     std::string hint;           ///< a mistake's, for the student
@@ -25,15 +25,18 @@ struct Specimen {
 };
 
 /// Where the reference's own files are expected below the folder `reference`, by the names that students use.
-[[nodiscard]] std::map<std::string, std::filesystem::path> reference_files(const std::filesystem::path& reference, const Exercise& exercise);
+[[nodiscard]] std::map<std::string, std::filesystem::path> reference_files(const std::filesystem::path& reference,
+                                                                           const Exercise& exercise);
 
 /// The reference's own files, under the names that students use.
 [[nodiscard]] Sources reference_sources(const std::filesystem::path& reference, const Exercise& exercise);
 /// The files of the stub.
 [[nodiscard]] Sources stub_sources(const Exercise& exercise);
 
-/// The unit's mistakes/ and alternatives/, sorted by name. Throws std::runtime_error with file and line if a header is malformed.
-[[nodiscard]] std::vector<Specimen> mistakes_of(const std::filesystem::path& reference, const Exercise& exercise);
-[[nodiscard]] std::vector<Specimen> alternatives_of(const std::filesystem::path& reference, const Exercise& exercise);
+/// The unit's mistakes/ and alternatives/, sorted by name. Throws std::runtime_error with file and line if a header is
+/// malformed.
+[[nodiscard]] std::vector<KnownSolution> mistakes_of(const std::filesystem::path& reference, const Exercise& exercise);
+[[nodiscard]] std::vector<KnownSolution> alternatives_of(const std::filesystem::path& reference,
+                                                         const Exercise& exercise);
 
 }

@@ -1,4 +1,4 @@
-#include "batch/workshop.hpp"
+#include "batch/worker.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cstdlib>
 
 #include "batch/case_results.hpp"
+#include "batch/known_solutions.hpp"
 #include "batch/packaged_unit.hpp"
 #include "batch/seeds.hpp"
-#include "batch/specimens.hpp"
 #include "batch/unit_key.hpp"
 #include "build/build_cache.hpp"
 #include "judge/judges.hpp"
@@ -34,7 +34,8 @@ std::vector<std::string> roots_of(const Toolchain& tools)
     const auto add = [&](const std::filesystem::path& folder) {
         if (folder.is_absolute()) roots.push_back(folder.lexically_normal().string());
     };
-    for (const auto& folder : {tools.exercises, tools.reference, tools.units, tools.programs, tools.framework, tools.cache}) {
+    for (const auto& folder :
+         {tools.exercises, tools.reference, tools.units, tools.programs, tools.framework, tools.cache}) {
         add(folder);
         // The project's sources, its build, the user's cache.
         add(folder.parent_path());
@@ -52,23 +53,31 @@ try {
 } catch (const std::exception&) {
 }
 
-const char* to_string(Tenant tenant) { return tenant == Tenant::reference ? "reference" : "oracle"; }
+const char* to_string(Answers solution) { return solution == Answers::reference ? "reference" : "oracle"; }
 
 /// How many cells of a value are read where `expected` were: so many more that any honest mistake can be shown.
-std::size_t most_cells(const Check& check, std::size_t expected) { return caps::rows_factor * expected + judge_of(check).more_cells; }
+std::size_t most_cells(const Check& check, std::size_t expected)
+{
+    return caps::rows_factor * expected + judge_of(check).more_cells;
+}
 
 }
 
-Workshop::Workshop(Toolchain tools, std::string gl_backend) : tools_(std::move(tools)), gl_backend_(std::move(gl_backend)), roots_(roots_of(tools_)) {}
+Worker::Worker(Toolchain tools, std::string gl_backend)
+    : tools_(std::move(tools)), gl_backend_(std::move(gl_backend)), roots_(roots_of(tools_))
+{
+}
 
-Spawner& Workshop::spawner(bool gl)
+Spawner& Worker::spawner(bool gl)
 {
     std::unique_ptr<Spawner>& wanted = gl ? gl_ : plain_;
-    if (!wanted) wanted = std::make_unique<Spawner>(tools_.programs / (gl ? "umbral-spawner-gl" : "umbral-spawner"), gl_backend_);
+    if (!wanted)
+        wanted =
+            std::make_unique<Spawner>(tools_.programs / (gl ? "umbral-spawner-gl" : "umbral-spawner"), gl_backend_);
     return *wanted;
 }
 
-RunRequest Workshop::request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const
+RunRequest Worker::request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const
 {
     RunRequest wanted;
     wanted.driver = unit_folder(tools_, exercise.id) / "driver.so";
@@ -80,7 +89,7 @@ RunRequest Workshop::request(const Exercise& exercise, const std::string& case_n
     return wanted;
 }
 
-WantedTensors Workshop::wanted(const Exercise& exercise, const std::string& case_name, std::uint64_t seed)
+WantedTensors Worker::wanted(const Exercise& exercise, const std::string& case_name, std::uint64_t seed)
 {
     WantedTensors wanted;
     for (const Check& check : exercise.checks) {
@@ -95,10 +104,11 @@ WantedTensors Workshop::wanted(const Exercise& exercise, const std::string& case
     return wanted;
 }
 
-RunRequest Workshop::students_request(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
+RunRequest Worker::students_request(const Exercise& exercise, const Built& built, const std::string& case_name,
+                                    std::uint64_t seed)
 {
     RunRequest wanted = request(exercise, case_name, seed);
-    wanted.tenant = built.library;
+    wanted.solution = built.library;
     wanted.wanted = this->wanted(exercise, case_name, seed);
     wanted.roots.push_back(built.library.parent_path().string());
     // Only what the unit asks for: other files are nothing to the driver.
@@ -107,65 +117,71 @@ RunRequest Workshop::students_request(const Exercise& exercise, const Built& bui
     return wanted;
 }
 
-std::filesystem::path Workshop::library_of(const Exercise& exercise, const std::string& name)
+std::filesystem::path Worker::library_of(const Exercise& exercise, const std::string& name)
 {
     if (!unveiled_ && is_veiled(tools_, exercise, name)) unveiled_ = std::make_unique<ScratchFolder>(tools_.cache);
     return answer_library(tools_, exercise, name, unveiled_ ? unveiled_->path() : std::filesystem::path());
 }
 
-RunRequest Workshop::trusted_request(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed)
+RunRequest Worker::trusted_request(const Exercise& exercise, Answers solution, const std::string& case_name,
+                                   std::uint64_t seed)
 {
     RunRequest wanted = request(exercise, case_name, seed);
-    if (exercise.is_cpp()) wanted.tenant = library_of(exercise, to_string(tenant));
+    if (exercise.is_cpp()) wanted.solution = library_of(exercise, to_string(solution));
     wanted.sources = texts_of(reference_shaders(tools_, exercise));
     return wanted;
 }
 
-RunOutcome Workshop::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
+RunOutcome Worker::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
 {
     const RunRequest wanted = students_request(exercise, built, case_name, seed);
     return spawner(exercise.gl).run(wanted);
 }
 
-RunOutcome Workshop::run_limited(const Exercise& exercise, const Built* built, const std::string& case_name, std::uint64_t seed, const CostLimit& costs)
+RunOutcome Worker::run_limited(const Exercise& exercise, const Built* built, const std::string& case_name,
+                               std::uint64_t seed, const CostLimit& costs)
 {
-    RunRequest wanted = built != nullptr ? students_request(exercise, *built, case_name, seed) : trusted_request(exercise, Tenant::reference, case_name, seed);
+    RunRequest wanted = built != nullptr ? students_request(exercise, *built, case_name, seed)
+                                         : trusted_request(exercise, Answers::reference, case_name, seed);
     wanted.costs = costs;
     return spawner(exercise.gl).run(wanted);
 }
 
-const RunOutcome& Workshop::trusted(const Exercise& exercise, Tenant tenant, const std::string& case_name, std::uint64_t seed)
+const RunOutcome& Worker::trusted(const Exercise& exercise, Answers solution, const std::string& case_name,
+                                  std::uint64_t seed)
 {
-    const char* name = to_string(tenant);
+    const char* name = to_string(solution);
     return known(exercise, name, case_name, seed, [&] {
-        RunOutcome outcome = spawner(exercise.gl).run(trusted_request(exercise, tenant, case_name, seed));
+        RunOutcome outcome = spawner(exercise.gl).run(trusted_request(exercise, solution, case_name, seed));
         if (outcome.verdict != Verdict::ok)
-            throw std::runtime_error(
-                fmt::format("{}: the {} did not finish case '{}' ({}): {}", exercise.id, name, case_name, to_string(outcome.verdict), outcome.message));
+            throw std::runtime_error(fmt::format("{}: the {} did not finish case '{}' ({}): {}", exercise.id, name,
+                                                 case_name, to_string(outcome.verdict), outcome.message));
         return outcome;
     });
 }
 
-const RunOutcome& Workshop::run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources, const std::string& case_name,
-                                        std::uint64_t seed)
+const RunOutcome& Worker::run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources,
+                                      const std::string& case_name, std::uint64_t seed)
 {
     return known(exercise, "mistake " + name, case_name, seed, [&] {
         RunRequest wanted = request(exercise, case_name, seed);
-        if (exercise.is_cpp()) wanted.tenant = library_of(exercise, "mistakes/" + name);
+        if (exercise.is_cpp()) wanted.solution = library_of(exercise, "mistakes/" + name);
         wanted.sources = texts_of(sources);
         wanted.wanted = this->wanted(exercise, case_name, seed);
         return spawner(exercise.gl).run(wanted);
     });
 }
 
-std::filesystem::path Workshop::kept_file(const Exercise& exercise, const std::string& who, const std::string& case_name, std::uint64_t seed) const
+std::filesystem::path Worker::kept_file(const Exercise& exercise, const std::string& who, const std::string& case_name,
+                                        std::uint64_t seed) const
 {
     if (!keys_ || is_hidden_case(exercise, case_name)) return {};
-    return entry_of(runs_folder(tools_.cache), keys_->of_unit(exercise)) / sha256_hex(key_of(exercise, who, case_name, seed));
+    return entry_of(runs_folder(tools_.cache), keys_->of_unit(exercise)) /
+           sha256_hex(key_of(exercise, who, case_name, seed));
 }
 
-const RunOutcome& Workshop::known(const Exercise& exercise, const std::string& who, const std::string& case_name, std::uint64_t seed,
-                                  const std::function<RunOutcome()>& run)
+const RunOutcome& Worker::known(const Exercise& exercise, const std::string& who, const std::string& case_name,
+                                std::uint64_t seed, const std::function<RunOutcome()>& run)
 {
     const std::string key = key_of(exercise, who, case_name, seed);
     if (const auto found = remembered_.find(key); found != remembered_.end()) return found->second;
@@ -184,7 +200,7 @@ const RunOutcome& Workshop::known(const Exercise& exercise, const std::string& w
     return remember(key, std::move(outcome));
 }
 
-const RunOutcome& Workshop::remember(const std::string& key, RunOutcome outcome)
+const RunOutcome& Worker::remember(const std::string& key, RunOutcome outcome)
 {
     std::size_t bytes = sizeof outcome;
     for (const auto& [name, tensor] : outcome.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
@@ -192,7 +208,7 @@ const RunOutcome& Workshop::remember(const std::string& key, RunOutcome outcome)
     return remembered_.emplace(key, std::move(outcome)).first->second;
 }
 
-void Workshop::forget_if_full()
+void Worker::forget_if_full()
 {
     if (remembered_bytes_ <= most_remembered) return;
     remembered_.clear();

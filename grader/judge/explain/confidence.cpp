@@ -1,4 +1,4 @@
-#include "judge/explain/sureness.hpp"
+#include "judge/explain/confidence.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,9 @@ double told_by(double bits) { return 1 - std::exp2(-bits / thresholds::bits_scal
 /// The different wrong values that two results share.
 class SharedValues {
 public:
-    explicit SharedValues(Element element) : bits_(element == Element::float32 || element == Element::float64 ? 6 : 3) {}
+    explicit SharedValues(Element element) : bits_(element == Element::float32 || element == Element::float64 ? 6 : 3)
+    {
+    }
 
     void add(std::size_t component, double value)
     {
@@ -28,7 +30,10 @@ public:
         else
             telling_.insert(value);
     }
-    [[nodiscard]] double total() const { return static_cast<double>(plain_.size()) + bits_ * static_cast<double>(telling_.size()); }
+    [[nodiscard]] double total() const
+    {
+        return static_cast<double>(plain_.size()) + bits_ * static_cast<double>(telling_.size());
+    }
 
 private:
     double bits_;
@@ -40,7 +45,7 @@ bool same(std::span<const double> a, std::span<const double> b) { return std::ra
 
 }
 
-Testimony& Testimony::operator+=(const Resemblance& one)
+Tally& Tally::operator+=(const Resemblance& one)
 {
     for_it += one.says == Says::for_it ? 1 : 0;
     against_it += one.says == Says::against_it ? 1 : 0;
@@ -48,17 +53,17 @@ Testimony& Testimony::operator+=(const Resemblance& one)
     return *this;
 }
 
-double fit(const Testimony& testimony)
+double fit(const Tally& tally)
 {
-    if (testimony.for_it == 0) return 0;
-    return static_cast<double>(testimony.for_it) / static_cast<double>(testimony.for_it + testimony.against_it);
+    if (tally.for_it == 0) return 0;
+    return static_cast<double>(tally.for_it) / static_cast<double>(tally.for_it + tally.against_it);
 }
 
-double sureness(const Testimony& testimony) { return fit(testimony) * told_by(testimony.bits); }
+double confidence(const Tally& tally) { return fit(tally) * told_by(tally.bits); }
 
-double most_sureness(const Testimony& testimony, std::size_t undecided)
+double most_confidence(const Tally& tally, std::size_t undecided)
 {
-    return undecided > 0 ? fit({testimony.for_it + undecided, testimony.against_it, 0}) : sureness(testimony);
+    return undecided > 0 ? fit({tally.for_it + undecided, tally.against_it, 0}) : confidence(tally);
 }
 
 double pattern_bits(std::size_t all, std::size_t alike)
@@ -70,7 +75,8 @@ double pattern_bits(std::size_t all, std::size_t alike)
     return std::min(ways / std::numbers::ln2, thresholds::most_pattern_bits);
 }
 
-double agreement_bits(const Tensor& student_tensor, const Tensor& expected_tensor, const std::vector<bool>& counted, const std::vector<bool>& alike)
+double agreement_bits(const Tensor& student_tensor, const Tensor& expected_tensor, const std::vector<bool>& counted,
+                      const std::vector<bool>& alike)
 {
     const TensorView student(student_tensor);
     const TensorView expected(expected_tensor);
@@ -105,11 +111,14 @@ std::vector<Explanation> ranked(std::vector<Explanation> candidates)
     if (candidates.empty()) return candidates;
     std::ranges::stable_sort(candidates, std::ranges::greater{}, &Explanation::confidence);
     const double best = candidates.front().confidence;
-    const auto matches_as_well = [best](const Explanation& one) { return one.confidence >= best - thresholds::equally_sure; };
+    const auto matches_as_well = [best](const Explanation& one) {
+        return one.confidence >= best - thresholds::equally_sure;
+    };
     const auto equals = std::ranges::find_if_not(candidates, matches_as_well);
     std::stable_partition(candidates.begin(), equals, is_mistake);
-    const auto of_one_kind =
-        std::find_if(candidates.begin(), equals, [&](const Explanation& one) { return is_mistake(one) != is_mistake(candidates.front()); });
+    const auto of_one_kind = std::find_if(candidates.begin(), equals, [&](const Explanation& one) {
+        return is_mistake(one) != is_mistake(candidates.front());
+    });
     if (of_one_kind - candidates.begin() > 1)
         for (auto one = candidates.begin(); one != of_one_kind; ++one) one->ambiguous = true;
     if (candidates.size() > thresholds::most_explanations) candidates.resize(thresholds::most_explanations);

@@ -12,8 +12,9 @@
 
 namespace umbral::grader {
 
-/// Goes on as another program, `words` its name and arguments. Throws std::runtime_error with `advice` if it cannot be run.
-[[noreturn]] inline void become(std::vector<std::string> words, const std::string& advice)
+/// Goes on as another program, `words` its name and arguments. Throws std::runtime_error with `advice` if it cannot be
+/// run.
+[[noreturn]] inline void replace_process(std::vector<std::string> words, const std::string& advice)
 {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());

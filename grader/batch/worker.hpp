@@ -1,0 +1,94 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "build/builder.hpp"
+#include "build/toolchain.hpp"
+#include "model/scratch.hpp"
+#include "run/spawner.hpp"
+
+namespace umbral::grader {
+
+class UnitKeys;
+
+/// Whose answers a run gives.
+enum class Answers { reference, oracle };
+
+/// The solution that a check is judged against.
+[[nodiscard]] inline Answers judged_against(const Check& check)
+{
+    return check.hard ? Answers::oracle : Answers::reference;
+}
+
+/// Grades: has the tools, its own spawners (started when first needed), and the trusted runs it has
+/// seen. Not for use by several threads at once.
+class Worker {
+public:
+    /// `gl_backend` draws ("osmesa" or "egl"); if it is empty, what UMBRAL_GL holds.
+    explicit Worker(Toolchain tools, std::string gl_backend = {});
+
+    [[nodiscard]] const Toolchain& tools() const noexcept { return tools_; }
+
+    /// The spawner for a unit: with a warm OpenGL context if it draws.
+    [[nodiscard]] Spawner& spawner(bool gl);
+
+    /// From now on trusted runs of visible cases are kept in the user's cache too, under the unit's key, and not run
+    /// again as long as that holds. Null: they are not.
+    void keep_runs(std::shared_ptr<const UnitKeys> keys) noexcept { keys_ = std::move(keys); }
+
+    /// Lets go of remembered runs if they take too much memory; references to them end. Called between units.
+    void forget_if_full();
+
+    /// Runs one case with a student's (or a solution's) build, after the trusted runs that it is judged against: of its
+    /// recording only what the case's checks look at is read, and not if it is far larger than expected. Throws
+    /// std::runtime_error for faults of the grader's and for what the machine lacks.
+    [[nodiscard]] RunOutcome run(const Exercise& exercise, const Built& built, const std::string& case_name,
+                                 std::uint64_t seed);
+
+    /// Runs one case with a student's build, or with the reference if there is none, working on these counted costs
+    /// only. Nothing is kept.
+    [[nodiscard]] RunOutcome run_limited(const Exercise& exercise, const Built* built, const std::string& case_name,
+                                         std::uint64_t seed, const CostLimit& costs);
+
+    /// The recording of a trusted solution; kept for the next submission with the same seed. Throws std::runtime_error
+    /// if that run fails: a grader fault.
+    [[nodiscard]] const RunOutcome& trusted(const Exercise& exercise, Answers solution, const std::string& case_name,
+                                            std::uint64_t seed);
+
+    /// The recording of one of the unit's mistakes, compiled when the project was built; kept as well.
+    [[nodiscard]] const RunOutcome& run_mistake(const Exercise& exercise, const std::string& name,
+                                                const Sources& sources, const std::string& case_name,
+                                                std::uint64_t seed);
+
+private:
+    [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
+    [[nodiscard]] RunRequest students_request(const Exercise& exercise, const Built& built,
+                                              const std::string& case_name, std::uint64_t seed);
+    [[nodiscard]] RunRequest trusted_request(const Exercise& exercise, Answers solution, const std::string& case_name,
+                                             std::uint64_t seed);
+    [[nodiscard]] std::filesystem::path library_of(const Exercise& exercise, const std::string& name);
+    [[nodiscard]] WantedTensors wanted(const Exercise& exercise, const std::string& case_name, std::uint64_t seed);
+    [[nodiscard]] std::filesystem::path kept_file(const Exercise& exercise, const std::string& who,
+                                                  const std::string& case_name, std::uint64_t seed) const;
+    /// The outcome of a run of known code, from memory, from the disk, or from running it now.
+    [[nodiscard]] const RunOutcome& known(const Exercise& exercise, const std::string& who,
+                                          const std::string& case_name, std::uint64_t seed,
+                                          const std::function<RunOutcome()>& run);
+    const RunOutcome& remember(const std::string& key, RunOutcome outcome);
+
+    Toolchain tools_;
+    std::string gl_backend_;
+    std::vector<std::string> roots_;  ///< folders of this machine that no text of a run may show
+    std::unique_ptr<ScratchFolder>
+        unveiled_;  ///< libraries of answers, where the installation has them veiled; made when first needed
+    std::unique_ptr<Spawner> plain_;
+    std::unique_ptr<Spawner> gl_;
+    std::shared_ptr<const UnitKeys> keys_;
+    std::map<std::string, RunOutcome> remembered_;
+    std::size_t remembered_bytes_ = 0;
+};
+
+}
