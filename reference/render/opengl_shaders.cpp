@@ -29,7 +29,8 @@ out vec2 texture_place;
 
 void main()
 {
-    precise vec3 eye = (model_view[0] * position.x + model_view[1] * position.y + model_view[2] * position.z + model_view[3]).xyz;
+    precise vec3 eye = (model_view[0] * position.x + model_view[1] * position.y + model_view[2] * position.z +
+                        model_view[3]).xyz;
     precise vec4 clip = projection[0] * eye.x + projection[1] * eye.y + projection[2] * eye.z + projection[3];
     gl_Position = vec4(clip.x, -clip.y, clip.zw);
     eye_position = eye;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <regex>
@@ -106,6 +107,16 @@ TEST(Tidiness, only_umbral_gl_knows_the_back_end)
             EXPECT_FALSE(std::regex_search(code, back_end)) << line.where();
         }
     }
+}
+
+// clang-format does not break what stands in a string.
+TEST(Tidiness, no_line_is_longer_than_120_columns)
+{
+    for (const fs::path& file : our_cpp_files())
+        for (const Line& line : lines_of(file)) {
+            const auto columns = std::ranges::count_if(line.text, [](char c) { return (c & 0xC0) != 0x80; });
+            EXPECT_LE(columns, 120) << line.where();
+        }
 }
 
 TEST(Tidiness, the_format_is_kept)

@@ -28,7 +28,8 @@ template <class R, class S>
 unsigned secret(const R& ray, const S& sphere)
 {
     unsigned hash = 2166136261U;
-    for (const float value : {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, sphere.centre.x, sphere.radius})
+    for (const float value : {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y,
+                              ray.direction.z, sphere.centre.x, sphere.radius})
         hash = (hash ^ bits(value)) * 16777619U;
     return hash ^ hash >> 15;
 }

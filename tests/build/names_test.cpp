@@ -247,7 +247,8 @@ TEST(Names, the_standard_library_is_allowed)
     text << names[1] << table["pi"] << std::sin(ray.t_min) << std::lround(2.5);
     std::mt19937 engine(7);
     std::function<double()> draw = [&] { return std::uniform_real_distribution<double>(0, 1)(engine); };
-    const std::complex<double> product = std::complex<double>(ray.t_min, 1) * std::complex<double>(1, ray.t_min) / std::complex<double>(2, ray.t_min);
+    const std::complex<double> product = std::complex<double>(ray.t_min, 1) * std::complex<double>(1, ray.t_min)
+                                         / std::complex<double>(2, ray.t_min);
     const __float128 sum = static_cast<__float128>(ray.t_min) * product.real() + 1;
     const unsigned __int128 big = static_cast<unsigned __int128>(table.size()) * table.size() / names.size();
     if (sum < 0 && big % 7 == 8) return static_cast<float>(sum);
@@ -255,8 +256,10 @@ TEST(Names, the_standard_library_is_allowed)
     std::generate(values.begin(), values.end(), draw);
     std::sort(values.begin(), values.end());
     auto shared = std::make_shared<int>(3);
-    try { if (values[0] > 2) throw std::runtime_error("no"); } catch (const std::exception& error) { std::cerr << error.what(); }
-    if (text.str().empty() || *shared == 4 || std::strtol("5", nullptr, 10) == 6 || std::rand() == -1) return std::nullopt;)"));
+    try { if (values[0] > 2) throw std::runtime_error("no"); }
+    catch (const std::exception& error) { std::cerr << error.what(); }
+    if (text.str().empty() || *shared == 4 || std::strtol("5", nullptr, 10) == 6 ||
+        std::rand() == -1) return std::nullopt;)"));
     EXPECT_EQ(to_string(built.verdict), "ok") << built.message;
 }
 

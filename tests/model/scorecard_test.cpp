@@ -32,21 +32,27 @@ TEST(ClassJson, is_this_text)
     result.units.resize(1);
     const json expected = json::parse(R"json({"format": "umbral-class", "version": 1, "score_unit": "millipoints",
         "tool": {"version": "0.1.0", "commit": "2a63927"},
-        "machine": {"cpu": "Some CPU", "compiler": "g++ 12.2", "gl": "llvmpipe 22.3.6", "libm": "glibc 2.36", "protections": ["landlock 4", "seccomp"]},
+        "machine": {"cpu": "Some CPU", "compiler": "g++ 12.2", "gl": "llvmpipe 22.3.6", "libm": "glibc 2.36",
+        "protections": ["landlock 4", "seccomp"]},
         "course": "", "attempt": 0, "secret": "", "unfinished": [], "elsewhere": [],
         "faults": [],
         "submissions": [{"id": "student-1", "score": 1250, "max_score": 6000, "units": [{
-            "id": "raytracing/sphere", "digest": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "verdict": "partial",
-            "score": 1250, "max_score": 4000, "seconds": 0.25, "reference_seconds": 0.125, "message": "", "stdout": "hello\n",
+            "id": "raytracing/sphere", "digest": "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa",
+            "verdict": "partial",
+            "score": 1250, "max_score": 4000, "seconds": 0.25, "reference_seconds": 0.125, "message": "",
+            "stdout": "hello\n",
             "explanation": [{"name": "transposed", "sentence": "Your matrix is transposed.", "confidence": 0.75},
                             {"name": "mistake: far_root", "sentence": "You return the far root.", "confidence": 0.5}],
             "checks": [
-                {"name": "head-on/t", "kind": "numbers", "hard": true, "hidden": false, "score": 1000, "max_score": 1000,
+                {"name": "head-on/t", "kind": "numbers", "hard": true, "hidden": false, "score": 1000,
+                "max_score": 1000,
                  "error": 2.5, "reference_error": 0.5, "message": "",
                  "metrics": {"ulps": 2.5}, "first_difference": null},
-                {"name": "picture/normals", "kind": "image", "hard": false, "hidden": true, "score": 250, "max_score": 3000,
+                {"name": "picture/normals", "kind": "image", "hard": false, "hidden": true, "score": 250,
+                "max_score": 3000,
                  "error": null, "reference_error": null, "message": "too dark",
-                 "metrics": {"psnr": 31.5, "ssim": 0.5}, "first_difference": {"where": "pixel (120, 33)", "yours": "0.1", "expected": "0.9"}}]}]}]})json");
+                 "metrics": {"psnr": 31.5, "ssim": 0.5}, "first_difference": {"where": "pixel (120, 33)",
+                 "yours": "0.1", "expected": "0.9"}}]}]}]})json");
     EXPECT_EQ(to_json(ClassResult{test::fingerprint(), {result}}), expected);
 }
 

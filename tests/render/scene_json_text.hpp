@@ -18,13 +18,15 @@ inline nlohmann::json document()
   "ambient": [0.1, 0.1, 0.1],
   "lights": [{"name": "sun", "towards": [1, 1, 1], "color": [1, 0.9, 0.8]}, {"name": "lamp", "position": [0, 3, 0]}],
   "textures": {
-    "squares": {"kind": "checker", "size": 64, "cells": 8, "colors": [[1, 1, 1], [0, 0, 0]], "filter": "nearest", "wrap": "clamp"},
+    "squares": {"kind": "checker", "size": 64, "cells": 8, "colors": [[1, 1, 1], [0, 0, 0]], "filter": "nearest",
+    "wrap": "clamp"},
     "bars": {"kind": "stripes", "size": 16, "cells": 4, "colors": [[1, 0, 0], [0, 0, 1]]},
     "map": {"kind": "uv-grid", "size": 32, "cells": 4}
   },
   "materials": {
     "dull": {},
-    "shiny": {"emission": [0, 0, 0], "ambient": [0.1, 0.1, 0.1], "diffuse": [0.5, 0.5, 0.5], "specular": [1, 1, 1], "exponent": 40,
+    "shiny": {"emission": [0, 0, 0], "ambient": [0.1, 0.1, 0.1], "diffuse": [0.5, 0.5, 0.5], "specular": [1, 1, 1],
+    "exponent": 40,
               "texture": "squares", "texture_scale": [2, 2]}
   },
   "geometries": {
@@ -32,7 +34,8 @@ inline nlohmann::json document()
     "ring": {"kind": "torus", "rings": 8, "sectors": 8, "tube": 0.2},
     "floor": {"kind": "wave", "rows": 4, "columns": 4, "amplitude": 0.1, "waves": [1, 2]},
     "bare": {"kind": "triangles", "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]]},
-    "tri": {"kind": "triangles", "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]], "uvs": [[0, 0], [1, 0], [0, 1]]}
+    "tri": {"kind": "triangles", "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]],
+            "uvs": [[0, 0], [1, 0], [0, 1]]}
   },
   "instances": [
     {"name": "first", "geometry": "ball", "material": "dull", "shading": "flat", "sides": "both",

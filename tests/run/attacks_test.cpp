@@ -22,11 +22,13 @@ const std::vector<Attack> attacks = {
     {"open_reference_source", R"(say("open", raw(SYS_openat, AT_FDCWD, REFERENCE, O_RDONLY));)", "openat"},
     {"open_reference_library", R"(say("open", raw(SYS_openat, AT_FDCWD, REFERENCE_LIBRARY, O_RDONLY));)", "openat"},
     {"open_other_build",
-     R"(say("open", raw(SYS_openat, AT_FDCWD, OTHER_BUILD, O_RDONLY)); say("directory", raw(SYS_openat, AT_FDCWD, CACHE, O_RDONLY));)",
+     R"(say("open", raw(SYS_openat, AT_FDCWD, OTHER_BUILD, O_RDONLY)); )"
+     R"(say("directory", raw(SYS_openat, AT_FDCWD, CACHE, O_RDONLY));)",
      "openat"},
     {"open_maps", R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/maps", O_RDONLY));)", "openat"},
     {"open_mem",
-     R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDWR)); say("read", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDONLY));)",
+     R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDWR)); )"
+     R"(say("read", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDONLY));)",
      "openat"},
     {"openat2", R"(long how[3] = {0, 0, 0}; say("openat2", raw(437, AT_FDCWD, "/etc/passwd", how, 24));)", "openat2"},
     {"write_file", R"(say("open", raw(SYS_openat, AT_FDCWD, CACHE "/planted", O_CREAT | O_WRONLY, 0600));)", "openat"},
@@ -36,7 +38,8 @@ const std::vector<Attack> attacks = {
      R"(for (int family : {AF_INET, AF_INET6, AF_UNIX, AF_NETLINK}) say("socket", raw(SYS_socket, family, SOCK_STREAM, 0));)",
      "socket"},
     {"connect",
-     R"(sockaddr_in to{}; to.sin_family = AF_INET; for (int fd = 0; fd < 32; ++fd) say("connect", raw(SYS_connect, fd, &to, sizeof to));)",
+     R"(sockaddr_in to{}; to.sin_family = AF_INET; for (int fd = 0; fd < 32; )"
+     R"(++fd) say("connect", raw(SYS_connect, fd, &to, sizeof to));)",
      "connect"},
     {"sendmsg", R"(msghdr m{}; for (int fd = 3; fd < 32; ++fd) say("sendmsg", raw(SYS_sendmsg, fd, &m, 0));)",
      "sendmsg"},
@@ -52,48 +55,64 @@ const std::vector<Attack> attacks = {
      R"(const char* const words[] = {"/bin/sh", nullptr}; say("execve", raw(SYS_execve, words[0], words, words + 1));)",
      "execve"},
     {"execveat",
-     R"(const char* const words[] = {"/bin/sh", nullptr}; say("execveat", raw(SYS_execveat, AT_FDCWD, words[0], words, words + 1, 0));)",
+     R"(const char* const words[] = {"/bin/sh", nullptr}; )"
+     R"(say("execveat", raw(SYS_execveat, AT_FDCWD, words[0], words, words + 1, 0));)",
      "execveat"},
     {"kill_parent",
-     R"(say("getppid", raw(SYS_getppid)); say("kill", raw(SYS_kill, raw(SYS_getppid), SIGKILL)); say("all", raw(SYS_kill, -1, SIGKILL));)",
+     R"(say("getppid", raw(SYS_getppid)); say("kill", raw(SYS_kill, raw(SYS_getppid), SIGKILL)); )"
+     R"(say("all", raw(SYS_kill, -1, SIGKILL));)",
      "kill"},
     {"tgkill", R"(say("tgkill", raw(SYS_tgkill, 1, 1, SIGKILL)); say("tkill", raw(SYS_tkill, 1, SIGKILL));)", "tgkill"},
     {"pidfd", R"(say("open", raw(434, 1, 0)); say("signal", raw(424, 3, SIGKILL, 0, 0));)", "pidfd_open"},
     {"ptrace", R"(say("ptrace", raw(SYS_ptrace, 16, 1, 0, 0)); say("traceme", raw(SYS_ptrace, 0, 0, 0, 0));)",
      "ptrace"},
     {"process_vm_readv",
-     R"(char b[8]; long v[2] = {(long)b, 8}; say("read", raw(SYS_process_vm_readv, 1, v, 1, v, 1, 0)); say("write", raw(SYS_process_vm_writev, 1, v, 1, v, 1, 0));)",
+     R"(char b[8]; long v[2] = {(long)b, 8}; say("read", raw(SYS_process_vm_readv, 1, v, 1, v, 1, 0)); )"
+     R"(say("write", raw(SYS_process_vm_writev, 1, v, 1, v, 1, 0));)",
      "process_vm_readv"},
     {"setrlimit",
-     R"(rlimit all{RLIM_INFINITY, RLIM_INFINITY}; for (int r = 0; r < 16; ++r) say("prlimit64", raw(SYS_prlimit64, 0, r, &all, 0)); say("setrlimit", raw(SYS_setrlimit, RLIMIT_AS, &all));)",
+     R"(rlimit all{RLIM_INFINITY, RLIM_INFINITY}; for (int r = 0; r < 16; )"
+     R"(++r) say("prlimit64", raw(SYS_prlimit64, 0, r, &all, 0)); )"
+     R"(say("setrlimit", raw(SYS_setrlimit, RLIMIT_AS, &all));)",
      "prlimit64"},
     {"prctl",
-     R"(say("dumpable", raw(SYS_prctl, 4, 1, 0, 0, 0)); say("pdeathsig", raw(SYS_prctl, 1, 0, 0, 0, 0)); say("seccomp", raw(SYS_prctl, 22, 0, 0, 0, 0));)",
+     R"(say("dumpable", raw(SYS_prctl, 4, 1, 0, 0, 0)); say("pdeathsig", raw(SYS_prctl, 1, 0, 0, 0, 0)); )"
+     R"(say("seccomp", raw(SYS_prctl, 22, 0, 0, 0, 0));)",
      "prctl"},
     {"sigaction",
-     R"(long action[4] = {0, 0, 0, 0}; say("sigaction", raw(SYS_rt_sigaction, SIGSYS, action, 0, 8)); say("altstack", raw(SYS_sigaltstack, 0, 0));)",
+     R"(long action[4] = {0, 0, 0, 0}; say("sigaction", raw(SYS_rt_sigaction, SIGSYS, action, 0, 8)); )"
+     R"(say("altstack", raw(SYS_sigaltstack, 0, 0));)",
      "rt_sigaction"},
     {"io_uring", R"(char p[256] = {}; say("setup", raw(425, 8, p)); say("enter", raw(426, 3, 0, 0, 0, 0, 0));)",
      "io_uring_setup"},
     {"memfd", R"(say("memfd", raw(SYS_memfd_create, "x", 0)); say("secret", raw(447, 0));)", "memfd_create"},
     {"unshare",
-     R"(say("unshare", raw(SYS_unshare, 0x10000000)); say("setns", raw(SYS_setns, 3, 0)); say("chroot", raw(SYS_chroot, "/")); say("mount", raw(SYS_mount, 0, "/", 0, 4096, 0));)",
+     R"(say("unshare", raw(SYS_unshare, 0x10000000)); say("setns", raw(SYS_setns, 3, 0)); )"
+     R"(say("chroot", raw(SYS_chroot, "/")); say("mount", raw(SYS_mount, 0, "/", 0, 4096, 0));)",
      "unshare"},
     {"keys_and_bpf",
-     R"(say("bpf", raw(SYS_bpf, 0, 0, 0)); say("keyctl", raw(SYS_keyctl, 0, 0, 0)); say("userfaultfd", raw(SYS_userfaultfd, 0)); say("perf", raw(SYS_perf_event_open, 0, 0, -1, -1, 0));)",
+     R"(say("bpf", raw(SYS_bpf, 0, 0, 0)); say("keyctl", raw(SYS_keyctl, 0, 0, 0)); )"
+     R"(say("userfaultfd", raw(SYS_userfaultfd, 0)); say("perf", raw(SYS_perf_event_open, 0, 0, -1, -1, 0));)",
      "bpf"},
     {"link_and_remove",
-     R"(say("symlink", raw(SYS_symlinkat, "/etc/passwd", AT_FDCWD, CACHE "/link")); say("unlink", raw(SYS_unlinkat, AT_FDCWD, OTHER_BUILD, 0)); say("rename", raw(SYS_renameat2, AT_FDCWD, OTHER_BUILD, AT_FDCWD, CACHE "/away", 0)); say("mkdir", raw(SYS_mkdirat, AT_FDCWD, CACHE "/made", 0700)); say("chmod", raw(SYS_fchmodat, AT_FDCWD, OTHER_BUILD, 0));)",
+     R"(say("symlink", raw(SYS_symlinkat, "/etc/passwd", AT_FDCWD, CACHE "/link")); )"
+     R"(say("unlink", raw(SYS_unlinkat, AT_FDCWD, OTHER_BUILD, 0)); )"
+     R"(say("rename", raw(SYS_renameat2, AT_FDCWD, OTHER_BUILD, AT_FDCWD, CACHE "/away", 0)); )"
+     R"(say("mkdir", raw(SYS_mkdirat, AT_FDCWD, CACHE "/made", 0700)); )"
+     R"(say("chmod", raw(SYS_fchmodat, AT_FDCWD, OTHER_BUILD, 0));)",
      "unlinkat"},
     {"priority",
-     R"(say("nice", raw(SYS_setpriority, 0, 0, -20)); say("affinity", raw(SYS_sched_setaffinity, 0, 0, 0)); say("scheduler", raw(SYS_sched_setscheduler, 0, 1, 0));)",
+     R"(say("nice", raw(SYS_setpriority, 0, 0, -20)); say("affinity", raw(SYS_sched_setaffinity, 0, 0, 0)); )"
+     R"(say("scheduler", raw(SYS_sched_setscheduler, 0, 1, 0));)",
      "setpriority"},
     {"no_such_call", R"(say("call", raw(9999)); say("call", raw(-1));)", "call 9999"},
     {"timers_and_alarms",
-     R"(long v[4] = {0, 1, 0, 1}; say("itimer", raw(SYS_setitimer, 0, v, 0)); say("timer", raw(SYS_timer_create, 0, 0, 0));)",
+     R"(long v[4] = {0, 1, 0, 1}; say("itimer", raw(SYS_setitimer, 0, v, 0)); )"
+     R"(say("timer", raw(SYS_timer_create, 0, 0, 0));)",
      "setitimer"},
     {"ioctl_of_terminal",
-     R"(char c = 'x'; for (int fd = 0; fd < 3; ++fd) say("ioctl", raw(SYS_ioctl, fd, 0x5412, &c)); say("fcntl", raw(SYS_fcntl, 1, F_SETFL, 0)); say("fcntl", raw(SYS_fcntl, 1, 1033, 0));)",
+     R"(char c = 'x'; for (int fd = 0; fd < 3; ++fd) say("ioctl", raw(SYS_ioctl, fd, 0x5412, &c)); )"
+     R"(say("fcntl", raw(SYS_fcntl, 1, F_SETFL, 0)); say("fcntl", raw(SYS_fcntl, 1, 1033, 0));)",
      nullptr},
 };
 

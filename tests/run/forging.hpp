@@ -19,7 +19,8 @@ Header* find()
     const std::uintptr_t here = reinterpret_cast<std::uintptr_t>(&readable) & ~std::uintptr_t{4095};
     for (std::uintptr_t distance = 0; distance < std::uintptr_t{4} << 30U; distance += 4096)
         for (const std::uintptr_t page : {here - distance, here + distance})
-            if (readable(page) && *reinterpret_cast<const std::uint64_t*>(page) == umbral::wire::magic) return reinterpret_cast<Header*>(page);
+            if (readable(page) && *reinterpret_cast<const std::uint64_t*>(page) == umbral::wire::magic) return
+            reinterpret_cast<Header*>(page);
     return nullptr;
 }
 

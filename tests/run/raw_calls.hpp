@@ -29,7 +29,8 @@ long raw(long number, Words... words)
     register long a4 asm("r8") = w[4];
     register long a5 asm("r9") = w[5];
     long result;
-    asm volatile("syscall" : "=a"(result) : "a"(number), "D"(w[0]), "S"(w[1]), "d"(w[2]), "r"(a3), "r"(a4), "r"(a5) : "rcx", "r11", "memory");
+    asm volatile("syscall" : "=a"(result) : "a"(number), "D"(w[0]), "S"(w[1]), "d"(w[2]), "r"(a3), "r"(a4),
+    "r"(a5) : "rcx", "r11", "memory");
     return result;
 #elif defined(__aarch64__)
     register long x8 asm("x8") = number;

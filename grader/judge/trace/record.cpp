@@ -91,7 +91,8 @@ constexpr OwnField own_fields[] = {{"rules", R"({
   "description": "Traces: what is counted against the reference.",
   "type": "array",
   "items": {
-    "enum": ["draw calls", "vertices", "uploaded bytes", "objects created", "objects deleted", "deprecated calls", "state changes"]
+    "enum": ["draw calls", "vertices", "uploaded bytes", "objects created", "objects deleted", "deprecated calls",
+             "state changes"]
   },
   "minItems": 1,
   "maxItems": 7,

@@ -13,11 +13,15 @@ namespace umbral::bench {
 namespace {
 
 constexpr const char* definitions = R"(<details><summary>How to read this</summary><dl>
-<dt>Time</dt><dd>Processor time, the shortest of many repetitions in which all settings take turns. Compare settings with each other: the figures themselves hold for this machine only.</dd>
-<dt>Front</dt><dd>Settings that no other beats in both time and error. The line joins them; all others are drawn faintly.</dd>
-<dt>Knee</dt><dd>The setting of the front farthest below the straight line from its cheapest to its dearest one, with logarithmic axes (ringed). Up to
-there, doubling the time buys more accuracy than on average; beyond it, less. Where the front has no bend there is no knee.</dd>
-<dt>ulp</dt><dd>Unit in the last place: the distance between two neighbouring floats. No float can be nearer than half of it to every number.</dd></dl></details>
+<dt>Time</dt><dd>Processor time, the shortest of many repetitions in which all settings take turns. Compare settings
+with each other: the figures themselves hold for this machine only.</dd>
+<dt>Front</dt><dd>Settings that no other beats in both time and error. The line joins them; all others are drawn
+faintly.</dd>
+<dt>Knee</dt><dd>The setting of the front farthest below the straight line from its cheapest to its dearest one,
+with logarithmic axes (ringed). Up to there, doubling the time buys more accuracy than on average; beyond it, less.
+Where the front has no bend there is no knee.</dd>
+<dt>ulp</dt><dd>Unit in the last place: the distance between two neighbouring floats. No float can be nearer than half
+of it to every number.</dd></dl></details>
 )";
 
 /// The curve of the first measure in a situation: the one whose front and knee the table marks.
