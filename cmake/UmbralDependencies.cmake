@@ -1,4 +1,5 @@
-# Every library from outside; their headers are SYSTEM, so that our warnings are ours. docs/dependencies.md says why each.
+# Every library from outside; their headers are SYSTEM, so that our warnings are ours. docs/dependencies.md says why
+# each.
 
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
@@ -8,7 +9,8 @@ find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
-# Debian keeps OpenCV's CMake and pkg-config files in libopencv-dev, which pulls 700 MB; the three modules are found by hand.
+# Debian keeps OpenCV's CMake and pkg-config files in libopencv-dev, which pulls 700 MB; the three modules are found by
+# hand.
 # Only tests read pictures with it: imgcodecs pulls in a hundred libraries.
 set(opencv_modules core imgproc)
 if(BUILD_TESTING)
@@ -20,7 +22,8 @@ if(NOT OpenCV_FOUND)
   foreach(module IN LISTS opencv_modules)
     find_library(OPENCV_${module} opencv_${module} REQUIRED)
     add_library(opencv_${module} UNKNOWN IMPORTED)
-    set_target_properties(opencv_${module} PROPERTIES IMPORTED_LOCATION ${OPENCV_${module}} INTERFACE_INCLUDE_DIRECTORIES ${OPENCV_INCLUDE})
+    set_target_properties(opencv_${module} PROPERTIES IMPORTED_LOCATION ${OPENCV_${module}}
+      INTERFACE_INCLUDE_DIRECTORIES ${OPENCV_INCLUDE})
   endforeach()
 endif()
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp)

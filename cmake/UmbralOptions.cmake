@@ -1,12 +1,17 @@
-# All options of the build, and the flags that hold for every target. CONTRIBUTING.md has the same list; BUILD_TESTING is CTest's.
+# All options of the build, and the flags that hold for every target. CONTRIBUTING.md has the same list; BUILD_TESTING
+# is CTest's.
 
-set(UMBRAL_UNITS "*/*" CACHE STRING "The units to build, as glob patterns topic/unit: meshes/*;pipeline/clip-line. Of the tests only theirs are built then")
+set(UMBRAL_UNITS "*/*" CACHE STRING
+  "The units to build, as glob patterns topic/unit: meshes/*;pipeline/clip-line. Of the tests only theirs are built then")
 option(UMBRAL_WARNINGS_AS_ERRORS "Stop at a warning; on in the presets, whose compilers are tested" OFF)
 set(UMBRAL_SANITIZERS "" CACHE STRING "Sanitizers for everything but students' files, as for -fsanitize=")
-option(UMBRAL_SANITIZE_ENGINE "Also the engine and all that draws with OpenGL, which reads nothing foreign: `./umbral test --all` does" OFF)
-set(UMBRAL_FP_CONTRACT off CACHE STRING "-ffp-contract: off everywhere; `fast` only in the preset that shows what survives it")
+option(UMBRAL_SANITIZE_ENGINE
+  "Also the engine and all that draws with OpenGL, which reads nothing foreign: `./umbral test --all` does" OFF)
+set(UMBRAL_FP_CONTRACT off CACHE STRING
+  "-ffp-contract: off everywhere; `fast` only in the preset that shows what survives it")
 option(UMBRAL_FUZZ "Build fuzz targets instead of their replays; needs clang" OFF)
-set(UMBRAL_PACKAGE_CONTACT "Umbral <umbral@localhost>" CACHE STRING "Who maintains the packages that cpack makes, as NAME <ADDRESS>")
+set(UMBRAL_PACKAGE_CONTACT "Umbral <umbral@localhost>" CACHE STRING
+  "Who maintains the packages that cpack makes, as NAME <ADDRESS>")
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -16,7 +21,8 @@ set(CMAKE_CXX_VISIBILITY_PRESET default)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
-# Programs find our libraries from where they lie themselves: bin, lib and units lie beside each other here as in an installation.
+# Programs find our libraries from where they lie themselves: bin, lib and units lie beside each other here as in an
+# installation.
 set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 
 # -O2 instead of -O3: what users wait for is the first build, and the hot loops here are in OSMesa and OpenCV.
@@ -39,7 +45,8 @@ if(UMBRAL_FP_CONTRACT STREQUAL "fast")
   add_compile_options(-mfma)
 endif()
 # Template statics marked unique would be shared between libraries that must not see each other.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_CLANG_TIDY)  # clang-tidy reads g++'s command line, and does not know this
+# clang-tidy reads g++'s command line, and does not know this.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_CLANG_TIDY)
   add_compile_options(-fno-gnu-unique)
 endif()
 if(UMBRAL_SANITIZERS)
@@ -48,7 +55,8 @@ if(UMBRAL_SANITIZERS)
 endif()
 
 add_library(umbral-warnings INTERFACE)
-target_compile_options(umbral-warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow $<$<BOOL:${UMBRAL_WARNINGS_AS_ERRORS}>:-Werror>)
+target_compile_options(umbral-warnings INTERFACE -Wall -Wextra -Wconversion -Wshadow
+  $<$<BOOL:${UMBRAL_WARNINGS_AS_ERRORS}>:-Werror>)
 # g++ 12 warns of overlapping copies inside std::string at -O3 where there are none (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 AND NOT CMAKE_CXX_CLANG_TIDY)
   target_compile_options(umbral-warnings INTERFACE -Wno-restrict)

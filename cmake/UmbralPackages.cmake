@@ -1,4 +1,5 @@
-# Debian packages of the two components: `cpack --config build/release/CPackConfig.cmake`, after the target `installable`.
+# Debian packages of the two components: `cpack --config build/release/CPackConfig.cmake`, after the target
+# `installable`.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME umbral)
@@ -12,7 +13,8 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION education)
 # Folders that cpack makes are the system's to everybody, whatever the umask of whoever packs.
-set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+  WORLD_EXECUTE)
 # Shared libraries are read off the programs.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})

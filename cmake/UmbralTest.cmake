@@ -3,11 +3,14 @@ include(GoogleTest)
 # Reading GoogleTest, the standard library and JSON takes most of the time of compiling a test: they are read once.
 # At -O1, which compiles in four fifths of the time of -O2.
 function(umbral_test_headers)
-  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/tests/headers.cpp CONTENT "// Holds the precompiled headers of the tests.\n")
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/tests/headers.cpp CONTENT
+    "// Holds the precompiled headers of the tests.\n")
   add_executable(umbral-test-headers ${CMAKE_BINARY_DIR}/tests/headers.cpp)
-  target_link_libraries(umbral-test-headers PRIVATE umbral-warnings nlohmann_json::nlohmann_json GTest::gtest GTest::gtest_main)
+  target_link_libraries(umbral-test-headers PRIVATE umbral-warnings nlohmann_json::nlohmann_json GTest::gtest
+    GTest::gtest_main)
   target_compile_options(umbral-test-headers PRIVATE $<$<CONFIG:Release>:-O1>)
-  target_precompile_headers(umbral-test-headers PRIVATE <algorithm> <cmath> <filesystem> <fstream> <functional> <glm/glm.hpp> <gtest/gtest.h> <map>
+  target_precompile_headers(umbral-test-headers PRIVATE <algorithm> <cmath> <filesystem> <fstream> <functional>
+    <glm/glm.hpp> <gtest/gtest.h> <map>
     <nlohmann/json.hpp> <optional> <random> <set> <span> <sstream> <string> <vector>)
 endfunction()
 
@@ -16,7 +19,8 @@ endfunction()
 function(umbral_test name)
   cmake_parse_arguments(arg "ONE_PROCESS" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/grader)  # support/, and model/scratch.hpp
+  # support/, and model/scratch.hpp
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/grader)
   target_link_libraries(${name} PRIVATE umbral-warnings ${arg_LIBRARIES} GTest::gtest GTest::gtest_main)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_precompile_headers(${name} REUSE_FROM umbral-test-headers)

@@ -1,5 +1,6 @@
 # Builds what the grader loads for one unit, into ${CMAKE_BINARY_DIR}/units/<topic>/<unit>/:
-#   driver.so       the driver and the reference objects of the units in `uses` (their closure); the unit itself stays undefined
+# driver.so       the driver and the reference objects of the units in `uses` (their closure); the unit itself stays
+# undefined
 #   reference.so, oracle.so    the solutions whose answers students' are compared with
 #   mistakes/*.so   known wrong solutions, loaded only to explain a failing result
 #   exports.map, exports.txt   the names that a student's library may define: those of the reference object, no other
@@ -8,11 +9,13 @@
 #
 # The target unit-<topic>-<unit> makes all of it.
 #
-# Units lie below UMBRAL_EXERCISES_ROOT, their solutions below UMBRAL_REFERENCE_ROOT; tests that bring units of their own set both.
+# Units lie below UMBRAL_EXERCISES_ROOT, their solutions below UMBRAL_REFERENCE_ROOT; tests that bring units of their
+# own set both.
 #
 # A unit's solutions are built alike and loaded alike, so that nothing can depend on who lives there.
 #
-# A unit that is half written stops no other: without its reference its own target fails, with the path that was expected.
+# A unit that is half written stops no other: without its reference its own target fails, with the path that was
+# expected.
 
 include(UmbralManifest)
 
@@ -44,7 +47,8 @@ function(umbral_reference_objects unit result)
   set(${result} ${target} PARENT_SCOPE)
 endfunction()
 
-# umbral_uses_closure(UNIT PATH RESULT): all units that UNIT uses, directly or not. A cycle stops the configuration, naming its path.
+# umbral_uses_closure(UNIT PATH RESULT): all units that UNIT uses, directly or not. A cycle stops the configuration,
+# naming its path.
 function(umbral_uses_closure unit path result)
   if(unit IN_LIST path)
     list(JOIN path " -> " shown)
@@ -68,7 +72,8 @@ function(umbral_unit_library target folder name)
   target_link_libraries(${target} PRIVATE umbral-framework)
 endfunction()
 
-# umbral_finish_unit(ID FOLDER PART…): the target unit-<id>, and the file that says that all parts are there. With it comes what a unit is
+# umbral_finish_unit(ID FOLDER PART…): the target unit-<id>, and the file that says that all parts are there. With it
+# comes what a unit is
 # graded with.
 function(umbral_finish_unit id folder)
   add_custom_command(OUTPUT ${folder}/built COMMAND ${CMAKE_COMMAND} -E touch ${folder}/built DEPENDS ${ARGN} VERBATIM)
@@ -109,7 +114,8 @@ function(umbral_add_unit unit)
   list(REMOVE_ITEM missing ${there} "")
   if(missing)
     list(JOIN missing ", " missing)
-    add_custom_target(unit-${id} ALL COMMAND ${CMAKE_COMMAND} -E echo "error: the unit ${unit} has no reference: expected ${missing}"
+    add_custom_target(unit-${id} ALL COMMAND ${CMAKE_COMMAND} -E echo
+      "error: the unit ${unit} has no reference: expected ${missing}"
       COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
     return()
   endif()
@@ -126,7 +132,8 @@ function(umbral_add_unit unit)
   umbral_unit_library(reference-library-${id} ${folder} reference $<TARGET_OBJECTS:${objects}>)
   set_target_properties(reference-library-${id} PROPERTIES LINKER_LANGUAGE CXX)
   add_custom_command(OUTPUT ${folder}/exports.map ${folder}/exports.txt
-    COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=$<TARGET_OBJECTS:${objects}>" -DFOLDER=${folder} -P ${PROJECT_SOURCE_DIR}/cmake/exports.cmake
+    COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=$<TARGET_OBJECTS:${objects}>" -DFOLDER=${folder} -P
+      ${PROJECT_SOURCE_DIR}/cmake/exports.cmake
     DEPENDS $<TARGET_OBJECTS:${objects}> ${PROJECT_SOURCE_DIR}/cmake/exports.cmake COMMAND_EXPAND_LISTS VERBATIM)
   add_custom_target(exports-${id} ALL DEPENDS ${folder}/exports.map)
   list(APPEND parts reference-library-${id} ${folder}/exports.map)
@@ -153,7 +160,8 @@ function(umbral_add_unit unit)
     list(APPEND parts mistake-${id}-${name})
     set_target_properties(mistake-${id}-${name} PROPERTIES CXX_CLANG_TIDY "")  # wrong on purpose
     # As a student's file, with the precompiled header, which is also why NDEBUG must go: it takes a fifth of the time.
-    target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} -UNDEBUG ${counted} -include ${UMBRAL_STUDENT_HEADER})
+    target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} -UNDEBUG ${counted} -include
+      ${UMBRAL_STUDENT_HEADER})
     set_source_files_properties(${mistake} PROPERTIES OBJECT_DEPENDS ${UMBRAL_STUDENT_HEADER}.gch)
     # Linked like a student's file too, so that `umbral validate` can grade what explanations are made from.
     target_link_options(mistake-${id}-${name} PRIVATE -Wl,-z,lazy -Wl,--version-script=${folder}/exports.map)

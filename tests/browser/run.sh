@@ -1,5 +1,6 @@
 #!/bin/sh
-# run.sh FOLDER UMBRAL PAGES SOURCE: grades part of the sample class and drives the reports in a browser. Everything it makes lies in FOLDER.
+# run.sh FOLDER UMBRAL PAGES SOURCE: grades part of the sample class and drives the reports in a browser. Everything it
+# makes lies in FOLDER.
 set -eu
 folder=$1
 umbral=$2

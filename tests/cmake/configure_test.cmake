@@ -5,7 +5,8 @@ cmake_minimum_required(VERSION 3.25)
 # expect_failure(SOURCE TEXT ARGUMENT…): configuring SOURCE fails, and says TEXT.
 function(expect_failure source text)
   file(REMOVE_RECURSE ${FOLDER}/build)
-  execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${source} -B ${FOLDER}/build -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_TESTING=OFF ${ARGN}
+  execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${source} -B ${FOLDER}/build -DCMAKE_CXX_COMPILER=${COMPILER}
+    -DBUILD_TESTING=OFF ${ARGN}
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   string(REGEX REPLACE "[ \n]+" " " said "${said}")
   string(FIND "${said}" "${text}" at)
@@ -15,7 +16,8 @@ function(expect_failure source text)
 endfunction()
 
 file(REMOVE_RECURSE ${FOLDER})
-expect_failure(${ROOT} "UMBRAL_UNITS: expected units ${ROOT}/exercises/nothing/*/exercise.json, found none" "-DUMBRAL_UNITS=raytracing/*\;nothing/*")
+expect_failure(${ROOT} "UMBRAL_UNITS: expected units ${ROOT}/exercises/nothing/*/exercise.json, found none"
+  "-DUMBRAL_UNITS=raytracing/*\;nothing/*")
 
 # copy_of_sources(COPY): the sources with one unit, of which nobody wrote the reference yet.
 function(copy_of_sources copy)
@@ -32,7 +34,8 @@ file(WRITE ${FOLDER}/broken/exercises/raytracing/half-way/exercise.json "{\"form
 expect_failure(${FOLDER}/broken "${FOLDER}/broken/exercises/raytracing/half-way/exercise.json: error: expected JSON")
 
 copy_of_sources(${FOLDER}/begun)
-execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${FOLDER}/begun -B ${FOLDER}/begun-build -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_TESTING=OFF
+execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${FOLDER}/begun -B ${FOLDER}/begun-build
+  -DCMAKE_CXX_COMPILER=${COMPILER} -DBUILD_TESTING=OFF
   RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
 if(NOT status EQUAL 0)
   message(SEND_ERROR "a unit without a reference must not stop the others: ${said}")
@@ -48,9 +51,12 @@ endif()
 file(READ ${ROOT}/CMakePresets.json presets)
 string(JSON asked GET "${presets}" configurePresets 0 cacheVariables UMBRAL_WARNINGS_AS_ERRORS)
 if(NOT asked STREQUAL "ON")
-  message(SEND_ERROR "expected UMBRAL_WARNINGS_AS_ERRORS ON in the first preset, which all others inherit, got ${asked}")
+  message(SEND_ERROR
+    "expected UMBRAL_WARNINGS_AS_ERRORS ON in the first preset, which all others inherit, got ${asked}")
 endif()
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${FOLDER}/begun-build --target unit-raytracing-half-way RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
-if(status EQUAL 0 OR NOT said MATCHES "raytracing/half-way has no reference: expected [^ ]*/reference/raytracing/half_way.cpp")
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${FOLDER}/begun-build --target unit-raytracing-half-way RESULT_VARIABLE
+  status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(status EQUAL 0 OR NOT said MATCHES
+  "raytracing/half-way has no reference: expected [^ ]*/reference/raytracing/half_way.cpp")
   message(SEND_ERROR "expected a failed target that names the reference's path, got status ${status} and: ${said}")
 endif()

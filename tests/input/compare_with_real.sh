@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# compare_with_real.sh REAL HEADLESS: plays one script to a real GLFW window on a display without a screen, and to headless GLFW; what the
-# callbacks hear, and the commands that the reference makes of it, must be the same lines. 77 means: what is needed is not installed.
+# compare_with_real.sh REAL HEADLESS: plays one script to a real GLFW window on a display without a screen, and to
+# headless GLFW; what the
+# callbacks hear, and the commands that the reference makes of it, must be the same lines. 77 means: what is needed is
+# not installed.
 set -euo pipefail
 real=$1
 headless=$2
@@ -24,7 +26,8 @@ finish() {
 }
 trap finish EXIT
 
-# The server takes a free display itself and writes its number. -r: no key repeats by itself, however slow the machine is.
+# The server takes a free display itself and writes its number. -r: no key repeats by itself, however slow the machine
+# is.
 mkfifo "$work/number"
 Xvfb -displayfd 3 -screen 0 1280x1024x24 -r -noreset -nolisten tcp 3> "$work/number" > "$work/server.txt" 2>&1 &
 server=$!
@@ -40,7 +43,8 @@ export ASAN_OPTIONS=detect_leaks=0
 
 failed=0
 for mode in raw commands; do
-    # A pointer that stands where the last run left it would begin elsewhere: every run moves it to the window's corner first.
+    # A pointer that stands where the last run left it would begin elsewhere: every run moves it to the window's corner
+    # first.
     "$real" "$mode" "$script" > "$work/real.txt"
     "$headless" "$mode" "$script" > "$work/headless.txt"
     if ! diff -u --label "real GLFW, $mode" "$work/real.txt" --label "headless GLFW, $mode" "$work/headless.txt"; then failed=1; fi

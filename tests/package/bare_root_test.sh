@@ -1,6 +1,8 @@
 #!/bin/sh
-# The Debian packages on a system that has nothing: made by cpack, installed by apt in a fresh root, used there. Students' first, then
-# instructors'. The root comes from the mirrors that this machine's apt is configured with. Takes minutes, hence only with UMBRAL_TEST_ALL set.
+# The Debian packages on a system that has nothing: made by cpack, installed by apt in a fresh root, used there.
+# Students' first, then
+# instructors'. The root comes from the mirrors that this machine's apt is configured with. Takes minutes, hence only
+# with UMBRAL_TEST_ALL set.
 # usage: bare_root_test.sh SOURCE_FOLDER BUILD_FOLDER
 set -eu
 source=$1
@@ -28,7 +30,8 @@ for package in "$work"/packages/*.deb; do
     echo "$(basename "$package"): $(stat -c %s "$package") bytes, installed $(dpkg-deb -f "$package" Installed-Size) KiB; $(dpkg-deb -f "$package" Depends)"
 done
 
-# The first mirror that apt knows for this machine's own release; debootstrap checks the signature with the system's own keys.
+# The first mirror that apt knows for this machine's own release; debootstrap checks the signature with the system's own
+# keys.
 release=$(. /etc/os-release && echo "$VERSION_CODENAME")
 mirror=$(apt-get indextargets --format '$(SITE) $(RELEASE) $(COMPONENT)' "Created-By: Packages" | awk -v release="$release" '$2 == release && $3 == "main" { print $1; exit }')
 [ -n "$mirror" ] || skip "apt on this machine knows no mirror of $release"

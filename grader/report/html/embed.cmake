@@ -1,8 +1,11 @@
 # cmake -DOUTPUT=file.cpp -DFOLDER=resources -P embed.cmake
-# Writes the page's skeleton, its styles and its scripts as C++ texts, so that reports depend on no file of the installation.
-set(text "// Made by embed.cmake from the files in grader/report/html/resources.\n#include \"report/html/resources.hpp\"\n\n")
+# Writes the page's skeleton, its styles and its scripts as C++ texts, so that reports depend on no file of the
+# installation.
+set(text
+  "// Made by embed.cmake from the files in grader/report/html/resources.\n#include \"report/html/resources.hpp\"\n\n")
 string(APPEND text "namespace umbral::grader::html::resources {\n")
-foreach(entry "page:page.html" "style:base.css;report.css;evidence.css;class.css;notices.css;catalogue.css" "script:page.js;pictures.js;magnifier.js;class.js")
+foreach(entry "page:page.html" "style:base.css;report.css;evidence.css;class.css;notices.css;catalogue.css"
+  "script:page.js;pictures.js;magnifier.js;class.js")
   string(FIND "${entry}" ":" colon)
   string(SUBSTRING "${entry}" 0 ${colon} name)
   math(EXPR colon "${colon} + 1")
