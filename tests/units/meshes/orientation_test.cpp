@@ -59,7 +59,7 @@ Exact exact_volume(const IndexedMesh& mesh, const std::vector<glm::uvec3>& trian
 
 TEST(Orientation, KnownFaults)
 {
-    for (const KnownSolution& solution : tame_meshes()) EXPECT_TRUE(is_manifold(solution.mesh)) << solution.name;
+    for (const Sample& sample : tame_meshes()) EXPECT_TRUE(is_manifold(sample.mesh)) << sample.name;
     EXPECT_EQ(manifold_faults(book(3)).crowded_edges, (std::vector<glm::uvec2>{{0, 1}}));
     EXPECT_TRUE(manifold_faults(book(3)).torn_vertices.empty());
     EXPECT_EQ(manifold_faults(bow_tie()).torn_vertices, (std::vector<std::uint32_t>{0}));
@@ -77,11 +77,11 @@ TEST(Orientation, CoherentOrNothing)
     constexpr std::uint64_t seed = 20278;
     Random random(seed);
     for (int round = 0; round < 20; ++round) {
-        for (const KnownSolution& solution : tame_meshes()) {
-            const IndexedMesh mesh = with_mixed_winding(shuffled(solution.mesh, random), random);
+        for (const Sample& sample : tame_meshes()) {
+            const IndexedMesh mesh = with_mixed_winding(shuffled(sample.mesh, random), random);
             const auto triangles = coherent_triangles(mesh);
-            ASSERT_TRUE(triangles) << solution.name << ", seed " << seed;
-            EXPECT_TRUE(is_coherent(*triangles)) << solution.name;
+            ASSERT_TRUE(triangles) << sample.name << ", seed " << seed;
+            EXPECT_TRUE(is_coherent(*triangles)) << sample.name;
             EXPECT_EQ((*triangles)[0], mesh.triangles[0]);
         }
         for (const IndexedMesh& mesh :

@@ -92,16 +92,15 @@ TEST(TriangleStrips, EveryTriangleOnceAsItIsWound)
     constexpr std::uint64_t seed = 20302;
     Random random(seed);
     for (const auto& meshes : {tame_meshes(), wild_meshes()}) {
-        for (const KnownSolution& solution : meshes) {
-            for (const IndexedMesh& mesh :
-                 {shuffled(solution.mesh, random), with_mixed_winding(solution.mesh, random)}) {
+        for (const Sample& sample : meshes) {
+            for (const IndexedMesh& mesh : {shuffled(sample.mesh, random), with_mixed_winding(sample.mesh, random)}) {
                 const std::vector<Strip> strips = make_strips(mesh);
                 EXPECT_EQ(drawn(strips, mesh.triangles.size()), canonical(mesh.triangles))
-                    << solution.name << ", seed " << seed;
+                    << sample.name << ", seed " << seed;
                 std::vector<glm::uvec3> decoded;
                 for (const Strip& strip : strips)
                     for (const glm::uvec3& t : triangles_of_strip(strip)) decoded.push_back(t);
-                EXPECT_EQ(canonical(decoded), canonical(mesh.triangles)) << solution.name;
+                EXPECT_EQ(canonical(decoded), canonical(mesh.triangles)) << sample.name;
             }
         }
     }

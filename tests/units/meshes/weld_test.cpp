@@ -54,11 +54,11 @@ TEST(Weld, AgreesWithTheDefinition)
 TEST(Weld, WayBackGivesTheCornersAgain)
 {
     Random random(21002);
-    for (const KnownSolution& solution : tame_meshes()) {
-        const Soup soup = soup_of(shuffled(solution.mesh, random));
+    for (const Sample& sample : tame_meshes()) {
+        const Soup soup = soup_of(shuffled(sample.mesh, random));
         const IndexedMesh mesh = weld(soup);
-        EXPECT_EQ(mesh.positions.size(), solution.mesh.positions.size()) << solution.name;
-        EXPECT_EQ(isolated_triangles(mesh), soup) << solution.name;
+        EXPECT_EQ(mesh.positions.size(), sample.mesh.positions.size()) << sample.name;
+        EXPECT_EQ(isolated_triangles(mesh), soup) << sample.name;
     }
 }
 
