@@ -29,6 +29,8 @@ std::string bounds_in_words(const Tolerance& tolerance)
     return text;
 }
 
+}
+
 html::CheckDetail describe(const Check& check)
 {
     html::CheckDetail detail;
@@ -41,8 +43,6 @@ html::CheckDetail describe(const Check& check)
         case Unit::absolute: detail.limit = check.tolerance.absolute; break;
     }
     return detail;
-}
-
 }
 
 Evidence evidence_of(const Check& check, const Observation& observation, bool right)

@@ -13,6 +13,7 @@ namespace umbral::grader {
 
 /// What the manifest says of a unit and its checks: bounds in words, and where they come from.
 [[nodiscard]] html::UnitDetail describe(const Exercise& exercise);
+[[nodiscard]] html::CheckDetail describe(const Check& check);
 
 /// Adds evidence to a unit's details: for every check that fails, and for one picture of a unit that is right. Hidden
 /// checks are left out unless the options ask for them.
