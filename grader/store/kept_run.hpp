@@ -5,8 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
-
-#include "umbral/record/tensor.hpp"
+#include <umbral/record/tensor.hpp>
 
 namespace umbral::grader {
 
