@@ -32,6 +32,8 @@ const std::map<std::string, Instead> not_as_it_stands{
     {"umbral check --watch", {"timeout -s INT 2 umbral check --watch; [ $? = 124 ]", "it ends when somebody ends it"}},
     {"umbral debug sphere head-on",
      {"umbral debug sphere head-on --no-debugger", "a debugger waits for what is typed"}},
+    {"umbral new-unit topic/my-unit",
+     {"umbral new-unit topic/my-unit --help", "it writes into the sources; NewUnit's tests do, in a copy of them"}},
     {"umbral refresh sphere", {"umbral refresh sphere --check", "it writes into the sources"}},
     {"umbral validate sphere --seeds 5",
      {"umbral validate sphere --seeds 5 --help", "umbral validate --table runs with one set of inputs"}},
