@@ -5,7 +5,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <set>
 #include <umbral/meshes/ply.hpp>
 #include <umbral/meshes/ply_types.hpp>
@@ -139,16 +138,13 @@ private:
 
     double bytes(PlyType type)
     {
-        const std::size_t size = with_ply_type(type, [](auto zero) { return sizeof zero; });
         place_ = next_;
-        if (text_.size() - next_ < size) refuse(PlyProblem::truncated, "as much data as the header promises");
-        char bytes[8];
-        text_.copy(bytes, size, next_);
-        if (swap_) std::reverse(bytes, bytes + size);
-        next_ += size;
-        return with_ply_type(type, [&](auto number) {
-            std::memcpy(&number, bytes, sizeof number);
-            return static_cast<double>(number);
+        return with_ply_type(type, [this](auto number) {
+            std::array<char, sizeof number> bytes{};
+            next_ += text_.copy(bytes.data(), bytes.size(), next_);
+            if (next_ - place_ < bytes.size()) refuse(PlyProblem::truncated, "as much data as the header promises");
+            if (swap_) std::reverse(bytes.begin(), bytes.end());
+            return static_cast<double>(std::bit_cast<decltype(number)>(bytes));
         });
     }
 
@@ -158,7 +154,6 @@ private:
     bool binary_ = false, swap_ = false;
 };
 
-/// Finds what the mesh needs among the properties.
 void assign_roles(Header& header, const File& file)
 {
     int coordinates = 0;
@@ -168,11 +163,11 @@ void assign_roles(Header& header, const File& file)
         if (element.name == "face") has_corners = false;
         for (Property& property : element.properties) {
             const std::string_view name = property.name;
-            if (element.name == "vertex" && !property.length_type && (name == "x" || name == "y" || name == "z")) {
+            if (element.name == "vertex" && !property.length_type && (name == "x" || name == "y" || name == "z"))
                 property.role = static_cast<Role>(name[0] - 'x'), ++coordinates;
-            } else if (!has_corners && property.length_type && (name == "vertex_index" || name == "vertex_indices")) {
+            else if (element.name == "face" && !has_corners && property.length_type &&
+                     (name == "vertex_index" || name == "vertex_indices"))
                 property.role = Role::corners, has_corners = true;
-            }
         }
     }
     if (coordinates < 3) file.refuse(PlyProblem::missing_property, "an element 'vertex' with properties x, y and z");
@@ -243,25 +238,6 @@ void read_list(File& file, const Property& property, double vertices, PolygonMes
     if (property.role == Role::corners) mesh.faces.push_back(std::move(face));
 }
 
-/// Appends numbers to a file; in ASCII with a character after each.
-struct Writer {
-    PlyFormat format;
-    std::string file;
-
-    template <class Number>
-    void put(Number number, char after)
-    {
-        if (format == PlyFormat::ascii) {
-            char digits[32];
-            file.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr) += after;
-        } else {
-            auto bytes = std::bit_cast<std::array<char, sizeof number>>(number);
-            if (is_foreign(format)) std::reverse(bytes.begin(), bytes.end());
-            file.append(bytes.data(), bytes.size());
-        }
-    }
-};
-
 }
 
 PolygonMesh read_ply(std::span<const std::byte> bytes)
@@ -270,8 +246,7 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
     const Header header = read_header(file);
     PolygonMesh mesh;
     for (const Element& element : header.elements) {
-        // Without properties an element takes no room, and there may be any number. All others take a byte at least:
-        // the file's end ends the loop.
+        // Without properties an element takes no room, whatever its count. The others end with the file at the latest.
         const double count = element.properties.empty() ? 0 : element.count;
         for (double i = 0; i < count; ++i) {
             std::array<float, 5> by_role{};
@@ -294,20 +269,31 @@ std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
 {
     const bool is_short =
         std::all_of(mesh.faces.begin(), mesh.faces.end(), [](const auto& face) { return face.size() < 256; });
-    Writer writer{format, "ply\nformat " + std::string(format_names[static_cast<int>(format)]) + " 1.0\n"};
-    writer.file += "element vertex " + std::to_string(mesh.positions.size()) +
-                   "\nproperty float x\nproperty float y\nproperty float z\n";
-    writer.file += "element face " + std::to_string(mesh.faces.size()) + "\nproperty list " +
-                   (is_short ? "uchar" : "uint") + " uint vertex_indices\nend_header\n";
+    std::string file = "ply\nformat " + std::string(format_names[static_cast<int>(format)]) + " 1.0\n";
+    file += "element vertex " + std::to_string(mesh.positions.size()) +
+            "\nproperty float x\nproperty float y\nproperty float z\n";
+    file += "element face " + std::to_string(mesh.faces.size()) + "\nproperty list " + (is_short ? "uchar" : "uint") +
+            " uint vertex_indices\nend_header\n";
+    // In ASCII with a character after each number.
+    const auto put = [&]<class Number>(Number number, char after) {
+        if (format == PlyFormat::ascii) {
+            char digits[32];
+            file.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr) += after;
+        } else {
+            auto bytes = std::bit_cast<std::array<char, sizeof number>>(number);
+            if (is_foreign(format)) std::reverse(bytes.begin(), bytes.end());
+            file.append(bytes.data(), bytes.size());
+        }
+    };
     for (const glm::vec3& position : mesh.positions)
-        for (int axis = 0; axis < 3; ++axis) writer.put(position[axis], axis < 2 ? ' ' : '\n');
+        for (int axis = 0; axis < 3; ++axis) put(position[axis], axis < 2 ? ' ' : '\n');
     for (const std::vector<std::uint32_t>& face : mesh.faces) {
         const auto after = [&](std::size_t numbers) { return numbers < face.size() ? ' ' : '\n'; };
-        is_short ? writer.put(static_cast<std::uint8_t>(face.size()), after(0))
-                 : writer.put(static_cast<std::uint32_t>(face.size()), after(0));
-        for (std::size_t i = 0; i < face.size(); ++i) writer.put(face[i], after(i + 1));
+        is_short ? put(static_cast<std::uint8_t>(face.size()), after(0))
+                 : put(static_cast<std::uint32_t>(face.size()), after(0));
+        for (std::size_t i = 0; i < face.size(); ++i) put(face[i], after(i + 1));
     }
-    return std::move(writer.file);
+    return file;
 }
 
 }

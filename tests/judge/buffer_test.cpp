@@ -2,17 +2,12 @@
 
 #include <limits>
 
-#include "make.hpp"
+#include "buffers.hpp"
 
 namespace umbral::grader::test {
 namespace {
 
 constexpr float infinity_f = std::numeric_limits<float>::infinity();
-
-Judgement buffer(const Tensor& student, const Tensor& expected, Tolerance tolerance = {})
-{
-    return judge(check_of(JudgeKind{"buffer"}, tolerance), student, expected, nullptr);
-}
 
 // 100 x 100 of background 7 with four cells 1, 2, 3, 4 in the middle.
 std::vector<std::uint32_t> mostly_empty()

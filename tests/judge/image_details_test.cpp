@@ -1,30 +1,11 @@
-#include "judge/picture/image_rule.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "make.hpp"
+#include "images.hpp"
 
 namespace umbral::grader::test {
 namespace {
-
-ImageRule rule(const Tensor& student, const Tensor& expected)
-{
-    const Check check = check_of(JudgeKind{"image"});
-    return apply_image_rule(to_picture(check, student), to_picture(check, expected));
-}
-
-Judgement image(const Tensor& student, const Tensor& expected)
-{
-    return judge(check_of(JudgeKind{"image"}), student, expected, nullptr);
-}
-
-Colour moved(Colour colour, int by)
-{
-    for (glm::length_t c = 0; c < 3; ++c) colour[c] = byte(colour[c] + by);
-    return colour;
-}
 
 TEST(ImageDetails, SubRuleB_TextureOfYoursIsNoEdgeThatExcusesIt)
 {

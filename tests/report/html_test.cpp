@@ -1,82 +1,21 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <limits>
 #include <random>
 
+#include "hostile.hpp"
+#include "page_text.hpp"
 #include "report/html/base64.hpp"
-#include "report/html/class_statistics.hpp"
-#include "report/html/pages.hpp"
-#include "results.hpp"
 #include "text/utf8.hpp"
 
 namespace umbral::grader::html {
 namespace {
-
-std::size_t count_of(std::string_view text, std::string_view part)
-{
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + part.size()))
-        ++count;
-    return count;
-}
-
-bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// The page without its styles and scripts, which are ours.
 std::string body_of(const std::string& page)
 {
     const std::size_t begin = page.find("<body>");
     return page.substr(begin, page.rfind("<script>") - begin);
-}
-
-/// A unit with a text from outside wherever one can stand.
-SubmissionResult hostile_submission(const std::string& text)
-{
-    CheckResult check = check_result(text, 0, 1000);
-    check.message = text;
-    check.first_difference = Difference{text, text, text};
-    check.sketch = text;
-    UnitResult unit = unit_result(text, Verdict::partial, {check, check_result(text + "2", 500, 500)});
-    unit.message = text;
-    unit.output = text;
-    unit.explanations = {{text, text, 1}, {text, text, 0.5}};
-    return submission_result(text, {unit});
-}
-
-UnitDetails hostile_details(const std::string& text)
-{
-    CheckDetail detail;
-    detail.why = detail.bound = detail.unit = text;
-    RowsEvidence rows;
-    rows.headings = {text};
-    rows.first = {{text, {text}, {text}, {true}, text}};
-    LinesEvidence lines;
-    lines.what = text;
-    lines.lines = {{LineKind::changed, 1, 1, text, text, 0}, {LineKind::missing, 0, 2, "", text, 0}};
-    PictureEvidence picture;
-    picture.problem = text;
-    picture.pixels = {{1, 2, text, text, 3}};
-    picture.yours = picture.reference.emplace(Image(2, 2));
-    FragmentsEvidence fragments;
-    fragments.sketch = text;
-    fragments.rows = rows;
-    UnitDetails details;
-    UnitDetail& unit = details[text];
-    unit.title = text;
-    unit.checks[text] = detail;
-    int number = 0;
-    for (const Evidence& evidence : {Evidence(rows), Evidence(lines), Evidence(picture), Evidence(fragments)}) {
-        unit.checks[text + std::to_string(++number)] = detail;
-        unit.checks[text + std::to_string(number)].evidence = evidence;
-    }
-    return details;
-}
-
-std::string hostile_page(const std::string& text)
-{
-    SubmissionResult submission = hostile_submission(text);
-    for (int i = 1; i <= 4; ++i) submission.units[0].checks.push_back(check_result(text + std::to_string(i), 0, 1000));
-    return report_html(submission, {text, text, text, text, text, text, {text}}, hostile_details(text));
 }
 
 TEST(Report, NothingFromOutsideBecomesMarkup)
@@ -220,65 +159,6 @@ TEST(Report, EmptyAndHugeSubmissionsGivePages)
 
 TEST(Report, EqualResultsGiveEqualPages) { EXPECT_EQ(hostile_page("same"), hostile_page("same")); }
 
-ClassResult small_class()
-{
-    ClassResult result;
-    const auto unit = [](Millipoints score, const char* why) {
-        UnitResult one = unit_result("raytracing/sphere",
-                                     score == 1000 ? Verdict::ok
-                                     : score > 0   ? Verdict::partial
-                                                   : Verdict::wrong,
-                                     {check_result("a/b", score, 1000)});
-        if (*why != '\0') one.explanations = {{why, "the sentence", 1}};
-        return one;
-    };
-    result.submissions = {
-        submission_result("ana", {unit(1000, "")}), submission_result("bruno", {unit(300, "mistake: far_root")}),
-        submission_result("carla", {unit(500, "mistake: far_root")}), submission_result("diego", {unit(0, "scaled")})};
-    UnitResult fault = unit_result("raytracing/sphere", Verdict::grader_fault, {});
-    result.submissions.push_back(submission_result("elena", {fault}));
-    return result;
-}
-
-TEST(Class, StatisticsLeaveOutOurFaults)
-{
-    const std::vector<UnitStatistics> units = unit_statistics(small_class());
-    ASSERT_EQ(units.size(), 1U);
-    EXPECT_EQ(units[0].graded, 4U);
-    EXPECT_EQ(units[0].right, 1U);
-    EXPECT_DOUBLE_EQ(units[0].median, 0.4);
-    EXPECT_EQ(units[0].by_share, (std::array<std::size_t, 11>{1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1}));
-}
-
-TEST(Class, AlmostNothingIsNotNothingAndAlmostAllIsNotAll)
-{
-    ClassResult result;
-    for (const Millipoints score : {1, 999999})
-        result.submissions.push_back(
-            submission_result("x", {unit_result("a/b", Verdict::partial, {check_result("c/d", score, 1000000)})}));
-    EXPECT_EQ(unit_statistics(result)[0].by_share, (std::array<std::size_t, 11>{0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0}));
-}
-
-TEST(Class, ThePageSaysWhoSharesAReason)
-{
-    ClassResult result = small_class();
-    UnitResult either = unit_result("raytracing/sphere", Verdict::partial, {check_result("a/b", 300, 1000)});
-    either.explanations = {{"mistake: one", "This one.", 0.95, 1, true}, {"mistake: two", "That one.", 0.95, 1, true}};
-    result.submissions.push_back(submission_result("fede", {either}));
-    result.submissions.push_back(
-        submission_result("gema", {unit_result("raytracing/sphere", Verdict::wrong, {check_result("a/b", 0, 1000)})}));
-    const std::string page = class_html(result, {{{"raytracing/sphere", "The sphere"}}, false});
-    for (const char* text : {"2 of 6", "far root<span class=\"sure\"> (very likely)", "bruno/report.html",
-                             "carla/report.html", "class.json", "ana/report.student.json", "The sphere",
-                             "one or two<span class=\"sure\"> (very likely one of these)", "Either: This one.",
-                             "Or: That one.", "no explanation"})
-        EXPECT_TRUE(has(page, text)) << text;
-    EXPECT_LT(page.find("far root<"), page.find("one or two<"));
-    EXPECT_LT(page.find("one or two<"), page.find("no explanation<"));
-    EXPECT_FALSE(has(page, "report.instructor.html"));
-    EXPECT_TRUE(has(class_html(small_class(), {{}, true}), "elena/report.instructor.html"));
-}
-
 TEST(Report, AnAmbiguousReasonIsSaidToBeOneOfSeveral)
 {
     UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("one/x", 0, 1000)});
@@ -293,16 +173,6 @@ TEST(Report, AnAmbiguousReasonIsSaidToBeOneOfSeveral)
     unit.explanations.resize(1);
     unit.explanations[0].ambiguous = false;
     EXPECT_TRUE(has(report_html(submission_result("s", {unit}), {}, {}), "That is very likely the reason."));
-}
-
-TEST(Class, NamesFromOutsideBecomeNoLinks)
-{
-    ClassResult result;
-    result.submissions = {hostile_submission("javascript:alert(1)//<script>"), hostile_submission("../../etc/passwd")};
-    const std::string page = class_html(result);
-    EXPECT_FALSE(has(page, "href=\"javascript"));
-    EXPECT_FALSE(has(page, "href=\"../"));
-    EXPECT_TRUE(has(class_html({}), "0 submissions"));
 }
 
 }

@@ -2,21 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "page_text.hpp"
 #include "report/html/pages.hpp"
 #include "report/terminal.hpp"
 #include "results.hpp"
 
 namespace umbral::grader {
 namespace {
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::size_t count_of(const std::string& text, const std::string& part)
-{
-    std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
-    return count;
-}
 
 UnitResult fault(const std::string& unit, const std::string& cause)
 {

@@ -61,6 +61,8 @@ inline std::vector<Malformed> bad_headers()
             without("property float z\n"),
             without("property list uchar int vertex_indices\n"),
             {changed(good_ascii, "vertex_indices", "corners"), false},
+            // The list belongs to another element than the faces.
+            {changed(good_ascii, "property list", "property int material\nelement strip 1\nproperty list"), false},
             {changed(good_ascii, "float z", "list uchar float z"), false},
             {changed(good_ascii, "element vertex", "element point"), false}};
 }
