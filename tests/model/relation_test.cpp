@@ -21,8 +21,9 @@ constexpr const char* relation = "/checks/3/relation";
 json manifest()
 {
     json all = test::manifest();
-    all[json::json_pointer(relation)] = json::parse(
-        R"({"to": "upright", "unlike": "turned", "shift": [3, -5], "scale": 2, "what": "rotating both must not change the picture"})");
+    all[json::json_pointer(relation)] =
+        json::parse(R"({"to": "upright", "unlike": "turned", "shift": [3, -5], "scale": 2, )"
+                    R"("what": "rotating both must not change the picture"})");
     return all;
 }
 

@@ -35,7 +35,8 @@ const std::vector<Attack> attacks = {
     {"write_tmp", R"(say("open", raw(SYS_openat, AT_FDCWD, "/tmp/umbral-planted", O_CREAT | O_WRONLY, 0600));)",
      "openat"},
     {"socket",
-     R"(for (int family : {AF_INET, AF_INET6, AF_UNIX, AF_NETLINK}) say("socket", raw(SYS_socket, family, SOCK_STREAM, 0));)",
+     R"(for (int family : {AF_INET, AF_INET6, AF_UNIX, AF_NETLINK}) )"
+     R"(say("socket", raw(SYS_socket, family, SOCK_STREAM, 0));)",
      "socket"},
     {"connect",
      R"(sockaddr_in to{}; to.sin_family = AF_INET; for (int fd = 0; fd < 32; )"
