@@ -6,7 +6,7 @@ set(UMBRAL_UNITS "*/*" CACHE STRING
 option(UMBRAL_WARNINGS_AS_ERRORS "Stop at a warning; on in the presets, whose compilers are tested" OFF)
 set(UMBRAL_SANITIZERS "" CACHE STRING "Sanitizers for everything but students' files, as for -fsanitize=")
 option(UMBRAL_SANITIZE_ENGINE
-  "Also the engine and all that draws with OpenGL, which reads nothing foreign: `./umbral test --all` does" OFF)
+  "Also what reads nothing foreign: units, the engine, all that draws with OpenGL; `./umbral test --all` does" OFF)
 set(UMBRAL_FP_CONTRACT off CACHE STRING
   "-ffp-contract: off everywhere; `fast` only in the preset that shows what survives it")
 option(UMBRAL_FUZZ "Build fuzz targets instead of their replays; needs clang" OFF)
