@@ -18,7 +18,8 @@ bool is_readable(Elf_Scn* section, std::string_view name)
     if (name.find("_str") == std::string_view::npos) return true;
     const Elf_Data* const data = elf_getdata(section, nullptr);
     if (data == nullptr || data->d_size == 0) return true;
-    return static_cast<const char*>(data->d_buf)[data->d_size - 1] == '\0';
+    // A section may claim a size and have no bytes in the file (SHT_NOBITS).
+    return data->d_buf != nullptr && static_cast<const char*>(data->d_buf)[data->d_size - 1] == '\0';
 }
 
 }
