@@ -136,7 +136,7 @@ private:
 
 }
 
-TEST_F(CountedWork, AFunctionThatIsNotCountedIsRefused)
+TEST_F(CountedWork, a_function_that_is_not_counted_is_refused)
 {
     for (const char* attribute :
          {"__attribute__((no_sanitize_coverage, noinline))", "[[gnu::no_sanitize_coverage, gnu::noinline]]"}) {
@@ -146,14 +146,14 @@ TEST_F(CountedWork, AFunctionThatIsNotCountedIsRefused)
     }
 }
 
-TEST_F(CountedWork, ACounterOfOnesOwnIsRefused)
+TEST_F(CountedWork, a_counter_of_ones_own_is_refused)
 {
     const UnitResult result = grade_search("extern \"C\" void __sanitizer_cov_trace_pc() {}", "", "", "");
     EXPECT_EQ(result.score, 0);
     EXPECT_EQ(to_string(result.verdict), "forbidden") << result.message;
 }
 
-TEST_F(CountedWork, TheCountersAddressIsRefused)
+TEST_F(CountedWork, the_counters_address_is_refused)
 {
     const UnitResult result = grade_search(
         "extern \"C\" void __sanitizer_cov_trace_pc(); void (*volatile counter)() = &__sanitizer_cov_trace_pc;", "", "",
@@ -166,7 +166,7 @@ TEST_F(CountedWork, TheCountersAddressIsRefused)
     EXPECT_EQ(to_string(named.verdict), "forbidden") << named.message;
 }
 
-TEST_F(CountedWork, ACounterThatIsSetBackIsContradictedFromOutside)
+TEST_F(CountedWork, a_counter_that_is_set_back_is_contradicted_from_outside)
 {
     const std::string counter = fmt::format(
         "auto* counter = reinterpret_cast<volatile "
@@ -181,7 +181,7 @@ TEST_F(CountedWork, ACounterThatIsSetBackIsContradictedFromOutside)
 }
 
 // Searching backwards through a string is a loop within the C++ library.
-TEST_F(CountedWork, WorkLeftToALibraryIsSeenFromOutside)
+TEST_F(CountedWork, work_left_to_a_library_is_seen_from_outside)
 {
     const UnitResult result = grade_search(
         "static std::string table;", "",
@@ -198,7 +198,7 @@ TEST_F(CountedWork, WorkLeftToALibraryIsSeenFromOutside)
     EXPECT_EQ(other_points(result), 8500) << messages(result);
 }
 
-TEST_F(CountedWork, WorkInStaticInitialisersIsSeenFromOutside)
+TEST_F(CountedWork, work_in_static_initialisers_is_seen_from_outside)
 {
     Sources sources = reference_sources(bench.tools().reference, bench.exercise("meshes/weld"));
     sources.begin()->second +=
@@ -210,7 +210,7 @@ TEST_F(CountedWork, WorkInStaticInitialisersIsSeenFromOutside)
     EXPECT_NE(messages(result).find("before anything is counted"), std::string::npos) << messages(result);
 }
 
-TEST_F(CountedWork, HonestWorkIsBelievedUnderLoad)
+TEST_F(CountedWork, honest_work_is_believed_under_load)
 {
     const Load load(3);
     std::vector<std::string> units;

@@ -45,7 +45,7 @@ Kind evidence(const Check& of, const Tensor& yours, const Tensor& expected, cons
 
 bool is_nothing(const Evidence& found) { return std::holds_alternative<std::monostate>(found); }
 
-TEST(Evidence, RowsMarkTheComponentsThatDiffer)
+TEST(Evidence, rows_mark_the_components_that_differ)
 {
     const auto rows = evidence<RowsEvidence>(check(JudgeKind{"numbers"}), floats({1, 2, 3, 4, 5, 6}, 3),
                                              floats({1, 2, 3, 4, 7, 6}, 3));
@@ -58,7 +58,7 @@ TEST(Evidence, RowsMarkTheComponentsThatDiffer)
     EXPECT_EQ(rows.first[0].differs, (std::vector<bool>{false, true, false}));
 }
 
-TEST(Evidence, FirstRowsThenTheWorstOfTheOthers)
+TEST(Evidence, first_rows_then_the_worst_of_the_others)
 {
     std::vector<float> wrong;
     std::vector<float> right;
@@ -70,7 +70,7 @@ TEST(Evidence, FirstRowsThenTheWorstOfTheOthers)
     EXPECT_LE(rows.first.size() + rows.worst.size(), 20U);
 }
 
-TEST(Evidence, DigitsSufficeToTellNumbersApart)
+TEST(Evidence, digits_suffice_to_tell_numbers_apart)
 {
     EXPECT_EQ(telling_apart(1, 1).yours, "1");
     const NumberPair pair = telling_apart(1.0000001, 1.0000002);
@@ -81,7 +81,7 @@ TEST(Evidence, DigitsSufficeToTellNumbersApart)
     EXPECT_EQ(telling_apart(NAN, NAN).yours, "nan") << "ends though NaN equals nothing";
 }
 
-TEST(Evidence, WhatIsNoNumberOrNotThereIsSaid)
+TEST(Evidence, what_is_no_number_or_not_there_is_said)
 {
     Tensor yours = floats({NAN, 2, 3});
     Tensor expected = floats({1, 2, 3});
@@ -95,7 +95,7 @@ TEST(Evidence, WhatIsNoNumberOrNotThereIsSaid)
     EXPECT_EQ(rows.first[2].note, "nothing is expected");
 }
 
-TEST(Evidence, AnotherShapeGivesNoRowsButBothPictures)
+TEST(Evidence, another_shape_gives_no_rows_but_both_pictures)
 {
     EXPECT_TRUE(is_nothing(evidence_of(check(JudgeKind{"numbers"}), {}, false)));
     const Tensor three = floats({1, 2, 3});
@@ -107,7 +107,7 @@ TEST(Evidence, AnotherShapeGivesNoRowsButBothPictures)
     EXPECT_EQ(pictures.reference->width, 1);
 }
 
-TEST(Evidence, DamagedRecordingsGiveNothing)
+TEST(Evidence, damaged_recordings_give_nothing)
 {
     Tensor damaged = grey(4, 4, std::vector<std::uint8_t>(16, 1));
     const Tensor expected = damaged;
@@ -117,7 +117,7 @@ TEST(Evidence, DamagedRecordingsGiveNothing)
             << judge->name;
 }
 
-TEST(Evidence, EqualPicturesAreShownOnce)
+TEST(Evidence, equal_pictures_are_shown_once)
 {
     const auto pictures = evidence<PictureEvidence>(check(JudgeKind{"image"}), grey(2, 2, {1, 2, 3, 4}),
                                                     grey(2, 2, {1, 2, 3, 4}), nullptr, true);
@@ -125,7 +125,7 @@ TEST(Evidence, EqualPicturesAreShownOnce)
     EXPECT_FALSE(pictures.reference.has_value());
 }
 
-TEST(Evidence, TheWorstPixelsComeWithTheirValues)
+TEST(Evidence, the_worst_pixels_come_with_their_values)
 {
     std::vector<std::uint8_t> values(64 * 64, 10);
     const Tensor expected = grey(64, 64, values);
@@ -147,7 +147,7 @@ TEST(Evidence, TheWorstPixelsComeWithTheirValues)
     EXPECT_EQ(worst.levels[place], 190);
 }
 
-TEST(Evidence, TracesAreAlignedAndEqualRunsFold)
+TEST(Evidence, traces_are_aligned_and_equal_runs_fold)
 {
     std::string expected = "glFlush\n";
     for (int i = 0; i < 30; ++i) expected += "glUniform1i 0 " + std::to_string(i) + "\n";
@@ -175,7 +175,7 @@ TEST(Evidence, TracesAreAlignedAndEqualRunsFold)
     EXPECT_EQ(folds, 2U);
 }
 
-TEST(Evidence, AnEndlessTraceIsCutAndSaysSo)
+TEST(Evidence, an_endless_trace_is_cut_and_says_so)
 {
     std::string endless;
     for (int i = 0; i < 60000; ++i) endless += "glFlush\n";
@@ -184,7 +184,7 @@ TEST(Evidence, AnEndlessTraceIsCutAndSaysSo)
     EXPECT_LE(lines.lines.size(), 200U);
 }
 
-TEST(Evidence, OneLostEventIsOneLostEvent)
+TEST(Evidence, one_lost_event_is_one_lost_event)
 {
     const Tensor names = text("1 press\n2 drag\n");
     const auto lines = evidence<LinesEvidence>(check(JudgeKind{"events"}), floats({1, 0, 2, 6, 2, 7}, 2),
@@ -197,7 +197,7 @@ TEST(Evidence, OneLostEventIsOneLostEvent)
         << "no event at all";
 }
 
-TEST(Evidence, FragmentsAreCountedByWhatBecameOfThem)
+TEST(Evidence, fragments_are_counted_by_what_became_of_them)
 {
     const auto found = evidence<FragmentsEvidence>(check(JudgeKind{"fragments"}),
                                                    floats({0, 1, 1, 5, 0, 2, 1, 9, 0, 7, 7, 1, 0, 1, 1, 5}, 4),
@@ -211,7 +211,7 @@ TEST(Evidence, FragmentsAreCountedByWhatBecameOfThem)
     EXPECT_EQ(found.picture->width, 7);
 }
 
-TEST(Evidence, FragmentsFarAwayTakeNoMemory)
+TEST(Evidence, fragments_far_away_take_no_memory)
 {
     const auto found =
         evidence<FragmentsEvidence>(check(JudgeKind{"fragments"}), floats({0, 1e9F, -1e9F, NAN, INFINITY, 1}, 3),
@@ -220,7 +220,7 @@ TEST(Evidence, FragmentsFarAwayTakeNoMemory)
     EXPECT_LE(found.picture->width, 256);
 }
 
-TEST(Evidence, CostsPairUpBySize)
+TEST(Evidence, costs_pair_up_by_size)
 {
     Check cost = check(JudgeKind{"cost"});
     cost.own = CostParameters{};
@@ -232,7 +232,7 @@ TEST(Evidence, CostsPairUpBySize)
     EXPECT_FALSE(found.points[2].yours);
 }
 
-TEST(Evidence, BoundsAreSaidInWords)
+TEST(Evidence, bounds_are_said_in_words)
 {
     Check both = check(JudgeKind{"numbers"}, 16);
     both.tolerance.relative = 1e-6;

@@ -64,7 +64,7 @@ protected:
     }
 };
 
-TEST_P(ExplainUnit, TakesMistakesThatWereCompiledWithTheProject)
+TEST_P(ExplainUnit, takes_mistakes_that_were_compiled_with_the_project)
 {
     ASSERT_FALSE(mistakes.empty());
     for (const KnownSolution& mistake : mistakes) {
@@ -79,7 +79,7 @@ TEST_P(ExplainUnit, TakesMistakesThatWereCompiledWithTheProject)
     }
 }
 
-TEST_P(ExplainUnit, SaysNothingOfRightWork)
+TEST_P(ExplainUnit, says_nothing_of_right_work)
 {
     const auto found = explain([&](const std::string& name, std::uint64_t seed) {
         return worker.trusted(exercise, Answers::reference, name, seed);
@@ -87,7 +87,7 @@ TEST_P(ExplainUnit, SaysNothingOfRightWork)
     EXPECT_TRUE(found.empty());
 }
 
-TEST_P(ExplainUnit, AMistakeThatBreaksMoreThanTheStudentsWorkIsNotItsReason)
+TEST_P(ExplainUnit, a_mistake_that_breaks_more_than_the_students_work_is_not_its_reason)
 {
     int tried = 0;
     for (const KnownSolution& mistake : mistakes) {
@@ -108,7 +108,7 @@ TEST_P(ExplainUnit, AMistakeThatBreaksMoreThanTheStudentsWorkIsNotItsReason)
     EXPECT_GT(tried, 0);
 }
 
-TEST_P(ExplainUnit, WithoutItsMistakeAmongTheCandidatesNoOtherIsNamedForIt)
+TEST_P(ExplainUnit, without_its_mistake_among_the_candidates_no_other_is_named_for_it)
 {
     for (const KnownSolution& mistake : mistakes) {
         const auto [result, cases] =

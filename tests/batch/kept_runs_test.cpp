@@ -45,7 +45,7 @@ protected:
     }
 };
 
-TEST_F(KeptRuns, AreUsedAgain)
+TEST_F(KeptRuns, are_used_again)
 {
     const RunOutcome first = reference("head-on", keys());
     ASSERT_EQ(files().size(), 1U);
@@ -58,7 +58,7 @@ TEST_F(KeptRuns, AreUsedAgain)
     EXPECT_EQ(reference("head-on", nullptr).recording.tensors, first.recording.tensors);
 }
 
-TEST_F(KeptRuns, AreRunAgainIfDamagedOrIfTheKeyIsAnother)
+TEST_F(KeptRuns, are_run_again_if_damaged_or_if_the_key_is_another)
 {
     const RunOutcome first = reference("head-on", keys());
     const fs::path file = *files().begin();
@@ -69,7 +69,7 @@ TEST_F(KeptRuns, AreRunAgainIfDamagedOrIfTheKeyIsAnother)
     EXPECT_EQ(files().size(), 2U);
 }
 
-TEST_F(KeptRuns, AreOfVisibleCasesOnly)
+TEST_F(KeptRuns, are_of_visible_cases_only)
 {
     int hidden = 0;
     for (const Check& check : sphere.checks)
@@ -78,7 +78,7 @@ TEST_F(KeptRuns, AreOfVisibleCasesOnly)
     EXPECT_TRUE(files().empty());
 }
 
-TEST_F(KeptRuns, CostNobodyAResultWhereTheyCannotBeWritten)
+TEST_F(KeptRuns, cost_nobody_a_result_where_they_cannot_be_written)
 {
     bench.write(fs::relative(runs_folder(bench.tools().cache), bench.folder()), "a file where the folder would be");
     EXPECT_EQ(reference("head-on", keys()).verdict, Verdict::ok);

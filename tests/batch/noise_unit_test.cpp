@@ -53,7 +53,7 @@ protected:
     }
 };
 
-TEST_F(NoiseUnit, EveryFindingOfValidateHolds)
+TEST_F(NoiseUnit, every_finding_of_validate_holds)
 {
     int findings = 0;
     for (unsigned seed = 0; seed < 3; ++seed)
@@ -65,14 +65,14 @@ TEST_F(NoiseUnit, EveryFindingOfValidateHolds)
     EXPECT_GE(findings, 3 * 12);
 }
 
-TEST_F(NoiseUnit, TheReferencesOwnNumbersAreRightWithoutChance)
+TEST_F(NoiseUnit, the_references_own_numbers_are_right_without_chance)
 {
     const UnitResult result = grade(reference_sources(tools.reference, exercise), 0);
     EXPECT_EQ(to_string(result.verdict), "ok");
     for (const CheckResult& check : result.checks) EXPECT_EQ(check.metrics.at("probability"), 1) << check.name;
 }
 
-TEST_F(NoiseUnit, OtherRightWaysPassWithTwoHundredSeeds)
+TEST_F(NoiseUnit, other_right_ways_pass_with_two_hundred_seeds)
 {
     for (const KnownSolution& other : alternatives_of(tools.reference, exercise)) {
         int again = 0;
@@ -92,7 +92,7 @@ TEST_F(NoiseUnit, OtherRightWaysPassWithTwoHundredSeeds)
     }
 }
 
-TEST_F(NoiseUnit, ThreePercentFailWithEverySeed)
+TEST_F(NoiseUnit, three_percent_fail_with_every_seed)
 {
     for (unsigned attempt = 0; attempt < 20; ++attempt) {
         const UnitResult result = grade(times("1.03"), attempt);
@@ -109,7 +109,7 @@ struct Borderline {
     std::size_t check = 0;
 };
 
-TEST_F(NoiseUnit, WhatIsBorderlineIsRunAgainAndSaysSo)
+TEST_F(NoiseUnit, what_is_borderline_is_run_again_and_says_so)
 {
     const Sources sources = times("1.006");
     std::optional<Borderline> found;
@@ -145,7 +145,7 @@ TEST_F(NoiseUnit, WhatIsBorderlineIsRunAgainAndSaysSo)
     EXPECT_NE(html::report_html(submission, {}, {}).find(fresh), std::string::npos);
 }
 
-TEST_F(NoiseUnit, FreshSeedsOfHiddenCasesAreAsSecretAsTheFirst)
+TEST_F(NoiseUnit, fresh_seeds_of_hidden_cases_are_as_secret_as_the_first)
 {
     const SeedPlan one{"secret", "course", "ada", 0};
     const SeedPlan other{"another", "course", "ada", 0};

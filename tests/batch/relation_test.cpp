@@ -82,7 +82,7 @@ CheckResult grade(const Check& check, RunOutcome student)
     return judge_check(check, one, reference, reference);
 }
 
-TEST(RelationCheck, OnlyTheStudentsOwnValuesDecide)
+TEST(RelationCheck, only_the_students_own_values_decide)
 {
     for (const Check* each : {&same, &moved, &bright}) {
         EXPECT_EQ(grade(*each, reference_of(*each)).score, 1000) << each->relation->what;
@@ -103,7 +103,7 @@ TEST(RelationCheck, OnlyTheStudentsOwnValuesDecide)
 }
 
 // Whoever overwrites the recording can satisfy every law, and knows nothing all the same.
-TEST(RelationCheck, AHostileRecordingCannotProfit)
+TEST(RelationCheck, a_hostile_recording_cannot_profit)
 {
     for (const Check* each : {&same, &moved, &bright})
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -130,7 +130,7 @@ TEST(RelationCheck, AHostileRecordingCannotProfit)
         }
 }
 
-TEST(RelationCheck, ADriverWithoutTheValueIsOurFault)
+TEST(RelationCheck, a_driver_without_the_value_is_our_fault)
 {
     RunOutcome reference = reference_of(same);
     reference.recording.tensors.erase("upright");
@@ -139,7 +139,7 @@ TEST(RelationCheck, ADriverWithoutTheValueIsOurFault)
     EXPECT_THROW((void)judge_check(same, one, reference, reference), std::invalid_argument);
 }
 
-TEST(RelationCheck, ReportsHoldUpTheStudentsOtherValue)
+TEST(RelationCheck, reports_hold_up_the_students_other_value)
 {
     const RunOutcome student =
         run_of({{"value", disc(35, 27)}, {"upright", disc(30, 30, 0.2F)}, {"turned", disc(40, 22)}});
@@ -158,7 +158,7 @@ TEST(RelationCheck, ReportsHoldUpTheStudentsOtherValue)
         << "nothing to hold up";
 }
 
-TEST(RelationCheck, IsExplainedByTheValueThatIsWrong)
+TEST(RelationCheck, is_explained_by_the_value_that_is_wrong)
 {
     const RunOutcome reference = reference_of(moved);
     EXPECT_EQ(against_reference(moved, reference, reference).value, "value");

@@ -17,7 +17,7 @@ std::vector<Finding> findings_on(Worker& worker, const Exercise& exercise)
     return findings;
 }
 
-TEST(Validation, NamesAMistypedCaseFirst)
+TEST(Validation, names_a_mistyped_case_first)
 {
     const test::Workbench bench;
     Worker worker(bench.tools());
@@ -34,7 +34,7 @@ TEST(Validation, NamesAMistypedCaseFirst)
         << findings.front().message;
 }
 
-TEST(Validation, NamesThePathOfAMissingReference)
+TEST(Validation, names_the_path_of_a_missing_reference)
 {
     const test::Workbench bench;
     Toolchain tools = bench.tools();

@@ -21,7 +21,7 @@ Finding mistake(const std::string& unit, const std::string& name, unsigned seed,
     return {unit, "mistake: " + name, seed, true, credit, "10..90", "explained", "wrong | in a bar", "a hint", hard};
 }
 
-TEST(ValidationTable, SpansTheSeedsAndKeepsTheOrderOfUnits)
+TEST(ValidationTable, spans_the_seeds_and_keeps_the_order_of_units)
 {
     const std::vector<Finding> findings = {mistake("b/two", "naive", 0, 40, 20.0),
                                            mistake("b/two", "naive", 1, 60.04, 10.0),
@@ -39,7 +39,7 @@ TEST(ValidationTable, SpansTheSeedsAndKeepsTheOrderOfUnits)
     EXPECT_NE(table.find("--seeds 2 "), std::string::npos);
 }
 
-TEST(ValidationTable, NamesScenesThatNeverShowAMistake)
+TEST(ValidationTable, names_scenes_that_never_show_a_mistake)
 {
     std::vector<Finding> findings = {mistake("a/one", "subtle", 0, 90, {}), mistake("a/one", "subtle", 1, 90, {}),
                                      mistake("a/one", "gross", 0, 10, {})};
@@ -51,7 +51,7 @@ TEST(ValidationTable, NamesScenesThatNeverShowAMistake)
     EXPECT_EQ(table.find("scene/round"), std::string::npos) << table;
 }
 
-TEST(ValidationTable, MarksWhatDoesNotHold)
+TEST(ValidationTable, marks_what_does_not_hold)
 {
     Finding finding = mistake("a/one", "shifted", 3, 95, {});
     finding.holds = false;

@@ -77,7 +77,8 @@ TEST(OpenDebugInformation, refuses_strings_without_an_end)
     const std::string library = compiled("");
     for (const char* const section : {".debug_str", ".debug_line_str"})
         EXPECT_FALSE(opens(with_last_byte(library, section, 'x'))) << section;
-    EXPECT_FALSE(opens(read(UMBRAL_SOURCE_DIR "/tests/fuzz/corpus/inspect/unterminated_line_strings")));
+    for (const char* const found : {"unterminated_line_strings", "strings_without_bytes"})
+        EXPECT_FALSE(opens(read(UMBRAL_SOURCE_DIR "/tests/fuzz/corpus/inspect/" + std::string(found)))) << found;
 }
 
 TEST(OpenDebugInformation, refuses_what_is_compressed) { EXPECT_FALSE(opens(compiled("-gz=zlib"))); }

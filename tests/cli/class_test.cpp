@@ -59,7 +59,7 @@ struct Expected {
 
 class SampleClass : public testing::TestWithParam<Expected> {};
 
-TEST_P(SampleClass, GetsItsVerdicts)
+TEST_P(SampleClass, gets_its_verdicts)
 {
     const Expected& expected = GetParam();
     EXPECT_EQ(unit_of(expected.submission, "raytracing/sphere").at("verdict"), expected.sphere);
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
         return name;
     });
 
-TEST(Class, TypicalMistakesAreExplained)
+TEST(Class, typical_mistakes_are_explained)
 {
     for (const char* unit : {"raytracing/sphere", "projections/view-matrix", "lighting/shaders"}) {
         const json& why = unit_of("carla-typical-mistakes", unit).at("explanation");
@@ -94,7 +94,7 @@ TEST(Class, TypicalMistakesAreExplained)
     }
 }
 
-TEST(Class, AnEndlessLoopCostsOnlyItsCase)
+TEST(Class, an_endless_loop_costs_only_its_case)
 {
     const json& unit = unit_of("fede-endless-loop", "raytracing/sphere");
     EXPECT_GT(unit.at("score"), 6000);
@@ -104,14 +104,14 @@ TEST(Class, AnEndlessLoopCostsOnlyItsCase)
             << check;
 }
 
-TEST(Class, ACrashNamesItsTextAndPlace)
+TEST(Class, a_crash_names_its_text_and_place)
 {
     const std::string message = unit_of("gema-crash", "raytracing/sphere").at("message");
     EXPECT_NE(message.find("sphere.cpp:9"), std::string::npos) << message;
     EXPECT_NE(message.find("direction must be shorter than 1"), std::string::npos) << message;
 }
 
-TEST(Class, NoAttackOfTheHostileOneWorked)
+TEST(Class, no_attack_of_the_hostile_one_worked)
 {
     const json& unit = unit_of("mallory-hostile", "raytracing/sphere");
     const std::string printed = unit.at("stdout");
@@ -129,7 +129,7 @@ TEST(Class, NoAttackOfTheHostileOneWorked)
               std::string::npos);
 }
 
-TEST(Class, ASecondGradingAgreesButForTimes)
+TEST(Class, a_second_grading_agrees_but_for_times)
 {
     // A unit of each kind: numbers, pictures of OpenGL, traces of its calls, counted work, events.
     const TemporaryFolder out;
@@ -145,7 +145,7 @@ TEST(Class, ASecondGradingAgreesButForTimes)
     }
 }
 
-TEST(Grade, HandedInMeansUnitsOfWhichThereIsAFile)
+TEST(Grade, handed_in_means_units_of_which_there_is_a_file)
 {
     const TemporaryFolder folder;
     folder.write("class/a/sphere.cpp", "// nothing yet");
@@ -161,7 +161,7 @@ TEST(Grade, HandedInMeansUnitsOfWhichThereIsAFile)
     EXPECT_NE(idle.text.find("nobody handed in"), std::string::npos) << idle.text;
 }
 
-TEST(Grade, BadInputIsAUsageErrorThatSaysWhatToDo)
+TEST(Grade, bad_input_is_a_usage_error_that_says_what_to_do)
 {
     const TemporaryFolder folder;
     EXPECT_EQ(grade((folder / "nowhere").string(), folder).status, 2);
@@ -183,7 +183,7 @@ TEST(Grade, BadInputIsAUsageErrorThatSaysWhatToDo)
               2);
 }
 
-TEST(Grade, AFullDiskIsAFaultThatLeavesNoHalfReport)
+TEST(Grade, a_full_disk_is_a_fault_that_leaves_no_half_report)
 {
     const TemporaryFolder folder;
     folder.write("class/a/sphere.cpp", read(UMBRAL_SOURCE "/exercises/raytracing/sphere/sphere.cpp"));

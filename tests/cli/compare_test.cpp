@@ -51,7 +51,7 @@ protected:
     TemporaryFolder folder_;
 };
 
-TEST_F(Compare, EqualPicturesAgree)
+TEST_F(Compare, equal_pictures_agree)
 {
     save("a.png", disc(0));
     const Printed printed = compare("a.png", "a.png");
@@ -60,7 +60,7 @@ TEST_F(Compare, EqualPicturesAgree)
     EXPECT_NE(printed.text.find("SSIM"), std::string::npos) << printed.text;
 }
 
-TEST_F(Compare, AShiftedPictureDoesNotAndSaysWhere)
+TEST_F(Compare, a_shifted_picture_does_not_and_says_where)
 {
     save("a.png", disc(3));
     save("b.png", disc(0));
@@ -76,7 +76,7 @@ TEST_F(Compare, AShiftedPictureDoesNotAndSaysWhere)
     EXPECT_LE(json.at("worst").at("x").get<int>() + json.at("worst").at("width").get<int>(), 96);
 }
 
-TEST_F(Compare, OtherSizesDoNotAgreeAndSaySo)
+TEST_F(Compare, other_sizes_do_not_agree_and_say_so)
 {
     save("a.png", disc(0));
     save("b.png", disc(0, 100));
@@ -90,7 +90,7 @@ TEST_F(Compare, OtherSizesDoNotAgreeAndSaySo)
     EXPECT_NE(read(folder_ / "c.html").find("The sizes differ"), std::string::npos);
 }
 
-TEST_F(Compare, WhatIsNoPngIsBadInput)
+TEST_F(Compare, what_is_no_png_is_bad_input)
 {
     save("a.png", disc(0));
     folder_.write("empty.png", "");
@@ -106,7 +106,7 @@ TEST_F(Compare, WhatIsNoPngIsBadInput)
     EXPECT_EQ(umbral("compare").status, 2);
 }
 
-TEST_F(Compare, NoiseAgreesByTilesOnly)
+TEST_F(Compare, noise_agrees_by_tiles_only)
 {
     save("a.png", noisy(1, 0.2, 16));
     save("b.png", noisy(2, 0.2, 16));
@@ -119,7 +119,7 @@ TEST_F(Compare, NoiseAgreesByTilesOnly)
     EXPECT_NE(bright.text.find("too high"), std::string::npos) << bright.text;
 }
 
-TEST_F(Compare, ThePageNamesBothFilesAndHoldsThePictures)
+TEST_F(Compare, the_page_names_both_files_and_holds_the_pictures)
 {
     save("a<b>&'.png", disc(3));
     save("b.png", disc(0));
@@ -134,7 +134,7 @@ TEST_F(Compare, ThePageNamesBothFilesAndHoldsThePictures)
     EXPECT_EQ(umbral("compare x y --html /nowhere/page.html").status, 2);
 }
 
-TEST_F(Compare, HelpSaysWhatTheStatusMeans)
+TEST_F(Compare, help_says_what_the_status_means)
 {
     const Printed printed = umbral("compare --help");
     EXPECT_EQ(printed.status, 0);

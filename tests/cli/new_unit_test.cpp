@@ -93,7 +93,7 @@ void expect_whole_unit(const Checkout& checkout, const std::string& topic)
         }
 }
 
-TEST(NewUnit, IsWholeInATopicThatThereIs)
+TEST(NewUnit, is_whole_in_a_topic_that_there_is)
 {
     Checkout checkout;
     const std::size_t before = checkout.files().size();
@@ -103,7 +103,7 @@ TEST(NewUnit, IsWholeInATopicThatThereIs)
     expect_whole_unit(checkout, "raytracing");
 }
 
-TEST(NewUnit, IsWholeInANewTopic)
+TEST(NewUnit, is_whole_in_a_new_topic)
 {
     // On both sides of "record", which its headers are sorted among.
     for (const std::string topic : {"animation", "shadows"}) {
@@ -114,7 +114,7 @@ TEST(NewUnit, IsWholeInANewTopic)
     }
 }
 
-TEST(NewUnit, OverwritesNothing)
+TEST(NewUnit, overwrites_nothing)
 {
     Checkout checkout;
     checkout.folder.write("reference/raytracing/mine.cpp", "my answer");
@@ -130,7 +130,7 @@ TEST(NewUnit, OverwritesNothing)
     EXPECT_EQ(test::read(checkout.folder / "reference/raytracing/mine.cpp"), "my answer");
 }
 
-TEST(NewUnit, RefusesNamesThatCannotBe)
+TEST(NewUnit, refuses_names_that_cannot_be)
 {
     Checkout checkout;
     const std::vector<std::string> before = checkout.files();
@@ -151,14 +151,14 @@ TEST(NewUnit, RefusesNamesThatCannotBe)
     EXPECT_NE(checkout.new_unit("raytracing/one").find("in a checkout"), std::string::npos);
 }
 
-TEST(NewUnit, IsSpelledAsItsFilesNeedIt)
+TEST(NewUnit, is_spelled_as_its_files_need_it)
 {
     const UnitName name = read_unit_name("transforms/two-frames-2");
     EXPECT_EQ(filled_in("@topic@ @unit@ @file@ @title@ @test@ @other@", name),
               "transforms two-frames-2 two_frames_2 Two frames 2 TwoFrames2 @other@");
 }
 
-TEST(NewUnit, WithoutItsReferenceIsAnErrorThatNamesTheFile)
+TEST(NewUnit, without_its_reference_is_an_error_that_names_the_file)
 {
     Checkout checkout;
     checkout.new_unit("shadows/one");
@@ -178,7 +178,7 @@ TEST(NewUnit, WithoutItsReferenceIsAnErrorThatNamesTheFile)
 }
 
 // The real thing in a copy of the sources: the build and the grader's own verdict. It builds for minutes.
-TEST(NewUnit, ValidatesAtOnce)
+TEST(NewUnit, validates_at_once)
 {
     if (std::getenv("UMBRAL_TEST_ALL") == nullptr)
         GTEST_SKIP() << "set UMBRAL_TEST_ALL: A NEW UNIT WAS NOT BUILT AND VALIDATED";

@@ -85,7 +85,7 @@ bool killed_after(std::chrono::microseconds while_, const std::string& arguments
     return WIFSIGNALED(status);
 }
 
-TEST_F(Resume, KilledAtAnyMomentItGoesOnAndEndsTheSame)
+TEST_F(Resume, killed_at_any_moment_it_goes_on_and_ends_the_same)
 {
     const char* const wanted = std::getenv("UMBRAL_TEST_KILLS");
     const int kills = wanted != nullptr ? std::atoi(wanted) : 6;
@@ -132,7 +132,7 @@ TEST_F(Resume, KilledAtAnyMomentItGoesOnAndEndsTheSame)
     std::printf("%d kills (seed %u), %d classes graded to the end\n", done, seed, ends);
 }
 
-TEST_F(Resume, OnlyWhatChangedIsGradedAgainAndOtherPointsAreTold)
+TEST_F(Resume, only_what_changed_is_graded_again_and_other_points_are_told)
 {
     ASSERT_EQ(grade("out").status, 0);
     const json before = class_json(folder / "out");
@@ -151,7 +151,7 @@ TEST_F(Resume, OnlyWhatChangedIsGradedAgainAndOtherPointsAreTold)
     EXPECT_EQ(class_json(folder / "out"), after);
 }
 
-TEST_F(Resume, OneOfManyLeavesTheOthersAsTheyAre)
+TEST_F(Resume, one_of_many_leaves_the_others_as_they_are)
 {
     ASSERT_EQ(grade("out").status, 0);
     const json before = class_json(folder / "out");
@@ -189,7 +189,7 @@ TEST_F(Resume, OneOfManyLeavesTheOthersAsTheyAre)
     EXPECT_EQ(read(folder / "out/class.json").find("a secret of more"), std::string::npos);
 }
 
-TEST_F(Resume, UnitsThatAreNotAskedForStayInTheReport)
+TEST_F(Resume, units_that_are_not_asked_for_stay_in_the_report)
 {
     ASSERT_EQ(grade("out", "--unit view-matrix").status, 0);
     const json both = class_json(folder / "out");
@@ -202,7 +202,7 @@ TEST_F(Resume, UnitsThatAreNotAskedForStayInTheReport)
     EXPECT_NE(read(folder / "out/ana/report.html").find("id=\"u2\""), std::string::npos);
 }
 
-TEST_F(Resume, ReportsAreNeverWrittenAmongTheSubmissions)
+TEST_F(Resume, reports_are_never_written_among_the_submissions)
 {
     fs::create_directory_symlink(folder / "class", folder / "link");
     for (const char* out : {"class", "link", "class/ana", "class/out", "link/out", "."}) {
@@ -219,7 +219,7 @@ TEST_F(Resume, ReportsAreNeverWrittenAmongTheSubmissions)
     EXPECT_EQ(folder.count(), 4) << "class, secret, link, mine";
 }
 
-TEST_F(Resume, WhatElseLiesInTheFolderOfReportsIsNotTouched)
+TEST_F(Resume, what_else_lies_in_the_folder_of_reports_is_not_touched)
 {
     ASSERT_EQ(grade("out").status, 0);
     folder.write("out/notes.txt", "mine");
@@ -244,7 +244,7 @@ TEST_F(Resume, WhatElseLiesInTheFolderOfReportsIsNotTouched)
     EXPECT_EQ(grade("out").status, 0) << "as advised";
 }
 
-TEST_F(Resume, TwoGradingsDoNotShareAFolder)
+TEST_F(Resume, two_gradings_do_not_share_a_folder)
 {
     ASSERT_EQ(grade("out").status, 0);
     const int mark = open((folder / "out/umbral-reports.json").c_str(), O_RDONLY | O_CLOEXEC);
@@ -256,7 +256,7 @@ TEST_F(Resume, TwoGradingsDoNotShareAFolder)
     EXPECT_EQ(grade("out").status, 0);
 }
 
-TEST_F(Resume, AFullDiskIsToldOnceAndTheNextRunHeals)
+TEST_F(Resume, a_full_disk_is_told_once_and_the_next_run_heals)
 {
     ASSERT_EQ(grade("undisturbed").status, 0);
     // No file may grow beyond 8 blocks, 4 or 8 KiB: marks can be written, results cannot. SIGXFSZ is ignored, so that

@@ -36,7 +36,7 @@ mode_t mode_of(const fs::path& file)
     return status.st_mode & 0777U;
 }
 
-TEST(Secret, ABareNewNameIsMadeForItsOwnerAndAnnounced)
+TEST(Secret, a_bare_new_name_is_made_for_its_owner_and_announced)
 {
     const TemporaryFolder folder;
     write_class(folder);
@@ -55,7 +55,7 @@ TEST(Secret, ABareNewNameIsMadeForItsOwnerAndAnnounced)
         EXPECT_FALSE(entry.path().filename().string().starts_with("secret.")) << "a draft stays";
 }
 
-TEST(Secret, AMistypedFolderIsNotMade)
+TEST(Secret, a_mistyped_folder_is_not_made)
 {
     const TemporaryFolder folder;
     write_class(folder);
@@ -67,7 +67,7 @@ TEST(Secret, AMistypedFolderIsNotMade)
     EXPECT_TRUE(fs::is_empty(folder / "mine"));
 }
 
-TEST(Secret, OneThatOthersCanReadIsWarnedOf)
+TEST(Secret, one_that_others_can_read_is_warned_of)
 {
     const TemporaryFolder folder;
     write_class(folder);
@@ -79,7 +79,7 @@ TEST(Secret, OneThatOthersCanReadIsWarnedOf)
     EXPECT_EQ(grade(folder, "--secret-file secret").text.find("warning"), std::string::npos);
 }
 
-TEST(Secret, WhatIsNoSecretIsRefused)
+TEST(Secret, what_is_no_secret_is_refused)
 {
     const TemporaryFolder folder;
     write_class(folder);
@@ -92,7 +92,7 @@ TEST(Secret, WhatIsNoSecretIsRefused)
     }
 }
 
-TEST(Secret, AFullDiskLeavesNoHalfOne)
+TEST(Secret, a_full_disk_leaves_no_half_one)
 {
     const TemporaryFolder folder;
     write_class(folder);
@@ -108,7 +108,7 @@ struct NearMiss {
     const char* advice;
 };
 
-TEST(NearMisses, AreToldTheNearestName)
+TEST(NearMisses, are_told_the_nearest_name)
 {
     for (const NearMiss& one :
          {NearMiss{"validate spher", "did you mean `sphere`?"}, NearMiss{"hint sphree", "did you mean `sphere`?"},
@@ -245,7 +245,7 @@ const char* const impossible[] = {
     "zzz",
 };
 
-TEST(BadArguments, AreUsageErrorsOfEveryCommand)
+TEST(BadArguments, are_usage_errors_of_every_command)
 {
     const TemporaryFolder folder;
     folder.write("file", "text");
@@ -272,7 +272,7 @@ TEST(BadArguments, AreUsageErrorsOfEveryCommand)
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST(Terminal, NamesOfFoldersCannotCommandIt)
+TEST(Terminal, names_of_folders_cannot_command_it)
 {
     const TemporaryFolder folder;
     const std::string hostile = "bell\a \x1b]0;owned\x1b\\ \x1b[2J";

@@ -50,7 +50,7 @@ enum class Kind : int { one, two };
 }
 )";
 
-TEST(InterfaceOfAHeader, LeavesOutWhatOnlyTheCompilerNeeds)
+TEST(InterfaceOfAHeader, leaves_out_what_only_the_compiler_needs)
 {
     EXPECT_EQ(shown_of_header(header, {}), R"(/// A thing.
 struct Thing {
@@ -75,7 +75,7 @@ enum class Kind : int { one, two };
 )");
 }
 
-TEST(InterfaceOfAHeader, ShowsOnlyWhatIsNamed)
+TEST(InterfaceOfAHeader, shows_only_what_is_named)
 {
     EXPECT_EQ(
         shown_of_header(header, {"Kind", "Thing"}),
@@ -84,7 +84,7 @@ TEST(InterfaceOfAHeader, ShowsOnlyWhatIsNamed)
     EXPECT_THROW((void)shown_of_header(header, {"Thing", "nothing"}), std::runtime_error);
 }
 
-TEST(InterfaceOfAShader, EndsBeforeMain)
+TEST(InterfaceOfAShader, ends_before_main)
 {
     // Spelled in two parts, or the test of tidiness would find it.
     EXPECT_EQ(shown_of_shader("#version 330\n\nin vec3 position;\n\n// TO"
@@ -92,7 +92,7 @@ TEST(InterfaceOfAShader, EndsBeforeMain)
               "#version 330\n\nin vec3 position;\n");
 }
 
-TEST(InterfaceBlock, IsMadeAndKeptUpToDate)
+TEST(InterfaceBlock, is_made_and_kept_up_to_date)
 {
     const Application application = make_application();
     const Exercise sphere = application.chosen({"sphere"}).front();
@@ -109,7 +109,7 @@ TEST(InterfaceBlock, IsMadeAndKeptUpToDate)
     EXPECT_EQ(with_interfaces(stale, "## Interface", sources), made);
 }
 
-TEST(InterfaceBlock, ThatCannotBeMadeIsNamedByItsLine)
+TEST(InterfaceBlock, that_cannot_be_made_is_named_by_its_line)
 {
     const Application application = make_application();
     const Exercise sphere = application.chosen({"sphere"}).front();
@@ -131,7 +131,7 @@ TEST(InterfaceBlock, ThatCannotBeMadeIsNamedByItsLine)
               std::string::npos);
 }
 
-TEST(Statements, ShowTheirInterfacesAsTheyAre)
+TEST(Statements, show_their_interfaces_as_they_are)
 {
     const Application application = make_application();
     for (const Exercise& exercise : application.exercises)
@@ -154,7 +154,7 @@ std::string hint_of(Application& application, const std::string& line)
     return testing::internal::GetCapturedStdout();
 }
 
-TEST(Statements, HaveAsManyHintsInBothLanguages)
+TEST(Statements, have_as_many_hints_in_both_languages)
 {
     Application application = make_application();
     for (const Exercise& exercise : application.exercises) {
@@ -170,7 +170,7 @@ TEST(Statements, HaveAsManyHintsInBothLanguages)
     }
 }
 
-TEST(Statements, AMissingOneIsAFindingThatDoesNotHold)
+TEST(Statements, a_missing_one_is_a_finding_that_does_not_hold)
 {
     const test::TemporaryFolder folder;
     Exercise exercise;

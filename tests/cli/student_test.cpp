@@ -14,14 +14,14 @@ namespace {
 
 const std::filesystem::path source = UMBRAL_SOURCE;
 
-TEST(Commands, WithoutOneThereIsHelpAndAUsageError)
+TEST(Commands, without_one_there_is_help_and_a_usage_error)
 {
     const Printed printed = umbral("");
     EXPECT_EQ(printed.status, 2);
     EXPECT_NE(printed.text.find("--help"), std::string::npos) << printed.text;
 }
 
-TEST(Commands, HelpNamesEveryCommandAndTheExitStatuses)
+TEST(Commands, help_names_every_command_and_the_exit_statuses)
 {
     const Printed printed = umbral("--help");
     EXPECT_EQ(printed.status, 0);
@@ -30,7 +30,7 @@ TEST(Commands, HelpNamesEveryCommandAndTheExitStatuses)
         EXPECT_NE(printed.text.find(word), std::string::npos) << word;
 }
 
-TEST(List, ShowsTheUnitsInBothLanguagesAndAsJson)
+TEST(List, shows_the_units_in_both_languages_and_as_json)
 {
     EXPECT_NE(umbral("list").text.find("Where a ray meets a sphere"), std::string::npos);
     EXPECT_NE(umbral("list --language es").text.find("Dónde corta un rayo a una esfera"), std::string::npos);
@@ -39,13 +39,13 @@ TEST(List, ShowsTheUnitsInBothLanguagesAndAsJson)
     EXPECT_GE(json.at("units").size(), 3U);
 }
 
-TEST(List, ThePageOfTheUnitsIsUpToDate)
+TEST(List, the_page_of_the_units_is_up_to_date)
 {
     EXPECT_EQ(umbral("list --markdown").text, read(UMBRAL_SOURCE "/docs/units.md"))
         << "run: umbral list --markdown > docs/units.md";
 }
 
-TEST(New, MakesAWorkspaceAndNeverOverwritesWork)
+TEST(New, makes_a_workspace_and_never_overwrites_work)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
@@ -56,7 +56,7 @@ TEST(New, MakesAWorkspaceAndNeverOverwritesWork)
     EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp"), "// mine");
 }
 
-TEST(New, PutsWhatEditorsNeedAtTheRoot)
+TEST(New, puts_what_editors_need_at_the_root)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
@@ -75,7 +75,7 @@ TEST(New, PutsWhatEditorsNeedAtTheRoot)
         << "what the unit's header includes";
 }
 
-TEST(New, RefusesAFileInTheWay)
+TEST(New, refuses_a_file_in_the_way)
 {
     const TemporaryFolder folder;
     folder.write("taken", "");
@@ -84,7 +84,7 @@ TEST(New, RefusesAFileInTheWay)
     EXPECT_NE(printed.text.find("not a folder"), std::string::npos) << printed.text;
 }
 
-TEST(Check, StatusSaysRightShortOrMisused)
+TEST(Check, status_says_right_short_or_misused)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
@@ -99,14 +99,14 @@ TEST(Check, StatusSaysRightShortOrMisused)
     EXPECT_EQ(umbral("check --no-such-option").status, 2);
 }
 
-TEST(Check, AnUnknownBackEndIsAUsageErrorThatNamesTheRightOnes)
+TEST(Check, an_unknown_back_end_is_a_usage_error_that_names_the_right_ones)
 {
     const Printed printed = umbral("validate sphere", "UMBRAL_GL=vulkan");
     EXPECT_EQ(printed.status, 2) << printed.text;
     EXPECT_NE(printed.text.find("expected osmesa or egl"), std::string::npos) << printed.text;
 }
 
-TEST(Check, AnEmptyFolderSaysHowToBegin)
+TEST(Check, an_empty_folder_says_how_to_begin)
 {
     const TemporaryFolder folder;
     const Printed printed = umbral("check --dir " + folder.path().string());
@@ -114,7 +114,7 @@ TEST(Check, AnEmptyFolderSaysHowToBegin)
     EXPECT_NE(printed.text.find("umbral new"), std::string::npos) << printed.text;
 }
 
-TEST(Check, ShowsTheFirstFailureWhyAndWhatWasPrinted)
+TEST(Check, shows_the_first_failure_why_and_what_was_printed)
 {
     const TemporaryFolder folder;
     const std::string mistake = read(source / "tests/class/carla-typical-mistakes/raytracing/sphere/sphere.cpp");
@@ -130,7 +130,7 @@ TEST(Check, ShowsTheFirstFailureWhyAndWhatWasPrinted)
     EXPECT_TRUE(std::filesystem::exists(folder / "umbral-pictures")) << "pictures of what is wrong";
 }
 
-TEST(Check, JsonIsAReport)
+TEST(Check, json_is_a_report)
 {
     const TemporaryFolder folder;
     folder.write("sphere.cpp", "");
@@ -142,7 +142,7 @@ TEST(Check, JsonIsAReport)
         << "an empty file defines nothing";
 }
 
-TEST(Check, WhatHasNotChangedIsNotRunAgain)
+TEST(Check, what_has_not_changed_is_not_run_again)
 {
     const TemporaryFolder folder;
     const std::string here = " --dir " + folder.path().string();
@@ -180,7 +180,7 @@ TEST(Check, WhatHasNotChangedIsNotRunAgain)
     EXPECT_EQ(umbral("check sphere" + here).text.find(wrong.text), 0U);
 }
 
-TEST(Hint, GoesStepByStep)
+TEST(Hint, goes_step_by_step)
 {
     EXPECT_NE(umbral("hint sphere").text.find("Hint 1 of 3"), std::string::npos);
     EXPECT_NE(umbral("hint sphere 3").text.find("Hint 3 of 3"), std::string::npos);
@@ -190,7 +190,7 @@ TEST(Hint, GoesStepByStep)
     EXPECT_NE(spanish.find("umbral hint sphere 2 --language es"), std::string::npos) << spanish;
 }
 
-TEST(Reset, KeepsWhatWasWritten)
+TEST(Reset, keeps_what_was_written)
 {
     const TemporaryFolder folder;
     folder.write("raytracing/sphere/sphere.cpp", "// mine");
@@ -199,7 +199,7 @@ TEST(Reset, KeepsWhatWasWritten)
     EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp.1.bak"), "// mine");
 }
 
-TEST(Debug, RunsOneCaseAsAnOrdinaryProgram)
+TEST(Debug, runs_one_case_as_an_ordinary_program)
 {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder / "raytracing/sphere");
@@ -210,7 +210,7 @@ TEST(Debug, RunsOneCaseAsAnOrdinaryProgram)
     EXPECT_EQ(umbral("debug sphere no-such-case --dir " + folder.path().string()).status, 2);
 }
 
-TEST(Doctor, FindsWhatAGradedRunNeeds)
+TEST(Doctor, finds_what_a_graded_run_needs)
 {
     const Printed printed = umbral("doctor --json");
     const auto json = nlohmann::json::parse(printed.text, nullptr, false);

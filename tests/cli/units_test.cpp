@@ -58,7 +58,7 @@ std::string printed_by(Course& course, void (*add)(Command, Application&), const
     return text + testing::internal::GetCapturedStderr() + complaint;
 }
 
-TEST(HalfWrittenUnit, StopsOnlyWhatNeedsIt)
+TEST(HalfWrittenUnit, stops_only_what_needs_it)
 {
     const Course course;
     ASSERT_EQ(course.application.chosen({"sphere"}).size(), 1U);
@@ -70,7 +70,7 @@ TEST(HalfWrittenUnit, StopsOnlyWhatNeedsIt)
     EXPECT_NE(course.complaint_about({"hlaf"}).find("there is no unit"), std::string::npos);
 }
 
-TEST(HalfWrittenUnit, IsWarnedOfByWhatGetsAlongWithoutIt)
+TEST(HalfWrittenUnit, is_warned_of_by_what_gets_along_without_it)
 {
     Course course;
     testing::internal::CaptureStderr();
@@ -85,7 +85,7 @@ TEST(HalfWrittenUnit, IsWarnedOfByWhatGetsAlongWithoutIt)
     EXPECT_EQ(hint.find("half"), std::string::npos) << hint;
 }
 
-TEST(Languages, WithoutASpanishStatementEnglishIsOffered)
+TEST(Languages, without_a_spanish_statement_english_is_offered)
 {
     Course course;
     const std::string hint = printed_by(course, add_hint, "hint sphere 2 --language es");
@@ -95,7 +95,7 @@ TEST(Languages, WithoutASpanishStatementEnglishIsOffered)
     EXPECT_NE(printed_by(course, add_list, "list --language es").find("Where a ray meets a sphere"), std::string::npos);
 }
 
-TEST(Nearest, CountsMistypedLetters)
+TEST(Nearest, counts_mistyped_letters)
 {
     EXPECT_EQ(edit_distance("", ""), 0U);
     EXPECT_EQ(edit_distance("", "abc"), 3U);
@@ -108,7 +108,7 @@ TEST(Nearest, CountsMistypedLetters)
             EXPECT_EQ(edit_distance(a, b), edit_distance(b, a)) << a << " " << b;
 }
 
-TEST(Nearest, FindsWhatMayHaveBeenMeantAndNothingElse)
+TEST(Nearest, finds_what_may_have_been_meant_and_nothing_else)
 {
     const std::vector<std::string> known{"sphere",        "weld",         "ply",           "view-matrix",
                                          "normal-matrix", "matrix-stack", "basic-matrices"};

@@ -49,7 +49,7 @@ private:
 
 std::string verdict_of(const nlohmann::json& report) { return report.at("submission").at("units").at(0).at("verdict"); }
 
-TEST(Watch, ChecksAgainWhateverIsSaved)
+TEST(Watch, checks_again_whatever_is_saved)
 {
     const TemporaryFolder folder;
     const std::filesystem::path file = "raytracing/sphere/sphere.cpp";

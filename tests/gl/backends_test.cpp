@@ -170,7 +170,7 @@ void expect_same(const Gallery& one, const Gallery& other)
     }
 }
 
-TEST(Backends, DrawTheSamePicturesBitByBit)
+TEST(Backends, draw_the_same_pictures_bit_by_bit)
 {
     const Gallery osmesa = gallery_by(BackendKind::osmesa);
     expect_same(osmesa, gallery_by(BackendKind::egl));
@@ -179,7 +179,7 @@ TEST(Backends, DrawTheSamePicturesBitByBit)
     EXPECT_TRUE(bytes_of(draw_projections().cells) == osmesa.at("projections"));
 }
 
-TEST(Backends, LiveSideBySide)
+TEST(Backends, live_side_by_side)
 {
     forbid_driver_threads();
     OffscreenContext osmesa(BackendKind::osmesa);
@@ -203,7 +203,7 @@ TEST(Backends, LiveSideBySide)
     EXPECT_EQ(frame.read_pixels().at(1, 1), glm::u8vec4(255, 0, 0, 255));
 }
 
-TEST(Backends, TraceTheSameCalls)
+TEST(Backends, trace_the_same_calls)
 {
     std::vector<Trace> traces;
     for (const BackendKind kind : {BackendKind::osmesa, BackendKind::egl}) {
@@ -221,7 +221,7 @@ TEST(Backends, TraceTheSameCalls)
         EXPECT_EQ(traces[0].calls[i].name, traces[1].calls[i].name) << i;
 }
 
-TEST(Backends, KeepTheirLibrariesPrivate)
+TEST(Backends, keep_their_libraries_private)
 {
     const OffscreenContext osmesa(BackendKind::osmesa);
     const OffscreenContext egl(BackendKind::egl);
@@ -243,7 +243,7 @@ private:
     std::string old_;
 };
 
-TEST_F(Choice, FollowsTheEnvironment)
+TEST_F(Choice, follows_the_environment)
 {
     setenv("UMBRAL_GL", "egl", 1);
     EXPECT_EQ(default_backend(), BackendKind::egl);
@@ -257,7 +257,7 @@ TEST_F(Choice, FollowsTheEnvironment)
     }
 }
 
-TEST_F(Choice, RefusesOthersByNamingBoth)
+TEST_F(Choice, refuses_others_by_naming_both)
 {
     for (const char* wrong : {"vulkan", "EGL", " egl", "osmesa,egl"}) {
         setenv("UMBRAL_GL", wrong, 1);

@@ -21,7 +21,7 @@ RunOutcome run_shaders(const Workbench& bench, const std::string& back_end, cons
     return spawner.run(request);
 }
 
-TEST(Confined, BothBackEndsDrawTheSameInTheSandbox)
+TEST(Confined, both_back_ends_draw_the_same_in_the_sandbox)
 {
     const Workbench bench;
     for (const char* case_name : {"pictures", "random"}) {
@@ -36,7 +36,7 @@ TEST(Confined, BothBackEndsDrawTheSameInTheSandbox)
     }
 }
 
-TEST(Confined, AnUnknownBackEndDoesNotStart)
+TEST(Confined, an_unknown_back_end_does_not_start)
 {
     const Workbench bench;
     EXPECT_THROW(Spawner(bench.tools().programs / "umbral-spawner-gl", "vulkan"), std::runtime_error);

@@ -8,7 +8,7 @@ namespace {
 
 using Context = GlTest;
 
-TEST_F(Context, IsOpenGl45Compatibility)
+TEST_F(Context, is_open_gl45_compatibility)
 {
     GLint major = 0;
     GLint minor = 0;
@@ -23,7 +23,7 @@ TEST_F(Context, IsOpenGl45Compatibility)
     EXPECT_NE(backend_description().find("llvmpipe"), std::string::npos) << backend_description();
 }
 
-TEST_F(Context, KeepsTheStateOfEachContextApart)
+TEST_F(Context, keeps_the_state_of_each_context_apart)
 {
     glClearColor(0.25F, 0, 0, 1);
     {
@@ -43,7 +43,7 @@ TEST_F(Context, KeepsTheStateOfEachContextApart)
     EXPECT_EQ(color[0], 0.25F);
 }
 
-TEST_F(Context, SurvivesDestructionWithDrawingPending)
+TEST_F(Context, survives_destruction_with_drawing_pending)
 {
     for (int i = 0; i < 3; ++i) {
         OffscreenContext pending;
@@ -55,7 +55,7 @@ TEST_F(Context, SurvivesDestructionWithDrawingPending)
     SUCCEED();
 }
 
-TEST_F(Context, ReportsErrorsByName)
+TEST_F(Context, reports_errors_by_name)
 {
     EXPECT_NO_THROW(check_errors("nothing"));
     glEnable(0xDEAD);
@@ -68,7 +68,7 @@ TEST_F(Context, ReportsErrorsByName)
     EXPECT_NO_THROW(check_errors("nothing more"));
 }
 
-TEST(WithoutContext, CallsAbortAndSayWhichAndWhy)
+TEST(WithoutContext, calls_abort_and_say_which_and_why)
 {
     EXPECT_FALSE(has_context());
     EXPECT_THROW((void)backend_description(), std::logic_error);
@@ -76,7 +76,7 @@ TEST(WithoutContext, CallsAbortAndSayWhichAndWhy)
     EXPECT_DEATH((void)glGetError(), "glGetError was called while no OpenGL context is current");
 }
 
-TEST(WithoutContext, CallsAbortAgainOnceTheContextIsGone)
+TEST(WithoutContext, calls_abort_again_once_the_context_is_gone)
 {
     {
         OffscreenContext context;

@@ -140,7 +140,7 @@ protected:
 }
 
 // Corners in halves of a pixel, where nearly everything is a tie, down to 1/256.
-TEST_F(CoverageTest, CornersOnTheGrid)
+TEST_F(CoverageTest, corners_on_the_grid)
 {
     const gl::Framebuffer target(1024, 1024);
     for (const int parts : {2, 4, 16, 256}) {
@@ -158,7 +158,7 @@ TEST_F(CoverageTest, CornersOnTheGrid)
 
 // Corners in 1/16384 pixel, exact on their way through the viewport transform, so that only the rounding to 1/256 is
 // compared; half of them are ties.
-TEST_F(CoverageTest, CornersBetweenGridPoints)
+TEST_F(CoverageTest, corners_between_grid_points)
 {
     const gl::Framebuffer target(256, 256);
     Comparison comparison;
@@ -178,7 +178,7 @@ TEST_F(CoverageTest, CornersBetweenGridPoints)
 
 // Large triangles, one at a time: in llvmpipe those above 128 pixels take another way through the rasteriser than small
 // ones.
-TEST_F(CoverageTest, LargeTriangles)
+TEST_F(CoverageTest, large_triangles)
 {
     const gl::Framebuffer target(1024, 1024);
     Comparison comparison;
@@ -197,7 +197,7 @@ TEST_F(CoverageTest, LargeTriangles)
 // Triangles that reach beyond the picture: Mesa clips them at its border, and rounds the new corners to 1/256 pixel as
 // any others, which moves an edge by half of that in each coordinate at most. Only pixels whose centre lies so close to
 // an edge may differ.
-TEST_F(CoverageTest, CornersOutside)
+TEST_F(CoverageTest, corners_outside)
 {
     const gl::Framebuffer target(64, 64);
     constexpr double moved = 1.01 * 1.4142136 / 512;  // a hundredth more for clipping in float

@@ -37,7 +37,7 @@ void expect_same_pixels(const ColoredMesh& mesh, int size)
     gl::check_errors("drawing");
 }
 
-TEST_F(DrawDeferred, ShowsWhatImmediateModeShows)
+TEST_F(DrawDeferred, shows_what_immediate_mode_shows)
 {
     expect_same_pixels(rosette(12, 16), 192);
     expect_same_pixels(polygon(5, {0.1F, 0, 0}, 0.8F, 0.4F), 64);
@@ -49,7 +49,7 @@ TEST_F(DrawDeferred, ShowsWhatImmediateModeShows)
     }
 }
 
-TEST_F(DrawDeferred, NumbersMoreVerticesThan16BitsCan)
+TEST_F(DrawDeferred, numbers_more_vertices_than16_bits_can)
 {
     const ColoredMesh mesh = sheet(257, 257, 8);
     ASSERT_GT(mesh.positions.size(), 65536U);
@@ -68,7 +68,7 @@ TEST_F(DrawDeferred, NumbersMoreVerticesThan16BitsCan)
     EXPECT_GT(different, right.cells.size() / 4);
 }
 
-TEST_F(DrawDeferred, UploadsOnceAndDrawsWithThreeCalls)
+TEST_F(DrawDeferred, uploads_once_and_draws_with_three_calls)
 {
     const Canvas canvas(16);
     const ColoredMesh mesh = rosette(12, 16);
@@ -90,7 +90,7 @@ TEST_F(DrawDeferred, UploadsOnceAndDrawsWithThreeCalls)
     EXPECT_EQ(later.count("glBindVertexArray"), 2U);
 }
 
-TEST_F(DrawDeferred, LeavesTheStateAndNoObjects)
+TEST_F(DrawDeferred, leaves_the_state_and_no_objects)
 {
     const Canvas canvas(16);
     const auto clean = [] {
@@ -114,7 +114,7 @@ TEST_F(DrawDeferred, LeavesTheStateAndNoObjects)
 }
 
 // Rings of triangles, each at least as large as nothing, none twice: the goal picture shows a mesh, not a heap.
-TEST(Rosette, IsAMeshWithoutHoles)
+TEST(Rosette, is_a_mesh_without_holes)
 {
     for (const auto& [petals, rings] : {std::pair{8, 12}, std::pair{12, 16}, std::pair{3, 1}}) {
         const ColoredMesh mesh = rosette(petals, rings);

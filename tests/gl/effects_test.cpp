@@ -56,7 +56,7 @@ std::set<std::string> exported()
 
 }
 
-TEST(Effects, EveryFunctionWithAPointerIsClassified)
+TEST(Effects, every_function_with_a_pointer_is_classified)
 {
     std::size_t pointers = 0;
     for (const generate::Prototype& function : functions()) {
@@ -69,7 +69,7 @@ TEST(Effects, EveryFunctionWithAPointerIsClassified)
     EXPECT_GT(pointers, 400U);
 }
 
-TEST(Effects, FunctionsThatMoveDataInTakeAPointerOrAreSharedMemory)
+TEST(Effects, functions_that_move_data_in_take_a_pointer_or_are_shared_memory)
 {
     for (const generate::Prototype& function : functions()) {
         const Effect effect = effect_of(function.name);
@@ -86,7 +86,7 @@ TEST(Effects, FunctionsThatMoveDataInTakeAPointerOrAreSharedMemory)
     }
 }
 
-TEST(Effects, SizesAreWhereTheHeaderHasThem)
+TEST(Effects, sizes_are_where_the_header_has_them)
 {
     for (const generate::Prototype& function : functions()) {
         const FunctionRule* rule = rule_of(function.name);
@@ -123,7 +123,7 @@ TEST(Effects, SizesAreWhereTheHeaderHasThem)
     }
 }
 
-TEST(Effects, AVendorsSuffixChangesNothing)
+TEST(Effects, a_vendors_suffix_changes_nothing)
 {
     for (const generate::Prototype& function : functions())
         for (const char* suffix : {"ARB", "EXT", "NV", "APPLE", "OES"})
@@ -137,7 +137,7 @@ TEST(Effects, AVendorsSuffixChangesNothing)
 
 // Whoever cannot name a function cannot call it: what the library gives out is what was classified, and nothing finds
 // more.
-TEST(Effects, NothingElseIsHandedOut)
+TEST(Effects, nothing_else_is_handed_out)
 {
     std::set<std::string> generated;
     for (const generate::Prototype& function : functions()) generated.insert(function.name);

@@ -55,7 +55,7 @@ Image draw_in_child()
     return picture;
 }
 
-TEST_F(Forks, ChildrenDrawTheSamePixels)
+TEST_F(Forks, children_draw_the_same_pixels)
 {
     const Image first = draw_in_child();  // before the parent has drawn anything
     ASSERT_EQ(first.width, size);
@@ -73,14 +73,14 @@ TEST_F(Forks, ChildrenDrawTheSamePixels)
 
 // A child has only the thread that forked: the driver must not wait for others. (An empty shader cache on the disk is
 // what made it hang.)
-TEST_F(Forks, TheDriverStartsNoThreads)
+TEST_F(Forks, the_driver_starts_no_threads)
 {
     (void)draw();
     const std::filesystem::directory_iterator threads("/proc/self/task");
     EXPECT_EQ(std::distance(begin(threads), end(threads)), 1);
 }
 
-TEST_F(Forks, AChildsStateStaysInTheChild)
+TEST_F(Forks, a_childs_state_stays_in_the_child)
 {
     glClearColor(0.5F, 0, 0, 1);
     const pid_t child = fork();

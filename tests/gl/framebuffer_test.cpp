@@ -13,7 +13,7 @@ using Pixels = GlTest;
 constexpr glm::u8vec4 red(255, 0, 0, 255);
 constexpr glm::u8vec4 blue(0, 0, 255, 255);
 
-TEST_F(Pixels, ClearFillsEveryPixelAndTheDepth)
+TEST_F(Pixels, clear_fills_every_pixel_and_the_depth)
 {
     const Framebuffer target(7, 5);
     glEnable(GL_SCISSOR_TEST);
@@ -29,7 +29,7 @@ TEST_F(Pixels, ClearFillsEveryPixelAndTheDepth)
 }
 
 // A pixel is covered if its centre lies inside: known without drawing. Edges keep away from the centres.
-TEST_F(Pixels, CoverageAndRowOrderAreAsComputedByHand)
+TEST_F(Pixels, coverage_and_row_order_are_as_computed_by_hand)
 {
     const int width = 31;
     const int height = 17;
@@ -45,7 +45,7 @@ TEST_F(Pixels, CoverageAndRowOrderAreAsComputedByHand)
             EXPECT_EQ(picture.at(x, y), x >= 4 && x < 20 && y >= 2 && y < 9 ? red : blue) << x << ", " << y;
 }
 
-TEST_F(Pixels, DepthIsReadTopRowFirst)
+TEST_F(Pixels, depth_is_read_top_row_first)
 {
     const Framebuffer target(8, 8);
     target.clear();
@@ -57,7 +57,7 @@ TEST_F(Pixels, DepthIsReadTopRowFirst)
     EXPECT_EQ(depth.at(3, 7), 1);
 }
 
-TEST_F(Pixels, ReadingDoesNotTrustPixelStoreState)
+TEST_F(Pixels, reading_does_not_trust_pixel_store_state)
 {
     const Framebuffer target(5, 3);
     target.clear({1, 0, 0, 1});
@@ -69,7 +69,7 @@ TEST_F(Pixels, ReadingDoesNotTrustPixelStoreState)
     for (const glm::u8vec4& pixel : target.read_pixels().cells) EXPECT_EQ(pixel, red);
 }
 
-TEST_F(Pixels, FixedFunctionDrawsToo)
+TEST_F(Pixels, fixed_function_draws_too)
 {
     const Framebuffer target(16, 16);
     target.clear({0, 0, 1, 1});
@@ -80,7 +80,7 @@ TEST_F(Pixels, FixedFunctionDrawsToo)
     EXPECT_EQ(picture.at(12, 8), blue);
 }
 
-TEST_F(Pixels, RefusesSizesThatAreNone)
+TEST_F(Pixels, refuses_sizes_that_are_none)
 {
     EXPECT_THROW(Framebuffer(0, 4), std::invalid_argument);
     EXPECT_THROW(Framebuffer(4, -1), std::invalid_argument);

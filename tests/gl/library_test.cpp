@@ -29,7 +29,7 @@ std::set<std::string> core_functions()
     return names;
 }
 
-TEST(Library, ExportsEveryCoreFunction)
+TEST(Library, exports_every_core_function)
 {
     const std::set<std::string> names = core_functions();
     ASSERT_GT(names.size(), 600U);
@@ -37,7 +37,7 @@ TEST(Library, ExportsEveryCoreFunction)
     for (const std::string& name : names) EXPECT_TRUE(exported.contains(name)) << name;
 }
 
-TEST(Library, ExportsCompatibilityFunctions)
+TEST(Library, exports_compatibility_functions)
 {
     const std::set<std::string> exported(exports().functions.begin(), exports().functions.end());
     for (const char* name :
@@ -47,7 +47,7 @@ TEST(Library, ExportsCompatibilityFunctions)
         EXPECT_TRUE(exported.contains(name)) << name;
 }
 
-TEST(Library, HoldsNoStateThatOthersCouldReach)
+TEST(Library, holds_no_state_that_others_could_reach)
 {
     for (const char* path : {UMBRAL_GL_LIBRARY, UMBRAL_FRAMEWORK_LIBRARY}) {
         EXPECT_EQ(read_exports(path).writable_data, std::vector<std::string>{}) << path;
@@ -55,7 +55,7 @@ TEST(Library, HoldsNoStateThatOthersCouldReach)
     }
 }
 
-TEST(Library, LinksNoDriver)
+TEST(Library, links_no_driver)
 {
     for (const std::string& library : exports().needed)
         for (const char* driver : {"OSMesa", "libGL", "OpenGL", "EGL", "GLX"})
@@ -64,7 +64,7 @@ TEST(Library, LinksNoDriver)
 
 using LoadedDriver = GlTest;
 
-TEST_F(LoadedDriver, StaysPrivate)
+TEST_F(LoadedDriver, stays_private)
 {
     // The driver exports functions of the same names: the process must only see ours.
     EXPECT_EQ(dlsym(RTLD_DEFAULT, "OSMesaCreateContext"), nullptr);
@@ -73,7 +73,7 @@ TEST_F(LoadedDriver, StaysPrivate)
     EXPECT_NE(std::string(place.dli_fname).find("libumbral-gl"), std::string::npos) << place.dli_fname;
 }
 
-TEST_F(LoadedDriver, AnswersThroughEveryVersion)
+TEST_F(LoadedDriver, answers_through_every_version)
 {
     // One function of each version that gives something back: the driver answers unknown names too, so an address
     // proves nothing.

@@ -60,9 +60,9 @@ void expect_model(const std::vector<Probe>& probes, const gl::Program& program)
 
 using LightingShaders = gl::GlTest;
 
-TEST_F(LightingShaders, ReferenceIsTheModelAtTheEdges) { expect_model(edges(), *compile(reference())); }
+TEST_F(LightingShaders, reference_is_the_model_at_the_edges) { expect_model(edges(), *compile(reference())); }
 
-TEST_F(LightingShaders, ReferenceIsTheModelAtRandomPoints)
+TEST_F(LightingShaders, reference_is_the_model_at_random_points)
 {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -72,7 +72,7 @@ TEST_F(LightingShaders, ReferenceIsTheModelAtRandomPoints)
 }
 
 // The worked number of the statement: 0.02 + 0.1 + 0.5 · 0.8 + 0.4 · 0.9² = 0.844.
-TEST_F(LightingShaders, WorkedNumberOfTheStatement)
+TEST_F(LightingShaders, worked_number_of_the_statement)
 {
     const Material material{glm::vec3(0), glm::vec3(0.1F), glm::vec3(0.5F), glm::vec3(0.4F), 4};
     const Probe probe{{0, 0, -5}, {0, 0, 1}, material, {{{0, 0.6F, 0.8F, 0}, glm::vec3(1)}}, glm::vec3(0.2F)};
@@ -81,7 +81,7 @@ TEST_F(LightingShaders, WorkedNumberOfTheStatement)
 
 // Inside a bowl, flat and smooth shading look at the same side of the surface: with fine facets they are nearly one
 // picture.
-TEST_F(LightingShaders, FlatAndSmoothAgreeOnFineMeshesSeenFromInside)
+TEST_F(LightingShaders, flat_and_smooth_agree_on_fine_meshes_seen_from_inside)
 {
     Scene scene = bowls(false);
     scene.things = {{sphere(256, 128, 0.1F), placed({0, 0, 0}, glm::vec3(0.9F), 0.7F, {1, 0, 0}),
@@ -97,12 +97,12 @@ TEST_F(LightingShaders, FlatAndSmoothAgreeOnFineMeshesSeenFromInside)
     EXPECT_GT(smooth.at(128, 128).r, 60);
 }
 
-TEST_F(LightingShaders, StubCompilesAndFitsTheInterface)
+TEST_F(LightingShaders, stub_compiles_and_fits_the_interface)
 {
     EXPECT_NO_THROW((void)compile(case_with(UMBRAL_SHADERS_UNIT)));
 }
 
-TEST_F(LightingShaders, DriverRefusesOtherTypesByName)
+TEST_F(LightingShaders, driver_refuses_other_types_by_name)
 {
     Case what = reference();
     std::string& text = what.sources["phong.frag"];
@@ -135,7 +135,7 @@ void expect_outward(const Shape& shape, const char* name)
 }
 
 // gl_FrontFacing is right only if every triangle turns anticlockwise round its normals.
-TEST(LightingShapes, TrianglesTurnRoundTheirNormals)
+TEST(LightingShapes, triangles_turn_round_their_normals)
 {
     expect_outward(sphere(24, 12), "sphere");
     expect_outward(sphere(16, 6, 0.1F), "bowl");

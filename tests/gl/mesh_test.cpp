@@ -9,7 +9,7 @@ namespace {
 
 using Meshes = GlTest;
 
-TEST_F(Meshes, RefuseWrongSizesAndIndices)
+TEST_F(Meshes, refuse_wrong_sizes_and_indices)
 {
     const std::array<glm::vec3, 3> three = {};
     const std::array<glm::vec3, 2> two = {};
@@ -20,7 +20,7 @@ TEST_F(Meshes, RefuseWrongSizesAndIndices)
 }
 
 // The shader chooses the places of its attributes; another program with other places must not be disturbed.
-TEST_F(Meshes, FollowTheProgramsOwnPlaces)
+TEST_F(Meshes, follow_the_programs_own_places)
 {
     const char* fragment = "#version 330\nin vec3 shade; out vec4 r; void main() { r = vec4(shade, 1.0); }\n";
     const Program usual(vertex_source("#version 330\nin vec3 position; in vec3 normal; out vec3 shade;\nvoid main() { "
@@ -42,7 +42,7 @@ TEST_F(Meshes, FollowTheProgramsOwnPlaces)
     EXPECT_NO_THROW(check_errors("drawing"));
 }
 
-TEST_F(Meshes, DrawTheirCornersAsPoints)
+TEST_F(Meshes, draw_their_corners_as_points)
 {
     const Program program(vertex_source(plain_vertex), fragment_source(plain_fragment));
     program.set("color", glm::vec4(1));
@@ -58,7 +58,7 @@ TEST_F(Meshes, DrawTheirCornersAsPoints)
             EXPECT_EQ(picture.at(x, y).r, (x == 0 && y == 3) || (x == 2 && y == 1) ? 255 : 0) << x << ", " << y;
 }
 
-TEST_F(Meshes, OutliveTheirContextWithoutHarm)
+TEST_F(Meshes, outlive_their_context_without_harm)
 {
     auto second = std::make_unique<OffscreenContext>();
     const Mesh mesh = rectangle(-1, 1, -1, 1);

@@ -23,7 +23,7 @@ std::pair<StudentError::Kind, std::string> error_of(const char* vertex, const ch
     return {};
 }
 
-TEST_F(Shaders, CompileErrorsNameTheStudentsFileAndLine)
+TEST_F(Shaders, compile_errors_name_the_students_file_and_line)
 {
     const auto [kind, text] =
         error_of(plain_vertex, "#version 330\nout vec4 result;\nvoid main()\n{\n    result = vec4(colour, 1.0);\n}\n");
@@ -35,7 +35,7 @@ TEST_F(Shaders, CompileErrorsNameTheStudentsFileAndLine)
     EXPECT_NE(vertex_text.find("test.vert:2: error"), std::string::npos) << vertex_text;
 }
 
-TEST_F(Shaders, LinkErrorsAreTheStudentsToo)
+TEST_F(Shaders, link_errors_are_the_students_too)
 {
     const auto [kind, text] =
         error_of("#version 330\nout vec3 shade;\nvoid main() { shade = vec3(1.0); gl_Position = vec4(0.0); }\n",
@@ -44,7 +44,7 @@ TEST_F(Shaders, LinkErrorsAreTheStudentsToo)
     EXPECT_NE(text.find("shade"), std::string::npos) << text;
 }
 
-TEST_F(Shaders, EmptyAndHostileSourcesAreRefusedNotCrashedOn)
+TEST_F(Shaders, empty_and_hostile_sources_are_refused_not_crashed_on)
 {
     EXPECT_EQ(error_of("", "").first, StudentError::Kind::compile_error);
     EXPECT_EQ(error_of("#version 330\n#error 0:1(2): text\n", plain_fragment).first, StudentError::Kind::compile_error);
@@ -67,7 +67,7 @@ std::string mismatch_of(const char* vertex, const char* fragment)
     return "";
 }
 
-TEST_F(Shaders, IntrospectionListsWhatIsUsed)
+TEST_F(Shaders, introspection_lists_what_is_used)
 {
     const Program program(
         vertex_source(
@@ -84,7 +84,7 @@ TEST_F(Shaders, IntrospectionListsWhatIsUsed)
     EXPECT_NO_THROW(program.require_interface(expected));
 }
 
-TEST_F(Shaders, MismatchesNameWhatIsExpectedAndWhatCame)
+TEST_F(Shaders, mismatches_name_what_is_expected_and_what_came)
 {
     EXPECT_EQ(mismatch_of(plain_vertex, plain_fragment), "");
     EXPECT_EQ(mismatch_of(plain_vertex,
@@ -102,7 +102,7 @@ TEST_F(Shaders, MismatchesNameWhatIsExpectedAndWhatCame)
               "color, weights, model");
 }
 
-TEST_F(Shaders, UniformsArriveInTheShader)
+TEST_F(Shaders, uniforms_arrive_in_the_shader)
 {
     const Framebuffer target(1, 1);
     target.clear();
@@ -131,7 +131,7 @@ TEST_F(Shaders, UniformsArriveInTheShader)
     EXPECT_NO_THROW(check_errors("setting uniforms"));
 }
 
-TEST(ShaderLog, RenamesOnlyWhatNamesAPlace)
+TEST(ShaderLog, renames_only_what_names_a_place)
 {
     EXPECT_EQ(with_file_name("0:12(5): error: x\n", "phong.frag"), "phong.frag:12: error: x");
     EXPECT_EQ(with_file_name("0(7) : error C1008: y\n", "phong.frag"), "phong.frag:7: error C1008: y");
@@ -141,7 +141,7 @@ TEST(ShaderLog, RenamesOnlyWhatNamesAPlace)
     EXPECT_EQ(with_file_name("", "f"), "");
 }
 
-TEST(ShaderLog, IsBounded)
+TEST(ShaderLog, is_bounded)
 {
     std::string log;
     for (int i = 0; i < 1000; ++i) log += "0:1(1): error: again\n";

@@ -103,7 +103,7 @@ protected:
 }
 
 // Away from borders by 1e-4 of a texel, where float decides as exact arithmetic does, the texel is the same one.
-TEST_F(SamplingTest, NearestReadsTheSameTexels)
+TEST_F(SamplingTest, nearest_reads_the_same_texels)
 {
     std::size_t compared = 0;
     for (const glm::ivec2 size : {glm::ivec2(8, 8), {5, 7}, {1, 1}, {1, 6}, {16, 3}})
@@ -126,7 +126,7 @@ TEST_F(SamplingTest, NearestReadsTheSameTexels)
 }
 
 // OpenGL lets drivers round the weights of a blend to a few bits; Mesa blends textures of floats in float.
-TEST_F(SamplingTest, BilinearBlendsAlike)
+TEST_F(SamplingTest, bilinear_blends_alike)
 {
     float worst = 0;
     std::size_t compared = 0;

@@ -12,7 +12,7 @@ namespace {
 
 using Traces = GlTest;
 
-TEST_F(Traces, SeeCallsBetweenTheMarksOnly)
+TEST_F(Traces, see_calls_between_the_marks_only)
 {
     glPointSize(2);
     begin_trace();
@@ -38,7 +38,7 @@ TEST_F(Traces, SeeCallsBetweenTheMarksOnly)
     EXPECT_TRUE(end_trace().calls.empty());
 }
 
-TEST_F(Traces, AreBoundedButCountOn)
+TEST_F(Traces, are_bounded_but_count_on)
 {
     begin_trace();
     for (std::size_t i = 0; i < Trace::maximum_calls + 10; ++i) glLoadIdentity();
@@ -48,7 +48,7 @@ TEST_F(Traces, AreBoundedButCountOn)
     EXPECT_EQ(trace.count("glLoadIdentity"), Trace::maximum_calls + 10);
 }
 
-TEST_F(Traces, CountUploadedBytes)
+TEST_F(Traces, count_uploaded_bytes)
 {
     const std::array<float, 30> numbers = {};
     const std::array<unsigned char, 5 * 4 * 3> texels = {};
@@ -71,7 +71,7 @@ TEST_F(Traces, CountUploadedBytes)
     EXPECT_EQ(trace.uploaded_bytes, 180U);
 }
 
-TEST_F(Traces, AreRecordedAsText)
+TEST_F(Traces, are_recorded_as_text)
 {
     const std::array<float, 30> numbers = {};
     GLuint buffer = 0;
@@ -100,7 +100,7 @@ TEST_F(Traces, AreRecordedAsText)
     EXPECT_THROW(record_trace(out, "cut", trace), std::logic_error);
 }
 
-TEST_F(Traces, RefuseUnpairedMarks)
+TEST_F(Traces, refuse_unpaired_marks)
 {
     EXPECT_THROW((void)end_trace(), std::logic_error);
     begin_trace();
@@ -110,7 +110,7 @@ TEST_F(Traces, RefuseUnpairedMarks)
 }
 
 // Sizes computed by hand from the formats' definitions.
-TEST(UploadSize, FollowsExtentFormatAndType)
+TEST(UploadSize, follows_extent_format_and_type)
 {
     EXPECT_EQ(upload_size("glTexImage3D", {GL_TEXTURE_3D, 0, GL_RGBA8, 2, 3, 4, 0, GL_RGBA, GL_FLOAT, 1}),
               2U * 3 * 4 * 16);
@@ -122,7 +122,7 @@ TEST(UploadSize, FollowsExtentFormatAndType)
     EXPECT_EQ(upload_size("glVertex3f", {1, 2, 3}), 0U);
 }
 
-TEST(UploadSize, StandsNonsense)
+TEST(UploadSize, stands_nonsense)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(upload_size("glBufferData", {}), 0U);

@@ -61,7 +61,7 @@ protected:
 
 }
 
-TEST_F(Uploads, WhatIsMappedForWritingCountsWhole)
+TEST_F(Uploads, what_is_mapped_for_writing_counts_whole)
 {
     EXPECT_EQ(bytes_of([&] { (void)glMapNamedBuffer(buffer, GL_WRITE_ONLY), glUnmapNamedBuffer(buffer); }), 48U);
     EXPECT_EQ(bytes_of([&] { (void)glMapBuffer(GL_ARRAY_BUFFER, GL_READ_WRITE), glUnmapBuffer(GL_ARRAY_BUFFER); }),
@@ -81,14 +81,14 @@ TEST_F(Uploads, WhatIsMappedForWritingCountsWhole)
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-TEST_F(Uploads, WhatWasMappedBeforeTheTraceCountsWhenUnmapped)
+TEST_F(Uploads, what_was_mapped_before_the_trace_counts_when_unmapped)
 {
     (void)glMapNamedBuffer(buffer, GL_WRITE_ONLY);
     EXPECT_EQ(bytes_of([&] { glUnmapNamedBuffer(buffer); }), 48U);
     EXPECT_EQ(bytes_of([&] { draw(); }), 0U);
 }
 
-TEST_F(Uploads, WhatStaysMappedCountsAtEachDraw)
+TEST_F(Uploads, what_stays_mapped_counts_at_each_draw)
 {
     const auto [name, memory] = lasting_buffer();
     ASSERT_NE(memory, nullptr);
@@ -105,7 +105,7 @@ TEST_F(Uploads, WhatStaysMappedCountsAtEachDraw)
     EXPECT_EQ(bytes_of([&] { draw(); }), 64U) << "a buffer that is gone is not counted";
 }
 
-TEST_F(Uploads, PinnedMemoryCountsAtEachDraw)
+TEST_F(Uploads, pinned_memory_counts_at_each_draw)
 {
     if (std::strstr(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), "GL_AMD_pinned_memory") == nullptr)
         GTEST_SKIP() << "this driver pins no memory";
@@ -118,7 +118,7 @@ TEST_F(Uploads, PinnedMemoryCountsAtEachDraw)
     EXPECT_EQ(bytes_of([&] { draw(), draw(); }), 2 * sizeof own);
 }
 
-TEST_F(Uploads, VerticesFromTheApplicationsMemoryCountWhenDrawn)
+TEST_F(Uploads, vertices_from_the_applications_memory_count_when_drawn)
 {
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -144,7 +144,7 @@ TEST_F(Uploads, VerticesFromTheApplicationsMemoryCountWhenDrawn)
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-TEST_F(Uploads, VerticesFromBuffersDoNot)
+TEST_F(Uploads, vertices_from_buffers_do_not)
 {
     glBindVertexArray(array);
     glEnableVertexAttribArray(0);
@@ -153,7 +153,7 @@ TEST_F(Uploads, VerticesFromBuffersDoNot)
     EXPECT_EQ(bytes_of([&] { glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, indices.data()); }), 3U * 2);
 }
 
-TEST_F(Uploads, PicturesComeFromMemoryOrFromABuffer)
+TEST_F(Uploads, pictures_come_from_memory_or_from_a_buffer)
 {
     GLuint texture = 0;
     glGenTextures(1, &texture);
@@ -171,7 +171,7 @@ TEST_F(Uploads, PicturesComeFromMemoryOrFromABuffer)
     EXPECT_EQ(bytes_of([&] { glDrawPixels(2, 2, GL_RED, GL_FLOAT, corners.data()); }), 16U);
 }
 
-TEST_F(Uploads, BuffersAreFilledInManyWays)
+TEST_F(Uploads, buffers_are_filled_in_many_ways)
 {
     EXPECT_EQ(bytes_of([&] { glNamedBufferSubData(buffer, 0, 20, corners.data()); }), 20U);
     EXPECT_EQ(bytes_of([&] { glClearNamedBufferData(buffer, GL_R32F, GL_RED, GL_FLOAT, corners.data()); }), 4U);
@@ -184,7 +184,7 @@ TEST_F(Uploads, BuffersAreFilledInManyWays)
     EXPECT_EQ(bytes_of([&] { glCopyNamedBufferSubData(other, buffer, 0, 0, 32); }), 0U) << "it never leaves OpenGL";
 }
 
-TEST_F(Uploads, UniformsAreParametersAndArraysOfThemData)
+TEST_F(Uploads, uniforms_are_parameters_and_arrays_of_them_data)
 {
     const Program program(vertex_source("#version 330\nuniform vec4 table[8]; uniform mat4 one;\n"
                                         "void main() { gl_Position = one * table[gl_VertexID]; }\n"),
@@ -198,7 +198,7 @@ TEST_F(Uploads, UniformsAreParametersAndArraysOfThemData)
     EXPECT_EQ(upload_size("glUniform1uiv", {0, 3, 1}), 12U);
 }
 
-TEST_F(Uploads, DisplayListsShowWhatTheyDo)
+TEST_F(Uploads, display_lists_show_what_they_do)
 {
     const GLuint list = glGenLists(2);
     glNewList(list, GL_COMPILE);
@@ -222,7 +222,7 @@ TEST_F(Uploads, DisplayListsShowWhatTheyDo)
     EXPECT_EQ(traced([&] { glCallList(list + 1); }).count("glVertex3f"), 0U);
 }
 
-TEST_F(Uploads, ListsOfListsStayWithinTheTrace)
+TEST_F(Uploads, lists_of_lists_stay_within_the_trace)
 {
     const GLuint first = glGenLists(40);
     for (GLuint i = 0; i < 40; ++i) {

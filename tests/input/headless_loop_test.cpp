@@ -11,7 +11,7 @@ void count_scrolls(const Session& session)
     glfwSetScrollCallback(session.window, [](GLFWwindow* w, double, double y) { Session::of(w).say(words(y)); });
 }
 
-TEST(HeadlessLoop, EventsComeOnlyInsidePollAndWait)
+TEST(HeadlessLoop, events_come_only_inside_poll_and_wait)
 {
     Session session("0 scroll 0 1\n0.5 scroll 0 2\n0.5 scroll 0 3\n2 scroll 0 4");
     count_scrolls(session);
@@ -30,7 +30,7 @@ TEST(HeadlessLoop, EventsComeOnlyInsidePollAndWait)
     EXPECT_EQ(session.headless.usage().waits, 4U);
 }
 
-TEST(HeadlessLoop, PollsAndFramesTakeTime)
+TEST(HeadlessLoop, polls_and_frames_take_time)
 {
     Session session("0.25 scroll 0 1\n0.5 close", {.poll_seconds = 0.125, .frame_seconds = 0.0625});
     count_scrolls(session);
@@ -52,7 +52,7 @@ TEST(HeadlessLoop, PollsAndFramesTakeTime)
     EXPECT_EQ(glfwGetTimerValue(), 312'500'000U) << "the raw timer is not set";
 }
 
-TEST(HeadlessLoop, WaitReturnsAtOnceWhenWoken)
+TEST(HeadlessLoop, wait_returns_at_once_when_woken)
 {
     Session session("5 scroll 0 1");
     count_scrolls(session);
@@ -64,7 +64,7 @@ TEST(HeadlessLoop, WaitReturnsAtOnceWhenWoken)
     EXPECT_EQ(session.heard.size(), 1U);
 }
 
-TEST(HeadlessLoop, WhatTheProgramCausesComesWithTheNextPoll)
+TEST(HeadlessLoop, what_the_program_causes_comes_with_the_next_poll)
 {
     Session session("1 scroll 0 1");
     glfwSetWindowSizeCallback(session.window, [](GLFWwindow* w, int x, int y) {
@@ -80,7 +80,7 @@ TEST(HeadlessLoop, WhatTheProgramCausesComesWithTheNextPoll)
     EXPECT_EQ(glfwGetTime(), 0) << "there was no need to wait for the script";
 }
 
-TEST(HeadlessLoop, AWaitingProgramIsAskedToCloseAndThenStopped)
+TEST(HeadlessLoop, a_waiting_program_is_asked_to_close_and_then_stopped)
 {
     Session session("1 scroll 0 1");
     glfwWaitEvents();
@@ -91,7 +91,7 @@ TEST(HeadlessLoop, AWaitingProgramIsAskedToCloseAndThenStopped)
     EXPECT_NE(stopped_by([] { glfwWaitEvents(); }).find("would wait for ever"), std::string::npos);
 }
 
-TEST(HeadlessLoop, APollingProgramIsAskedToCloseAndThenStopped)
+TEST(HeadlessLoop, a_polling_program_is_asked_to_close_and_then_stopped)
 {
     Session session("1 scroll 0 1", {.poll_seconds = 0.25, .patience_seconds = 2, .polls_after_closing = 10});
     int polls = 0;
@@ -104,7 +104,7 @@ TEST(HeadlessLoop, APollingProgramIsAskedToCloseAndThenStopped)
     EXPECT_NE(stopped_by([] { glfwPollEvents(); }).find("glfwWindowShouldClose"), std::string::npos);
 }
 
-TEST(HeadlessLoop, CallbacksMustNotPoll)
+TEST(HeadlessLoop, callbacks_must_not_poll)
 {
     Session session("1 scroll 0 1\n2 scroll 0 1");
     glfwSetScrollCallback(session.window, [](GLFWwindow*, double, double) { glfwPollEvents(); });
@@ -115,7 +115,7 @@ TEST(HeadlessLoop, CallbacksMustNotPoll)
         << "and the session goes on after an exception";
 }
 
-TEST(HeadlessLoop, SessionsAreApart)
+TEST(HeadlessLoop, sessions_are_apart)
 {
     {
         Session first("1 press left 3 4");
@@ -128,7 +128,7 @@ TEST(HeadlessLoop, SessionsAreApart)
     EXPECT_TRUE(second.heard.empty());
 }
 
-TEST(HeadlessLoop, AWindowMayFollowAnother)
+TEST(HeadlessLoop, a_window_may_follow_another)
 {
     Session session("1 press left 3 4\n2 move 5 6");
     glfwWaitEvents();

@@ -43,7 +43,7 @@ Lines heard_from(const char* script, const HeadlessSettings& settings = {})
     return session.heard;
 }
 
-TEST(Headless, MouseCallbacks)
+TEST(Headless, mouse_callbacks)
 {
     EXPECT_EQ(
         heard_from(
@@ -53,7 +53,7 @@ TEST(Headless, MouseCallbacks)
 }
 
 // As under X11, modifier bits are those from before the event: Shift's own press has none, its release has its bit.
-TEST(Headless, KeysWithModifiersAndCharacters)
+TEST(Headless, keys_with_modifiers_and_characters)
 {
     EXPECT_EQ(heard_from("0 key LEFT_SHIFT press\n1 key 2 press\n2 press left\n3 key 2 release\n4 key LEFT_SHIFT "
                          "release\n5 key A press\n6 key A repeat\n7 key A press"),
@@ -69,7 +69,7 @@ TEST(Headless, KeysWithModifiersAndCharacters)
         << "a key that was not down cannot go up";
 }
 
-TEST(Headless, SizesInPixelsComeFirst)
+TEST(Headless, sizes_in_pixels_come_first)
 {
     EXPECT_EQ(
         heard_from("0 resize 640 480\n1 resize 300 200\n2 resize 300 200\n3 resize 0 0", {.content_scale = {2, 1.5}}),
@@ -79,7 +79,7 @@ TEST(Headless, SizesInPixelsComeFirst)
 
 // "glfwSetWindowFocusCallback: after the callback is called, synthetic key and mouse button release events will be
 // generated".
-TEST(Headless, LosingFocusReleasesEverything)
+TEST(Headless, losing_focus_releases_everything)
 {
     EXPECT_EQ(heard_from("0 press right\n1 key R press\n2 focus off\n3 focus off\n4 key 1 press\n5 move 3 4\n6 focus "
                          "on\n7 key R press"),
@@ -87,14 +87,14 @@ TEST(Headless, LosingFocusReleasesEverything)
                      "button 1 0 0", "cursor 3 4", "focus 1", "key 82 1 0", "char with 114 0", "char 114"}));
 }
 
-TEST(Headless, WindowEvents)
+TEST(Headless, window_events)
 {
     EXPECT_EQ(heard_from("0 iconify on\n1 iconify off\n2 enter off\n3 refresh\n4 close"),
               (Lines{"iconify 1", "iconify 0", "enter 0", "refresh", "close 1"}))
         << "the close callback runs once the flag is set, so that it can take it back";
 }
 
-TEST(Headless, SettersReturnTheOneBefore)
+TEST(Headless, setters_return_the_one_before)
 {
     Session session("0 scroll 0 1\n1 scroll 0 2");
     const GLFWscrollfun first = [](GLFWwindow* w, double, double y) { Session::of(w).say("first " + words(y)); };
@@ -107,7 +107,7 @@ TEST(Headless, SettersReturnTheOneBefore)
     EXPECT_EQ(session.heard, (Lines{"second 1"}));
 }
 
-TEST(Headless, StateIsThatOfTheLastEventDelivered)
+TEST(Headless, state_is_that_of_the_last_event_delivered)
 {
     Session session("1 press left 5 6\n2 key R press\n3 release left 7 8\n4 key R release", {.pointer = {1, 2}});
     double x = 0;
@@ -134,7 +134,7 @@ TEST(Headless, StateIsThatOfTheLastEventDelivered)
 
 // "If GLFW_STICKY_KEYS is enabled, a key press will ensure that glfwGetKey returns GLFW_PRESS the next time it is
 // called".
-TEST(Headless, StickyKeysAndButtons)
+TEST(Headless, sticky_keys_and_buttons)
 {
     Session session("0 key R press\n0 key R release\n0 press right\n0 release right");
     glfwSetInputMode(session.window, GLFW_STICKY_KEYS, GLFW_TRUE);
@@ -148,7 +148,7 @@ TEST(Headless, StickyKeysAndButtons)
         << "switched off, it is forgotten";
 }
 
-TEST(Headless, TheWindowIsWhatWasAskedFor)
+TEST(Headless, the_window_is_what_was_asked_for)
 {
     Session session("", {.content_scale = {2, 2}});
     int width = 0;
@@ -172,7 +172,7 @@ void expect_error(int code)
     EXPECT_EQ(text == nullptr, code == GLFW_NO_ERROR);
 }
 
-TEST(Headless, ErrorsHaveGlfwsCodes)
+TEST(Headless, errors_have_glfws_codes)
 {
     const Headless session({});
     expect_error(GLFW_NO_ERROR);
@@ -199,7 +199,7 @@ TEST(Headless, ErrorsHaveGlfwsCodes)
                                  GLFW_INVALID_ENUM, GLFW_NO_CURRENT_CONTEXT, GLFW_INVALID_VALUE}));
 }
 
-TEST(Headless, WhatCannotBeHadSaysSo)
+TEST(Headless, what_cannot_be_had_says_so)
 {
     Session session("");
     EXPECT_EQ(stopped_by([&] {

@@ -40,7 +40,7 @@ Names declared()
     return names;
 }
 
-TEST(HeadlessLibrary, ExportsTheHeadersFunctionsExactly)
+TEST(HeadlessLibrary, exports_the_headers_functions_exactly)
 {
     EXPECT_GT(declared().size(), 100U);
     EXPECT_EQ(exported_by(UMBRAL_GLFW_LIBRARY), declared());
@@ -48,7 +48,7 @@ TEST(HeadlessLibrary, ExportsTheHeadersFunctionsExactly)
 
 #ifdef UMBRAL_REAL_GLFW
 // But for functions of another header, about the window systems that GLFW knows.
-TEST(HeadlessLibrary, ExportsWhatTheRealOneExports)
+TEST(HeadlessLibrary, exports_what_the_real_one_exports)
 {
     Names theirs = exported_by(UMBRAL_REAL_GLFW);
     EXPECT_GT(theirs.size(), 100U);
@@ -59,7 +59,7 @@ TEST(HeadlessLibrary, ExportsWhatTheRealOneExports)
 }
 #endif
 
-TEST(HeadlessLibrary, HidesItsState)
+TEST(HeadlessLibrary, hides_its_state)
 {
     const gl::Exports exports = gl::read_exports(UMBRAL_GLFW_LIBRARY);
     EXPECT_EQ(exports.writable_data, std::vector<std::string>{});

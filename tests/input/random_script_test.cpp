@@ -48,7 +48,7 @@ struct Held {
     }
 };
 
-TEST(RandomScript, IsWhatAUserCanDo)
+TEST(RandomScript, is_what_a_user_can_do)
 {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -67,7 +67,7 @@ TEST(RandomScript, IsWhatAUserCanDo)
     }
 }
 
-TEST(RandomScript, HasEveryKindSooner)
+TEST(RandomScript, has_every_kind_sooner)
 {
     std::array<int, std::variant_size_v<Event>> seen{};
     for (std::uint64_t seed = 1; seed <= 50; ++seed)
@@ -75,7 +75,7 @@ TEST(RandomScript, HasEveryKindSooner)
     for (const std::size_t kind : {0, 1, 2, 3, 5, 6, 10}) EXPECT_GT(seen.at(kind), 30) << "kind " << kind;
 }
 
-TEST(RandomScript, KeepsToItsSettings)
+TEST(RandomScript, keeps_to_its_settings)
 {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         for (const auto& [time, event] :

@@ -18,7 +18,7 @@ std::string complaint(const std::string& text)
     return "";
 }
 
-TEST(Script, ReadsEveryKindOfEvent)
+TEST(Script, reads_every_kind_of_event)
 {
     const EventScript script = parse_script(R"(# a session
 0 press left 120 80.5
@@ -54,13 +54,13 @@ TEST(Script, ReadsEveryKindOfEvent)
     EXPECT_EQ(parse_script(to_text(script)), script);
 }
 
-TEST(Script, EmptyTextsHaveNoEvents)
+TEST(Script, empty_texts_have_no_events)
 {
     EXPECT_TRUE(parse_script("").empty());
     EXPECT_TRUE(parse_script("\n  \n# nothing\n\t").empty());
 }
 
-TEST(Script, ComplaintsNameTheLineAndWhatWasExpected)
+TEST(Script, complaints_name_the_line_and_what_was_expected)
 {
     EXPECT_EQ(complaint("0.1 press left\n0.2 press lft 3 4"),
               "drag.txt:2: expected a button (left, right, middle or 4 to 8), got 'lft'");
@@ -79,7 +79,7 @@ TEST(Script, ComplaintsNameTheLineAndWhatWasExpected)
     EXPECT_EQ(complaint("1 focus maybe"), "drag.txt:1: expected on or off, got 'maybe'");
 }
 
-TEST(Script, RefusesNumbersThatAreNone)
+TEST(Script, refuses_numbers_that_are_none)
 {
     for (const char* text : {"1 move nan 0", "1 move 0 inf", "1 move 1e300 0", "1 move 1x 0", "-1 close", "nan close",
                              "inf close", "1 resize -1 5", "1 resize 2.5 5", "1 resize 99999999999999999999 5",
@@ -87,7 +87,7 @@ TEST(Script, RefusesNumbersThatAreNone)
         EXPECT_NE(complaint(text), "") << text;
 }
 
-TEST(Names, KeysComeBack)
+TEST(Names, keys_come_back)
 {
     int keys = 0;
     for (int key = -2; key <= GLFW_KEY_LAST + 1; ++key) {
@@ -103,7 +103,7 @@ TEST(Names, KeysComeBack)
     EXPECT_EQ(name_of_key(GLFW_KEY_UNKNOWN), "");
 }
 
-TEST(Names, CharactersOfAnAmericanKeyboard)
+TEST(Names, characters_of_an_american_keyboard)
 {
     EXPECT_EQ(character_of(GLFW_KEY_A, false), 'a');
     EXPECT_EQ(character_of(GLFW_KEY_A, true), 'A');

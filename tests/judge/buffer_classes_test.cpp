@@ -18,7 +18,7 @@ Tensor ids_by(const std::function<std::uint32_t(double, double)>& id)
 // Id 5 left and 9 right of a line, in a disc.
 std::uint32_t halves(double x, double y) { return !in_disc(x, y) ? 0 : x < 11 ? 5 : 9; }
 
-TEST(BufferClasses, AHalfPixelCentreGivesEdgePixelsToTheirNeighbours)
+TEST(BufferClasses, a_half_pixel_centre_gives_edge_pixels_to_their_neighbours)
 {
     const Judgement found = buffer(ids_by([](double x, double y) { return halves(x + 0.5, y + 0.5); }), ids_by(halves));
     EXPECT_GT(metric(found, "wrong"), 5);
@@ -33,7 +33,7 @@ TEST(BufferClasses, AHalfPixelCentreGivesEdgePixelsToTheirNeighbours)
         << found.message;
 }
 
-TEST(BufferClasses, AHoleInsideIsNotAtAnEdge)
+TEST(BufferClasses, a_hole_inside_is_not_at_an_edge)
 {
     // Round (7, 11) all is 5 for three pixels and more.
     const auto holed = [](double x, double y) { return x >= 6 && x <= 7 && y >= 11 && y <= 12 ? 77U : halves(x, y); };
@@ -45,7 +45,7 @@ TEST(BufferClasses, AHoleInsideIsNotAtAnEdge)
     EXPECT_TRUE(says(found, "all lie inside, none at an edge; 4 of values that are expected nowhere")) << found.message;
 }
 
-TEST(BufferClasses, AnEdgeIsOnePixelWideAndNoMore)
+TEST(BufferClasses, an_edge_is_one_pixel_wide_and_no_more)
 {
     // The line between 5 and 9 lies between x = 10 and 11.
     for (const auto& [column, at_edge] : {std::pair{9.0, 0.0}, {10.0, 1.0}, {11.0, 1.0}, {12.0, 0.0}}) {
@@ -60,7 +60,7 @@ TEST(BufferClasses, AnEdgeIsOnePixelWideAndNoMore)
         << "9 is two pixels away";
 }
 
-TEST(BufferClasses, GroupsJoinAtCornersToo)
+TEST(BufferClasses, groups_join_at_corners_too)
 {
     const auto spots = [](double x, double y) {
         return (x == y && x >= 5 && x < 10) || (x == 15 && y > 10 && y < 14) ? 33U : halves(x, y);
@@ -71,7 +71,7 @@ TEST(BufferClasses, GroupsJoinAtCornersToo)
     EXPECT_TRUE(says(found, "the largest group has 5 in x 5..9, y 5..9")) << found.message;
 }
 
-TEST(BufferClasses, WholeRowsAndColumnsAreNamed)
+TEST(BufferClasses, whole_rows_and_columns_are_named)
 {
     const auto row = [](double x, double y) { return y == 12 ? 0U : halves(x, y); };
     EXPECT_TRUE(says(buffer(ids_by(row), ids_by(halves)), "; whole row 12; "))
@@ -84,7 +84,7 @@ TEST(BufferClasses, WholeRowsAndColumnsAreNamed)
         << "where nothing is right, no row stands out";
 }
 
-TEST(BufferClasses, RenamedIdsAreOneMistakeAndNotMany)
+TEST(BufferClasses, renamed_ids_are_one_mistake_and_not_many)
 {
     const auto swapped = [](double x, double y) { return halves(x, y) == 0 ? 0U : 14 - halves(x, y); };
     const Judgement found = buffer(ids_by(swapped), ids_by(halves));
@@ -102,7 +102,7 @@ TEST(BufferClasses, RenamedIdsAreOneMistakeAndNotMany)
     EXPECT_FALSE(says(buffer(ids_by(mostly), ids_by(halves)), "named otherwise")) << "a quarter follows no rule";
 }
 
-TEST(BufferClasses, CoverageIsAboutPixels)
+TEST(BufferClasses, coverage_is_about_pixels)
 {
     const auto covered = [](double x, double y) { return in_disc(x, y) ? 1U : 0U; };
     const Judgement found =
@@ -111,7 +111,7 @@ TEST(BufferClasses, CoverageIsAboutPixels)
     EXPECT_TRUE(says(found, "another pixel owns the edge"));
 }
 
-TEST(BufferSketch, ShowsBothSidesOfTheFirstBadPlace)
+TEST(BufferSketch, shows_both_sides_of_the_first_bad_place)
 {
     std::vector<std::uint32_t> cells(64, 0);
     for (const std::size_t cell : {27, 28, 35, 36}) cells[cell] = 12;
@@ -132,7 +132,7 @@ TEST(BufferSketch, ShowsBothSidesOfTheFirstBadPlace)
     EXPECT_EQ(buffer(grid(8, 8, cells), grid(8, 8, cells)).sketch, "");
 }
 
-TEST(BufferSketch, DepthsAreDrawnInTenthsAndLongIdsAsLetters)
+TEST(BufferSketch, depths_are_drawn_in_tenths_and_long_ids_as_letters)
 {
     const Judgement found = buffer(depth(3, 1, {0.5F, 0.2F, 1.0F}), depth(3, 1, {0.5F, 0.65F, 1.0F}));
     EXPECT_EQ(found.sketch,
@@ -149,7 +149,7 @@ TEST(BufferSketch, DepthsAreDrawnInTenthsAndLongIdsAsLetters)
               std::string::npos);
 }
 
-TEST(BufferClasses, NoLargeBufferOrOddOneStopsIt)
+TEST(BufferClasses, no_large_buffer_or_odd_one_stops_it)
 {
     EXPECT_EQ(buffer(grid(1, 1, {5}), grid(1, 1, {4})).sketch,
               "yours   expected\n>5       .\nx 0..0, y 0..0; . background, > wrong");

@@ -27,7 +27,7 @@ Tensor vectors_by(std::uint32_t components, const std::function<std::vector<floa
 
 float slope(double x, double y) { return in_disc(x, y) ? static_cast<float>(0.3 + 0.01 * x + 0.003 * y) : 1.0F; }
 
-TEST(BufferPatterns, DepthsThatFollowARule)
+TEST(BufferPatterns, depths_that_follow_a_rule)
 {
     const Tensor expected = depth_by(slope);
     const auto mapped = [&](const std::function<double(double)>& rule) {
@@ -51,7 +51,7 @@ TEST(BufferPatterns, DepthsThatFollowARule)
         EXPECT_FALSE(says(bent, word)) << bent.message;
 }
 
-TEST(BufferPatterns, RoundingFinerThanAFloatIsNotGuessedAt)
+TEST(BufferPatterns, rounding_finer_than_a_float_is_not_guessed_at)
 {
     // Between 0.5 and 1 floats lie 2^-24 apart: whatever is there looks rounded to 24 bits.
     const auto high = [](double x, double y) {
@@ -69,7 +69,7 @@ TEST(BufferPatterns, RoundingFinerThanAFloatIsNotGuessedAt)
         << buffer(depth_by(rounded), depth_by(low)).message;
 }
 
-TEST(BufferPatterns, TheFartherSurfaceWon)
+TEST(BufferPatterns, the_farther_surface_won)
 {
     // A near square before the slope; in yours the slope was drawn over it.
     const auto square = [](double x, double y) { return x > 7 && x < 16 && y > 7 && y < 14; };
@@ -80,7 +80,7 @@ TEST(BufferPatterns, TheFartherSurfaceWon)
     EXPECT_TRUE(says(buffer(expected, depth_by(slope)), "a surface too near won: other depths are right"));
 }
 
-TEST(BufferPatterns, NormalsAreMeasuredInDegrees)
+TEST(BufferPatterns, normals_are_measured_in_degrees)
 {
     const auto normal = [](double x, double y, double turned) {
         if (!in_disc(x, y)) return std::vector<float>{0, 0, 0};
@@ -120,7 +120,7 @@ TEST(BufferPatterns, NormalsAreMeasuredInDegrees)
     EXPECT_NEAR(metric(one, "max_degrees"), 90, 0.01);
 }
 
-TEST(BufferPatterns, TextureCoordinatesSayWhichOfTheTwo)
+TEST(BufferPatterns, texture_coordinates_say_which_of_the_two)
 {
     const auto paint = [](double u_factor, bool flip) {
         return vectors_by(2, [=](double x, double y) {
@@ -136,7 +136,7 @@ TEST(BufferPatterns, TextureCoordinatesSayWhichOfTheTwo)
     EXPECT_TRUE(says(half, "off by up to 0.3958 in u, 0 in v")) << half.message;
 }
 
-TEST(BufferPatterns, WhatWasExpectedRoundedIsNoMistake)
+TEST(BufferPatterns, what_was_expected_rounded_is_no_mistake)
 {
     const auto stepped = [](double x, double y) {
         return in_disc(x, y) ? static_cast<float>(std::round(double{slope(x, y)} * 65535) / 65535) : 1.0F;

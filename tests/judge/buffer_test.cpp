@@ -17,7 +17,7 @@ std::vector<std::uint32_t> mostly_empty()
     return cells;
 }
 
-TEST(Buffer, EqualOnesAreRight)
+TEST(Buffer, equal_ones_are_right)
 {
     const Judgement found = buffer(grid(100, 100, mostly_empty()), grid(100, 100, mostly_empty()));
     EXPECT_EQ(found.right, 1);
@@ -26,14 +26,14 @@ TEST(Buffer, EqualOnesAreRight)
     EXPECT_EQ(found.metrics.at("cells"), 4);
 }
 
-TEST(Buffer, AnEmptyOneHidesNothingBehindItsBackground)
+TEST(Buffer, an_empty_one_hides_nothing_behind_its_background)
 {
     const Tensor expected = grid(100, 100, mostly_empty());
     EXPECT_EQ(buffer(grid(100, 100, std::vector<std::uint32_t>(10000, 7)), expected).right, 0);
     EXPECT_EQ(buffer(grid(100, 100, std::vector<std::uint32_t>(10000, 0)), expected).right, 0);
 }
 
-TEST(Buffer, DifferencesAreClassified)
+TEST(Buffer, differences_are_classified)
 {
     auto cells = mostly_empty();
     cells[5050] = 7;  // missing
@@ -52,7 +52,7 @@ TEST(Buffer, DifferencesAreClassified)
               "group has 2 in x 50..51, y 50..50; the first is pixel (17, 0): yours 3, expected 7");
 }
 
-TEST(Buffer, DepthIsExactUnlessATolerancesSaysOtherwise)
+TEST(Buffer, depth_is_exact_unless_a_tolerances_says_otherwise)
 {
     std::vector<float> cells(100, 1.0F);
     cells[55] = 0.5F;
@@ -66,7 +66,7 @@ TEST(Buffer, DepthIsExactUnlessATolerancesSaysOtherwise)
     EXPECT_EQ(buffer(depth(10, 10, tinted), depth(10, 10, cells), absolute(1e-3)).right, 0);
 }
 
-TEST(Buffer, InfinityIsABackgroundAndNaNIsNothing)
+TEST(Buffer, infinity_is_a_background_and_na_n_is_nothing)
 {
     std::vector<float> cells(100, infinity_f);
     cells[55] = 2;
@@ -83,7 +83,7 @@ TEST(Buffer, InfinityIsABackgroundAndNaNIsNothing)
     EXPECT_EQ(buffer(depth(10, 10, broken), depth(10, 10, broken), absolute(1e30)).right, 0) << "not even itself";
 }
 
-TEST(Buffer, ABufferOfOneCellAndOneOfBackgroundOnly)
+TEST(Buffer, a_buffer_of_one_cell_and_one_of_background_only)
 {
     EXPECT_EQ(buffer(grid(1, 1, {4}), grid(1, 1, {4})).right, 1);
     EXPECT_EQ(buffer(grid(1, 1, {5}), grid(1, 1, {4})).right, 0);
@@ -91,12 +91,12 @@ TEST(Buffer, ABufferOfOneCellAndOneOfBackgroundOnly)
     EXPECT_EQ(buffer(grid(2, 2, {4, 4, 4, 5}), grid(2, 2, {4, 4, 4, 4})).right, 0);
 }
 
-TEST(Buffer, TransposedShapeIsWrong)
+TEST(Buffer, transposed_shape_is_wrong)
 {
     EXPECT_EQ(buffer(grid(2, 3, {1, 2, 3, 4, 5, 6}), grid(3, 2, {1, 2, 3, 4, 5, 6})).right, 0);
 }
 
-TEST(Buffer, TheBackgroundIsWhatTheExpectedBorderHoldsMost)
+TEST(Buffer, the_background_is_what_the_expected_border_holds_most)
 {
     // 28 cells of border, 36 inside.
     std::vector<std::uint32_t> framed(64, 3);
@@ -115,7 +115,7 @@ TEST(Buffer, TheBackgroundIsWhatTheExpectedBorderHoldsMost)
     EXPECT_EQ(buffer(grid(4, 4, std::vector<std::uint32_t>(16, 3)), grid(4, 4, top)).right, 0.25);
 }
 
-TEST(Buffer, TwoCellsNearTheBackgroundNeedNotBeEqual)
+TEST(Buffer, two_cells_near_the_background_need_not_be_equal)
 {
     std::vector<float> expected(100, 1.0F);
     expected[44] = 0.5F;
@@ -127,7 +127,7 @@ TEST(Buffer, TwoCellsNearTheBackgroundNeedNotBeEqual)
     EXPECT_EQ(found.metrics.at("extra"), 1);
 }
 
-TEST(Buffer, EveryComponentMatters)
+TEST(Buffer, every_component_matters)
 {
     const auto pair = [](float a, float b) {
         Tensor tensor = floats({0, 0, a, b, 0, 0}, 2);
@@ -140,7 +140,7 @@ TEST(Buffer, EveryComponentMatters)
     EXPECT_EQ(buffer(pair(0.25F, 0.25F), pair(0.2F, 0.2F), absolute(0.1)).right, 1);
 }
 
-TEST(Buffer, PresenceMustAgree)
+TEST(Buffer, presence_must_agree)
 {
     Tensor expected = depth(2, 2, {0, 0, 0, 1});
     expected.present = {0, 0, 0, 1};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double much = 1000;
 
-TEST(Confidence, IsTheShareOfTheChecksThatSpeakForIt)
+TEST(Confidence, is_the_share_of_the_checks_that_speak_for_it)
 {
     EXPECT_EQ(confidence({}), 0);
     EXPECT_EQ(confidence({0, 3, much}), 0);
@@ -21,7 +21,7 @@ TEST(Confidence, IsTheShareOfTheChecksThatSpeakForIt)
         << "a mistake that breaks five checks, of which the student fails one";
 }
 
-TEST(Confidence, IsLessWhereTheAgreementSaysLittle)
+TEST(Confidence, is_less_where_the_agreement_says_little)
 {
     EXPECT_EQ(confidence({3, 0, 0}), 0);
     EXPECT_LT(confidence({1, 0, 1}), thresholds::least_sure) << "one wrong boolean says too little";
@@ -32,7 +32,7 @@ TEST(Confidence, IsLessWhereTheAgreementSaysLittle)
     }
 }
 
-TEST(Confidence, TheBestStillPossibleIsABound)
+TEST(Confidence, the_best_still_possible_is_a_bound)
 {
     for (std::size_t yes = 0; yes < 5; ++yes)
         for (std::size_t no = 0; no < 5; ++no)
@@ -46,7 +46,7 @@ TEST(Confidence, TheBestStillPossibleIsABound)
             }
 }
 
-TEST(Confidence, OfAPatternCountsTheWaysToChooseIt)
+TEST(Confidence, of_a_pattern_counts_the_ways_to_choose_it)
 {
     EXPECT_NEAR(pattern_bits(8, 1), 3, 1e-9);
     EXPECT_NEAR(pattern_bits(6, 3), std::log2(20), 1e-9);
@@ -55,7 +55,7 @@ TEST(Confidence, OfAPatternCountsTheWaysToChooseIt)
     EXPECT_EQ(pattern_bits(100000, 500), thresholds::most_pattern_bits);
 }
 
-TEST(Confidence, TheBackgroundOfAGridIsNoPlace)
+TEST(Confidence, the_background_of_a_grid_is_no_place)
 {
     const Tensor blank = grid(10, 10, std::vector<std::uint32_t>(100, 0));
     std::vector<std::uint32_t> ids(100, 0);
@@ -67,7 +67,7 @@ TEST(Confidence, TheBackgroundOfAGridIsNoPlace)
     EXPECT_NEAR(agreement_bits(blank, shape, std::vector<bool>(100, true), lost), 1, 1e-12);
 }
 
-TEST(Confidence, ChecksAddUp)
+TEST(Confidence, checks_add_up)
 {
     Tally all;
     for (const Resemblance& one :
@@ -79,7 +79,7 @@ TEST(Confidence, ChecksAddUp)
     EXPECT_NEAR(fit(all), 2.0 / 3, 1e-12);
 }
 
-TEST(Confidence, SharedWrongValuesCountByWhatTheySay)
+TEST(Confidence, shared_wrong_values_count_by_what_they_say)
 {
     const auto bits = [](const std::vector<float>& yours, const std::vector<float>& expected,
                          const std::vector<bool>& alike, std::uint32_t components = 1) {
@@ -107,7 +107,7 @@ std::vector<std::string> names(const std::vector<Explanation>& list)
 
 using Names = std::vector<std::string>;
 
-TEST(Ranked, BestFirstAndNothingBelowTheFloor)
+TEST(Ranked, best_first_and_nothing_below_the_floor)
 {
     EXPECT_EQ(names(ranked({said("a", 0.7), said("mistake: b", 0.95), said("c", thresholds::least_sure - 0.01)})),
               (Names{"mistake: b", "a"}));
@@ -116,14 +116,14 @@ TEST(Ranked, BestFirstAndNothingBelowTheFloor)
     EXPECT_EQ(ranked(std::vector<Explanation>(9, said("a", 1))).size(), thresholds::most_explanations);
 }
 
-TEST(Ranked, AKnownMistakeStandsBeforeATransformThatMatchesAsWell)
+TEST(Ranked, a_known_mistake_stands_before_a_transform_that_matches_as_well)
 {
     EXPECT_EQ(names(ranked({said("negated", 0.995), said("mistake: sign", 0.99)})), (Names{"mistake: sign", "negated"}))
         << "the hint was written for the unit, and both are true";
     EXPECT_EQ(names(ranked({said("negated", 0.995), said("mistake: sign", 0.9)})), (Names{"negated", "mistake: sign"}));
 }
 
-TEST(Ranked, TwoOfAKindThatMatchEquallyWellAreAmbiguous)
+TEST(Ranked, two_of_a_kind_that_match_equally_well_are_ambiguous)
 {
     EXPECT_EQ(names(ranked({said("mistake: a", 0.99), said("mistake: b", 0.985), said("mistake: c", 0.9)})),
               (Names{"mistake: a or", "mistake: b or", "mistake: c"}));

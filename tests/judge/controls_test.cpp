@@ -18,7 +18,7 @@ const Tensor& named(const std::vector<std::pair<std::string, Tensor>>& all, cons
     return std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == name; })->second;
 }
 
-TEST(Controls, HaveTheShapeOfTheExpectedAndAreTheDeclaredOnes)
+TEST(Controls, have_the_shape_of_the_expected_and_are_the_declared_ones)
 {
     const Check check = check_of(JudgeKind{"numbers"}, absolute(0.1));
     const Tensor expected = optional_floats({1, 2, 0, 2, 5}, {1, 1, 0, 1, 1});
@@ -36,7 +36,7 @@ TEST(Controls, HaveTheShapeOfTheExpectedAndAreTheDeclaredOnes)
     EXPECT_FALSE(has(all, "identity"));
 }
 
-TEST(Controls, NoiseStaysInTheRangeAndFollowsItsSeed)
+TEST(Controls, noise_stays_in_the_range_and_follows_its_seed)
 {
     const Check check = check_of(JudgeKind{"numbers"}, absolute(0.1));
     std::vector<float> values(1000, 3.0F);
@@ -52,7 +52,7 @@ TEST(Controls, NoiseStaysInTheRangeAndFollowsItsSeed)
     EXPECT_GT(*std::max_element(noise.begin(), noise.end()) - *std::min_element(noise.begin(), noise.end()), 2.5F);
 }
 
-TEST(Controls, TheBestOneIsFound)
+TEST(Controls, the_best_one_is_found)
 {
     const Check numbers = check_of(JudgeKind{"numbers"}, absolute(0.1));
     const BestControl frequent = best_control(numbers, floats({1, 2, 4, 4, 4}), nullptr, 1);
@@ -72,7 +72,7 @@ TEST(Controls, TheBestOneIsFound)
     EXPECT_DOUBLE_EQ(absent.right, 0.75);
 }
 
-TEST(Controls, InPairsNoConstantAnswerEarnsAnything)
+TEST(Controls, in_pairs_no_constant_answer_earns_anything)
 {
     Check check = check_of(JudgeKind{"numbers"}, absolute(1e-3));
     check.pairs = true;
@@ -91,7 +91,7 @@ TEST(Controls, InPairsNoConstantAnswerEarnsAnything)
     }
 }
 
-TEST(Controls, NoPictureWithoutASceneEarnsMuch)
+TEST(Controls, no_picture_without_a_scene_earns_much)
 {
     const Check check = check_of(JudgeKind{"image"});
     const auto all = controls(check, balls(), 3);
@@ -107,7 +107,7 @@ TEST(Controls, NoPictureWithoutASceneEarnsMuch)
     EXPECT_EQ(best_control(check, sparse, nullptr, 3).right, 0);
 }
 
-TEST(Controls, ABlankPictureIsTheBordersColourAndWhiteIsWhite)
+TEST(Controls, a_blank_picture_is_the_borders_colour_and_white_is_white)
 {
     std::vector<std::uint32_t> framed(64, 3);
     for (std::size_t i = 0; i < 64; ++i)
@@ -124,14 +124,14 @@ TEST(Controls, ABlankPictureIsTheBordersColourAndWhiteIsWhite)
     EXPECT_EQ(named(controls(grey, depth(2, 1, {3, 4}), 1), "black"), depth(2, 1, {2, 2}));
 }
 
-TEST(Controls, OfCostsIsAFunctionThatReturnsAtOnce)
+TEST(Controls, of_costs_is_a_function_that_returns_at_once)
 {
     const auto all = controls(check_of(JudgeKind{"cost"}), doubles({1000, 50, 2000, 100}, 2), 1);
     ASSERT_TRUE(has(all, "returns at once"));
     EXPECT_EQ(named(all, "returns at once"), doubles({1000, 1, 2000, 1}, 2));
 }
 
-TEST(Controls, IntegersAreRoundedAndStayInTheirRange)
+TEST(Controls, integers_are_rounded_and_stay_in_their_range)
 {
     const double values[] = {1.6, -3.0, 5e9};
     EXPECT_EQ(with_values(grid(3, 1, {0, 0, 0}), values), grid(3, 1, {2, 0, 4294967295U}));

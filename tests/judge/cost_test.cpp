@@ -31,7 +31,7 @@ Judgement judged(const Tensor& yours, double growth = 1, const Tensor* names = n
     return judge(check, yours, power(1), nullptr, names);
 }
 
-TEST(Costs, TheExponentIsTheSlope)
+TEST(Costs, the_exponent_is_the_slope)
 {
     EXPECT_NEAR(judged(power(1)).metrics.at("exponent"), 1, 1e-12);
     EXPECT_NEAR(judged(power(2)).metrics.at("exponent"), 2, 1e-12);
@@ -41,7 +41,7 @@ TEST(Costs, TheExponentIsTheSlope)
     EXPECT_NEAR(growth_of({{1, 1}, {2, 2}, {4, 8}}), 1.5, 1e-12);
 }
 
-TEST(Costs, CreditFallsBetweenTheTwoExponents)
+TEST(Costs, credit_falls_between_the_two_exponents)
 {
     EXPECT_EQ(judged(power(1)).right, 1);
     EXPECT_EQ(judged(power(1.14)).right, 1);
@@ -53,7 +53,7 @@ TEST(Costs, CreditFallsBetweenTheTwoExponents)
     EXPECT_EQ(judged(cost([](double n) { return n * std::log2(n); })).right, 1) << "n log n passes for linear";
 }
 
-TEST(Costs, TheMessageSaysHowTheWorkGrows)
+TEST(Costs, the_message_says_how_the_work_grows)
 {
     // 3 n^2 + 100000: 2.1 and 768.1 million... a quotient of 768100000 / 3100000 = 247.8.
     const Tensor noun = table(Element::uint8, 1, std::vector<char>{'f', 'a', 'c', 'e', 's'});
@@ -68,7 +68,7 @@ TEST(Costs, TheMessageSaysHowTheWorkGrows)
     EXPECT_NE(judged(power(2)).message.find("16,000 items"), std::string::npos);
 }
 
-TEST(Costs, DoingNothingIsNotQuick)
+TEST(Costs, doing_nothing_is_not_quick)
 {
     for (const double blocks : {0.0, 1.0, 2.0, 900.0}) {
         const Judgement found = judged(cost([=](double) { return blocks; }));
@@ -78,7 +78,7 @@ TEST(Costs, DoingNothingIsNotQuick)
     EXPECT_EQ(judged(power(1, 0.5)).right, 1) << "a sixth of the reference's work is fine";
 }
 
-TEST(Costs, HostileOnesEarnNothing)
+TEST(Costs, hostile_ones_earn_nothing)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
@@ -96,7 +96,7 @@ TEST(Costs, HostileOnesEarnNothing)
         EXPECT_TRUE(std::isfinite(value)) << name;
 }
 
-TEST(Costs, TheSizesMustBeThoseThatWereTried)
+TEST(Costs, the_sizes_must_be_those_that_were_tried)
 {
     std::vector<double> others;
     for (const double size : sizes) others.insert(others.end(), {size + 1, 3 * size});
@@ -108,7 +108,7 @@ TEST(Costs, TheSizesMustBeThoseThatWereTried)
     EXPECT_NE(judged(doubles(more, 2)).message.find("more sizes were counted"), std::string::npos);
 }
 
-TEST(Costs, WhatCannotBeJudgedIsAGraderFault)
+TEST(Costs, what_cannot_be_judged_is_a_grader_fault)
 {
     Check check = check_of(JudgeKind{"cost"});
     for (const Tensor& bad : {doubles({1000, 5}, 2), doubles({1000, 5, 1000, 6}, 2), doubles({1000, 0, 2000, 5}, 2),
@@ -116,7 +116,7 @@ TEST(Costs, WhatCannotBeJudgedIsAGraderFault)
         EXPECT_THROW((void)judge(check, bad, bad, nullptr), std::invalid_argument);
 }
 
-TEST(Costs, ControlsAndMistakes)
+TEST(Costs, controls_and_mistakes)
 {
     Check check = check_of(JudgeKind{"cost"});
     check.own = CostParameters{};

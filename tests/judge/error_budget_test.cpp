@@ -14,7 +14,7 @@ namespace {
 
 using thresholds::noise_borderline;
 
-TEST(ErrorBudget, SidakSharesOutWhatIndependentTestsMayErr)
+TEST(ErrorBudget, sidak_shares_out_what_independent_tests_may_err)
 {
     for (const double alpha : {1e-12, 1e-4, 0.05, 0.5})
         for (const int tests : {1, 2, 10, 3267}) {
@@ -43,7 +43,7 @@ double product_at(double level)
     return low;
 }
 
-TEST(ErrorBudget, TheRateOfTheTwoStagesIsExact)
+TEST(ErrorBudget, the_rate_of_the_two_stages_is_exact)
 {
     // The oracle: the area of { first < borderline, first * second <= product } in the unit square, summed up in a
     // million thin slices.
@@ -61,7 +61,7 @@ TEST(ErrorBudget, TheRateOfTheTwoStagesIsExact)
     }
 }
 
-TEST(ErrorBudget, TheFirstRunDecidesWhereTheSecondCannot)
+TEST(ErrorBudget, the_first_run_decides_where_the_second_cannot)
 {
     const double product = product_at(check_alpha());
     EXPECT_EQ(after_first_run(1), FirstRun::right);
@@ -80,7 +80,7 @@ TEST(ErrorBudget, TheFirstRunDecidesWhereTheSecondCannot)
     EXPECT_NEAR(two_stage_probability(0.2, 0.1, 1), 0.02 * (1 - std::log(0.02)), 1e-15);
 }
 
-TEST(ErrorBudget, CorrectSubmissionsFailAsOftenAsTheBudgetSays)
+TEST(ErrorBudget, correct_submissions_fail_as_often_as_the_budget_says)
 {
     // A million correct submissions, each with as many noise checks as the budget is for, decided as the grader
     // decides.
@@ -114,7 +114,7 @@ TEST(ErrorBudget, CorrectSubmissionsFailAsOftenAsTheBudgetSays)
     EXPECT_NEAR(static_cast<double>(again) / submissions / most_noise_checks, noise_borderline, 1e-4);
 }
 
-TEST(ErrorBudget, ASecondRunFindsWhatOneLeavesOpen)
+TEST(ErrorBudget, a_second_run_finds_what_one_leaves_open)
 {
     // Two runs at 3.5 standard deviations each: neither proves anything at the level of one check, both together do.
     const double one = std::erfc(3.9 / std::sqrt(2.0));

@@ -24,7 +24,7 @@ Judgement judged(const std::vector<float>& yours, const std::vector<float>& expe
 
 const std::vector<float> session{1, 0, 0, 2, 3, 0, 2, 4, 5, 3, 1.1F, 0, 1, 0, 0};
 
-TEST(Events, EqualSequencesAreRight)
+TEST(Events, equal_sequences_are_right)
 {
     const Judgement found = judged(session, session);
     EXPECT_EQ(found.right, 1);
@@ -33,7 +33,7 @@ TEST(Events, EqualSequencesAreRight)
     EXPECT_EQ(found.metrics.at("matched"), 5);
 }
 
-TEST(Events, ALostEventCostsItselfOnly)
+TEST(Events, a_lost_event_costs_itself_only)
 {
     std::vector<float> yours = session;
     yours.erase(yours.begin() + 9, yours.begin() + 12);
@@ -48,7 +48,7 @@ TEST(Events, ALostEventCostsItselfOnly)
     EXPECT_EQ(found.first_difference->expected, "zoom in (1.1)");
 }
 
-TEST(Events, ADuplicateOrAnotherEventIsNamed)
+TEST(Events, a_duplicate_or_another_event_is_named)
 {
     std::vector<float> twice = session;
     twice.insert(twice.begin() + 3, {1, 0, 0});
@@ -68,7 +68,7 @@ TEST(Events, ADuplicateOrAnotherEventIsNamed)
     EXPECT_NE(judged({}, session).message.find("event 1: expected press, nothing came"), std::string::npos);
 }
 
-TEST(Events, TheToleranceHoldsForNumbersNotForCodes)
+TEST(Events, the_tolerance_holds_for_numbers_not_for_codes)
 {
     EXPECT_EQ(judged({3, 1.14F, 0}, {3, 1.1F, 0}, absolute(0.05)).right, 1);
     EXPECT_EQ(judged({3, 1.16F, 0}, {3, 1.1F, 0}, absolute(0.05)).right, 0);
@@ -76,7 +76,7 @@ TEST(Events, TheToleranceHoldsForNumbersNotForCodes)
     EXPECT_EQ(judged({3, 1.1F, 0}, {3, std::nextafter(1.1F, 2.0F), 0}).right, 0);
 }
 
-TEST(Events, HostileOnesMatchNothing)
+TEST(Events, hostile_ones_match_nothing)
 {
     const Judgement found = judged({nan_f, 0, 0, 2, nan_f, 0, 1, std::numeric_limits<float>::infinity(), 0},
                                    {1, 0, 0, 2, 3, 0}, absolute(1e9));
@@ -87,7 +87,7 @@ TEST(Events, HostileOnesMatchNothing)
     EXPECT_EQ(judge(check_of(JudgeKind{"events"}), Tensor{}, floats({1, 2, 3}, 3), nullptr).right, 0);
 }
 
-TEST(Events, AFullRecordingTakesBoundedTime)
+TEST(Events, a_full_recording_takes_bounded_time)
 {
     std::vector<float> expected;
     std::vector<float> yours;
@@ -116,7 +116,7 @@ Alignment aligned(const std::string& a, const std::string& b)
     return align(a.size(), b.size(), [&](std::size_t i, std::size_t j) { return a[i] == b[j]; });
 }
 
-TEST(Alignment, IsALongestOne)
+TEST(Alignment, is_a_longest_one)
 {
     Random random(11);
     for (int round = 0; round < 2000; ++round) {
@@ -140,7 +140,7 @@ TEST(Alignment, IsALongestOne)
     EXPECT_EQ(aligned("abcabba", "cbabac").matches.size(), 4U) << "Myers's own example";
 }
 
-TEST(Alignment, OfLongDifferentSequencesIsValidAndSaysSo)
+TEST(Alignment, of_long_different_sequences_is_valid_and_says_so)
 {
     std::string a(20000, 'a');
     std::string b(20000, 'b');
@@ -151,7 +151,7 @@ TEST(Alignment, OfLongDifferentSequencesIsValidAndSaysSo)
     for (const auto& [i, j] : found.matches) EXPECT_EQ(a[i], b[j]);
 }
 
-TEST(Events, ControlsEarnWhatTheMostFrequentEventDoes)
+TEST(Events, controls_earn_what_the_most_frequent_event_does)
 {
     const Check check = check_of(JudgeKind{"events"});
     const Tensor expected = floats({2, 1, 2, 1, 2, 1, 5, 0, 7, 3, 9, 4}, 2);
@@ -161,7 +161,7 @@ TEST(Events, ControlsEarnWhatTheMostFrequentEventDoes)
     EXPECT_EQ(points_for(check, best.right, best.right), 0);
 }
 
-TEST(Events, MistakesMatchIfTheSequencesDo)
+TEST(Events, mistakes_match_if_the_sequences_do)
 {
     const Check check = check_of(JudgeKind{"events"});
     const auto same = [&](const std::vector<float>& yours, const std::vector<float>& mistake) {
@@ -181,7 +181,7 @@ TEST(Events, MistakesMatchIfTheSequencesDo)
     EXPECT_FALSE(same(fewer, {}));
 }
 
-TEST(Events, EveryNumberMattersAndNoneIsRelativeToTheCode)
+TEST(Events, every_number_matters_and_none_is_relative_to_the_code)
 {
     EXPECT_EQ(judged({2, 3, 1}, {2, 3, 0}).right, 0);
     EXPECT_EQ(judged({2, 4, 0}, {2, 3, 0}).right, 0);
@@ -189,7 +189,7 @@ TEST(Events, EveryNumberMattersAndNoneIsRelativeToTheCode)
     EXPECT_EQ(judged({100, 1.05F, 0}, {100, 1, 0}, relative(0.1)).right, 1);
 }
 
-TEST(Events, WhatIsFarTooLongIsNotReadToItsEndAndSaysSo)
+TEST(Events, what_is_far_too_long_is_not_read_to_its_end_and_says_so)
 {
     std::vector<float> yours;
     for (int i = 0; i < 2000; ++i) yours.insert(yours.end(), {9, 0, 0});

@@ -25,7 +25,7 @@ Tensor moved(const Tensor& tensor, int dx, int dy)
     return repaint(tensor, [&](int x, int y) { return pixel(tensor, (x - dx + size) % size, (y - dy + size) % size); });
 }
 
-TEST(ExplainImages, OneErrorOneExplanation)
+TEST(ExplainImages, one_error_one_explanation)
 {
     const Tensor right = balls();
     const int last = static_cast<int>(right.rows) - 1;
@@ -52,7 +52,7 @@ TEST(ExplainImages, OneErrorOneExplanation)
     EXPECT_EQ(first(image, each_colour(right, [](double v) { return v - 0.1; }), right), "too dark by a constant");
 }
 
-TEST(ExplainImages, TheShiftIsTold)
+TEST(ExplainImages, the_shift_is_told)
 {
     for (const auto& [dx, dy] : {std::pair{1, 0}, {0, -1}, {3, 2}, {-8, 8}}) {
         const auto found = explain(image, moved(balls(), dx, dy), balls());
@@ -64,14 +64,14 @@ TEST(ExplainImages, TheShiftIsTold)
         std::string::npos);
 }
 
-TEST(ExplainImages, TheFactorIsTold)
+TEST(ExplainImages, the_factor_is_told)
 {
     const auto found = explain(image, each_colour(balls(), [](double v) { return v / 2; }), balls());
     ASSERT_FALSE(found.empty());
     EXPECT_NE(found.front().sentence.find("about 0.5 times"), std::string::npos) << found.front().sentence;
 }
 
-TEST(ExplainImages, UnrelatedErrorsHaveNoExplanation)
+TEST(ExplainImages, unrelated_errors_have_no_explanation)
 {
     const Tensor right = balls();
     EXPECT_TRUE(explain(image,
@@ -115,7 +115,7 @@ std::vector<float> slope(double sign, double from)
     return cells;
 }
 
-TEST(ExplainBuffers, DepthFromTheOtherEnd)
+TEST(ExplainBuffers, depth_from_the_other_end)
 {
     const Tensor right = depth(64, 48, slope(1, 0));
     EXPECT_EQ(first(buffer, depth(64, 48, slope(-1, 1)), right), "depth inverted");
@@ -133,7 +133,7 @@ std::vector<std::uint32_t> squares(std::uint32_t offset, std::uint32_t backgroun
     return cells;
 }
 
-TEST(ExplainBuffers, IdsOffByOneFlippedAndShifted)
+TEST(ExplainBuffers, ids_off_by_one_flipped_and_shifted)
 {
     const Tensor right = grid(64, 48, squares(3, 0));
     EXPECT_EQ(first(buffer, grid(64, 48, squares(4, 0)), right), "ids off by one");

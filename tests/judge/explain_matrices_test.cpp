@@ -35,7 +35,7 @@ glm::dmat4 with_translation(glm::dmat4 m, glm::dvec3 t)
 }
 glm::dvec3 eye(const glm::dmat4& m) { return -glm::transpose(glm::dmat3(m)) * glm::dvec3(m[3]); }
 
-TEST(ExplainMatrices, OneErrorOneExplanation)
+TEST(ExplainMatrices, one_error_one_explanation)
 {
     const std::vector<std::pair<std::string, Change>> errors = {
         {"transposed", [](const glm::dmat4& m) { return glm::transpose(m); }},
@@ -73,7 +73,7 @@ TEST(ExplainMatrices, OneErrorOneExplanation)
     for (const auto& [name, change] : errors) EXPECT_EQ(first(check, matrices(change), right), name);
 }
 
-TEST(ExplainMatrices, TheFlippedAxisIsTold)
+TEST(ExplainMatrices, the_flipped_axis_is_told)
 {
     const Tensor wrong = matrices([](const glm::dmat4& m) {
         glm::dmat4 result = m;
@@ -110,7 +110,7 @@ Tensor perspectives(double unit)
     return floats(values, 16);
 }
 
-TEST(ExplainMatrices, AnglesInTheWrongUnit)
+TEST(ExplainMatrices, angles_in_the_wrong_unit)
 {
     const double degree = 0.017453292519943295;
     EXPECT_EQ(first(check, rotations(degree), rotations(1)), "angle in degrees");
@@ -120,7 +120,7 @@ TEST(ExplainMatrices, AnglesInTheWrongUnit)
     EXPECT_EQ(first(check, perspectives(0.5), perspectives(1)), "none") << "half the field of view is another mistake";
 }
 
-TEST(ExplainMatrices, MatricesOfThree)
+TEST(ExplainMatrices, matrices_of_three)
 {
     const std::vector<float> right{1, 2, 3, 0, 4, 5, 1, 0, 6};
     EXPECT_EQ(first(check, floats({1, 0, 1, 2, 4, 0, 3, 5, 6}, 9), floats(right, 9)), "transposed");
@@ -130,7 +130,7 @@ TEST(ExplainMatrices, MatricesOfThree)
     EXPECT_EQ(first(check, floats(inverse, 9), floats(right, 9)), "inverse");
 }
 
-TEST(ExplainMatrices, UnrelatedErrorsHaveNoExplanation)
+TEST(ExplainMatrices, unrelated_errors_have_no_explanation)
 {
     const Tensor right = matrices(unchanged);
     EXPECT_TRUE(explain(check, matrices([](const glm::dmat4&) { return glm::dmat4(1); }), right).empty());
@@ -142,14 +142,14 @@ TEST(ExplainMatrices, UnrelatedErrorsHaveNoExplanation)
     EXPECT_TRUE(explain(check, matrices([](const glm::dmat4&) { return glm::dmat4(NAN); }), right).empty());
 }
 
-TEST(ExplainMatrices, UndoingMayRound)
+TEST(ExplainMatrices, undoing_may_round)
 {
     const Change inverse = [](const glm::dmat4& m) { return glm::inverse(m); };
     EXPECT_EQ(first(check_of(JudgeKind{"matrices"}, ulps(0)), matrices(inverse), matrices(unchanged)), "inverse")
         << "floats do not come back to the bit";
 }
 
-TEST(ExplainMatrices, OneStrayMatrixDoesNotHideAFactor)
+TEST(ExplainMatrices, one_stray_matrix_does_not_hide_a_factor)
 {
     Tensor student = matrices([](const glm::dmat4& m) { return 3.0 * m; });
     for (std::size_t i = 0; i < 16; ++i) {
@@ -161,7 +161,7 @@ TEST(ExplainMatrices, OneStrayMatrixDoesNotHideAFactor)
     EXPECT_EQ(first(check, student, matrices(unchanged)), "scaled");
 }
 
-TEST(ExplainNumbers, EveryOrderOfComponentsIsTried)
+TEST(ExplainNumbers, every_order_of_components_is_tried)
 {
     Random random(5);
     std::vector<float> right;

@@ -43,7 +43,7 @@ std::string first_after(Change change, float low = -2)
     return first(numbers, floats(changed(right, change)), floats(right));
 }
 
-TEST(ExplainNumbers, OneErrorOneExplanation)
+TEST(ExplainNumbers, one_error_one_explanation)
 {
     EXPECT_EQ(first_after([](float v) { return -v; }), "negated");
     EXPECT_EQ(first_after([](float v) { return static_cast<float>(v * 180 / std::numbers::pi); }),
@@ -58,14 +58,14 @@ TEST(ExplainNumbers, OneErrorOneExplanation)
     EXPECT_EQ(first_after([](float v) { return std::sqrt(v); }, 0.1F), "root taken");
 }
 
-TEST(ExplainNumbers, NegativesNotClamped)
+TEST(ExplainNumbers, negatives_not_clamped)
 {
     const auto raw = values_of(40);
     EXPECT_EQ(first(numbers, floats(raw), floats(changed(raw, [](float v) { return std::fmax(v, 0.0F); }))),
               "not clamped");
 }
 
-TEST(ExplainNumbers, Vectors)
+TEST(ExplainNumbers, vectors)
 {
     const auto unit = vectors(true);
     auto longer = unit;
@@ -86,13 +86,13 @@ TEST(ExplainNumbers, Vectors)
     EXPECT_EQ(first(numbers, floats(unit, 3), floats(vectors(false), 3)), "none");
 }
 
-TEST(ExplainNumbers, HitsBehindTheOrigin)
+TEST(ExplainNumbers, hits_behind_the_origin)
 {
     const Tensor right = optional_floats({2, 0, 3, 0, 1, 0}, {1, 0, 1, 0, 1, 0});
     EXPECT_EQ(first(numbers, optional_floats({2, -4, 3, -1, 1, -2}, {1, 1, 1, 1, 1, 1}), right), "hits behind");
 }
 
-TEST(ExplainNumbers, TheFactorIsTold)
+TEST(ExplainNumbers, the_factor_is_told)
 {
     const auto right = values_of(40);
     const auto found = explain(numbers, floats(changed(right, [](float v) { return 3.25F * v; })), floats(right));
@@ -101,7 +101,7 @@ TEST(ExplainNumbers, TheFactorIsTold)
     EXPECT_GT(found.front().confidence, 0.99) << "forty numbers say much";
 }
 
-TEST(ExplainNumbers, UnrelatedErrorsHaveNoExplanation)
+TEST(ExplainNumbers, unrelated_errors_have_no_explanation)
 {
     const auto right = values_of(60);
     Random random(seed + 1);
@@ -117,7 +117,7 @@ TEST(ExplainNumbers, UnrelatedErrorsHaveNoExplanation)
     EXPECT_TRUE(explain(numbers, floats({5.5F, 5.5F, 5.5F}), floats({3, 3, 3})).empty());
 }
 
-TEST(ExplainNumbers, ConfidenceIsTheShareOfTheFailingChecksWhereEachSaysMuch)
+TEST(ExplainNumbers, confidence_is_the_share_of_the_failing_checks_where_each_says_much)
 {
     const Tensor right = floats(values_of(40));
     const Tensor negative = floats(changed(values_of(40), [](float v) { return -v; }));
@@ -134,7 +134,7 @@ TEST(ExplainNumbers, ConfidenceIsTheShareOfTheFailingChecksWhereEachSaysMuch)
     EXPECT_TRUE(explain_by_transform({FailingCheck{}}).empty());
 }
 
-TEST(ExplainNumbers, AgreeingInOneNumberSaysLessThanInMany)
+TEST(ExplainNumbers, agreeing_in_one_number_says_less_than_in_many)
 {
     // The opposite sign of one number among right ones, and of all.
     auto right = values_of(40);
@@ -152,7 +152,7 @@ TEST(ExplainNumbers, AgreeingInOneNumberSaysLessThanInMany)
     EXPECT_TRUE(explain(numbers, floats(one), floats(right)).empty()) << "undoing it would break all others";
 }
 
-TEST(ExplainNumbers, APassingCheckOfTheSameValueSpeaksAgainstWhatWouldBreakIt)
+TEST(ExplainNumbers, a_passing_check_of_the_same_value_speaks_against_what_would_break_it)
 {
     Check check = numbers;
     check.value = "t";
@@ -168,7 +168,7 @@ TEST(ExplainNumbers, APassingCheckOfTheSameValueSpeaksAgainstWhatWouldBreakIt)
     EXPECT_TRUE(explain_by_transform({passing}).empty());
 }
 
-TEST(ExplainNumbers, ThereAreManyAndEachHasItsOwnNameAndSentence)
+TEST(ExplainNumbers, there_are_many_and_each_has_its_own_name_and_sentence)
 {
     std::vector<std::string> names;
     for (const NamedTransform& transform : named_transforms()) {

@@ -44,7 +44,7 @@ Judgement judged(const std::vector<Spot>& yours, const std::vector<Spot>& expect
     return judge(check_of(JudgeKind{"fragments"}, tolerance), fragments(yours), fragments(expected), nullptr, names);
 }
 
-TEST(Fragments, EqualOnesInAnyOrderAreRight)
+TEST(Fragments, equal_ones_in_any_order_are_right)
 {
     std::vector<Spot> expected = drawn(3, triangle);
     std::vector<Spot> yours(expected.rbegin(), expected.rend());
@@ -57,7 +57,7 @@ TEST(Fragments, EqualOnesInAnyOrderAreRight)
     EXPECT_EQ(found.metrics.at("fragments"), 10);
 }
 
-TEST(Fragments, EachClassIsCounted)
+TEST(Fragments, each_class_is_counted)
 {
     std::vector<Spot> expected = drawn(3, triangle);
     std::vector<Spot> yours = expected;
@@ -85,7 +85,7 @@ TEST(Fragments, EachClassIsCounted)
               "-...\n#~..\n###.\n#2##\nx 0..3, y 0..3; # right - missing 2 drawn again ~ wrong value . empty");
 }
 
-TEST(Fragments, TheToleranceHoldsForAttributesOnly)
+TEST(Fragments, the_tolerance_holds_for_attributes_only)
 {
     const std::vector<Spot> expected{{0, 5, 6, 1.0F}};
     EXPECT_EQ(judged({{0, 5, 6, 1.05F}}, expected, absolute(0.1)).right, 1);
@@ -96,13 +96,13 @@ TEST(Fragments, TheToleranceHoldsForAttributesOnly)
     EXPECT_EQ(judged({{1, 5, 6, 1.0F}}, expected, absolute(10)).right, 0) << "another primitive";
 }
 
-TEST(Fragments, TheWordForAPrimitiveIsTheDriversChoice)
+TEST(Fragments, the_word_for_a_primitive_is_the_drivers_choice)
 {
     Tensor names = table(Element::uint8, 1, std::vector<char>{'l', 'i', 'n', 'e'});
     EXPECT_NE(judged({}, {{2, 5, 6, 1.0F}}, {}, &names).message.find("pixel (5, 6) of line 2"), std::string::npos);
 }
 
-TEST(Fragments, AMovedPrimitiveIsOneErrorWithAName)
+TEST(Fragments, a_moved_primitive_is_one_error_with_a_name)
 {
     const std::vector<Spot> expected = drawn(7, triangle, 10, 10);
     const auto moved = [&](float dx, float dy) {
@@ -126,7 +126,7 @@ TEST(Fragments, AMovedPrimitiveIsOneErrorWithAName)
     EXPECT_EQ(two.metrics.at("missing"), two.metrics.at("extra"));
 }
 
-TEST(Fragments, OnlyOneStepForTheWholePrimitiveCounts)
+TEST(Fragments, only_one_step_for_the_whole_primitive_counts)
 {
     const std::vector<Spot> expected = drawn(0, {"#.#.#.#.#.#"});
     std::vector<Spot> yours = expected;
@@ -137,7 +137,7 @@ TEST(Fragments, OnlyOneStepForTheWholePrimitiveCounts)
     EXPECT_EQ(found.right, 0);
 }
 
-TEST(Fragments, SeveralMovedPrimitivesShareASentence)
+TEST(Fragments, several_moved_primitives_share_a_sentence)
 {
     std::vector<Spot> expected = drawn(1, triangle);
     for (const Spot& spot : drawn(2, triangle, 30, 3)) expected.push_back(spot);
@@ -148,7 +148,7 @@ TEST(Fragments, SeveralMovedPrimitivesShareASentence)
         std::string::npos);
 }
 
-TEST(Fragments, TheSketchStaysSmallAndRoundTheFirstBadPlace)
+TEST(Fragments, the_sketch_stays_small_and_round_the_first_bad_place)
 {
     const std::vector<Spot> expected = drawn(0, std::vector<std::string>(60, std::string(60, '#')));
     std::vector<Spot> yours = expected;
@@ -165,7 +165,7 @@ TEST(Fragments, TheSketchStaysSmallAndRoundTheFirstBadPlace)
     EXPECT_EQ(lines[15], "x 23..37, y 13..27; # right - missing");
 }
 
-TEST(Fragments, ExpectedDuplicatesMustComeAsOften)
+TEST(Fragments, expected_duplicates_must_come_as_often)
 {
     const std::vector<Spot> expected{{0, 1, 1, 0.1F}, {0, 1, 1, 0.2F}};
     EXPECT_EQ(judged(expected, expected).right, 1);
@@ -174,7 +174,7 @@ TEST(Fragments, ExpectedDuplicatesMustComeAsOften)
     EXPECT_EQ(one.metrics.at("missing"), 1);
 }
 
-TEST(Fragments, HostileRowsAreExtraAndDoNoHarm)
+TEST(Fragments, hostile_rows_are_extra_and_do_no_harm)
 {
     const std::vector<Spot> expected{{0, 1, 1, 0.5F}, {0, 2, 1, 0.5F}};
     const Judgement found = judged({{nan_f, 1, 1, 0.5F},
@@ -203,7 +203,7 @@ TEST(Fragments, HostileRowsAreExtraAndDoNoHarm)
     EXPECT_EQ(judged({{0, far, -far, 0.5F}}, {{0, far, far, 0.5F}}).right, 0);
 }
 
-TEST(Fragments, NothingOrAnotherShape)
+TEST(Fragments, nothing_or_another_shape)
 {
     const Check check = check_of(JudgeKind{"fragments"});
     const Tensor expected = fragments({{0, 1, 1}});
@@ -222,7 +222,7 @@ TEST(Fragments, NothingOrAnotherShape)
     EXPECT_THROW((void)judge(check, expected, fragments({{0, 1, 1, nan_f}}), nullptr), std::invalid_argument);
 }
 
-TEST(Fragments, AFullRecordingTakesBoundedTime)
+TEST(Fragments, a_full_recording_takes_bounded_time)
 {
     // 24 MB of rows in one place, then all over the plane; quadratic work would take hours.
     const std::vector<Spot> expected = drawn(0, std::vector<std::string>(40, std::string(40, '#')));
@@ -235,7 +235,7 @@ TEST(Fragments, AFullRecordingTakesBoundedTime)
     EXPECT_LT(judged(same, expected).right, 1e-3);
 }
 
-TEST(Fragments, ControlsEarnWhatABoundingBoxDoes)
+TEST(Fragments, controls_earn_what_a_bounding_box_does)
 {
     const Tensor expected = fragments(drawn(0, triangle));
     const Check check = check_of(JudgeKind{"fragments"});
@@ -250,7 +250,7 @@ TEST(Fragments, ControlsEarnWhatABoundingBoxDoes)
     EXPECT_LT(best_control(check, fragments(diagonal), nullptr, 1).right, 0.05);
 }
 
-TEST(Fragments, MistakesMatchByTheirSetOfDeviations)
+TEST(Fragments, mistakes_match_by_their_set_of_deviations)
 {
     const Check check = check_of(JudgeKind{"fragments"}, absolute(0.01));
     const std::vector<Spot> expected = drawn(0, triangle);
@@ -277,7 +277,7 @@ TEST(Fragments, MistakesMatchByTheirSetOfDeviations)
     EXPECT_TRUE(explain(check, fragments(darker), fragments(expected)).empty()) << "no named transform fits";
 }
 
-TEST(Fragments, OneOfSeveralMayMatchAndTheRestAreAgain)
+TEST(Fragments, one_of_several_may_match_and_the_rest_are_again)
 {
     const Judgement found = judged({{0, 1, 1, 0.9F}, {0, 1, 1, 0.5F}, {0, 8, 8}, {0, 8, 8}}, {{0, 1, 1, 0.5F}});
     EXPECT_EQ(found.metrics.at("wrong_value"), 0);
@@ -287,7 +287,7 @@ TEST(Fragments, OneOfSeveralMayMatchAndTheRestAreAgain)
     EXPECT_EQ(judged({}, {{0, 1, 1, 0.1F}, {0, 1, 1, 0.2F}}).metrics.at("missing"), 2);
 }
 
-TEST(Fragments, EveryAttributeMatters)
+TEST(Fragments, every_attribute_matters)
 {
     const Check check = check_of(JudgeKind{"fragments"}, absolute(0.01));
     const Tensor expected = floats({0, 1, 1, 0.5F, 0.25F}, 5);

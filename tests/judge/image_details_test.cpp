@@ -7,7 +7,7 @@
 namespace umbral::grader::test {
 namespace {
 
-TEST(ImageDetails, SubRuleB_TextureOfYoursIsNoEdgeThatExcusesIt)
+TEST(ImageDetails, sub_rule_b_texture_of_yours_is_no_edge_that_excuses_it)
 {
     // Spots of 9 levels up and down: your surfaces are not smooth any more, the expected ones are.
     const Tensor off = repaint(balls(), [](int x, int y) {
@@ -18,7 +18,7 @@ TEST(ImageDetails, SubRuleB_TextureOfYoursIsNoEdgeThatExcusesIt)
 }
 
 // As many pixels as a small triangle has, and what right line drawings differ by.
-TEST(ImageDetails, SubRuleE_AHoleOfNinePixelsIsOne)
+TEST(ImageDetails, sub_rule_e_a_hole_of_nine_pixels_is_one)
 {
     const Tensor right = balls(512);
     const auto hole = [&](int width, int height) {
@@ -31,7 +31,7 @@ TEST(ImageDetails, SubRuleE_AHoleOfNinePixelsIsOne)
     EXPECT_LT(rule(hole(3, 1), right).ratios[4], 0.5);
 }
 
-TEST(ImageDetails, SubRuleF_AFaintSpotOnTheBackgroundIsFound)
+TEST(ImageDetails, sub_rule_f_a_faint_spot_on_the_background_is_found)
 {
     const Tensor spot = repaint(
         balls(), [](int x, int y) { return x < 24 && y < 24 ? moved(pixel(scene(), x, y), 4) : pixel(scene(), x, y); });
@@ -40,7 +40,7 @@ TEST(ImageDetails, SubRuleF_AFaintSpotOnTheBackgroundIsFound)
     EXPECT_GT(found.ratios[5], 1);
 }
 
-TEST(ImageDetails, ABackgroundThatIsDitheredIsNoContent)
+TEST(ImageDetails, a_background_that_is_dithered_is_no_content)
 {
     const auto dithered = [](int x, int y) {
         return x >= 20 && x < 40 && y >= 20 && y < 40 ? Colour{200, 60, 30, 255}
@@ -55,7 +55,7 @@ TEST(ImageDetails, ABackgroundThatIsDitheredIsNoContent)
               400);
 }
 
-TEST(ImageDetails, TheBorderIsRepeatedSoThatSurfacesReachIt)
+TEST(ImageDetails, the_border_is_repeated_so_that_surfaces_reach_it)
 {
     // Grey from the left border on; only its outermost column is off.
     const auto grey = [](int by) {
@@ -67,7 +67,7 @@ TEST(ImageDetails, TheBorderIsRepeatedSoThatSurfacesReachIt)
     EXPECT_GT(rule(grey(7), grey(0)).ratios[1], 1);
 }
 
-TEST(ImageDetails, FloatsAreRoundedAndCutToTheRange)
+TEST(ImageDetails, floats_are_rounded_and_cut_to_the_range)
 {
     Check check = check_of(JudgeKind{"image"});
     const auto level = [&](float value) { return int{to_picture(check, depth(1, 1, {value})).row(0, 0)[0]}; };
@@ -83,7 +83,7 @@ TEST(ImageDetails, FloatsAreRoundedAndCutToTheRange)
         << "two channels are no picture";
 }
 
-TEST(ImageDetails, WindowsAreThoseThatCountingOneByOneFinds)
+TEST(ImageDetails, windows_are_those_that_counting_one_by_one_finds)
 {
     const std::uint64_t seed = 91;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -104,7 +104,7 @@ TEST(ImageDetails, WindowsAreThoseThatCountingOneByOneFinds)
     }
 }
 
-TEST(ImageDetails, ALargerSpotCostsNoMoreAndTheErrorIsTheWorstMeasure)
+TEST(ImageDetails, a_larger_spot_costs_no_more_and_the_error_is_the_worst_measure)
 {
     const Tensor right = balls(512);
     const Tensor hole = repaint(right, [&](int x, int y) {
@@ -116,7 +116,7 @@ TEST(ImageDetails, ALargerSpotCostsNoMoreAndTheErrorIsTheWorstMeasure)
     EXPECT_GT(found.right(), 0.6);
 }
 
-TEST(ImageDetails, WhatIsWrongEverywhereIsSaidBeforeASpot)
+TEST(ImageDetails, what_is_wrong_everywhere_is_said_before_a_spot)
 {
     const Tensor right = balls(512);
     const Tensor off = repaint(right, [&](int x, int y) {
@@ -129,7 +129,7 @@ TEST(ImageDetails, WhatIsWrongEverywhereIsSaidBeforeASpot)
     EXPECT_EQ(found.message.find("close together"), std::string::npos) << found.message;
 }
 
-TEST(ImageDetails, TheMeanOfAFewPixelsSaysLittle)
+TEST(ImageDetails, the_mean_of_a_few_pixels_says_little)
 {
     // A large surface, and one of 8 x 8 pixels that is off by 4 levels.
     const auto surfaces = [](int by) {
@@ -142,7 +142,7 @@ TEST(ImageDetails, TheMeanOfAFewPixelsSaysLittle)
     EXPECT_LE(rule(surfaces(4), surfaces(0)).ratios[5], 1);
 }
 
-TEST(Image, SubRuleG_AnotherSamplingPointIsFoundByItAlone)
+TEST(Image, sub_rule_g_another_sampling_point_is_found_by_it_alone)
 {
     // Flat shapes: but for who owns the pixels of an edge, nothing changes.
     const auto shapes = [](double sample_x, double sample_y) {
@@ -166,7 +166,7 @@ TEST(Image, SubRuleG_AnotherSamplingPointIsFoundByItAlone)
     EXPECT_NE(image(shapes(1, 0.5), right).message.find("sampling point"), std::string::npos);
 }
 
-TEST(Image, EdgePixelsThatChangeHandsAtRandomDisplaceNothingAndLightenNothing)
+TEST(Image, edge_pixels_that_change_hands_at_random_displace_nothing_and_lighten_nothing)
 {
     const std::uint64_t seed = 23;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -181,7 +181,7 @@ TEST(Image, EdgePixelsThatChangeHandsAtRandomDisplaceNothingAndLightenNothing)
     EXPECT_LE(found.worst(), 0.5);
 }
 
-TEST(Image, SubRuleC_LinesDrawnTooWideAreFoundThoughEveryPixelHasASimilarOneBesideIt)
+TEST(Image, sub_rule_c_lines_drawn_too_wide_are_found_though_every_pixel_has_a_similar_one_beside_it)
 {
     const auto lines = [](int wide) {
         return picture(128, 128, [wide](int x, int) {

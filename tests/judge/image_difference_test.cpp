@@ -8,14 +8,14 @@
 namespace umbral::grader::test {
 namespace {
 
-TEST(ImageDifference, NothingWhereNothingDiffers)
+TEST(ImageDifference, nothing_where_nothing_differs)
 {
     EXPECT_FALSE(worst_region(check_of(JudgeKind{"image"}), balls(), balls()));
     for (const std::uint8_t level : difference_map(check_of(JudgeKind{"image"}), balls(), balls()).cells)
         ASSERT_EQ(level, 0);
 }
 
-TEST(ImageDifference, FindsTheBoundsTheWorstWindowAndThePeak)
+TEST(ImageDifference, finds_the_bounds_the_worst_window_and_the_peak)
 {
     const Tensor wrong = repaint(balls(), [right = balls()](int x, int y) {
         Colour colour = pixel(right, x, y);
@@ -37,7 +37,7 @@ TEST(ImageDifference, FindsTheBoundsTheWorstWindowAndThePeak)
     EXPECT_EQ(difference_map(check_of(JudgeKind{"image"}), wrong, balls()).at(102, 22), 200);
 }
 
-TEST(ImageDifference, MapsIdsDepthsAndWhatIsNotFinite)
+TEST(ImageDifference, maps_ids_depths_and_what_is_not_finite)
 {
     const auto ids = difference_map(check_of(JudgeKind{"buffer"}), grid(2, 1, {1, 5}), grid(2, 1, {1, 6}));
     EXPECT_EQ(ids.at(0, 0), 0);

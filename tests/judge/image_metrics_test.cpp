@@ -61,14 +61,14 @@ double similarity_by_definition(const Tensor& a, const Tensor& b)
     return static_cast<double>(total / (width * height));
 }
 
-TEST(ImageMetrics, SimilarityOfConstantsIsTheExactOne)
+TEST(ImageMetrics, similarity_of_constants_is_the_exact_one)
 {
     const double exact = (2.0 * 255 * 254 + 6.5025) / (255.0 * 255 + 254.0 * 254 + 6.5025);
     EXPECT_NEAR(exact, 0.999992, 5e-7);
     EXPECT_NEAR(structural_similarity(to_planes(constant(255)), to_planes(constant(254))), exact, 1e-10);
 }
 
-TEST(ImageMetrics, SimilarityIsTheDefinition)
+TEST(ImageMetrics, similarity_is_the_definition)
 {
     const Tensor a = noise(29, 23, 5);
     const Tensor b = noise(29, 23, 6);
@@ -85,7 +85,7 @@ TEST(ImageMetrics, SimilarityIsTheDefinition)
     EXPECT_EQ(structural_similarity(to_planes(a), to_planes(a)), 1);
 }
 
-TEST(ImageMetrics, ErrorAndNoiseRatioByHand)
+TEST(ImageMetrics, error_and_noise_ratio_by_hand)
 {
     const Tensor off = repaint(constant(100), [](int x, int y) {
         return x == 3 && y == 4 ? Colour{110, 100, 100, 255} : Colour{100, 100, 100, 255};
@@ -96,7 +96,7 @@ TEST(ImageMetrics, ErrorAndNoiseRatioByHand)
     EXPECT_NEAR(found.psnr, 10 * std::log10(65025 / squares), 1e-4);
 }
 
-TEST(ImageMetrics, LabDistancesOfKnownColours)
+TEST(ImageMetrics, lab_distances_of_known_colours)
 {
     const ImageMetrics grey = measure_image(to_planes(constant(255)), to_planes(constant(0)));
     EXPECT_NEAR(grey.mean_lab, 100, 0.01);

@@ -15,7 +15,7 @@ Tensor wireframe(bool with_one_more_line)
     });
 }
 
-TEST(Image, SubRuleA_ALineLostOrAddedIsFound)
+TEST(Image, sub_rule_a_a_line_lost_or_added_is_found)
 {
     // Beside another line a lost one would be excused if the smaller direction won.
     for (const bool lost : {true, false}) {
@@ -26,7 +26,7 @@ TEST(Image, SubRuleA_ALineLostOrAddedIsFound)
     EXPECT_NE(image(wireframe(false), wireframe(true)).message.find("no similar pixel"), std::string::npos);
 }
 
-TEST(Image, SubRuleB_ColourInTheInteriorIsFoundByItAlone)
+TEST(Image, sub_rule_b_colour_in_the_interior_is_found_by_it_alone)
 {
     const Tensor off = repaint(balls(), [](int x, int y) {
         const Colour colour = pixel(scene(), x, y);
@@ -40,7 +40,7 @@ TEST(Image, SubRuleB_ColourInTheInteriorIsFoundByItAlone)
     EXPECT_NE(image(off, balls()).message.find("smooth surfaces"), std::string::npos);
 }
 
-TEST(Image, SubRuleC_ALittleMoreLightEverywhereIsFoundByItAlone)
+TEST(Image, sub_rule_c_a_little_more_light_everywhere_is_found_by_it_alone)
 {
     for (const int by : {3, -3}) {
         const Tensor off = repaint(balls(), [by](int x, int y) {
@@ -57,7 +57,7 @@ TEST(Image, SubRuleC_ALittleMoreLightEverywhereIsFoundByItAlone)
     }
 }
 
-TEST(Image, SubRuleE_AHoleThatIsTooSmallForItsShareIsFoundByItAlone)
+TEST(Image, sub_rule_e_a_hole_that_is_too_small_for_its_share_is_found_by_it_alone)
 {
     const Tensor right = balls(512);
     const Tensor hole = repaint(right, [&](int x, int y) {
@@ -76,7 +76,7 @@ TEST(Image, SubRuleE_AHoleThatIsTooSmallForItsShareIsFoundByItAlone)
     EXPECT_LT(found.right(), 0.95);
 }
 
-TEST(Image, SubRuleE_PixelsFarApartMakeNoHole)
+TEST(Image, sub_rule_e_pixels_far_apart_make_no_hole)
 {
     const Tensor right = balls(512);
     const Tensor stray = repaint(right, [&](int x, int y) {
@@ -85,7 +85,7 @@ TEST(Image, SubRuleE_PixelsFarApartMakeNoHole)
     EXPECT_LE(rule(stray, right).ratios[4], 0.5);
 }
 
-TEST(Image, SubRuleF_AFaintSpotOnASurfaceIsFoundByItAlone)
+TEST(Image, sub_rule_f_a_faint_spot_on_a_surface_is_found_by_it_alone)
 {
     for (const int by : {4, -4}) {
         const Tensor right = balls(512);
@@ -103,7 +103,7 @@ TEST(Image, SubRuleF_AFaintSpotOnASurfaceIsFoundByItAlone)
     }
 }
 
-TEST(Image, SubRuleD_AShiftOfOnePixelIsFoundByItAlone)
+TEST(Image, sub_rule_d_a_shift_of_one_pixel_is_found_by_it_alone)
 {
     // Large flat tiles: neighbourhoods forgive the shift, and no smooth place shows it.
     const auto tiles = [](int dx, int dy) {

@@ -8,7 +8,7 @@
 namespace umbral::grader::test {
 namespace {
 
-TEST(Image, EqualOnesAreRight)
+TEST(Image, equal_ones_are_right)
 {
     const Judgement found = image(balls(), balls());
     EXPECT_EQ(found.right, 1);
@@ -19,7 +19,7 @@ TEST(Image, EqualOnesAreRight)
     EXPECT_EQ(found.metrics.count("psnr"), 0U) << "infinite, so not a number for a report";
 }
 
-TEST(Image, OneLevelOfNoiseIsNoError)
+TEST(Image, one_level_of_noise_is_no_error)
 {
     const std::uint64_t seed = 11;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -32,7 +32,7 @@ TEST(Image, OneLevelOfNoiseIsNoError)
     EXPECT_LT(found.metrics.at("ssim"), 1);
 }
 
-TEST(Image, EdgePixelsMayBelongToTheNeighbour)
+TEST(Image, edge_pixels_may_belong_to_the_neighbour)
 {
     const std::uint64_t seed = 12;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -50,7 +50,7 @@ TEST(Image, EdgePixelsMayBelongToTheNeighbour)
     EXPECT_EQ(found.right, 1) << found.message;
 }
 
-TEST(Image, CreditFallsWithTheWrongArea)
+TEST(Image, credit_falls_with_the_wrong_area)
 {
     double last = 1;
     for (const int side : {1, 4, 8, 16, 32, 64, 128}) {
@@ -64,7 +64,7 @@ TEST(Image, CreditFallsWithTheWrongArea)
     EXPECT_EQ(last, 0);
 }
 
-TEST(Image, AHazeOverTheBackgroundDoesNotThinErrorsOut)
+TEST(Image, a_haze_over_the_background_does_not_thin_errors_out)
 {
     const auto spoiled = [](bool haze) {
         return repaint(balls(), [haze](int x, int y) {
@@ -77,7 +77,7 @@ TEST(Image, AHazeOverTheBackgroundDoesNotThinErrorsOut)
     EXPECT_LE(image(spoiled(true), balls()).right, image(spoiled(false), balls()).right);
 }
 
-TEST(Image, AlphaCounts)
+TEST(Image, alpha_counts)
 {
     const Tensor glass = repaint(balls(), [](int x, int y) {
         Colour colour = pixel(scene(), x, y);
@@ -87,7 +87,7 @@ TEST(Image, AlphaCounts)
     EXPECT_EQ(image(glass, balls()).right, 0);
 }
 
-TEST(Image, FloatsAreMappedByTheRange)
+TEST(Image, floats_are_mapped_by_the_range)
 {
     Check check = check_of(JudgeKind{"image"});
     check.range_low = -1;
@@ -114,7 +114,7 @@ TEST(Image, FloatsAreMappedByTheRange)
         << "equal pictures do not hide a broken manifest";
 }
 
-TEST(Image, WhatIsNotFiniteFails)
+TEST(Image, what_is_not_finite_fails)
 {
     Tensor right = floats(std::vector<float>(30 * 30 * 3, 0.5F), 3);
     right.rows = right.columns = 30;
@@ -131,7 +131,7 @@ TEST(Image, WhatIsNotFiniteFails)
     }
 }
 
-TEST(Image, OtherSizesTypesAndPresenceAreWrong)
+TEST(Image, other_sizes_types_and_presence_are_wrong)
 {
     EXPECT_EQ(image(balls(64), balls(128)).right, 0);
     EXPECT_NE(image(balls(64), balls(128)).message.find("64 x 64"), std::string::npos);
@@ -147,7 +147,7 @@ TEST(Image, OtherSizesTypesAndPresenceAreWrong)
     EXPECT_THROW((void)image(grid(2, 1, {1, 2}), grid(2, 1, {1, 2})), std::invalid_argument);
 }
 
-TEST(Image, SmallestPicturesAreJudged)
+TEST(Image, smallest_pictures_are_judged)
 {
     const auto one = [](std::uint8_t v) { return picture(1, 1, [v](int, int) { return Colour{v, v, v, 255}; }); };
     EXPECT_EQ(image(one(9), one(9)).right, 1);
@@ -158,7 +158,7 @@ TEST(Image, SmallestPicturesAreJudged)
     EXPECT_EQ(image(line(30), line(9)).right, 0);
 }
 
-TEST(Image, TheFirstDifferenceIsAPixelOfTheWorstPlace)
+TEST(Image, the_first_difference_is_a_pixel_of_the_worst_place)
 {
     const Tensor off = repaint(balls(), [](int x, int y) {
         return x >= 90 && y >= 90 && x < 110 && y < 110 ? Colour{255, 10, 40, 255} : pixel(scene(), x, y);

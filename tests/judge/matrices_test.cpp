@@ -7,7 +7,7 @@ namespace {
 
 std::vector<float> identity() { return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; }
 
-TEST(Matrices, TheFirstDifferenceIsAnEntryByRowAndColumn)
+TEST(Matrices, the_first_difference_is_an_entry_by_row_and_column)
 {
     std::vector<float> many;
     for (int i = 0; i < 5; ++i)
@@ -23,7 +23,7 @@ TEST(Matrices, TheFirstDifferenceIsAnEntryByRowAndColumn)
     EXPECT_EQ(found.error, 5);
 }
 
-TEST(Matrices, AHugeTranslationDoesNotExcuseTheRotation)
+TEST(Matrices, a_huge_translation_does_not_excuse_the_rotation)
 {
     std::vector<float> expected = identity();
     expected[12] = 1e6F;
@@ -39,7 +39,7 @@ TEST(Matrices, AHugeTranslationDoesNotExcuseTheRotation)
         1);
 }
 
-TEST(Matrices, ZeroByCancellationMayKeepItsNeighboursRounding)
+TEST(Matrices, zero_by_cancellation_may_keep_its_neighbours_rounding)
 {
     std::vector<float> off = identity();
     off[1] = 1e-7F;
@@ -50,7 +50,7 @@ TEST(Matrices, ZeroByCancellationMayKeepItsNeighboursRounding)
               0);
 }
 
-TEST(Matrices, AColumnOfZerosCountsAgainstTheWholeMatrix)
+TEST(Matrices, a_column_of_zeros_counts_against_the_whole_matrix)
 {
     const std::vector<float> expected{2, 0, 0, 0, 2, 0, 0, 0, 0};
     std::vector<float> off = expected;
@@ -62,7 +62,7 @@ TEST(Matrices, AColumnOfZerosCountsAgainstTheWholeMatrix)
         judge(check_of(JudgeKind{"matrices"}, relative(1e-6)), floats(off, 9), floats(expected, 9), nullptr).right, 0);
 }
 
-TEST(Matrices, EveryEntryMatters)
+TEST(Matrices, every_entry_matters)
 {
     for (std::size_t i = 0; i < 16; ++i) {
         std::vector<float> off = identity();
@@ -81,14 +81,14 @@ TEST(Matrices, EveryEntryMatters)
     }
 }
 
-TEST(Matrices, OtherSizesAreAGraderFault)
+TEST(Matrices, other_sizes_are_a_grader_fault)
 {
     EXPECT_THROW((void)judge(check_of(JudgeKind{"matrices"}, absolute(1)), floats({1, 2, 3, 4}, 4),
                              floats({1, 2, 3, 4}, 4), nullptr),
                  std::invalid_argument);
 }
 
-TEST(Matrices, ThreeByThreeOnesAreReadByThree)
+TEST(Matrices, three_by_three_ones_are_read_by_three)
 {
     const std::vector<float> expected{1, 0, 0, 0, 2, 0, 5, 0, 3};
     std::vector<float> off = expected;
@@ -99,7 +99,7 @@ TEST(Matrices, ThreeByThreeOnesAreReadByThree)
     EXPECT_EQ(found.first_difference->yours, "4 in [1 0 5; 0 2 4; 0 0 3]");
 }
 
-TEST(Matrices, NegativeEntriesAreAsLargeAsPositiveOnes)
+TEST(Matrices, negative_entries_are_as_large_as_positive_ones)
 {
     std::vector<float> expected = identity();
     expected[5] = -2;
@@ -110,7 +110,7 @@ TEST(Matrices, NegativeEntriesAreAsLargeAsPositiveOnes)
         1);
 }
 
-TEST(Matrices, MarginsAndAbsenceAreThoseOfTheirRows)
+TEST(Matrices, margins_and_absence_are_those_of_their_rows)
 {
     std::vector<float> two = identity();
     for (const float v : identity()) two.push_back(v);

@@ -10,7 +10,7 @@ bool same(const Check& check, const Tensor& student, const Tensor& expected, con
     return resemblance(FailingCheck{&check, &student, &expected, nullptr}, mistake).says == Says::for_it;
 }
 
-TEST(Mistakes, MatchIfTheyDeviateInTheSameWay)
+TEST(Mistakes, match_if_they_deviate_in_the_same_way)
 {
     const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     const Tensor right = floats({1, 2, 3, 4});
@@ -24,7 +24,7 @@ TEST(Mistakes, MatchIfTheyDeviateInTheSameWay)
     EXPECT_FALSE(same(check, mistake, right, floats({1, 2})));
 }
 
-TEST(Mistakes, ManyRightRowsDoNotMakeTwoErrorsTheSame)
+TEST(Mistakes, many_right_rows_do_not_make_two_errors_the_same)
 {
     const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     std::vector<float> right(100, 1);
@@ -35,7 +35,7 @@ TEST(Mistakes, ManyRightRowsDoNotMakeTwoErrorsTheSame)
     EXPECT_FALSE(same(check, floats(student), floats(right), floats(mistake)));
 }
 
-TEST(Mistakes, WhatIsNotFiniteOrAbsentOnBothSidesAgrees)
+TEST(Mistakes, what_is_not_finite_or_absent_on_both_sides_agrees)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
@@ -46,7 +46,7 @@ TEST(Mistakes, WhatIsNotFiniteOrAbsentOnBothSidesAgrees)
     EXPECT_FALSE(same(check, optional_floats({0, 0}, {0, 0}), right, optional_floats({1, 5}, {1, 1})));
 }
 
-TEST(Mistakes, APassingCheckSpeaksAgainstAMistakeThatFailsItAndForNone)
+TEST(Mistakes, a_passing_check_speaks_against_a_mistake_that_fails_it_and_for_none)
 {
     const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     const Tensor right = floats({1, 2, 3, 4});
@@ -56,7 +56,7 @@ TEST(Mistakes, APassingCheckSpeaksAgainstAMistakeThatFailsItAndForNone)
     EXPECT_EQ(resemblance(passing, right).says, Says::nothing);
 }
 
-TEST(Mistakes, ACheckThatIsPassedByRoundingOfPointsIsPassed)
+TEST(Mistakes, a_check_that_is_passed_by_rounding_of_points_is_passed)
 {
     Check check = check_of(JudgeKind{"buffer"});
     check.points = 250;
@@ -70,7 +70,7 @@ TEST(Mistakes, ACheckThatIsPassedByRoundingOfPointsIsPassed)
     EXPECT_EQ(resemblance({&check, &nearly, &right, nullptr, false}, nearly).says, Says::nothing);
 }
 
-TEST(Mistakes, TablesOfTheSameWrongSizeAgreeIfTheyAreEqual)
+TEST(Mistakes, tables_of_the_same_wrong_size_agree_if_they_are_equal)
 {
     const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     const Tensor right = floats({1, 2, 3, 4});
@@ -84,7 +84,7 @@ TEST(Mistakes, TablesOfTheSameWrongSizeAgreeIfTheyAreEqual)
     EXPECT_EQ(resemblance(failing, right).says, Says::against_it);
 }
 
-TEST(Mistakes, AgreementInMoreValuesSaysMore)
+TEST(Mistakes, agreement_in_more_values_says_more)
 {
     const Check check = check_of(JudgeKind{"numbers"}, ulps(2));
     const auto bits = [&](const std::vector<float>& wrong, const std::vector<float>& right) {
@@ -102,7 +102,7 @@ TEST(Mistakes, AgreementInMoreValuesSaysMore)
         << "the same value four times is one value";
 }
 
-TEST(Mistakes, OfMatricesBuffersAndPictures)
+TEST(Mistakes, of_matrices_buffers_and_pictures)
 {
     const std::vector<float> unit{1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::vector<float> twice{2, 0, 0, 0, 2, 0, 0, 0, 2};

@@ -9,7 +9,7 @@
 namespace umbral::grader::test {
 namespace {
 
-TEST(Noise, WordsNameTheWorstPlace)
+TEST(Noise, words_name_the_worst_place)
 {
     Random random(seed);
     const Tensor expected = estimates(random);
@@ -28,7 +28,7 @@ TEST(Noise, WordsNameTheWorstPlace)
     EXPECT_EQ(named.first_difference->where, "mean of component 2");
 }
 
-TEST(Noise, AMistakeIsKnownByItsLight)
+TEST(Noise, a_mistake_is_known_by_its_light)
 {
     Random random(seed);
     const Tensor expected = run(random);
@@ -43,7 +43,7 @@ TEST(Noise, AMistakeIsKnownByItsLight)
         << "the student passes what it would fail";
 }
 
-TEST(Noise, TheMapShowsMeansAndNoNoise)
+TEST(Noise, the_map_shows_means_and_no_noise)
 {
     Random random(seed);
     const auto light = [](int, int) { return 0.2; };

@@ -14,7 +14,7 @@ namespace {
 
 double right(const Tensor& student, const Tensor& expected) { return judge(check, student, expected, nullptr).right; }
 
-TEST(Noise, TheSameNumbersInTheSameOrderAreRight)
+TEST(Noise, the_same_numbers_in_the_same_order_are_right)
 {
     Random random(seed);
     const Tensor once = run(random);
@@ -37,7 +37,7 @@ TEST(Noise, TheSameNumbersInTheSameOrderAreRight)
     EXPECT_LT(right(run(again, 1.003), once), 1);
 }
 
-TEST(Noise, OtherNumbersOfTheSameLightAreRight)
+TEST(Noise, other_numbers_of_the_same_light_are_right)
 {
     Random random(seed);
     for (int i = 0; i < 10; ++i) {
@@ -49,7 +49,7 @@ TEST(Noise, OtherNumbersOfTheSameLightAreRight)
     }
 }
 
-TEST(Noise, AlphaIsNoLight)
+TEST(Noise, alpha_is_no_light)
 {
     Random random(seed);
     const auto with_alpha = [&](float alpha) {
@@ -61,7 +61,7 @@ TEST(Noise, AlphaIsNoLight)
     EXPECT_EQ(right(with_alpha(0), with_alpha(1)), 1);
 }
 
-TEST(Noise, CreditFallsWithTheLightInTheWrongPlace)
+TEST(Noise, credit_falls_with_the_light_in_the_wrong_place)
 {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -91,7 +91,7 @@ TEST(Noise, CreditFallsWithTheLightInTheWrongPlace)
     EXPECT_NE(dark.message.find("too low in the"), std::string::npos) << dark.message;
 }
 
-TEST(Noise, ControlsEarnNextToNothing)
+TEST(Noise, controls_earn_next_to_nothing)
 {
     Random random(seed);
     for (const Tensor& expected : {run(random), as_bytes(run(random)), estimates(random)}) {
@@ -110,7 +110,7 @@ TEST(Noise, ControlsEarnNextToNothing)
         EXPECT_LT(judge(check, tensor, one, nullptr).right, 1) << name;
 }
 
-TEST(Noise, NoiseIsNoHidingPlace)
+TEST(Noise, noise_is_no_hiding_place)
 {
     Random random(seed);
     const Tensor expected = run(random);
@@ -147,7 +147,7 @@ TEST(Noise, NoiseIsNoHidingPlace)
               1);
 }
 
-TEST(Noise, WhatIsNoNumberIsWrong)
+TEST(Noise, what_is_no_number_is_wrong)
 {
     Random random(seed);
     const Tensor expected = run(random);
@@ -160,7 +160,7 @@ TEST(Noise, WhatIsNoNumberIsWrong)
     EXPECT_EQ(right(as_bytes(expected), expected), 0) << "another type";
 }
 
-TEST(Noise, WhatCannotBeJudgedIsAFaultOfOurs)
+TEST(Noise, what_cannot_be_judged_is_a_fault_of_ours)
 {
     Random random(seed);
     const auto judged_by_itself = [](const Tensor& tensor) { (void)judge(check, tensor, tensor, nullptr); };
@@ -175,7 +175,7 @@ TEST(Noise, WhatCannotBeJudgedIsAFaultOfOurs)
     EXPECT_THROW(judged_by_itself(broken), std::invalid_argument);
 }
 
-TEST(Noise, ADeclaredBiasIsForgiven)
+TEST(Noise, a_declared_bias_is_forgiven)
 {
     Random random(seed);
     const Tensor expected = run(random);
@@ -191,7 +191,7 @@ TEST(Noise, ADeclaredBiasIsForgiven)
     EXPECT_EQ(judge(generous, student, expected, nullptr).right, 1);
 }
 
-TEST(Noise, TwoRunsAreJudgedTogether)
+TEST(Noise, two_runs_are_judged_together)
 {
     Judgement first;
     first.right = 1;

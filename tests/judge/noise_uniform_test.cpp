@@ -48,7 +48,7 @@ double distance_from_uniform(std::vector<double> p)
     return std::sqrt(n) * largest;
 }
 
-TEST(NoiseUniform, PValuesOfTilesOfFloatsAreUniform)
+TEST(NoiseUniform, p_values_of_tiles_of_floats_are_uniform)
 {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -72,7 +72,7 @@ TEST(NoiseUniform, PValuesOfTilesOfFloatsAreUniform)
         }
 }
 
-TEST(NoiseUniform, OtherEstimatorsOfTheSameLightAreNotAccused)
+TEST(NoiseUniform, other_estimators_of_the_same_light_are_not_accused)
 {
     // The student samples worse or better than the reference: differences are skewed to one side, and symmetric no
     // more.
@@ -116,7 +116,7 @@ double exact_tail(const std::vector<double>& weights, double sum)
 
 double bound(double deviation) { return 3.179 * std::erfc(deviation / std::sqrt(2.0)); }
 
-TEST(NoiseUniform, TheBoundHoldsForEverySignOfEveryDifference)
+TEST(NoiseUniform, the_bound_holds_for_every_sign_of_every_difference)
 {
     // Where both sides estimate alike, in floats or in rounded and clipped bytes, a pixel's difference has either sign
     // with equal chance, given its size: all chances are counts of signs. Counted here for sizes of all kinds, to the
@@ -140,7 +140,7 @@ TEST(NoiseUniform, TheBoundHoldsForEverySignOfEveryDifference)
     }
 }
 
-TEST(NoiseUniform, TheBoundHoldsInTheFarTailOfEqualDifferences)
+TEST(NoiseUniform, the_bound_holds_in_the_far_tail_of_equal_differences)
 {
     // Differences of one size make the heaviest tails. Binomial ones, exactly, for up to 4096 pixels: down to 1e-300.
     double worst = 0;
@@ -177,7 +177,7 @@ void expect_super_uniform(const std::vector<double>& p, const char* what)
     std::printf("\n");
 }
 
-TEST(NoiseUniform, ProbabilitiesOfPicturesAreNeverTooSmall)
+TEST(NoiseUniform, probabilities_of_pictures_are_never_too_small)
 {
     SCOPED_TRACE(seed);
     Random random(seed + 3);
@@ -205,7 +205,7 @@ TEST(NoiseUniform, ProbabilitiesOfPicturesAreNeverTooSmall)
     }
 }
 
-TEST(NoiseUniform, ThreePercentAreFound)
+TEST(NoiseUniform, three_percent_are_found)
 {
     SCOPED_TRACE(seed);
     Random random(seed + 4);

@@ -22,7 +22,7 @@ Judgement numbers(const Tensor& student, const Tensor& expected, Tolerance toler
     return judge(check_of(JudgeKind{"numbers"}, tolerance), student, expected, margin);
 }
 
-TEST(Numbers, EqualOnesAreRightAndSayNothing)
+TEST(Numbers, equal_ones_are_right_and_say_nothing)
 {
     const Judgement found = numbers(floats({1, 2, 3}), floats({1, 2, 3}), ulps(0));
     EXPECT_EQ(found.right, 1);
@@ -33,7 +33,7 @@ TEST(Numbers, EqualOnesAreRightAndSayNothing)
     EXPECT_EQ(found.metrics.at("wrong"), 0);
 }
 
-TEST(Numbers, UlpsAreCountedAsFloatsOfTheExpected)
+TEST(Numbers, ulps_are_counted_as_floats_of_the_expected)
 {
     for (const float value : {1.0F, -3.7F, 1e-20F, 6e30F, 1e-42F}) {
         const Tensor off = floats({value > 0 ? up(value, 3) : -up(-value, 3)});
@@ -46,7 +46,7 @@ TEST(Numbers, UlpsAreCountedAsFloatsOfTheExpected)
     EXPECT_EQ(numbers(doubles({1e300}), doubles({1.1e300}), ulps(1)).right, 0);
 }
 
-TEST(Numbers, RelativeIsOfTheLargestComponentOfTheRow)
+TEST(Numbers, relative_is_of_the_largest_component_of_the_row)
 {
     const Tensor expected = floats({100, 0, 1}, 3);
     EXPECT_EQ(numbers(floats({100, 0.5F, 1.5F}, 3), expected, relative(0.006)).right, 1);
@@ -54,7 +54,7 @@ TEST(Numbers, RelativeIsOfTheLargestComponentOfTheRow)
     EXPECT_NEAR(*numbers(floats({100, 0.5F, 1.25F}, 3), expected, relative(0.1)).error, 0.005, 1e-9);
 }
 
-TEST(Numbers, AnyGivenBoundIsEnough)
+TEST(Numbers, any_given_bound_is_enough)
 {
     const Tolerance both{1e-3, {}, 1, {}};
     EXPECT_EQ(numbers(floats({1e-4F, 1e9F}, 2), floats({0, 1e9F}, 2), both).right, 1);
@@ -63,7 +63,7 @@ TEST(Numbers, AnyGivenBoundIsEnough)
     EXPECT_EQ(numbers(floats({1e-4F, up(1e9F, 1)}, 2), floats({0, 1e9F}, 2), both).error, 1);
 }
 
-TEST(Numbers, OneWrongComponentMakesTheRowWrong)
+TEST(Numbers, one_wrong_component_makes_the_row_wrong)
 {
     for (std::size_t wrong = 0; wrong < 3; ++wrong) {
         std::vector<float> values{1, 2, 3, 4, 5, 6};
@@ -74,7 +74,7 @@ TEST(Numbers, OneWrongComponentMakesTheRowWrong)
     }
 }
 
-TEST(Numbers, WhatIsNotFiniteIsWrongWithoutAFiniteError)
+TEST(Numbers, what_is_not_finite_is_wrong_without_a_finite_error)
 {
     for (const float bad : {nan_f, infinity_f, -infinity_f}) {
         const Judgement found = numbers(floats({1, bad, 3, 4}), floats({1, 2, 3, 4}), absolute(1e30));
@@ -87,7 +87,7 @@ TEST(Numbers, WhatIsNotFiniteIsWrongWithoutAFiniteError)
     EXPECT_THROW((void)numbers(floats({infinity_f}), floats({infinity_f}), absolute(1)), std::invalid_argument);
 }
 
-TEST(Numbers, PresenceMustAgree)
+TEST(Numbers, presence_must_agree)
 {
     const Tensor expected = optional_floats({1, 0, 3, 0}, {1, 0, 1, 0});
     EXPECT_EQ(numbers(expected, expected, ulps(1)).right, 1);
@@ -106,7 +106,7 @@ TEST(Numbers, PresenceMustAgree)
     EXPECT_EQ(numbers(optional_floats({5}, {1}), floats({5}), ulps(1)).right, 1);
 }
 
-TEST(Numbers, RowsInTheBandDoNotCount)
+TEST(Numbers, rows_in_the_band_do_not_count)
 {
     const Tolerance tolerance{{}, {}, 1, 2};
     const Tensor expected = floats({1, 2, 3, 4});
@@ -123,7 +123,7 @@ TEST(Numbers, RowsInTheBandDoNotCount)
     EXPECT_THROW((void)numbers(expected, expected, tolerance, &short_margin), std::invalid_argument);
 }
 
-TEST(Numbers, PairsCountOnlyTogether)
+TEST(Numbers, pairs_count_only_together)
 {
     Check check = check_of(JudgeKind{"numbers"}, ulps(1));
     check.pairs = true;
@@ -141,7 +141,7 @@ TEST(Numbers, PairsCountOnlyTogether)
     EXPECT_EQ(judge(check, optional_floats({7, 7, 3, 0, 5, 0}, {1, 1, 1, 0, 1, 0}), expected, &margin).right, 1);
 }
 
-TEST(Numbers, AnotherShapeTypeOrDamageIsWrongAndSaysSo)
+TEST(Numbers, another_shape_type_or_damage_is_wrong_and_says_so)
 {
     const Tensor expected = floats({1, 2, 3, 4});
     Tensor damaged = expected;
@@ -161,7 +161,7 @@ TEST(Numbers, AnotherShapeTypeOrDamageIsWrongAndSaysSo)
               "Yours has 3 rows of 1 float; expected 4 rows of 1 float.");
 }
 
-TEST(Numbers, WhatCannotBeJudgedIsAGraderFault)
+TEST(Numbers, what_cannot_be_judged_is_a_grader_fault)
 {
     EXPECT_THROW((void)numbers(floats({}), floats({}), absolute(1)), std::invalid_argument);
     EXPECT_THROW((void)numbers(floats({1}), floats({1}), Tolerance{}), std::invalid_argument);
@@ -171,7 +171,7 @@ TEST(Numbers, WhatCannotBeJudgedIsAGraderFault)
     EXPECT_THROW((void)judge(check_of(JudgeKind{"guesses"}), floats({1}), floats({1}), nullptr), std::invalid_argument);
 }
 
-TEST(Numbers, TheMessageNamesTheWorstRow)
+TEST(Numbers, the_message_names_the_worst_row)
 {
     const Judgement found = numbers(floats({1, 2.5F, 3.25F, 4}), floats({1, 2, 4, 4}), absolute(0.1));
     EXPECT_EQ(found.message, "2 of 4 rows are wrong; the worst is row 2: yours 3.25, expected 4 (error 0.75)");
@@ -180,7 +180,7 @@ TEST(Numbers, TheMessageNamesTheWorstRow)
               "The only row is wrong: row 0: yours 2, expected 1 (relative error 1)");
 }
 
-TEST(Numbers, QuantilesAreOfTheErrors)
+TEST(Numbers, quantiles_are_of_the_errors)
 {
     std::vector<float> yours;
     for (int i = 1; i <= 100; ++i) yours.push_back(static_cast<float>(i));
@@ -190,7 +190,7 @@ TEST(Numbers, QuantilesAreOfTheErrors)
     EXPECT_EQ(found.metrics.at("max_error"), 100);
 }
 
-TEST(Numbers, AValueAtItsBoundIsRight)
+TEST(Numbers, a_value_at_its_bound_is_right)
 {
     EXPECT_EQ(numbers(floats({1.5F}), floats({1}), absolute(0.5)).right, 1);
     EXPECT_EQ(numbers(floats({1.5F}), floats({1}), relative(0.5)).right, 1);
@@ -199,13 +199,13 @@ TEST(Numbers, AValueAtItsBoundIsRight)
         << "a negative number is as large as a positive one";
 }
 
-TEST(Numbers, TheUnitOfErrorsIsTheFirstBoundOfUlpsRelativeAbsolute)
+TEST(Numbers, the_unit_of_errors_is_the_first_bound_of_ulps_relative_absolute)
 {
     EXPECT_EQ(numbers(floats({up(1, 2)}), floats({1}), Tolerance{1.0, 1e-3, 4, {}}).error, 2);
     EXPECT_NEAR(*numbers(floats({1.5F}), floats({1}), Tolerance{0.25, 1.0, {}, {}}).error, 0.5, 1e-9);
 }
 
-TEST(Numbers, AMarginsSignDoesNotMatter)
+TEST(Numbers, a_margins_sign_does_not_matter)
 {
     const Tolerance tolerance{{}, {}, 1, 2};
     const Tensor margin = floats({5, -5});

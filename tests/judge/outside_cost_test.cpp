@@ -27,14 +27,14 @@ std::optional<std::string> objection(const OutsideCost& student, double growth =
     return objection_from_outside(student, runs_of(2, 1), sizes, growth, "corners");
 }
 
-TEST(OutsideCost, ComparesUpToAQuarterOfTheLargestSize)
+TEST(OutsideCost, compares_up_to_a_quarter_of_the_largest_size)
 {
     EXPECT_EQ(sizes_to_compare(sizes), 3U);
     EXPECT_EQ(sizes_to_compare({6, 9, 12, 15, 18}), 1U) << "never none";
     EXPECT_EQ(sizes_to_compare({1, 100}), 1U);
 }
 
-TEST(OutsideCost, WorkThatGrowsAsItMayIsBelievedHoweverSlow)
+TEST(OutsideCost, work_that_grows_as_it_may_is_believed_however_slow)
 {
     for (const double milliseconds : {0.01, 1.0, 30.0, 1000.0})
         for (const double exponent : {0.0, 1.0, 1.15}) EXPECT_FALSE(objection(runs_of(milliseconds, exponent)));
@@ -42,7 +42,7 @@ TEST(OutsideCost, WorkThatGrowsAsItMayIsBelievedHoweverSlow)
     EXPECT_FALSE(objection(runs_of(1.5, 2))) << "too little to tell from noise";
 }
 
-TEST(OutsideCost, HiddenQuadraticWorkIsNot)
+TEST(OutsideCost, hidden_quadratic_work_is_not)
 {
     for (const double milliseconds : {20.0, 50.0, 1000.0})
         EXPECT_TRUE(objection(runs_of(milliseconds, 2))) << milliseconds;
@@ -54,7 +54,7 @@ TEST(OutsideCost, HiddenQuadraticWorkIsNot)
               "faster than that count allows: work was done that is not counted");
 }
 
-TEST(OutsideCost, NoiseOfHalfAMillisecondChangesNoVerdict)
+TEST(OutsideCost, noise_of_half_a_millisecond_changes_no_verdict)
 {
     for (const double first : {-0.4, 0.4})
         for (const double all : {-0.4, 0.4}) {
@@ -66,14 +66,14 @@ TEST(OutsideCost, NoiseOfHalfAMillisecondChangesNoVerdict)
         }
 }
 
-TEST(OutsideCost, WorkBeforeTheCountIsSeen)
+TEST(OutsideCost, work_before_the_count_is_seen)
 {
     EXPECT_FALSE(objection(runs_of(2, 1, 20)));
     EXPECT_TRUE(objection(runs_of(2, 1, 60)));
     EXPECT_NE(objection(runs_of(2, 1, 60))->find("before anything is counted"), std::string::npos);
 }
 
-TEST(OutsideCost, RunsAsQuickAsTheReferencesAreNotMeasured)
+TEST(OutsideCost, runs_as_quick_as_the_references_are_not_measured)
 {
     EXPECT_FALSE(is_worth_measuring(7, 4));
     EXPECT_TRUE(is_worth_measuring(9, 4));

@@ -17,7 +17,7 @@ Check worth(Millipoints points, double zero, double full)
     return check;
 }
 
-TEST(Points, AreLinearBetweenTheThresholds)
+TEST(Points, are_linear_between_the_thresholds)
 {
     EXPECT_EQ(points_for(worth(2000, 0, 1), 0.5, 0), 1000);
     EXPECT_EQ(points_for(worth(2000, 0.5, 0.9), 0.7, 0), 1000);
@@ -29,7 +29,7 @@ TEST(Points, AreLinearBetweenTheThresholds)
     EXPECT_EQ(points_for(worth(1000, 0, 1), 2.0 / 3, 0), 667) << "rounded once, to the nearest";
 }
 
-TEST(Points, AControlAtTheFullMarkLeavesNothingToEarnButMore)
+TEST(Points, a_control_at_the_full_mark_leaves_nothing_to_earn_but_more)
 {
     EXPECT_EQ(points_for(worth(2000, 0, 1), 1, 1), 0);
     EXPECT_EQ(points_for(worth(2000, 0, 0.9), 0.95, 0.95), 0);
@@ -37,7 +37,7 @@ TEST(Points, AControlAtTheFullMarkLeavesNothingToEarnButMore)
     EXPECT_EQ(points_for(worth(2000, 0, 1), std::numeric_limits<double>::quiet_NaN(), 0), 0);
 }
 
-TEST(Points, NeverFallWithMoreRightAndStayInTheirRange)
+TEST(Points, never_fall_with_more_right_and_stay_in_their_range)
 {
     const std::uint64_t seed = 20240517;
     SCOPED_TRACE(testing::Message() << "seed " << seed);

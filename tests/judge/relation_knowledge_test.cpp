@@ -17,7 +17,7 @@ Tensor noise_picture(std::uint64_t seed)
     });
 }
 
-TEST(Relation, EveryControlGetsNothing)
+TEST(Relation, every_control_gets_nothing)
 {
     const Recorded pictures = right_pictures();
     const Recorded shifted{balls_moved(3, 5), scene()};
@@ -43,7 +43,7 @@ TEST(Relation, EveryControlGetsNothing)
         }
 }
 
-TEST(Relation, PicturesThatKnowNothingGetNothingHoweverWellTheyAgree)
+TEST(Relation, pictures_that_know_nothing_get_nothing_however_well_they_agree)
 {
     const Check same = with_relation(JudgeKind{"image"}, equal());
     const Check along = with_relation(JudgeKind{"image"}, moved(3, 5));
@@ -68,7 +68,7 @@ TEST(Relation, PicturesThatKnowNothingGetNothingHoweverWellTheyAgree)
     EXPECT_EQ(right(along, {moved_pixel, one_pixel}, reference), 0) << "too little of it";
 }
 
-TEST(Relation, AMessageSaysWhyAgreementIsNotEnough)
+TEST(Relation, a_message_says_why_agreement_is_not_enough)
 {
     const Judgement found =
         RelationJudge(with_relation(JudgeKind{"image"}, equal()), right_pictures().tensors(), nullptr, 1)
@@ -77,7 +77,7 @@ TEST(Relation, AMessageSaysWhyAgreementIsNotEnough)
     EXPECT_NE(found.message.find("your 'turned'"), std::string::npos) << found.message;
 }
 
-TEST(Likeness, IsHighForWorkAndLowForNoise)
+TEST(Likeness, is_high_for_work_and_low_for_noise)
 {
     const Check check = check_of(JudgeKind{"image"});
     EXPECT_DOUBLE_EQ(*likeness(check, scene(), scene()), 1);

@@ -8,7 +8,7 @@
 namespace umbral::grader::test {
 namespace {
 
-TEST(Relation, AnyRightRecordingHasItAll)
+TEST(Relation, any_right_recording_has_it_all)
 {
     EXPECT_EQ(right(with_relation(JudgeKind{"image"}, equal()), right_pictures(), right_pictures()), 1);
     for (const auto& [x, y] : {std::pair(3, 5), std::pair(-7, 2), std::pair(0, -20), std::pair(40, 0)}) {
@@ -28,7 +28,7 @@ TEST(Relation, AnyRightRecordingHasItAll)
     EXPECT_EQ(right(with_relation(JudgeKind{"fragments"}, moved(3, 5)), fragments, fragments), 1);
 }
 
-TEST(Relation, WhatIsWrongInTheSameWayEverywhereStillHasIt)
+TEST(Relation, what_is_wrong_in_the_same_way_everywhere_still_has_it)
 {
     const Recorded wrong{gamma_twice(scene()), gamma_twice(scene()), gamma_twice(mirrored())};
     EXPECT_EQ(right(with_relation(JudgeKind{"image"}, equal()), wrong, right_pictures()), 1)
@@ -36,7 +36,7 @@ TEST(Relation, WhatIsWrongInTheSameWayEverywhereStillHasIt)
     EXPECT_LT(judge(check_of(JudgeKind{"image"}), wrong.value, scene(), nullptr).right, 0.5);
 }
 
-TEST(Relation, WhatBreaksTheLawLosesIt)
+TEST(Relation, what_breaks_the_law_loses_it)
 {
     const Check check = with_relation(JudgeKind{"image"}, equal());
     Recorded broken = right_pictures();
@@ -62,7 +62,7 @@ TEST(Relation, WhatBreaksTheLawLosesIt)
         << "area grows with the square";
 }
 
-TEST(Relation, WhatComesInFromOutsideIsNotCompared)
+TEST(Relation, what_comes_in_from_outside_is_not_compared)
 {
     Recorded run{balls_moved(9, -6), scene()};
     const Tensor clean = run.value;
@@ -75,7 +75,7 @@ TEST(Relation, WhatComesInFromOutsideIsNotCompared)
     EXPECT_LT(right(with_relation(JudgeKind{"image"}, moved(9, -6)), run, reference), 0.5);
 }
 
-TEST(Relation, AlphaIsNotScaled)
+TEST(Relation, alpha_is_not_scaled)
 {
     const Tensor to = floats({0.1F, 0.2F, 0.3F, 1}, 4);
     const auto twice = expected_by_relation(with_relation(JudgeKind{"image"}, times(2)), to, to);
@@ -83,7 +83,7 @@ TEST(Relation, AlphaIsNotScaled)
     EXPECT_EQ(*twice, floats({0.2F, 0.4F, 0.6F, 1}, 4));
 }
 
-TEST(Relation, DamagedRecordingsAreWrongAndNeverAnException)
+TEST(Relation, damaged_recordings_are_wrong_and_never_an_exception)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float huge = std::numeric_limits<float>::max();
@@ -132,7 +132,7 @@ TEST(Relation, DamagedRecordingsAreWrongAndNeverAnException)
     EXPECT_EQ(image.judge({&small, &small, &small}).right, 0) << "another size";
 }
 
-TEST(Relation, OneThatTellsNothingIsAFaultOfTheUnit)
+TEST(Relation, one_that_tells_nothing_is_a_fault_of_the_unit)
 {
     const auto fault = [](const Check& check, const Recorded& reference) {
         try {

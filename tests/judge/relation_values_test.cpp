@@ -40,7 +40,7 @@ std::vector<float> rising(std::size_t small = 0)
     return values;
 }
 
-TEST(RelationValues, WhatHoldsUnmovedIsTakenOff)
+TEST(RelationValues, what_holds_unmoved_is_taken_off)
 {
     const auto reference = table(rising());
     EXPECT_EQ(judged(table(rising()), reference).right, 1);
@@ -49,7 +49,7 @@ TEST(RelationValues, WhatHoldsUnmovedIsTakenOff)
     EXPECT_NEAR(judged(table(rising(), 10), reference).right, 0.75, 1e-9);
 }
 
-TEST(RelationValues, ValuesThatHardlyChangeTellNothing)
+TEST(RelationValues, values_that_hardly_change_tell_nothing)
 {
     const auto reference = table(rising());
     EXPECT_EQ(judged(table(rising(19)), reference).right, 1) << "still more than half of what the reference changes";

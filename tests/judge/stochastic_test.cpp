@@ -53,7 +53,7 @@ double scene(int x, int y)
     return std::hypot(x - 30, y - 40) < 14 ? 0.02 : 0.05 + 0.004 * x;
 }
 
-TEST(Stochastic, RightPicturesAreHardlyEverAccused)
+TEST(Stochastic, right_pictures_are_hardly_ever_accused)
 {
     const std::uint64_t seed = 20260101;
     SCOPED_TRACE(seed);
@@ -72,7 +72,7 @@ TEST(Stochastic, RightPicturesAreHardlyEverAccused)
     EXPECT_LE(alarms, 6);
 }
 
-TEST(Stochastic, ThreePercentTooBrightIsCaught)
+TEST(Stochastic, three_percent_too_bright_is_caught)
 {
     // 16 samples a pixel, each with a standard deviation of its mean: noisier than diffuse light under next event
     // estimation.
@@ -91,7 +91,7 @@ TEST(Stochastic, ThreePercentTooBrightIsCaught)
     }
 }
 
-TEST(Stochastic, ALocalMistakeIsFoundInItsTile)
+TEST(Stochastic, a_local_mistake_is_found_in_its_tile)
 {
     Random random(4);
     const auto with_hole = [](int x, int y) { return x >= 96 && x < 112 && y >= 160 && y < 176 ? 0.10 : 0.2; };
@@ -104,7 +104,7 @@ TEST(Stochastic, ALocalMistakeIsFoundInItsTile)
     EXPECT_NE(rule.message().find("too low in the 16 x 16 pixels from (96, 160)"), std::string::npos) << rule.message();
 }
 
-TEST(Stochastic, WhatNoiseCannotExplainIsNoNoise)
+TEST(Stochastic, what_noise_cannot_explain_is_no_noise)
 {
     Random random(5);
     const Picture lit = rendered(random, 64, 64, 1, 4, scene);
@@ -119,7 +119,7 @@ TEST(Stochastic, WhatNoiseCannotExplainIsNoNoise)
     EXPECT_FALSE(apply_stochastic_rule(flat(0.22), flat(0.2)).agree) << "10 % without noise";
 }
 
-TEST(Stochastic, RoundingIsForgiven)
+TEST(Stochastic, rounding_is_forgiven)
 {
     // One code value apart everywhere, without noise: what two roundings can do to equal light.
     for (const int code : {1, 40, 128, 254}) {
@@ -134,7 +134,7 @@ TEST(Stochastic, RoundingIsForgiven)
 }
 
 // Clipping takes light from noise that reaches beyond white: from fewer samples more, though both estimate the same.
-TEST(Stochastic, ClippingAtWhiteIsForgiven)
+TEST(Stochastic, clipping_at_white_is_forgiven)
 {
     Random random(20260104);
     const auto bright = [](int x, int) { return x < 32 ? 0.85 : 0.3; };
@@ -151,7 +151,7 @@ TEST(Stochastic, ClippingAtWhiteIsForgiven)
 }
 
 // The mean of codes would depend on how noisy a picture is; the mean of light does not.
-TEST(Stochastic, FewerSamplesOfTheSameLightAgree)
+TEST(Stochastic, fewer_samples_of_the_same_light_agree)
 {
     Random random(20260105);
     const auto dim = [](int, int y) { return 0.05 + 0.003 * y; };
@@ -162,7 +162,7 @@ TEST(Stochastic, FewerSamplesOfTheSameLightAgree)
     }
 }
 
-TEST(Stochastic, OneWhitePixelExcusesNoOther)
+TEST(Stochastic, one_white_pixel_excuses_no_other)
 {
     Random random(20260106);
     const auto lamps = [](int x, int y) { return x % 16 == 3 && y % 16 == 3 ? 100.0 : 0.3; };
@@ -174,7 +174,7 @@ TEST(Stochastic, OneWhitePixelExcusesNoOther)
 
 // Two equal differences: of two random signs, every second pair is equal. No bound of the chance may lie below that;
 // this one is reached.
-TEST(Stochastic, TheBoundHoldsForTwoValues)
+TEST(Stochastic, the_bound_holds_for_two_values)
 {
     const Estimates zero{1, 2, 1, false, {0, 0}, {}};
     const Estimates one{1, 2, 1, false, {1, 1}, {}};
@@ -182,7 +182,7 @@ TEST(Stochastic, TheBoundHoldsForTwoValues)
 }
 
 // Of a skewed sum, the tail that is heavier than a normal one lies opposite to the long tail of its terms.
-TEST(Stochastic, SkewnessMakesOneTailHeavier)
+TEST(Stochastic, skewness_makes_one_tail_heavier)
 {
     TileSums sums;
     sums.count = 256;
@@ -194,7 +194,7 @@ TEST(Stochastic, SkewnessMakesOneTailHeavier)
     EXPECT_GT(tile_probability(sums, 3), 1.5 * std::erfc(3 / std::sqrt(2.0)));
 }
 
-TEST(Stochastic, SmallAndOddSizesAreJudged)
+TEST(Stochastic, small_and_odd_sizes_are_judged)
 {
     Random random(6);
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 2}, {17, 3}, {15, 100}, {65, 33}}) {

@@ -35,7 +35,7 @@ Judgement judged(const std::string& yours, const std::string& expected, const Ch
     return judge(check, text(yours), text(expected), nullptr);
 }
 
-TEST(Traces, EqualOnesKeepEveryRule)
+TEST(Traces, equal_ones_keep_every_rule)
 {
     const Judgement found = judged(first_frame, first_frame);
     EXPECT_EQ(found.right, 1);
@@ -50,7 +50,7 @@ TEST(Traces, EqualOnesKeepEveryRule)
     EXPECT_EQ(found.metrics.at("state_changes"), 6);
 }
 
-TEST(Traces, TwoDrawCallsWhereOneIsPossible)
+TEST(Traces, two_draw_calls_where_one_is_possible)
 {
     const Judgement found =
         judged("glBindVertexArray 7\nglDrawElements 4 3 5125 0\nglDrawElements 4 3 5125 1\nglBindVertexArray 0\n",
@@ -63,7 +63,7 @@ TEST(Traces, TwoDrawCallsWhereOneIsPossible)
     EXPECT_EQ(found.first_difference->expected, "glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, 0)");
 }
 
-TEST(Traces, UploadingAgainIsSaidWithItsBytes)
+TEST(Traces, uploading_again_is_said_with_its_bytes)
 {
     const Judgement found = judged(
         "glBindVertexArray 1\nglBufferData 34962 1536 1 35044 | 1536\nglDrawElements 4 6 5125 0\nglBindVertexArray 0\n",
@@ -73,7 +73,7 @@ TEST(Traces, UploadingAgainIsSaidWithItsBytes)
     EXPECT_EQ(found.first_difference->expected, "nothing");
 }
 
-TEST(Traces, ImmediateModeIsDeprecatedAndItsVerticesCount)
+TEST(Traces, immediate_mode_is_deprecated_and_its_vertices_count)
 {
     const std::string immediate = "glBegin 4\nglVertex3f 0 0 0\nglVertex3f 1 0 0\nglVertex3f 0 1 0\nglEnd\n";
     const Judgement found = judged(immediate, "glDrawArrays 4 0 3\n");
@@ -86,7 +86,7 @@ TEST(Traces, ImmediateModeIsDeprecatedAndItsVerticesCount)
     EXPECT_EQ(found.first_difference->yours, "glBegin(GL_TRIANGLES)");
 }
 
-TEST(Traces, DrawingNothingEarnsNothing)
+TEST(Traces, drawing_nothing_earns_nothing)
 {
     EXPECT_EQ(judged("glBindVertexArray 1\nglBindVertexArray 0\n", later_frame).right, 0);
     EXPECT_EQ(judged("glBindVertexArray 1\nglBindVertexArray 0\n", later_frame).message,
@@ -97,7 +97,7 @@ TEST(Traces, DrawingNothingEarnsNothing)
     EXPECT_EQ(judged("glDrawBuffer 1029\nglDrawBuffers 1 1\n", later_frame).metrics.at("draw_calls"), 0);
 }
 
-TEST(Traces, ObjectsAreCountedByTheNumberGiven)
+TEST(Traces, objects_are_counted_by_the_number_given)
 {
     const Check check = check_with({"objects created", "objects deleted"});
     const std::string both =
@@ -117,13 +117,13 @@ TEST(Traces, ObjectsAreCountedByTheNumberGiven)
               "objects deleted: you make no such call");
 }
 
-TEST(Traces, FewerCallsThanTheReferenceAreFine)
+TEST(Traces, fewer_calls_than_the_reference_are_fine)
 {
     EXPECT_EQ(judged("glDrawElements 4 6 5125 0\n", later_frame).right, 1) << "state changes are an upper bound";
     EXPECT_EQ(judged("glDrawArraysInstanced 4 0 3 2\n", later_frame).right, 1) << "3 vertices twice are 6";
 }
 
-TEST(Traces, OnlyTheDeclaredRulesCount)
+TEST(Traces, only_the_declared_rules_count)
 {
     const std::string wasteful = "glBufferData 34962 10 1 35044 | 10\nglDrawElements 4 6 5125 0\n";
     EXPECT_EQ(judged(wasteful, later_frame, check_with({"draw calls", "vertices"})).right, 1);
@@ -132,7 +132,7 @@ TEST(Traces, OnlyTheDeclaredRulesCount)
     EXPECT_THROW((void)judged(later_frame, later_frame, check_with({"colour"})), std::invalid_argument);
 }
 
-TEST(Traces, HostileOnesAreDamaged)
+TEST(Traces, hostile_ones_are_damaged)
 {
     for (const char* bad : {"glDrawArrays 4 0 x\n", "system(\"rm\")\n", "glDrawArrays  4\n", "gl\n", "\n\n",
                             "glDrawArrays 4 0 3 | -1\n", "glDrawArrays | \n", "glDrawArrays 4 0 3 | 1 2\n",
@@ -160,7 +160,7 @@ TEST(Traces, HostileOnesAreDamaged)
     EXPECT_THROW((void)judged(later_frame, "nonsense"), std::invalid_argument);
 }
 
-TEST(Traces, CountsAreOfWhatIsThere)
+TEST(Traces, counts_are_of_what_is_there)
 {
     EXPECT_EQ(judged("glDrawElements 4 -9 5125 0\nglDrawElements 4 6 5125 0\n", later_frame).metrics.at("vertices"), 6);
     EXPECT_EQ(judged("glBindAttribLocation 1 0\nglBindFragDataLocation 1 0\nglBindBuffer 34962 1\n", later_frame)
@@ -168,7 +168,7 @@ TEST(Traces, CountsAreOfWhatIsThere)
               1);
 }
 
-TEST(Traces, OfSeveralBrokenRulesTheFirstIsShown)
+TEST(Traces, of_several_broken_rules_the_first_is_shown)
 {
     const Judgement found = judged("glBufferData 34962 8 1 35044 | 8\n" + later_frame + later_frame, later_frame,
                                    check_with({"draw calls", "uploaded bytes"}));
@@ -176,7 +176,7 @@ TEST(Traces, OfSeveralBrokenRulesTheFirstIsShown)
     EXPECT_EQ(found.first_difference->where, "draw calls: call 6 of your 7");
 }
 
-TEST(Traces, ATruncatedOneEarnsNothing)
+TEST(Traces, a_truncated_one_earns_nothing)
 {
     const Judgement found = judged(later_frame + "...\n", later_frame);
     EXPECT_EQ(found.right, 0);
@@ -184,7 +184,7 @@ TEST(Traces, ATruncatedOneEarnsNothing)
     EXPECT_THROW((void)judged(later_frame, later_frame + "...\n"), std::invalid_argument);
 }
 
-TEST(Traces, ControlsAndMistakes)
+TEST(Traces, controls_and_mistakes)
 {
     const Check check = all_rules();
     EXPECT_EQ(best_control(check, text(later_frame), nullptr, 1).right, 0);
@@ -210,7 +210,7 @@ TEST(Traces, ControlsAndMistakes)
     EXPECT_FALSE(same("nonsense", uploads));
 }
 
-TEST(GlCalls, AreWrittenAsInCpp)
+TEST(GlCalls, are_written_as_in_cpp)
 {
     const auto written = [](const std::string& line) { return in_cpp(parse_gl_trace(line)->calls.front()); };
     EXPECT_EQ(written("glDrawArrays 4 0 3\n"), "glDrawArrays(GL_TRIANGLES, 0, 3)");
@@ -241,7 +241,7 @@ std::set<std::string> declared(const std::string& header)
     return names;
 }
 
-TEST(GlCalls, DeprecatedIsWhatTheCoreHeaderLacks)
+TEST(GlCalls, deprecated_is_what_the_core_header_lacks)
 {
     std::set<std::string> all = declared("gl.h");
     all.merge(declared("glext.h"));

@@ -7,7 +7,7 @@
 namespace umbral::grader::test {
 namespace {
 
-TEST(Transforms, AMedianIsTheMiddle)
+TEST(Transforms, a_median_is_the_middle)
 {
     EXPECT_EQ(median({9, 1, 5, 7, 3}), 5);
     EXPECT_EQ(median({}), std::nullopt);
@@ -16,7 +16,7 @@ TEST(Transforms, AMedianIsTheMiddle)
     EXPECT_EQ(common_factor(pairs), 2);
 }
 
-TEST(Transforms, TwoDifferentNumbersMakeNoRule)
+TEST(Transforms, two_different_numbers_make_no_rule)
 {
     EXPECT_FALSE(enough_to_fit(value_pairs(floats({5, 5, 7, 7}), floats({1, 1, 2, 2}))));
     EXPECT_FALSE(enough_to_fit(value_pairs(floats({5, 5, 7}), floats({1, 2, 0}))))
@@ -24,7 +24,7 @@ TEST(Transforms, TwoDifferentNumbersMakeNoRule)
     EXPECT_TRUE(enough_to_fit(value_pairs(floats({5, 6, 7}), floats({1, 2, 3}))));
 }
 
-TEST(Transforms, DistanceGrowsWithHowFarApartValuesAre)
+TEST(Transforms, distance_grows_with_how_far_apart_values_are)
 {
     const Tensor zero = floats({0, 0});
     EXPECT_EQ(distance(floats({3, -4}), zero), 7);
@@ -33,7 +33,7 @@ TEST(Transforms, DistanceGrowsWithHowFarApartValuesAre)
         << "no number is farther than any";
 }
 
-TEST(Transforms, WhatIsRightAndNoUnitVectorSpeaksNotAgainstNormalising)
+TEST(Transforms, what_is_right_and_no_unit_vector_speaks_not_against_normalising)
 {
     const Check numbers = check_of(JudgeKind{"numbers"}, absolute(1e-6));
     const Tensor unit = floats({1, 0, 0, 0, 0.6F, 0.8F, 0, -1, 0}, 3);

@@ -29,7 +29,7 @@ std::string complaint_about(const json& check)
     return test::message_of([&] { (void)parse_exercise(with_checks(json::array({check})), "here.json"); });
 }
 
-TEST(NoiseManifest, ReadsAChecksBiasAndRange)
+TEST(NoiseManifest, reads_a_checks_bias_and_range)
 {
     json check = noise();
     check["tolerance"] = {{"relative", 0.01}};
@@ -44,7 +44,7 @@ TEST(NoiseManifest, ReadsAChecksBiasAndRange)
     EXPECT_NO_THROW((void)parse_exercise(with_checks(json::array({noise()})), "here.json")) << "nothing more is needed";
 }
 
-TEST(NoiseManifest, RefusesWhatNoiseDoesNotHave)
+TEST(NoiseManifest, refuses_what_noise_does_not_have)
 {
     json ulps = noise();
     ulps["tolerance"] = {{"ulps", 4}};
@@ -61,7 +61,7 @@ TEST(NoiseManifest, RefusesWhatNoiseDoesNotHave)
               std::string::npos);
 }
 
-TEST(NoiseManifest, AllUnitsTogetherHaveAtMostAHundred)
+TEST(NoiseManifest, all_units_together_have_at_most_a_hundred)
 {
     const umbral::test::TemporaryFolder folder;
     const auto write_unit = [&](const std::string& name, int checks) {

@@ -27,7 +27,7 @@ json manifest()
     return all;
 }
 
-TEST(RelationManifest, IsReadFieldByField)
+TEST(RelationManifest, is_read_field_by_field)
 {
     const Exercise unit = parse_exercise(manifest(), "here.json");
     ASSERT_TRUE(unit.checks[3].relation.has_value());
@@ -41,7 +41,7 @@ TEST(RelationManifest, IsReadFieldByField)
     EXPECT_FALSE(unit.checks[0].relation.has_value());
 }
 
-TEST(RelationManifest, MayLeaveOutWhatDoesNothing)
+TEST(RelationManifest, may_leave_out_what_does_nothing)
 {
     json all = manifest();
     all[json::json_pointer(relation)] =
@@ -53,7 +53,7 @@ TEST(RelationManifest, MayLeaveOutWhatDoesNothing)
     EXPECT_FALSE(same.scales() || same.moves());
 }
 
-TEST(RelationManifest, EachWrongFieldIsRefusedByNameByTheProgramAndTheSchema)
+TEST(RelationManifest, each_wrong_field_is_refused_by_name_by_the_program_and_the_schema)
 {
     struct Wrong {
         const char* pointer;
@@ -99,7 +99,7 @@ TEST(RelationManifest, EachWrongFieldIsRefusedByNameByTheProgramAndTheSchema)
     }
 }
 
-TEST(RelationManifest, FitsJudgesThatCompareValues)
+TEST(RelationManifest, fits_judges_that_compare_values)
 {
     const auto refused = [](int check, const char* text) {
         json all = manifest();

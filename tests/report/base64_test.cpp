@@ -5,7 +5,7 @@
 namespace umbral::grader::html {
 namespace {
 
-TEST(Base64, KnownAnswers)
+TEST(Base64, known_answers)
 {
     // The test vectors of RFC 4648.
     for (const auto& [bytes, text] : {std::pair{"", ""},

@@ -29,7 +29,7 @@ ClassResult small_class()
     return result;
 }
 
-TEST(Class, StatisticsLeaveOutOurFaults)
+TEST(Class, statistics_leave_out_our_faults)
 {
     const std::vector<UnitStatistics> units = unit_statistics(small_class());
     ASSERT_EQ(units.size(), 1U);
@@ -39,7 +39,7 @@ TEST(Class, StatisticsLeaveOutOurFaults)
     EXPECT_EQ(units[0].by_share, (std::array<std::size_t, 11>{1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1}));
 }
 
-TEST(Class, AlmostNothingIsNotNothingAndAlmostAllIsNotAll)
+TEST(Class, almost_nothing_is_not_nothing_and_almost_all_is_not_all)
 {
     ClassResult result;
     for (const Millipoints score : {1, 999999})
@@ -48,7 +48,7 @@ TEST(Class, AlmostNothingIsNotNothingAndAlmostAllIsNotAll)
     EXPECT_EQ(unit_statistics(result)[0].by_share, (std::array<std::size_t, 11>{0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0}));
 }
 
-TEST(Class, ThePageSaysWhoSharesAReason)
+TEST(Class, the_page_says_who_shares_a_reason)
 {
     ClassResult result = small_class();
     UnitResult either = unit_result("raytracing/sphere", Verdict::partial, {check_result("a/b", 300, 1000)});
@@ -68,7 +68,7 @@ TEST(Class, ThePageSaysWhoSharesAReason)
     EXPECT_TRUE(has(class_html(small_class(), {{}, true}), "elena/report.instructor.html"));
 }
 
-TEST(Class, NamesFromOutsideBecomeNoLinks)
+TEST(Class, names_from_outside_become_no_links)
 {
     ClassResult result;
     result.submissions = {hostile_submission("javascript:alert(1)//<script>"), hostile_submission("../../etc/passwd")};

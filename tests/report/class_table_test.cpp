@@ -32,7 +32,7 @@ ClassResult class_of(int units)
     return result;
 }
 
-TEST(ClassTable, AllRowsOfABandHaveTheSameWidthAndFit)
+TEST(ClassTable, all_rows_of_a_band_have_the_same_width_and_fit)
 {
     for (const int units : {1, 3, 7, 12, 20, 45})
         for (const int width : {60, 100, 140})
@@ -55,7 +55,7 @@ TEST(ClassTable, AllRowsOfABandHaveTheSameWidthAndFit)
             }
 }
 
-TEST(ClassTable, ShowsPointsMarksTotalsAndMeans)
+TEST(ClassTable, shows_points_marks_totals_and_means)
 {
     ClassResult result;
     result.submissions = {
@@ -79,14 +79,14 @@ TEST(ClassTable, ShowsPointsMarksTotalsAndMeans)
     EXPECT_TRUE(contains(row("mean"), "7.5")) << "a grader's fault is no zero: " << row("mean");
 }
 
-TEST(ClassTable, NumbersUnitsThatHaveNoRoomAndNamesThemBelow)
+TEST(ClassTable, numbers_units_that_have_no_room_and_names_them_below)
 {
     const std::string table = class_table(class_of(20), {});
     EXPECT_TRUE(contains(table, "20 topic/unit-number-19"));
     EXPECT_FALSE(contains(class_table(class_of(2), {}), "2 topic/unit-number-1"));
 }
 
-TEST(ClassTable, AHiddenFailureIsNoCheckMark)
+TEST(ClassTable, a_hidden_failure_is_no_check_mark)
 {
     ClassResult result;
     result.submissions = {
@@ -96,7 +96,7 @@ TEST(ClassTable, AHiddenFailureIsNoCheckMark)
     EXPECT_TRUE(contains(table, "0 ◐"));
 }
 
-TEST(ClassTable, EmptyClassesAreSaidToBeEmpty)
+TEST(ClassTable, empty_classes_are_said_to_be_empty)
 {
     EXPECT_TRUE(contains(class_table({}, {}), "No submission"));
     ClassResult nothing;

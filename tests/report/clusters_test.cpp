@@ -43,7 +43,7 @@ ClassResult a_class()
     return result;
 }
 
-TEST(Clusters, OfEachUnitTheLargestFirstAmbiguousOnesAndUnexplainedOnesApart)
+TEST(Clusters, of_each_unit_the_largest_first_ambiguous_ones_and_unexplained_ones_apart)
 {
     const std::vector<UnitClusters> found = clusters(a_class());
     ASSERT_EQ(found.size(), 2U);
@@ -70,7 +70,7 @@ TEST(Clusters, OfEachUnitTheLargestFirstAmbiguousOnesAndUnexplainedOnesApart)
     EXPECT_TRUE(clusters({}).empty());
 }
 
-TEST(Clusters, TheTerminalListsTheLargest)
+TEST(Clusters, the_terminal_lists_the_largest)
 {
     const std::string table = class_table(a_class(), {});
     const std::size_t first = table.find("2 of 9  far root (very likely)  t/many");
@@ -83,7 +83,7 @@ TEST(Clusters, TheTerminalListsTheLargest)
     EXPECT_EQ(class_table(right, {}).find("Why"), std::string::npos);
 }
 
-TEST(Reasons, AreWordsNotNumbers)
+TEST(Reasons, are_words_not_numbers)
 {
     EXPECT_STREQ(sure_words(1), "very likely");
     EXPECT_STREQ(sure_words(0.7), "probably");
@@ -91,7 +91,7 @@ TEST(Reasons, AreWordsNotNumbers)
     EXPECT_STREQ(sure_words(std::numeric_limits<double>::quiet_NaN()), "perhaps");
 }
 
-TEST(Reasons, AreThoseThatMatchEquallyWell)
+TEST(Reasons, are_those_that_match_equally_well)
 {
     UnitResult unit = work("t/u", Verdict::wrong);
     EXPECT_TRUE(main_reasons(unit).empty());

@@ -9,7 +9,7 @@
 namespace umbral::grader {
 namespace {
 
-TEST(Escape, MakesControlsVisible)
+TEST(Escape, makes_controls_visible)
 {
     EXPECT_EQ(escape_terminal("a\x1b[31mb"), "a␛[31mb");
     EXPECT_EQ(escape_terminal("a\x1b[31mb", {.lines = false, .unicode = false}), "a^[[31mb");
@@ -23,13 +23,13 @@ TEST(Escape, MakesControlsVisible)
         << "CSI as a C1 control";
 }
 
-TEST(Escape, MakesDeceptionVisible)
+TEST(Escape, makes_deception_visible)
 {
     EXPECT_EQ(escape_terminal("a\u202Eb"), "a<U+202E>b");
     EXPECT_EQ(escape_terminal("a\u2066b\u200Bc\uFEFF"), "a<U+2066>b<U+200B>c<U+FEFF>");
 }
 
-TEST(Escape, MakesInvalidUtf8Visible)
+TEST(Escape, makes_invalid_utf8_visible)
 {
     EXPECT_EQ(escape_terminal("\xFF\xC0\x80"), "<FF><C0><80>");
     EXPECT_EQ(escape_terminal("\xE2\x82"), "<E2><82>") << "cut short";
@@ -38,7 +38,7 @@ TEST(Escape, MakesInvalidUtf8Visible)
     EXPECT_EQ(escape_terminal("ñandú 王 🎨"), "ñandú 王 🎨");
 }
 
-TEST(Escape, AnyBytesGiveHarmlessText)
+TEST(Escape, any_bytes_give_harmless_text)
 {
     const unsigned seed = 7;
     SCOPED_TRACE(seed);
@@ -58,14 +58,14 @@ TEST(Escape, AnyBytesGiveHarmlessText)
     }
 }
 
-TEST(Escape, Html)
+TEST(Escape, html)
 {
     EXPECT_EQ(escape_html("<script>alert(\"a\" & 'b')</script>\x1b"),
               "&lt;script&gt;alert(&quot;a&quot; &amp; &#39;b&#39;)&lt;/script&gt;␛");
     EXPECT_EQ(escape_html("\xFF"), "&lt;FF&gt;");
 }
 
-TEST(Layout, WidthOfWhatATerminalShows)
+TEST(Layout, width_of_what_a_terminal_shows)
 {
     EXPECT_EQ(display_width("abc"), 3);
     EXPECT_EQ(display_width("\x1b[1;31mabc\x1b[0m"), 3);
@@ -75,7 +75,7 @@ TEST(Layout, WidthOfWhatATerminalShows)
     EXPECT_EQ(display_width(""), 0);
 }
 
-TEST(Layout, ShortenKeepsWithinTheWidth)
+TEST(Layout, shorten_keeps_within_the_width)
 {
     EXPECT_EQ(shorten("abcdef", 6, "…"), "abcdef");
     EXPECT_EQ(shorten("abcdefg", 6, "…"), "abcde…");
@@ -83,7 +83,7 @@ TEST(Layout, ShortenKeepsWithinTheWidth)
     EXPECT_EQ(shorten("abc", 0, "…"), "");
 }
 
-TEST(Layout, WrapLosesNothingAndStaysWithinTheWidth)
+TEST(Layout, wrap_loses_nothing_and_stays_within_the_width)
 {
     EXPECT_EQ(wrap("one two three", 7), (std::vector<std::string>{"one two", "three"}));
     EXPECT_EQ(wrap("abcdefgh", 3), (std::vector<std::string>{"abc", "def", "gh"}));

@@ -46,7 +46,7 @@ std::map<std::string, std::string> reports_of(const SubmissionResult& submission
     return texts;
 }
 
-TEST(ReportFiles, HoldWhatTheModelSays)
+TEST(ReportFiles, hold_what_the_model_says)
 {
     const SubmissionResult submission = hostile();
     const auto files = reports_of(submission, {"a section"}, true);
@@ -65,7 +65,7 @@ TEST(ReportFiles, HoldWhatTheModelSays)
     EXPECT_EQ(folder.count(), class_files().size());
 }
 
-TEST(ReportFiles, ShowHiddenValuesOnPagesOnlyWhereTheyWereAskedFor)
+TEST(ReportFiles, show_hidden_values_on_pages_only_where_they_were_asked_for)
 {
     const auto files = reports_of(hostile(), {"a section"}, false);
     EXPECT_EQ(files.count("report.instructor.html"), 0U);
@@ -75,7 +75,7 @@ TEST(ReportFiles, ShowHiddenValuesOnPagesOnlyWhereTheyWereAskedFor)
     EXPECT_EQ(reports_of(nothing, {}, true).count("report.instructor.html"), 1U);
 }
 
-TEST(ReportFiles, AFullDiskIsAnExceptionAndLeavesTheOldFile)
+TEST(ReportFiles, a_full_disk_is_an_exception_and_leaves_the_old_file)
 {
     const umbral::test::TemporaryFolder folder;
     std::ofstream(folder / "report.json") << "old";

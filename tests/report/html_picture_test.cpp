@@ -29,7 +29,7 @@ Image noise(int width, int height, unsigned colours, bool opaque)
     return image;
 }
 
-TEST(Picture, NoPixelIsLost)
+TEST(Picture, no_pixel_is_lost)
 {
     for (const unsigned colours : {1U, 2U, 255U, 256U, 257U, 1U << 24U})
         for (const bool opaque : {true, false}) {
@@ -38,16 +38,16 @@ TEST(Picture, NoPixelIsLost)
         }
 }
 
-TEST(Picture, APaletteSavesRoom)
+TEST(Picture, a_palette_saves_room)
 {
     Image image(512, 512, {10, 20, 30, 255});
     for (int x = 0; x < 512; ++x) image.at(x, x) = {200, 0, 0, 255};
     EXPECT_LT(encode(image).png.size(), 2500U);
 }
 
-TEST(Picture, AnEmptyOneStaysEmpty) { EXPECT_TRUE(encode({}).png.empty()); }
+TEST(Picture, an_empty_one_stays_empty) { EXPECT_TRUE(encode({}).png.empty()); }
 
-TEST(Picture, IsAnAddressForAnAttribute)
+TEST(Picture, is_an_address_for_an_attribute)
 {
     const Markup url = data_url(encode(Image(1, 1)));
     EXPECT_TRUE(url.view().starts_with("data:image/png;base64,iVBORw0KGgo")) << "the signature of PNG";

@@ -18,7 +18,7 @@ std::string body_of(const std::string& page)
     return page.substr(begin, page.rfind("<script>") - begin);
 }
 
-TEST(Report, NothingFromOutsideBecomesMarkup)
+TEST(Report, nothing_from_outside_becomes_markup)
 {
     const std::string harmless = body_of(hostile_page("x"));
     for (const char* text : {"</script><script>alert(1)</script>", "<img src=x onerror=alert(1)>", "\"><b>",
@@ -32,7 +32,7 @@ TEST(Report, NothingFromOutsideBecomesMarkup)
     }
 }
 
-TEST(Report, AnyBytesGiveAValidPage)
+TEST(Report, any_bytes_give_a_valid_page)
 {
     const unsigned seed = 11;
     SCOPED_TRACE(seed);
@@ -51,7 +51,7 @@ TEST(Report, AnyBytesGiveAValidPage)
     }
 }
 
-TEST(Report, ThePolicyAllowsItsOwnStyleAndScriptAndNothingElse)
+TEST(Report, the_policy_allows_its_own_style_and_script_and_nothing_else)
 {
     const std::string page = hostile_page("x");
     EXPECT_TRUE(has(page, "default-src 'none'; img-src data:; style-src 'sha256-"));
@@ -68,7 +68,7 @@ TEST(Report, ThePolicyAllowsItsOwnStyleAndScriptAndNothingElse)
         EXPECT_FALSE(has(page.substr(0, page.rfind("<script>")), scheme)) << scheme;
 }
 
-TEST(Report, BuffersStandBeforePicturesAndNumbersBeforeBuffers)
+TEST(Report, buffers_stand_before_pictures_and_numbers_before_buffers)
 {
     std::vector<CheckResult> checks = {check_result("a/colour", 0, 1000), check_result("b/ids", 0, 1000),
                                        check_result("c/right", 1000, 1000), check_result("d/numbers", 0, 1000),
@@ -92,7 +92,7 @@ TEST(Report, BuffersStandBeforePicturesAndNumbersBeforeBuffers)
     EXPECT_FALSE(has(page, "c/right</h3>"));
 }
 
-TEST(Report, AStudentsEditionHoldsNothingOfHiddenChecks)
+TEST(Report, a_students_edition_holds_nothing_of_hidden_checks)
 {
     CheckResult hidden = check_result("random/t", 0, 2000, true);
     hidden.message = "secret-message";
@@ -121,7 +121,7 @@ TEST(Report, AStudentsEditionHoldsNothingOfHiddenChecks)
         EXPECT_TRUE(has(instructor, text)) << text;
 }
 
-TEST(Report, WhyComesFirstThenWhatWasPrintedThenChecks)
+TEST(Report, why_comes_first_then_what_was_printed_then_checks)
 {
     UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("one/x", 0, 1000)});
     unit.explanations = {{"e", "EXPLAINED", 1}};
@@ -135,7 +135,7 @@ TEST(Report, WhyComesFirstThenWhatWasPrintedThenChecks)
     EXPECT_LT(why, page.find("PRINTED", section));
 }
 
-TEST(Report, AUnitThatNeverRanListsNoChecks)
+TEST(Report, a_unit_that_never_ran_lists_no_checks)
 {
     UnitResult unit = unit_result("a/b", Verdict::compile_error, {check_result("one/x", 0, 1000)});
     unit.message = "b.cpp:3: error: expected ';'";
@@ -145,7 +145,7 @@ TEST(Report, AUnitThatNeverRanListsNoChecks)
     EXPECT_FALSE(has(page, "one/x"));
 }
 
-TEST(Report, EmptyAndHugeSubmissionsGivePages)
+TEST(Report, empty_and_huge_submissions_give_pages)
 {
     EXPECT_TRUE(has(report_html({}, {}, {}), "No unit was graded."));
     std::vector<UnitResult> units(200, unit_result("topic/unit", Verdict::wrong, {check_result("c/v", 0, 1)}));
@@ -157,9 +157,9 @@ TEST(Report, EmptyAndHugeSubmissionsGivePages)
     EXPECT_FALSE(has(report_html(submission_result("x", {odd}), {}, {}), "width=\"nan"));
 }
 
-TEST(Report, EqualResultsGiveEqualPages) { EXPECT_EQ(hostile_page("same"), hostile_page("same")); }
+TEST(Report, equal_results_give_equal_pages) { EXPECT_EQ(hostile_page("same"), hostile_page("same")); }
 
-TEST(Report, AnAmbiguousReasonIsSaidToBeOneOfSeveral)
+TEST(Report, an_ambiguous_reason_is_said_to_be_one_of_several)
 {
     UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("one/x", 0, 1000)});
     unit.explanations = {

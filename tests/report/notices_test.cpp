@@ -30,7 +30,7 @@ ClassResult full_disk()
     return result;
 }
 
-TEST(Notices, SayEachCauseOnceWithPointsAndRemedy)
+TEST(Notices, say_each_cause_once_with_points_and_remedy)
 {
     const std::vector<Notice> found = notices(full_disk());
     ASSERT_EQ(found.size(), 2U);
@@ -44,7 +44,7 @@ TEST(Notices, SayEachCauseOnceWithPointsAndRemedy)
     EXPECT_TRUE(notices({}).empty());
 }
 
-TEST(Notices, StandAboveTheTableOnTerminalAndPage)
+TEST(Notices, stand_above_the_table_on_terminal_and_page)
 {
     const ClassResult result = full_disk();
     const std::string terminal = class_notices(result, {.width = 80});
@@ -58,7 +58,7 @@ TEST(Notices, StandAboveTheTableOnTerminalAndPage)
     EXPECT_FALSE(has(html::class_html({}), "<ul class=\"notices\""));
 }
 
-TEST(Notices, TellOfWhatIsUnfinishedUnwrittenOrGradedElsewhere)
+TEST(Notices, tell_of_what_is_unfinished_unwritten_or_graded_elsewhere)
 {
     ClassResult result;
     result.unfinished = {"ana", "bo", "dan"};
@@ -77,7 +77,7 @@ TEST(Notices, TellOfWhatIsUnfinishedUnwrittenOrGradedElsewhere)
     EXPECT_FALSE(found[3].fault);
 }
 
-TEST(Class, TheMedianLeavesOutWhoWasNotScored)
+TEST(Class, the_median_leaves_out_who_was_not_scored)
 {
     ClassResult result;
     result.submissions = {
@@ -86,7 +86,7 @@ TEST(Class, TheMedianLeavesOutWhoWasNotScored)
     EXPECT_TRUE(has(html::class_html(result), "median credit 100 %"));
 }
 
-TEST(Class, MissingWorkStandsAmongTheReasons)
+TEST(Class, missing_work_stands_among_the_reasons)
 {
     ClassResult result;
     result.submissions = {

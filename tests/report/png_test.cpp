@@ -41,7 +41,7 @@ glm::u8vec4 rgba(const cv::Mat& picture, int x, int y)
     return {bgra[2], bgra[1], bgra[0], bgra[3]};
 }
 
-TEST(Png, IsReadByOpenCvPixelForPixel)
+TEST(Png, is_read_by_open_cv_pixel_for_pixel)
 {
     SCOPED_TRACE(seed);
     const umbral::test::TemporaryFolder folder;
@@ -59,7 +59,7 @@ TEST(Png, IsReadByOpenCvPixelForPixel)
     EXPECT_EQ(folder.count(), 1) << "temporary files were left";
 }
 
-TEST(Png, ReadsWhatOpenCvWrites)
+TEST(Png, reads_what_open_cv_writes)
 {
     const umbral::test::TemporaryFolder folder;
     cv::Mat colour(2, 3, CV_8UC3);
@@ -93,7 +93,7 @@ TEST(Png, ReadsWhatOpenCvWrites)
         }
 }
 
-TEST(Png, EveryTruncationIsRefused)
+TEST(Png, every_truncation_is_refused)
 {
     const umbral::test::TemporaryFolder folder;
     write_png(folder / "whole.png", noise(9, 5));
@@ -107,7 +107,7 @@ TEST(Png, EveryTruncationIsRefused)
     }
 }
 
-TEST(Png, EveryDamagedByteOfThePixelsIsRefused)
+TEST(Png, every_damaged_byte_of_the_pixels_is_refused)
 {
     const umbral::test::TemporaryFolder folder;
     write_png(folder / "whole.png", noise(9, 5));
@@ -123,7 +123,7 @@ TEST(Png, EveryDamagedByteOfThePixelsIsRefused)
     }
 }
 
-TEST(Png, HugeDimensionsAreRefusedBeforeMemoryIsTaken)
+TEST(Png, huge_dimensions_are_refused_before_memory_is_taken)
 {
     const umbral::test::TemporaryFolder folder;
     // 60000 x 60000, grey, from an encoder of our own: IHDR with a right checksum, and no pixels worth the name.
@@ -148,7 +148,7 @@ TEST(Png, HugeDimensionsAreRefusedBeforeMemoryIsTaken)
     EXPECT_NE(complaint([&] { (void)read_png(folder / "huger.png"); }).find("huger.png: "), std::string::npos);
 }
 
-TEST(Png, WhatIsNoPngIsRefusedWithItsName)
+TEST(Png, what_is_no_png_is_refused_with_its_name)
 {
     const umbral::test::TemporaryFolder folder;
     put(folder / "text.png", "hello, I am a text");
@@ -162,7 +162,7 @@ TEST(Png, WhatIsNoPngIsRefusedWithItsName)
     EXPECT_THROW(write_png(folder / "void.png", Image(5, 0)), std::invalid_argument);
 }
 
-TEST(Png, AFullDiskIsAnExceptionAndLeavesTheOldFile)
+TEST(Png, a_full_disk_is_an_exception_and_leaves_the_old_file)
 {
     const umbral::test::TemporaryFolder folder;
     write_png(folder / "a.png", noise(2, 2));
@@ -181,7 +181,7 @@ TEST(Png, AFullDiskIsAnExceptionAndLeavesTheOldFile)
     if (outcome == FullDisk::cannot_mount) GTEST_SKIP() << "a real full disk needs root";
 }
 
-TEST(Png, AMissingFolderIsAnExceptionWithThePath)
+TEST(Png, a_missing_folder_is_an_exception_with_the_path)
 {
     const umbral::test::TemporaryFolder folder;
     const std::string said = complaint([&] { write_png(folder / "no/such/a.png", noise(2, 2)); });

@@ -31,7 +31,7 @@ UnitDetails pictures()
     return details;
 }
 
-TEST(Sections, GiveThePageThatTheWholeGives)
+TEST(Sections, give_the_page_that_the_whole_gives)
 {
     const SubmissionResult submission = three_units();
     const UnitDetails details = pictures();
@@ -51,7 +51,7 @@ TEST(Sections, GiveThePageThatTheWholeGives)
     }
 }
 
-TEST(Sections, AreNumberedByTheirPlace)
+TEST(Sections, are_numbered_by_their_place)
 {
     const SubmissionResult submission = three_units();
     const std::string section = section_html(submission.units[2], {}, Edition::student);

@@ -38,7 +38,7 @@ UnitResult transposed()
     return unit;
 }
 
-TEST(Terminal, SaysWhatAStudentNeeds)
+TEST(Terminal, says_what_a_student_needs)
 {
     const std::string report = terminal_report(submission_result("ana", {transposed()}), {});
     EXPECT_TRUE(contains(report, "4/6.5"));
@@ -55,7 +55,7 @@ TEST(Terminal, SaysWhatAStudentNeeds)
     EXPECT_TRUE(contains(report, "1 of 1 unit is not right yet."));
 }
 
-TEST(Terminal, AnAmbiguousReasonIsSaidToBeOneOfSeveral)
+TEST(Terminal, an_ambiguous_reason_is_said_to_be_one_of_several)
 {
     UnitResult unit = transposed();
     unit.explanations = {{"mistake: a", "The first.", 0.95, 1, true},
@@ -67,7 +67,7 @@ TEST(Terminal, AnAmbiguousReasonIsSaidToBeOneOfSeveral)
     EXPECT_FALSE(contains(report, "The third."));
 }
 
-TEST(Terminal, ASketchStandsLineByLine)
+TEST(Terminal, a_sketch_stands_line_by_line)
 {
     UnitResult unit = transposed();
     unit.checks[1].first_difference = Difference{"pixel (1, 0) of triangle 3", "no fragment", "(0.5)"};
@@ -80,7 +80,7 @@ TEST(Terminal, ASketchStandsLineByLine)
     EXPECT_TRUE(contains(report, "no fragment"));
 }
 
-TEST(Terminal, ADifferenceOfCallsStandsSideBySide)
+TEST(Terminal, a_difference_of_calls_stands_side_by_side)
 {
     UnitResult unit = transposed();
     unit.checks[1].first_difference = Difference{"draw call 2", "glDrawArrays(GL_TRIANGLES, 3, 3)", "nothing"};
@@ -89,7 +89,7 @@ TEST(Terminal, ADifferenceOfCallsStandsSideBySide)
     EXPECT_TRUE(contains(report, "glDrawArrays(GL_TRIANGLES, 3, 3)    nothing\n")) << report;
 }
 
-TEST(Terminal, EqualResultsGiveEqualReportsAndAsciiIsAscii)
+TEST(Terminal, equal_results_give_equal_reports_and_ascii_is_ascii)
 {
     const SubmissionResult submission = submission_result("ñandú", {transposed()});
     EXPECT_EQ(terminal_report(submission, {}), terminal_report(submission, {}));
@@ -97,7 +97,7 @@ TEST(Terminal, EqualResultsGiveEqualReportsAndAsciiIsAscii)
         ASSERT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7F)) << int{c};
 }
 
-TEST(Terminal, TheFirstFailingCheckIsTheMostExactOneAndNotTheManifestsFirst)
+TEST(Terminal, the_first_failing_check_is_the_most_exact_one_and_not_the_manifests_first)
 {
     // From vague to exact, as a manifest might list them.
     const std::vector<std::pair<JudgeKind, std::string>> kinds = {
@@ -127,7 +127,7 @@ TEST(Terminal, TheFirstFailingCheckIsTheMostExactOneAndNotTheManifestsFirst)
     EXPECT_EQ(first(), "colours/image");
 }
 
-TEST(Terminal, ColourAddsNothingButColour)
+TEST(Terminal, colour_adds_nothing_but_colour)
 {
     const SubmissionResult submission = submission_result("ana", {transposed()});
     const std::string coloured = terminal_report(submission, {.color = true});
@@ -135,7 +135,7 @@ TEST(Terminal, ColourAddsNothingButColour)
     EXPECT_EQ(without_colour(coloured), terminal_report(submission, {.color = false}));
 }
 
-TEST(Terminal, NoLineIsWiderThanAsked)
+TEST(Terminal, no_line_is_wider_than_asked)
 {
     std::vector<UnitResult> units = {transposed(),
                                      unit_result("raytracing/a-unit-with-a-name-that-is-far-too-long-for-any-table",
@@ -154,7 +154,7 @@ TEST(Terminal, NoLineIsWiderThanAsked)
     }
 }
 
-TEST(Terminal, HiddenChecksShowNoValue)
+TEST(Terminal, hidden_checks_show_no_value)
 {
     CheckResult hidden = check_result("secret/t", 0, 1000, true);
     hidden.message = "LEAK-message";
@@ -179,7 +179,7 @@ TEST(Terminal, HiddenChecksShowNoValue)
     EXPECT_FALSE(contains(report, "umbral debug a/b secret"));
 }
 
-TEST(Terminal, NeverSaysAllRightWhileAHiddenCheckFails)
+TEST(Terminal, never_says_all_right_while_a_hidden_check_fails)
 {
     UnitResult unit = unit_result("a/b", Verdict::ok,
                                   {check_result("open/t", 1000, 1000), check_result("secret/t", 999, 1000, true)});
@@ -201,7 +201,7 @@ TEST(Terminal, NeverSaysAllRightWhileAHiddenCheckFails)
     EXPECT_FALSE(all_right(unit_result("a/b", Verdict::ok, {}))) << "no check ran";
 }
 
-TEST(Terminal, HostileTextsAreShownAndDoNothing)
+TEST(Terminal, hostile_texts_are_shown_and_do_nothing)
 {
     const std::string attack = "\x1b[2J\x1b]0;owned\x07\u202E\xFF\r\n\x9b";
     UnitResult unit = transposed();
@@ -226,7 +226,7 @@ TEST(Terminal, HostileTextsAreShownAndDoNothing)
     }
 }
 
-TEST(Terminal, AMegabyteOfOutputStaysShort)
+TEST(Terminal, a_megabyte_of_output_stays_short)
 {
     for (const std::string& flood : {std::string(1 << 20, 'x'), std::string(1 << 20, '\n'),
                                      std::string(1 << 20, '\xF0'), std::string(1 << 20, '\x1b')}) {
@@ -239,7 +239,7 @@ TEST(Terminal, AMegabyteOfOutputStaysShort)
     }
 }
 
-TEST(Terminal, NumbersThatAreNoneDoNoHarm)
+TEST(Terminal, numbers_that_are_none_do_no_harm)
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     UnitResult unit = transposed();
@@ -255,7 +255,7 @@ TEST(Terminal, NumbersThatAreNoneDoNoHarm)
     EXPECT_TRUE(contains(report, "(perhaps)"));
 }
 
-TEST(Terminal, AGraderFaultIsNotBlamedOnTheStudent)
+TEST(Terminal, a_grader_fault_is_not_blamed_on_the_student)
 {
     UnitResult unit = unit_result("a/b", Verdict::grader_fault, {});
     const std::string report = terminal_report(submission_result("ana", {unit}), {});
@@ -263,7 +263,7 @@ TEST(Terminal, AGraderFaultIsNotBlamedOnTheStudent)
     EXPECT_FALSE(contains(report, "umbral hint"));
 }
 
-TEST(SideBySide, FindsMatricesAndTheirDifferences)
+TEST(SideBySide, finds_matrices_and_their_differences)
 {
     EXPECT_FALSE(find_matrix("4.5"));
     EXPECT_FALSE(find_matrix("[1 2 3]")) << "a vector stays a text";
@@ -277,7 +277,7 @@ TEST(SideBySide, FindsMatricesAndTheirDifferences)
     EXPECT_EQ(same, (std::vector<std::vector<bool>>{{false, false}, {false, false}}));
 }
 
-TEST(SideBySide, ShellWordsAreOneWord)
+TEST(SideBySide, shell_words_are_one_word)
 {
     EXPECT_EQ(shell_word("raytracing/sphere"), "raytracing/sphere");
     EXPECT_EQ(shell_word("far away"), "'far away'");

@@ -33,7 +33,7 @@ Tensor tensor_of(Element element, std::uint32_t rows, std::uint32_t columns, std
     return tensor;
 }
 
-TEST(ColourMap, IsThePublishedMagma)
+TEST(ColourMap, is_the_published_magma)
 {
     // Rows 0, 64, 128 and 255 of matplotlib's table.
     EXPECT_EQ(magma(0), glm::u8vec4(0, 0, 4, 255));
@@ -45,7 +45,7 @@ TEST(ColourMap, IsThePublishedMagma)
     EXPECT_EQ(magma(std::numeric_limits<double>::quiet_NaN()), magma(1));
 }
 
-TEST(Font, EveryLetterLooksDifferent)
+TEST(Font, every_letter_looks_different)
 {
     const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.,:+-/%()=* ";
     std::set<std::string> looks;
@@ -62,7 +62,7 @@ TEST(Font, EveryLetterLooksDifferent)
     EXPECT_EQ(text_width("AB", 2), 22);
 }
 
-TEST(Triptych, FramesAndEnlargesTheWorstRegion)
+TEST(Triptych, frames_and_enlarges_the_worst_region)
 {
     const Image reference(300, 200, blue);
     Image yours = reference;
@@ -76,7 +76,7 @@ TEST(Triptych, FramesAndEnlargesTheWorstRegion)
     EXPECT_EQ(result.cells, triptych(yours, reference).cells);
 }
 
-TEST(Triptych, EqualPicturesHaveNoFrame)
+TEST(Triptych, equal_pictures_have_no_frame)
 {
     const Image picture(300, 200, blue);
     const Image result = triptych(picture, picture);
@@ -85,7 +85,7 @@ TEST(Triptych, EqualPicturesHaveNoFrame)
     EXPECT_EQ(count(result, frame_dark), 0);
 }
 
-TEST(Triptych, OneWrongPixelOfALargePictureIsSeen)
+TEST(Triptych, one_wrong_pixel_of_a_large_picture_is_seen)
 {
     const Image reference(3000, 1500, blue);
     Image yours = reference;
@@ -97,7 +97,7 @@ TEST(Triptych, OneWrongPixelOfALargePictureIsSeen)
     EXPECT_EQ(count(result, red), 64);
 }
 
-TEST(Triptych, OddSizesAreShownNotThrown)
+TEST(Triptych, odd_sizes_are_shown_not_thrown)
 {
     for (const auto& [first, second] : {std::pair{Image(40, 30, red), Image(30, 40, blue)},
                                         {Image(), Image(8, 8, blue)},
@@ -115,7 +115,7 @@ TEST(Triptych, OddSizesAreShownNotThrown)
     EXPECT_FALSE(triptych(Image(1, 2000, red), Image(1, 2000, blue)).cells.empty());
 }
 
-TEST(ToImage, DrawsBytesFloatsIdsAndDepth)
+TEST(ToImage, draws_bytes_floats_ids_and_depth)
 {
     Check check;
     check.judge = image_kind();
@@ -147,7 +147,7 @@ TEST(ToImage, DrawsBytesFloatsIdsAndDepth)
     EXPECT_EQ(colours.at(0, 0), glm::u8vec4(0, 0, 0, 255));
 }
 
-TEST(ToImage, AbsentCellsAreTransparentAndOddTensorsAreRefused)
+TEST(ToImage, absent_cells_are_transparent_and_odd_tensors_are_refused)
 {
     Check check;
     check.judge = image_kind();

@@ -33,7 +33,7 @@ float value_at(const Tensor& tensor, std::size_t index)
     return value;
 }
 
-TEST(Disturb, EachChangesAPictureKeepsItsShapeAndRepeatsItself)
+TEST(Disturb, each_changes_a_picture_keeps_its_shape_and_repeats_itself)
 {
     Tensor right = floats(24, 32, 5);
     right.present.assign(right.cells(), 1);
@@ -53,7 +53,7 @@ TEST(Disturb, EachChangesAPictureKeepsItsShapeAndRepeatsItself)
     EXPECT_EQ(names.size(), disturbances().size());
 }
 
-TEST(Disturb, TablesAndEmptyOnesAreTakenToo)
+TEST(Disturb, tables_and_empty_ones_are_taken_too)
 {
     for (const std::uint32_t rows : {0U, 1U, 2U, 50U})
         for (const Disturbance& one : disturbances()) {
@@ -63,7 +63,7 @@ TEST(Disturb, TablesAndEmptyOnesAreTakenToo)
         }
 }
 
-TEST(Disturb, RoundingMovesFloatsByOneUlpAndBytesByOneLevel)
+TEST(Disturb, rounding_moves_floats_by_one_ulp_and_bytes_by_one_level)
 {
     const Tensor right = floats(40, 1, 11);
     Random random(3);

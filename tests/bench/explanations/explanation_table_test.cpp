@@ -23,7 +23,7 @@ std::vector<ExplainedWork> join(std::vector<std::vector<ExplainedWork>> parts)
     return all;
 }
 
-TEST(ExplanationTargets, AreNinetyFivePercentRightAndLessThanOneWrong)
+TEST(ExplanationTargets, are_ninety_five_percent_right_and_less_than_one_wrong)
 {
     const auto right = [](std::size_t of_a_hundred) {
         return join({many(WorkKind::mistake, Said::right, of_a_hundred - 10),
@@ -41,7 +41,7 @@ TEST(ExplanationTargets, AreNinetyFivePercentRightAndLessThanOneWrong)
     EXPECT_FALSE(meets_targets({}, false)) << "nothing measured is nothing met";
 }
 
-TEST(ExplanationTargets, LookAtTheHalfHeldOut)
+TEST(ExplanationTargets, look_at_the_half_held_out)
 {
     std::string tuning;
     std::string other_half;
@@ -60,7 +60,7 @@ TEST(ExplanationTargets, LookAtTheHalfHeldOut)
     EXPECT_FALSE(meets_targets(all, false));
 }
 
-TEST(ExplanationTable, CountsAndNamesWhatIsWrong)
+TEST(ExplanationTable, counts_and_names_what_is_wrong)
 {
     const std::string table =
         explanation_table(join({many(WorkKind::mistake, Said::right, 3), many(WorkKind::mistake, Said::silent, 1),

@@ -21,7 +21,7 @@ Image disc()
     return image;
 }
 
-TEST(PictureOperators, AllHaveNamesOfTheirOwn)
+TEST(PictureOperators, all_have_names_of_their_own)
 {
     std::set<std::string> names;
     std::size_t count = 0;
@@ -31,7 +31,7 @@ TEST(PictureOperators, AllHaveNamesOfTheirOwn)
     EXPECT_GE(harmful_operators().size(), 30U);
 }
 
-TEST(PictureOperators, HarmlessOnesMoveFewLevelsOrEdgePixelsOnly)
+TEST(PictureOperators, harmless_ones_move_few_levels_or_edge_pixels_only)
 {
     const Image picture = disc();
     for (const PictureOperator& one : harmless_operators()) {
@@ -57,7 +57,7 @@ TEST(PictureOperators, HarmlessOnesMoveFewLevelsOrEdgePixelsOnly)
     }
 }
 
-TEST(PictureOperators, HarmfulOnesShow)
+TEST(PictureOperators, harmful_ones_show)
 {
     const Image picture = disc();
     for (const PictureOperator& one : harmful_operators()) {
@@ -69,7 +69,7 @@ TEST(PictureOperators, HarmfulOnesShow)
     }
 }
 
-TEST(PictureOperators, AreHandedOnWithTheSameNumbersEveryTime)
+TEST(PictureOperators, are_handed_on_with_the_same_numbers_every_time)
 {
     std::vector<std::vector<std::uint8_t>> first;
     std::vector<std::vector<std::uint8_t>> second;
@@ -80,7 +80,7 @@ TEST(PictureOperators, AreHandedOnWithTheSameNumbersEveryTime)
     EXPECT_EQ(first.size(), harmless_operators().size() + harmful_operators().size());
 }
 
-TEST(PictureRules, AllAreZeroForEqualPicturesAndGrowWithTheError)
+TEST(PictureRules, all_are_zero_for_equal_pictures_and_grow_with_the_error)
 {
     const Picture right = to_picture(disc());
     const auto measures_at = [&](int by) {
@@ -98,7 +98,7 @@ TEST(PictureRules, AllAreZeroForEqualPicturesAndGrowWithTheError)
     }
 }
 
-TEST(PictureRules, GradientDeviationIgnoresAConstantAndSeesALine)
+TEST(PictureRules, gradient_deviation_ignores_a_constant_and_sees_a_line)
 {
     const Picture right = to_picture(Image(64, 64, glm::u8vec4(100, 100, 100, 255)));
     EXPECT_NEAR(gradient_deviation(to_picture(Image(64, 64, glm::u8vec4(140, 140, 140, 255))), right), 0, 1e-12);
@@ -110,7 +110,7 @@ TEST(PictureRules, GradientDeviationIgnoresAConstantAndSeesALine)
     EXPECT_NEAR(gradient_deviation(to_picture(line), right), std::sqrt((30 + 2 * low * low) / 32 - mean * mean), 1e-9);
 }
 
-TEST(PictureRules, ThreeByThreeTakesTheBetterDirection)
+TEST(PictureRules, three_by_three_takes_the_better_direction)
 {
     Image lines(64, 64, glm::u8vec4(0, 0, 0, 255));
     for (int y = 0; y < 64; ++y) lines.at(20, y) = glm::u8vec4(255, 255, 255, 255);

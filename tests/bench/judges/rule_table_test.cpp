@@ -28,7 +28,7 @@ const RuleResult& result_of(const std::vector<RuleResult>& results, PictureRule 
     throw std::runtime_error("no such row");
 }
 
-TEST(RuleTable, FitsOnOneHalfAndReportsOnTheOther)
+TEST(RuleTable, fits_on_one_half_and_reports_on_the_other)
 {
     const std::vector<MeasuredPair> pairs = {pair(false, false, 0.2), pair(false, false, 0.7), pair(true, false, 0.1),
                                              pair(true, true, 0.6),   pair(true, true, 0.8),   pair(true, true, 1.5),
@@ -46,7 +46,7 @@ TEST(RuleTable, FitsOnOneHalfAndReportsOnTheOther)
     EXPECT_EQ(ours.alarms, 0U);
 }
 
-TEST(RuleTable, WrongPicturesThatLookRightDoNotCount)
+TEST(RuleTable, wrong_pictures_that_look_right_do_not_count)
 {
     MeasuredPair hidden = pair(true, true, 0);
     hidden.invisible = true;
@@ -55,7 +55,7 @@ TEST(RuleTable, WrongPicturesThatLookRightDoNotCount)
     EXPECT_EQ(results.front().caught, 1U);
 }
 
-TEST(RuleTable, TailsOfKnownLawsGiveTheirRates)
+TEST(RuleTable, tails_of_known_laws_give_their_rates)
 {
     const std::uint64_t seed = 17;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -78,7 +78,7 @@ TEST(RuleTable, TailsOfKnownLawsGiveTheirRates)
     EXPECT_LT(rate([](double u) { return 0.5 * u; }), 1e-12) << "a law that ends at one half reaches nothing beyond";
 }
 
-TEST(RuleTable, MedianAndRateOfWhatExceeds)
+TEST(RuleTable, median_and_rate_of_what_exceeds)
 {
     std::vector<double> ratios(99, 0.25);
     ratios.push_back(1.5);
@@ -88,7 +88,7 @@ TEST(RuleTable, MedianAndRateOfWhatExceeds)
     EXPECT_DOUBLE_EQ(margins.alarm_rate, 0.01);
 }
 
-TEST(RuleTable, MarginsOfFewOrEqualRatiosStayFinite)
+TEST(RuleTable, margins_of_few_or_equal_ratios_stay_finite)
 {
     EXPECT_EQ(margins_of({}).count, 0U);
     EXPECT_EQ(margins_of({0.3}).largest, 0.3);
@@ -97,13 +97,13 @@ TEST(RuleTable, MarginsOfFewOrEqualRatiosStayFinite)
     EXPECT_EQ(margins_of(std::vector<double>(50, 2.0)).alarm_rate, 1);
 }
 
-TEST(RuleTable, ASubmissionHasManyPictures)
+TEST(RuleTable, a_submission_has_many_pictures)
 {
     EXPECT_NEAR(alarms_of_submission(1e-6, 100), 1e-4, 1e-8);
     EXPECT_EQ(alarms_of_submission(0, 100), 0);
 }
 
-TEST(PicturePair, SceneNamesDecideTheHalfAndUnitsStayTogether)
+TEST(PicturePair, scene_names_decide_the_half_and_units_stay_together)
 {
     EXPECT_EQ(held_out("lighting/shaders: pictures/a"), held_out("lighting/shaders: random/b"));
     int held = 0;

@@ -32,7 +32,7 @@ Rows commands_of(const char* script, const input::HeadlessSettings& settings = {
 constexpr CommandRow first_viewport = {6, 640, 480, 4.0F / 3};
 
 // Worked by hand.
-TEST(Callbacks, Gestures)
+TEST(Callbacks, gestures)
 {
     EXPECT_EQ(commands_of("0 press left 10 20\n1 move 13 18\n2 move 13 20.5\n3 release left\n4 move 0 0"),
               (Rows{first_viewport, {1, 3, 2}, {1, 0, -2.5F}}));
@@ -47,7 +47,7 @@ TEST(Callbacks, Gestures)
               (Rows{{6, 1920, 1440, 4.0F / 3}, {6, 300, 150, 2}}));
 }
 
-TEST(Callbacks, KeysArePassedOn)
+TEST(Callbacks, keys_are_passed_on)
 {
     EXPECT_EQ(commands_of("0 key A press\n1 key A repeat\n2 key A release\n3 key 1 press", {}, true),
               (Rows{first_viewport, {8, 65, 1}, {8, 65, 2}, {8, 65, 0}, {5, 1}, {8, 49, 1}}));
@@ -128,7 +128,7 @@ private:
     std::map<int, bool> keys_;
 };
 
-TEST(Callbacks, RandomSessionsGiveWhatTheModelGives)
+TEST(Callbacks, random_sessions_give_what_the_model_gives)
 {
     std::size_t seen = 0;
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {

@@ -47,7 +47,7 @@ void expect_eye(const OrbitCamera& camera, glm::dvec3 place, double tolerance = 
 }
 
 // Worked by hand; the matrices are written by rows, as on paper.
-TEST_P(OrbitSolution, Beginnings)
+TEST_P(OrbitSolution, beginnings)
 {
     expect_near(make({})->view(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -5, 0, 0, 0, 1}, 0);
     expect_near(make({.distance = 3, .yaw = pi / 2})->view(), {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, -3, 0, 0, 0, 1},
@@ -59,7 +59,7 @@ TEST_P(OrbitSolution, Beginnings)
                 {1, 0, 0, 0, 0, c, -0.5F, 0, 0, 0.5F, c, -4, 0, 0, 0, 1}, 1e-7);
 }
 
-TEST_P(OrbitSolution, TheSceneFollowsTheHand)
+TEST_P(OrbitSolution, the_scene_follows_the_hand)
 {
     const auto camera = make({.distance = 2, .viewport_height = 400});
     camera->drag(200, 0);
@@ -76,7 +76,7 @@ TEST_P(OrbitSolution, TheSceneFollowsTheHand)
     EXPECT_GT(front.y, 0);
 }
 
-TEST_P(OrbitSolution, PitchStopsAndComesBackAtOnce)
+TEST_P(OrbitSolution, pitch_stops_and_comes_back_at_once)
 {
     const auto camera = make({.distance = 1, .viewport_height = 180});
     camera->drag(0, -1e6);
@@ -88,7 +88,7 @@ TEST_P(OrbitSolution, PitchStopsAndComesBackAtOnce)
     expect_eye(*camera, {0, -std::sin(limit), std::cos(limit)});
 }
 
-TEST_P(OrbitSolution, TheWheelMultiplies)
+TEST_P(OrbitSolution, the_wheel_multiplies)
 {
     const auto camera = make({.distance = 5, .min_distance = 1, .max_distance = 8});
     const auto distance_after = [&](double steps) {
@@ -104,7 +104,7 @@ TEST_P(OrbitSolution, TheWheelMultiplies)
     EXPECT_EQ(distance_after(1e308), 1);
 }
 
-TEST_P(OrbitSolution, ResizeChangesWhatAPixelIsWorthAndNothingElse)
+TEST_P(OrbitSolution, resize_changes_what_a_pixel_is_worth_and_nothing_else)
 {
     const auto camera = make({.distance = 2, .viewport_height = 400});
     camera->drag(100, 0);
@@ -123,7 +123,7 @@ TEST_P(OrbitSolution, ResizeChangesWhatAPixelIsWorthAndNothingElse)
     expect_eye(*camera, {-2, 0, 0});
 }
 
-TEST_P(OrbitSolution, NonsenseAndNothingChangeNothing)
+TEST_P(OrbitSolution, nonsense_and_nothing_change_nothing)
 {
     const auto camera = make({.target = {1, 2, 3}, .yaw = 1, .pitch = 0.5});
     const glm::mat4 before = camera->view();
@@ -139,7 +139,7 @@ TEST_P(OrbitSolution, NonsenseAndNothingChangeNothing)
 }
 
 // The target stays in the middle, at the distance; up stays up; the matrix is a rotation and a translation.
-TEST_P(OrbitSolution, LooksAtItsTargetAlways)
+TEST_P(OrbitSolution, looks_at_its_target_always)
 {
     constexpr std::uint64_t seed = 20271;
     Random random(seed);
@@ -162,7 +162,7 @@ TEST_P(OrbitSolution, LooksAtItsTargetAlways)
     }
 }
 
-TEST_P(OrbitSolution, CamerasShareNothing)
+TEST_P(OrbitSolution, cameras_share_nothing)
 {
     const auto first = make({.yaw = 1});
     const glm::mat4 before = first->view();
@@ -201,14 +201,14 @@ double drift(MakeCamera* make, std::uint64_t seed, int drags)
 }
 
 // The header's guarantee after a million turns, and that the hard check tells the forms apart.
-TEST(OrbitAccuracy, AMillionTurns)
+TEST(OrbitAccuracy, a_million_turns)
 {
     for (const std::uint64_t seed : {20272, 20273})
         EXPECT_LE(drift(tests::solution<MakeCamera>(REFERENCE_MODULE), seed, 200'000), 1e-7) << "seed " << seed;
     EXPECT_GT(drift(tests::solution<MakeCamera>(ANGLES_IN_FLOAT_MODULE), 20272, 200'000), 1e-4) << "sums in float";
 }
 
-TEST(OrbitAccuracy, FarTargets)
+TEST(OrbitAccuracy, far_targets)
 {
     constexpr std::uint64_t seed = 20274;
     Random random(seed);

@@ -26,7 +26,7 @@ INSTANTIATE_TEST_SUITE_P(Solutions, AreaSolution, testing::Values(REFERENCE_MODU
 
 }
 
-TEST_P(AreaSolution, WorkedByHand)
+TEST_P(AreaSolution, worked_by_hand)
 {
     EXPECT_EQ(areas.triangle({0, 0, 0}, {3, 0, 0}, {0, 4, 0}), 6);
     EXPECT_EQ(areas.triangle({1, 1, 1}, {1, 1, 6}, {1, 3, 1}), 5);
@@ -44,7 +44,7 @@ TEST_P(AreaSolution, WorkedByHand)
     EXPECT_FLOAT_EQ(areas.mesh(octahedron()), static_cast<float>(4 * std::sqrt(3.0)));
 }
 
-TEST_P(AreaSolution, BrokenCornersCountAsNothing)
+TEST_P(AreaSolution, broken_corners_count_as_nothing)
 {
     for (const float broken : {not_a_number, infinity, -infinity}) {
         const IndexedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, broken, 1}}, {{0, 1, 2}, {1, 2, 3}, {3, 0, 1}}};
@@ -54,7 +54,7 @@ TEST_P(AreaSolution, BrokenCornersCountAsNothing)
 }
 
 // A power of two times the size is the square of it times the area, exactly.
-TEST_P(AreaSolution, ScalesWithTheSquare)
+TEST_P(AreaSolution, scales_with_the_square)
 {
     Random random(20601);
     const IndexedMesh mesh = hills(6, 6, random);
@@ -66,13 +66,13 @@ TEST_P(AreaSolution, ScalesWithTheSquare)
 }
 
 // Areas that calculus knows, approached by the square of the size of a triangle.
-TEST_P(AreaSolution, ApproachesTheSphereAndTheTorus)
+TEST_P(AreaSolution, approaches_the_sphere_and_the_torus)
 {
     EXPECT_NEAR(areas.mesh(ball(400, 200)), 12.566370614, 1.5e-3);
     EXPECT_NEAR(areas.mesh(torus(300, 300, 1, 0.5F)), 19.739208802, 2e-3);
 }
 
-TEST(AreaAccuracy, ReferenceKeepsItsGuarantee)
+TEST(AreaAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20602;
     const auto reference = *tests::solution<const tests::Areas>(REFERENCE_MODULE);
@@ -92,7 +92,7 @@ TEST(AreaAccuracy, ReferenceKeepsItsGuarantee)
 }
 
 // The hard cases must tell the forms apart.
-TEST(AreaAccuracy, OthersFail)
+TEST(AreaAccuracy, others_fail)
 {
     const auto naive = *tests::solution<const tests::Areas>(IN_FLOAT_MODULE);
     const auto heron = *tests::solution<const tests::Areas>(HERON_MODULE);

@@ -32,7 +32,7 @@ std::vector<Pair> in_order(const std::vector<glm::uvec2>& edges, const IndexedMe
 
 }
 
-TEST(EdgeTable, HasEveryEdgeOnce)
+TEST(EdgeTable, has_every_edge_once)
 {
     constexpr std::uint64_t seed = 20501;
     Random random(seed);
@@ -54,7 +54,7 @@ TEST(EdgeTable, HasEveryEdgeOnce)
     }
 }
 
-TEST(EdgeTable, ClosedMeshesNeedNoSearch)
+TEST(EdgeTable, closed_meshes_need_no_search)
 {
     Random random(20502);
     for (const IndexedMesh& mesh : {tetrahedron(), cube(), ball(9, 6), torus(8, 6), plate_with_holes(3),
@@ -67,7 +67,7 @@ TEST(EdgeTable, ClosedMeshesNeedNoSearch)
 }
 
 // One vertex with 20,000 edges: lists that are searched would need 200 million steps.
-TEST(EdgeTable, VertexOfManyEdges)
+TEST(EdgeTable, vertex_of_many_edges)
 {
     const IndexedMesh mesh = disc(20'000);
     EXPECT_EQ(edge_table(mesh).size(), 40'000U);

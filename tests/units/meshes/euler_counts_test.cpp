@@ -59,7 +59,7 @@ TopologyCounts counted_by_definition(const IndexedMesh& mesh)
 
 }
 
-TEST(EulerCounts, AgreesWithTheDefinitionOnTheZoo)
+TEST(EulerCounts, agrees_with_the_definition_on_the_zoo)
 {
     constexpr std::uint64_t seed = 20401;
     Random random(seed);
@@ -74,7 +74,7 @@ TEST(EulerCounts, AgreesWithTheDefinitionOnTheZoo)
 }
 
 // Tables of random numbers are no surfaces, but they can be counted.
-TEST(EulerCounts, AgreesWithTheDefinitionOnRandomTables)
+TEST(EulerCounts, agrees_with_the_definition_on_random_tables)
 {
     constexpr std::uint64_t seed = 20402;
     Random random(seed);
@@ -90,7 +90,7 @@ TEST(EulerCounts, AgreesWithTheDefinitionOnRandomTables)
     }
 }
 
-TEST(EulerCounts, KnownGenera)
+TEST(EulerCounts, known_genera)
 {
     const std::map<std::string, int> handles = {
         {"torus", 1}, {"plate with two holes", 2}, {"plate with three holes", 3}};
@@ -105,7 +105,7 @@ TEST(EulerCounts, KnownGenera)
     EXPECT_EQ(genus({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}), 0) << "a triangle with two sides";
 }
 
-TEST(EulerCounts, NoGenus)
+TEST(EulerCounts, no_genus)
 {
     Random random(20404);
     for (const auto& [name, mesh] : wild_meshes()) {
@@ -120,14 +120,14 @@ TEST(EulerCounts, NoGenus)
     EXPECT_EQ(genus({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}}}), std::nullopt) << "no faces";
 }
 
-TEST(EulerCounts, LargeIndices)
+TEST(EulerCounts, large_indices)
 {
     const TopologyCounts counts = count_topology(cones_with_large_indices(60));
     EXPECT_EQ(counts, (TopologyCounts{181, 131'072 - 181, 360, 180, 180, 0, 3, 1}));
 }
 
 // Every mesh like a sphere agrees with the formulas, from each of its counts.
-TEST(EulerCounts, SpheresAreDeterminedByOneCount)
+TEST(EulerCounts, spheres_are_determined_by_one_count)
 {
     for (std::uint32_t columns = 3; columns < 12; ++columns) {
         for (std::uint32_t rows = 2; rows < 9; ++rows) {

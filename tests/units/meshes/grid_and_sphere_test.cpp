@@ -27,7 +27,7 @@ std::size_t filled(const std::vector<std::uint8_t>& bytes)
 
 }
 
-TEST(GridAndSphere, WorkedNumbersOfTheStatement)
+TEST(GridAndSphere, worked_numbers_of_the_statement)
 {
     EXPECT_EQ(make_grid(1, 1).triangles, (std::vector<glm::uvec3>{{0, 1, 3}, {0, 3, 2}}));
     const IndexedMesh octahedron = make_sphere(4, 2);
@@ -37,7 +37,7 @@ TEST(GridAndSphere, WorkedNumbersOfTheStatement)
 }
 
 // Problem 2.2: 45 vertices and 64 faces of 8 x 4 cells; the whole square, all of it facing +z.
-TEST(GridAndSphere, GridCoversTheSquare)
+TEST(GridAndSphere, grid_covers_the_square)
 {
     const IndexedMesh grid = make_grid(8, 4);
     ASSERT_EQ(grid.positions.size(), 45U);
@@ -51,7 +51,7 @@ TEST(GridAndSphere, GridCoversTheSquare)
 
 // Every edge is walked once in each direction: closed, and one orientation. V - E + F = 2. Volume within O(1/k²) of the
 // ball's: outside is outside.
-TEST(GridAndSphere, SphereIsClosedAndLooksOutwards)
+TEST(GridAndSphere, sphere_is_closed_and_looks_outwards)
 {
     for (const auto& [slices, stacks] : {std::pair{3U, 2U}, {4U, 3U}, {7U, 9U}, {64U, 64U}}) {
         const IndexedMesh sphere = make_sphere(slices, stacks);
@@ -64,7 +64,7 @@ TEST(GridAndSphere, SphereIsClosedAndLooksOutwards)
     EXPECT_NEAR(signed_volume(make_sphere(64, 64)) / (std::numbers::pi / 6), 1 - 0.002207, 1e-6);
 }
 
-TEST(GridAndSphere, NothingFromTooLittle)
+TEST(GridAndSphere, nothing_from_too_little)
 {
     for (const IndexedMesh& mesh :
          {make_grid(0, 3), make_grid(3, 0), make_sphere(2, 5), make_sphere(5, 1), make_sphere(0, 0)}) {
@@ -74,7 +74,7 @@ TEST(GridAndSphere, NothingFromTooLittle)
 }
 
 // The header's guarantee: the formula, with 64 bits.
-TEST(GridAndSphere, PositionsAreRoundedOnce)
+TEST(GridAndSphere, positions_are_rounded_once)
 {
     const std::uint32_t slices = 5000;
     const std::uint32_t stacks = 21;
@@ -95,7 +95,7 @@ TEST(GridAndSphere, PositionsAreRoundedOnce)
 }
 
 // Counts that an independent program found in double.
-TEST(GridAndSphere, VoxelCounts)
+TEST(GridAndSphere, voxel_counts)
 {
     for (const auto& [k, count] :
          {std::pair{8U, 280U}, {16U, 2176U}, {32U, 17'256U}, {64U, 137'376U}, {128U, 1'099'136U}}) {
@@ -108,7 +108,7 @@ TEST(GridAndSphere, VoxelCounts)
 }
 
 // The largest cube: 3 (2^30)² has 62 bits. Along an axis through the middle the ball ends with its cube.
-TEST(GridAndSphere, VoxelsOfTheLargestCube)
+TEST(GridAndSphere, voxels_of_the_largest_cube)
 {
     const std::uint32_t k = 1U << 30U;
     EXPECT_FALSE(voxel_is_inside(k, {0, 0, 0}));
@@ -119,7 +119,7 @@ TEST(GridAndSphere, VoxelsOfTheLargestCube)
 }
 
 // The statement's tables: what adding up steps costs, and how much of the ball's volume meshes and voxels have.
-TEST(GridAndSphere, ErrorsOfTheStatement)
+TEST(GridAndSphere, errors_of_the_statement)
 {
     struct Column {
         int count;
@@ -144,7 +144,7 @@ TEST(GridAndSphere, ErrorsOfTheStatement)
     }
 }
 
-TEST(GridAndSphere, VolumesOfTheStatement)
+TEST(GridAndSphere, volumes_of_the_statement)
 {
     struct Column {
         std::uint32_t k;

@@ -57,7 +57,7 @@ Exact exact_volume(const IndexedMesh& mesh, const std::vector<glm::uvec3>& trian
 
 }
 
-TEST(Orientation, KnownFaults)
+TEST(Orientation, known_faults)
 {
     for (const Sample& sample : tame_meshes()) EXPECT_TRUE(is_manifold(sample.mesh)) << sample.name;
     EXPECT_EQ(manifold_faults(book(3)).crowded_edges, (std::vector<glm::uvec2>{{0, 1}}));
@@ -72,7 +72,7 @@ TEST(Orientation, KnownFaults)
     for (const IndexedMesh& mesh : {moebius(7), klein_bottle(6, 5), projective_plane()}) EXPECT_TRUE(is_manifold(mesh));
 }
 
-TEST(Orientation, CoherentOrNothing)
+TEST(Orientation, coherent_or_nothing)
 {
     constexpr std::uint64_t seed = 20278;
     Random random(seed);
@@ -94,7 +94,7 @@ TEST(Orientation, CoherentOrNothing)
     EXPECT_TRUE(is_coherent(*pair));
 }
 
-TEST(Orientation, OutwardWhereverTheBodyLies)
+TEST(Orientation, outward_wherever_the_body_lies)
 {
     constexpr std::uint64_t seed = 20279;
     Random random(seed);
@@ -111,7 +111,7 @@ TEST(Orientation, OutwardWhereverTheBodyLies)
     }
 }
 
-TEST(Orientation, PiecesOnTheirOwnAndOpenOnesAsTheyAre)
+TEST(Orientation, pieces_on_their_own_and_open_ones_as_they_are)
 {
     const IndexedMesh mesh = joined(joined(ball(6, 4), turned_over(octahedron())), turned_over(flat_sheet(2, 2)));
     const std::vector<glm::uvec3> triangles = outward_triangles(mesh);
@@ -126,7 +126,7 @@ TEST(Orientation, PiecesOnTheirOwnAndOpenOnesAsTheyAre)
 
 // Whatever triangles are put together at random: separated, they are a manifold in the same place, and separating again
 // changes nothing.
-TEST(Orientation, SeparatedIsAlwaysManifold)
+TEST(Orientation, separated_is_always_manifold)
 {
     constexpr std::uint64_t seed = 20280;
     Random random(seed);

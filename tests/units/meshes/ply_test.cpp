@@ -42,7 +42,7 @@ std::vector<fs::path> files_in(const fs::path& folder)
 
 }
 
-TEST(Ply, CourseExample)
+TEST(Ply, course_example)
 {
     const PolygonMesh mesh = tests::read(
         "ply\nformat ascii 1.0\ncomment Archivo de ejemplo del formato PLY (8 vertices y 6 caras)\nelement vertex "
@@ -71,7 +71,7 @@ TEST(Ply, CourseExample)
 }
 
 // Every problem of the header's list comes from the lists of the exercise, at the line that was changed.
-TEST(Ply, MalformedFilesAreRefused)
+TEST(Ply, malformed_files_are_refused)
 {
     std::set<int> seen;
     for (const auto& list : {bad_headers(), bad_data(), bad_binaries()}) {
@@ -91,14 +91,14 @@ TEST(Ply, MalformedFilesAreRefused)
     }
 }
 
-TEST(Ply, CountsThatLieCostNothing)
+TEST(Ply, counts_that_lie_cost_nothing)
 {
     const std::vector<Malformed> files = lying_counts();
     for (std::size_t i = 0; i < files.size(); ++i)
         EXPECT_EQ(problem_of(files[i].file) == 0, i + 2 >= files.size()) << i;
 }
 
-TEST(Ply, EveryDialectAndEveryFormatGivesTheMeshBack)
+TEST(Ply, every_dialect_and_every_format_gives_the_mesh_back)
 {
     constexpr std::uint64_t seed = 20275;
     Random random(seed);
@@ -115,7 +115,7 @@ TEST(Ply, EveryDialectAndEveryFormatGivesTheMeshBack)
 }
 
 // Bytes lost, changed and repeated: never anything but a PlyError or a mesh.
-TEST(Ply, DamagedFilesAreRefusedOrRead)
+TEST(Ply, damaged_files_are_refused_or_read)
 {
     constexpr std::uint64_t seed = 20276;
     Random random(seed);
@@ -134,7 +134,7 @@ TEST(Ply, DamagedFilesAreRefusedOrRead)
     }
 }
 
-TEST(Ply, CorpusOfTheFuzzer)
+TEST(Ply, corpus_of_the_fuzzer)
 {
     std::size_t read = 0;
     const std::vector<fs::path> files = files_in(UMBRAL_SOURCE_DIR "/tests/fuzz/corpus/ply");
@@ -144,7 +144,7 @@ TEST(Ply, CorpusOfTheFuzzer)
 }
 
 // Real files, where Debian's package assimp-testmodels has put them.
-TEST(Ply, ModelsOfOtherPrograms)
+TEST(Ply, models_of_other_programs)
 {
     const fs::path folder = "/usr/share/assimp/models";
     if (!fs::exists(folder / "PLY")) GTEST_SKIP() << "the package assimp-testmodels is not installed";

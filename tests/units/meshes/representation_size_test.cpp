@@ -6,7 +6,7 @@
 using namespace umbral::meshes;
 
 // Problem 2.1: 512 B and 8832 B for k = 16, 128 MB and 35.98 MB for k = 1024.
-TEST(RepresentationSize, SphereOfTheCourse)
+TEST(RepresentationSize, sphere_of_the_course)
 {
     EXPECT_EQ(voxel_bytes(16), 512U);
     EXPECT_EQ(voxel_bytes(1024), std::uint64_t{128} << 20U);
@@ -17,7 +17,7 @@ TEST(RepresentationSize, SphereOfTheCourse)
 }
 
 // Problems 2.2 and 2.3: 592,908 B and 397,316 B for 128 x 128 cells.
-TEST(RepresentationSize, GridOfTheCourse)
+TEST(RepresentationSize, grid_of_the_course)
 {
     const GridBytes bytes = grid_bytes(128, 128);
     EXPECT_EQ(bytes.isolated, 1'179'648U);
@@ -32,7 +32,7 @@ TEST(RepresentationSize, GridOfTheCourse)
 }
 
 // Against a grid that is really built.
-TEST(RepresentationSize, CountsOfABuiltGrid)
+TEST(RepresentationSize, counts_of_a_built_grid)
 {
     for (const auto& [columns, rows] : {std::pair{1U, 1U}, {1U, 6U}, {5U, 3U}, {17U, 9U}}) {
         std::set<std::uint32_t> vertices;
@@ -59,7 +59,7 @@ TEST(RepresentationSize, CountsOfABuiltGrid)
 }
 
 // The closed form is what a search finds, and nothing smaller does.
-TEST(RepresentationSize, CrossoverIsTheFirst)
+TEST(RepresentationSize, crossover_is_the_first)
 {
     for (const std::uint64_t vertex : {1U, 2U, 12U, 44U, 300U})
         for (const std::uint64_t index : {1U, 2U, 4U, 8U, 97U}) {

@@ -32,7 +32,7 @@ double signed_volume(const IndexedMesh& mesh)
 
 }
 
-TEST_P(Revolution, WorkedNumbersOfTheStatement)
+TEST_P(Revolution, worked_numbers_of_the_statement)
 {
     const TexturedMesh surface = revolve(Profile{{2, 0}, {2, 3}, {1, 3}}, 5);
     ASSERT_EQ(surface.mesh.positions.size(), 15U);
@@ -45,7 +45,7 @@ TEST_P(Revolution, WorkedNumbersOfTheStatement)
     EXPECT_EQ(surface.mesh.triangles[1], glm::uvec3(0, 4, 1));
 }
 
-TEST_P(Revolution, BallIsClosedAndLooksOutwards)
+TEST_P(Revolution, ball_is_closed_and_looks_outwards)
 {
     const TexturedMesh ball = revolve(semicircle(65), 129);
     EXPECT_NEAR(signed_volume(ball.mesh), 4.18879, 0.01);
@@ -57,7 +57,7 @@ TEST_P(Revolution, BallIsClosedAndLooksOutwards)
 }
 
 // No triangle without area, and the seam has no crack: bit for bit.
-TEST_P(Revolution, SeamAndDegenerateTriangles)
+TEST_P(Revolution, seam_and_degenerate_triangles)
 {
     constexpr std::uint64_t seed = 20282;
     Random random(seed);
@@ -79,7 +79,7 @@ TEST_P(Revolution, SeamAndDegenerateTriangles)
     }
 }
 
-TEST_P(Revolution, BadProfilesAreRefused)
+TEST_P(Revolution, bad_profiles_are_refused)
 {
     const std::vector<Attempt> all = attempts();
     for (std::size_t i = 0; i < all.size(); i += 2) {
@@ -89,7 +89,7 @@ TEST_P(Revolution, BadProfilesAreRefused)
 }
 
 // The header's guarantee.
-TEST(RevolutionAccuracy, ReferenceIsWithinAnUlp)
+TEST(RevolutionAccuracy, reference_is_within_an_ulp)
 {
     constexpr std::uint64_t seed = 20283;
     auto* const reference = tests::solution<Revolve>(REFERENCE_MODULE);

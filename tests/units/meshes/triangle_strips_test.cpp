@@ -34,7 +34,7 @@ std::size_t index_count(const std::vector<Strip>& strips)
 
 }
 
-TEST(TriangleStrips, ParityRestartAndRepeats)
+TEST(TriangleStrips, parity_restart_and_repeats)
 {
     using Triangles = std::vector<glm::uvec3>;
     EXPECT_EQ(in_order(triangles_of_strip({0, 1, 2, 3, 4})), (Triangles{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}}));
@@ -47,7 +47,7 @@ TEST(TriangleStrips, ParityRestartAndRepeats)
 }
 
 // The strips of a grid have all its triangles, counter-clockwise, and as many indices as problem 2.3 says.
-TEST(TriangleStrips, Grid)
+TEST(TriangleStrips, grid)
 {
     for (const auto& [columns, rows] : {std::pair{1U, 1U}, {8U, 4U}, {3U, 7U}}) {
         const std::vector<Strip> strips = grid_strips(columns, rows);
@@ -71,7 +71,7 @@ TEST(TriangleStrips, Grid)
     EXPECT_TRUE(grid_strips(5, 0).empty());
 }
 
-TEST(TriangleStrips, JoinedStripsDrawTheSame)
+TEST(TriangleStrips, joined_strips_draw_the_same)
 {
     constexpr std::uint64_t seed = 20301;
     Random random(seed);
@@ -87,7 +87,7 @@ TEST(TriangleStrips, JoinedStripsDrawTheSame)
     }
 }
 
-TEST(TriangleStrips, EveryTriangleOnceAsItIsWound)
+TEST(TriangleStrips, every_triangle_once_as_it_is_wound)
 {
     constexpr std::uint64_t seed = 20302;
     Random random(seed);
@@ -107,7 +107,7 @@ TEST(TriangleStrips, EveryTriangleOnceAsItIsWound)
 }
 
 // A tube that closes is one strip, if its triangles allow it; in any order most triangles of a grid join strips.
-TEST(TriangleStrips, StripsAreLong)
+TEST(TriangleStrips, strips_are_long)
 {
     Random random(20303);
     for (const IndexedMesh& mesh : {torus(20, 12), trefoil(40, 7, 0.4), ball(20, 20)})

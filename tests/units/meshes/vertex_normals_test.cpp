@@ -55,7 +55,7 @@ double worst_difference(const std::vector<glm::vec3>& got, const std::vector<glm
 // Worked by hand: the corner at the origin of a tetrahedron sees three faces in the planes of coordinates; the one at
 // (1,0,0) two of them and the slanted face (1,1,1)/√3, whose area is √3 times theirs. Unweighted, its sum is (0,-1,0) +
 // (0,0,-1) + (1,1,1)/√3.
-TEST_P(NormalsSolution, KnownAnswers)
+TEST_P(NormalsSolution, known_answers)
 {
     const IndexedMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
@@ -73,7 +73,7 @@ TEST_P(NormalsSolution, KnownAnswers)
 }
 
 // The pyramid of the statement.
-TEST_P(NormalsSolution, WorkedNumberOfTheStatement)
+TEST_P(NormalsSolution, worked_number_of_the_statement)
 {
     const IndexedMesh roof{{{0, 0, 0}, {4, 0, 0}, {4, 0, -3}, {0, 2, 0}}, {{0, 1, 3}, {0, 2, 1}}};
     const std::vector<glm::vec3> faces = normals.faces(roof);
@@ -85,7 +85,7 @@ TEST_P(NormalsSolution, WorkedNumberOfTheStatement)
     EXPECT_EQ(vertices[3], glm::vec3(0, 0, 1));
 }
 
-TEST_P(NormalsSolution, DegenerateTrianglesCountAsZero)
+TEST_P(NormalsSolution, degenerate_triangles_count_as_zero)
 {
     const IndexedMesh mesh{{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}},
                            {{0, 1, 2}, {0, 4, 3}, {0, 0, 3}, {3, 3, 3}, {0, 3, 5}}};
@@ -97,7 +97,7 @@ TEST_P(NormalsSolution, DegenerateTrianglesCountAsZero)
     EXPECT_EQ(vertices[4], zero);
 }
 
-TEST_P(NormalsSolution, BrokenVerticesSpoilTheirTrianglesOnly)
+TEST_P(NormalsSolution, broken_vertices_spoil_their_triangles_only)
 {
     for (const float broken : {not_a_number, infinity, -infinity}) {
         const IndexedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, broken, 1}}, {{0, 1, 2}, {1, 2, 3}, {3, 0, 1}}};
@@ -106,14 +106,14 @@ TEST_P(NormalsSolution, BrokenVerticesSpoilTheirTrianglesOnly)
     }
 }
 
-TEST_P(NormalsSolution, NothingGivesNothing)
+TEST_P(NormalsSolution, nothing_gives_nothing)
 {
     EXPECT_TRUE(normals.faces({}).empty());
     EXPECT_TRUE(normals.vertices({}).empty());
     EXPECT_EQ(normals.vertices({{{1, 2, 3}, {4, 5, 6}}, {}}), (std::vector<glm::vec3>(2, zero)));
 }
 
-TEST_P(NormalsSolution, OppositeSidesCancel)
+TEST_P(NormalsSolution, opposite_sides_cancel)
 {
     Random random(20261);
     IndexedMesh mesh = hills(7, 7, random);
@@ -124,7 +124,7 @@ TEST_P(NormalsSolution, OppositeSidesCancel)
 
 // Any scale that keeps the coordinates floats gives the same normals; powers of two, so that the scaled mesh is exactly
 // the same.
-TEST_P(NormalsSolution, ScaleDoesNotCount)
+TEST_P(NormalsSolution, scale_does_not_count)
 {
     Random random(20262);
     const IndexedMesh mesh =
@@ -141,7 +141,7 @@ TEST_P(NormalsSolution, ScaleDoesNotCount)
 }
 
 // The knot is closed: normals point out of it, and those of its vertices lie near the exact ones of the tube.
-TEST_P(NormalsSolution, KnotLooksOutwards)
+TEST_P(NormalsSolution, knot_looks_outwards)
 {
     const IndexedMesh knot = trefoil(300, 24, 0.4);
     EXPECT_GT(signed_volume(knot), 1);
@@ -155,7 +155,7 @@ TEST_P(NormalsSolution, KnotLooksOutwards)
 }
 
 // The header's guarantee on slivers, folds and mixed sizes.
-TEST(NormalsAccuracy, ReferenceKeepsItsGuarantee)
+TEST(NormalsAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20263;
     const auto reference = *tests::solution<const tests::Normals>(REFERENCE_MODULE);
@@ -181,7 +181,7 @@ TEST(NormalsAccuracy, ReferenceKeepsItsGuarantee)
 }
 
 // The hard cases must tell the forms apart.
-TEST(NormalsAccuracy, FloatFailsOnSliversAndFolds)
+TEST(NormalsAccuracy, float_fails_on_slivers_and_folds)
 {
     const auto naive = *tests::solution<const tests::Normals>(IN_FLOAT_MODULE);
     const auto oracle = *tests::solution<const tests::Normals>(ORACLE_MODULE);

@@ -38,7 +38,7 @@ void expect_same(const IndexedMesh& got, const IndexedMesh& expected, const std:
 
 }
 
-TEST(Weld, AgreesWithTheDefinition)
+TEST(Weld, agrees_with_the_definition)
 {
     constexpr std::uint64_t seed = 21001;
     Random random(seed);
@@ -51,7 +51,7 @@ TEST(Weld, AgreesWithTheDefinition)
     }
 }
 
-TEST(Weld, WayBackGivesTheCornersAgain)
+TEST(Weld, way_back_gives_the_corners_again)
 {
     Random random(21002);
     for (const Sample& sample : tame_meshes()) {
@@ -62,7 +62,7 @@ TEST(Weld, WayBackGivesTheCornersAgain)
     }
 }
 
-TEST(Weld, NothingGivesNothing)
+TEST(Weld, nothing_gives_nothing)
 {
     EXPECT_TRUE(weld({}).positions.empty());
     EXPECT_TRUE(isolated_triangles({{{1, 2, 3}}, {}}).empty());

@@ -39,7 +39,7 @@ std::vector<std::uint32_t> from_smallest(std::vector<std::uint32_t> ring)
 }
 
 // Worked by hand in the statement.
-TEST(WingedEdge, Tetrahedron)
+TEST(WingedEdge, tetrahedron)
 {
     const WingedMesh mesh = winged(polygons_of(tetrahedron()));
     ASSERT_EQ(mesh.edges.size(), 6U);
@@ -52,7 +52,7 @@ TEST(WingedEdge, Tetrahedron)
 }
 
 // Every list against brute force, on bodies in random order.
-TEST(WingedEdge, AnswersAreThoseOfBruteForce)
+TEST(WingedEdge, answers_are_those_of_brute_force)
 {
     constexpr std::uint64_t seed = 20277;
     Random random(seed);
@@ -94,7 +94,7 @@ TEST(WingedEdge, AnswersAreThoseOfBruteForce)
     }
 }
 
-TEST(WingedEdge, EveryFaultIsFound)
+TEST(WingedEdge, every_fault_is_found)
 {
     std::set<int> seen;
     for (const PolygonMesh& mesh : no_bodies()) {
@@ -105,7 +105,7 @@ TEST(WingedEdge, EveryFaultIsFound)
     EXPECT_EQ(seen, (std::set<int>{1, 2, 3, 4, 5, 6}));
 }
 
-TEST(WingedEdge, PlacesOfFaults)
+TEST(WingedEdge, places_of_faults)
 {
     const auto fault = [](const PolygonMesh& mesh) {
         const auto found = std::get<NotWinged>(winged_edges(mesh));

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Solutions, ClipSolution, testing::Values(true, false),
 }
 
 // The polygon holds exactly those points of the triangle that lie in the volume, and turns as the triangle does.
-TEST_P(ClipSolution, KeepsWhatIsInside)
+TEST_P(ClipSolution, keeps_what_is_inside)
 {
     constexpr std::uint64_t seed = 20271;
     Random random(seed);
@@ -89,7 +89,7 @@ TEST_P(ClipSolution, KeepsWhatIsInside)
     EXPECT_GT(outside, 50'000U);
 }
 
-TEST_P(ClipSolution, CornersLieInTheVolumeExactly)
+TEST_P(ClipSolution, corners_lie_in_the_volume_exactly)
 {
     constexpr std::uint64_t seed = 20272;
     Random random(seed);
@@ -113,7 +113,7 @@ TEST_P(ClipSolution, CornersLieInTheVolumeExactly)
     EXPECT_GE(most, 8U);
 }
 
-TEST_P(ClipSolution, NineCornersAtMost)
+TEST_P(ClipSolution, nine_corners_at_most)
 {
     const Triangle triangle = {
         glm::vec4(-1.875F, 1.8125F, 0.0625F, 1), {0, -1.875F, 1.8125F, 1}, {1.8125F, 0.03125F, -1.875F, 1}};
@@ -121,7 +121,7 @@ TEST_P(ClipSolution, NineCornersAtMost)
 }
 
 // Two triangles at one side, begun at any corner and turned either way: what lies on the side has the same bits.
-TEST_P(ClipSolution, NoCracks)
+TEST_P(ClipSolution, no_cracks)
 {
     constexpr std::uint64_t seed = 20273;
     Random random(seed);
@@ -147,7 +147,7 @@ TEST_P(ClipSolution, NoCracks)
 }
 
 // What the header promises to those who clip at a guard band.
-TEST_P(ClipSolution, GuardBandByScaling)
+TEST_P(ClipSolution, guard_band_by_scaling)
 {
     const Triangle far_away = {glm::vec4(-3, 0, 0, 1), {7, -6, 0, 1}, {0, 7.5F, 0.5F, 1}};
     Triangle scaled = far_away;
@@ -158,7 +158,7 @@ TEST_P(ClipSolution, GuardBandByScaling)
 }
 
 // The header's guarantee.
-TEST(ClipAccuracy, ReferenceKeepsItsGuarantee)
+TEST(ClipAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20274;
     Random random(seed);

@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Solutions, ClipLineSolution, testing::Values(true, fals
 
 }
 
-TEST(ClipLine, CodesOfTheNineRegions)
+TEST(ClipLine, codes_of_the_nine_regions)
 {
     EXPECT_EQ(region_code(unit, {-2, 0}), 1U);
     EXPECT_EQ(region_code(unit, {2, 0}), 2U);
@@ -74,7 +74,7 @@ TEST(ClipLine, CodesOfTheNineRegions)
 }
 
 // On a lattice every decision can be made exactly.
-TEST_P(ClipLineSolution, LatticeSegments)
+TEST_P(ClipLineSolution, lattice_segments)
 {
     constexpr std::uint64_t seed = 20291;
     Random random(seed);
@@ -102,7 +102,7 @@ TEST_P(ClipLineSolution, LatticeSegments)
     EXPECT_GT(hits, 30'000U);
 }
 
-TEST_P(ClipLineSolution, NonsenseGivesNothing)
+TEST_P(ClipLineSolution, nonsense_gives_nothing)
 {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
         for (const LineSegment& segment :
@@ -111,7 +111,7 @@ TEST_P(ClipLineSolution, NonsenseGivesNothing)
 }
 
 // The header's guarantee: from ends a million windows away, for windows anywhere.
-TEST(ClipLineAccuracy, ReferenceKeepsItsGuarantee)
+TEST(ClipLineAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20292;
     Random random(seed);

@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Solutions, ClipPolygonSolution, testing::Values(true, f
 }
 
 // A point is in what is left if it is in both; corners lie in the window; and the orientation stays.
-TEST_P(ClipPolygonSolution, IsTheIntersection)
+TEST_P(ClipPolygonSolution, is_the_intersection)
 {
     constexpr std::uint64_t seed = 20301;
     Random random(seed);
@@ -67,7 +67,7 @@ TEST_P(ClipPolygonSolution, IsTheIntersection)
 }
 
 // Two windows that share a side divide what one window holds.
-TEST_P(ClipPolygonSolution, TwoWindowsShareTheArea)
+TEST_P(ClipPolygonSolution, two_windows_share_the_area)
 {
     constexpr std::uint64_t seed = 20302;
     Random random(seed);
@@ -83,7 +83,7 @@ TEST_P(ClipPolygonSolution, TwoWindowsShareTheArea)
     }
 }
 
-TEST_P(ClipPolygonSolution, NothingComesOfNothing)
+TEST_P(ClipPolygonSolution, nothing_comes_of_nothing)
 {
     const Polygon square = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -96,7 +96,7 @@ TEST_P(ClipPolygonSolution, NothingComesOfNothing)
 }
 
 // The header's guarantee.
-TEST(ClipPolygonAccuracy, ReferenceKeepsItsGuarantee)
+TEST(ClipPolygonAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20303;
     Random random(seed);

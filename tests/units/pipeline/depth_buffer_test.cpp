@@ -23,7 +23,7 @@ std::vector<float> depths_left(const DepthState& state, std::vector<Fragment> fr
 
 }
 
-TEST(DepthBuffer, FunctionsSayWhatTheirNamesSay)
+TEST(DepthBuffer, functions_say_what_their_names_say)
 {
     const std::array<std::array<bool, 3>, 8> table = {{{false, false, false},
                                                        {true, false, false},
@@ -43,7 +43,7 @@ TEST(DepthBuffer, FunctionsSayWhatTheirNamesSay)
 }
 
 // All codes of both formats: each is kept as it is, is less than the next, and is what the oracle makes of it.
-TEST(DepthBuffer, CodesAreKept)
+TEST(DepthBuffer, codes_are_kept)
 {
     auto* const oracle = tests::solution<StoredDepth>(ORACLE_MODULE);
     for (const auto& [format, last] : {std::pair(DepthFormat::unorm16, 65535U), {DepthFormat::unorm24, 16777215U}}) {
@@ -60,7 +60,7 @@ TEST(DepthBuffer, CodesAreKept)
     }
 }
 
-TEST(DepthBuffer, RoundsAsTheOracleDoes)
+TEST(DepthBuffer, rounds_as_the_oracle_does)
 {
     constexpr std::uint64_t seed = 20281;
     Random random(seed);
@@ -75,7 +75,7 @@ TEST(DepthBuffer, RoundsAsTheOracleDoes)
     EXPECT_EQ(stored_depth(DepthFormat::unorm24, 2), 1.0F);
 }
 
-TEST(DepthBuffer, EachFragmentMeetsWhatThoseBeforeItLeft)
+TEST(DepthBuffer, each_fragment_meets_what_those_before_it_left)
 {
     Grid<float> depths(2, 1, 0.5F);
     EXPECT_EQ(depths_left(
@@ -85,7 +85,7 @@ TEST(DepthBuffer, EachFragmentMeetsWhatThoseBeforeItLeft)
     EXPECT_EQ(depths.cells, (std::vector{0.3F, 0.5F}));
 }
 
-TEST(DepthBuffer, StateDecidesWhatIsStored)
+TEST(DepthBuffer, state_decides_what_is_stored)
 {
     Grid<float> depths(1, 1, 0.5F);
     EXPECT_EQ(depths_left({true, DepthFunction::less, false}, {fragment(0, 0.4F), fragment(0, 0.45F)}, depths).size(),
@@ -97,7 +97,7 @@ TEST(DepthBuffer, StateDecidesWhatIsStored)
 }
 
 // Two surfaces less than half a code apart are one: the first wins with "less", the last with "less or equal".
-TEST(DepthBuffer, RoundsBeforeItCompares)
+TEST(DepthBuffer, rounds_before_it_compares)
 {
     const float near = 1000.2F / 65535;
     const float farther = 1000.3F / 65535;
@@ -110,7 +110,7 @@ TEST(DepthBuffer, RoundsBeforeItCompares)
     }
 }
 
-TEST(DepthBuffer, LayersOfOtherSizesAreRefused)
+TEST(DepthBuffer, layers_of_other_sizes_are_refused)
 {
     const Layer source{{2, 3}, {2, 3, 1.0F}};
     Layer target{{3, 2}, {3, 2, 1.0F}};

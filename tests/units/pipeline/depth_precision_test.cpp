@@ -26,7 +26,7 @@ double relative(double got, double exact) { return got == exact ? 0 : std::abs(g
 }
 
 // The course's numbers, with the signs that it lacks, and those worked out from its formulas with many digits.
-TEST(DepthPrecision, CourseValues)
+TEST(DepthPrecision, course_values)
 {
     EXPECT_LT(relative(eye_depth(course_near, 1, 16), -0.200003050324998853), 1e-15);
     EXPECT_LT(relative(eye_depth(course_near, 65534, 16), -388.160037906832), 1e-14);
@@ -42,7 +42,7 @@ TEST(DepthPrecision, CourseValues)
     EXPECT_EQ(depth_code(window_depth(course_far, -567.3), 16), 65535U);
 }
 
-TEST(DepthPrecision, PlanesAreTheEnds)
+TEST(DepthPrecision, planes_are_the_ends)
 {
     for (const DepthRange& range : {course_near, course_far, DepthRange{1, 2}}) {
         EXPECT_EQ(ndc_depth(range, -range.near_plane), -1);
@@ -58,7 +58,7 @@ TEST(DepthPrecision, PlanesAreTheEnds)
 }
 
 // Every code leads to a place with that code.
-TEST(DepthPrecision, ThereAndBack)
+TEST(DepthPrecision, there_and_back)
 {
     for (const bool reversed : {false, true})
         for (std::uint32_t code = 0; code <= 65535; ++code) {
@@ -68,7 +68,7 @@ TEST(DepthPrecision, ThereAndBack)
 }
 
 // The definition itself: one step apart in depth, exactly there.
-TEST(DepthPrecision, FightingBeginsWhereDepthsDifferByAStep)
+TEST(DepthPrecision, fighting_begins_where_depths_differ_by_a_step)
 {
     constexpr std::uint64_t seed = 20311;
     Random random(seed);
@@ -89,7 +89,7 @@ TEST(DepthPrecision, FightingBeginsWhereDepthsDifferByAStep)
 }
 
 // n = 0.01, f = 1000: a step of each format, to two digits.
-TEST(DepthPrecision, ResolutionOfTheFormats)
+TEST(DepthPrecision, resolution_of_the_formats)
 {
     const DepthRange reversed{0.01, 1000, true};
     const auto is = [](double got, double expected) { EXPECT_LT(relative(got, expected), 0.04); };
@@ -103,7 +103,7 @@ TEST(DepthPrecision, ResolutionOfTheFormats)
 }
 
 // The header's guarantees.
-TEST(DepthPrecision, ReferenceKeepsItsGuarantee)
+TEST(DepthPrecision, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20312;
     Random random(seed);

@@ -20,7 +20,7 @@ glm::dvec2 exact_corner(std::uint32_t i, std::uint32_t n)
 
 }
 
-TEST(PolygonTables, WorkedNumberOfTheStatement)
+TEST(PolygonTables, worked_number_of_the_statement)
 {
     const std::vector<glm::vec2> hexagon = polygon_loop(6);
     ASSERT_EQ(hexagon.size(), 6U);
@@ -34,7 +34,7 @@ TEST(PolygonTables, WorkedNumberOfTheStatement)
     EXPECT_EQ(fan.triangles.back(), glm::uvec3(6, 5, 0));
 }
 
-TEST(PolygonTables, FewerThanThreeSidesAreNoPolygon)
+TEST(PolygonTables, fewer_than_three_sides_are_no_polygon)
 {
     for (const std::uint32_t sides : {0U, 1U, 2U}) {
         EXPECT_TRUE(polygon_loop(sides).empty());
@@ -45,7 +45,7 @@ TEST(PolygonTables, FewerThanThreeSidesAreNoPolygon)
 }
 
 // The header's guarantee.
-TEST(PolygonTables, CoordinatesAreOffByHalfAUnitInTheLastPlace)
+TEST(PolygonTables, coordinates_are_off_by_half_a_unit_in_the_last_place)
 {
     for (const std::uint32_t sides : {3U, 4U, 5U, 7U, 12U, 100U, 9973U, 1'000'000U}) {
         const std::vector<glm::vec2> corners = polygon_loop(sides);
@@ -60,7 +60,7 @@ TEST(PolygonTables, CoordinatesAreOffByHalfAUnitInTheLastPlace)
 
 // Area (n/2) sin(2π/n): 1.299038 for a triangle, 2.377641 for a pentagon, 2.736410 for a heptagon. Every triangle has
 // its share of it, and front is counter-clockwise.
-TEST(PolygonTables, TrianglesAreEqualAndCounterClockwise)
+TEST(PolygonTables, triangles_are_equal_and_counter_clockwise)
 {
     for (const auto& [sides, area] : {std::pair{3U, 1.299038}, {5U, 2.377641}, {7U, 2.736410}, {100U, 3.139526}}) {
         const IndexedPolygon fan = polygon_fan(sides);
@@ -78,7 +78,7 @@ TEST(PolygonTables, TrianglesAreEqualAndCounterClockwise)
 }
 
 // Each edge once, and as many as Euler asks for: V - E + F = 1 for a disc.
-TEST(PolygonTables, EdgesAreThoseOfTheTriangles)
+TEST(PolygonTables, edges_are_those_of_the_triangles)
 {
     for (const std::uint32_t sides : {3U, 4U, 17U}) {
         const IndexedPolygon fan = polygon_fan(sides);
@@ -93,7 +93,7 @@ TEST(PolygonTables, EdgesAreThoseOfTheTriangles)
     }
 }
 
-TEST(PolygonTables, SegmentsJoinExactly)
+TEST(PolygonTables, segments_join_exactly)
 {
     for (const std::uint32_t sides : {3U, 7U, 1000U, 99'991U}) {
         const std::vector<glm::vec2> corners = polygon_loop(sides);
@@ -108,7 +108,7 @@ TEST(PolygonTables, SegmentsJoinExactly)
 
 // The statement's table: what the other ways to the same corners cost. The reference's row is the test of its guarantee
 // above.
-TEST(PolygonTables, TableOfTheStatement)
+TEST(PolygonTables, table_of_the_statement)
 {
     struct Column {
         std::uint32_t sides;

@@ -40,7 +40,7 @@ std::vector<glm::vec2> on_circle(std::size_t count)
 }
 
 // The lists of the course's slides.
-TEST(PrimitiveAssembly, ListsOfTheCourse)
+TEST(PrimitiveAssembly, lists_of_the_course)
 {
     EXPECT_EQ(corners_of(triangle_strip, 8),
               (std::vector<Indices>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {4, 5, 6}, {6, 5, 7}}));
@@ -51,7 +51,7 @@ TEST(PrimitiveAssembly, ListsOfTheCourse)
     EXPECT_EQ(corners_of(line_loop, 4), (std::vector<Indices>{{0, 1}, {1, 2}, {2, 3}, {3, 0}}));
 }
 
-TEST(PrimitiveAssembly, CountsOfTheCourse)
+TEST(PrimitiveAssembly, counts_of_the_course)
 {
     for (std::size_t n = 0; n < 20; ++n) {
         const auto count = [&](PrimitiveType type) { return assemble(type, counted(n)).size(); };
@@ -70,7 +70,7 @@ TEST(PrimitiveAssembly, CountsOfTheCourse)
 }
 
 // A strip in zigzag: all its faces show the same side. So do those of a fan and of a quad strip.
-TEST(PrimitiveAssembly, FacesOfAStripShowTheSameSide)
+TEST(PrimitiveAssembly, faces_of_a_strip_show_the_same_side)
 {
     std::vector<glm::vec2> zigzag;
     for (int i = 0; i < 12; ++i) zigzag.emplace_back(10 * (i / 2) + 5 * (i % 2), i % 2 == 0 ? 10 : 0);
@@ -82,7 +82,7 @@ TEST(PrimitiveAssembly, FacesOfAStripShowTheSameSide)
         }
 }
 
-TEST(PrimitiveAssembly, WorkedNumberOfTheStatement)
+TEST(PrimitiveAssembly, worked_number_of_the_statement)
 {
     EXPECT_TRUE(is_front_facing(std::vector<glm::vec2>{{1, 1}, {4, 1}, {2, 3}}));
     EXPECT_FALSE(is_front_facing(std::vector<glm::vec2>{{1, 1}, {2, 3}, {4, 1}}));
@@ -91,7 +91,7 @@ TEST(PrimitiveAssembly, WorkedNumberOfTheStatement)
 }
 
 // Against integers: coordinates are multiples of 1/256, areas sums of products of 23 bits.
-TEST(PrimitiveAssembly, SidesOfSliversAreExact)
+TEST(PrimitiveAssembly, sides_of_slivers_are_exact)
 {
     constexpr std::uint64_t seed = 20271;
     Random random(seed);
@@ -108,7 +108,7 @@ TEST(PrimitiveAssembly, SidesOfSliversAreExact)
 }
 
 // V - E + F of what the modes give for an octagon: 8 points, 8 segments, 6 triangles of the polygon's whole area.
-TEST(PrimitiveAssembly, ModesOfAnOctagon)
+TEST(PrimitiveAssembly, modes_of_an_octagon)
 {
     const std::vector<glm::vec2> places = on_circle(8);
     const auto list = [&](PolygonMode mode, Culling culling) {
@@ -128,7 +128,7 @@ TEST(PrimitiveAssembly, ModesOfAnOctagon)
 
 // Two strips joined by repeating a vertex twice: the triangles without area show nothing, in either mode, and keep the
 // parity.
-TEST(PrimitiveAssembly, JoinedStrips)
+TEST(PrimitiveAssembly, joined_strips)
 {
     std::vector<glm::vec2> places;
     for (int i = 0; i < 8; ++i) places.emplace_back(10 * (i / 2), 30 * (i / 4) + (i % 2 == 0 ? 10 : 0));
@@ -140,7 +140,7 @@ TEST(PrimitiveAssembly, JoinedStrips)
 
 // The statement's table: of 20,000 needles, the share for which a way in float takes the front for a back, or the other
 // way round.
-TEST(PrimitiveAssembly, TableOfTheStatement)
+TEST(PrimitiveAssembly, table_of_the_statement)
 {
     constexpr std::uint64_t seed = 77;
     struct Column {

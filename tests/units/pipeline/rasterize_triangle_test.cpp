@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Solutions, RasterizeSolution, testing::Values(REFERENCE
 }
 
 // Drawn by hand on squared paper.
-TEST_P(RasterizeSolution, KnownAnswers)
+TEST_P(RasterizeSolution, known_answers)
 {
     EXPECT_EQ(drawn(rasterize, {glm::vec2(1, 1), {4, 1}, {1, 4}}, 5, 5), ".....\n.##..\n.#...\n.....\n.....\n");
     EXPECT_EQ(drawn(rasterize, {glm::vec2(4, 4), {1, 4}, {4, 1}}, 5, 5), ".....\n...#.\n..##.\n.###.\n.....\n")
@@ -72,7 +72,7 @@ TEST_P(RasterizeSolution, KnownAnswers)
         << "between the centres";
 }
 
-TEST_P(RasterizeSolution, RowByRowInBothOrientations)
+TEST_P(RasterizeSolution, row_by_row_in_both_orientations)
 {
     const std::vector<Fragment> one = fragments_of(rasterize, flat({glm::vec2(0, 0), {5, 1}, {2, 6}}), 6, 6);
     const std::vector<Fragment> other = fragments_of(rasterize, flat({glm::vec2(0, 0), {2, 6}, {5, 1}}), 6, 6);
@@ -84,7 +84,7 @@ TEST_P(RasterizeSolution, RowByRowInBothOrientations)
     }));
 }
 
-TEST_P(RasterizeSolution, AppendsToWhatIsThere)
+TEST_P(RasterizeSolution, appends_to_what_is_there)
 {
     std::vector<Fragment> fragments(1, Fragment{{7, 7}, 0.5F, glm::vec3(0)});
     rasterize(flat({glm::vec2(0, 0), {2, 0}, {0, 2}}), 4, 4, fragments);
@@ -92,7 +92,7 @@ TEST_P(RasterizeSolution, AppendsToWhatIsThere)
     EXPECT_EQ(fragments[0].pixel, glm::ivec2(7, 7));
 }
 
-TEST_P(RasterizeSolution, PositionsAreRoundedToEvenTies)
+TEST_P(RasterizeSolution, positions_are_rounded_to_even_ties)
 {
     // A left edge at 2.5 is covered, one at 2.5 + 1/256 is not; 2/1024 lies between them and goes to the even one, 2.5
     // = 640/256.
@@ -105,7 +105,7 @@ TEST_P(RasterizeSolution, PositionsAreRoundedToEvenTies)
     EXPECT_TRUE(covers(2.5F - 2.0F / 1024));
 }
 
-TEST_P(RasterizeSolution, NonsenseLeavesNoTrace)
+TEST_P(RasterizeSolution, nonsense_leaves_no_trace)
 {
     const Triangle good = flat({glm::vec2(0, 0), {8, 0}, {0, 8}});
     ASSERT_FALSE(fragments_of(rasterize, good, 8, 8).empty());
@@ -133,7 +133,7 @@ TEST_P(RasterizeSolution, NonsenseLeavesNoTrace)
 }
 
 // Whatever the mesh, every pixel of the square belongs to exactly one triangle.
-TEST_P(RasterizeSolution, PartitionsCoverEachPixelOnce)
+TEST_P(RasterizeSolution, partitions_cover_each_pixel_once)
 {
     constexpr std::uint64_t seed = 20269;
     Random random(seed);
@@ -146,7 +146,7 @@ TEST_P(RasterizeSolution, PartitionsCoverEachPixelOnce)
     }
 }
 
-TEST_P(RasterizeSolution, FansCoverEachPixelOnce)
+TEST_P(RasterizeSolution, fans_cover_each_pixel_once)
 {
     Random random(20270);
     for (const glm::vec2 centre : {glm::vec2(12.5F, 12.5F), {12, 12}, {12.5F, 12}, {12.25F, 12.625F}}) {
@@ -162,7 +162,7 @@ TEST_P(RasterizeSolution, FansCoverEachPixelOnce)
 }
 
 // Corners in halves, quarters … 1/256 of a pixel: from nearly all on ties to nearly none.
-TEST_P(RasterizeSolution, AgreesWithScanConversionInRationalNumbers)
+TEST_P(RasterizeSolution, agrees_with_scan_conversion_in_rational_numbers)
 {
     constexpr std::uint64_t seed = 20271;
     Random random(seed);
@@ -181,7 +181,7 @@ TEST_P(RasterizeSolution, AgreesWithScanConversionInRationalNumbers)
 
 // Worked by hand: w = 1 and w = 10 at the ends of an edge. In the middle of the screen the far end has the weight 1/11,
 // the depth is halfway.
-TEST_P(RasterizeSolution, WeightsInPerspective)
+TEST_P(RasterizeSolution, weights_in_perspective)
 {
     const Triangle triangle = {WindowVertex{{0.5F, 0.5F}, 0.25F, 1}, {{8.5F, 0.5F}, 0.75F, 0.1F}, {{0.5F, 8.5F}, 1, 1}};
     for (const auto& [pixel, depth, weights] : fragments_of(rasterize, triangle, 9, 9)) {
@@ -199,7 +199,7 @@ TEST_P(RasterizeSolution, WeightsInPerspective)
 
 // The header's guarantee: the same pixels as the oracle, weights and depth within one ulp; inside the picture, far
 // outside, in slivers.
-TEST(RasterizeAccuracy, ReferenceKeepsItsGuarantee)
+TEST(RasterizeAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20272;
     const auto reference = tests::solution<Rasterize>(REFERENCE_MODULE);
@@ -228,7 +228,7 @@ TEST(RasterizeAccuracy, ReferenceKeepsItsGuarantee)
 }
 
 // Needles are what their name says: the centre that they are aimed at is covered, or passed, by less than 1e-6 pixel.
-TEST(RasterizeInputs, NeedlesPassACentreClosely)
+TEST(RasterizeInputs, needles_pass_a_centre_closely)
 {
     constexpr std::uint64_t seed = 20274;
     Random random(seed);
@@ -244,7 +244,7 @@ TEST(RasterizeInputs, NeedlesPassACentreClosely)
 }
 
 // The hard cases must tell the forms apart: edge functions in float get most needles wrong.
-TEST(RasterizeAccuracy, FloatFailsOnNeedles)
+TEST(RasterizeAccuracy, float_fails_on_needles)
 {
     const auto naive = tests::solution<Rasterize>(FLOAT_EDGES_MODULE);
     const auto oracle = tests::solution<Rasterize>(ORACLE_MODULE);

@@ -21,7 +21,7 @@ std::vector<std::uint64_t> offsets(const VertexLayout& layout)
 
 }
 
-TEST(VertexLayout, WorkedNumberOfTheStatement)
+TEST(VertexLayout, worked_number_of_the_statement)
 {
     const VertexLayout interleaved = interleaved_layout(course, 8);
     EXPECT_EQ(offsets(interleaved), (std::vector<std::uint64_t>{0, 12, 24, 36}));
@@ -34,7 +34,7 @@ TEST(VertexLayout, WorkedNumberOfTheStatement)
 }
 
 // The compiler is the independent opinion.
-TEST(VertexLayout, InterleavedIsWhatTheCompilerMakesOfAStruct)
+TEST(VertexLayout, interleaved_is_what_the_compiler_makes_of_a_struct)
 {
     struct A {
         double position[3];
@@ -65,13 +65,13 @@ TEST(VertexLayout, InterleavedIsWhatTheCompilerMakesOfAStruct)
     EXPECT_EQ(interleaved_layout(c, 7).bytes, sizeof(C[7]));
 }
 
-TEST(VertexLayout, MoreThanFourGibibytes)
+TEST(VertexLayout, more_than_four_gibibytes)
 {
     EXPECT_EQ(interleaved_layout(course, 4'000'000'000).bytes, 176'000'000'000U);
     EXPECT_EQ(separate_layout(course, 4'000'000'000).places.back().offset, 144'000'000'000U);
 }
 
-TEST(VertexLayout, ThereAndBackAgain)
+TEST(VertexLayout, there_and_back_again)
 {
     const std::vector<VertexAttribute> attributes = {{unsigned_byte, 3}, {float64, 2}, {unsigned_short, 1}};
     const VertexLayout tight{{{0, 0}, {15, 0}, {95, 0}}, 105};  // five vertices, strides of 0, no gaps
@@ -85,7 +85,7 @@ TEST(VertexLayout, ThereAndBackAgain)
     EXPECT_EQ(repack(there, interleaved, tight, attributes, 5), source);
 }
 
-TEST(VertexLayout, FetchedAsOpenGlDoes)
+TEST(VertexLayout, fetched_as_open_gl_does)
 {
     std::vector<std::byte> buffer(40);
     const double reals[] = {0.1, -2.5};

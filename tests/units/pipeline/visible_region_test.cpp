@@ -54,7 +54,7 @@ glm::vec3 with_centre_in_float(const Box& box, const glm::vec3& point)
 
 }
 
-TEST(VisibleRegion, CornersGoToCorners)
+TEST(VisibleRegion, corners_go_to_corners)
 {
     Random random(seed);
     for (int i = 0; i < 1000; ++i) {
@@ -65,7 +65,7 @@ TEST(VisibleRegion, CornersGoToCorners)
 }
 
 // Also prints the table of the statement: half a picture of 512 pixels is an NDC of 1.
-TEST(VisibleRegion, FarBoxes)
+TEST(VisibleRegion, far_boxes)
 {
     Random random(seed);
     std::puts("offset   matrix   centre   differences   (largest error in pixels of 512, 20,000 boxes of 0.5 to 4)");
@@ -85,7 +85,7 @@ TEST(VisibleRegion, FarBoxes)
     }
 }
 
-TEST(VisibleRegion, ContainsTheContentsWithTheProportionsOfTheWindow)
+TEST(VisibleRegion, contains_the_contents_with_the_proportions_of_the_window)
 {
     Random random(seed);
     for (int i = 0; i < 5000; ++i) {
@@ -105,7 +105,7 @@ TEST(VisibleRegion, ContainsTheContentsWithTheProportionsOfTheWindow)
     }
 }
 
-TEST(VisibleRegion, WindowsWithoutPixelsAndContentsWithoutHeight)
+TEST(VisibleRegion, windows_without_pixels_and_contents_without_height)
 {
     const Box contents{{1, 2, 3}, {5, 2, 4}};
     for (const glm::ivec2 size : {glm::ivec2(0, 0), glm::ivec2(640, 0), glm::ivec2(0, 480)}) {
@@ -119,7 +119,7 @@ TEST(VisibleRegion, WindowsWithoutPixelsAndContentsWithoutHeight)
     EXPECT_EQ(projection_of({{1, 1, 1}, {1, 3, 2}})[0], glm::vec4(0));
 }
 
-TEST(VisibleRegion, MirroredContentsStayMirrored)
+TEST(VisibleRegion, mirrored_contents_stay_mirrored)
 {
     const Box region = visible_region({{2, 0, 0}, {-2, 1, 1}}, 100, 100);
     EXPECT_EQ(region.low, glm::vec3(2, -1.5F, 0));

@@ -49,7 +49,7 @@ void expect_near(const glm::mat4& got, const glm::mat4& rows, double tolerance)
 }
 
 // Worked by hand; the matrices are written by rows, as on paper.
-TEST_P(ViewSolution, KnownAnswers)
+TEST_P(ViewSolution, known_answers)
 {
     expect_near(view_of({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}}), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -5, 0, 0, 0, 1}, 0);
     expect_near(view_of({{3, 0, 0}, {0, 0, 0}, {0, 1, 0}}), {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, -3, 0, 0, 0, 1}, 0);
@@ -65,7 +65,7 @@ TEST_P(ViewSolution, KnownAnswers)
                 3e-7);
 }
 
-TEST_P(ViewSolution, IsAViewMatrix)
+TEST_P(ViewSolution, is_a_view_matrix)
 {
     constexpr std::uint64_t seed = 20264;
     Random random(seed);
@@ -86,7 +86,7 @@ TEST_P(ViewSolution, IsAViewMatrix)
     }
 }
 
-TEST_P(ViewSolution, DegenerateInputFollowsTheRule)
+TEST_P(ViewSolution, degenerate_input_follows_the_rule)
 {
     // Looking down along y: x and z are equally perpendicular, x is the first. So the vertical of the picture is x.
     expect_near(view_of({{0, 10, 0}, {0, 0, 0}, {0, 1, 0}}), {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, -10, 0, 0, 0, 1}, 0);
@@ -107,7 +107,7 @@ TEST_P(ViewSolution, DegenerateInputFollowsTheRule)
 }
 
 // The sine decides, on both sides of the threshold and at both ends of the view.
-TEST_P(ViewSolution, ThresholdIsAMillionth)
+TEST_P(ViewSolution, threshold_is_a_millionth)
 {
     const auto turned = [](float sine) { return Placement{{0, 0, 4}, {0, 0, 0}, {0, sine, 1}}; };
     expect_near(view_of(turned(1.01e-6F)), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -4, 0, 0, 0, 1}, 0);
@@ -115,7 +115,7 @@ TEST_P(ViewSolution, ThresholdIsAMillionth)
 }
 
 // The header's guarantee, and the tolerances of the hard checks.
-TEST(ViewAccuracy, ReferenceKeepsItsGuarantee)
+TEST(ViewAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20266;
     View* const reference = tests::solution<View>(REFERENCE_MODULE);
@@ -135,7 +135,7 @@ TEST(ViewAccuracy, ReferenceKeepsItsGuarantee)
 }
 
 // The hard cases must tell the forms apart.
-TEST(ViewAccuracy, FloatFailsNearTheParallel)
+TEST(ViewAccuracy, float_fails_near_the_parallel)
 {
     View* const naive = tests::solution<View>(FLOAT_CROSS_MODULE);
     View* const oracle = tests::solution<View>(ORACLE_MODULE);

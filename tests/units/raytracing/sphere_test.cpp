@@ -26,7 +26,7 @@ INSTANTIATE_TEST_SUITE_P(Solutions, SphereSolution, testing::Values(REFERENCE_MO
 }
 
 // Worked by hand from |origin + t * direction - centre| = radius.
-TEST_P(SphereSolution, KnownAnswers)
+TEST_P(SphereSolution, known_answers)
 {
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, -1}}, unit_ball), 4.0F);
     EXPECT_EQ(intersect({{1, 2, 10}, {0, 0, -1}}, {{1, 2, 3}, 2}), 5.0F);
@@ -39,7 +39,7 @@ TEST_P(SphereSolution, KnownAnswers)
     EXPECT_LE(tests::ulps_between(*tangent, 5), 2);
 }
 
-TEST_P(SphereSolution, IntervalIsOpen)
+TEST_P(SphereSolution, interval_is_open)
 {
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, -1}, 4}, unit_ball), 6.0F);
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, -1}, 3, 4}, unit_ball), std::nullopt);
@@ -49,7 +49,7 @@ TEST_P(SphereSolution, IntervalIsOpen)
         << "negative t count if the interval holds them";
 }
 
-TEST_P(SphereSolution, NonsenseHitsNothing)
+TEST_P(SphereSolution, nonsense_hits_nothing)
 {
     EXPECT_EQ(intersect({{0, 0, 5}, {0, 0, 0}}, unit_ball), std::nullopt);
     EXPECT_EQ(intersect({{not_a_number, 0, 5}, {0, 0, -1}}, unit_ball), std::nullopt);
@@ -60,7 +60,7 @@ TEST_P(SphereSolution, NonsenseHitsNothing)
 }
 
 // The point found lies on the sphere, whatever formula found it.
-TEST_P(SphereSolution, PointsLieOnTheSphere)
+TEST_P(SphereSolution, points_lie_on_the_sphere)
 {
     constexpr std::uint64_t seed = 20261;
     RecordProperty("seed", std::to_string(seed));
@@ -78,7 +78,7 @@ TEST_P(SphereSolution, PointsLieOnTheSphere)
 }
 
 // The header's guarantee, at the distances and with the distribution of the statement's table.
-TEST(SphereAccuracy, ReferenceKeepsItsGuarantee)
+TEST(SphereAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20262;
     const auto reference = tests::solution<Intersect>(REFERENCE_MODULE);
@@ -102,7 +102,7 @@ TEST(SphereAccuracy, ReferenceKeepsItsGuarantee)
 }
 
 // The hard cases must tell the forms apart: the school formula fails most of them.
-TEST(SphereAccuracy, SchoolFormulaFailsFarAway)
+TEST(SphereAccuracy, school_formula_fails_far_away)
 {
     const auto naive = tests::solution<Intersect>(SCHOOL_FORMULA_MODULE);
     const auto oracle = tests::solution<Intersect>(ORACLE_MODULE);
@@ -121,7 +121,7 @@ TEST(SphereAccuracy, SchoolFormulaFailsFarAway)
 }
 
 // The hard rays keep the distance from the silhouette that their band promises, at every distance the driver uses.
-TEST(SphereInputs, SilhouettePairsKeepTheirMargin)
+TEST(SphereInputs, silhouette_pairs_keep_their_margin)
 {
     constexpr std::uint64_t seed = 20268;
     Random random(seed);

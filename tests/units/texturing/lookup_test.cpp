@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Solutions, LookupSolution, testing::Values(REFERENCE_MO
 
 }
 
-TEST_P(LookupSolution, LowerLeftCornerIsTheOrigin)
+TEST_P(LookupSolution, lower_left_corner_is_the_origin)
 {
     Grid<glm::vec4> texture(2, 2);  // red, green above blue, white
     texture.cells = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
@@ -61,7 +61,7 @@ TEST_P(LookupSolution, LowerLeftCornerIsTheOrigin)
 }
 
 // The statement's numbers.
-TEST_P(LookupSolution, KnownAnswers)
+TEST_P(LookupSolution, known_answers)
 {
     const Grid<glm::vec4> texture = row({0, 0.25F, 0.5F, 1});
     EXPECT_EQ(grey(texture, nearest_repeat, 0.4375F), 0.25F);
@@ -72,7 +72,7 @@ TEST_P(LookupSolution, KnownAnswers)
     EXPECT_EQ(grey(texture, bilinear_repeat, -0.5625F), 0.3125F) << "once round";
 }
 
-TEST_P(LookupSolution, BordersBelongToTheTexelAfterThem)
+TEST_P(LookupSolution, borders_belong_to_the_texel_after_them)
 {
     const Grid<glm::vec4> texture = numbered(8);
     for (int i = 0; i < 8; ++i) {
@@ -90,7 +90,7 @@ TEST_P(LookupSolution, BordersBelongToTheTexelAfterThem)
 
 // With three texels no border is a float: on which side a float lies, exact arithmetic says (3 * u against whole
 // numbers, in double).
-TEST_P(LookupSolution, FloatsBesideBordersThatAreNone)
+TEST_P(LookupSolution, floats_beside_borders_that_are_none)
 {
     for (const int count : {3, 5, 7, 100, 300, 1000, 16383}) {
         const Grid<glm::vec4> texture = numbered(count);
@@ -105,7 +105,7 @@ TEST_P(LookupSolution, FloatsBesideBordersThatAreNone)
     }
 }
 
-TEST_P(LookupSolution, WhatLiesFarOut)
+TEST_P(LookupSolution, what_lies_far_out)
 {
     const Grid<glm::vec4> texture = numbered(256);
     EXPECT_EQ(grey(texture, nearest_repeat, 1e6F + 0.3125F), 80);  // 0.3125 * 256
@@ -120,7 +120,7 @@ TEST_P(LookupSolution, WhatLiesFarOut)
     }
 }
 
-TEST_P(LookupSolution, NonsenseCountsAsZero)
+TEST_P(LookupSolution, nonsense_counts_as_zero)
 {
     const Grid<glm::vec4> texture = numbered(4);
     for (const Sampler& sampler : {nearest_repeat, nearest_clamped, bilinear_repeat, bilinear_clamped}) {
@@ -133,7 +133,7 @@ TEST_P(LookupSolution, NonsenseCountsAsZero)
     EXPECT_EQ(grey(texture, nearest_clamped, -infinity), 0);
 }
 
-TEST_P(LookupSolution, OneTexelIsEverywhere)
+TEST_P(LookupSolution, one_texel_is_everywhere)
 {
     const Grid<glm::vec4> texture(1, 1, glm::vec4(0.1F, 0.2F, 0.3F, 0.4F));
     for (const Sampler& sampler : {nearest_repeat, nearest_clamped, bilinear_repeat, bilinear_clamped})
@@ -144,7 +144,7 @@ TEST_P(LookupSolution, OneTexelIsEverywhere)
 
 // A repeated texture has no edges: a blend changes by little over a small step, wherever it is, and is the same one
 // turn further.
-TEST_P(LookupSolution, BlendsAreContinuousAndPeriodic)
+TEST_P(LookupSolution, blends_are_continuous_and_periodic)
 {
     constexpr std::uint64_t seed = 20266;
     Random random(seed);
@@ -162,7 +162,7 @@ TEST_P(LookupSolution, BlendsAreContinuousAndPeriodic)
     }
 }
 
-TEST(LookupReference, RefusesATextureWithoutTexels)
+TEST(LookupReference, refuses_a_texture_without_texels)
 {
     const auto lookup = tests::solution<Lookup>(REFERENCE_MODULE);
     EXPECT_THROW(lookup(Grid<glm::vec4>(0, 3), nearest_repeat, {0, 0}), std::invalid_argument);
@@ -170,7 +170,7 @@ TEST(LookupReference, RefusesATextureWithoutTexels)
 
 // The header's guarantee, with sizes and coordinates of all magnitudes: the same texels, and fractions off by at most
 // half an ulp of 1.
-TEST(LookupAccuracy, ReferenceKeepsItsGuarantee)
+TEST(LookupAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20267;
     const auto reference = tests::solution<Lookup>(REFERENCE_MODULE);
@@ -194,7 +194,7 @@ TEST(LookupAccuracy, ReferenceKeepsItsGuarantee)
 }
 
 // The hard cases must tell the forms apart.
-TEST(LookupAccuracy, MultiplyingFirstFailsFarOut)
+TEST(LookupAccuracy, multiplying_first_fails_far_out)
 {
     const auto naive = tests::solution<Lookup>(FLOAT_PRODUCT_MODULE);
     const auto oracle = tests::solution<Lookup>(ORACLE_MODULE);

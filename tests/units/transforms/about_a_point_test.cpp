@@ -27,7 +27,7 @@ double off_orthonormal(const glm::mat4& matrix)
 
 }
 
-TEST(AboutAPoint, KnownAnswers)
+TEST(AboutAPoint, known_answers)
 {
     EXPECT_EQ(reflection_in_plane({1, 2, 3}, {0, 0, 2}) * glm::vec4(5, 6, 7, 1), glm::vec4(5, 6, -1, 1));
     EXPECT_EQ(reflection_in_point({1, 2, 3}) * glm::vec4(5, 6, 7, 1), glm::vec4(-3, -2, -1, 1));
@@ -37,7 +37,7 @@ TEST(AboutAPoint, KnownAnswers)
     EXPECT_EQ(placed_along({1, 2, 3}, {0, 0, 0})[3], glm::vec4(1, 2, 3, 1));
 }
 
-TEST(AboutAPoint, CentresStayAndDistancesToo)
+TEST(AboutAPoint, centres_stay_and_distances_too)
 {
     constexpr std::uint64_t seed = 20311;
     Random random(seed);
@@ -63,7 +63,7 @@ TEST(AboutAPoint, CentresStayAndDistancesToo)
 }
 
 // It takes one to the other, and leaves what is perpendicular to both: also where they are nearly equal or opposite.
-TEST(AboutAPoint, AlignmentIsTheShortestTurn)
+TEST(AboutAPoint, alignment_is_the_shortest_turn)
 {
     constexpr std::uint64_t seed = 20312;
     Random random(seed);
@@ -81,7 +81,7 @@ TEST(AboutAPoint, AlignmentIsTheShortestTurn)
     }
 }
 
-TEST(AboutAPoint, PlacedObjectsStandUpright)
+TEST(AboutAPoint, placed_objects_stand_upright)
 {
     constexpr std::uint64_t seed = 20313;
     Random random(seed);
@@ -97,7 +97,7 @@ TEST(AboutAPoint, PlacedObjectsStandUpright)
     }
 }
 
-TEST(AboutAPoint, NullDirectionsChangeNothing)
+TEST(AboutAPoint, null_directions_change_nothing)
 {
     const glm::vec3 null(0, -0.0F, 0);
     EXPECT_EQ(reflection_in_line({1, 2, 3}, null), glm::mat4(1));

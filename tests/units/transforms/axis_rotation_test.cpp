@@ -53,7 +53,7 @@ double largest_difference(const glm::mat4& one, const glm::mat4& other)
 
 }
 
-TEST_P(RotationSolution, KnownAnswers)
+TEST_P(RotationSolution, known_answers)
 {
     expect_near(rotate.vector({1, 0, 0}, {{0, 0, 1}, pi / 2}), {0, 1, 0});
     expect_near(rotate.vector({0, 1, 0}, {{1, 0, 0}, pi / 2}), {0, 0, 1});
@@ -64,7 +64,7 @@ TEST_P(RotationSolution, KnownAnswers)
 }
 
 // Laid out by rows, as one writes it: Rot_z[θ] = [c -s 0; s c 0; 0 0 1].
-TEST_P(RotationSolution, MatrixHasItsEntriesInPlace)
+TEST_P(RotationSolution, matrix_has_its_entries_in_place)
 {
     const glm::mat4 m = rotate.matrix({{0, 0, 5}, 0.5F});
     EXPECT_FLOAT_EQ(m[0][0], 0.87758256F);
@@ -76,7 +76,7 @@ TEST_P(RotationSolution, MatrixHasItsEntriesInPlace)
     EXPECT_EQ(m[0][2], 0);
 }
 
-TEST_P(RotationSolution, NothingIsTurnedByNoTurn)
+TEST_P(RotationSolution, nothing_is_turned_by_no_turn)
 {
     for (const AxisAngle& turn : {AxisAngle{{0, 0, 0}, 1},
                                   {{1, 0, 0}, 0},
@@ -93,7 +93,7 @@ TEST_P(RotationSolution, NothingIsTurnedByNoTurn)
 }
 
 // The three functions agree, keep lengths and angles, and leave the axis alone.
-TEST_P(RotationSolution, IsARotation)
+TEST_P(RotationSolution, is_a_rotation)
 {
     constexpr std::uint64_t seed = 20261;
     Random random(seed);
@@ -116,7 +116,7 @@ TEST_P(RotationSolution, IsARotation)
 
 // A tiny turn by hand: for an axis in the xy-plane, the entry (0, 1) is (1 - cosθ) e.x e.y = θ²/2 · e.x e.y, but for θ²
 // of itself.
-TEST_P(RotationSolution, TinyTurnsKeepTheirSecondOrder)
+TEST_P(RotationSolution, tiny_turns_keep_their_second_order)
 {
     for (const float angle : {1e-3F, 1e-5F, 1e-8F, 1e-15F}) {
         const glm::mat4 matrix = rotate.matrix({{3, 4, 0}, angle});
@@ -127,7 +127,7 @@ TEST_P(RotationSolution, TinyTurnsKeepTheirSecondOrder)
     }
 }
 
-TEST_P(RotationSolution, FirstTurnIsTheFirst)
+TEST_P(RotationSolution, first_turn_is_the_first)
 {
     const AxisAngle turns[] = {{{1, 0, 0}, pi / 2}, {{0, 1, 0}, pi / 2}};
     // (0,1,0) becomes (0,0,1), which becomes (1,0,0).
@@ -137,7 +137,7 @@ TEST_P(RotationSolution, FirstTurnIsTheFirst)
 
 // A chain about one axis is one turn by the sum of the angles, which is computed here from the float that the angle
 // really is.
-TEST_P(RotationSolution, LongChainTurnsByTheSum)
+TEST_P(RotationSolution, long_chain_turns_by_the_sum)
 {
     const AxisAngle step{{0, 0, 2}, 1e-4F};
     const std::vector<AxisAngle> chain(3'600'000, step);
@@ -150,7 +150,7 @@ TEST_P(RotationSolution, LongChainTurnsByTheSum)
 }
 
 // The header's guarantees.
-TEST(RotationAccuracy, ReferenceKeepsItsGuarantee)
+TEST(RotationAccuracy, reference_keeps_its_guarantee)
 {
     constexpr std::uint64_t seed = 20262;
     const auto reference = *tests::solution<const tests::Rotations>(REFERENCE_MODULE);
@@ -174,7 +174,7 @@ TEST(RotationAccuracy, ReferenceKeepsItsGuarantee)
 }
 
 // The hard cases must tell the forms apart.
-TEST(RotationAccuracy, FloatFails)
+TEST(RotationAccuracy, float_fails)
 {
     const auto naive = *tests::solution<const tests::Rotations>(IN_FLOAT_MODULE);
     EXPECT_EQ(naive.matrix({{3, 4, 0}, 1e-4F})[1][0], 0) << "1 - cosθ is 0";

@@ -52,7 +52,7 @@ void expect_at(const glm::dmat4& matrix, glm::dvec2 place, glm::dvec2 expected, 
 
 // Normals stay at right angles to the surface: a tangent and a normal before are so afterwards, and n points to the
 // same side.
-TEST(MatrixStack, KeepsNormalsAcrossTheSurface)
+TEST(MatrixStack, keeps_normals_across_the_surface)
 {
     constexpr std::uint64_t seed = 20240607;
     SCOPED_TRACE(seed);
@@ -70,7 +70,7 @@ TEST(MatrixStack, KeepsNormalsAcrossTheSurface)
     }
 }
 
-TEST(MatrixStack, IsAsItWasAfterAnEmptyPop)
+TEST(MatrixStack, is_as_it_was_after_an_empty_pop)
 {
     const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
     stack->compose(quarter_turn(1));
@@ -78,7 +78,7 @@ TEST(MatrixStack, IsAsItWasAfterAnEmptyPop)
     EXPECT_EQ(stack->modelview(), quarter_turn(1));
 }
 
-TEST(ComplexFigure, HasItsCornersInTheirPlaces)
+TEST(ComplexFigure, has_its_corners_in_their_places)
 {
     const std::vector<glm::dmat4> three = copies(draw_complex_figure);
     ASSERT_EQ(three.size(), 3U);
@@ -90,7 +90,7 @@ TEST(ComplexFigure, HasItsCornersInTheirPlaces)
 }
 
 // The pinwheel of the course: 16 corners in this order.
-TEST(FourHooks, CloseThePinwheel)
+TEST(FourHooks, close_the_pinwheel)
 {
     constexpr glm::dvec2 corners[] = {{0, 0},  {1, 0},  {1, 1},  {0, 1},  {0, 2},   {0, 3},   {-1, 3}, {-1, 2}, {-2, 2},
                                       {-3, 2}, {-3, 1}, {-2, 1}, {-2, 0}, {-2, -1}, {-1, -1}, {-1, 0}, {0, 0}};
@@ -101,7 +101,7 @@ TEST(FourHooks, CloseThePinwheel)
         for (std::size_t k = 0; k < 5; ++k) expect_at(four[i], hook[k], corners[4 * i + k]);
 }
 
-TEST(HookBetween, BothWaysMeetBothEnds)
+TEST(HookBetween, both_ways_meet_both_ends)
 {
     constexpr std::uint64_t seed = 20240608;
     SCOPED_TRACE(seed);
@@ -121,7 +121,7 @@ TEST(HookBetween, BothWaysMeetBothEnds)
 }
 
 // The radius that the course's figures reach, by the law of cosines.
-TEST(HookCircle, TurnsItsTeethOutwards)
+TEST(HookCircle, turns_its_teeth_outwards)
 {
     for (const unsigned count : {5U, 8U, 13U}) {
         double reach = 0;
@@ -134,7 +134,7 @@ TEST(HookCircle, TurnsItsTeethOutwards)
     }
 }
 
-TEST(Trunk, HasItsAreaAndSixEdges)
+TEST(Trunk, has_its_area_and_six_edges)
 {
     double area = 0;
     std::size_t edges = 0;
@@ -150,7 +150,7 @@ TEST(Trunk, HasItsAreaAndSixEdges)
     EXPECT_EQ(edges, 6U);
 }
 
-TEST(Tree, HasItsBoundsAndItsNumberOfTrunks)
+TEST(Tree, has_its_bounds_and_its_number_of_trunks)
 {
     for (const unsigned levels : {0U, 1U, 2U, 6U, 10U}) {
         const std::vector<glm::dmat4> trunks =
@@ -171,7 +171,7 @@ TEST(Tree, HasItsBoundsAndItsNumberOfTrunks)
     }
 }
 
-TEST(Android, IsMirroredAtRestAndKeepsItsJoints)
+TEST(Android, is_mirrored_at_rest_and_keeps_its_joints)
 {
     const std::unique_ptr<Android> android = make_android();
     const auto draw = [&](Pipeline& pipeline) { android->draw(pipeline); };

@@ -28,7 +28,7 @@ glm::dvec3 point_at(const Frame& frame, const glm::dvec4& coordinates, const glm
 
 }
 
-TEST(Frames, KnownAnswers)
+TEST(Frames, known_answers)
 {
     const Frame quarter{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {3, 4, 0}};
     EXPECT_EQ(inverse_of_cartesian(quarter) * glm::vec4(0, 0, 0, 1), glm::vec4(-4, 3, 0, 1));
@@ -42,7 +42,7 @@ TEST(Frames, KnownAnswers)
     EXPECT_EQ(classify_frame({{2, 0, 0}, {1, 1, 0}, {3, 1, 0}, {0, 0, 0}}), FrameKind::degenerate);
 }
 
-TEST(Frames, SamePointInBothFrames)
+TEST(Frames, same_point_in_both_frames)
 {
     constexpr std::uint64_t seed = 20291;
     Random random(seed);
@@ -60,7 +60,7 @@ TEST(Frames, SamePointInBothFrames)
 }
 
 // z = x + y exactly, of numbers with 23 bits: the determinant is 0; a unit in the last place decides otherwise.
-TEST(Frames, OrientationIsExact)
+TEST(Frames, orientation_is_exact)
 {
     constexpr std::uint64_t seed = 20292;
     Random random(seed);

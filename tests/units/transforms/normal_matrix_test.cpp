@@ -23,7 +23,7 @@ glm::mat4 any_matrix(Random& random)
 
 }
 
-TEST(NormalMatrix, KnownAnswers)
+TEST(NormalMatrix, known_answers)
 {
     const glm::mat4 stretched = glm::scale(glm::translate(glm::mat4(1), {3, 4, 5}), {2, 1, 1});
     EXPECT_EQ(normal_matrix(stretched), glm::mat3(0.5F, 0, 0, 0, 1, 0, 0, 0, 1));
@@ -33,7 +33,7 @@ TEST(NormalMatrix, KnownAnswers)
     EXPECT_EQ(transformed_normal(glm::scale(glm::mat4(1), {1, 1, -1}), {0, 0, 1}), glm::vec3(0, 0, -1));
 }
 
-TEST(NormalMatrix, PerpendicularAndOutwards)
+TEST(NormalMatrix, perpendicular_and_outwards)
 {
     constexpr std::uint64_t seed = 20281;
     Random random(seed);
@@ -53,7 +53,7 @@ TEST(NormalMatrix, PerpendicularAndOutwards)
     }
 }
 
-TEST(NormalMatrix, FlattenedMatrices)
+TEST(NormalMatrix, flattened_matrices)
 {
     EXPECT_EQ(transformed_normal(glm::scale(glm::mat4(1), {2, 0, 3}), {0.6F, 0.8F, 0}), glm::vec3(0, 1, 0));
     EXPECT_EQ(transformed_normal(glm::scale(glm::mat4(1), {-2, 0, 3}), {0, 1, 0}), glm::vec3(0, -1, 0))

@@ -62,18 +62,18 @@ void expect_same(const Difference& difference)
 
 }
 
-TEST_F(PipelinesTest, DrawTheSameHooks)
+TEST_F(PipelinesTest, draw_the_same_hooks)
 {
     const glm::mat4 window = glm::ortho(-wheel_reach, wheel_reach, -wheel_reach, wheel_reach);
     expect_same(compare_pipelines(window, ink::night, false, paint_wheel));
 }
 
-TEST_F(PipelinesTest, DrawTheSameTrees)
+TEST_F(PipelinesTest, draw_the_same_trees)
 {
     expect_same(compare_pipelines(grove_window(), grove_background, false, paint_grove));
 }
 
-TEST_F(PipelinesTest, DrawTheSameFigures)
+TEST_F(PipelinesTest, draw_the_same_figures)
 {
     expect_same(compare_pipelines(glm::ortho(-1.0F, 6.0F, -2.5F, 4.5F), glm::vec3(0.1F, 0.2F, 0.3F), false,
                                   [](Pipeline& pipeline) {
@@ -84,14 +84,14 @@ TEST_F(PipelinesTest, DrawTheSameFigures)
 }
 
 // Lit, in perspective, through matrices that stretch: what the normals are multiplied with shows.
-TEST_F(PipelinesTest, DrawTheSameAndroids)
+TEST_F(PipelinesTest, draw_the_same_androids)
 {
     const std::unique_ptr<Android> android = make_android();
     expect_same(compare_pipelines(parade_projection(), parade_background, true,
                                   [&](Pipeline& pipeline) { paint_parade(pipeline, *android); }));
 }
 
-TEST_F(PipelinesTest, RefuseToPopAnEmptyStack)
+TEST_F(PipelinesTest, refuse_to_pop_an_empty_stack)
 {
     FixedPipeline fixed(glm::mat4(1), glm::vec3(0), 1);
     ProgrammablePipeline programmable(make_matrix_stack(), glm::mat4(1), glm::vec3(0), 1);

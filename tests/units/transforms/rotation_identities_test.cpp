@@ -22,7 +22,7 @@ ElementaryTurn any_turn(Random& random)
 
 }
 
-TEST(RotationIdentities, KnownAnswers)
+TEST(RotationIdentities, known_answers)
 {
     EXPECT_EQ(elementary_rotation({1, 2, 3}, {WorldAxis::x, 90}), glm::vec3(1, -3, 2));
     EXPECT_EQ(elementary_rotation({1, -3, 2}, {WorldAxis::y, 90}), glm::vec3(2, -3, -1));
@@ -32,7 +32,7 @@ TEST(RotationIdentities, KnownAnswers)
     EXPECT_FLOAT_EQ(elementary_matrix({WorldAxis::y, 60})[0][2], -0.8660254F);
 }
 
-TEST(RotationIdentities, QuarterTurnsAreExact)
+TEST(RotationIdentities, quarter_turns_are_exact)
 {
     for (const WorldAxis axis : axes) {
         for (int quarters = -180'000; quarters <= 180'000; quarters += 7) {
@@ -44,7 +44,7 @@ TEST(RotationIdentities, QuarterTurnsAreExact)
     }
 }
 
-TEST(RotationIdentities, DotLengthAndCrossAreKept)
+TEST(RotationIdentities, dot_length_and_cross_are_kept)
 {
     constexpr std::uint64_t seed = 20301;
     Random random(seed);
@@ -62,7 +62,7 @@ TEST(RotationIdentities, DotLengthAndCrossAreKept)
 }
 
 // A chain about one axis is a turn by the sum of the degrees, which is exact here.
-TEST(RotationIdentities, LongChainTurnsByTheSum)
+TEST(RotationIdentities, long_chain_turns_by_the_sum)
 {
     const std::vector<ElementaryTurn> chain(1'000'000, {WorldAxis::y, 0.25F});
     const glm::vec3 a(0.6F, -0.64F, 0.48F);

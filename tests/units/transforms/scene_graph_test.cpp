@@ -78,7 +78,7 @@ nlohmann::json small_graph()
 
 }
 
-TEST(Expand, AgreesWithAWalkAlongEveryWay)
+TEST(Expand, agrees_with_a_walk_along_every_way)
 {
     constexpr std::uint64_t seed = 20240609;
     SCOPED_TRACE(seed);
@@ -99,7 +99,7 @@ TEST(Expand, AgreesWithAWalkAlongEveryWay)
     }
 }
 
-TEST(Expand, NamesTheCycle)
+TEST(Expand, names_the_cycle)
 {
     constexpr std::uint64_t seed = 20240610;
     SCOPED_TRACE(seed);
@@ -124,14 +124,14 @@ TEST(Expand, NamesTheCycle)
     }
 }
 
-TEST(Expand, DoesNotWalkTwoToThePowerOfSixtyWays)
+TEST(Expand, does_not_walk_two_to_the_power_of_sixty_ways)
 {
     EXPECT_TRUE(expand(doubling(60, {}), 10).empty());
     EXPECT_THROW((void)expand(doubling(60, {object(1)}), 1'000'000), TooManyInstances);
     EXPECT_EQ(expand(doubling(11, {object(1)}), 1024).size(), 1024U);
 }
 
-TEST(ToPhigs, DrawsTheSameWithTheFewestNodes)
+TEST(ToPhigs, draws_the_same_with_the_fewest_nodes)
 {
     constexpr std::uint64_t seed = 20240611;
     SCOPED_TRACE(seed);
@@ -149,7 +149,7 @@ TEST(ToPhigs, DrawsTheSameWithTheFewestNodes)
 }
 
 // The places that the course's facade has once its misprints are put right.
-TEST(GraphFile, HoldsTheFacade)
+TEST(GraphFile, holds_the_facade)
 {
     const scenegraph::GraphFile file = scenegraph::read_graph(graphs + "facade.json");
     const std::vector<Instance> found = expand(file.graph, 100);
@@ -174,7 +174,7 @@ TEST(GraphFile, HoldsTheFacade)
 }
 
 // The graph of the file and the drawing code of the unit are two accounts of one figure.
-TEST(GraphFile, HoldsTheAndroidThatIsDrawn)
+TEST(GraphFile, holds_the_android_that_is_drawn)
 {
     const scenegraph::GraphFile file = scenegraph::read_graph(graphs + "android.json");
     const std::vector<Instance> found = expand(file.graph, 100);
@@ -193,7 +193,7 @@ TEST(GraphFile, HoldsTheAndroidThatIsDrawn)
     EXPECT_EQ(i, found.size());
 }
 
-TEST(GraphFile, SaysWhereItIsWrong)
+TEST(GraphFile, says_where_it_is_wrong)
 {
     EXPECT_EQ(refusal(small_graph().dump()), "nothing was thrown");
     struct Wrong {
@@ -220,7 +220,7 @@ TEST(GraphFile, SaysWhereItIsWrong)
     }
 }
 
-TEST(GraphFile, NamesTheNodesOfACycle)
+TEST(GraphFile, names_the_nodes_of_a_cycle)
 {
     nlohmann::json json = small_graph();
     json["nodes"]["b"] = {{{"node", "a"}}};
@@ -233,7 +233,7 @@ TEST(GraphFile, NamesTheNodesOfACycle)
     }
 }
 
-TEST(GraphFile, IsWhatItsSchemaSays)
+TEST(GraphFile, is_what_its_schema_says)
 {
     const umbral::test::Schema schema("scene-graph");
     for (const char* const name : {"facade.json", "android.json"}) {

@@ -27,7 +27,7 @@ glm::vec3 any_size(Random& random) { return std::pow(10.0F, random.uniform(-37, 
 
 }
 
-TEST(Vectors, KnownAnswers)
+TEST(Vectors, known_answers)
 {
     EXPECT_EQ(dot_product({1, 2, 2}, {3, 0, 4}), 11);
     EXPECT_EQ(cross_product({1, 2, 2}, {3, 0, 4}), glm::vec3(8, 2, -6));
@@ -37,7 +37,7 @@ TEST(Vectors, KnownAnswers)
     EXPECT_EQ(perpendicular_part({1, 2, 3}, {-2, -4, -6}), glm::vec3(0));
 }
 
-TEST(Vectors, LengthsOfAllSizes)
+TEST(Vectors, lengths_of_all_sizes)
 {
     Random random(seed);
     for (int i = 0; i < 20'000; ++i) {
@@ -50,7 +50,7 @@ TEST(Vectors, LengthsOfAllSizes)
 }
 
 // tan(α/2) = |u - v| / |u + v| for unit u and v: nothing is near its turning point.
-TEST(Vectors, AnglesWithinAnUlp)
+TEST(Vectors, angles_within_an_ulp)
 {
     Random random(seed + 1);
     for (int i = 0; i < 20'000; ++i) {
@@ -72,7 +72,7 @@ TEST(Vectors, AnglesWithinAnUlp)
         EXPECT_LE(tests::ulps_between(angle_between({1, 0, 0}, {1, tangent, 0}), std::atan(tangent)), 1);
 }
 
-TEST(Vectors, PartsAddUpAndArePerpendicular)
+TEST(Vectors, parts_add_up_and_are_perpendicular)
 {
     Random random(seed + 2);
     for (int i = 0; i < 20'000; ++i) {
@@ -91,7 +91,7 @@ TEST(Vectors, PartsAddUpAndArePerpendicular)
     }
 }
 
-TEST(Vectors, NullVectors)
+TEST(Vectors, null_vectors)
 {
     const glm::vec3 a(1, -2, 3);
     for (const glm::vec3& null : {glm::vec3(0), glm::vec3(0, -0.0F, 0)}) {
@@ -104,7 +104,7 @@ TEST(Vectors, NullVectors)
 }
 
 // The statement's figures: what the arc cosine gives in float.
-TEST(Vectors, ArcCosineLosesSmallAngles)
+TEST(Vectors, arc_cosine_loses_small_angles)
 {
     const auto by_arc_cosine = [](float angle) { return std::acos(std::cos(angle)); };
     EXPECT_NEAR(by_arc_cosine(3e-4F), 3.45e-4, 1e-6);
