@@ -29,10 +29,9 @@ std::vector<fs::path> our_cpp_files()
     return all;
 }
 
-/// A stub is a file of exercises/<topic>/<unit>/ itself, but the driver; and what `umbral new-unit` makes one of.
+/// A stub is a file of exercises/<topic>/<unit>/ itself, but the driver.
 bool is_stub(const fs::path& file)
 {
-    if (file == "grader/cli/templates/unit/exercises/@topic@/@unit@/@file@.cpp.in") return true;
     return std::distance(file.begin(), file.end()) == 4 && *file.begin() == "exercises" &&
            file.filename() != "driver.cpp" && file.extension() != ".hpp" && file.extension() != ".md";
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/temporary_folder.hpp"
 
 namespace umbral::grader {
@@ -15,7 +17,8 @@ KeptRun run()
     run.cpu_seconds = 0.1;
     Tensor picture{Element::uint8, 2, 3, 4, std::vector<std::byte>(24, std::byte{7}), {}};
     Tensor numbers{Element::float64, 2, 1, 1, std::vector<std::byte>(16, std::byte{0xFF}), {1, 0}};
-    run.tensors = {{"", {}}, {"picture", picture}, {"t.margin", numbers}};
+    std::fill(numbers.bytes.begin() + 8, numbers.bytes.end(), std::byte{0});  // of the cell that has no value
+    run.tensors = {{"none", {Element::int32, 0, 3, 1, {}, {}}}, {"picture", picture}, {"t.margin", numbers}};
     return run;
 }
 
