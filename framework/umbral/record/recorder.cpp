@@ -1,5 +1,6 @@
 #include <cstring>
 #include <stdexcept>
+#include <umbral/record/questions.hpp>
 #include <umbral/record/recorder.hpp>
 
 namespace umbral {
@@ -29,6 +30,7 @@ Tensor& Recorder::row(std::string_view name, Element element, std::uint32_t comp
                                    "' was recorded before with another type or shape");
     }
     ++found->second.rows;
+    if (questions_ != nullptr) questions_->link_row(name);
     return found->second;
 }
 
@@ -96,6 +98,7 @@ void Recorder::whole(std::string_view name, Element element, int width, int heig
     if (!tensor.bytes.empty()) std::memcpy(tensor.bytes.data(), data, tensor.bytes.size());
     if (!tensors_.emplace(std::string(name), std::move(tensor)).second)
         throw std::logic_error("Recorder: '" + std::string(name) + "' was recorded before; a picture is recorded once");
+    if (questions_ != nullptr) questions_->link_whole(name);
 }
 
 void Recorder::image(std::string_view name, const Grid<glm::u8vec4>& picture)

@@ -12,6 +12,8 @@
 
 namespace umbral {
 
+class Questions;
+
 /// Takes down what a driver observes: raw outputs under names, never a verdict of its own.
 ///
 /// What was recorded proves nothing, since the student's code shares the address space: the grader computes from it
@@ -19,6 +21,10 @@ namespace umbral {
 class Recorder {
 public:
     using Tensors = std::map<std::string, Tensor, std::less<>>;
+
+    Recorder() = default;
+    /// Takes down in `questions` which of them led to what, too; it must live as long.
+    explicit Recorder(Questions& questions) : questions_(&questions) {}
 
     /// Adds one row to the table called `name`.
     void append(std::string_view name, float value);
@@ -47,6 +53,8 @@ public:
     void buffer(std::string_view name, const Grid<float>& cells);
 
     [[nodiscard]] const Tensors& tensors() const noexcept { return tensors_; }
+    /// Where questions are taken down (ask.hpp); null where nobody wants to know them.
+    [[nodiscard]] Questions* questions() const noexcept { return questions_; }
 
 private:
     Tensor& row(std::string_view name, Element element, std::uint32_t components, bool optional);
@@ -54,6 +62,7 @@ private:
                const void* data);
 
     Tensors tensors_;
+    Questions* questions_ = nullptr;
 };
 
 }

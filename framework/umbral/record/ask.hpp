@@ -1,0 +1,188 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <tuple>
+#include <umbral/record/questions.hpp>
+#include <umbral/record/recorder.hpp>
+#include <utility>
+
+/// How a driver calls a unit: `ask<intersect>(out, ray, sphere)` returns what `intersect(ray, sphere)` does. What is
+/// recorded from then on, until the next question, are its answers.
+///
+/// So the framework knows which question led to which row, and can write it as code, find what the questions with wrong
+/// answers have in common, and ask a trusted solution others in their place. In a student's run it does nothing but
+/// call.
+namespace umbral {
+namespace detail {
+
+/// What a parameter's value is kept as while it is changed; what is written to, or refers to an object, is passed on.
+template <class Parameter>
+struct Kept {
+    using Value = std::remove_cvref_t<Parameter>;
+    static constexpr bool is_copied =
+        std::is_copy_constructible_v<Value> && !std::is_pointer_v<Value> && !std::is_abstract_v<Value> &&
+        (!std::is_lvalue_reference_v<Parameter> || std::is_const_v<std::remove_reference_t<Parameter>>);
+    using Type = std::conditional_t<is_copied, Value, std::add_lvalue_reference_t<std::remove_reference_t<Parameter>>>;
+};
+template <class Element, std::size_t Extent>
+struct Kept<std::span<const Element, Extent>> {
+    static constexpr bool is_copied = true;
+    using Type = std::vector<Element>;
+};
+template <>
+struct Kept<std::string_view> {
+    static constexpr bool is_copied = true;
+    using Type = std::string;
+};
+
+/// A copy that can be changed, or a reference.
+template <class Parameter, class Argument>
+typename Kept<Parameter>::Type kept(Argument& argument)
+{
+    using Type = typename Kept<Parameter>::Type;
+    if constexpr (std::is_reference_v<Type>)
+        return argument;
+    else if constexpr (requires { Type(argument.begin(), argument.end()); } &&
+                       !std::is_same_v<Type, std::remove_cvref_t<Argument>>)
+        return Type(argument.begin(), argument.end());
+    else
+        return Type(argument);
+}
+
+template <class... Kept>
+void note(Questions& questions, std::string_view function, std::tuple<Kept...>& arguments)
+{
+    if (questions.inquiry().questions) {
+        Features features;
+        std::vector<Part> parts;
+        [&]<std::size_t... Index>(std::index_sequence<Index...>)
+        {
+            (add_features(std::to_string(Index), std::get<Index>(arguments), features), ...);
+            (add_parts(std::to_string(Index), std::get<Index>(arguments), parts), ...);
+        }
+        (std::index_sequence_for<Kept...>{});
+        questions.set_features(function, features);
+        questions.set_parts(function, parts);
+    }
+    const std::optional<OtherQuestion>& other = questions.inquiry().other;
+    if (other && other->function == function) {
+        std::vector<Part> parts;
+        [&]<std::size_t... Index>(std::index_sequence<Index...>)
+        {
+            (add_parts(std::to_string(Index), std::get<Index>(arguments), parts), ...);
+        }
+        (std::index_sequence_for<Kept...>{});
+        change_parts(*other, parts);
+    }
+}
+
+/// "intersect(Ray{…}, Sphere{…})"
+template <class... Kept>
+std::string call_text(const Questions& questions, std::string_view function, const std::tuple<Kept...>& arguments)
+{
+    std::string text(reflect::last_name(function));
+    text += '(';
+    std::size_t count = 0;
+    const auto add = [&](const auto& argument) {
+        if (count++ > 0) text += ", ";
+        if (const std::string name = questions.name_of(&argument); !name.empty())
+            text += name;
+        else
+            text +=
+                literal::of_value(argument, true, questions.inquiry().in_full ? literal::in_full : literal::Style{});
+    };
+    std::apply([&](const auto&... each) { (add(each), ...); }, arguments);
+    return text + ')';
+}
+
+template <auto Function, class Result, class... Parameters>
+struct AskFunction {
+    static constexpr std::string_view name = reflect::value_name<Function>();
+
+    Result operator()(Recorder& out, Parameters... arguments) const
+    {
+        Questions* const questions = out.questions();
+        if (questions == nullptr) return Function(std::forward<Parameters>(arguments)...);
+        std::tuple<typename Kept<Parameters>::Type...> all(kept<Parameters>(arguments)...);
+        questions->begin();
+        if (questions->code_is_wanted()) questions->set_code(call_text(*questions, name, all));
+        note(*questions, name, all);
+        return std::apply([](auto&... each) -> Result { return Function(each...); }, all);
+    }
+};
+
+template <auto Function, bool Changes, class Result, class Object, class... Parameters>
+struct AskMember {
+    static constexpr std::string_view name = reflect::value_name<Function>();
+
+    Result operator()(Recorder& out, Object& object, Parameters... arguments) const
+    {
+        Questions* const questions = out.questions();
+        if (questions == nullptr) return (object.*Function)(std::forward<Parameters>(arguments)...);
+        std::tuple<typename Kept<Parameters>::Type...> all(kept<Parameters>(arguments)...);
+        questions->begin();
+        std::string called = questions->name_of(&object);
+        called = called.empty() ? literal::object_name(reflect::type_name<std::remove_const_t<Object>>()) + "."
+                                : called + "->";
+        if (questions->code_is_wanted() || Changes) {
+            called += call_text(*questions, name, all);
+            if (questions->code_is_wanted()) questions->set_code(questions->history_of(&object) + called);
+            if (Changes) questions->add_line(&object, called + ";");
+        }
+        note(*questions, name, all);
+        return std::apply([&](auto&... each) -> Result { return (object.*Function)(each...); }, all);
+    }
+};
+
+template <auto Function>
+struct AskerOf;
+template <class Result, class... Parameters, Result (*Function)(Parameters...)>
+struct AskerOf<Function> : AskFunction<Function, Result, Parameters...> {
+};
+template <class Result, class... Parameters, Result (*Function)(Parameters...) noexcept>
+struct AskerOf<Function> : AskFunction<Function, Result, Parameters...> {
+};
+template <class Result, class Class, class... Parameters, Result (Class::*Function)(Parameters...)>
+struct AskerOf<Function> : AskMember<Function, true, Result, Class, Parameters...> {
+};
+template <class Result, class Class, class... Parameters, Result (Class::*Function)(Parameters...) const>
+struct AskerOf<Function> : AskMember<Function, false, Result, const Class, Parameters...> {
+};
+
+}
+
+/// Calls a function, ask<f>(out, arguments…), or an object's, ask<&C::f>(out, object, arguments…). Of an overloaded
+/// function, say which: ask<static_cast<bool (*)(int)>(f)>.
+template <auto Function>
+inline constexpr detail::AskerOf<Function> ask{};
+
+/// Calls a function that makes an object, returned by a pointer; questions to the object then begin with this call and
+/// all that changed it since. `name` is what the object is called in them.
+template <auto Factory, class... Arguments>
+[[nodiscard]] auto ask_new(Recorder& out, std::string_view name, Arguments&&... arguments)
+{
+    auto object = ask<Factory>(out, std::forward<Arguments>(arguments)...);
+    if (Questions* const questions = out.questions(); questions != nullptr && object) {
+        const std::tuple<const std::remove_reference_t<Arguments>&...> all(arguments...);
+        questions->set_object(object.get(), name,
+                              "const auto " + std::string(name) + " = " +
+                                  detail::call_text(*questions, reflect::value_name<Factory>(), all) + ";");
+    }
+    return object;
+}
+
+/// Says in code what is asked next, where it is no call of one function: a program's draw, a script of events. `code`
+/// returns the text; it is called only if somebody wants it.
+template <class Code>
+void ask_in_words(Recorder& out, const Code& code)
+{
+    Questions* const questions = out.questions();
+    if (questions == nullptr) return;
+    questions->begin();
+    if (questions->code_is_wanted()) questions->set_code(code());
+}
+
+}

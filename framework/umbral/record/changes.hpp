@@ -1,0 +1,223 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <string>
+#include <umbral/record/literal.hpp>
+#include <utility>
+#include <vector>
+
+namespace umbral {
+
+/// A way to misunderstand an argument: "negated", "in degrees". `make` changes the value in place.
+struct Change {
+    std::string_view name;
+    void (*make)(void* value);
+};
+
+/// A part of a question's arguments that can be misunderstood as a whole: a number, a vector, a matrix, a list.
+struct Part {
+    std::string place;      ///< as in Features: "0.direction"
+    std::string_view type;  ///< two parts of one type can be taken for each other
+    void* value = nullptr;
+    std::span<const Change> changes{};
+    void (*exchange)(void* one, void* other) = nullptr;
+};
+
+namespace detail {
+
+template <class Value, class Function>
+constexpr Change change(std::string_view name, Function /*unused*/)
+{
+    return {name, [](void* value) { Function{}(*static_cast<Value*>(value)); }};
+}
+
+template <class Value>
+struct ChangesOf {
+    static constexpr std::array<Change, 0> all{};
+};
+
+template <>
+struct ChangesOf<bool> {
+    static constexpr std::array all{change<bool>("inverted", [](bool& b) { b = !b; })};
+};
+
+template <class Number>
+requires std::is_floating_point_v<Number>
+struct ChangesOf<Number> {
+    static constexpr Number degree = std::numbers::pi_v<Number> / 180;
+    static constexpr std::array all{
+        change<Number>("negated", [](Number& x) { x = -x; }),
+        change<Number>("doubled", [](Number& x) { x *= 2; }),
+        change<Number>("halved", [](Number& x) { x /= 2; }),
+        change<Number>("turned from degrees into radians", [](Number& x) { x *= degree; }),
+        change<Number>("turned from radians into degrees", [](Number& x) { x /= degree; }),
+        change<Number>("taken as 0", [](Number& x) { x = 0; }),
+        change<Number>("taken as 1", [](Number& x) { x = 1; }),
+        change<Number>("without its sign", [](Number& x) { x = x < 0 ? -x : x; }),
+        change<Number>("taken as infinity", [](Number& x) { x = std::numeric_limits<Number>::infinity(); }),
+        change<Number>("squared", [](Number& x) { x *= x; }),
+    };
+};
+
+template <class Number>
+requires(std::is_integral_v<Number> && !std::is_same_v<Number, bool>) struct ChangesOf<Number> {
+    static constexpr std::array all{
+        change<Number>("one larger", [](Number& x) { ++x; }),
+        change<Number>("one smaller", [](Number& x) { x = x > 0 ? x - 1 : x; }),
+        change<Number>("taken as 0", [](Number& x) { x = 0; }),
+        change<Number>("doubled", [](Number& x) { x = static_cast<Number>(x * 2); }),
+        change<Number>("halved", [](Number& x) { x = static_cast<Number>(x / 2); }),
+    };
+};
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+struct ChangesOf<Enum> {
+    static constexpr std::array all{
+        change<Enum>("taken as the first value of its type", [](Enum& e) { e = Enum{}; }),
+        change<Enum>("taken as the second value of its type", [](Enum& e) { e = static_cast<Enum>(1); }),
+        change<Enum>("taken as the third value of its type", [](Enum& e) { e = static_cast<Enum>(2); }),
+    };
+};
+
+template <class Vector>
+void normalise(Vector& v)
+{
+    const auto length = glm::length(v);
+    if (length > 0) v /= length;
+}
+
+template <class Vector>
+requires literal::detail::is_vector<Vector>
+struct ChangesOf<Vector> {
+    static constexpr auto all = [] {
+        constexpr std::array common{
+            change<Vector>("taken as 0", [](Vector& v) { v = Vector(0); }),
+            change<Vector>("with x and y exchanged", [](Vector& v) { std::swap(v.x, v.y); }),
+        };
+        if constexpr (!std::is_floating_point_v<typename Vector::value_type>) {
+            return common;
+        } else {
+            constexpr std::array real{
+                common[0],
+                common[1],
+                change<Vector>("negated", [](Vector& v) { v = -v; }),
+                change<Vector>("normalised", [](Vector& v) { normalise(v); }),
+                change<Vector>("doubled", [](Vector& v) { v *= 2; }),
+                change<Vector>("halved", [](Vector& v) { v /= 2; }),
+                change<Vector>("without the signs of its components", [](Vector& v) { v = glm::abs(v); }),
+                change<Vector>("with x negated", [](Vector& v) { v.x = -v.x; }),
+                change<Vector>("with y negated", [](Vector& v) { v.y = -v.y; }),
+            };
+            if constexpr (Vector::length() < 3)
+                return real;
+            else
+                return std::array{real[0],
+                                  real[1],
+                                  real[2],
+                                  real[3],
+                                  real[4],
+                                  real[5],
+                                  real[6],
+                                  real[7],
+                                  real[8],
+                                  change<Vector>("with y and z exchanged", [](Vector& v) { std::swap(v.y, v.z); }),
+                                  change<Vector>("with x and z exchanged", [](Vector& v) { std::swap(v.x, v.z); }),
+                                  change<Vector>("with z negated", [](Vector& v) { v.z = -v.z; })};
+        }
+    }();
+};
+
+template <class Matrix>
+requires literal::detail::is_matrix<Matrix>
+struct ChangesOf<Matrix> {
+    static constexpr std::array all{
+        change<Matrix>("transposed", [](Matrix& m) { m = glm::transpose(m); }),
+        change<Matrix>("inverted", [](Matrix& m) { m = glm::inverse(m); }),
+        change<Matrix>("taken as the identity", [](Matrix& m) { m = Matrix(1); }),
+        change<Matrix>("without its translation",
+                       [](Matrix& m) {
+                           auto& last = m[Matrix::length() - 1];
+                           const auto corner = last[Matrix::length() - 1];
+                           last *= 0;
+                           last[Matrix::length() - 1] = corner;
+                       }),
+    };
+};
+
+template <class Element>
+void turn_round(Element& element)
+{
+    if constexpr (literal::detail::is_vector<Element>) {
+        if constexpr (Element::length() == 3) std::swap(element.y, element.z);
+    }
+}
+
+template <class Element>
+struct ChangesOf<std::vector<Element>> {
+    using List = std::vector<Element>;
+    static constexpr auto all = [] {
+        constexpr std::array common{
+            change<List>("in reverse order", [](List& list) { std::reverse(list.begin(), list.end()); }),
+            change<List>("without its first element",
+                         [](List& list) {
+                             if (!list.empty()) list.erase(list.begin());
+                         }),
+            change<List>("without its last element",
+                         [](List& list) {
+                             if (!list.empty()) list.pop_back();
+                         }),
+        };
+        if constexpr (std::is_same_v<Element, glm::uvec3>)
+            return std::array{common[0], common[1], common[2],
+                              change<List>("with each triangle turned round", [](List& list) {
+                                  for (Element& element : list) turn_round(element);
+                              })};
+        else
+            return common;
+    }();
+};
+
+template <class Value>
+void exchange(void* one, void* other)
+{
+    std::swap(*static_cast<Value*>(one), *static_cast<Value*>(other));
+}
+
+}
+
+/// Adds the parts of `value`, which stands at `place`, and itself if it is one.
+template <class Value>
+void add_parts(const std::string& place, Value& value, std::vector<Part>& parts)
+{
+    if constexpr (!detail::ChangesOf<Value>::all.empty())
+        parts.push_back(
+            {place, reflect::type_name<Value>(), &value, detail::ChangesOf<Value>::all, detail::exchange<Value>});
+    else if constexpr (reflect::is_plain_struct<Value> && std::is_swappable_v<Value>) {
+        parts.push_back({place, reflect::type_name<Value>(), &value, {}, detail::exchange<Value>});
+        reflect::for_each_field(value, [&](std::string_view name, auto& field) {
+            add_parts(place + "." + std::string(name), field, parts);
+        });
+    }
+}
+
+/// A question asked in place of another: in calls of `function`, the part at `place` is changed so, or exchanged with
+/// the part at `other`.
+struct OtherQuestion {
+    std::string function;
+    std::string place;
+    std::string change;  ///< the name of a Change; empty: an exchange
+    std::string other;
+};
+
+/// All that can be asked with these parts in place of what was asked.
+[[nodiscard]] std::vector<OtherQuestion> other_questions(std::string_view function, std::span<const Part> parts);
+
+/// Changes the parts as `question` says; parts that it does not name stay.
+void change_parts(const OtherQuestion& question, std::span<const Part> parts);
+
+}

@@ -1,0 +1,149 @@
+#include "umbral/record/questions.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace umbral {
+namespace {
+
+constexpr std::size_t most_code = std::size_t{4} << 20U;
+constexpr std::size_t most_numbers = std::size_t{1} << 20U;  ///< of features, in one table
+constexpr std::size_t lines_shown = 6;
+constexpr std::size_t longest_name = 64;
+
+Tensor text_tensor(std::string_view text)
+{
+    Tensor tensor{Element::uint8, static_cast<std::uint32_t>(text.size()), 1, 1, {}, {}};
+    tensor.bytes.resize(text.size());
+    if (!text.empty()) std::memcpy(tensor.bytes.data(), text.data(), text.size());
+    return tensor;
+}
+
+template <class Number>
+Tensor table(Element element, std::span<const Number> numbers, std::size_t columns)
+{
+    Tensor tensor{
+        element, static_cast<std::uint32_t>(numbers.size() / columns), 1, static_cast<std::uint32_t>(columns), {}, {}};
+    tensor.bytes.resize(numbers.size_bytes());
+    if (!numbers.empty()) std::memcpy(tensor.bytes.data(), numbers.data(), numbers.size_bytes());
+    return tensor;
+}
+
+}
+
+// Never inlined, and never empty for the linker: a breakpoint must find it.
+[[gnu::noinline]] void question_reached() { asm volatile(""); }
+
+void Questions::begin()
+{
+    ++count_;
+    if (inquiry_.stop && *inquiry_.stop + 1 == count_) question_reached();
+}
+
+bool Questions::code_is_wanted() const { return count_ > 0 && std::ranges::binary_search(inquiry_.wanted, count_ - 1); }
+
+void Questions::set_code(std::string_view code)
+{
+    if (code_.size() + code.size() > most_code) return;
+    code_ += std::to_string(count_ - 1) + '\t';
+    for (const char letter : code) letter == '\n' ? code_ += "\\n" : code_ += letter;
+    code_ += '\n';
+}
+
+void Questions::set_features(std::string_view function, const Features& features)
+{
+    auto found = std::ranges::find_if(
+        functions_, [&](const Function& one) { return one.name == function && one.features == features.names; });
+    if (found == functions_.end()) {
+        if (functions_.size() == longest_name) return;
+        functions_.push_back({std::string(function), features.names, {}});
+        found = functions_.end() - 1;
+    }
+    if (found->table.size() + features.values.size() > most_numbers) return;
+    found->table.push_back(count_ - 1);
+    found->table.insert(found->table.end(), features.values.begin(), features.values.end());
+}
+
+void Questions::set_parts(std::string_view function, std::span<const Part> parts)
+{
+    if (!functions_with_parts_.emplace(function).second) return;
+    for (const OtherQuestion& one : other_questions(function, parts))
+        others_ += one.function + '\t' + one.place + '\t' + one.change + '\t' + one.other + '\n';
+}
+
+void Questions::set_object(const void* object, std::string_view name, std::string made)
+{
+    objects_[object] = {std::string(name), {std::move(made)}, 0};
+}
+
+std::string Questions::name_of(const void* object) const
+{
+    const auto found = objects_.find(object);
+    return found == objects_.end() ? std::string() : found->second.name;
+}
+
+std::string Questions::history_of(const void* object) const
+{
+    const auto found = objects_.find(object);
+    if (found == objects_.end()) return "";
+    const Object& known = found->second;
+    std::string text;
+    for (std::size_t i = 0; i < known.lines.size(); ++i) {
+        text += known.lines[i] + '\n';
+        if (i == 0 && known.left_out > 0) text += "// … " + std::to_string(known.left_out) + " calls left out\n";
+    }
+    return text;
+}
+
+void Questions::add_line(const void* object, std::string line)
+{
+    const auto found = objects_.find(object);
+    if (found == objects_.end()) return;
+    Object& known = found->second;
+    if (!inquiry_.in_full && known.lines.size() == lines_shown) {
+        known.lines.erase(known.lines.begin() + 1);
+        ++known.left_out;
+    }
+    known.lines.push_back(std::move(line));
+}
+
+void Questions::link_row(std::string_view value)
+{
+    const auto found = rows_.find(value);
+    (found != rows_.end() ? found : rows_.emplace(std::string(value), std::vector<std::uint32_t>()).first)
+        ->second.push_back(count_);
+}
+
+void Questions::link_whole(std::string_view value)
+{
+    // Several pictures of the same questions: ids and normals, say.
+    if (count_ != whole_to_) whole_from_ = std::exchange(whole_to_, count_);
+    wholes_[std::string(value)] = {whole_from_, whole_to_ - whole_from_};
+}
+
+void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
+{
+    const auto add = [&](const std::string& name, Tensor tensor) {
+        if (name.size() <= longest_name) tensors[name] = std::move(tensor);
+    };
+    for (const auto& [value, rows] : rows_)
+        add(std::string(question_names::rows) + value, table<std::uint32_t>(Element::uint32, rows, 1));
+    for (const auto& [value, span] : wholes_) {
+        const std::uint32_t numbers[] = {span.first, span.second};
+        add(std::string(question_names::whole) + value, table<std::uint32_t>(Element::uint32, numbers, 2));
+    }
+    std::string functions;
+    for (std::size_t i = 0; i < functions_.size(); ++i) {
+        functions += functions_[i].name;
+        for (const std::string& feature : functions_[i].features) functions += '\t' + feature;
+        functions += '\n';
+        add(std::string(question_names::features) + std::to_string(i),
+            table<double>(Element::float64, functions_[i].table, functions_[i].features.size() + 1));
+    }
+    add(std::string(question_names::functions), text_tensor(functions));
+    add(std::string(question_names::code), text_tensor(code_));
+    add(std::string(question_names::others), text_tensor(others_));
+}
+
+}

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <umbral/record/changes.hpp>
+#include <umbral/record/features.hpp>
+#include <umbral/record/tensor.hpp>
+#include <vector>
+
+namespace umbral {
+
+/// What a run is to tell of its questions beside what it records: nothing, unless something went wrong and the grader
+/// asks a trusted solution.
+struct Inquiry {
+    bool questions = false;                ///< which question led to which row, and the numbers in it
+    std::vector<std::uint32_t> wanted{};   ///< questions, counted from 0, that are written as code
+    bool in_full = false;                  ///< … with all elements of their lists
+    std::optional<OtherQuestion> other{};  ///< asked in place of the driver's own, in all calls of its function
+    std::optional<std::uint32_t> stop{};   ///< at this question question_reached() is called: for debuggers
+};
+
+/// Names of what a recording holds of questions; no driver's own begin with '?'.
+namespace question_names {
+inline constexpr std::string_view rows = "?rows ";    ///< + value: a question for each row, counted from 1; 0: none
+inline constexpr std::string_view whole = "?whole ";  ///< + value: first question and how many led to a picture
+inline constexpr std::string_view code = "?code";     ///< lines "number<TAB>code"; of code, '\n' is "\\n"
+inline constexpr std::string_view functions = "?functions";  ///< lines "function<TAB>feature<TAB>…"
+inline constexpr std::string_view features = "?features ";   ///< + line of ?functions: rows "question, features …"
+inline constexpr std::string_view others = "?others";        ///< lines "function<TAB>place<TAB>change<TAB>other place"
+}
+
+/// Where a debugger stops: the student's function is called next.
+void question_reached();
+
+/// Takes down what a run is asked: calls, one after the other, and which of them led to which rows.
+class Questions {
+public:
+    explicit Questions(Inquiry inquiry) : inquiry_(std::move(inquiry)) {}
+
+    [[nodiscard]] const Inquiry& inquiry() const noexcept { return inquiry_; }
+
+    /// The next question begins. Rows that are recorded from now on are its answers.
+    void begin();
+    /// Is the current one to be written as code?
+    [[nodiscard]] bool code_is_wanted() const;
+    void set_code(std::string_view code);
+    /// Takes the numbers in the current question, a call of `function`.
+    void set_features(std::string_view function, const Features& features);
+    /// Takes what could be asked in place of calls of `function`, once.
+    void set_parts(std::string_view function, std::span<const Part> parts);
+
+    /// `object` is called `name` in code from now on, and was made by this line.
+    void set_object(const void* object, std::string_view name, std::string made);
+    /// What `object` is called, or nothing.
+    [[nodiscard]] std::string name_of(const void* object) const;
+    /// The lines that brought `object` where it is, one after the other; only the last of them unless in full.
+    [[nodiscard]] std::string history_of(const void* object) const;
+    /// One more line that changed it.
+    void add_line(const void* object, std::string line);
+
+    /// A row was added to the table `value`, or the picture `value` was recorded whole.
+    void link_row(std::string_view value);
+    void link_whole(std::string_view value);
+
+    /// Adds what was taken down to a recording's tensors.
+    void write(std::map<std::string, Tensor, std::less<>>& tensors) const;
+
+private:
+    struct Object {
+        std::string name;
+        std::vector<std::string> lines;
+        std::size_t left_out = 0;  ///< behind the first line
+    };
+    struct Function {
+        std::string name;
+        std::vector<std::string> features;
+        std::vector<double> table;  ///< question, features, row by row
+    };
+
+    Inquiry inquiry_;
+    std::uint32_t count_ = 0;       ///< of questions begun
+    std::uint32_t whole_from_ = 0;  ///< the questions that the last picture answered: from this one …
+    std::uint32_t whole_to_ = 0;    ///< … to the one before this
+    std::string code_;
+    std::vector<Function> functions_;
+    std::string others_;
+    std::set<std::string, std::less<>> functions_with_parts_;
+    std::map<const void*, Object> objects_;
+    std::map<std::string, std::vector<std::uint32_t>, std::less<>> rows_;
+    std::map<std::string, std::pair<std::uint32_t, std::uint32_t>, std::less<>> wholes_;
+};
+
+}

@@ -1,0 +1,234 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <umbral/core/ray.hpp>
+#include <umbral/record/ask.hpp>
+
+namespace umbral::sample {
+
+// As a unit's header declares them.
+struct Ball {
+    glm::vec3 centre;
+    float radius;
+};
+enum class Side { front, back };
+class Counter {
+public:
+    virtual ~Counter() = default;
+    virtual void add(int amount) = 0;
+    [[nodiscard]] virtual int total() const = 0;
+};
+
+std::optional<float> meet(const Ray& ray, const Ball& ball)
+{
+    return ray.direction.z < 0 ? std::optional(ball.radius) : std::nullopt;
+}
+float sum(std::span<const float> numbers, Side side)
+{
+    float result = side == Side::back ? 100.0F : 0.0F;
+    for (const float number : numbers) result += number;
+    return result;
+}
+void append_twice(float value, std::vector<float>& to) { to.insert(to.end(), 2, value); }
+
+std::unique_ptr<Counter> make_counter(int first)
+{
+    class Real : public Counter {
+    public:
+        explicit Real(int first) : total_(first) {}
+        void add(int amount) override { total_ += amount; }
+        [[nodiscard]] int total() const override { return total_; }
+
+    private:
+        int total_;
+    };
+    return std::make_unique<Real>(first);
+}
+
+}
+
+namespace umbral {
+namespace {
+
+using namespace sample;
+
+/// What a driver's case leaves in a recording that takes down questions.
+template <class Case>
+Recorder::Tensors asked(const Inquiry& inquiry, const Case& run)
+{
+    Questions questions(inquiry);
+    Recorder out(questions);
+    run(out);
+    Recorder::Tensors tensors = out.tensors();
+    questions.write(tensors);
+    return tensors;
+}
+
+std::string text(const Recorder::Tensors& tensors, std::string_view name)
+{
+    const Tensor& tensor = tensors.find(name)->second;
+    return {reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size()};
+}
+
+template <class Number>
+std::vector<Number> numbers(const Recorder::Tensors& tensors, std::string_view name)
+{
+    const Tensor& tensor = tensors.find(name)->second;
+    std::vector<Number> result(tensor.count());
+    std::memcpy(result.data(), tensor.bytes.data(), tensor.bytes.size());
+    return result;
+}
+
+const Inquiry first_two{.questions = true, .wanted = {0, 1}};
+
+TEST(Ask, calls_and_takes_nothing_down_where_nobody_wants_to_know)
+{
+    Recorder out;
+    EXPECT_EQ(ask<sum>(out, std::array{1.0F, 2.0F}, Side::back), 103.0F);
+    EXPECT_TRUE(out.tensors().empty());
+}
+
+TEST(Ask, writes_a_question_as_code_with_exact_digits)
+{
+    const auto tensors = asked(first_two, [](Recorder& out) {
+        out.append("t", ask<meet>(out, Ray{{8, -3, 0.1F}, {-1, -0.0F, 0}}, Ball{{0, 0, 1e-30F}, 13}));
+        out.append("sum", ask<sum>(out, std::array{1.5F, 3e9F}, Side::back));
+    });
+    EXPECT_EQ(text(tensors, "?code"),
+              "0\tmeet(Ray{{8, -3, 0.1F}, {-1, -0.0F, 0}, 0, INFINITY}, Ball{{0, 0, 1e-30F}, 13})\n"
+              "1\tsum(std::vector<float>{1.5F, 3e+09F}, Side::back)\n");
+    EXPECT_EQ(numbers<std::uint32_t>(tensors, "?rows t"), (std::vector<std::uint32_t>{1}));
+    EXPECT_EQ(numbers<std::uint32_t>(tensors, "?rows sum"), (std::vector<std::uint32_t>{2}));
+}
+
+TEST(Ask, names_the_numbers_in_a_question)
+{
+    const auto tensors = asked(first_two, [](Recorder& out) {
+        (void)ask<meet>(out, Ray{}, Ball{{1, 2, 3}, 4});
+        (void)ask<sum>(out, std::array{5.0F, -7.0F}, Side::back);
+    });
+    EXPECT_EQ(text(tensors, "?functions"),
+              "umbral::sample::meet\t0.origin.x\t0.origin.y\t0.origin.z\t0.direction.x\t0.direction.y\t0.direction.z\t"
+              "0.t_min\t0.t_max\t1.centre.x\t1.centre.y\t1.centre.z\t1.radius\n"
+              "umbral::sample::sum\t0.size()\tthe least number in 0\tthe largest number in 0\t1\n");
+    EXPECT_EQ(numbers<double>(tensors, "?features 1"), (std::vector<double>{1, 2, -7, 5, 1}));
+}
+
+TEST(Ask, can_ask_another_question_in_place_of_the_drivers)
+{
+    const auto answer = [](const OtherQuestion& other) {
+        const auto tensors = asked({.other = other}, [](Recorder& out) {
+            out.append("t", ask<meet>(out, Ray{}, Ball{{1, 2, 3}, 4}));
+            out.append("sum", ask<sum>(out, std::array{5.0F, -7.0F}, Side::back));
+        });
+        return std::pair(tensors.find("t")->second.present[0] == 1 ? numbers<float>(tensors, "t")[0] : -1,
+                         numbers<float>(tensors, "sum")[0]);
+    };
+    const std::string meet = "umbral::sample::meet";
+    EXPECT_EQ(answer({meet, "1.radius", "doubled", ""}), std::pair(8.0F, 98.0F));
+    EXPECT_EQ(answer({meet, "0.direction", "negated", ""}), std::pair(-1.0F, 98.0F));
+    EXPECT_EQ(answer({meet, "0.direction", "", "1.centre"}), std::pair(-1.0F, 98.0F));
+    EXPECT_EQ(answer({"umbral::sample::sum", "0", "without its last element", ""}), std::pair(4.0F, 105.0F));
+    EXPECT_EQ(answer({"umbral::sample::sum", "1", "taken as the first value of its type", ""}), std::pair(4.0F, -2.0F));
+    EXPECT_EQ(answer({meet, "no such place", "negated", ""}), std::pair(4.0F, 98.0F));
+}
+
+TEST(Ask, lists_what_could_be_asked_instead)
+{
+    const auto tensors = asked(first_two, [](Recorder& out) { (void)ask<meet>(out, Ray{}, Ball{{1, 2, 3}, 4}); });
+    const std::string others = text(tensors, "?others");
+    for (const char* const line :
+         {"umbral::sample::meet\t0.direction\tnegated\t\n", "umbral::sample::meet\t0.origin\t\t0.direction\n",
+          "umbral::sample::meet\t0.t_min\t\t1.radius\n", "\t1.radius\tsquared\t\n"})
+        EXPECT_NE(others.find(line), std::string::npos) << line << "in\n" << others;
+}
+
+TEST(Ask, passes_on_what_is_written_to)
+{
+    std::vector<float> list = {9};
+    const auto tensors = asked(first_two, [&](Recorder& out) { ask<append_twice>(out, 4, list); });
+    EXPECT_EQ(list, (std::vector<float>{9, 4, 4}));
+    EXPECT_EQ(text(tensors, "?code"), "0\tappend_twice(4, std::vector<float>{9})\n");
+}
+
+TEST(Ask, of_an_object_tells_all_that_was_done_to_it)
+{
+    const auto tensors = asked({.questions = true, .wanted = {3, 4}}, [](Recorder& out) {
+        const auto counter = ask_new<make_counter>(out, "counter", 5);
+        ask<&Counter::add>(out, *counter, 2);
+        ask<&Counter::add>(out, *counter, -1);
+        out.append("total", ask<&Counter::total>(out, *counter));
+        out.append("total", ask<&Counter::total>(out, *counter));
+    });
+    EXPECT_EQ(text(tensors, "?code"),
+              "3\tconst auto counter = make_counter(5);\\ncounter->add(2);\\ncounter->add(-1);\\ncounter->total()\n"
+              "4\tconst auto counter = make_counter(5);\\ncounter->add(2);\\ncounter->add(-1);\\ncounter->total()\n");
+    EXPECT_EQ(numbers<std::uint32_t>(tensors, "?rows total"), (std::vector<std::uint32_t>{4, 5}));
+}
+
+TEST(Ask, leaves_out_the_middle_of_long_stories_and_lists_unless_in_full)
+{
+    const auto run = [](Recorder& out) {
+        const auto counter = ask_new<make_counter>(out, "counter", 5);
+        for (int i = 0; i < 10; ++i) ask<&Counter::add>(out, *counter, i);
+        (void)ask<&Counter::total>(out, *counter);
+        (void)ask<sum>(out, std::vector<float>(20, 1.0F), Side::front);
+    };
+    EXPECT_EQ(text(asked({.wanted = {11, 12}}, run), "?code"),
+              "11\tconst auto counter = make_counter(5);\\n// … 5 calls left out\\ncounter->add(5);\\ncounter->add(6);"
+              "\\ncounter->add(7);\\ncounter->add(8);\\ncounter->add(9);\\ncounter->total()\n"
+              "12\tsum(std::vector<float>{1, 1, 1, … 17 more}, Side::front)\n");
+    const std::string full = text(asked({.wanted = {11, 12}, .in_full = true}, run), "?code");
+    EXPECT_NE(full.find("counter->add(0);\\ncounter->add(1)"), std::string::npos);
+    EXPECT_EQ(full.find("…"), std::string::npos);
+}
+
+TEST(Ask, links_a_picture_to_the_questions_since_the_last_one)
+{
+    const auto tensors = asked(first_two, [](Recorder& out) {
+        Grid<float> cells(2, 1);
+        for (float& cell : cells.cells) cell = ask<meet>(out, Ray{}, Ball{}).value();
+        out.buffer("cells", cells);
+        for (float& cell : cells.cells) cell = ask<meet>(out, Ray{}, Ball{}).value();
+        out.buffer("more", cells);
+        out.buffer("the same once more", cells);
+    });
+    EXPECT_EQ(numbers<std::uint32_t>(tensors, "?whole cells"), (std::vector<std::uint32_t>{0, 2}));
+    EXPECT_EQ(numbers<std::uint32_t>(tensors, "?whole more"), (std::vector<std::uint32_t>{2, 2}));
+    EXPECT_EQ(numbers<std::uint32_t>(tensors, "?whole the same once more"), (std::vector<std::uint32_t>{2, 2}));
+}
+
+TEST(Literal, gives_back_exactly_the_value)
+{
+    EXPECT_EQ(literal::of(16777217.0), "16777217");
+    EXPECT_EQ(literal::of(0.1), "0.1");
+    EXPECT_EQ(literal::of(-0.0), "-0.0");
+    EXPECT_EQ(literal::of(1e10F), "1e+10F");
+    EXPECT_EQ(literal::of(std::nextafter(1.0F, 2.0F)), "1.0000001F");
+    EXPECT_EQ(literal::of(-INFINITY), "-INFINITY");
+    EXPECT_EQ(literal::of(NAN), "NAN");
+    EXPECT_EQ(literal::of_integer(std::uint64_t{4294967295}), "4294967295U");
+    EXPECT_EQ(literal::of_text("a\"\\\n\x01"
+                               "7",
+                               literal::in_full),
+              R"("a\"\\\n\0017")");
+}
+
+TEST(Literal, writes_types_as_people_do)
+{
+    const auto code = [](const auto& value) { return literal::of_value(value, true, literal::in_full); };
+    EXPECT_EQ(code(glm::mat2(1, 2, 3, 4)), "glm::mat2{{1, 2}, {3, 4}}");
+    EXPECT_EQ(code(std::vector<glm::uvec3>{{1, 2, 3}}), "std::vector<glm::uvec3>{{1, 2, 3}}");
+    EXPECT_EQ(code(std::vector<std::vector<std::uint32_t>>{{1}, {}}),
+              "std::vector<std::vector<std::uint32_t>>{{1}, {}}");
+    EXPECT_EQ(code(std::vector<Ball>{{{1, 2, 3}, 4}}), "std::vector<Ball>{{{1, 2, 3}, 4}}");
+    EXPECT_EQ(code(static_cast<Side>(7)), "Side{7}");
+    EXPECT_EQ(code(std::string("x")), "\"x\"");
+    EXPECT_EQ(code(true), "true");
+}
+
+}
+}
