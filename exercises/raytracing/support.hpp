@@ -10,6 +10,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/core/ray.hpp>
 #include <umbral/raytracing/intersect.hpp>
+#include <umbral/record/ask.hpp>
 #include <vector>
 
 /// What the drivers of ray tracing share: rays aimed so that the answer is known, and a small camera.
@@ -131,11 +132,11 @@ struct BallHit {
     glm::vec3 normal{0};
 };
 
-inline BallHit nearest(Ray ray, const std::vector<Sphere>& balls)
+inline BallHit nearest(Recorder& out, Ray ray, const std::vector<Sphere>& balls)
 {
     BallHit hit;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        const std::optional<float> t = intersect(ray, balls[i]);
+        const std::optional<float> t = ask<intersect>(out, ray, balls[i]);
         if (!t || !(*t < ray.t_max)) continue;
         ray.t_max = *t;
         hit.id = static_cast<std::uint32_t>(i + 1);

@@ -11,6 +11,7 @@
 #include "batch/evidence.hpp"
 #include "batch/explain_unit.hpp"
 #include "batch/pictures.hpp"
+#include "batch/questions.hpp"
 #include "batch/rerun.hpp"
 #include "batch/weigh_cost.hpp"
 #include "build/inspection.hpp"
@@ -184,6 +185,8 @@ UnitResult grade_built(Worker& worker, const Exercise& exercise, const Built& bu
         result.explanations = explain_unit(worker, exercise, result, cases);
     if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, options, result);
     if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);
+    if (options.explain && result.verdict != Verdict::ok)
+        add_questions(worker, exercise, built, cases, result, detail);
     return result;
 }
 

@@ -58,6 +58,11 @@ public:
     [[nodiscard]] const RunOutcome& trusted(const Exercise& exercise, Answers solution, const std::string& case_name,
                                             std::uint64_t seed);
 
+    /// Runs one case with the reference, which also tells what `inquiry` wants to know of its questions, or answers
+    /// others in their place: then it may end as any run may. Nothing is kept.
+    [[nodiscard]] RunOutcome inquire(const Exercise& exercise, const std::string& case_name, std::uint64_t seed,
+                                     const Inquiry& inquiry);
+
     /// The recording of one of the unit's mistakes, compiled when the project was built; kept as well.
     [[nodiscard]] const RunOutcome& run_mistake(const Exercise& exercise, const std::string& name,
                                                 const Sources& sources, const std::string& case_name,

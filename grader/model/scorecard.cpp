@@ -39,7 +39,10 @@ json object(const Values& values, Convert&& convert)
 json difference(const std::optional<Difference>& value)
 {
     if (!value) return nullptr;
-    return {{"where", text(value->where)}, {"yours", text(value->yours)}, {"expected", text(value->expected)}};
+    json result{
+        {"where", text(value->where)}, {"yours", text(value->yours)}, {"expected", text(value->expected)}};
+    if (!value->question.empty()) result["question"] = text(value->question);
+    return result;
 }
 
 /// What a student's own report shows beyond the class's.
@@ -58,6 +61,7 @@ json check(const CheckResult& value, Detail detail)
                 {"message", text(value.message)},
                 {"metrics", object(value.metrics, [](double metric) { return number(metric); })},
                 {"first_difference", difference(value.first_difference)}};
+    if (!value.common.empty()) result["common"] = text(value.common);
     if (!value.sketch.empty()) result["sketch"] = text(value.sketch);
     if (detail == Detail::for_report && !value.seeds.empty())
         result["seeds"] = list(value.seeds, [](std::uint64_t seed) { return std::to_string(seed); });

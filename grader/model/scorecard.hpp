@@ -17,6 +17,8 @@ struct Difference {
     std::string where;  ///< "row 17", "pixel (120, 33)", "entry (0, 3)"
     std::string yours;
     std::string expected;
+    std::optional<std::size_t> cell{};  ///< of the expected recording, row by row, where it has one; in no file
+    std::string question{};  ///< what was asked there, as code; empty where that is not known
 };
 
 /// What a check found.
@@ -32,6 +34,7 @@ struct CheckResult {
     std::string message;                    ///< one line; empty if nothing is to say
     std::map<std::string, double> metrics;  ///< finite numbers only
     std::optional<Difference> first_difference;
+    std::string common{};  ///< "wrong wherever …": what all questions with wrong answers share; empty if nothing does
     std::string
         sketch{};  ///< lines of ASCII: what the first bad place looks like; empty where there is nothing to draw
     std::map<std::string, std::string> artefacts;  ///< "triptych" to a path below the report; not in class.json

@@ -56,14 +56,16 @@ Verdict verdict(const Field& field)
 std::optional<Difference> difference(const Field& field)
 {
     if (field.is_null()) return std::nullopt;
-    field.allow_only({"where", "yours", "expected"});
-    return Difference{text(field.member("where")), text(field.member("yours")), text(field.member("expected"))};
+    field.allow_only({"where", "yours", "expected", "question"});
+    Difference result{text(field.member("where")), text(field.member("yours")), text(field.member("expected"))};
+    if (const Field question = field.member("question"); question.given()) result.question = text(question);
+    return result;
 }
 
 CheckResult check(const Field& field)
 {
     field.allow_only({"name", "kind", "hard", "hidden", "score", "max_score", "error", "reference_error", "message",
-                      "metrics", "first_difference", "sketch", "artefacts", "seeds"});
+                      "metrics", "first_difference", "common", "sketch", "artefacts", "seeds"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -77,6 +79,7 @@ CheckResult check(const Field& field)
     const Field metrics = field.member("metrics");
     for (const std::string& name : metrics.names()) result.metrics[name] = number_or_nan(metrics.member(name));
     result.first_difference = difference(field.member("first_difference"));
+    if (const Field common = field.member("common"); common.given()) result.common = text(common);
     if (const Field sketch = field.member("sketch"); sketch.given()) result.sketch = text(sketch);
     const Field artefacts = field.member("artefacts");
     for (const std::string& name : artefacts.names()) result.artefacts[name] = text(artefacts.member(name));

@@ -39,6 +39,21 @@ std::vector<std::string> excerpt(std::string_view text, int width, const Paint& 
     return lines;
 }
 
+/// Code in its own lines; those that are too long go on in the next, farther in.
+std::vector<std::string> code_lines(std::string_view code, int width, const Paint& paint)
+{
+    constexpr int indent = 2;
+    std::vector<std::string> lines;
+    for (std::size_t place = 0; place < code.size();) {
+        const std::size_t end = std::min(code.find('\n', place), code.size());
+        const std::vector<std::string> pieces = wrap(paint.safe(code.substr(place, end - place)), width - indent);
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            lines.push_back(std::string(i == 0 ? 0 : indent, ' ') + pieces[i]);
+        place = end + 1;
+    }
+    return lines;
+}
+
 /// Collects indented lines; text after a label hangs below itself.
 class Block {
 public:
@@ -73,7 +88,10 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
     if (check.first_difference) {
         block.sentence("first", check.first_difference->where);
         block.labelled("", side_by_side(*check.first_difference, block.room(), paint));
+        if (const std::string& question = check.first_difference->question; !question.empty())
+            block.labelled("asked", code_lines(question, block.room(), paint));
     }
+    if (!check.common.empty()) block.sentence("in common", check.common);
     block.labelled("there", wrap(paint.safe_lines(check.sketch), block.room()));
     for (const auto& [kind, path] : check.artefacts)
         block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);

@@ -22,6 +22,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .message = {},
                          .metrics = {},
                          .first_difference = {},
+                         .common = {},
                          .sketch = {},
                          .artefacts = {},
                          .seeds = {}};

@@ -17,11 +17,13 @@
 #include <umbral/core/student_error.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
+#include <umbral/record/questions.hpp>
 #include <umbral/record/wire.hpp>
 
 #include "model/nearest.hpp"
 #include "run/descriptor.hpp"
 #include "run/emulated_calls.hpp"
+#include "run/inquiry_json.hpp"
 #include "run/last_words.hpp"
 #include "run/protocol.hpp"
 #include "run/source_frame.hpp"
@@ -50,6 +52,7 @@ struct Job {
     std::uint64_t memory = 0;
     std::uint64_t cpu_seconds = 0;
     CostLimit costs;  ///< without a table all costs are worked on
+    Inquiry inquiry;
 };
 
 std::string content_of(int file)
@@ -70,7 +73,8 @@ Job read_job(int file)
             json.at("solution"),
             json.at("memory"),
             json.at("cpu_seconds"),
-            {json.at("counted_table"), json.at("counted_sizes")}};
+            {json.at("counted_table"), json.at("counted_sizes")},
+            inquiry_from_json(json.at("inquiry"))};
 }
 
 /// Opens a library of the run. A file that is not there any more ends the run before any foreign code: a fault of ours.
@@ -215,8 +219,10 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     header.stage = static_cast<std::uint32_t>(wire::Stage::running);
 
     if (!job.costs.table.empty()) limit_costs(job.costs);
-    Recorder recorder;
+    Questions questions(job.inquiry);
+    Recorder recorder = asks_anything(job.inquiry) ? Recorder(questions) : Recorder();
     run_case(*one, what, recorder);
+    recorder.finish();
 
     header.not_implemented = not_implemented_count();
     const std::span room(static_cast<std::byte*>(memory) + wire::tensors_offset,

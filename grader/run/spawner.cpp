@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "run/inquiry_json.hpp"
 #include "run/machine_trouble.hpp"
 #include "run/outcome.hpp"
 #include "run/protocol.hpp"
@@ -60,6 +61,7 @@ std::string job_text(const RunRequest& request)
         {"solution", request.solution.string()},
         {"counted_table", request.costs.table},
         {"counted_sizes", request.costs.sizes},
+        {"inquiry", to_json(request.inquiry)},
         {"memory", static_cast<std::uint64_t>(request.limits.memory_mib) << 20U},
         {"cpu_seconds", static_cast<std::uint64_t>(std::ceil(request.limits.wall_seconds)) + 1}};
     return job.dump();

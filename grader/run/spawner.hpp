@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <umbral/record/cost.hpp>
+#include <umbral/record/questions.hpp>
 
 #include "model/exercise.hpp"
 #include "model/recording.hpp"
@@ -28,6 +29,7 @@ struct RunRequest {
     Limits limits;
     WantedTensors wanted{};  ///< of what it records, all that is looked at; empty for everything
     CostLimit costs{};       ///< work on these counted costs only, to measure them from outside; without a table on all
+    Inquiry inquiry{};       ///< what is to be told of its questions; of trusted solutions only
     std::vector<std::string> roots{};  ///< folders of this machine that no text of the run may show (run_text.hpp)
 };
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -70,7 +71,9 @@ Recorder::Tensors asked(const Inquiry& inquiry, const Case& run)
 std::string text(const Recorder::Tensors& tensors, std::string_view name)
 {
     const Tensor& tensor = tensors.find(name)->second;
-    return {reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size()};
+    std::string text(reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size());
+    std::ranges::replace(text, question_names::line_break, '|');
+    return text;
 }
 
 template <class Number>
@@ -164,8 +167,8 @@ TEST(Ask, of_an_object_tells_all_that_was_done_to_it)
         out.append("total", ask<&Counter::total>(out, *counter));
     });
     EXPECT_EQ(text(tensors, "?code"),
-              "3\tconst auto counter = make_counter(5);\\ncounter->add(2);\\ncounter->add(-1);\\ncounter->total()\n"
-              "4\tconst auto counter = make_counter(5);\\ncounter->add(2);\\ncounter->add(-1);\\ncounter->total()\n");
+              "3\tconst auto counter = make_counter(5);|counter->add(2);|counter->add(-1);|counter->total()\n"
+              "4\tconst auto counter = make_counter(5);|counter->add(2);|counter->add(-1);|counter->total()\n");
     EXPECT_EQ(numbers<std::uint32_t>(tensors, "?rows total"), (std::vector<std::uint32_t>{4, 5}));
 }
 
@@ -178,11 +181,11 @@ TEST(Ask, leaves_out_the_middle_of_long_stories_and_lists_unless_in_full)
         (void)ask<sum>(out, std::vector<float>(20, 1.0F), Side::front);
     };
     EXPECT_EQ(text(asked({.wanted = {11, 12}}, run), "?code"),
-              "11\tconst auto counter = make_counter(5);\\n// … 5 calls left out\\ncounter->add(5);\\ncounter->add(6);"
-              "\\ncounter->add(7);\\ncounter->add(8);\\ncounter->add(9);\\ncounter->total()\n"
+              "11\tconst auto counter = make_counter(5);|// … 5 calls left out|counter->add(5);|counter->add(6);"
+              "|counter->add(7);|counter->add(8);|counter->add(9);|counter->total()\n"
               "12\tsum(std::vector<float>{1, 1, 1, … 17 more}, Side::front)\n");
     const std::string full = text(asked({.wanted = {11, 12}, .in_full = true}, run), "?code");
-    EXPECT_NE(full.find("counter->add(0);\\ncounter->add(1)"), std::string::npos);
+    EXPECT_NE(full.find("counter->add(0);|counter->add(1)"), std::string::npos);
     EXPECT_EQ(full.find("…"), std::string::npos);
 }
 

@@ -1,3 +1,4 @@
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support.hpp"
@@ -9,7 +10,7 @@ using namespace raytracing;
 
 void record(Recorder& out, const std::vector<BallShot>& shots)
 {
-    for (const auto& [ray, ball] : shots) out.append("t", intersect(ray, ball));
+    for (const auto& [ray, ball] : shots) out.append("t", ask<intersect>(out, ray, ball));
 }
 
 // Rays along an axis, with answers that a student can check by hand; each has a twin that passes beside the ball.
@@ -118,7 +119,7 @@ void record_silhouette(Random& random, Recorder& out)
         shots.insert(shots.end(), more.begin(), more.end());
     }
     for (const BallShot& shot : shots) {
-        out.append("t", intersect(shot.ray, shot.ball));
+        out.append("t", ask<intersect>(out, shot.ray, shot.ball));
         out.append("t.margin", silhouette_margin(shot));
     }
 }
@@ -135,7 +136,7 @@ void record_picture(Recorder& out)
     Grid<std::uint32_t> ids(size, size);
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
-            const BallHit hit = nearest(pixel_ray({0, 0.1F, 0}, 0.36F, size, x, y), three_spheres());
+            const BallHit hit = nearest(out, pixel_ray({0, 0.1F, 0}, 0.36F, size, x, y), three_spheres());
             ids.at(x, y) = hit.id;
             normals.at(x, y) = hit.normal;
         }

@@ -47,7 +47,7 @@ void Questions::set_code(std::string_view code)
 {
     if (code_.size() + code.size() > most_code) return;
     code_ += std::to_string(count_ - 1) + '\t';
-    for (const char letter : code) letter == '\n' ? code_ += "\\n" : code_ += letter;
+    for (const char letter : code) code_ += letter == '\n' ? question_names::line_break : letter;
     code_ += '\n';
 }
 

@@ -28,10 +28,11 @@ struct Inquiry {
 namespace question_names {
 inline constexpr std::string_view rows = "?rows ";    ///< + value: a question for each row, counted from 1; 0: none
 inline constexpr std::string_view whole = "?whole ";  ///< + value: first question and how many led to a picture
-inline constexpr std::string_view code = "?code";     ///< lines "number<TAB>code"; of code, '\n' is "\\n"
+inline constexpr std::string_view code = "?code";     ///< lines "number<TAB>code"
 inline constexpr std::string_view functions = "?functions";  ///< lines "function<TAB>feature<TAB>…"
 inline constexpr std::string_view features = "?features ";   ///< + line of ?functions: rows "question, features …"
 inline constexpr std::string_view others = "?others";        ///< lines "function<TAB>place<TAB>change<TAB>other place"
+inline constexpr char line_break = '\x1F';  ///< in code; texts in it are escaped, and hold no such letter
 }
 
 /// Where a debugger stops: the student's function is called next.

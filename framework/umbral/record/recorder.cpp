@@ -101,6 +101,11 @@ void Recorder::whole(std::string_view name, Element element, int width, int heig
     if (questions_ != nullptr) questions_->link_whole(name);
 }
 
+void Recorder::finish()
+{
+    if (questions_ != nullptr) questions_->write(tensors_);
+}
+
 void Recorder::image(std::string_view name, const Grid<glm::u8vec4>& picture)
 {
     whole(name, Element::uint8, picture.width, picture.height, 4, picture.cells.data());

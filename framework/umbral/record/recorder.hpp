@@ -55,6 +55,8 @@ public:
     [[nodiscard]] const Tensors& tensors() const noexcept { return tensors_; }
     /// Where questions are taken down (ask.hpp); null where nobody wants to know them.
     [[nodiscard]] Questions* questions() const noexcept { return questions_; }
+    /// Adds what was taken down of questions to the tensors: called once, at the end.
+    void finish();
 
 private:
     Tensor& row(std::string_view name, Element element, std::uint32_t components, bool optional);

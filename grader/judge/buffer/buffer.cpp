@@ -24,7 +24,7 @@ void explain(const Check& check, const BufferCells& cells, const Tensor& expecte
         std::ranges::find_if(cells.states, [](CellState state) { return state > CellState::right; }) -
         cells.states.begin());
     result.first_difference =
-        Difference{pixel_text(cells, first), cell_text(cells.yours, first), cell_text(cells.expected, first)};
+        Difference{pixel_text(cells, first), cell_text(cells.yours, first), cell_text(cells.expected, first), first};
     const std::size_t content = cells.states.size() - cells.count(CellState::background);
     result.message = fmt::format(
         "{} of {} {} {} wrong ({} missing, {} extra, {} with another value); {}; the first is {}: yours {}, expected "

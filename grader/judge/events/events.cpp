@@ -142,7 +142,8 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
     const bool again = gap->lost == 0 && gap->yours > 0 &&
                        same_event(check.tolerance, yours.cell(gap->yours), yours.cell(gap->yours - 1));
     judgement.first_difference =
-        Difference{fmt::format("event {} of {}", gap->expected + 1, expected.cells()), came, wanted};
+        Difference{fmt::format("event {} of {}", gap->expected + 1, expected.cells()), came, wanted,
+                   gap->expected < expected.cells() ? std::optional(gap->expected) : std::nullopt};
     judgement.message = fmt::format("event {}: ", gap->expected + 1);
     if (again)
         judgement.message += came + " came once more";

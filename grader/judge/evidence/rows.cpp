@@ -39,6 +39,7 @@ public:
     {
         RowPair pair;
         pair.name = fmt::format("{} {}", kind_.one, row);
+        pair.cell = row;
         const bool both = yours_.present(row) && expected_.present(row);
         for (std::size_t i = 0; both && i < expected_.components(); ++i) {
             const NumberPair texts = telling_apart(yours_.cell(row)[i], expected_.cell(row)[i]);

@@ -113,7 +113,9 @@ Judgement judge_image(const Check& check, const Tensor& student_tensor, const Te
         result.message += fmt::format("; look round pixel ({}, {})", region->peak_x, region->peak_y);
         result.first_difference = Difference{fmt::format("pixel ({}, {})", region->peak_x, region->peak_y),
                                              pixel_text(student_tensor, region->peak_x, region->peak_y),
-                                             pixel_text(expected_tensor, region->peak_x, region->peak_y)};
+                                             pixel_text(expected_tensor, region->peak_x, region->peak_y),
+                                             static_cast<std::size_t>(region->peak_y) * expected_tensor.columns +
+                                                 static_cast<std::size_t>(region->peak_x)};
     }
     return result;
 }

@@ -151,7 +151,7 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     const std::size_t columns = expected.components();
     result.first_difference = Difference{kind.where(*first_wrong, columns, first.component),
                                          kind.show(student, *first_wrong, first.component),
-                                         kind.show(expected, *first_wrong, first.component)};
+                                         kind.show(expected, *first_wrong, first.component), first_wrong};
     const std::string distance = worst.comparable && std::isfinite(worst.error)
                                      ? " (" + error_text(unit_of(check.tolerance), worst.error) + ")"
                                      : "";

@@ -1,4 +1,5 @@
 #include <array>
+#include <cctype>
 #include <utility>
 
 #include "judge/judges.hpp"
@@ -45,6 +46,20 @@ Markup first_difference(const CheckResult& check)
         first.where, first.yours, first.expected);
 }
 
+Markup question(const CheckResult& check)
+{
+    if (!check.first_difference || check.first_difference->question.empty()) return {};
+    return markup("<p class=\"question\">At {} this was asked:</p>\n<pre class=\"question\"><code>{}</code></pre>\n",
+                  check.first_difference->where, check.first_difference->question);
+}
+
+/// With a capital letter and a full stop.
+std::string sentence(std::string text)
+{
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text + ".";
+}
+
 struct Show {
     const Markup& anchor;
 
@@ -83,7 +98,9 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
                          points_text(check.score), points_text(check.max_score));
     result += "</p></header>\n";
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", short_message(check, detail));
+    if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
+    if (!std::holds_alternative<RowsEvidence>(detail.evidence)) result += question(check);
     result += std::visit(Show{anchor}, detail.evidence);
     if (judge_of(check).look != Look::none)
         result += metrics(check);

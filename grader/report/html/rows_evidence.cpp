@@ -42,10 +42,14 @@ Markup table_of(const std::vector<RowPair>& rows, const RowsEvidence& evidence, 
         names += "<td></td></tr>";
     }
     Markup body;
-    for (const RowPair& row : rows)
+    for (const RowPair& row : rows) {
         body += markup("<tr><th scope=\"row\">{}</th>{}{}<td class=\"note\">{}</td></tr>\n", row.name,
                        cells(row, row.yours, columns, "of-yours"), cells(row, row.expected, columns, "of-reference"),
                        row.note);
+        if (!row.question.empty())
+            body += markup("<tr class=\"question\"><td></td><td colspan=\"{}\"><code>{}</code></td></tr>\n",
+                           2 * columns + 1, row.question);
+    }
     return scrolling(caption, markup("<table class=\"rows\"><caption>{0}</caption><thead><tr><th scope=\"col\"><span "
                                      "class=\"aside\">row</span></th><th "
                                      "scope=\"colgroup\" class=\"number of-yours\" "
@@ -73,15 +77,21 @@ Markup matrix(const RowPair& row, const std::vector<std::string>& texts, int sid
     return markup("<table class=\"matrix {}\"><caption>{}</caption><tbody>{}</tbody></table>", kind, caption, body);
 }
 
+Markup question(const RowPair& row)
+{
+    return row.question.empty() ? Markup() : markup("<pre class=\"question\"><code>{}</code></pre>", row.question);
+}
+
 Markup matrices_of(const std::vector<RowPair>& rows, int side, std::string_view caption)
 {
     if (rows.empty()) return {};
     Markup result = markup("<h4>{}</h4>\n", caption);
     for (const RowPair& row : rows)
         result += scrolling(
-            row.name, markup("<div class=\"matrices\"><p class=\"name\">{}<span class=\"note\">{}</span></p>{}{}</div>",
-                             row.name, row.note, matrix(row, row.yours, side, "of-yours", "yours"),
-                             matrix(row, row.expected, side, "of-reference", "expected")));
+            row.name,
+            markup("<div class=\"matrices\"><p class=\"name\">{}<span class=\"note\">{}</span></p>{}{}{}</div>",
+                   row.name, row.note, question(row), matrix(row, row.yours, side, "of-yours", "yours"),
+                   matrix(row, row.expected, side, "of-reference", "expected")));
     return result;
 }
 

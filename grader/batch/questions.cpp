@@ -1,0 +1,120 @@
+#include "batch/questions.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "batch/common_condition.hpp"
+#include "question/log.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// The interface headers of a topic, one after the other.
+std::string headers_of(const Worker& worker, const Exercise& exercise)
+{
+    std::ostringstream text;
+    std::error_code none;
+    std::set<std::filesystem::path> files;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(worker.tools().framework / "umbral" / exercise.topic, none))
+        if (entry.path().extension() == ".hpp") files.insert(entry.path());
+    for (const std::filesystem::path& file : files) text << std::ifstream(file).rdbuf() << '\n';
+    return text.str();
+}
+
+bool fails(const Check& check, const CheckResult& result) { return result.score < check.points; }
+
+/// The rows that a page shows of a check.
+std::vector<RowPair*> rows_in(html::UnitDetail* detail, const std::string& check)
+{
+    std::vector<RowPair*> rows;
+    if (detail == nullptr) return rows;
+    if (auto* evidence = std::get_if<RowsEvidence>(&detail->checks[check].evidence)) {
+        for (RowPair& row : evidence->first) rows.push_back(&row);
+        for (RowPair& row : evidence->worst) rows.push_back(&row);
+    }
+    return rows;
+}
+
+/// A place in a report where the question behind a value is shown.
+struct Shown {
+    std::uint32_t question;
+    std::string* code;
+};
+
+class CaseQuestions {
+public:
+    CaseQuestions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResult& one,
+                  std::string case_name)
+        : worker_(worker), exercise_(exercise), built_(built), one_(one), case_(std::move(case_name))
+    {
+        const RunOutcome told = worker.inquire(exercise, case_, one.seed, {.questions = true});
+        if (told.verdict == Verdict::ok) log_ = read_questions(told.recording.tensors);
+    }
+
+    [[nodiscard]] bool known() const { return !log_.rows.empty() || !log_.wholes.empty(); }
+
+    void add(const Check& check, CheckResult& result, html::UnitDetail* detail, const std::string& headers)
+    {
+        const RunOutcome& run = worker_.trusted(exercise_, judged_against(check), case_, one_.seed);
+        const Tensor* expected = tensor_of(run, check.value);
+        if (expected == nullptr) return;
+        const auto show = [&](std::size_t cell, std::string& code) {
+            if (const auto question = log_.question_of(check.value, cell, expected->cells()))
+                shown_.push_back({*question, &code});
+        };
+        if (result.first_difference && result.first_difference->cell)
+            show(*result.first_difference->cell, result.first_difference->question);
+        for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
+        result.common = common_condition(worker_, {exercise_, check, built_, one_, log_, headers});
+    }
+
+    /// Asks for the code of all that is shown.
+    void write()
+    {
+        Inquiry inquiry;
+        for (const Shown& one : shown_) inquiry.wanted.push_back(one.question);
+        std::ranges::sort(inquiry.wanted);
+        const auto repeated = std::ranges::unique(inquiry.wanted);
+        inquiry.wanted.erase(repeated.begin(), repeated.end());
+        if (inquiry.wanted.empty()) return;
+        const RunOutcome told = worker_.inquire(exercise_, case_, one_.seed, inquiry);
+        if (told.verdict != Verdict::ok) return;
+        const QuestionLog log = read_questions(told.recording.tensors);
+        for (const Shown& one : shown_)
+            if (const auto found = log.code.find(one.question); found != log.code.end()) *one.code = found->second;
+    }
+
+private:
+    Worker& worker_;
+    const Exercise& exercise_;
+    const Built& built_;
+    const CaseResult& one_;
+    std::string case_;
+    QuestionLog log_;
+    std::vector<Shown> shown_;
+};
+
+}
+
+void add_questions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
+                   UnitResult& result, html::UnitDetail* detail)
+{
+    const std::string headers = headers_of(worker, exercise);
+    for (const auto& [name, one] : cases) {
+        if (!one.trouble().empty()) continue;
+        std::vector<std::size_t> failing;
+        for (std::size_t i = 0; i < exercise.checks.size(); ++i)
+            if (exercise.checks[i].case_name == name && fails(exercise.checks[i], result.checks[i]))
+                failing.push_back(i);
+        if (failing.empty()) continue;
+        CaseQuestions questions(worker, exercise, built, one, name);
+        if (!questions.known()) continue;
+        for (const std::size_t i : failing) questions.add(exercise.checks[i], result.checks[i], detail, headers);
+        questions.write();
+    }
+}
+
+}

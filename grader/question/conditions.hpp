@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "question/facts.hpp"
+
+namespace umbral::grader {
+
+/// A condition that parts questions with wrong answers from those with right ones.
+struct Condition {
+    std::string words;  ///< of a question for which it holds: "ray.t_min is greater than 0"
+    /// Does it hold? Takes facts of other questions of the same kind, and which of them to look at.
+    std::function<bool(const std::vector<Fact>& facts, std::size_t question)> holds;
+    std::size_t wrong = 0;        ///< questions with wrong answers …
+    std::size_t wrong_where = 0;  ///< … and those of them for which it holds
+    std::size_t right = 0;
+    std::size_t right_where = 0;  ///< right answers for which it holds
+};
+
+/// How well a condition must part: the share of wrong answers for which it holds, and of right ones for which it does
+/// not.
+inline constexpr double least_parted = 0.97;
+
+/// Does `condition` part these questions so well?
+[[nodiscard]] bool parts(const Condition& condition, const std::vector<Fact>& facts, const std::vector<bool>& wrong);
+
+/// The simplest condition on the facts that parts the questions for which `wrong` is true from the others; two joined
+/// by "and" where no single one does. Nothing if none does so nearly everywhere, or if there are fewer than four of
+/// either: so few are parted by chance.
+[[nodiscard]] std::optional<Condition> simplest_condition(const std::vector<Fact>& facts,
+                                                          const std::vector<bool>& wrong);
+
+/// "wrong wherever ray.t_min is greater than 0 (201 of 201), right everywhere else (201 of 201)"
+[[nodiscard]] std::string sentence_of(const Condition& condition);
+
+}

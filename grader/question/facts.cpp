@@ -1,0 +1,102 @@
+#include "question/facts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t most_vectors = 12;  ///< pairs of more would be facts that nobody thinks of
+
+/// The columns of one vector.
+struct VectorColumns {
+    std::string words;
+    std::size_t first = 0;
+    std::size_t size = 0;
+};
+
+std::vector<VectorColumns> vectors_in(const std::vector<std::string>& names)
+{
+    constexpr std::string_view letters = "xyzw";
+    std::vector<VectorColumns> vectors;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string& name = names[i];
+        if (!name.ends_with(".x")) continue;
+        const std::string base = name.substr(0, name.size() - 2);
+        std::size_t size = 1;
+        while (size < letters.size() && i + size < names.size() && names[i + size] == base + "." + letters[size])
+            ++size;
+        if (size > 1) vectors.push_back({base, i, size});
+    }
+    return vectors;
+}
+
+double dot(const std::vector<double>& row, const VectorColumns& a, const VectorColumns& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size; ++i) sum += row[a.first + i] * row[b.first + i];
+    return sum;
+}
+
+double distance(const std::vector<double>& row, const VectorColumns& a, const VectorColumns& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size; ++i) {
+        const double difference = row[a.first + i] - row[b.first + i];
+        sum += difference * difference;
+    }
+    return std::sqrt(sum);
+}
+
+/// The sine of the angle between two vectors; NaN if one is zero.
+double sine(const std::vector<double>& row, const VectorColumns& a, const VectorColumns& b)
+{
+    const double aa = dot(row, a, a);
+    const double bb = dot(row, b, b);
+    const double ab = dot(row, a, b);
+    return std::sqrt(std::max(0.0, 1 - ab * ab / (aa * bb)));
+}
+
+template <class Value>
+Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const Value& value)
+{
+    Fact result{std::move(words), kind, false, {}};
+    for (const std::vector<double>& row : table.numbers) result.values.push_back(value(row));
+    return result;
+}
+
+}
+
+std::vector<Fact> facts_of(const QuestionTable& table)
+{
+    const std::vector<VectorColumns> vectors = vectors_in(table.names);
+    std::vector<Fact> facts;
+    for (std::size_t i = 0; i < table.names.size(); ++i) {
+        facts.push_back(fact(table.names[i], Fact::Kind::number, table, [&](const auto& row) { return row[i]; }));
+        const auto holds_it = [&](const VectorColumns& vector) {
+            return i >= vector.first && i < vector.first + vector.size;
+        };
+        // Of a matrix too.
+        facts.back().component = table.names[i].ends_with(']') || std::ranges::any_of(vectors, holds_it);
+    }
+    for (std::size_t i = 0; i < std::min(vectors.size(), most_vectors); ++i) {
+        const VectorColumns& a = vectors[i];
+        facts.push_back(fact("the length of " + a.words, Fact::Kind::length, table,
+                             [&](const auto& row) { return std::sqrt(dot(row, a, a)); }));
+        for (std::size_t j = i + 1; j < std::min(vectors.size(), most_vectors); ++j) {
+            const VectorColumns& b = vectors[j];
+            if (a.size != b.size) continue;
+            facts.push_back(fact(fmt::format("the distance between {} and {}", a.words, b.words), Fact::Kind::length,
+                                 table, [&](const auto& row) { return distance(row, a, b); }));
+            facts.push_back(fact(fmt::format("dot({}, {})", a.words, b.words), Fact::Kind::product, table,
+                                 [&](const auto& row) { return dot(row, a, b); }));
+            facts.push_back(fact(fmt::format("{} and {}", a.words, b.words), Fact::Kind::parallel, table,
+                                 [&](const auto& row) { return sine(row, a, b); }));
+        }
+    }
+    return facts;
+}
+
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "question/log.hpp"
+
+namespace umbral::grader {
+
+/// A number that can be told of each of several questions, in words: "the length of ray.direction".
+struct Fact {
+    /// What may be compared: numbers of the question itself, lengths and distances with each other, products of vectors
+    /// with 0.
+    enum class Kind { number, length, product, parallel };
+
+    std::string words;
+    Kind kind = Kind::number;
+    bool component = false;      ///< one of a vector's: of less interest than the vector
+    std::vector<double> values;  ///< for each question
+};
+
+/// Questions of one kind beside each other, in their order: `numbers[i]` are the features of question i, `names` what
+/// they are called in words.
+struct QuestionTable {
+    std::vector<std::string> names;
+    std::vector<std::vector<double>> numbers;
+};
+
+/// All that is told of the questions: their numbers, the lengths of vectors, distances and products between two.
+[[nodiscard]] std::vector<Fact> facts_of(const QuestionTable& table);
+
+}

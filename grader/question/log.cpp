@@ -1,0 +1,126 @@
+#include "question/log.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+
+#include <umbral/record/questions.hpp>
+
+namespace umbral::grader {
+namespace {
+
+std::string_view text_of(const Recorder::Tensors& tensors, std::string_view name)
+{
+    const auto found = tensors.find(name);
+    if (found == tensors.end() || found->second.element != Element::uint8) return {};
+    return {reinterpret_cast<const char*>(found->second.bytes.data()), found->second.bytes.size()};
+}
+
+template <class Number>
+std::vector<Number> numbers_of(const Tensor& tensor, Element element)
+{
+    if (tensor.element != element) return {};
+    std::vector<Number> numbers(tensor.bytes.size() / sizeof(Number));
+    if (!numbers.empty()) std::memcpy(numbers.data(), tensor.bytes.data(), tensor.bytes.size());
+    return numbers;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator)
+{
+    std::vector<std::string_view> parts;
+    for (std::size_t place = 0; place <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, place), text.size());
+        parts.push_back(text.substr(place, end - place));
+        place = end + 1;
+    }
+    return parts;
+}
+
+/// The lines of a text that ends in a line break.
+std::vector<std::string_view> lines_of(std::string_view text)
+{
+    std::vector<std::string_view> lines = split(text, '\n');
+    if (!lines.empty() && lines.back().empty()) lines.pop_back();
+    return lines;
+}
+
+void read_code(std::string_view text, QuestionLog& log)
+{
+    for (const std::string_view line : lines_of(text)) {
+        const std::size_t tab = line.find('\t');
+        std::uint32_t number = 0;
+        if (tab == std::string_view::npos || std::from_chars(line.data(), line.data() + tab, number).ec != std::errc())
+            continue;
+        std::string& code = log.code[number] = line.substr(tab + 1);
+        std::ranges::replace(code, question_names::line_break, '\n');
+    }
+}
+
+void read_kinds(const Recorder::Tensors& tensors, QuestionLog& log)
+{
+    for (const std::string_view line : lines_of(text_of(tensors, question_names::functions))) {
+        const std::vector<std::string_view> words = split(line, '\t');
+        QuestionKind kind{std::string(words.front()), {words.begin() + 1, words.end()}, {}};
+        const auto found = tensors.find(std::string(question_names::features) + std::to_string(log.kinds.size()));
+        if (found != tensors.end() && found->second.components == words.size()) {
+            const std::vector<double> table = numbers_of<double>(found->second, Element::float64);
+            for (std::size_t i = 0; i + words.size() <= table.size(); i += words.size()) {
+                const auto first = table.begin() + static_cast<std::ptrdiff_t>(i);
+                kind.questions[static_cast<std::uint32_t>(table[i])].assign(
+                    first + 1, first + static_cast<std::ptrdiff_t>(words.size()));
+            }
+        }
+        log.kinds.push_back(std::move(kind));
+    }
+}
+
+void read_others(std::string_view text, QuestionLog& log)
+{
+    for (const std::string_view line : lines_of(text)) {
+        const std::vector<std::string_view> words = split(line, '\t');
+        if (words.size() == 4)
+            log.others.push_back(
+                {std::string(words[0]), std::string(words[1]), std::string(words[2]), std::string(words[3])});
+    }
+}
+
+}
+
+std::optional<std::uint32_t> QuestionLog::question_of(std::string_view value, std::size_t cell, std::size_t cells) const
+{
+    if (const auto found = rows.find(value); found != rows.end())
+        return cell < found->second.size() && found->second[cell] > 0 ? std::optional(found->second[cell] - 1)
+                                                                      : std::nullopt;
+    const auto found = wholes.find(value);
+    if (found == wholes.end() || cells == 0) return std::nullopt;
+    const auto [first, count] = found->second;
+    // As many for each cell, or one for all of them.
+    if (count == 1) return first;
+    if (count < cells || count % cells != 0 || cell >= cells) return std::nullopt;
+    return first + static_cast<std::uint32_t>(cell * (count / cells));
+}
+
+const QuestionKind* QuestionLog::kind_of(std::uint32_t question) const
+{
+    for (const QuestionKind& kind : kinds)
+        if (kind.questions.contains(question)) return &kind;
+    return nullptr;
+}
+
+QuestionLog read_questions(const Recorder::Tensors& tensors)
+{
+    QuestionLog log;
+    for (const auto& [name, tensor] : tensors) {
+        if (name.starts_with(question_names::rows))
+            log.rows[name.substr(question_names::rows.size())] = numbers_of<std::uint32_t>(tensor, Element::uint32);
+        if (!name.starts_with(question_names::whole)) continue;
+        if (const auto span = numbers_of<std::uint32_t>(tensor, Element::uint32); span.size() == 2)
+            log.wholes[name.substr(question_names::whole.size())] = {span[0], span[1]};
+    }
+    read_code(text_of(tensors, question_names::code), log);
+    read_kinds(tensors, log);
+    read_others(text_of(tensors, question_names::others), log);
+    return log;
+}
+
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <umbral/record/changes.hpp>
+#include <umbral/record/recorder.hpp>
+
+namespace umbral::grader {
+
+/// Calls of one function, with the same numbers in their arguments.
+struct QuestionKind {
+    std::string function;                                    ///< "umbral::raytracing::intersect"
+    std::vector<std::string> features;                       ///< "0.origin.x": umbral/record/features.hpp
+    std::map<std::uint32_t, std::vector<double>> questions;  ///< the numbers in each
+};
+
+/// What a trusted run told of its questions. They are counted from 0.
+struct QuestionLog {
+    std::map<std::string, std::vector<std::uint32_t>, std::less<>> rows;  ///< for each row its question + 1, or 0
+    std::map<std::string, std::pair<std::uint32_t, std::uint32_t>, std::less<>>
+        wholes;  ///< first question that led to a picture, and how many did
+    std::map<std::uint32_t, std::string> code;
+    std::vector<QuestionKind> kinds;
+    std::vector<OtherQuestion> others;  ///< that can be asked in place of these
+
+    /// The question behind a row of a table, or behind a cell of a picture that was asked cell by cell. Nothing if that
+    /// is not known.
+    [[nodiscard]] std::optional<std::uint32_t> question_of(std::string_view value, std::size_t cell,
+                                                           std::size_t cells) const;
+    /// The kind of a question, or null.
+    [[nodiscard]] const QuestionKind* kind_of(std::uint32_t question) const;
+};
+
+/// Reads what a run with an Inquiry left among its tensors. What does not fit together is left out.
+[[nodiscard]] QuestionLog read_questions(const Recorder::Tensors& tensors);
+
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbral::grader {
+
+/// What the parameters of a function are called where a header declares it: {"ray", "sphere"}. Nothing if it declares
+/// none of that name; an empty name where it gives none. Of overloads, the first.
+[[nodiscard]] std::vector<std::string> parameter_names(std::string_view header, std::string_view function);
+
+/// A place in a question's arguments in the header's words: "ray.origin.x" for "0.origin.x", "the first argument" where
+/// the header has no name for it.
+[[nodiscard]] std::string in_words(std::string_view place, const std::vector<std::string>& parameters);
+
+}

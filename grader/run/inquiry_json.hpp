@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <umbral/record/questions.hpp>
+
+namespace umbral::grader {
+
+/// What a run is to tell of its questions, as its job says it.
+[[nodiscard]] nlohmann::json to_json(const Inquiry& inquiry);
+/// The same read back; trusts what the grader wrote.
+[[nodiscard]] Inquiry inquiry_from_json(const nlohmann::json& json);
+
+/// Are questions taken down, or others asked in their place? A student's run does neither.
+[[nodiscard]] bool asks_anything(const Inquiry& inquiry);
+
+}
