@@ -5,71 +5,20 @@
 #include <list>
 #include <tuple>
 
+#include "batch/explained_checks.hpp"
+#include "batch/other_questions.hpp"
 #include "batch/packaged_unit.hpp"
-#include "batch/related.hpp"
 #include "judge/explain/explain.hpp"
 #include "judge/explain/thresholds.hpp"
 
 namespace umbral::grader {
 namespace {
 
-/// The checks of one case.
-struct CaseChecks {
-    std::string name;
-    const CaseResult* result = nullptr;
-    std::vector<FailingCheck> checks;
-    std::size_t failing = 0;
-    std::size_t cells = 0;  ///< that are expected: how much work the case is, the same on every machine and day
-};
-
-/// By case: those with failing checks first, of both kinds the smallest first, for most mistakes are told apart by one
-/// case. A failing check with a relation is explained by what is wrong with one of its values, as a check of its own
-/// that `plain` keeps; one that holds says nothing.
-std::vector<CaseChecks> by_case(Worker& worker, const Exercise& exercise, const UnitResult& result,
-                                const CaseResults& cases, std::list<Check>& plain)
-{
-    std::vector<CaseChecks> groups;
-    for (const std::string& name : exercise.cases()) groups.push_back({name, &cases.at(name), {}, 0, 0});
-    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
-        const Check& declared = exercise.checks[i];
-        CaseChecks& group = *std::ranges::find(groups, declared.case_name, &CaseChecks::name);
-        // Code that is not written yet says nothing about code that is.
-        if (group.result->is_stub() || !group.result->reached) continue;
-        const bool fails = result.checks[i].score < declared.points;
-        if (declared.relation && !fails) continue;
-        const RunOutcome& expected =
-            worker.trusted(exercise, judged_against(declared), declared.case_name, group.result->seed);
-        const Check& check = declared.relation
-                                 ? plain.emplace_back(against_reference(declared, group.result->student, expected))
-                                 : declared;
-        const Expected side = expected_of(check, expected);
-        group.checks.push_back({&check, observed(check, group.result->student), side.value, side.margin, fails});
-        group.failing += fails ? 1 : 0;
-        if (side.value != nullptr) group.cells += side.value->cells();
-    }
-    std::erase_if(groups, [](const CaseChecks& group) { return group.checks.empty(); });
-    // Never by time: which mistakes are left out early depends on the order, and two gradings must agree.
-    std::ranges::stable_sort(
-        groups, {}, [](const CaseChecks& group) { return std::tuple(group.failing == 0, group.cells, group.name); });
-    return groups;
-}
-
 struct Candidate {
     const KnownSolution* mistake = nullptr;
     Tally tally{};
     bool fits_here = false;  ///< a failing check of the case looked at speaks for it
 };
-
-/// What a check says of a candidate's run. A crash has no signature: the same end speaks neither way, another one
-/// against.
-Resemblance says_of(const FailingCheck& one, const CaseResult& yours, const RunOutcome& its)
-{
-    if (yours.student.verdict != its.verdict) return not_alike;
-    if (its.verdict != Verdict::ok) return {};
-    const Tensor* tensor = observed(*one.check, its);
-    if (tensor == nullptr) return one.student == nullptr ? Resemblance{} : not_alike;
-    return one.student == nullptr ? not_alike : resemblance(one, *tensor);
-}
 
 std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, const std::vector<CaseChecks>& groups,
                                      std::span<const KnownSolution> mistakes)
@@ -122,7 +71,7 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
                                       const CaseResults& cases, std::span<const KnownSolution> mistakes)
 {
     std::list<Check> plain;
-    const std::vector<CaseChecks> groups = by_case(worker, exercise, result, cases, plain);
+    const std::vector<CaseChecks> groups = checks_by_case(worker, exercise, result, cases, plain);
     // What crashed or was stopped has no result to explain.
     std::vector<FailingCheck> ran;
     for (const CaseChecks& group : groups)
@@ -132,6 +81,7 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
     if (std::ranges::none_of(ran, &FailingCheck::fails)) return {};
     std::vector<Explanation> all = by_mistakes(worker, exercise, groups, mistakes);
     for (Explanation& other : explain_by_transform(ran)) all.push_back(std::move(other));
+    for (Explanation& other : by_other_questions(worker, exercise, groups)) all.push_back(std::move(other));
     return ranked(std::move(all));
 }
 

@@ -1,28 +1,13 @@
 #include "batch/questions.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <set>
-#include <sstream>
 
 #include "batch/common_condition.hpp"
+#include "batch/other_questions.hpp"
 #include "question/log.hpp"
 
 namespace umbral::grader {
 namespace {
-
-/// The interface headers of a topic, one after the other.
-std::string headers_of(const Worker& worker, const Exercise& exercise)
-{
-    std::ostringstream text;
-    std::error_code none;
-    std::set<std::filesystem::path> files;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(worker.tools().framework / "umbral" / exercise.topic, none))
-        if (entry.path().extension() == ".hpp") files.insert(entry.path());
-    for (const std::filesystem::path& file : files) text << std::ifstream(file).rdbuf() << '\n';
-    return text.str();
-}
 
 bool fails(const Check& check, const CheckResult& result) { return result.score < check.points; }
 
@@ -102,7 +87,7 @@ private:
 void add_questions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
                    UnitResult& result, html::UnitDetail* detail)
 {
-    const std::string headers = headers_of(worker, exercise);
+    const std::string headers = interface_text(worker, exercise);
     for (const auto& [name, one] : cases) {
         if (!one.trouble().empty()) continue;
         std::vector<std::size_t> failing;

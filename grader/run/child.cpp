@@ -152,6 +152,21 @@ std::string no_such_case(const Driver& driver, const std::string& name)
     one.run(what, recorder);
 }
 
+/// What the case records if others are asked in place of its questions, once for each of them.
+Recorder::Tensors answers_to_others(const DriverCase& one, const Case& what, const std::vector<OtherQuestion>& others)
+{
+    Recorder::Tensors all;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        Questions questions({}, others[i]);
+        Recorder recorder(questions);
+        Case again = what;
+        run_case(one, again, recorder);
+        for (const auto& [name, tensor] : recorder.tensors())
+            all[std::to_string(i) + question_names::of_other + name] = tensor;
+    }
+    return all;
+}
+
 }
 
 void live(const ChildSetup& setup, int run_socket, int confined) noexcept
@@ -221,14 +236,19 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     if (!job.costs.table.empty()) limit_costs(job.costs);
     Questions questions(job.inquiry);
     Recorder recorder = asks_anything(job.inquiry) ? Recorder(questions) : Recorder();
-    run_case(*one, what, recorder);
+    Recorder::Tensors other_answers;
+    if (job.inquiry.others.empty())
+        run_case(*one, what, recorder);
+    else
+        other_answers = answers_to_others(*one, what, job.inquiry.others);
     recorder.finish();
+    const Recorder::Tensors& tensors = job.inquiry.others.empty() ? recorder.tensors() : other_answers;
 
     header.not_implemented = not_implemented_count();
     const std::span room(static_cast<std::byte*>(memory) + wire::tensors_offset,
                          wire::maximum_size - wire::tensors_offset);
-    header.tensors_size = wire::write_tensors(recorder.tensors(), room);
-    header.tensor_count = recorder.tensors().size();
+    header.tensors_size = wire::write_tensors(tensors, room);
+    header.tensor_count = tensors.size();
     (void)fflush(nullptr);
     header.stage = static_cast<std::uint32_t>(wire::Stage::finished);
     _exit(0);

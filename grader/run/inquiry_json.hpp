@@ -10,7 +10,7 @@ namespace umbral::grader {
 /// The same read back; trusts what the grader wrote.
 [[nodiscard]] Inquiry inquiry_from_json(const nlohmann::json& json);
 
-/// Are questions taken down, or others asked in their place? A student's run does neither.
+/// Are questions taken down? In a student's run they never are.
 [[nodiscard]] bool asks_anything(const Inquiry& inquiry);
 
 }

@@ -58,9 +58,9 @@ using namespace sample;
 
 /// What a driver's case leaves in a recording that takes down questions.
 template <class Case>
-Recorder::Tensors asked(const Inquiry& inquiry, const Case& run)
+Recorder::Tensors asked(const Inquiry& inquiry, const Case& run, const std::optional<OtherQuestion>& other = {})
 {
-    Questions questions(inquiry);
+    Questions questions(inquiry, other);
     Recorder out(questions);
     run(out);
     Recorder::Tensors tensors = out.tensors();
@@ -123,10 +123,11 @@ TEST(Ask, names_the_numbers_in_a_question)
 TEST(Ask, can_ask_another_question_in_place_of_the_drivers)
 {
     const auto answer = [](const OtherQuestion& other) {
-        const auto tensors = asked({.other = other}, [](Recorder& out) {
+        const auto run = [](Recorder& out) {
             out.append("t", ask<meet>(out, Ray{}, Ball{{1, 2, 3}, 4}));
             out.append("sum", ask<sum>(out, std::array{5.0F, -7.0F}, Side::back));
-        });
+        };
+        const auto tensors = asked({}, run, other);
         return std::pair(tensors.find("t")->second.present[0] == 1 ? numbers<float>(tensors, "t")[0] : -1,
                          numbers<float>(tensors, "sum")[0]);
     };

@@ -67,7 +67,7 @@ void note(Questions& questions, std::string_view function, std::tuple<Kept...>& 
         questions.set_features(function, features);
         questions.set_parts(function, parts);
     }
-    const std::optional<OtherQuestion>& other = questions.inquiry().other;
+    const std::optional<OtherQuestion>& other = questions.other();
     if (other && other->function == function) {
         std::vector<Part> parts;
         [&]<std::size_t... Index>(std::index_sequence<Index...>)

@@ -212,6 +212,8 @@ struct OtherQuestion {
     std::string place;
     std::string change;  ///< the name of a Change; empty: an exchange
     std::string other;
+
+    friend bool operator==(const OtherQuestion&, const OtherQuestion&) = default;
 };
 
 /// All that can be asked with these parts in place of what was asked.

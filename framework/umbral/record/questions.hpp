@@ -17,11 +17,13 @@ namespace umbral {
 /// What a run is to tell of its questions beside what it records: nothing, unless something went wrong and the grader
 /// asks a trusted solution.
 struct Inquiry {
-    bool questions = false;                ///< which question led to which row, and the numbers in it
-    std::vector<std::uint32_t> wanted{};   ///< questions, counted from 0, that are written as code
-    bool in_full = false;                  ///< … with all elements of their lists
-    std::optional<OtherQuestion> other{};  ///< asked in place of the driver's own, in all calls of its function
-    std::optional<std::uint32_t> stop{};   ///< at this question question_reached() is called: for debuggers
+    bool questions = false;               ///< which question led to which row, and the numbers in it
+    std::vector<std::uint32_t> wanted{};  ///< questions, counted from 0, that are written as code
+    bool in_full = false;                 ///< … with all elements of their lists
+    /// Asked in place of the driver's own, each in all calls of its function: the case runs once for each, and what it
+    /// records is called "0?name", "1?name" and so on.
+    std::vector<OtherQuestion> others{};
+    std::optional<std::uint32_t> stop{};  ///< at this question question_reached() is called: for debuggers
 };
 
 /// Names of what a recording holds of questions; no driver's own begin with '?'.
@@ -32,6 +34,7 @@ inline constexpr std::string_view code = "?code";     ///< lines "number<TAB>cod
 inline constexpr std::string_view functions = "?functions";  ///< lines "function<TAB>feature<TAB>…"
 inline constexpr std::string_view features = "?features ";   ///< + line of ?functions: rows "question, features …"
 inline constexpr std::string_view others = "?others";        ///< lines "function<TAB>place<TAB>change<TAB>other place"
+inline constexpr char of_other = '?';       ///< between the number of an other question and a recorded name
 inline constexpr char line_break = '\x1F';  ///< in code; texts in it are escaped, and hold no such letter
 }
 
@@ -41,9 +44,15 @@ void question_reached();
 /// Takes down what a run is asked: calls, one after the other, and which of them led to which rows.
 class Questions {
 public:
-    explicit Questions(Inquiry inquiry) : inquiry_(std::move(inquiry)) {}
+    explicit Questions(Inquiry inquiry, std::optional<OtherQuestion> other = {})
+        : inquiry_(std::move(inquiry)), other_(std::move(other))
+    {
+    }
 
     [[nodiscard]] const Inquiry& inquiry() const noexcept { return inquiry_; }
+
+    /// What is asked in place of the driver's questions.
+    [[nodiscard]] const std::optional<OtherQuestion>& other() const noexcept { return other_; }
 
     /// The next question begins. Rows that are recorded from now on are its answers.
     void begin();
@@ -84,6 +93,7 @@ private:
     };
 
     Inquiry inquiry_;
+    std::optional<OtherQuestion> other_;
     std::uint32_t count_ = 0;       ///< of questions begun
     std::uint32_t whole_from_ = 0;  ///< the questions that the last picture answered: from this one …
     std::uint32_t whole_to_ = 0;    ///< … to the one before this

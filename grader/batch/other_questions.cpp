@@ -1,0 +1,170 @@
+#include "batch/other_questions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <sstream>
+
+#include "judge/explain/thresholds.hpp"
+#include "question/names.hpp"
+
+#include <umbral/record/questions.hpp>
+
+namespace umbral::grader {
+namespace {
+
+/// Of cases, and of questions in one: what is tried must take no longer than people wait.
+constexpr std::size_t most_cases = 3;
+constexpr std::size_t most_questions = 200;
+constexpr std::size_t most_drawn = 24;  ///< where OpenGL draws for each
+
+/// What one run can hold.
+constexpr std::size_t most_tensors = 240;
+constexpr std::size_t most_bytes = std::size_t{32} << 20U;
+
+struct Candidate {
+    OtherQuestion question;
+    Tally tally{};
+    bool fits = false;  ///< a failing check of the case looked at speaks for it
+};
+
+/// Takes what the checks of one case say of the reference's answers to the other question.
+void weigh(const CaseChecks& group, const RunOutcome& run, Candidate& candidate)
+{
+    candidate.fits = false;
+    for (const FailingCheck& one : group.checks) {
+        const Resemblance said = says_of(one, *group.result, run);
+        candidate.tally += said;
+        candidate.fits = candidate.fits || said.says == Says::for_it;
+    }
+}
+
+/// How many other questions one run of this case can be asked.
+std::size_t room(const RunOutcome& plain)
+{
+    std::size_t bytes = 1;
+    for (const auto& [name, tensor] : plain.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
+    const std::size_t tensors = std::max<std::size_t>(1, plain.recording.tensors.size());
+    return std::clamp<std::size_t>(std::min(most_tensors / tensors, most_bytes / bytes), 1, 64);
+}
+
+/// Asks one case each of the questions, as many as a run can hold at a time. Where a run does not end well, its
+/// questions are asked in halves, until the one that does not bear asking is alone.
+void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group, std::span<Candidate> candidates)
+{
+    if (candidates.empty()) return;
+    const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
+    const std::size_t most = exercise.gl ? 1 : room(plain);
+    if (candidates.size() > most) {
+        weigh_all(worker, exercise, group, candidates.first(most));
+        weigh_all(worker, exercise, group, candidates.subspan(most));
+        return;
+    }
+    Inquiry inquiry;
+    for (const Candidate& candidate : candidates) inquiry.others.push_back(candidate.question);
+    const RunOutcome run = worker.inquire(exercise, group.name, group.result->seed, inquiry);
+    if (run.verdict != Verdict::ok && candidates.size() > 1) {
+        weigh_all(worker, exercise, group, candidates.first(candidates.size() / 2));
+        weigh_all(worker, exercise, group, candidates.subspan(candidates.size() / 2));
+        return;
+    }
+    std::vector<RunOutcome> runs(candidates.size());
+    for (RunOutcome& one : runs) one.verdict = run.verdict;
+    for (const auto& [name, tensor] : run.recording.tensors) {
+        const std::size_t mark = name.find(question_names::of_other);
+        if (mark == std::string::npos || mark == 0) continue;
+        runs.at(std::stoul(name.substr(0, mark))).recording.tensors[name.substr(mark + 1)] = tensor;
+    }
+    for (std::size_t i = 0; i < candidates.size(); ++i) weigh(group, runs[i], candidates[i]);
+}
+
+/// Those that a failing check of this case speaks for.
+std::vector<Candidate> fitting(Worker& worker, const Exercise& exercise, const CaseChecks& group)
+{
+    const RunOutcome told = worker.inquire(exercise, group.name, group.result->seed, {.questions = true});
+    if (told.verdict != Verdict::ok) return {};
+    std::vector<Candidate> found;
+    for (OtherQuestion& other : read_questions(told.recording.tensors).others)
+        if (found.size() < (exercise.gl ? most_drawn : most_questions)) found.push_back({std::move(other)});
+    weigh_all(worker, exercise, group, found);
+    std::erase_if(found, std::not_fn(&Candidate::fits));
+    return found;
+}
+
+/// Of questions that fit alike, the one that is most easily mistaken for what was asked: an argument that is not looked
+/// at at all explains any other change of it.
+int far_fetched(const OtherQuestion& question)
+{
+    if (question.change.starts_with("taken as") || question.change.starts_with("without its translation")) return 0;
+    if (question.change.empty() || question.change.starts_with("normalised")) return 1;
+    return 2;
+}
+
+bool same(const Tally& a, const Tally& b)
+{
+    return a.for_it == b.for_it && a.against_it == b.against_it && a.bits == b.bits;
+}
+
+/// "Your results are the right ones if …"
+std::string sentence(const OtherQuestion& question, const std::string& words)
+{
+    const std::string function = question.function.substr(question.function.rfind(':') + 1);
+    return fmt::format(
+        "Your results are the right ones for another question: {} with {}. Look at how your code uses "
+        "what it is given.",
+        function, words);
+}
+
+}
+
+std::string interface_text(const Worker& worker, const Exercise& exercise)
+{
+    std::ostringstream text;
+    std::error_code none;
+    std::set<std::filesystem::path> files;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(worker.tools().framework / "umbral" / exercise.topic, none))
+        if (entry.path().extension() == ".hpp") files.insert(entry.path());
+    for (const std::filesystem::path& file : files) text << std::ifstream(file).rdbuf() << '\n';
+    return text.str();
+}
+
+std::string in_words(const OtherQuestion& question, const std::string& headers)
+{
+    const std::vector<std::string> parameters = parameter_names(headers, question.function);
+    const std::string place = in_words(question.place, parameters);
+    if (!question.other.empty()) return fmt::format("{} and {} exchanged", place, in_words(question.other, parameters));
+    return fmt::format("{} {}", place, question.change);
+}
+
+std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exercise,
+                                            std::span<const CaseChecks> groups)
+{
+    std::vector<Candidate> candidates;
+    std::size_t tried = 0;
+    for (const CaseChecks& group : groups) {
+        if (group.failing == 0 || !group.result->trouble().empty() || tried++ == most_cases) continue;
+        for (Candidate& candidate : fitting(worker, exercise, group))
+            if (std::ranges::find(candidates, candidate.question, &Candidate::question) == candidates.end())
+                candidates.push_back({std::move(candidate.question)});
+    }
+    for (const CaseChecks& group : groups) weigh_all(worker, exercise, group, candidates);
+    std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return far_fetched(one.question); });
+    std::vector<Explanation> found;
+    std::vector<Tally> said;
+    const std::string headers = interface_text(worker, exercise);
+    for (const Candidate& candidate : candidates) {
+        const auto alike = [&](const Tally& other) { return same(other, candidate.tally); };
+        if (std::ranges::any_of(said, alike)) continue;
+        said.push_back(candidate.tally);
+        const std::string words = in_words(candidate.question, headers);
+        found.push_back({"question: " + words, sentence(candidate.question, words), confidence(candidate.tally),
+                         fit(candidate.tally)});
+    }
+    return found;
+}
+
+}
