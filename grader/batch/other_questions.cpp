@@ -21,6 +21,9 @@ constexpr std::size_t most_cases = 3;
 constexpr std::size_t most_questions = 200;
 constexpr std::size_t most_drawn = 24;  ///< where OpenGL draws for each
 
+/// A case that passes is asked only if it is small: it can speak against a question, but others do too.
+constexpr std::size_t most_passing_cells = 10'000;
+
 /// What one run can hold.
 constexpr std::size_t most_tensors = 240;
 constexpr std::size_t most_bytes = std::size_t{32} << 20U;
@@ -151,7 +154,8 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
             if (std::ranges::find(candidates, candidate.question, &Candidate::question) == candidates.end())
                 candidates.push_back({std::move(candidate.question)});
     }
-    for (const CaseChecks& group : groups) weigh_all(worker, exercise, group, candidates);
+    for (const CaseChecks& group : groups)
+        if (group.failing > 0 || group.cells <= most_passing_cells) weigh_all(worker, exercise, group, candidates);
     std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return far_fetched(one.question); });
     std::vector<Explanation> found;
     std::vector<Tally> said;

@@ -53,30 +53,34 @@ typename Kept<Parameter>::Type kept(Argument& argument)
 }
 
 template <class... Kept>
+std::vector<Part> parts_of(std::tuple<Kept...>& arguments)
+{
+    std::vector<Part> parts;
+    parts.reserve(16);
+    [&]<std::size_t... Index>(std::index_sequence<Index...>)
+    {
+        (add_parts(Place{Index}, std::get<Index>(arguments), parts), ...);
+    }
+    (std::index_sequence_for<Kept...>{});
+    return parts;
+}
+
+/// Takes down what there is to say of the question, and asks another in its place if one is to be asked.
+template <class... Kept>
 void note(Questions& questions, std::string_view function, std::tuple<Kept...>& arguments)
 {
     if (questions.inquiry().questions) {
-        Features features;
-        std::vector<Part> parts;
+        const bool known = questions.knows(function);
+        Features features{.named = !known};
         [&]<std::size_t... Index>(std::index_sequence<Index...>)
         {
-            (add_features(std::to_string(Index), std::get<Index>(arguments), features), ...);
-            (add_parts(std::to_string(Index), std::get<Index>(arguments), parts), ...);
+            (add_features(Place{Index}, std::get<Index>(arguments), features), ...);
         }
         (std::index_sequence_for<Kept...>{});
+        if (!known) questions.introduce(function, features, parts_of(arguments));
         questions.set_features(function, features);
-        questions.set_parts(function, parts);
     }
-    const std::optional<OtherQuestion>& other = questions.other();
-    if (other && other->function == function) {
-        std::vector<Part> parts;
-        [&]<std::size_t... Index>(std::index_sequence<Index...>)
-        {
-            (add_parts(std::to_string(Index), std::get<Index>(arguments), parts), ...);
-        }
-        (std::index_sequence_for<Kept...>{});
-        change_parts(*other, parts);
-    }
+    if (questions.other() && questions.other()->function == function) questions.change(parts_of(arguments));
 }
 
 /// "intersect(Ray{…}, Sphere{…})"

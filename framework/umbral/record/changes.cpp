@@ -9,28 +9,33 @@ std::vector<OtherQuestion> other_questions(std::string_view function, std::span<
     std::vector<OtherQuestion> all;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         for (const Change& change : parts[i].changes)
-            all.push_back({std::string(function), parts[i].place, std::string(change.name), ""});
+            all.push_back({std::string(function), parts[i].place.text(), std::string(change.name), ""});
         for (std::size_t j = i + 1; j < parts.size(); ++j)
             if (parts[i].type == parts[j].type)
-                all.push_back({std::string(function), parts[i].place, "", parts[j].place});
+                all.push_back({std::string(function), parts[i].place.text(), "", parts[j].place.text()});
     }
     return all;
 }
 
-void change_parts(const OtherQuestion& question, std::span<const Part> parts)
+void change_parts(const OtherQuestion& question, std::span<const Part> parts, ChangedParts& which)
 {
-    const auto at = [&](const std::string& place) {
-        return std::ranges::find_if(parts, [&](const Part& part) { return part.place == place; });
-    };
-    const auto part = at(question.place);
-    if (part == parts.end()) return;
-    if (const auto other = at(question.other); other != parts.end()) {
-        if (other->type == part->type) part->exchange(part->value, other->value);
-        return;
+    if (!which.known) {
+        const auto at = [&](const std::string& place) {
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                if (parts[i].place.text() == place) return std::optional(i);
+            return std::optional<std::size_t>();
+        };
+        which = {true, at(question.place), question.other.empty() ? std::nullopt : at(question.other), nullptr};
+        if (which.part)
+            for (const Change& change : parts[*which.part].changes)
+                if (change.name == question.change) which.make = change.make;
     }
-    const auto change =
-        std::ranges::find_if(part->changes, [&](const Change& one) { return one.name == question.change; });
-    if (change != part->changes.end()) change->make(part->value);
+    if (!which.part) return;
+    const Part& part = parts[*which.part];
+    if (which.other && parts[*which.other].type == part.type)
+        part.exchange(part.value, parts[*which.other].value);
+    else if (which.make != nullptr)
+        which.make(part.value);
 }
 
 }

@@ -4,9 +4,11 @@
 #include <array>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <string>
 #include <umbral/record/literal.hpp>
+#include <umbral/record/place.hpp>
 #include <utility>
 #include <vector>
 
@@ -20,7 +22,7 @@ struct Change {
 
 /// A part of a question's arguments that can be misunderstood as a whole: a number, a vector, a matrix, a list.
 struct Part {
-    std::string place;      ///< as in Features: "0.direction"
+    Place place;            ///< as in Features: "0.direction"
     std::string_view type;  ///< two parts of one type can be taken for each other
     void* value = nullptr;
     std::span<const Change> changes{};
@@ -192,16 +194,15 @@ void exchange(void* one, void* other)
 
 /// Adds the parts of `value`, which stands at `place`, and itself if it is one.
 template <class Value>
-void add_parts(const std::string& place, Value& value, std::vector<Part>& parts)
+void add_parts(const Place& place, Value& value, std::vector<Part>& parts)
 {
     if constexpr (!detail::ChangesOf<Value>::all.empty())
         parts.push_back(
             {place, reflect::type_name<Value>(), &value, detail::ChangesOf<Value>::all, detail::exchange<Value>});
     else if constexpr (reflect::is_plain_struct<Value> && std::is_swappable_v<Value>) {
         parts.push_back({place, reflect::type_name<Value>(), &value, {}, detail::exchange<Value>});
-        reflect::for_each_field(value, [&](std::string_view name, auto& field) {
-            add_parts(place + "." + std::string(name), field, parts);
-        });
+        reflect::for_each_field(value,
+                                [&](std::string_view name, auto& field) { add_parts(place / name, field, parts); });
     }
 }
 
@@ -219,7 +220,15 @@ struct OtherQuestion {
 /// All that can be asked with these parts in place of what was asked.
 [[nodiscard]] std::vector<OtherQuestion> other_questions(std::string_view function, std::span<const Part> parts);
 
-/// Changes the parts as `question` says; parts that it does not name stay.
-void change_parts(const OtherQuestion& question, std::span<const Part> parts);
+/// Which parts an other question means, among those of its function: looked up once.
+struct ChangedParts {
+    bool known = false;
+    std::optional<std::size_t> part{};
+    std::optional<std::size_t> other{};
+    void (*make)(void* value) = nullptr;
+};
+
+/// Changes the parts of a call of its function as `question` says; where they have no such place, nothing.
+void change_parts(const OtherQuestion& question, std::span<const Part> parts, ChangedParts& which);
 
 }

@@ -51,25 +51,26 @@ void Questions::set_code(std::string_view code)
     code_ += '\n';
 }
 
-void Questions::set_features(std::string_view function, const Features& features)
+bool Questions::knows(std::string_view function) const
 {
-    auto found = std::ranges::find_if(
-        functions_, [&](const Function& one) { return one.name == function && one.features == features.names; });
-    if (found == functions_.end()) {
-        if (functions_.size() == longest_name) return;
-        functions_.push_back({std::string(function), features.names, {}});
-        found = functions_.end() - 1;
-    }
-    if (found->table.size() + features.values.size() > most_numbers) return;
-    found->table.push_back(count_ - 1);
-    found->table.insert(found->table.end(), features.values.begin(), features.values.end());
+    return std::ranges::find(functions_, function, &Function::name) != functions_.end();
 }
 
-void Questions::set_parts(std::string_view function, std::span<const Part> parts)
+void Questions::introduce(std::string_view function, const Features& features, std::span<const Part> parts)
 {
-    if (!functions_with_parts_.emplace(function).second) return;
+    functions_.push_back({std::string(function), features.names, {}});
     for (const OtherQuestion& one : other_questions(function, parts))
         others_ += one.function + '\t' + one.place + '\t' + one.change + '\t' + one.other + '\n';
+}
+
+void Questions::set_features(std::string_view function, const Features& features)
+{
+    Function& found = *std::ranges::find(functions_, function, &Function::name);
+    // Of overloads, those that are called like the first one; and of very many questions, the first.
+    if (features.values.size() != found.features.size()) return;
+    if (found.table.size() + features.values.size() > most_numbers) return;
+    found.table.push_back(count_ - 1);
+    found.table.insert(found.table.end(), features.values.begin(), features.values.end());
 }
 
 void Questions::set_object(const void* object, std::string_view name, std::string made)

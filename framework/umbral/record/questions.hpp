@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <umbral/record/changes.hpp>
@@ -59,10 +58,14 @@ public:
     /// Is the current one to be written as code?
     [[nodiscard]] bool code_is_wanted() const;
     void set_code(std::string_view code);
+    /// Has `function` been introduced?
+    [[nodiscard]] bool knows(std::string_view function) const;
+    /// Takes what the numbers in calls of `function` are called, and what could be asked in place of them. Once.
+    void introduce(std::string_view function, const Features& features, std::span<const Part> parts);
     /// Takes the numbers in the current question, a call of `function`.
     void set_features(std::string_view function, const Features& features);
-    /// Takes what could be asked in place of calls of `function`, once.
-    void set_parts(std::string_view function, std::span<const Part> parts);
+    /// Asks the other question: changes the arguments of the current one.
+    void change(std::span<const Part> parts) { change_parts(*other_, parts, changed_); }
 
     /// `object` is called `name` in code from now on, and was made by this line.
     void set_object(const void* object, std::string_view name, std::string made);
@@ -94,13 +97,13 @@ private:
 
     Inquiry inquiry_;
     std::optional<OtherQuestion> other_;
+    ChangedParts changed_;
     std::uint32_t count_ = 0;       ///< of questions begun
     std::uint32_t whole_from_ = 0;  ///< the questions that the last picture answered: from this one …
     std::uint32_t whole_to_ = 0;    ///< … to the one before this
     std::string code_;
     std::vector<Function> functions_;
     std::string others_;
-    std::set<std::string, std::less<>> functions_with_parts_;
     std::map<const void*, Object> objects_;
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> rows_;
     std::map<std::string, std::pair<std::uint32_t, std::uint32_t>, std::less<>> wholes_;
