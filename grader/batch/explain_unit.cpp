@@ -81,8 +81,10 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
     if (std::ranges::none_of(ran, &FailingCheck::fails)) return {};
     std::vector<Explanation> all = by_mistakes(worker, exercise, groups, mistakes);
     for (Explanation& other : explain_by_transform(ran)) all.push_back(std::move(other));
-    // Once, of what students may know.
-    if (std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
+    // Where nothing else explains all, and once, of what students may know.
+    const bool explained = std::ranges::any_of(
+        all, [](const Explanation& one) { return one.fit == 1 && one.confidence >= thresholds::very_sure; });
+    if (!explained && std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
         for (Explanation& other : by_other_questions(worker, exercise, groups)) all.push_back(std::move(other));
     return ranked(std::move(all));
 }

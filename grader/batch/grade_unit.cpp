@@ -185,7 +185,7 @@ UnitResult grade_built(Worker& worker, const Exercise& exercise, const Built& bu
         result.explanations = explain_unit(worker, exercise, result, cases);
     if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, options, result);
     if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);
-    if (options.explain && result.verdict != Verdict::ok)
+    if (options.explain && options.questions && result.verdict != Verdict::ok)
         add_questions(worker, exercise, built, cases, result, detail);
     return result;
 }

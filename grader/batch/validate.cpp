@@ -1,8 +1,10 @@
 #include "batch/validate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "batch/case_results.hpp"
 #include "batch/known_solutions.hpp"
@@ -10,6 +12,7 @@
 #include "judge/explain/confidence.hpp"
 #include "judge/judges.hpp"
 #include "manifest/statements.hpp"
+#include "question/log.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -38,6 +41,7 @@ std::optional<double> hard_share(const UnitResult& result)
 GradeOptions options_for(unsigned seed)
 {
     GradeOptions options;
+    options.questions = false;
     // One work for all, so that solutions meet the same hidden inputs and the trusted runs of one serve the next.
     options.seeds = {"validate", "validate", "validate", seed, "validate"};
     return options;
@@ -188,6 +192,32 @@ std::vector<Finding> expect_cases(Worker& worker, const Exercise& exercise, unsi
     return findings;
 }
 
+/// Every row that is compared must have its question: a value without one tells a student nothing but itself.
+std::vector<Finding> expect_questions(Worker& worker, const Exercise& exercise, unsigned seed)
+{
+    const GradeOptions options = options_for(seed);
+    std::vector<Finding> findings;
+    for (const std::string& name : exercise.cases()) {
+        const RunOutcome told =
+            worker.inquire(exercise, name, options.seeds.seed_of(exercise, name), {.questions = true});
+        const QuestionLog log = read_questions(told.recording.tensors);
+        std::set<std::string> without;
+        for (const Check& check : exercise.checks) {
+            const auto rows = log.rows.find(check.value);
+            if (check.case_name == name && rows != log.rows.end() && judge_of(check).plain_values &&
+                std::ranges::find(rows->second, 0U) != rows->second.end())
+                without.insert("'" + check.value + "'");
+        }
+        if (without.empty() && told.verdict == Verdict::ok) continue;
+        findings.push_back({exercise.id, "questions: " + name, seed, false, 0, "one a row",
+                            told.verdict == Verdict::ok
+                                ? fmt::format("rows of {} have none: the driver must ask() before it records them",
+                                              fmt::join(without, ", "))
+                                : told.message});
+    }
+    return findings;
+}
+
 }
 
 Finding expect_statements(const Exercise& exercise, unsigned seed)
@@ -231,6 +261,9 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
     }
     guarded("reference",
             [&] { report(expect_all(worker, exercise, "reference", reference_sources(reference, exercise), seed)); });
+    guarded("questions", [&] {
+        for (const Finding& finding : expect_questions(worker, exercise, seed)) report(finding);
+    });
     guarded("alternatives", [&] {
         for (const KnownSolution& other : alternatives_of(reference, exercise)) {
             Finding finding = expect_all(worker, exercise, "alternative: " + other.name, other.sources, seed);
