@@ -69,11 +69,7 @@ Option Command::option(const std::string& name, unsigned& to, const std::string&
 {
     return Option(*app_->add_option(name, to, meaning));
 }
-Option Command::option(const std::string& name, int& to, const std::string& meaning) const
-{
-    return Option(*app_->add_option(name, to, meaning));
-}
-Option Command::option(const std::string& name, double& to, const std::string& meaning) const
+Option Command::option(const std::string& name, std::optional<std::size_t>& to, const std::string& meaning) const
 {
     return Option(*app_->add_option(name, to, meaning));
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <memory>
 #include <span>
 #include <string>
@@ -59,8 +60,7 @@ public:
     Option option(const std::string& name, std::vector<std::string>& to, const std::string& meaning) const;
     Option option(const std::string& name, std::size_t& to, const std::string& meaning) const;
     Option option(const std::string& name, unsigned& to, const std::string& meaning) const;
-    Option option(const std::string& name, int& to, const std::string& meaning) const;
-    Option option(const std::string& name, double& to, const std::string& meaning) const;
+    Option option(const std::string& name, std::optional<std::size_t>& to, const std::string& meaning) const;
     Option flag(const std::string& name, bool& to, const std::string& meaning) const;
 
     /// What --help says at its end.

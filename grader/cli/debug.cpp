@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "batch/case_results.hpp"
 #include "batch/grade_unit.hpp"
 #include "build/builder.hpp"
 #include "cli/application.hpp"
@@ -12,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/paths.hpp"
 #include "cli/replace_process.hpp"
+#include "question/log.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -22,8 +24,47 @@ struct Options {
     std::string unit;
     std::string case_name;
     std::string folder = ".";
+    std::string value;
+    std::optional<std::size_t> row;
     bool no_debugger = false;
 };
+
+/// The question that led to a row, and its code.
+struct AskedRow {
+    std::uint32_t question = 0;
+    std::string code;
+    std::string function;  ///< without its namespaces and class; empty if no single function was called
+};
+
+AskedRow question_of_row(const Application& application, const Exercise& exercise, const std::string& case_name,
+                         std::uint64_t seed, const Options& options)
+{
+    Worker worker(application.tools);
+    const auto check = std::ranges::find_if(exercise.checks, [&](const Check& one) {
+        return one.case_name == case_name && (options.value.empty() || one.value == options.value);
+    });
+    if (check == exercise.checks.end())
+        throw UsageError(
+            fmt::format("case '{}' of {} has no check of a value '{}'", case_name, exercise.id, options.value));
+    const Tensor* expected = tensor_of(worker.trusted(exercise, Answers::reference, case_name, seed), check->value);
+    const std::size_t rows = expected == nullptr ? 0 : expected->cells();
+    const QuestionLog log =
+        read_questions(worker.inquire(exercise, case_name, seed, {.questions = true}).recording.tensors);
+    const auto question = log.question_of(check->value, *options.row, rows);
+    if (!question)
+        throw UsageError(
+            *options.row >= rows
+                ? fmt::format("{} has {} rows, counted from 0; there is no row {}", check->name, rows, *options.row)
+                : fmt::format("what led to single rows of {} is not known; without --row the whole case "
+                              "runs",
+                              check->name));
+    const QuestionLog told =
+        read_questions(worker.inquire(exercise, case_name, seed, {.wanted = {*question}}).recording.tensors);
+    const auto code = told.code.find(*question);
+    const QuestionKind* kind = log.kind_of(*question);
+    return {*question, code == told.code.end() ? std::string() : code->second,
+            kind == nullptr ? std::string() : kind->function.substr(kind->function.rfind(':') + 1)};
+}
 
 void debug(const Application& application, const Options& options)
 {
@@ -45,19 +86,38 @@ void debug(const Application& application, const Options& options)
     // The inputs that `umbral check` gives these files.
     SeedPlan seeds;
     seeds.work = work_digest(handed.files);
-    const std::uint64_t stream = stream_of(exercise, chosen, seeds.seed_of(exercise, chosen));
+    const std::uint64_t seed = seeds.seed_of(exercise, chosen);
+    const std::uint64_t stream = stream_of(exercise, chosen, seed);
     const fs::path own = fs::path(options.folder) / exercise.id;
     const fs::path sources = fs::is_directory(own) ? own : fs::path(options.folder);
+    std::optional<AskedRow> asked;
+    if (options.row) asked = question_of_row(application, exercise, chosen, seed, options);
     std::vector<std::string> words;
-    if (!options.no_debugger)
-        words = {
-            "gdb", "-q",  "-ex",   "set breakpoint pending on", "-ex", "directory " + fs::absolute(sources).string(),
-            "-ex", "run", "--args"};
+    if (!options.no_debugger) {
+        words = {"gdb", "-q"};
+        std::vector<std::string> commands = {"set breakpoint pending on",
+                                             "directory " + fs::absolute(sources).string()};
+        // The first call from there on is the one that was asked.
+        if (asked && !asked->function.empty())
+            commands.insert(commands.end(), {"break umbral::question_reached", "run", "tbreak " + asked->function,
+                                             "continue", "info args"});
+        else if (asked)
+            commands.insert(commands.end(), {"break umbral::question_reached", "run"});
+        else
+            commands.emplace_back("run");
+        for (std::string& command : commands) words.insert(words.end(), {"-ex", std::move(command)});
+        words.emplace_back("--args");
+    }
     words.push_back((application.tools.programs / (exercise.gl ? "umbral-debug-gl" : "umbral-debug")).string());
     for (const std::string& word :
          {(unit_folder(application.tools, exercise.id) / "driver.so").string(), built.library.string(), chosen,
           std::to_string(stream), fs::absolute(sources).string()})
         words.push_back(word);
+    if (asked) {
+        words.push_back(std::to_string(asked->question));
+        fmt::print("{}\n", asked->code);
+        (void)std::fflush(stdout);
+    }
     replace_process(std::move(words), "is it installed? --no-debugger does without");
 }
 
@@ -71,6 +131,8 @@ void add_debug(Command parser, Application& application)
     command.option("UNIT", options->unit, "Which unit").required();
     command.option("CASE", options->case_name, "Which case; the first if not given");
     command.option("--dir", options->folder, "The workspace").with_default();
+    command.option("--row", options->row, "Stop where this row is asked for");
+    command.option("--value", options->value, "Of which recorded value; that of the case's first check if not given");
     command.flag("--no-debugger", options->no_debugger, "Run it alone");
     command.runs([&application, options] { debug(application, *options); });
 }

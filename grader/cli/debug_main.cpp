@@ -7,12 +7,13 @@
 #include <sstream>
 #include <stdexcept>
 #include <umbral/record/driver.hpp>
+#include <umbral/record/questions.hpp>
 #ifdef UMBRAL_WITH_GL
 #include <umbral/gl/context.hpp>
 #endif
 
-// umbral-debug DRIVER STUDENT CASE SEED SOURCES: the student's own code in an ordinary program, with what it records
-// listed at the end.
+// umbral-debug DRIVER STUDENT CASE SEED SOURCES [QUESTION]: the student's own code in an ordinary program, with what it
+// records listed at the end. At this question, counted from 0, umbral::question_reached() is called.
 namespace {
 
 using namespace umbral;
@@ -44,7 +45,8 @@ void run(char** words)
     if (*words[2] != 0) load(words[2]);
     const auto* driver = static_cast<const Driver*>(dlsym(load(words[1]), "_ZN6umbral6driverE"));
     Case what{words[3], Random(std::strtoull(words[4], nullptr, 10)), texts_in(words[5])};
-    Recorder recorder;
+    Questions questions({.stop = words[6] == nullptr ? std::nullopt : std::optional(std::stoul(words[6]))});
+    Recorder recorder = words[6] == nullptr ? Recorder() : Recorder(questions);
     for (const DriverCase& one : driver->cases)
         if (what.name == one.name) one.run(what, recorder);
     for (const auto& [name, tensor] : recorder.tensors())
@@ -56,8 +58,9 @@ void run(char** words)
 
 int main(int count, char** words)
 {
-    if (count != 6) {
-        (void)std::fputs("usage: umbral-debug DRIVER STUDENT CASE SEED SOURCES (called by `umbral debug`)\n", stderr);
+    if (count != 6 && count != 7) {
+        (void)std::fputs("usage: umbral-debug DRIVER STUDENT CASE SEED SOURCES [QUESTION] (called by `umbral debug`)\n",
+                         stderr);
         return 2;
     }
     try {

@@ -39,8 +39,8 @@ json object(const Values& values, Convert&& convert)
 json difference(const std::optional<Difference>& value)
 {
     if (!value) return nullptr;
-    json result{
-        {"where", text(value->where)}, {"yours", text(value->yours)}, {"expected", text(value->expected)}};
+    json result{{"where", text(value->where)}, {"yours", text(value->yours)}, {"expected", text(value->expected)}};
+    if (value->cell) result["row"] = *value->cell;
     if (!value->question.empty()) result["question"] = text(value->question);
     return result;
 }

@@ -17,7 +17,7 @@ struct Difference {
     std::string where;  ///< "row 17", "pixel (120, 33)", "entry (0, 3)"
     std::string yours;
     std::string expected;
-    std::optional<std::size_t> cell{};  ///< of the expected recording, row by row, where it has one; in no file
+    std::optional<std::size_t> cell{};  ///< of the expected recording, row by row, where it has one
     std::string question{};  ///< what was asked there, as code; empty where that is not known
 };
 

@@ -56,8 +56,10 @@ Verdict verdict(const Field& field)
 std::optional<Difference> difference(const Field& field)
 {
     if (field.is_null()) return std::nullopt;
-    field.allow_only({"where", "yours", "expected", "question"});
+    field.allow_only({"where", "yours", "expected", "row", "question"});
     Difference result{text(field.member("where")), text(field.member("yours")), text(field.member("expected"))};
+    if (const Field row = field.member("row"); row.given())
+        result.cell = static_cast<std::size_t>(row.integer(0, std::numeric_limits<int>::max()));
     if (const Field question = field.member("question"); question.given()) result.question = text(question);
     return result;
 }

@@ -132,6 +132,19 @@ void add_others(Block& block, const UnitResult& unit, const std::vector<const Ch
     }
 }
 
+/// What makes `umbral debug` stop at the call behind a check's first wrong value.
+std::string row_option(const UnitResult& unit, const CheckResult& failing)
+{
+    const auto& first = failing.first_difference;
+    if (!first || !first->cell || first->question.empty()) return "";
+    const std::string case_name = failing.name.substr(0, failing.name.rfind('/') + 1);
+    const auto same_case =
+        std::ranges::find_if(unit.checks, [&](const CheckResult& one) { return one.name.starts_with(case_name); });
+    const std::string value = failing.name.substr(case_name.size());
+    return fmt::format(" --row {}{}", *first->cell,
+                       same_case->name == failing.name ? "" : " --value " + shell_word(value));
+}
+
 std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* failing, const Paint& paint)
 {
     const std::string id = shell_word(unit.id);
@@ -148,7 +161,8 @@ std::vector<std::string> next_steps(const UnitResult& unit, const CheckResult* f
         default: {
             const std::string name =
                 failing != nullptr ? shell_word(failing->name.substr(0, failing->name.rfind('/'))) : "";
-            steps.push_back(fmt::format("umbral debug {}{}{}", id, name.empty() ? "" : " ", name));
+            steps.push_back(fmt::format("umbral debug {}{}{}{}", id, name.empty() ? "" : " ", name,
+                                        failing == nullptr ? "" : row_option(unit, *failing)));
         }
     }
     steps.push_back(fmt::format("umbral hint {}", id));
