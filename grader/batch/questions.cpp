@@ -4,6 +4,7 @@
 
 #include "batch/common_condition.hpp"
 #include "batch/other_questions.hpp"
+#include "batch/simplest_question.hpp"
 #include "question/log.hpp"
 
 namespace umbral::grader {
@@ -100,6 +101,7 @@ void add_questions(Worker& worker, const Exercise& exercise, const Built& built,
         for (const std::size_t i : failing) questions.add(exercise.checks[i], result.checks[i], detail, headers);
         questions.write();
     }
+    add_simplest_question(worker, exercise, built, cases, result);
 }
 
 }

@@ -168,6 +168,24 @@ RunOutcome Worker::inquire(const Exercise& exercise, const std::string& case_nam
     return spawner(exercise.gl).run(wanted);
 }
 
+RunOutcome Worker::run_coarse(const Exercise& exercise, Answers solution, const std::string& case_name,
+                              std::uint64_t seed, const Grain& grain)
+{
+    RunRequest wanted = trusted_request(exercise, solution, case_name, seed);
+    wanted.inquiry = {.questions = true, .grain = grain};
+    return spawner(exercise.gl).run(wanted);
+}
+
+RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
+                              std::uint64_t seed, const Grain& grain, const RunOutcome& expected)
+{
+    RunRequest wanted = students_request(exercise, built, case_name, seed);
+    for (auto& [value, cells] : wanted.wanted)
+        if (const Tensor* tensor = tensor_of(expected, value)) cells = tensor->cells();
+    wanted.inquiry.grain = grain;
+    return spawner(exercise.gl).run(wanted);
+}
+
 const RunOutcome& Worker::run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources,
                                       const std::string& case_name, std::uint64_t seed)
 {

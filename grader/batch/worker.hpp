@@ -63,6 +63,13 @@ public:
     [[nodiscard]] RunOutcome inquire(const Exercise& exercise, const std::string& case_name, std::uint64_t seed,
                                      const Inquiry& inquiry);
 
+    /// Runs one case on inputs of this grain: by a trusted solution, with its questions, or by a student's build, of
+    /// which is read what `expected` holds too. Nothing is kept.
+    [[nodiscard]] RunOutcome run_coarse(const Exercise& exercise, Answers solution, const std::string& case_name,
+                                        std::uint64_t seed, const Grain& grain);
+    [[nodiscard]] RunOutcome run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
+                                        std::uint64_t seed, const Grain& grain, const RunOutcome& expected);
+
     /// The recording of one of the unit's mistakes, compiled when the project was built; kept as well.
     [[nodiscard]] const RunOutcome& run_mistake(const Exercise& exercise, const std::string& name,
                                                 const Sources& sources, const std::string& case_name,

@@ -67,7 +67,7 @@ std::optional<Difference> difference(const Field& field)
 CheckResult check(const Field& field)
 {
     field.allow_only({"name", "kind", "hard", "hidden", "score", "max_score", "error", "reference_error", "message",
-                      "metrics", "first_difference", "common", "sketch", "artefacts", "seeds"});
+                      "metrics", "first_difference", "common", "simplest", "sketch", "artefacts", "seeds"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -81,6 +81,7 @@ CheckResult check(const Field& field)
     const Field metrics = field.member("metrics");
     for (const std::string& name : metrics.names()) result.metrics[name] = number_or_nan(metrics.member(name));
     result.first_difference = difference(field.member("first_difference"));
+    if (const Field simplest = field.member("simplest"); simplest.given()) result.simplest = difference(simplest);
     if (const Field common = field.member("common"); common.given()) result.common = text(common);
     if (const Field sketch = field.member("sketch"); sketch.given()) result.sketch = text(sketch);
     const Field artefacts = field.member("artefacts");

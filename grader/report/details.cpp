@@ -91,7 +91,11 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
         if (const std::string& question = check.first_difference->question; !question.empty())
             block.labelled("asked", code_lines(question, block.room(), paint));
     }
-    if (!check.common.empty()) block.sentence("in common", check.common);
+    if (check.simplest) {
+        block.labelled("simplest", code_lines(check.simplest->question, block.room(), paint));
+        block.labelled("", side_by_side(*check.simplest, block.room(), paint));
+    }
+    if (!check.common.empty()) block.sentence("pattern", check.common);
     block.labelled("there", wrap(paint.safe_lines(check.sketch), block.room()));
     for (const auto& [kind, path] : check.artefacts)
         block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);

@@ -23,6 +23,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .metrics = {},
                          .first_difference = {},
                          .common = {},
+                         .simplest = {},
                          .sketch = {},
                          .artefacts = {},
                          .seeds = {}};

@@ -6,7 +6,10 @@ namespace umbral::grader {
 
 nlohmann::json to_json(const Inquiry& inquiry)
 {
-    nlohmann::json json = {{"questions", inquiry.questions}, {"wanted", inquiry.wanted}, {"in_full", inquiry.in_full}};
+    nlohmann::json json = {{"questions", inquiry.questions},
+                           {"wanted", inquiry.wanted},
+                           {"in_full", inquiry.in_full},
+                           {"grain", {inquiry.grain.bits, inquiry.grain.smaller}}};
     json["others"] = nlohmann::json::array();
     for (const OtherQuestion& other : inquiry.others)
         json["others"].push_back({other.function, other.place, other.change, other.other});
@@ -15,7 +18,10 @@ nlohmann::json to_json(const Inquiry& inquiry)
 
 Inquiry inquiry_from_json(const nlohmann::json& json)
 {
-    Inquiry inquiry{.questions = json.at("questions"), .wanted = json.at("wanted"), .in_full = json.at("in_full")};
+    Inquiry inquiry{.questions = json.at("questions"),
+                    .wanted = json.at("wanted"),
+                    .in_full = json.at("in_full"),
+                    .grain = {json.at("grain").at(0), json.at("grain").at(1)}};
     for (const nlohmann::json& other : json.at("others"))
         inquiry.others.push_back({other.at(0), other.at(1), other.at(2), other.at(3)});
     return inquiry;

@@ -6,6 +6,15 @@
 
 namespace umbral {
 
+/// Random numbers of few digits: inputs that somebody can work out by hand. All generators that draw from such numbers
+/// give simpler results, and keep what they promise of them.
+struct Grain {
+    std::uint32_t bits = 32;    ///< of each number, the leading ones that are kept
+    std::uint32_t smaller = 0;  ///< and how far all are moved towards 0: so many bits
+
+    friend bool operator==(const Grain&, const Grain&) = default;
+};
+
 /// A small generator of random numbers that gives the same sequence on every machine.
 ///
 /// The distributions of <random> are left to each standard library, so the same seed would give other test inputs
@@ -13,7 +22,8 @@ namespace umbral {
 /// (pcg32).
 class Random {
 public:
-    explicit Random(std::uint64_t seed) : increment_((seed << 1U) | 1U)
+    explicit Random(std::uint64_t seed, Grain grain = {})
+        : increment_((seed << 1U) | 1U), mask_(~std::uint32_t{0} << (32U - grain.bits)), shift_(grain.smaller)
     {
         (void)bits();
         state_ += seed * 0x9E3779B97F4A7C15U + 0xBF58476D1CE4E5B9U;
@@ -27,7 +37,7 @@ public:
         state_ = old * 6364136223846793005U + increment_;
         const auto folded = static_cast<std::uint32_t>(((old >> 18U) ^ old) >> 27U);
         const auto rotation = static_cast<std::uint32_t>(old >> 59U);
-        return (folded >> rotation) | (folded << ((32U - rotation) & 31U));
+        return (((folded >> rotation) | (folded << ((32U - rotation) & 31U))) & mask_) >> shift_;
     }
 
     /// Uniform in [0, 1), a multiple of 2^-24, so that it is exact in float.
@@ -69,6 +79,8 @@ public:
 private:
     std::uint64_t state_ = 0;
     std::uint64_t increment_;
+    std::uint32_t mask_;
+    std::uint32_t shift_;
 };
 
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <umbral/core/random.hpp>
 #include <umbral/record/changes.hpp>
 #include <umbral/record/features.hpp>
 #include <umbral/record/tensor.hpp>
@@ -22,6 +23,7 @@ struct Inquiry {
     /// Asked in place of the driver's own, each in all calls of its function: the case runs once for each, and what it
     /// records is called "0?name", "1?name" and so on.
     std::vector<OtherQuestion> others{};
+    Grain grain{};  ///< of the case's random numbers
     std::optional<std::uint32_t> stop{};  ///< at this question question_reached() is called: for debuggers
 };
 
