@@ -12,13 +12,14 @@ class StateKeeper {
 public:
     StateKeeper()
     {
-        glPushAttrib(GL_CURRENT_BIT | GL_DEPTH_BUFFER_BIT | GL_POLYGON_BIT);
+        glPushAttrib(GL_CURRENT_BIT | GL_POLYGON_BIT);
         glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
     }
     StateKeeper(const StateKeeper&) = delete;
     StateKeeper& operator=(const StateKeeper&) = delete;
     ~StateKeeper()
     {
+        glDepthFunc(GL_LESS);
         glPopClientAttrib();
         glPopAttrib();
     }

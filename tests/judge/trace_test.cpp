@@ -73,6 +73,22 @@ TEST(Traces, uploading_again_is_said_with_its_bytes)
     EXPECT_EQ(found.first_difference->expected, "nothing");
 }
 
+TEST(Traces, tables_that_stay_in_memory_are_missed)
+{
+    const std::string bare = "glDrawElements 4 6 5125 1\n";
+    const Check check = check_with({"uploaded bytes"});
+    EXPECT_EQ(judged(bare, first_frame, check).right, 0);
+    EXPECT_EQ(judged(bare, first_frame, check).message, "0 bytes are uploaded, of the 1,560 that are needed");
+    const auto uploading = [](int bytes) {
+        return "glBufferData 34962 1 1 35044 | " + std::to_string(bytes) + "\nglDrawElements 4 6 5125 0\n";
+    };
+    EXPECT_EQ(judged(uploading(519), first_frame, check).right, 0);
+    EXPECT_EQ(judged(uploading(520), first_frame, check).right, 1) << "smaller types";
+    EXPECT_EQ(judged(uploading(1560), first_frame, check).right, 1);
+    EXPECT_EQ(judged(uploading(1561), first_frame, check).right, 0);
+    EXPECT_EQ(judged(later_frame, later_frame, check).right, 1) << "nothing is needed";
+}
+
 TEST(Traces, immediate_mode_is_deprecated_and_its_vertices_count)
 {
     const std::string immediate = "glBegin 4\nglVertex3f 0 0 0\nglVertex3f 1 0 0\nglVertex3f 0 1 0\nglEnd\n";

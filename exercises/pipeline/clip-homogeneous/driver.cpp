@@ -105,6 +105,10 @@ std::vector<ClipTriangle> limits()
         {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, 0, 1}, {nan, 0, 0, 1}},        // nonsense
         {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, 0, 1}, {0, 0, 0, infinity}},
         {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},             // a corner in the eye
+        {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 3, 0, 1}},                // … and a side to cut
+        {glm::vec4(0.25F, 0, 0, 1), {-0.5F, 0.5F, 0.5F, 1}, {0, 2, 0, 1}},     // without the eye: something
+        {glm::vec4(-3, 0, 0.5F, 1), {0, 0, 0, 0}, {2, 0.25F, 0, 1}},           // … two
+        {glm::vec4(0.25F, 0.5F, 0, -1), {0.5F, 0.25F, 0, 1}, {0, 0, 0, 0}},    // … and one behind
         {glm::vec4(0.5F, 0, 0, -1), {0, 0.5F, 0, -1}, {-0.5F, -0.5F, 0, -1}},  // all behind
         {glm::vec4(0, 0.5F, -2, 0), {0.5F, 0, 0, 1}, {-0.5F, 0.125F, 0, 1}},   // a corner in the camera's plane
         {glm::vec4(-1.875F, 1.8125F, 0.0625F, 1),

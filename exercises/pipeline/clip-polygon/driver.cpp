@@ -118,6 +118,7 @@ void record_covered(Recorder& out, const std::vector<Task>& tasks)
 std::vector<Task> borders()
 {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
     return {
         {{{8, 4}, {3, 6}, {2, 1}}, square},    // a corner on the right side
         {{{8, 4}, {3, 10}, {2, 1}}, square},   // … and another above
@@ -129,7 +130,12 @@ std::vector<Task> borders()
         {{{8, 8}, {2, 7}, {7, 2}}, square},            // a corner in a corner
         {{{4, 4}, {6, 2}, {6, 6}, {2, 6}}, triangle},  // a corner on a slanted side, the others beyond it or below
         {{{1, 1}, {5, 1}}, square},                    // two corners: nothing
-        {{{1, 1}, {nan, 1}, {4, 5}}, square},          // nonsense: nothing
+        {{{1, 1}}, square},                            // one, and none
+        {{}, square},
+        {{{1, 1}, {nan, 1}, {4, 5}}, square},  // nonsense: nothing
+        {{{1, 1}, {infinity, 1}, {4, 5}}, square},
+        {{{1, 1}, {7, 2}, {3, -infinity}}, square},
+        {{{1, 1}, {7, 2}, {3, 5}}, {{0, 0}, {infinity, 0}, {0, 8}}},
         {{{2, 3}, {8, 3}, {10, 5}, {8, 7}, {2, 6}}, square},  // corners on the side, and beyond it between them
         {{{-2, 8}, {4, 3}, {10, 8}}, square},                 // a side along the upper border, and beyond it
     };

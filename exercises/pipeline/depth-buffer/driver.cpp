@@ -1,3 +1,4 @@
+#include <stdexcept>
 #include <umbral/core/random.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -77,11 +78,13 @@ float random_depth(Random& random, const Levels& levels)
     return levels.at(offsets[random.below(static_cast<std::uint32_t>(offsets.size()))]);
 }
 
-// A buffer of codes that the format has, all close together, so that ties occur.
+// A buffer of codes that the format has, all close together, so that ties occur: as the unit itself keeps them, since
+// the last bit of these floats is free.
 Grid<float> random_depths(Random& random, const Levels& levels)
 {
     Grid<float> depths(tile, tile);
-    for (float& depth : depths.cells) depth = levels.at(static_cast<double>(random.below(3)) - 1);
+    for (float& depth : depths.cells)
+        depth = stored_depth(levels.format, levels.at(static_cast<double>(random.below(3)) - 1));
     return depths;
 }
 
@@ -188,6 +191,29 @@ void record_merging(Random& random, Recorder& out)
     out.buffer("depths", after);
 }
 
+// Two layers of equal and of different sizes, some with equally many pixels: 0 if they are merged, 1 if they are
+// refused as the interface says, 2 if in another way.
+void record_sizes(Random& random, Recorder& out)
+{
+    const auto refused = [](glm::ivec2 source, glm::ivec2 target) {
+        const Layer from{{source.x, source.y, glm::vec3(1)}, {source.x, source.y, 0.25F}};
+        Layer to{{target.x, target.y}, {target.x, target.y, 0.5F}};
+        try {
+            merge_layers({}, from, to);
+        } catch (const std::invalid_argument&) {
+            return 1.0F;
+        } catch (...) {
+            return 2.0F;
+        }
+        return 0.0F;
+    };
+    for (const glm::ivec2 other : {glm::ivec2(4, 6), {6, 5}, {5, 4}, {7, 4}, {12, 2}, {0, 0}, {3, 4}, {6, 3}}) {
+        const bool equal_first = random.below(2) == 0;
+        out.append("refused", refused({6, 4}, equal_first ? glm::ivec2(6, 4) : other));
+        out.append("refused", refused({6, 4}, equal_first ? other : glm::ivec2(6, 4)));
+    }
+}
+
 }
 
 const Driver driver = {
@@ -198,6 +224,7 @@ const Driver driver = {
     {"crowds", [](Case& c, Recorder& out) { record_tests(c.random, out, 160); }},
     {"drawing", [](Case& c, Recorder& out) { record_drawing(c.random, out); }},
     {"merging", [](Case& c, Recorder& out) { record_merging(c.random, out); }},
+    {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rings()); }},
 };
 

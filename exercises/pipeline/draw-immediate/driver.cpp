@@ -78,7 +78,8 @@ void buffer_bound(Case&, Recorder& out)
 void choose_state(Random& random)
 {
     constexpr GLenum modes[] = {GL_POINT, GL_LINE, GL_FILL};
-    glPolygonMode(GL_FRONT_AND_BACK, modes[random.below(3)]);
+    glPolygonMode(GL_FRONT, modes[random.below(3)]);
+    glPolygonMode(GL_BACK, modes[random.below(3)]);
     random.below(2) == 0 ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
     const float red = random.uniform();
     glColor4f(red, random.uniform(), red / 2, 0.25F + red / 2);
@@ -98,7 +99,7 @@ void record_state(Recorder& out, const Piece& piece, const Image& picture)
     glGetFloatv(GL_CURRENT_COLOR, color.data());
     std::array<GLint, 2> mode{};
     glGetIntegerv(GL_POLYGON_MODE, mode.data());
-    std::vector<float> row = {color[0], color[1], color[2], color[3], static_cast<float>(mode[0])};
+    std::vector<float> row = {color[0], color[1], color[2], color[3], static_cast<float>(mode[0]), static_cast<float>(mode[1])};
     for (const GLenum name :
          {GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM,
           GL_DEPTH_TEST, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE,

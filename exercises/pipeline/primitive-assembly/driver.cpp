@@ -177,9 +177,9 @@ Image gallery()
                 return vertex < count ? centre + (glm::dvec2(window[vertex]) - 240.0) / 85.0 : glm::dvec2(NAN);
             };
             for (std::uint32_t i = 0; i < count; ++i) drawing.ring(place(i), 4, ink::slate, 1.5);
-            const DrawList list = draw_list(columns[column], counted(count), window, Culling::back, rows[row]);
+            const DrawList list = sorted(draw_list(columns[column], counted(count), window, Culling::back, rows[row]));
             for (std::size_t i = 0; i < std::min<std::size_t>(list.triangles.size(), 12); ++i) {
-                const glm::uvec3 t = canonical(list.triangles[i]);
+                const glm::uvec3 t = list.triangles[i];
                 draw_smooth(drawing, {place(t.x), place(t.y), place(t.z)}, {color(t.x), color(t.y), color(t.z)});
             }
             for (std::size_t i = 0; i < std::min<std::size_t>(list.segments.size(), 24); ++i) {

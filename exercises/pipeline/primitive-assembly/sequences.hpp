@@ -74,31 +74,37 @@ inline void record_assembly(Recorder& out, PrimitiveType type, const std::vector
     }
 }
 
-/// Events of one draw: points, segments and triangles, each list sorted; numbers counted from 1.
-inline void record_draw(Recorder& out, int draw, const DrawList& list, std::size_t expected)
+/// The same lists in one order, each item in its canonical form: what the interface leaves free.
+inline DrawList sorted(DrawList list)
 {
-    const auto row = [&](float kind, glm::uvec3 vertices) {
-        const std::array<float, 4> numbers{static_cast<float>(4 * draw) + kind, static_cast<float>(vertices.x),
+    for (glm::uvec2& segment : list.segments) segment = canonical(segment);
+    for (glm::uvec3& triangle : list.triangles) triangle = canonical(triangle);
+    std::sort(list.points.begin(), list.points.end());
+    std::sort(list.segments.begin(), list.segments.end(), [](glm::uvec2 a, glm::uvec2 b) {
+        return std::array{a.x, a.y} < std::array{b.x, b.y};
+    });
+    std::sort(list.triangles.begin(), list.triangles.end(), [](glm::uvec3 a, glm::uvec3 b) {
+        return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
+    });
+    return list;
+}
+
+/// Events of one draw: points, segments and triangles, each list sorted; numbers counted from 1.
+inline void record_draw(Recorder& out, int draw, DrawList list, std::size_t expected)
+{
+    const auto row = [&](int kind, glm::uvec3 vertices) {
+        const std::array<float, 4> numbers{static_cast<float>(4 * draw + kind), static_cast<float>(vertices.x),
                                            static_cast<float>(vertices.y), static_cast<float>(vertices.z)};
         out.append("list", std::span<const float>(numbers));
     };
     const std::size_t most = 2 * expected + 16;
-    std::vector<glm::uvec3> points;
-    std::vector<glm::uvec3> segments;
-    std::vector<glm::uvec3> triangles;
-    for (std::size_t i = 0; i < std::min(list.points.size(), most); ++i) points.emplace_back(list.points[i] + 1, 0, 0);
-    for (std::size_t i = 0; i < std::min(list.segments.size(), most); ++i)
-        segments.emplace_back(canonical(list.segments[i] + 1U), 0);
-    for (std::size_t i = 0; i < std::min(list.triangles.size(), most); ++i)
-        triangles.push_back(canonical(list.triangles[i] + 1U));
-    float kind = 0;
-    for (std::vector<glm::uvec3>* rows : {&points, &segments, &triangles}) {
-        std::sort(rows->begin(), rows->end(), [](glm::uvec3 a, glm::uvec3 b) {
-            return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
-        });
-        for (const glm::uvec3& vertices : *rows) row(kind, vertices);
-        ++kind;
-    }
+    list.points.resize(std::min(list.points.size(), most));
+    list.segments.resize(std::min(list.segments.size(), most));
+    list.triangles.resize(std::min(list.triangles.size(), most));
+    list = sorted(std::move(list));
+    for (const std::uint32_t point : list.points) row(0, {point + 1, 0, 0});
+    for (const glm::uvec2& segment : list.segments) row(1, {segment + 1U, 0});
+    for (const glm::uvec3& triangle : list.triangles) row(2, triangle + 1U);
 }
 
 inline std::string draw_names(int draws)

@@ -181,6 +181,18 @@ void laws(Random& random, Recorder& out)
     cover(out, "one half", first_halves, 1);
 }
 
+// One list for all triangles, with a row of somebody else's at its beginning: what was there stays, and rows come in
+// the order that the interface says.
+void record_list(Random& random, Recorder& out)
+{
+    std::vector<Fragment> fragments = {{{3, 2}, 0.5F, {1, 0, 0}}};
+    for (const Triangle& next : random_triangles(random, 8, 12, 10)) rasterize_triangle(next, 12, 10, fragments);
+    fragments.resize(std::min<std::size_t>(fragments.size(), 2000));
+    for (const Fragment& fragment : fragments)
+        out.append("rows", glm::vec3(1, static_cast<float>(fragment.pixel.x), static_cast<float>(fragment.pixel.y)));
+    out.text("rows.names", "1 fragment\n");
+}
+
 void record_picture(Recorder& out)
 {
     const Canvas canvas = scene(480, 320);
@@ -199,6 +211,7 @@ const Driver driver = {
     {"guard band", [](Case& c, Recorder& out) { guard_band(c.random, out); }},
     {"needles", [](Case& c, Recorder& out) { needles(c.random, out); }},
     {"horizon", [](Case& c, Recorder& out) { horizon(c.random, out); }},
+    {"list", [](Case& c, Recorder& out) { record_list(c.random, out); }},
     {"laws", [](Case& c, Recorder& out) { laws(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { record_picture(out); }},
 };

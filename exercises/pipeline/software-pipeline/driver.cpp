@@ -58,13 +58,16 @@ std::vector<Call> several(int count, const Make& make)
     return calls;
 }
 
-// All three ways in turn, in front of the camera and about it; every other call in flat colours.
+constexpr std::array modes = {PolygonMode::fill, PolygonMode::line, PolygonMode::point};
+
+// All three ways in turn, in all three modes, in front of the camera and about it; every other call in flat colours.
 std::vector<Call> culling(Random& random)
 {
     return several(18, [&](int i) {
         Call call = i < 9 ? in_front(random, 5) : about_the_camera(random, 5);
         call.state.culling =
             std::array{Culling::back, Culling::front, Culling::none}.at(static_cast<std::size_t>(i % 3));
+        call.state.mode = modes.at(static_cast<std::size_t>(i / 3 % 3));
         call.state.shading = i % 2 == 0 ? ShadeModel::flat : ShadeModel::smooth;
         return call;
     });
@@ -77,6 +80,38 @@ std::vector<Call> nets(Random& random, PolygonMode mode, int count)
         call.state.mode = mode;
         return call;
     });
+}
+
+// In a viewport of 8 x 8 pixels within a picture of 12 x 12: corners in halves of a pixel, from border to border. So
+// ends of lines lie on centres, and sides and points on the viewport's own borders. Every third call is culled.
+std::vector<Call> borders(Random& random)
+{
+    const auto on_half_pixels = [](const std::vector<glm::vec3>& places, int i) {
+        std::vector<glm::vec3> ndc;
+        for (const glm::vec3& place : places) ndc.emplace_back(place.x / 4 - 1, 1 - place.y / 4, place.z);
+        Call call = on_paper(ndc);
+        call.width = call.height = 12;
+        call.state.viewport.left = 2;
+        call.state.viewport.top = 1;
+        call.state.mode = i % 4 == 3 ? PolygonMode::point : PolygonMode::line;
+        call.state.culling = i % 3 != 2 ? Culling::none : i % 2 == 0 ? Culling::back : Culling::front;
+        return call;
+    };
+    std::vector<Call> calls = {on_half_pixels({{1.5F, 1.5F, 0}, {5.5F, 1.5F, 0}, {5.5F, 5.5F, 0}}, 0),
+                               on_half_pixels({{6.5F, 3.5F, 0}, {0.5F, 0.5F, 0}, {2.5F, 7.5F, 0}}, 1),
+                               on_half_pixels({{8, 1, 0}, {8, 7, 0}, {3, 4, 0}}, 0),
+                               on_half_pixels({{1, 8, 0}, {7, 8, 0}, {4, 3, 0}}, 1),
+                               on_half_pixels({{8, 1, 0}, {3, 8, 0}, {0, 0, 0}}, 3)};
+    for (int i = 0; i < 24; ++i) {
+        std::vector<glm::vec3> places(6);
+        for (glm::vec3& place : places) {
+            place.x = 0.5F * static_cast<float>(random.below(17));
+            place.y = 0.5F * static_cast<float>(random.below(17));
+            place.z = random.uniform(-0.9F, 0.9F);
+        }
+        calls.push_back(on_half_pixels(places, i));
+    }
+    return calls;
 }
 
 // Functions, formats and ranges; a layer of depth to begin with that some fragments pass and others do not.
@@ -105,7 +140,7 @@ std::vector<Call> viewports(Random& random)
         call.state.viewport.top = offset();
         call.state.viewport.width = 12 + static_cast<int>(random.below(20));
         call.state.viewport.height = 12 + static_cast<int>(random.below(20));
-        call.state.mode = i % 3 == 2 ? PolygonMode::line : PolygonMode::fill;
+        call.state.mode = modes.at(static_cast<std::size_t>(i % 3));
         return call;
     });
 }
@@ -151,6 +186,7 @@ const Driver driver = {
     {"culling", [](Case& c, Recorder& out) { record(out, culling(c.random)); }},
     {"lines", [](Case& c, Recorder& out) { record(out, nets(c.random, PolygonMode::line, 16)); }},
     {"points", [](Case& c, Recorder& out) { record(out, nets(c.random, PolygonMode::point, 40)); }},
+    {"borders", [](Case& c, Recorder& out) { record(out, borders(c.random)); }},
     {"depth", [](Case& c, Recorder& out) { record(out, depths(c.random)); }},
     {"viewports", [](Case& c, Recorder& out) { record(out, viewports(c.random)); }},
     {"seams", [](Case& c, Recorder& out) { record(out, seams(c.random)); }},

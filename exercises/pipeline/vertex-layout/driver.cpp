@@ -55,6 +55,24 @@ void record_mixed(Recorder& out)
         for (const std::uint64_t vertices : {3U, 5U}) record_layouts(out, attributes, vertices);
 }
 
+// Without attributes, without vertices, and with both, which the two functions for layouts and repack must all survive.
+void record_nothing(Random& random, Recorder& out)
+{
+    for (const std::uint64_t vertices : {0U, 1U, 7U})
+        for (const std::vector<VertexAttribute>& attributes : {{}, {floats(3)}, course_vertex}) {
+            for (const VertexLayout& layout :
+                 {interleaved_layout(attributes, vertices), separate_layout(attributes, vertices)})
+                record_layout(out, "layouts", layout, attributes.size());
+            VertexLayout from = some_layout(random, attributes, vertices, 1, false);
+            VertexLayout to = some_layout(random, attributes, vertices, 1, false);
+            (vertices == 1 ? from : to).bytes += 5;
+            const std::vector<std::byte> result =
+                repack(random_bytes(random, from.bytes), from, to, attributes, vertices);
+            const auto zeros = std::count(result.begin(), result.end(), std::byte{0});
+            out.append("layouts", glm::dvec2(static_cast<double>(result.size()), static_cast<double>(zeros)));
+        }
+}
+
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
@@ -211,6 +229,7 @@ Image picture()
 const Driver driver = {
     {"course vertex", [](Case&, Recorder& out) { record_course(out); }},
     {"mixed types", [](Case&, Recorder& out) { record_mixed(out); }},
+    {"nothing", [](Case& c, Recorder& out) { record_nothing(c.random, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"large", [](Case& c, Recorder& out) { record_large(c.random, out); }},
     {"conversions", [](Case& c, Recorder& out) { record_conversions(c.random, out); }},

@@ -105,15 +105,23 @@ void odd_windows(Case& c, Recorder& out)
         }
 }
 
+void append_rows(Recorder& out, const LoggedViewer& viewer, float code)
+{
+    for (std::vector<float> row : viewer.rows) {
+        row[0] = code;
+        out.append("commands", std::span<const float>(row));
+    }
+}
+
 void record_commands(Recorder& out, const input::EventScript& script, glm::dvec2 content_scale,
                      const std::vector<Box>& contents)
 {
     LoggedViewer viewer(contents);
     play(script, content_scale, viewer);
-    for (const std::vector<float>& row : viewer.rows) out.append("commands", std::span<const float>(row));
+    append_rows(out, viewer, 1);
 }
 
-constexpr const char* names = "1 show\n";
+constexpr const char* names = "1 show\n2 show, told to the second viewer\n";
 
 constexpr const char* resizing = R"(
 0.1 resize 800 600
@@ -131,7 +139,8 @@ constexpr const char* resizing = R"(
 1.3 resize 400 400
 )";
 
-// The second window begins with nothing of the first; what is shown changes between events.
+// The second window begins with nothing of the first; what is shown changes between events. The third one is handed to
+// another viewer.
 void two_windows(Case&, Recorder& out)
 {
     out.text("commands.names", names);
@@ -139,6 +148,12 @@ void two_windows(Case&, Recorder& out)
                     {cube, tile, {{0, 0, 0}, {5, 1, 1}}});
     record_commands(out, input::parse_script("0.1 refresh\n0.2 resize 900 450\n0.3 resize 450 901\n"), {2, 2},
                     {{{-2, -1, 0}, {0, 5, 1}}, cube});
+    LoggedViewer first({cube});
+    LoggedViewer second({tile});
+    play(input::parse_script("0.1 resize 320 480\n0.2 resize 600 200\n0.3 resize 210 700\n0.4 resize 800 100\n"),
+         {1, 1}, first, &second);
+    append_rows(out, first, 1);
+    append_rows(out, second, 2);
 }
 
 void random_windows(Case& c, Recorder& out)

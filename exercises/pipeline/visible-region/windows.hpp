@@ -29,15 +29,18 @@ private:
     std::size_t current_ = 0;
 };
 
-/// Plays a script to a window of 640 x 480 as its event loop would; the viewer's contents change after each event.
-inline void play(const input::EventScript& script, glm::dvec2 content_scale, LoggedViewer& viewer)
+/// Plays a script to a window of 640 x 480 as its event loop would; the viewer's contents change after each event. From
+/// the third event on the window belongs to `heir`, if there is one.
+inline void play(const input::EventScript& script, glm::dvec2 content_scale, LoggedViewer& viewer,
+                 LoggedViewer* heir = nullptr)
 {
     const input::Headless session(script, {.content_scale = content_scale});
     glfwInit();
     GLFWwindow* window = glfwCreateWindow(640, 480, "Umbral", nullptr, nullptr);
     glfwSetWindowUserPointer(window, static_cast<Viewer*>(&viewer));
     keep_proportions(window);
-    while (!session.script_is_over()) {
+    for (int event = 0; !session.script_is_over(); ++event) {
+        if (event == 2 && heir != nullptr) glfwSetWindowUserPointer(window, static_cast<Viewer*>(heir));
         viewer.next();
         glfwWaitEvents();
     }

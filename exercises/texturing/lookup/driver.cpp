@@ -1,4 +1,5 @@
 #include <limits>
+#include <stdexcept>
 #include <umbral/record/driver.hpp>
 
 #include "scene.hpp"
@@ -149,6 +150,30 @@ void not_numbers(Random& random, Recorder& out)
     record(out, textures, queries);
 }
 
+// Textures without a texel, and with some: 0 if there is an answer, 1 if they are refused as the interface says, 2 if
+// in another way.
+void without_texels(Random& random, Recorder& out)
+{
+    const auto refused = [](const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv) {
+        try {
+            (void)lookup(texture, sampler, uv);
+        } catch (const std::invalid_argument&) {
+            return 1.0F;
+        } catch (...) {
+            return 2.0F;
+        }
+        return 0.0F;
+    };
+    for (const glm::ivec2 size : {glm::ivec2(0, 0), {0, 5}, {5, 0}, {0, 1}, {1, 0}, {0, 0}}) {
+        const Sampler sampler{both_filters[random.below(2)], random_wrap(random), random_wrap(random)};
+        const bool empty_first = random.below(2) == 0;
+        const float u = random.uniform();
+        const glm::vec2 uv(u, random.uniform());
+        for (const bool empty : {empty_first, !empty_first})
+            out.append("refused", refused({empty ? size.x : 5, empty ? size.y : 2}, sampler, uv));
+    }
+}
+
 // A long way from 0 the fraction has few bits left, and a product with the size has none to spare; just below 0 it
 // rounds up to 1.
 void far_out(Random& random, Recorder& out)
@@ -215,6 +240,7 @@ const Driver driver = {
     {"seams", [](Case& c, Recorder& out) { across_seams(c.random, out); }},
     {"thin", [](Case& c, Recorder& out) { thin(c.random, out); }},
     {"not numbers", [](Case& c, Recorder& out) { not_numbers(c.random, out); }},
+    {"no texel", [](Case& c, Recorder& out) { without_texels(c.random, out); }},
     {"far out", [](Case& c, Recorder& out) { far_out(c.random, out); }},
     {"beside borders", [](Case& c, Recorder& out) { beside_borders(c.random, out); }},
     {"laws", [](Case& c, Recorder& out) { record_cycled(c.random, out); }},

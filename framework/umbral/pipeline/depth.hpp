@@ -30,7 +30,8 @@ struct DepthState {
 /// (glShadeModel).
 enum class ShadeModel : std::uint8_t { flat, smooth };
 
-/// A picture with depths, of equal size: what a scene leaves behind. Depths are values that the format has.
+/// A picture with depths, of equal size: what a scene leaves behind. Depths are values that the format has: what
+/// `stored_depth` gives.
 struct Layer {
     Grid<glm::vec3> colors;
     Grid<float> depths;
@@ -40,10 +41,11 @@ struct Layer {
 [[nodiscard]] bool depth_passes(DepthFunction function, float incoming, float stored);
 
 /// What a depth buffer of this format keeps of a depth: clamped to [0, 1], and the nearest value k / (2^b - 1) for b
-/// bits, rounded to float.
+/// bits, as a float.
 ///
-/// (Different k give different floats, with 24 bits too.) The tie at 1/2 goes up. Float keeps a depth in [0, 1] as it
-/// is.
+/// That float may be 2 ulp off, as when k is multiplied by 1 / (2^b - 1) in float, but all depths of one k give the
+/// same one, and what is kept already stays as it is. (Different k give different floats, with 24 bits too.) The tie at
+/// 1/2 goes up. Float keeps a depth in [0, 1] as it is.
 [[nodiscard]] float stored_depth(DepthFormat format, float depth);
 
 /// Tests fragments in their order: removes those that fail, keeps the others in order, and stores the depths of those

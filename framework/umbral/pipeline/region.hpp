@@ -37,7 +37,8 @@ struct Box {
 [[nodiscard]] Box visible_region(const Box& contents, int width, int height);
 
 /// What is shown in a window, and who is told how. A window's user pointer leads to one:
-/// static_cast<Viewer*>(glfwGetWindowUserPointer(w)).
+/// static_cast<Viewer*>(glfwGetWindowUserPointer(w)). The pointer may be set to another one at any time, who is told
+/// from then on.
 class Viewer {
 public:
     virtual ~Viewer() = default;

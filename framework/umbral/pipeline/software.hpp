@@ -47,14 +47,15 @@ struct PipelineState {
 /// 5. `mode` says what is left of the polygon:
 ///    - `fill`: its triangles, from its first corner to each other side, by rasterize_triangle;
 ///    - `line`: its sides, but not those that clipping made: only sides along which one of the triangle's corners has
-///    the weight 0, exactly, at both
-///      ends. A side that is at least as wide as high gives one fragment for each column whose centre lies between its
-///      ends, the left end included and the right one not: the pixel that holds the point of the side there. A steeper
-///      one gives one for each row, the upper end included. Ends are rounded to 1/256 pixel first, as the rasteriser
-///      does it. The depth is affine along the side, colours are perspective-correct;
+///      the weight 0, exactly, at both ends. Ends are rounded to 1/256 pixel first, as the rasteriser does it. A side
+///      that is then at least as wide as high gives one fragment for each column whose centre lies between its ends,
+///      the left end included and the right one not: the pixel that holds the point of the side there. A steeper one
+///      gives one for each row, the upper end included and the lower one not. The depth is affine along the side,
+///      colours are perspective-correct;
 ///    - `point`: for each of the same sides the pixel that holds the corner where it begins, in the polygon's order,
-///    rounded likewise. Only pixels of the viewport are drawn: a point on its right or lower border is not.
-/// 6. Fragments of the picture are tested and written (draw_fragments). The last corner of the *triangle* gives the
+///      rounded likewise.
+/// 6. Only pixels of the viewport are drawn, in all modes: what lies exactly on its right or lower border is not.
+/// 7. Fragments of the picture are tested and written (draw_fragments). The last corner of the *triangle* gives the
 /// flat colour.
 ///
 /// Indices are less than the number of vertices; triangles with NaN or infinity draw nothing. The layer's two grids

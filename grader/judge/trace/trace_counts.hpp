@@ -26,7 +26,8 @@ struct TraceParameters {
 
 [[nodiscard]] double counted(const GlTrace& trace, std::string_view rule);
 
-/// Must the student's count equal the reference's? Otherwise it must not exceed it.
-[[nodiscard]] bool must_equal(std::string_view rule);
+/// Does the student's count keep a rule? Vertices and objects must be as many as the reference's, other counts no more.
+/// Uploaded bytes must be a third of them at least: tables may be stored in smaller types, but not stay where they are.
+[[nodiscard]] bool keeps(std::string_view rule, double yours, double expected);
 
 }

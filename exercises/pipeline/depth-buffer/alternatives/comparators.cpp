@@ -1,5 +1,6 @@
 // alternative: function objects of the standard library, and codes by rounding in long double
 
+#include <stdexcept>
 #include <umbral/pipeline/depth.hpp>
 
 namespace umbral::pipeline {
@@ -58,6 +59,8 @@ void draw_fragments(const DepthState& state, ShadeModel model, const std::array<
 
 void merge_layers(const DepthState& state, const Layer& source, Layer& target)
 {
+    if (source.colors.width != target.colors.width || source.colors.height != target.colors.height)
+        throw std::invalid_argument("layers of different sizes");
     for (int y = 0; y < source.colors.height; ++y)
         for (int x = 0; x < source.colors.width; ++x) {
             const glm::vec3 color = source.colors.at(x, y);

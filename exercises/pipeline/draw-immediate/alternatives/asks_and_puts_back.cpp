@@ -26,7 +26,8 @@ void two_passes(const std::vector<glm::vec2>& table, const glm::vec3& fill, cons
     draw(true);
 
     glDepthFunc(GL_LESS);
-    glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(modes[0]));
+    glPolygonMode(GL_FRONT, static_cast<GLenum>(modes[0]));
+    glPolygonMode(GL_BACK, static_cast<GLenum>(modes[1]));
     glDisableClientState(GL_VERTEX_ARRAY);
     glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(buffer));
     glColor4fv(color);

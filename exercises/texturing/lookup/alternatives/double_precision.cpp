@@ -1,4 +1,5 @@
 // alternative: everything in double, and the texture repeated by a remainder of whole numbers
+#include <stdexcept>
 #include <umbral/texturing/lookup.hpp>
 
 namespace umbral::texturing {
@@ -21,6 +22,7 @@ long wrapped(long index, long count, Wrap wrap)
 
 glm::vec4 lookup(const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv)
 {
+    if (texture.cells.empty()) throw std::invalid_argument("no texel");
     const double x = usable(uv.x, sampler.wrap_u) * texture.width;
     const double y = usable(uv.y, sampler.wrap_v) * texture.height;
     const auto texel = [&](double column, double row) {

@@ -1,4 +1,5 @@
 // alternative: each axis for itself gives two texels and two weights; fractions in float, products in double
+#include <stdexcept>
 #include <umbral/texturing/lookup.hpp>
 
 namespace umbral::texturing {
@@ -32,6 +33,7 @@ std::array<Tap, 2> taps(float coordinate, int count, Wrap wrap, Filter filter)
 
 glm::vec4 lookup(const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv)
 {
+    if (texture.cells.empty()) throw std::invalid_argument("no texel");
     glm::vec4 sum(0);
     for (const Tap& row : taps(uv.y, texture.height, sampler.wrap_v, sampler.filter))
         for (const Tap& column : taps(uv.x, texture.width, sampler.wrap_u, sampler.filter))

@@ -2,6 +2,7 @@
 // credit: 85..97
 // hint: Far from 0 a float has few bits behind the point, and u * n has fewer still: take the fraction of u first.
 // Beside borders, the product rounds: use double.
+#include <stdexcept>
 #include <umbral/texturing/lookup.hpp>
 
 namespace umbral::texturing {
@@ -24,6 +25,7 @@ long wrapped(long index, long count, Wrap wrap)
 
 glm::vec4 lookup(const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv)
 {
+    if (texture.cells.empty()) throw std::invalid_argument("no texel");
     const float x = usable(uv.x, sampler.wrap_u) * static_cast<float>(texture.width);
     const float y = usable(uv.y, sampler.wrap_v) * static_cast<float>(texture.height);
     const auto texel = [&](float column, float row) {

@@ -1,3 +1,4 @@
+#include <stdexcept>
 #include <umbral/texturing/lookup.hpp>
 
 namespace umbral::texturing {
@@ -20,6 +21,7 @@ long wrapped(long index, long count, Wrap wrap)
 
 glm::vec4 lookup(const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv)
 {
+    if (texture.cells.empty()) throw std::invalid_argument("no texel");
     const double x = usable(uv.x, sampler.wrap_u) * texture.width;
     const double y = usable(uv.y, sampler.wrap_v) * texture.height;
     const auto texel = [&](double column, double row) {

@@ -1,0 +1,171 @@
+#include <array>
+#include <span>
+#include <umbral/gl/record_trace.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../support_gl.hpp"
+#include "shapes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace pipeline;
+
+/// The picture and the state that the unit finds.
+class Stage {
+public:
+    explicit Stage(int size) : canvas_(size)
+    {
+        glDepthFunc(GL_LEQUAL);
+        glLineWidth(5);
+    }
+    void clear() const { canvas_.clear(); }
+    [[nodiscard]] Image picture() const { return canvas_.picture(); }
+
+private:
+    Canvas canvas_;
+};
+
+void record_picture(Recorder& out, int size, const std::vector<Piece>& pieces)
+{
+    const Stage stage(size);
+    for (const Piece& piece : pieces) draw(piece);
+    out.image("picture", stage.picture());
+}
+
+Piece large(Piece::Way way, int corners)
+{
+    return {way, corners, {0, 0}, 0.9F, 0.2F, {0.2F, 0.5F, 0.8F}, {1, 0.85F, 0.4F}};
+}
+
+template <class Work>
+void record_calls(Recorder& out, std::string_view name, Work&& work)
+{
+    gl::begin_trace();
+    work();
+    gl::record_trace(out, name, gl::end_trace());
+}
+
+void sent_calls(Case&, Recorder& out)
+{
+    const Stage stage(32);
+    record_calls(out, "sent", [] { draw(large(Piece::Way::sent, 9)); });
+}
+
+// Made, drawn once, three times more in other colours, and gone.
+void frames(Recorder& out, Piece::Way way)
+{
+    const Stage stage(64);
+    std::unique_ptr<OutlinedDrawing> drawing;
+    const auto frame = [&](float red) {
+        if (drawing) drawing->draw({red, 0.4F, 0.3F}, {1, 1, red});
+    };
+    record_calls(out, "first frame", [&] {
+        drawing = drawing_of(large(way, 11));
+        frame(0.1F);
+    });
+    record_calls(out, "later frames", [&] {
+        for (const float red : {0.3F, 0.6F, 0.9F}) frame(red);
+    });
+    record_calls(out, "end", [&] { drawing.reset(); });
+}
+
+// What is seen belongs to the row: who draws nothing leaves all state alone.
+void record_state(Recorder& out, const Image& picture)
+{
+    std::array<GLint, 2> mode{};
+    glGetIntegerv(GL_POLYGON_MODE, mode.data());
+    GLint enabled = 0;
+    glGetVertexAttribiv(0, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+    const glm::u8vec4 seen = picture.at(picture.width / 2 + 2, picture.height / 2 + 3);
+    const std::array row{static_cast<float>(mode[0]),
+                         static_cast<float>(mode[1]),
+                         static_cast<float>(enabled),
+                         state_of(GL_VERTEX_ARRAY_BINDING),
+                         state_of(GL_ARRAY_BUFFER_BINDING),
+                         state_of(GL_ELEMENT_ARRAY_BUFFER_BINDING),
+                         state_of(GL_DEPTH_TEST),
+                         state_of(GL_DEPTH_FUNC),
+                         state_of(GL_LINE_WIDTH),
+                         living(glIsVertexArray),
+                         living(glIsBuffer),
+                         static_cast<float>(glGetError()),
+                         static_cast<float>(seen.r),
+                         static_cast<float>(seen.g),
+                         static_cast<float>(seen.b)};
+    out.append("state", std::span<const float>(row));
+}
+
+void state(Case& c, Recorder& out)
+{
+    const Stage stage(32);
+    for (int round = 0; round < 12; ++round) {
+        Piece piece = random_piece(c.random);
+        piece.way = static_cast<Piece::Way>(round % 3);
+        piece.centre = glm::vec2(0);
+        piece.radius = 0.8F;
+        piece.corners = round > 8 ? 0 : piece.corners;
+        glLineWidth(static_cast<float>(1 + c.random.below(6)));
+        c.random.below(2) == 0 ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
+        stage.clear();
+        std::unique_ptr<OutlinedDrawing> drawing;
+        if (piece.way == Piece::Way::sent)
+            draw(piece);
+        else
+            drawing = drawing_of(piece);
+        if (drawing) drawing->draw(piece.fill, piece.edges);
+        record_state(out, stage.picture());
+    }
+}
+
+// Drawings that live at once, drawn in turn; the last ones when others have gone.
+void several(Case&, Recorder& out)
+{
+    const Stage stage(160);
+    std::vector<Piece> pieces;
+    std::vector<std::unique_ptr<OutlinedDrawing>> drawings;
+    for (int i = 0; i < 4; ++i) {
+        const float side = i % 2 == 0 ? -0.45F : 0.45F;
+        pieces.push_back({i < 2 ? Piece::Way::polygon : Piece::Way::triangles,
+                          3 + 2 * i,
+                          {side, i < 2 ? 0.45F : -0.45F},
+                          0.4F,
+                          0,
+                          rainbow(0.23F * static_cast<float>(i), 0.8F, 0.7F),
+                          {1, 1, 1}});
+        drawings.push_back(drawing_of(pieces.back()));
+    }
+    const auto show = [&](std::size_t i) {
+        if (drawings[i]) drawings[i]->draw(pieces[i].fill, pieces[i].edges);
+    };
+    for (const std::size_t i : {3, 1, 0, 2}) show(i);
+    drawings[0].reset();
+    drawings[2].reset();
+    std::swap(pieces[1].fill, pieces[3].fill);
+    for (const std::size_t i : {1, 3}) show(i);
+    out.image("picture", stage.picture());
+}
+
+void random(Case& c, Recorder& out)
+{
+    std::vector<Piece> pieces;
+    for (int i = 0; i < 12; ++i) pieces.push_back(random_piece(c.random));
+    record_picture(out, 160, pieces);
+}
+
+}
+
+const Driver driver = {
+    {"window", [](Case&, Recorder& out) { record_picture(out, 384, window()); }},
+    {"sent", [](Case&, Recorder& out) { record_picture(out, 128, {large(Piece::Way::sent, 7)}); }},
+    {"polygon", [](Case&, Recorder& out) { record_picture(out, 128, {large(Piece::Way::polygon, 5)}); }},
+    {"triangles", [](Case&, Recorder& out) { record_picture(out, 128, {large(Piece::Way::triangles, 8)}); }},
+    {"calls", sent_calls},
+    {"polygon frames", [](Case&, Recorder& out) { frames(out, Piece::Way::polygon); }},
+    {"triangle frames", [](Case&, Recorder& out) { frames(out, Piece::Way::triangles); }},
+    {"state", state},
+    {"several", several},
+    {"random", random},
+};
+
+}

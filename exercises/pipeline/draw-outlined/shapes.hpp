@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <kit/color.hpp>
+#include <numbers>
+#include <umbral/core/random.hpp>
+#include <umbral/pipeline/outlined.hpp>
+
+/// What the cases draw: regular polygons and wheels of triangles.
+namespace umbral::pipeline {
+
+/// One use of the unit. A drawing is made anew for each.
+struct Piece {
+    enum class Way { sent, polygon, triangles };
+    Way way = Way::sent;
+    int corners = 3;
+    glm::vec2 centre{0};
+    float radius = 1;
+    float turn = 0;
+    glm::vec3 fill{1};
+    glm::vec3 edges{0};
+};
+
+inline std::vector<glm::vec2> corners_of(const Piece& piece)
+{
+    std::vector<glm::vec2> corners;
+    for (int i = 0; i < piece.corners; ++i) {
+        const float angle =
+            piece.turn + 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(piece.corners);
+        corners.push_back(piece.centre + piece.radius * glm::vec2(std::cos(angle), std::sin(angle)));
+    }
+    return corners;
+}
+
+/// The factory's drawing; nothing for what is sent. A piece of no corners has empty tables. The tables go before the
+/// drawing is used.
+inline std::unique_ptr<OutlinedDrawing> drawing_of(const Piece& piece)
+{
+    std::vector<glm::vec2> positions = corners_of(piece);
+    if (piece.way == Piece::Way::polygon) return make_outlined_polygon(positions);
+    std::vector<std::uint32_t> indices;
+    const auto n = static_cast<std::uint32_t>(piece.corners);
+    if (n > 0) positions.push_back(piece.centre);
+    // Every second triangle first, each begun at another of its corners: no order to rely on.
+    for (const std::uint32_t parity : {0U, 1U})
+        for (std::uint32_t i = parity; i < n; i += 2) {
+            std::array<std::uint32_t, 3> triangle = {i, (i + 1) % n, n};
+            std::rotate(triangle.begin(), triangle.begin() + (i / 2) % 3, triangle.end());
+            indices.insert(indices.end(), triangle.begin(), triangle.end());
+        }
+    return make_outlined_triangles(positions, indices);
+}
+
+inline void draw(const Piece& piece)
+{
+    if (piece.way == Piece::Way::sent)
+        send_polygon(corners_of(piece), piece.fill, piece.edges);
+    else if (const auto drawing = drawing_of(piece))
+        drawing->draw(piece.fill, piece.edges);
+}
+
+/// Rings of pieces in all three ways: the goal picture.
+inline std::vector<Piece> window()
+{
+    std::vector<Piece> pieces;
+    for (int ring = 4; ring >= 0; --ring)
+        for (int i = 0; i < std::max(1, 7 * ring); ++i) {
+            const float angle = 2 * std::numbers::pi_v<float> *
+                                (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) /
+                                static_cast<float>(std::max(1, 7 * ring));
+            const float out = 0.2F * static_cast<float>(ring);
+            const glm::vec3 fill =
+                rainbow(0.13F * static_cast<float>(ring) + 0.02F * static_cast<float>(i % 7), 0.75F, 0.75F);
+            pieces.push_back({static_cast<Piece::Way>((ring + i) % 3), 4 + ring + i % 3,
+                              out * glm::vec2(std::cos(angle), std::sin(angle)), ring == 0 ? 0.12F : 0.085F, angle,
+                              fill, glm::mix(fill, glm::vec3(1), 0.75F)});
+        }
+    return pieces;
+}
+
+inline Piece random_piece(Random& random)
+{
+    Piece piece;
+    piece.way = static_cast<Piece::Way>(random.below(3));
+    piece.corners = 3 + static_cast<int>(random.below(9));
+    const float x = random.uniform(-0.6F, 0.6F);
+    piece.centre = {x, random.uniform(-0.6F, 0.6F)};
+    piece.radius = random.uniform(0.15F, 0.38F);
+    piece.turn = random.uniform(0, 6.28F);
+    piece.fill = rainbow(random.uniform(), 0.8F, 0.8F);
+    piece.edges = rainbow(random.uniform(), 0.25F, 1);
+    return piece;
+}
+
+}
