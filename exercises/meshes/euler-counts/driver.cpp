@@ -79,6 +79,15 @@ void record_degenerate(Random& random, Recorder& out)
         mesh = shuffled(mesh, random);
         record_counts(out, mesh);
         record_genus(out, mesh);
+        // Nothing but triangles that are no faces, but vertices, or nothing at all.
+        mesh.triangles.resize(0);
+        switch (random.below(3)) {
+            case 0: mesh = {}; break;
+            case 1: mesh.triangles = {{0, last, last}, {1, 0, 1}, {2, 2, 2}}; break;
+            default: break;
+        }
+        record_counts(out, mesh);
+        record_genus(out, mesh);
     }
 }
 
@@ -99,6 +108,13 @@ void record_spheres(Recorder& out)
     record_sphere(out, sphere_from_vertices((std::int64_t{1} << 40) + 2));
     record_sphere(out, sphere_from_edges(std::int64_t{3} << 40));
     record_sphere(out, sphere_from_faces(std::int64_t{1} << 41));
+    // These cannot be told from their neighbours in double.
+    constexpr std::int64_t most = 1'000'000'000'000'000'000;
+    record_sphere(out, sphere_from_vertices(most));
+    record_sphere(out, sphere_from_edges(most));
+    record_sphere(out, sphere_from_edges(most - 1));
+    record_sphere(out, sphere_from_faces(most));
+    record_sphere(out, sphere_from_faces(most - 1));
 }
 
 void record_work(Recorder& out)
