@@ -184,6 +184,7 @@ TEST_F(CountedWork, a_counter_that_is_set_back_is_contradicted_from_outside)
 TEST_F(CountedWork, bytes_that_are_moved_count)
 {
     const UnitResult result = grade_search(
+        "#include <array>\n#include <map>\n"
         "static std::vector<std::uint64_t> table;\n"
         "static std::map<std::array<float, 3>, std::uint32_t> known;",
         "",
