@@ -32,6 +32,12 @@ set(UMBRAL_STUDENT_HEADER ${CMAKE_BINARY_DIR}/student/umbral_student.hpp)
 # Added to the solutions of units with a check of the judge "cost": each basic block counts itself.
 set(UMBRAL_COUNTED_FLAGS -fsanitize-coverage=trace-pc)
 
+# … and how they are linked: what they move, fill, compare and search by these functions counts too, and how much memory
+# they hold. The same list as in grader/build/counted.hpp.
+set(UMBRAL_COUNTED_CALLS memmove memcpy memset memcmp memchr _Znwm _Znam _ZnwmRKSt9nothrow_t _ZdlPv _ZdlPvm _ZdaPv
+  _ZdaPvm)
+list(TRANSFORM UMBRAL_COUNTED_CALLS PREPEND -Wl,--wrap= OUTPUT_VARIABLE UMBRAL_COUNTED_LINK)
+
 # umbral_reference_objects(UNIT RESULT [FLAGS…]): the object library of a unit's reference, made on first need.
 function(umbral_reference_objects unit result)
   string(REPLACE "/" "-" target "reference-${unit}")
@@ -124,13 +130,16 @@ function(umbral_add_unit unit)
     return()
   endif()
   set(counted)
+  set(counted_link)
   umbral_manifest_has_judge("${json}" cost has_cost)
   if(has_cost)
     set(counted ${UMBRAL_COUNTED_FLAGS})
+    set(counted_link ${UMBRAL_COUNTED_LINK})
   endif()
   umbral_reference_objects(${unit} objects ${counted})
   umbral_unit_library(reference-library-${id} ${folder} reference $<TARGET_OBJECTS:${objects}>)
   set_target_properties(reference-library-${id} PROPERTIES LINKER_LANGUAGE CXX)
+  target_link_options(reference-library-${id} PRIVATE ${counted_link})
   add_custom_command(OUTPUT ${folder}/exports.map ${folder}/exports.txt
     COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=$<TARGET_OBJECTS:${objects}>" -DFOLDER=${folder} -P
       ${PROJECT_SOURCE_DIR}/cmake/exports.cmake
@@ -164,7 +173,8 @@ function(umbral_add_unit unit)
       ${UMBRAL_STUDENT_HEADER})
     set_source_files_properties(${mistake} PROPERTIES OBJECT_DEPENDS ${UMBRAL_STUDENT_HEADER}.gch)
     # Linked like a student's file too, so that `umbral validate` can grade what explanations are made from.
-    target_link_options(mistake-${id}-${name} PRIVATE -Wl,-z,lazy -Wl,--version-script=${folder}/exports.map)
+    target_link_options(mistake-${id}-${name} PRIVATE -Wl,-z,lazy -Wl,--version-script=${folder}/exports.map
+      ${counted_link})
     set_target_properties(mistake-${id}-${name} PROPERTIES LINK_DEPENDS ${folder}/exports.map)
     add_dependencies(mistake-${id}-${name} exports-${id})
   endforeach()

@@ -43,7 +43,7 @@ std::string content_key(const Toolchain& tools, const Exercise& exercise, const 
 {
     const fs::path header = tools.student_header.string() + ".gch";
     std::string all =
-        fmt::format("5\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw,
+        fmt::format("6\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw,
                     exercise.counts_work, tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
     all +=

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "build/compiler_files.hpp"
+#include "build/counted.hpp"
 #include "build/source_scan.hpp"
 #include "model/caps.hpp"
 #include "model/recording.hpp"
@@ -174,9 +175,11 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
     Compilation compilation = look_through(tools, exercise, files, work);
     if (compilation.outcome != Outcome::built && compilation.outcome != Outcome::unexplained) return compilation;
     const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
-    ConfinedResult result = run_confined(compiler_command(
-        tools, exercise, files, work,
-        {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script, "-o", "student.so"}));
+    std::vector<std::string> task = {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script,
+                                     "-o",      "student.so"};
+    if (exercise.counts_work)
+        for (const std::string_view name : counted_calls) task.push_back(fmt::format("-Wl,--wrap={}", name));
+    ConfinedResult result = run_confined(compiler_command(tools, exercise, files, work, task));
     if (result.exit_status == confinement_failed)
         throw std::runtime_error("the compiler cannot be run: " + result.output);
     const fs::path library = work / "student.so";

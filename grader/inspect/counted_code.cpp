@@ -170,6 +170,27 @@ std::string name_at(Elf* elf, std::uint64_t address)
     return "a function without a name";
 }
 
+/// Does the library define what the linker calls in place of a counted function of the C library?
+bool counts_calls_itself(Elf* elf)
+{
+    for (Elf_Scn* place = nullptr; (place = elf_nextscn(elf, place)) != nullptr;) {
+        GElf_Shdr header;
+        if (gelf_getshdr(place, &header) == nullptr || header.sh_entsize == 0) continue;
+        if (header.sh_type != SHT_SYMTAB && header.sh_type != SHT_DYNSYM) continue;
+        Elf_Data* data = elf_getdata(place, nullptr);
+        for (std::size_t i = 1; data != nullptr && i < header.sh_size / header.sh_entsize; ++i) {
+            GElf_Sym symbol;
+            if (gelf_getsym(data, static_cast<int>(i), &symbol) == nullptr) break;
+            if (symbol.st_shndx == SHN_UNDEF) continue;
+            const char* name = elf_strptr(elf, header.sh_link, symbol.st_name);
+            // Linkers name their jumps `__wrap_memmove$plt`.
+            const std::string_view bare = name == nullptr ? "" : name;
+            if (bare.starts_with("__wrap_") && bare.find('$') == std::string_view::npos) return true;
+        }
+    }
+    return false;
+}
+
 /// What the linker makes itself, by the names that it gives: jumps, and the calls of constructors.
 bool is_linkers(const Section& section)
 {
@@ -205,6 +226,8 @@ std::vector<std::string> uncounted_code(Elf* elf)
     const auto slot = counter_slot(elf, other_uses);
     if (!slot) return {std::string("no function calls ") + block_counter + " of the framework"};
     if (other_uses) return {std::string("the address of ") + block_counter + " is taken"};
+
+    if (counts_calls_itself(elf)) return {"a function whose name begins with __wrap_, which is the framework's,"};
 
     std::set<std::string> reasons;
     for (const Function& function : *functions)

@@ -122,4 +122,23 @@ Strip join_strips(const std::vector<Strip>& strips)
 
 std::vector<Strip> make_strips(const IndexedMesh& mesh) { return StripMaker(mesh).all(); }
 
+std::vector<std::vector<glm::vec3>> strips_of_coordinates(const std::vector<glm::vec3>& positions,
+                                                          const std::vector<Strip>& strips)
+{
+    std::vector<std::vector<glm::vec3>> result;
+    for (const Strip& strip : strips) {
+        std::vector<glm::vec3>& coordinates = result.emplace_back();
+        for (const std::uint32_t index : strip) coordinates.push_back(positions[index]);
+    }
+    return result;
+}
+
+StripBytes strip_bytes(std::uint64_t vertices, const std::vector<Strip>& strips)
+{
+    const std::uint64_t table = 4 + 8 * strips.size();
+    std::uint64_t indices = 0;
+    for (const Strip& strip : strips) indices += strip.size();
+    return {table + 12 * indices, table + 12 * vertices + 4 * indices};
+}
+
 }

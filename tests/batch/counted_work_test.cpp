@@ -180,6 +180,38 @@ TEST_F(CountedWork, a_counter_that_is_set_back_is_contradicted_from_outside)
     EXPECT_NE(messages(result).find("work was done that is not counted"), std::string::npos) << messages(result);
 }
 
+// What moves in memory counts, whoever moves it: here one insertion before all others for each corner.
+TEST_F(CountedWork, bytes_that_are_moved_count)
+{
+    const UnitResult result = grade_search(
+        "#include <array>\n#include <map>\n"
+        "static std::vector<std::uint64_t> table;\n"
+        "static std::map<std::array<float, 3>, std::uint32_t> known;",
+        "",
+        "if (positions.empty()) table.clear(), known.clear();\n"
+        "table.insert(table.begin(), 1);\n"
+        "if (corner == corner) { const auto [place, added] = known.try_emplace("
+        "std::array<float, 3>{corner.x + 0.0F, corner.y + 0.0F, corner.z + 0.0F}, positions.size());\n"
+        "if (added) positions.push_back(corner); return place->second; }\n"
+        "positions.push_back(corner); return static_cast<std::uint32_t>(positions.size()) - 1;",
+        "");
+    EXPECT_EQ(cost_points(result).first, 0) << messages(result);
+    EXPECT_EQ(other_points(result), 8500) << messages(result);
+    EXPECT_NE(messages(result).find("your work grows"), std::string::npos) << messages(result);
+}
+
+TEST_F(CountedWork, ways_around_the_counted_calls_are_refused)
+{
+    const UnitResult real = grade_search("extern \"C\" void* __real_memmove(void*, const void*, std::size_t);", "",
+                                         "glm::vec3 copy; __real_memmove(&copy, &corner, sizeof copy);", "");
+    EXPECT_EQ(to_string(real.verdict), "forbidden") << real.message;
+    EXPECT_NE(real.message.find("memmove"), std::string::npos) << real.message;
+    const UnitResult own = grade_search(
+        "extern \"C\" void* __wrap_memmove(void* to, const void*, std::size_t) { return to; }", "", "", "");
+    EXPECT_EQ(to_string(own.verdict), "forbidden") << own.message;
+    EXPECT_NE(own.message.find("__wrap_"), std::string::npos) << own.message;
+}
+
 // Searching backwards through a string is a loop within the C++ library.
 TEST_F(CountedWork, work_left_to_a_library_is_seen_from_outside)
 {

@@ -86,11 +86,42 @@ void record_closed(Random& random, Recorder& out)
     log.finish();
 }
 
+// Two discs, of whose spokes each one of the first has the same number low * factor + high as one of the second, in 64
+// or in 32 bits.
+IndexedMesh discs_with_equal_keys(std::uint32_t factor)
+{
+    constexpr std::uint32_t slices = 16;
+    constexpr std::uint32_t middle = 300;
+    constexpr std::uint32_t rim = 120'000;
+    IndexedMesh mesh{std::vector<glm::vec3>(rim + slices), {}};
+    std::uint32_t up = 1;
+    while (up * factor > 100'000) ++up;  // modulo 2 to the power of 32
+    const std::uint32_t down = up * factor;
+    for (const glm::uvec2 disc : {glm::uvec2(middle, rim), glm::uvec2(middle + up, rim - down)}) {
+        for (std::uint32_t slice = 0; slice < slices; ++slice)
+            mesh.triangles.emplace_back(disc.x, disc.y + slice, disc.y + (slice + 1) % slices);
+    }
+    return mesh;
+}
+
 void record_large_indices(Recorder& out)
 {
     EdgeLog log(out, "edges");
     for (const std::uint32_t slices : {5U, 40U}) log.add("three cones", cones_with_large_indices(slices), edge_table);
+    for (const std::uint32_t factor : {1000U, 1024U, 4096U, 5000U, 10'000U, 16'384U, 65'536U, 100'000U, 1'000'000U})
+        log.add("discs, factor " + std::to_string(factor), discs_with_equal_keys(factor), edge_table);
     log.finish();
+}
+
+void record_large_mesh(Random& random, Recorder& out)
+{
+    EdgeLog log(out, "edges");
+    const IndexedMesh mesh = shuffled(torus(70, 60), random);
+    log.add("torus of 8400 triangles", with_mixed_winding(mesh, random), edge_table);
+    log.finish();
+    EdgeLog closed(out, "edges of closed");
+    closed.add("torus of 8400 triangles", mesh, edge_table_of_closed);
+    closed.finish();
 }
 
 void record_work(Random& random, Recorder& out)
@@ -102,6 +133,23 @@ void record_work(Random& random, Recorder& out)
         const IndexedMesh mixed = with_mixed_winding(mesh, random);
         record_cost(out, "blocks", mesh.triangles.size(), [&] { (void)edge_table(mixed); });
         record_cost(out, "blocks of closed", mesh.triangles.size(), [&] { (void)edge_table_of_closed(mesh); });
+    }
+}
+
+// The second function asks nothing of vertices, and needs no memory but its result. A row is the number of edges, and
+// how many pieces of memory were held at once: a vector that grows holds two.
+void record_closed_alone(Recorder& out)
+{
+    out.text("blocks.names", "vertices");
+    for (const int vertices : {600, 1800, 5400, 16'200}) {
+        const IndexedMesh mesh = with_lonely_vertices(torus(12, 10), vertices - 120);
+        record_cost(out, "blocks", mesh.positions.size(), [&] { (void)edge_table_of_closed(mesh); });
+    }
+    for (const std::uint32_t side : {5U, 8U, 12U, 17U, 23U, 30U}) {
+        const IndexedMesh mesh = torus(side, side);
+        const AllocationCount memory;
+        const std::vector<glm::uvec2> edges = edge_table_of_closed(mesh);
+        out.append("edges and memory", glm::vec2(edges.size(), memory.most()));
     }
 }
 
@@ -127,6 +175,8 @@ const Driver driver = {
     {"odd meshes", [](Case& c, Recorder& out) { record_wild(c.random, out); }},
     {"closed", [](Case& c, Recorder& out) { record_closed(c.random, out); }},
     {"large indices", [](Case&, Recorder& out) { record_large_indices(out); }},
+    {"large mesh", [](Case& c, Recorder& out) { record_large_mesh(c.random, out); }},
+    {"closed alone", [](Case&, Recorder& out) { record_closed_alone(out); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { out.image("colours", draw_wireframes()); }},
 };

@@ -79,6 +79,15 @@ void record_degenerate(Random& random, Recorder& out)
         mesh = shuffled(mesh, random);
         record_counts(out, mesh);
         record_genus(out, mesh);
+        // Nothing but triangles that are no faces, but vertices, or nothing at all.
+        mesh.triangles.resize(0);
+        switch (random.below(3)) {
+            case 0: mesh = {}; break;
+            case 1: mesh.triangles = {{0, last, last}, {1, 0, 1}, {2, 2, 2}}; break;
+            default: break;
+        }
+        record_counts(out, mesh);
+        record_genus(out, mesh);
     }
 }
 
@@ -99,6 +108,13 @@ void record_spheres(Recorder& out)
     record_sphere(out, sphere_from_vertices((std::int64_t{1} << 40) + 2));
     record_sphere(out, sphere_from_edges(std::int64_t{3} << 40));
     record_sphere(out, sphere_from_faces(std::int64_t{1} << 41));
+    // These cannot be told from their neighbours in double.
+    constexpr std::int64_t most = 1'000'000'000'000'000'000;
+    record_sphere(out, sphere_from_vertices(most));
+    record_sphere(out, sphere_from_edges(most));
+    record_sphere(out, sphere_from_edges(most - 1));
+    record_sphere(out, sphere_from_faces(most));
+    record_sphere(out, sphere_from_faces(most - 1));
 }
 
 void record_work(Recorder& out)
@@ -113,8 +129,21 @@ void record_work(Recorder& out)
     }
 }
 
+/// The course's PLY file: its six quadrilaterals cut into fans.
+IndexedMesh course_example()
+{
+    IndexedMesh mesh{
+        {{0, 0, 0}, {0, 0, 2}, {0, 1.3F, 1}, {0, 1.4F, 0}, {1.1F, 0, 0}, {1, 0, 2}, {1, 0.8F, 1.5F}, {0.5F, 1, 0}}, {}};
+    for (const glm::uvec4& face :
+         {glm::uvec4(0, 1, 2, 3), {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}})
+        add_quad(mesh, face);
+    return mesh;
+}
+
 void record_known(Recorder& out)
 {
+    record_counts(out, course_example());
+    record_genus(out, course_example());
     for (const Sample& sample : tame_meshes()) {
         record_counts(out, sample.mesh);
         record_genus(out, sample.mesh);

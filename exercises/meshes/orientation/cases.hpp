@@ -54,6 +54,26 @@ inline IndexedMesh three_sheets(std::uint32_t length)
     return mesh;
 }
 
+inline IndexedMesh turned_over(IndexedMesh mesh)
+{
+    for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+    return mesh;
+}
+
+/// One of each fault, small enough to be drawn on paper, and one without.
+inline std::vector<IndexedMesh> small_suspects()
+{
+    return {tetrahedron(),
+            with_lonely_vertices(tetrahedron(), 1),
+            bow_tie(),
+            book(3),
+            hourglass(3),
+            three_sheets(1),
+            cubes_at_a_corner(),
+            cubes_at_an_edge(),
+            turned_over(octahedron())};
+}
+
 /// Everything that is no manifold, or looks as if it were none.
 inline std::vector<IndexedMesh> suspects(Random& random)
 {
@@ -63,12 +83,6 @@ inline std::vector<IndexedMesh> suspects(Random& random)
     for (const Sample& sample : tame_meshes()) meshes.push_back(sample.mesh);
     for (IndexedMesh& mesh : meshes) mesh = with_mixed_winding(shuffled(mesh, random), random);
     return meshes;
-}
-
-inline IndexedMesh turned_over(IndexedMesh mesh)
-{
-    for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
-    return mesh;
 }
 
 /// Bodies one within the other, beside each other, and open sheets among them; about half of the pieces look the wrong

@@ -11,6 +11,8 @@ namespace {
 
 using namespace meshes;
 
+constexpr const char* names_of_faults = "0 mesh\n1 crowded edge\n2 lonely vertex\n3 torn vertex\n";
+
 /// Triangles one by one, each begun at its smallest index.
 void record_triangles(Recorder& out, const char* name, const std::vector<glm::uvec3>& triangles, std::size_t count)
 {
@@ -110,9 +112,17 @@ void record_work(Random& random, Recorder& out)
 }
 
 const Driver driver = {
+    {"small",
+     [](Case&, Recorder& out) {
+         out.text("faults.names", names_of_faults);
+         for (const IndexedMesh& mesh : small_suspects()) {
+             record_faults(out, mesh);
+             record_separated(out, mesh);
+         }
+     }},
     {"manifold",
      [](Case& c, Recorder& out) {
-         out.text("faults.names", "0 mesh\n1 crowded edge\n2 lonely vertex\n3 torn vertex\n");
+         out.text("faults.names", names_of_faults);
          for (const IndexedMesh& mesh : suspects(c.random)) record_faults(out, mesh);
      }},
     {"coherent", [](Case& c, Recorder& out) { record_windings(c.random, out); }},

@@ -16,7 +16,7 @@ namespace umbral::meshes {
 
 struct Decoded {
     std::vector<std::uint32_t> position_bits;  ///< of x, y, z, x, …
-    std::vector<std::uint32_t> word_lengths;   ///< in ASCII: how many characters each coordinate has
+    std::vector<std::uint32_t> digits;         ///< in ASCII: how many each coordinate has, without zeros at both ends
     std::vector<std::vector<std::uint32_t>> faces;
 };
 
@@ -33,9 +33,9 @@ public:
         if (format_ == PlyFormat::ascii) {
             data_.remove_prefix(std::min(data_.find_first_not_of(" \t\r\n"), data_.size()));
             const auto [end, error] = std::from_chars(data_.data(), data_.data() + data_.size(), number);
-            length_ = static_cast<std::uint32_t>(end - data_.data());
             if (error != std::errc()) return fail<Number>();
-            data_.remove_prefix(length_);
+            word_ = data_.substr(0, static_cast<std::size_t>(end - data_.data()));
+            data_.remove_prefix(word_.size());
         } else {
             std::array<char, sizeof number> bytes;
             if (data_.size() < bytes.size()) return fail<Number>();
@@ -49,7 +49,7 @@ public:
     }
 
     [[nodiscard]] bool failed() const { return failed_; }
-    [[nodiscard]] std::uint32_t length() const { return length_; }
+    [[nodiscard]] std::string_view word() const { return word_; }
 
 private:
     template <class Number>
@@ -62,9 +62,23 @@ private:
 
     std::string_view data_;
     PlyFormat format_;
-    std::uint32_t length_ = 0;
+    std::string_view word_;  // the last one, of ASCII
     bool failed_ = false;
 };
+
+/// How many digits a decimal has from the first to the last that is not 0, its exponent left out.
+inline std::uint32_t significant_digits(std::string_view word)
+{
+    std::uint32_t count = 0;
+    std::uint32_t zeros = 0;
+    for (const char c : word.substr(0, word.find_first_of("eE"))) {
+        if (c == '0')
+            ++zeros;
+        else if (c > '0' && c <= '9')
+            count += (count == 0 ? 0 : zeros) + 1, zeros = 0;
+    }
+    return count;
+}
 
 /// What a file with float x, y, z and one list of corners holds; empty if it is something else, or of another format.
 inline Decoded decoded(const std::string& file, PlyFormat format)
@@ -105,7 +119,7 @@ inline Decoded decoded(const std::string& file, PlyFormat format)
         const auto bits = std::bit_cast<std::uint32_t>(numbers.take<float>());
         if (numbers.failed()) return result;
         result.position_bits.push_back(bits);
-        if (format == PlyFormat::ascii) result.word_lengths.push_back(numbers.length());
+        if (format == PlyFormat::ascii) result.digits.push_back(significant_digits(numbers.word()));
     }
     for (std::size_t i = 0; i < counts[1]; ++i) {
         std::vector<std::uint32_t> face;

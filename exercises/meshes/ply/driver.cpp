@@ -144,7 +144,11 @@ void record_decimals(Recorder& out)
         for (const char* word : words) {
             const std::string header = std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty ") + type +
                                        " x\nproperty float y\nproperty float z\nend_header\n";
-            record_bits(out, read_or_nothing(header + word + " 0 1\n"), 1);
+            PolygonMesh mesh = read_or_nothing(header + word + " 0 1\n");
+            // A zero that came of what is too small may have either sign.
+            if (std::string_view(word) == "-1e-400" && !mesh.positions.empty() && mesh.positions[0].x == 0)
+                mesh.positions[0].x = 0;
+            record_bits(out, mesh, 1);
         }
     }
 }
@@ -180,7 +184,11 @@ void record_written(Recorder& out, const PolygonMesh& mesh, PlyFormat format)
     const Decoded file = decoded(write_ply(mesh, format), format);
     const auto same = [](std::uint32_t row) { return row; };
     append_rows(out, "bits", file.position_bits, 3 * mesh.positions.size(), same);
-    if (format == PlyFormat::ascii) append_rows(out, "characters", file.word_lengths, 3 * mesh.positions.size(), same);
+    for (std::size_t i = 0; format == PlyFormat::ascii && i < 3 * mesh.positions.size(); ++i) {
+        // Large whole numbers have two right ways: as few digits as a float needs, or their own.
+        const float value = std::abs(mesh.positions[i / 3][static_cast<int>(i % 3)]);
+        if (value < 0x1p24F || value > 1e15F) out.append("digits", i < file.digits.size() ? file.digits[i] : missing);
+    }
     record_faces(out, file.faces, mesh);
 }
 

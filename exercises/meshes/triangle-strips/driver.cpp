@@ -120,15 +120,49 @@ std::vector<Sample> larger_meshes(Random& random)
     return meshes;
 }
 
-// How many indices all strips of a mesh have. One mesh is much larger than the others, so that no one number is near
-// them all.
+// How many indices all strips of a mesh have, as the mean of twelve random orders: in a single one, strips without a
+// choice may come off badly by chance. One mesh is much larger than the others, so that no one number is near them all.
 void record_index_counts(Random& random, Recorder& out)
 {
     for (const IndexedMesh& mesh : {torus(10, 7), ball(9, 9), trefoil(16, 5, 0.4), plate_with_holes(4),
                                     hills(9, 8, random), tube(8, 5), torus(50, 40)}) {
         std::size_t count = 0;
-        for (const Strip& strip : make_strips(shuffled(mesh, random))) count += strip.size();
-        out.append("indices", static_cast<float>(count));
+        const int orders = mesh.triangles.size() < 1000 ? 12 : 1;
+        for (int order = 0; order < orders; ++order)
+            for (const Strip& strip : make_strips(shuffled(mesh, random))) count += strip.size();
+        out.append("indices", static_cast<float>(count) / static_cast<float>(orders));
+    }
+}
+
+// Strips of any lengths, empty ones too; and those of problem 2.3, by the driver's own hand.
+void record_coordinates(Random& random, Recorder& out)
+{
+    const auto record = [&](const std::vector<glm::vec3>& positions, const std::vector<Strip>& strips) {
+        const StripBytes bytes = strip_bytes(positions.size(), strips);
+        out.append("bytes", glm::vec2(bytes.coordinates, bytes.indexed));
+        const std::vector<std::vector<glm::vec3>> got = strips_of_coordinates(positions, strips);
+        for (std::size_t i = 0; i < strips.size(); ++i) {
+            const std::vector<glm::vec3> strip = i < got.size() ? got[i] : std::vector<glm::vec3>{};
+            out.append("lengths", static_cast<float>(strip.size()));
+            for (std::size_t k = 0; k < strips[i].size(); ++k)
+                out.append("places", k < strip.size() ? strip[k] : glm::vec3(std::nanf("")));
+        }
+        out.append("lengths", static_cast<float>(got.size()));
+    };
+    for (const auto& [columns, rows] : {std::pair{8U, 4U}, {1U, 1U}, {3U, 6U}}) {
+        std::vector<Strip> strips(rows);
+        for (std::uint32_t row = 0; row < rows; ++row)
+            for (std::uint32_t i = 0; i < 2 * columns + 2; ++i)
+                strips[row].push_back((row + 1 - i % 2) * (columns + 1) + i / 2);
+        record(hills(columns, rows, random).positions, strips);
+    }
+    for (int mesh = 0; mesh < 8; ++mesh) {
+        std::vector<glm::vec3> positions;
+        for (std::uint32_t left = 40 + random.below(40); left > 0; --left) positions.push_back(random.in_cube());
+        std::vector<Strip> strips;
+        for (std::uint32_t left = random.below(6); left > 0; --left)
+            strips.push_back(random_strip(random, random.below(12)));
+        record(positions, strips);
     }
 }
 
@@ -163,6 +197,7 @@ const Driver driver = {
     {"known meshes", [](Case&, Recorder& out) { record_strips_of(out, tame_meshes()); }},
     {"larger meshes", [](Case& c, Recorder& out) { record_strips_of(out, larger_meshes(c.random)); }},
     {"few strips", [](Case& c, Recorder& out) { record_index_counts(c.random, out); }},
+    {"coordinates", [](Case& c, Recorder& out) { record_coordinates(c.random, out); }},
     {"odd meshes", [](Case& c, Recorder& out) { record_strips_of(out, odd_meshes(c.random)); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { out.image("colours", draw_strips()); }},

@@ -27,4 +27,17 @@ std::vector<Strip> make_strips(const IndexedMesh& mesh)
     return not_implemented<std::vector<Strip>>(mesh);
 }
 
+std::vector<std::vector<glm::vec3>> strips_of_coordinates(const std::vector<glm::vec3>& positions,
+                                                          const std::vector<Strip>& strips)
+{
+    // TODO: the same strips, of positions.
+    return not_implemented<std::vector<std::vector<glm::vec3>>>(positions, strips);
+}
+
+StripBytes strip_bytes(std::uint64_t vertices, const std::vector<Strip>& strips)
+{
+    // TODO: count the table of strips, and then what each way stores.
+    return not_implemented<StripBytes>(vertices, strips);
+}
+
 }

@@ -98,6 +98,82 @@ std::vector<BallShot> tangent(Random& random)
     return shots;
 }
 
+// A point at an end of the interval does not count. All numbers are small integers times a power of two, so that every
+// formula finds the roots exactly: `near` and `far` are 2 and 4 lengths of the direction.
+std::vector<BallShot> at_the_ends(Random& random)
+{
+    constexpr float endless = std::numeric_limits<float>::infinity();
+    std::vector<BallShot> shots;
+    for (int i = 0; i < 40; ++i) {
+        const float radius = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const glm::vec3 centre = radius * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
+        glm::vec3 direction(0);
+        direction[random.below(3)] = random.below(2) == 0 ? radius : -radius;
+        const Sphere ball{centre, radius};
+        const auto in = [&](float t_min, float t_max) {
+            return BallShot{Ray{centre - 3.0F * direction, direction, t_min, t_max}, ball};
+        };
+        switch (i % 4) {
+            case 0: add_pair(shots, in(2, endless), in(4, endless), random); break;
+            case 1: add_pair(shots, in(3, 5), in(3, 4), random); break;
+            case 2: add_pair(shots, in(0, 2.125F), in(0, 2), random); break;
+            default: add_pair(shots, in(2, 4.125F), in(2, 4), random);
+        }
+    }
+    return shots;
+}
+
+// Origins on the surface, where a shadow ray begins: the origin itself is no answer. With t_min = 0 the numbers are
+// exact; other origins are rounded, and t_min keeps the root at the origin out.
+std::vector<BallShot> from_surface(Random& random)
+{
+    std::vector<BallShot> shots;
+    for (int i = 0; i < 20; ++i) {
+        const float radius = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const glm::vec3 centre = radius * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
+        const auto along = random.below(3);
+        glm::vec3 outwards(0);
+        outwards[along] = random.below(2) == 0 ? 1 : -1;
+        glm::vec3 touching(0);
+        touching[(along + 1) % 3] = 1;
+        const glm::vec3 origin = centre + radius * outwards;
+        const Sphere ball{centre, radius};
+        add_pair(shots, {Ray{origin, -outwards}, ball}, {Ray{origin, i % 2 == 0 ? outwards : touching}, ball}, random);
+    }
+    for (int i = 0; i < 100; ++i) {
+        const Sphere ball = random_ball(random);
+        const glm::dvec3 outwards(random.unit_vector());
+        const glm::dvec3 inwards = -outwards + 0.9 * random.uniform_double() * perpendicular_to(outwards, random);
+        const glm::vec3 origin(glm::dvec3(ball.centre) + double{ball.radius} * outwards);
+        const Ray ray{origin, glm::vec3(normalize(inwards)), 0.001F * ball.radius};
+        Ray away = ray;
+        away.direction = -away.direction;
+        add_pair(shots, {ray, ball}, {away, ball}, random);
+    }
+    return shots;
+}
+
+// Rays without a direction, or with NaN in them, from outside and inside; each has a twin without fault.
+std::vector<BallShot> no_rays(Random& random)
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    std::vector<BallShot> shots;
+    for (int i = 0; i < 40; ++i) {
+        const Sphere ball = random_ball(random);
+        const BallShot hit = aimed(ball, i % 2 == 0 ? 3 : 0.5, 0.25, random);
+        BallShot none = hit;
+        const auto axis = random.below(3);
+        if (i % 8 < 4)
+            none.ray.direction = glm::vec3(0);
+        else if (i % 8 < 6)
+            none.ray.direction[axis] = nan;
+        else
+            none.ray.origin[axis] = nan;
+        add_pair(shots, hit, none, random);
+    }
+    return shots;
+}
+
 // The same lines with directions of all lengths: t counts in them.
 std::vector<BallShot> long_direction(Random& random)
 {
@@ -153,6 +229,9 @@ const Driver driver = {
     {"inside", [](Case& c, Recorder& out) { record(out, from_inside(c.random)); }},
     {"behind and before", [](Case& c, Recorder& out) { record(out, behind_and_before(c.random)); }},
     {"tangent", [](Case& c, Recorder& out) { record(out, tangent(c.random)); }},
+    {"ends", [](Case& c, Recorder& out) { record(out, at_the_ends(c.random)); }},
+    {"from the surface", [](Case& c, Recorder& out) { record(out, from_surface(c.random)); }},
+    {"no ray", [](Case& c, Recorder& out) { record(out, no_rays(c.random)); }},
     {"long direction", [](Case& c, Recorder& out) { record(out, long_direction(c.random)); }},
     {"far away", [](Case& c, Recorder& out) { record_silhouette(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { record_picture(out); }},

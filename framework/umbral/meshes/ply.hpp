@@ -37,8 +37,9 @@ public:
     [[nodiscard]] PlyProblem problem() const noexcept { return problem_; }
 
     /// In the header and in ASCII data: the line, counted from 1. In binary data: the byte of the file, counted from 0,
-    /// at which the value begins that cannot be used. Not defined where something is missing (`missing_property`,
-    /// `truncated`, a header without its end or format).
+    /// at which the value begins that cannot be used (of a list: its length, or the corner); of `left_over`, the first
+    /// byte too many. Not defined where something is missing (`missing_property`, `truncated`, a header without its end
+    /// or format, an empty file).
     [[nodiscard]] std::size_t place() const noexcept { return place_; }
 
 private:
@@ -60,7 +61,7 @@ private:
 ///
 /// **ASCII data**: one line an element; blank lines do not count. Integers are decimal; numbers of type float or double
 /// are decimal with an optional exponent, or inf, or nan; all may have a sign, + too. What is too large for its type is
-/// refused; what is too small becomes zero. The program's locale has no influence.
+/// refused; what is too small becomes zero, of either sign. The program's locale has no influence.
 ///
 /// **Numbers.** A decimal of type float is rounded to the nearest float, one of type double to the nearest double.
 /// Coordinates of other types than float are then rounded to float once; a double beyond float's range becomes
@@ -73,8 +74,9 @@ private:
 /// The mesh as a PLY file: `vertex` with float x, y, z, and `face` with a list vertex_indices.
 ///
 /// `read_ply` gives back the same mesh, bit for bit (a NaN comes back as some NaN), also faces of more than 255
-/// corners. In ASCII each coordinate is the shortest decimal that does so ("0.1", not "0.100000001"). The program's
-/// locale has no influence.
+/// corners. In ASCII each coordinate has no more digits than such a decimal needs, in whatever notation: "0.1", not
+/// "0.100000001"; zeros before and behind do not count, nor does the exponent. Whole numbers from 2^24 on may have all
+/// of their digits. `std::to_chars` writes such decimals. The program's locale has no influence.
 [[nodiscard]] std::string write_ply(const PolygonMesh& mesh, PlyFormat format);
 
 }

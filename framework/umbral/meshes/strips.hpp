@@ -53,4 +53,20 @@ inline constexpr std::uint32_t restart_index = 0xFFFFFFFF;
 /// hashing. Course: "algoritmos para generar las tiras".
 [[nodiscard]] std::vector<Strip> make_strips(const IndexedMesh& mesh);
 
+/// The same strips without a table of vertices: each index is replaced by the position that it names. As many strips as
+/// came, in order. All indices are places in `positions`. Course: "tiras de triángulos (TT)".
+[[nodiscard]] std::vector<std::vector<glm::vec3>> strips_of_coordinates(const std::vector<glm::vec3>& positions,
+                                                                        const std::vector<Strip>& strips);
+
+/// Bytes of strips in two ways. Floats and indices take 4 bytes, pointers 8; both ways have a table of strips: how many
+/// there are (4 bytes), and a pointer to each.
+struct StripBytes {
+    std::uint64_t coordinates;  ///< a position for each index of a strip, and no table of vertices
+    std::uint64_t indexed;      ///< the table of vertices, and the indices
+};
+
+/// For a mesh of so many vertices, and any strips of it. Course: problem 2.3 (a), "tabla de vértices y tiras de
+/// triángulos".
+[[nodiscard]] StripBytes strip_bytes(std::uint64_t vertices, const std::vector<Strip>& strips);
+
 }

@@ -12,6 +12,8 @@ std::optional<CostLimit> limited;
 
 std::uint64_t blocks_executed() noexcept { return blocks; }
 
+void count_blocks(std::uint64_t more) noexcept { blocks += more; }
+
 void limit_costs(CostLimit limit) { limited = std::move(limit); }
 
 bool cost_is_wanted(const Recorder& out, std::string_view table)

@@ -10,9 +10,25 @@
 namespace umbral {
 
 /// How many basic blocks of counted code have run in this process. Counted are the solutions of units with a check of
-/// the judge "cost", which are compiled with -fsanitize-coverage=trace-pc; the library functions that they call are
-/// not.
+/// the judge "cost", which are compiled with -fsanitize-coverage=trace-pc. What they move, fill, compare or search by
+/// memmove, memcpy, memset, memcmp and memchr, as std::copy and insertion into a vector do, counts a block for 16
+/// bytes; other library functions that they call count nothing.
 [[nodiscard]] std::uint64_t blocks_executed() noexcept;
+
+/// Adds to blocks_executed.
+void count_blocks(std::uint64_t blocks) noexcept;
+
+/// How many pieces of memory counted code has from `new` at once, from here on. One at a time.
+class AllocationCount {
+public:
+    AllocationCount() noexcept;
+
+    /// The most there were, beside those of before.
+    [[nodiscard]] std::int64_t most() const noexcept;
+
+private:
+    std::int64_t before_;
+};
 
 /// One table of costs, and how many of its sizes are worked on: what a run is asked for whose work is measured from
 /// outside.

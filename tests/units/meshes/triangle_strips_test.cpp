@@ -34,6 +34,20 @@ std::size_t index_count(const std::vector<Strip>& strips)
 
 }
 
+// Problem 2.3: 24 n m + 32 m + 4 bytes for a grid of n x m cells.
+TEST(TriangleStrips, strips_of_coordinates_take_the_courses_bytes)
+{
+    for (const auto& [columns, rows] : {std::pair{8U, 4U}, {128U, 128U}, {1U, 1U}}) {
+        const std::vector<Strip> strips = grid_strips(columns, rows);
+        const StripBytes bytes = strip_bytes((columns + 1) * (rows + 1), strips);
+        EXPECT_EQ(bytes.coordinates, 24 * columns * rows + 32 * rows + 4);
+        EXPECT_EQ(bytes.indexed, 4 + 8 * rows + 12 * (columns + 1) * (rows + 1) + 4 * rows * (2 * columns + 2));
+    }
+    const std::vector<glm::vec3> positions = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    const std::vector<std::vector<glm::vec3>> expected = {{{7, 8, 9}, {1, 2, 3}, {7, 8, 9}}, {}};
+    EXPECT_EQ(strips_of_coordinates(positions, {{2, 0, 2}, {}}), expected);
+}
+
 TEST(TriangleStrips, parity_restart_and_repeats)
 {
     using Triangles = std::vector<glm::uvec3>;

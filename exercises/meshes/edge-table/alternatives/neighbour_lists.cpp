@@ -21,6 +21,13 @@ std::vector<glm::uvec2> edge_table(const IndexedMesh& mesh)
     return edges;
 }
 
-std::vector<glm::uvec2> edge_table_of_closed(const IndexedMesh& mesh) { return edge_table(mesh); }
+std::vector<glm::uvec2> edge_table_of_closed(const IndexedMesh& mesh)
+{
+    std::vector<glm::uvec2> edges;
+    for (const glm::uvec3& t : mesh.triangles)
+        for (const auto [a, b] : {std::pair(t.x, t.y), std::pair(t.y, t.z), std::pair(t.z, t.x)})
+            if (a < b) edges.emplace_back(a, b);
+    return edges;
+}
 
 }

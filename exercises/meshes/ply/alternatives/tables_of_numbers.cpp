@@ -1,6 +1,7 @@
 // alternative: every element becomes a table of rows of numbers, and the mesh is made of the tables at the end;
-// decimals by streams in the classic locale
+// decimals by streams in the classic locale; written with an exponent, by one digit more until they read back
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <locale>
 #include <set>
@@ -246,15 +247,16 @@ std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
                 put(bits);
                 continue;
             }
-            // The shortest in fixed or in scientific notation.
-            char fixed[128];
-            char scientific[32];
-            const std::string one(fixed,
-                                  std::to_chars(fixed, fixed + 128, position[axis], std::chars_format::fixed).ptr);
-            const std::string other(
-                scientific,
-                std::to_chars(scientific, scientific + 32, position[axis], std::chars_format::scientific).ptr);
-            file += (one.size() <= other.size() ? one : other) + (axis < 2 ? "\t" : "\r\n");
+            // One digit more until it reads back, always with an exponent: 5e-01, 1e+10.
+            char word[32];
+            char* end = word;
+            float back = position[axis] == 1 ? 0.0F : 1.0F;
+            for (int digits = 0; digits < 9 && std::isfinite(position[axis]) && back != position[axis]; ++digits) {
+                end = std::to_chars(word, word + 32, position[axis], std::chars_format::scientific, digits).ptr;
+                std::from_chars(word, end, back);
+            }
+            if (end == word) end = std::to_chars(word, word + 32, position[axis]).ptr;
+            file += std::string(word, end) + (axis < 2 ? "\t" : "\r\n");
         }
     }
     for (const auto& face : mesh.faces) {

@@ -90,4 +90,25 @@ std::vector<Strip> make_strips(const IndexedMesh& mesh)
     return strips;
 }
 
+std::vector<std::vector<glm::vec3>> strips_of_coordinates(const std::vector<glm::vec3>& positions,
+                                                          const std::vector<Strip>& strips)
+{
+    std::vector<std::vector<glm::vec3>> result(strips.size());
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        result[i].resize(strips[i].size());
+        for (std::size_t k = 0; k < strips[i].size(); ++k) result[i][k] = positions[strips[i][k]];
+    }
+    return result;
+}
+
+StripBytes strip_bytes(std::uint64_t vertices, const std::vector<Strip>& strips)
+{
+    StripBytes bytes{4, 4 + sizeof(glm::vec3) * vertices};
+    for (const Strip& strip : strips) {
+        bytes.coordinates += 8 + sizeof(glm::vec3) * strip.size();
+        bytes.indexed += 8 + sizeof(std::uint32_t) * strip.size();
+    }
+    return bytes;
+}
+
 }
