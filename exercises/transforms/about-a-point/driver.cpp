@@ -59,7 +59,7 @@ void record_random(Random& random, Recorder& out)
 // Pairs of a question about a null direction and one about another, in random order.
 void record_null(Random& random, Recorder& out)
 {
-    const glm::vec3 null(0, -0.0F, 0);
+    const glm::vec3 null(0);
     for (int i = 0; i < 30; ++i) {
         const glm::vec3 centre = 3.0F * random.in_cube();
         const glm::vec3 given = random.unit_vector();
@@ -73,6 +73,27 @@ void record_null(Random& random, Recorder& out)
             if (i % 5 == 3) out.append("matrix", placed_along(centre, direction));
             if (i % 5 == 4) out.append("matrix", rotation_about_point(centre, {direction, 1}));
         }
+    }
+}
+
+// Turns with a number that is not finite, which turn nothing, in pairs with others, in random order.
+void record_not_finite(Random& random, Recorder& out)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (int i = 0; i < 16; ++i) {
+        const glm::vec3 centre = 3.0F * random.in_cube();
+        const AxisAngle given = random_turn(random);
+        AxisAngle bad = given;
+        const float number = i / 4 % 3 == 0 ? std::numeric_limits<float>::quiet_NaN()
+                             : i % 2 == 0   ? infinity
+                                            : -infinity;
+        if (i % 4 == 3)
+            bad.angle = number;
+        else
+            bad.axis[i % 4] = number;
+        const bool first = random.below(2) == 1;
+        for (const bool is_bad : {first, !first})
+            out.append("rotation", rotation_about_point(centre, is_bad ? bad : given));
     }
 }
 
@@ -110,7 +131,7 @@ void record_opposite(Random& random, Recorder& out)
         const auto factor = static_cast<float>(1 + random.below(7));
         const bool first = random.below(2) == 1;
         for (const bool opposite : {first, !first})
-            out.append("opposite", alignment(from, (opposite ? -factor : factor) * from));
+            out.append("opposite", alignment(from, (opposite ? -factor : factor) * from + 0.0F));  // no -0
     }
     for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
         for (int i = 0; i < 16; ++i) {
@@ -129,8 +150,8 @@ void record_steep(Random& random, Recorder& out)
         for (int i = 0; i < 10; ++i) {
             const float angle = random.uniform(-pi, pi);
             const float up = i % 2 == 0 ? 1.0F : -2.0F;
-            out.append("placed",
-                       placed_along(random.in_cube(), {aside * std::cos(angle), up, aside * std::sin(angle)}));
+            out.append("placed", placed_along(random.in_cube(), {aside * std::cos(angle) + 0.0F, up,
+                                                                 aside * std::sin(angle) + 0.0F}));  // no -0
         }
     }
 }
@@ -155,6 +176,7 @@ const Driver driver = {
     {"known", [](Case&, Recorder& out) { record_known(out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"null directions", [](Case& c, Recorder& out) { record_null(c.random, out); }},
+    {"not finite", [](Case& c, Recorder& out) { record_not_finite(c.random, out); }},
     {"far centres", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"opposite", [](Case& c, Recorder& out) { record_opposite(c.random, out); }},
     {"steep", [](Case& c, Recorder& out) { record_steep(c.random, out); }},
