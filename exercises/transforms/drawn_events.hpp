@@ -42,9 +42,12 @@ enum class Stack { shown, left_out };
 /// Are polylines recorded here, or apart as `sorted_lines`?
 enum class Lines { shown, left_out };
 
+/// Are copies of the figure recorded here, or apart?
+enum class Figures { shown, left_out };
+
 /// All that was drawn, polylines line by line, and at the end how the pipeline stands.
 inline void record_events(Recorder& out, const std::string& name, const RecordingPipeline& drawn, Stack stack,
-                          Lines lines = Lines::shown)
+                          Lines lines = Lines::shown, Figures figures = Figures::shown)
 {
     const auto add = [&](const EventRow& row) { out.append(name, std::span<const float>(row)); };
     for (const Call& call : drawn.calls()) {
@@ -53,7 +56,9 @@ inline void record_events(Recorder& out, const std::string& name, const Recordin
             if (stack == Stack::shown || call.kind == Call::Kind::empty_pop) add(event_row(code, {}, {}, {}, {}, 0));
         };
         switch (call.kind) {
-            case Call::Kind::figure: matrix(1); break;
+            case Call::Kind::figure:
+                if (figures == Figures::shown) matrix(1);
+                break;
             case Call::Kind::polyline:
                 for (std::size_t i = 1; lines == Lines::shown && i < call.places.size(); ++i)
                     add(event_row(2, seen_at(call.modelview, call.places[i - 1]),

@@ -3,6 +3,7 @@
 
 #include "../drawn_events.hpp"
 #include "grove.hpp"
+#include "tree_order.hpp"
 
 namespace umbral {
 namespace {
@@ -52,12 +53,30 @@ void record_edges(Recorder& out, Random& random)
     record_names(out, "drawn");
 }
 
+/// The matrices of all trunks.
+std::vector<glm::dmat4> trunks_of(const RecordingPipeline& drawn)
+{
+    std::vector<glm::dmat4> places;
+    for (const Call& call : drawn.calls())
+        if (call.kind == Call::Kind::figure) places.push_back(call.modelview);
+    return places;
+}
+
+// The trunks in one order, and when each was drawn; what else was drawn, and the state afterwards.
 void record_trees(Recorder& out, std::initializer_list<unsigned> levels, Random& random)
 {
     for (const unsigned level : levels) {
         RecordingPipeline drawn(random_start(random));
         draw_tree(drawn, level, drawn.marker());
-        record_events(out, "drawn", drawn, Stack::left_out);
+        std::vector<Call> trunks;
+        for (const Call& call : drawn.calls())
+            if (call.kind == Call::Kind::figure) trunks.push_back(call);
+        for (const std::size_t i : tree_order(trunks_of(drawn))) {
+            const EventRow row = matrix_row(1, trunks[i].modelview, trunks[i].color, trunks[i].line_width);
+            out.append("drawn", std::span<const float>(row));
+            out.append("order", static_cast<std::int32_t>(i));
+        }
+        record_events(out, "drawn", drawn, Stack::left_out, Lines::shown, Figures::left_out);
     }
     record_names(out, "drawn");
 }
@@ -67,8 +86,8 @@ void record_tall(Recorder& out)
 {
     RecordingPipeline drawn;
     draw_tree(drawn, 11, drawn.marker());
-    for (const Call& call : drawn.calls())
-        if (call.kind == Call::Kind::figure) out.append("trunks", glm::mat4(call.modelview));
+    const std::vector<glm::dmat4> places = trunks_of(drawn);
+    for (const std::size_t i : tree_order(places)) out.append("trunks", glm::mat4(places[i]));
 }
 
 }

@@ -52,8 +52,8 @@ void record_null(Random& random, Recorder& out)
         const glm::vec3 b = 2.0F * random.unit_vector();
         const glm::vec3 c = random.unit_vector();
         const Couple null = i % 3 == 0   ? Couple{{0, 0, 0}, b}
-                            : i % 3 == 1 ? Couple{a, {0, -0.0F, 0}}
-                                         : Couple{{-0.0F, 0, 0}, {0, 0, 0}};
+                            : i % 3 == 1 ? Couple{a, {0, 0, 0}}
+                                         : Couple{{0, 0, 0}, {0, 0, 0}};
         const bool swapped = random.below(2) == 1;
         for (const bool is_null : {swapped, !swapped}) {
             const Couple& couple = is_null ? null : Couple{a, c};
