@@ -87,6 +87,8 @@ void record_limits(Recorder& out, Random& random)
 {
     for (int i = 0; i < 30; ++i) {
         SceneGraph good = random_chain(random, false);
+        // Nothing leads to this node.
+        if (i % 2 == 0) good.nodes.push_back({node(9999), {Entry::Kind::transformation, 77}});
         SceneGraph bad = good;
         std::size_t good_limit = plenty;
         std::size_t bad_limit = plenty;
@@ -135,7 +137,7 @@ void record_conversion(Recorder& out, const std::vector<ArcGraph>& graphs)
         std::size_t drawn = 0;
         for (const std::vector<Entry>& entries : result.nodes)
             for (const Entry& entry : entries) drawn += entry.kind == Entry::Kind::transformation ? 0 : 1;
-        out.append("size", glm::vec2(result.nodes.size(), drawn));
+        out.append("size", glm::vec3(result.nodes.size(), drawn, result.transformations.size()));
         const std::optional<std::vector<Way>> all = ways(result);
         if (!all) {
             constexpr std::array<float, 17> nothing{-1};
