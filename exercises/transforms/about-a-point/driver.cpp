@@ -19,6 +19,10 @@ void record_known(Recorder& out)
         out.append("rotation", rotation_about_point(centre, {{0, 2, 0}, pi / 4}));
         out.append("scaling", scaling_about_point(centre, {2, 2, 2}));
         out.append("scaling", scaling_about_point(centre, {1, -1, 0.5F}));
+        out.append("along", scaling_along(centre, {0, 0, 2}, 3));
+        out.append("along", scaling_along(centre, {1, 1, 0}, 0.5F));
+        out.append("along", scaling_along(centre, {0, 3, 4}, 0));
+        out.append("along", scaling_along(centre, {1, 0, 1}, -1));
         out.append("point", reflection_in_point(centre));
         out.append("line", reflection_in_line(centre, {0, 3, 0}));
         out.append("line", reflection_in_line(centre, {1, 1, 0}));
@@ -42,6 +46,7 @@ void record_random(Random& random, Recorder& out)
         const glm::vec3 direction = random.uniform(0.5F, 4) * random.unit_vector();
         out.append("rotation", rotation_about_point(centre, random_turn(random)));
         out.append("scaling", scaling_about_point(centre, 2.0F * random.in_cube()));
+        out.append("along", scaling_along(centre, direction, random.uniform(-2, 2)));
         out.append("point", reflection_in_point(centre));
         out.append("line", reflection_in_line(centre, direction));
         out.append("plane", reflection_in_plane(centre, direction));
@@ -67,11 +72,12 @@ void record_null(Random& random, Recorder& out)
         const bool first = random.below(2) == 1;
         for (const bool is_null : {first, !first}) {
             const glm::vec3 direction = is_null ? null : given;
-            if (i % 5 == 0) out.append("matrix", reflection_in_line(centre, direction));
-            if (i % 5 == 1) out.append("matrix", reflection_in_plane(centre, direction));
-            if (i % 5 == 2) out.append("matrix", alignment(direction, other));
-            if (i % 5 == 3) out.append("matrix", placed_along(centre, direction));
-            if (i % 5 == 4) out.append("matrix", rotation_about_point(centre, {direction, 1}));
+            if (i % 6 == 0) out.append("matrix", reflection_in_line(centre, direction));
+            if (i % 6 == 1) out.append("matrix", reflection_in_plane(centre, direction));
+            if (i % 6 == 2) out.append("matrix", alignment(direction, other));
+            if (i % 6 == 3) out.append("matrix", placed_along(centre, direction));
+            if (i % 6 == 5) out.append("matrix", scaling_along(centre, direction, 2));
+            if (i % 6 == 4) out.append("matrix", rotation_about_point(centre, {direction, 1}));
         }
     }
 }
@@ -164,6 +170,7 @@ void record_sizes(Random& random, Recorder& out)
             const glm::vec3 centre = random.in_cube();
             out.append("matrix", reflection_in_line(centre, direction));
             out.append("matrix", reflection_in_plane(centre, direction));
+            out.append("matrix", scaling_along(centre, direction, 0.5F));
             out.append("matrix", placed_along(centre, direction));
             out.append("matrix", alignment(clear_axis(true, random), direction));
         }
