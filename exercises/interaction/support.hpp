@@ -52,6 +52,7 @@ inline OrbitCameraSettings random_settings(Random& random)
     settings.pitch = 2 * random.uniform_double() - 1;
     settings.min_distance = 0.5;
     settings.max_distance = 20;
+    settings.max_pitch = 1.05 + 0.45 * random.uniform_double();
     settings.viewport_height = 300 + static_cast<int>(random.below(900));
     return settings;
 }

@@ -39,8 +39,15 @@ inline EventRow matrix_row(float code, const glm::dmat4& m, const glm::vec3& col
 /// Is drawn with changes of the stack, or without?
 enum class Stack { shown, left_out };
 
+/// Are polylines recorded here, or apart as `sorted_lines`?
+enum class Lines { shown, left_out };
+
+/// Are copies of the figure recorded here, or apart?
+enum class Figures { shown, left_out };
+
 /// All that was drawn, polylines line by line, and at the end how the pipeline stands.
-inline void record_events(Recorder& out, const std::string& name, const RecordingPipeline& drawn, Stack stack)
+inline void record_events(Recorder& out, const std::string& name, const RecordingPipeline& drawn, Stack stack,
+                          Lines lines = Lines::shown, Figures figures = Figures::shown)
 {
     const auto add = [&](const EventRow& row) { out.append(name, std::span<const float>(row)); };
     for (const Call& call : drawn.calls()) {
@@ -49,9 +56,11 @@ inline void record_events(Recorder& out, const std::string& name, const Recordin
             if (stack == Stack::shown || call.kind == Call::Kind::empty_pop) add(event_row(code, {}, {}, {}, {}, 0));
         };
         switch (call.kind) {
-            case Call::Kind::figure: matrix(1); break;
+            case Call::Kind::figure:
+                if (figures == Figures::shown) matrix(1);
+                break;
             case Call::Kind::polyline:
-                for (std::size_t i = 1; i < call.places.size(); ++i)
+                for (std::size_t i = 1; lines == Lines::shown && i < call.places.size(); ++i)
                     add(event_row(2, seen_at(call.modelview, call.places[i - 1]),
                                   seen_at(call.modelview, call.places[i]), {}, call.color, call.line_width));
                 break;
@@ -64,6 +73,34 @@ inline void record_events(Recorder& out, const std::string& name, const Recordin
         }
     }
     add(matrix_row(9, drawn.modelview(), drawn.color(), drawn.line_width(), drawn.depth()));
+}
+
+/// The lines of all polylines, as events: in which order and sense they were drawn does not matter. They are sorted by
+/// their places in master coordinates, which no matrix has rounded.
+inline std::vector<EventRow> sorted_lines(const RecordingPipeline& drawn)
+{
+    const auto less = [](glm::vec2 a, glm::vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+    using Line = std::pair<std::array<glm::vec2, 2>, EventRow>;
+    std::vector<Line> lines;
+    for (const Call& call : drawn.calls()) {
+        if (call.kind != Call::Kind::polyline) continue;
+        for (std::size_t k = 1; k < call.places.size(); ++k) {
+            glm::vec2 a = call.places[k - 1];
+            glm::vec2 b = call.places[k];
+            if (less(b, a)) std::swap(a, b);
+            lines.push_back({{a, b},
+                             event_row(2, seen_at(call.modelview, a), seen_at(call.modelview, b), {}, call.color,
+                                       call.line_width)});
+        }
+    }
+    std::stable_sort(lines.begin(), lines.end(), [&](const Line& one, const Line& other) {
+        const auto& [a, b] = one.first;
+        const auto& [c, d] = other.first;
+        return less(a, c) || (a == c && less(b, d));
+    });
+    std::vector<EventRow> rows;
+    for (const Line& line : lines) rows.push_back(line.second);
+    return rows;
 }
 
 /// The names of the codes, for a table of events; once for each.

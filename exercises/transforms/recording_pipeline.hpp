@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/glm.hpp>
 #include <stdexcept>
@@ -18,7 +19,7 @@ struct Start {
     glm::vec3 color{1};
     float line_width = 1;
     glm::vec3 background{0};
-    std::size_t depth = 0;
+    std::size_t depth = 0;  ///< of other matrices, so that a pop too many is seen
 };
 
 /// A start that no function can have expected: any affine map of the plane, any colours, and somebody else's matrices
@@ -56,7 +57,7 @@ public:
 
     explicit RecordingPipeline(const Start& start = {})
         : modelview_(start.modelview),
-          stack_(start.depth, modelview_),
+          stack_(start.depth, 2.0 * modelview_),
           color_(start.color),
           line_width_(start.line_width),
           background_(start.background)
@@ -69,7 +70,15 @@ public:
         stack_.clear();
         add(Call::Kind::set_view);
     }
-    void compose(const glm::mat4& transformation) override { modelview_ = modelview_ * glm::dmat4(transformation); }
+    void compose(const glm::mat4& transformation) override
+    {
+        modelview_ = modelview_ * glm::dmat4(transformation);
+        const auto is_push = [](const Call& call) { return call.kind == Call::Kind::push; };
+        if (std::all_of(calls_.begin(), calls_.end(), is_push)) first_steps_.push_back(transformation);
+        if (first_steps_.size() > maximum_calls)
+            throw std::length_error(
+                "more than 20,000 matrices before anything is drawn: does the loop come to an end?");
+    }
     void push() override
     {
         add(Call::Kind::push);
@@ -105,6 +114,8 @@ public:
     [[nodiscard]] const std::vector<Call>& calls() const { return calls_; }
     [[nodiscard]] const glm::dmat4& modelview() const { return modelview_; }
     [[nodiscard]] std::size_t depth() const { return stack_.size(); }
+    /// The matrices that were composed, one by one, before anything was drawn or popped.
+    [[nodiscard]] const std::vector<glm::mat4>& first_steps() const { return first_steps_; }
 
 private:
     std::vector<glm::vec2> copy(std::span<const glm::vec2> places)
@@ -129,6 +140,7 @@ private:
     float line_width_;
     glm::vec3 background_;
     std::vector<Call> calls_;
+    std::vector<glm::mat4> first_steps_;
     std::size_t places_ = 0;
 };
 

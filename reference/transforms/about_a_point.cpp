@@ -63,6 +63,13 @@ glm::mat4 scaling_about_point(const glm::vec3& centre, const glm::vec3& factors)
     return about(centre, change);
 }
 
+glm::mat4 scaling_along(const glm::vec3& point, const glm::vec3& direction, float factor)
+{
+    if (is_null(direction)) return glm::mat4(1);
+    const Vector e = unit(direction);
+    return about(point, (double{factor} - 1) * outerProduct(e, e));
+}
+
 glm::mat4 reflection_in_point(const glm::vec3& centre) { return about(centre, Matrix(-2)); }
 
 glm::mat4 reflection_in_line(const glm::vec3& point, const glm::vec3& direction)

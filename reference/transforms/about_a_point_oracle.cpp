@@ -75,6 +75,13 @@ glm::mat4 scaling_about_point(const glm::vec3& centre, const glm::vec3& factors)
     });
 }
 
+glm::mat4 scaling_along(const glm::vec3& point, const glm::vec3& direction, float factor)
+{
+    if (is_null(widened(direction))) return glm::mat4(1);
+    const Vector e = unit(widened(direction));
+    return about(point, [&](const Vector& p) { return sum({0, 0, 0}, (Wide{factor} - 1) * dot(e, p), e); });
+}
+
 glm::mat4 reflection_in_point(const glm::vec3& centre)
 {
     return about(centre, [](const Vector& p) { return sum({0, 0, 0}, -2, p); });

@@ -36,7 +36,7 @@ std::vector<Placement> random_cameras(Random& random, int count)
 std::vector<Placement> long_and_short_up(Random& random)
 {
     std::vector<Placement> cameras = random_cameras(random, 200);
-    for (Placement& camera : cameras) camera.up *= std::pow(10.0F, random.uniform(-4, 4));
+    for (Placement& camera : cameras) camera.up *= std::pow(10.0F, random.uniform(-15, 15));
     return cameras;
 }
 

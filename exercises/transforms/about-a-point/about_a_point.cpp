@@ -14,6 +14,12 @@ glm::mat4 scaling_about_point(const glm::vec3& centre, const glm::vec3& factors)
     return not_implemented<glm::mat4>(centre, factors);
 }
 
+glm::mat4 scaling_along(const glm::vec3& point, const glm::vec3& direction, float factor)
+{
+    // TODO: with e the unit vector, I + (factor - 1) e eᵀ about `point`. The identity for a null direction.
+    return not_implemented<glm::mat4>(point, direction, factor);
+}
+
 glm::mat4 reflection_in_point(const glm::vec3& centre)
 {
     // TODO: p becomes 2 centre - p.

@@ -19,6 +19,10 @@ void record_known(Recorder& out)
         out.append("rotation", rotation_about_point(centre, {{0, 2, 0}, pi / 4}));
         out.append("scaling", scaling_about_point(centre, {2, 2, 2}));
         out.append("scaling", scaling_about_point(centre, {1, -1, 0.5F}));
+        out.append("along", scaling_along(centre, {0, 0, 2}, 3));
+        out.append("along", scaling_along(centre, {1, 1, 0}, 0.5F));
+        out.append("along", scaling_along(centre, {0, 3, 4}, 0));
+        out.append("along", scaling_along(centre, {1, 0, 1}, -1));
         out.append("point", reflection_in_point(centre));
         out.append("line", reflection_in_line(centre, {0, 3, 0}));
         out.append("line", reflection_in_line(centre, {1, 1, 0}));
@@ -42,6 +46,7 @@ void record_random(Random& random, Recorder& out)
         const glm::vec3 direction = random.uniform(0.5F, 4) * random.unit_vector();
         out.append("rotation", rotation_about_point(centre, random_turn(random)));
         out.append("scaling", scaling_about_point(centre, 2.0F * random.in_cube()));
+        out.append("along", scaling_along(centre, direction, random.uniform(-2, 2)));
         out.append("point", reflection_in_point(centre));
         out.append("line", reflection_in_line(centre, direction));
         out.append("plane", reflection_in_plane(centre, direction));
@@ -59,7 +64,7 @@ void record_random(Random& random, Recorder& out)
 // Pairs of a question about a null direction and one about another, in random order.
 void record_null(Random& random, Recorder& out)
 {
-    const glm::vec3 null(0, -0.0F, 0);
+    const glm::vec3 null(0);
     for (int i = 0; i < 30; ++i) {
         const glm::vec3 centre = 3.0F * random.in_cube();
         const glm::vec3 given = random.unit_vector();
@@ -67,12 +72,34 @@ void record_null(Random& random, Recorder& out)
         const bool first = random.below(2) == 1;
         for (const bool is_null : {first, !first}) {
             const glm::vec3 direction = is_null ? null : given;
-            if (i % 5 == 0) out.append("matrix", reflection_in_line(centre, direction));
-            if (i % 5 == 1) out.append("matrix", reflection_in_plane(centre, direction));
-            if (i % 5 == 2) out.append("matrix", alignment(direction, other));
-            if (i % 5 == 3) out.append("matrix", placed_along(centre, direction));
-            if (i % 5 == 4) out.append("matrix", rotation_about_point(centre, {direction, 1}));
+            if (i % 6 == 0) out.append("matrix", reflection_in_line(centre, direction));
+            if (i % 6 == 1) out.append("matrix", reflection_in_plane(centre, direction));
+            if (i % 6 == 2) out.append("matrix", alignment(direction, other));
+            if (i % 6 == 3) out.append("matrix", placed_along(centre, direction));
+            if (i % 6 == 5) out.append("matrix", scaling_along(centre, direction, 2));
+            if (i % 6 == 4) out.append("matrix", rotation_about_point(centre, {direction, 1}));
         }
+    }
+}
+
+// Turns with a number that is not finite, which turn nothing, in pairs with others, in random order.
+void record_not_finite(Random& random, Recorder& out)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (int i = 0; i < 16; ++i) {
+        const glm::vec3 centre = 3.0F * random.in_cube();
+        const AxisAngle given = random_turn(random);
+        AxisAngle bad = given;
+        const float number = i / 4 % 3 == 0 ? std::numeric_limits<float>::quiet_NaN()
+                             : i % 2 == 0   ? infinity
+                                            : -infinity;
+        if (i % 4 == 3)
+            bad.angle = number;
+        else
+            bad.axis[i % 4] = number;
+        const bool first = random.below(2) == 1;
+        for (const bool is_bad : {first, !first})
+            out.append("rotation", rotation_about_point(centre, is_bad ? bad : given));
     }
 }
 
@@ -110,7 +137,7 @@ void record_opposite(Random& random, Recorder& out)
         const auto factor = static_cast<float>(1 + random.below(7));
         const bool first = random.below(2) == 1;
         for (const bool opposite : {first, !first})
-            out.append("opposite", alignment(from, (opposite ? -factor : factor) * from));
+            out.append("opposite", alignment(from, (opposite ? -factor : factor) * from + 0.0F));  // no -0
     }
     for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
         for (int i = 0; i < 16; ++i) {
@@ -129,8 +156,8 @@ void record_steep(Random& random, Recorder& out)
         for (int i = 0; i < 10; ++i) {
             const float angle = random.uniform(-pi, pi);
             const float up = i % 2 == 0 ? 1.0F : -2.0F;
-            out.append("placed",
-                       placed_along(random.in_cube(), {aside * std::cos(angle), up, aside * std::sin(angle)}));
+            out.append("placed", placed_along(random.in_cube(), {aside * std::cos(angle) + 0.0F, up,
+                                                                 aside * std::sin(angle) + 0.0F}));  // no -0
         }
     }
 }
@@ -143,6 +170,7 @@ void record_sizes(Random& random, Recorder& out)
             const glm::vec3 centre = random.in_cube();
             out.append("matrix", reflection_in_line(centre, direction));
             out.append("matrix", reflection_in_plane(centre, direction));
+            out.append("matrix", scaling_along(centre, direction, 0.5F));
             out.append("matrix", placed_along(centre, direction));
             out.append("matrix", alignment(clear_axis(true, random), direction));
         }
@@ -155,6 +183,7 @@ const Driver driver = {
     {"known", [](Case&, Recorder& out) { record_known(out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"null directions", [](Case& c, Recorder& out) { record_null(c.random, out); }},
+    {"not finite", [](Case& c, Recorder& out) { record_not_finite(c.random, out); }},
     {"far centres", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"opposite", [](Case& c, Recorder& out) { record_opposite(c.random, out); }},
     {"steep", [](Case& c, Recorder& out) { record_steep(c.random, out); }},

@@ -3,81 +3,59 @@
 #include <umbral/record/driver.hpp>
 #include <umbral/transforms/android.hpp>
 
-#include "../drawn_events.hpp"
 #include "parade.hpp"
+#include "solid_rows.hpp"
 
 namespace umbral {
 namespace {
 
 using namespace transforms;
 
-/// A code, 12 numbers that say where a solid of revolution is, its colour, and the depth of the stack.
-using SolidRow = std::array<float, 17>;
-
-/// Turned or mirrored about its own axis y, a solid looks the same: its origin, its axis, and the sum of the squares of
-/// its other two axes stay.
-SolidRow solid_row(float code, const glm::dmat4& m, const glm::vec3& color, std::size_t depth)
-{
-    const auto f = [](double value) { return static_cast<float>(value); };
-    const glm::dvec3 x(m[0]);
-    const glm::dvec3 z(m[2]);
-    const glm::dmat3 s = outerProduct(x, x) + outerProduct(z, z);
-    return {code,
-            f(m[3].x),
-            f(m[3].y),
-            f(m[3].z),
-            f(m[1].x),
-            f(m[1].y),
-            f(m[1].z),
-            f(s[0][0]),
-            f(s[1][1]),
-            f(s[2][2]),
-            f(s[0][1]),
-            f(s[0][2]),
-            f(s[1][2]),
-            color.x,
-            color.y,
-            color.z,
-            static_cast<float>(depth)};
-}
-
-/// What the android draws when the pipeline stands like this, and how the pipeline stands afterwards.
-void record(Recorder& out, const Android& android, const Start& start)
+/// What the android draws when the pipeline stands like this, in any order; and in which order, and how the pipeline
+/// stands afterwards, if these have a name.
+void record(Recorder& out, const Android& android, const Start& start, const char* order = nullptr,
+            const char* state = nullptr)
 {
     RecordingPipeline drawn(start);
     android.draw(drawn);
-    for (const Call& call : drawn.calls()) {
-        if (call.kind == Call::Kind::push || call.kind == Call::Kind::pop) continue;
-        const float code = call.kind == Call::Kind::primitive ? static_cast<float>(call.primitive) : 9;
-        const SolidRow row = solid_row(code, call.modelview, call.color, 0);
-        out.append("solids", std::span<const float>(row));
+    const std::vector<DrawnSolid> solids = sorted_solids(drawn, start);
+    for (const DrawnSolid& solid : solids) {
+        out.append("solids", std::span<const float>(solid.row));
+        if (order != nullptr) out.append(order, solid.place);
     }
-    // Afterwards the matrix counts as it is.
-    const glm::dmat4& m = drawn.modelview();
-    const auto f = [](double value) { return static_cast<float>(value); };
-    const SolidRow after{3,
-                         f(m[3].x),
-                         f(m[3].y),
-                         f(m[3].z),
-                         f(m[1].x),
-                         f(m[1].y),
-                         f(m[1].z),
-                         f(m[0].x),
-                         f(m[0].y),
-                         f(m[0].z),
-                         f(m[2].x),
-                         f(m[2].y),
-                         f(m[2].z),
-                         drawn.color().x,
-                         drawn.color().y,
-                         drawn.color().z,
-                         static_cast<float>(drawn.depth())};
-    out.append("solids", std::span<const float>(after));
+    for (const Call& call : drawn.calls()) {
+        if (call.kind == Call::Kind::push || call.kind == Call::Kind::pop || call.kind == Call::Kind::primitive)
+            continue;
+        constexpr SolidRow no_solid{9};
+        out.append("solids", std::span<const float>(no_solid));
+    }
+    if (state == nullptr || solids.empty()) return;
+    const glm::mat4 m(drawn.modelview());
+    const glm::vec3 color = drawn.color();
+    const std::array<float, 18> row{3,
+                                    m[0].x,
+                                    m[0].y,
+                                    m[0].z,
+                                    m[1].x,
+                                    m[1].y,
+                                    m[1].z,
+                                    m[2].x,
+                                    m[2].y,
+                                    m[2].z,
+                                    m[3].x,
+                                    m[3].y,
+                                    m[3].z,
+                                    color.x,
+                                    color.y,
+                                    color.z,
+                                    drawn.line_width(),
+                                    static_cast<float>(drawn.depth())};
+    out.append(state, std::span<const float>(row));
 }
 
 void record_names(Recorder& out)
 {
-    out.text("solids.names", "1 half sphere\n2 cylinder\n3 afterwards\n9 something that is no solid\n");
+    out.text("solids.names", "1 half sphere\n2 cylinder\n9 something that is no solid\n");
 }
 
 /// Anywhere in space, any colour.
@@ -104,8 +82,8 @@ void record_at_rest(Recorder& out, Random& random)
     record_names(out);
     const std::unique_ptr<Android> android = make_android();
     if (!android) return;
-    record(out, *android, {.color = {0.2F, 0.7F, 0.3F}});
-    for (int i = 0; i < 2; ++i) record(out, *android, somewhere(random));
+    record(out, *android, {.color = {0.2F, 0.7F, 0.3F}}, "order");
+    for (int i = 0; i < 2; ++i) record(out, *android, somewhere(random), "order");
 }
 
 // One joint at a time, and back to rest: what else moves with it?
@@ -126,13 +104,14 @@ void record_joints(Recorder& out)
 void record_poses(Recorder& out, Random& random)
 {
     record_names(out);
+    out.text("state.names", "3 afterwards\n");
     const std::unique_ptr<Android> android = make_android();
     if (!android) return;
     for (int i = 0; i < 12; ++i) {
         pose(*android, random, 3.1);
         if (i % 3 == 0) android->set_head(std::numeric_limits<double>::quiet_NaN());
         if (i % 4 == 1) android->set_left_arm(std::numeric_limits<double>::infinity());
-        record(out, *android, somewhere(random));
+        record(out, *android, somewhere(random), nullptr, "state");
     }
 }
 

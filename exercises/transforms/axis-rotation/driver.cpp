@@ -43,6 +43,8 @@ void record_lengths(Random& random, Recorder& out)
         for (int i = 0; i < 20; ++i) {
             const AxisAngle turn{size * random.unit_vector(), random.uniform(-pi, pi)};
             out.append("matrix", rotation_matrix(turn));
+            const glm::vec3 vector = random.unit_vector();
+            out.append("vector", rotate_vector(vector, turn));
         }
     }
 }
@@ -65,7 +67,7 @@ void record_nothing(Random& random, Recorder& out)
     constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
     const AxisAngle idle[] = {{{0, 0, 0}, 1},
                               {{0, 0, 0}, 0},
-                              {{-0.0F, 0, 0}, -3},
+                              {{0, 0, 0}, -3},
                               {{1, 0, 0}, not_a_number},
                               {{0, 1, 0}, infinity},
                               {{0, 1, 0}, -infinity},
@@ -102,6 +104,8 @@ void record_chains(Random& random, Recorder& out)
     for (std::size_t i = 0; i < 60; ++i) {
         std::vector<AxisAngle> turns = random_turns(random, 2 + i % 7);
         if (i % 5 == 0) turns[1].axis = glm::vec3(0);
+        if (i % 5 == 1) turns[0].angle = std::numeric_limits<float>::infinity();
+        if (i % 5 == 2) turns[1].axis.y = std::numeric_limits<float>::quiet_NaN();
         out.append("matrix", compose_rotations(turns));
     }
 }

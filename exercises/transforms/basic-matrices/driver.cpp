@@ -52,9 +52,19 @@ void record_known(Recorder& out)
                               {doubled, moved},
                               {moved, matrix},
                               {matrix, moved, doubled},
-                              {matrix},
-                              {}})
+                              {matrix}})
         out.append("composed", compose_matrices(steps));
+}
+
+// No step and one step, in pairs, in random order.
+void record_no_steps(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 10; ++i) {
+        const std::vector<glm::mat4> steps{given_matrix(random)};
+        const bool first = random.below(2) == 1;
+        for (const bool none : {first, !first})
+            out.append("composed", compose_matrices(std::span(steps).first(none ? 0 : 1)));
+    }
 }
 
 void record_random(Random& random, Recorder& out)
@@ -88,6 +98,7 @@ const Driver driver = {
     {"known", [](Case&, Recorder& out) { record_known(out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
+    {"no steps", [](Case& c, Recorder& out) { record_no_steps(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { out.image("tower", draw_tower()); }},
 };
 

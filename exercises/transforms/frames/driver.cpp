@@ -103,6 +103,29 @@ void record_kinds(Random& random, Recorder& out)
     }
 }
 
+// Half and twice the thresholds of 1e-4, in pairs, in random order: cosines of 0.5e-4 and 2e-4, also of long vectors,
+// and lengths that are as far from 1.
+void record_thresholds(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const Frame frame = cartesian({1, 2, 3}, random);
+        const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
+        const bool first = random.below(2) == 1;
+        for (const bool beyond : {first, !first}) {
+            Frame other = frame;
+            const float off = sign * (beyond ? 2e-4F : 0.5e-4F);
+            glm::vec3& axis = i % 3 == 0 ? other.x : i % 3 == 1 ? other.y : other.z;
+            const glm::vec3& next = i % 3 == 0 ? frame.y : i % 3 == 1 ? frame.z : frame.x;
+            if (i % 2 == 0)
+                axis *= 1.0F + off;
+            else
+                axis += off * next;
+            if (i % 4 == 3) axis *= 8.0F;
+            out.append("kind", static_cast<std::int32_t>(classify_frame(other)));
+        }
+    }
+}
+
 /// A multiple of 2^-23 between 0.5 and 1 with all its digits, and a sign: the sum of two is a float, their products are
 /// no doubles.
 float full_number(Random& random)
@@ -122,6 +145,9 @@ void record_coplanar(Random& random, Recorder& out)
         }
         frame.z = frame.x + frame.y;
         if (i % 2 != 0) frame.z[i / 4 % 3] += i % 4 == 1 ? 0x1p-23F : -0x1p-23F;
+        // Powers of two round nothing.
+        for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z})
+            *axis *= i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p-100F : 0x1p100F;
         out.append("sign", orientation(frame));
     }
 }
@@ -160,6 +186,7 @@ const Driver driver = {
     {"drifted", [](Case& c, Recorder& out) { record_drifted(c.random, out); }},
     {"orientation", [](Case& c, Recorder& out) { record_orientation(c.random, out); }},
     {"kinds", [](Case& c, Recorder& out) { record_kinds(c.random, out); }},
+    {"thresholds", [](Case& c, Recorder& out) { record_thresholds(c.random, out); }},
     {"nearly in a plane", [](Case& c, Recorder& out) { record_coplanar(c.random, out); }},
     {"ill-conditioned", [](Case& c, Recorder& out) { record_ill_conditioned(c.random, out); }},
     {"far away", [](Case& c, Recorder& out) { record_far(c.random, out); }},

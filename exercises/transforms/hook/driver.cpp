@@ -1,4 +1,6 @@
+#include <array>
 #include <numbers>
+#include <optional>
 #include <umbral/record/driver.hpp>
 #include <umbral/transforms/hook.hpp>
 
@@ -15,14 +17,25 @@ struct Ends {
     glm::vec3 to;
 };
 
-/// Everything that a drawing function draws and leaves behind, for five states that it finds.
-template <class Draw>
-void record_figure(Recorder& out, Random& random, Stack stack, Draw draw)
+/// Everything that is drawn and left behind, for five states that are found.
+void record_four_hooks(Recorder& out, Random& random)
 {
     for (int i = 0; i < 5; ++i) {
         RecordingPipeline drawn(i == 0 ? Start{} : random_start(random));
-        draw(drawn);
-        record_events(out, "drawn", drawn, stack);
+        draw_four_hooks(drawn, drawn.marker());
+        record_events(out, "drawn", drawn, Stack::shown);
+    }
+    record_names(out, "drawn");
+}
+
+/// The hook's lines in any order and sense, whatever else was drawn, and the state afterwards.
+void record_hooks(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 5; ++i) {
+        RecordingPipeline drawn(i == 0 ? Start{} : random_start(random));
+        draw_hook(drawn);
+        for (const EventRow& row : sorted_lines(drawn)) out.append("drawn", std::span<const float>(row));
+        record_events(out, "drawn", drawn, Stack::left_out, Lines::left_out);
     }
     record_names(out, "drawn");
 }
@@ -33,6 +46,41 @@ glm::mat4 in_the_plane(const glm::dmat4& modelview)
     glm::mat4 matrix(modelview);
     matrix[2] = {0, 0, 1, 0};
     return matrix;
+}
+
+/// Translations, rotations and scalings of the plane commute with their own kind, and the last two with each other: the
+/// product of each kind, and each matrix that is none of them.
+void record_steps(Recorder& out, const std::vector<glm::mat4>& steps)
+{
+    enum Kind { translation, rotation, scaling, other };
+    const auto kind_of = [](const glm::dmat4& m) {
+        const double a = m[0][0];
+        const double b = m[0][1];
+        const double size = 1e-5 * (std::abs(a) + std::abs(b));
+        const auto near = [size](double one, double two) { return std::abs(one - two) <= size; };
+        if (!near(a, m[1][1]) || !near(b, -m[1][0])) return other;
+        if (glm::dvec2(m[3]) != glm::dvec2(0)) return near(a, 1) && near(b, 0) ? translation : other;
+        return near(a * a + b * b, 1) ? rotation : near(b, 0) && a > 0 ? scaling : other;
+    };
+    const auto append = [&out](int kind, const glm::dmat4& m) {
+        const glm::vec2 x(m[0]);
+        const glm::vec2 y(m[1]);
+        const glm::vec2 o(m[3]);
+        const std::array row{static_cast<float>(kind + 1), x.x, x.y, y.x, y.y, o.x, o.y};
+        out.append("steps", std::span<const float>(row));
+    };
+    std::array<std::optional<glm::dmat4>, 3> products;
+    for (const glm::dmat4 step : steps) {
+        const Kind kind = kind_of(step);
+        if (kind == other) {
+            append(kind, step);
+        } else {
+            std::optional<glm::dmat4>& product = products[kind];
+            product = product.value_or(glm::dmat4(1)) * step;
+        }
+    }
+    for (int kind = 0; kind < other; ++kind)
+        if (const auto& product = products[static_cast<std::size_t>(kind)]) append(kind, *product);
 }
 
 /// Both ways to place a hook, each from a new state, or from the identity. Who draws none has left no state either.
@@ -50,6 +98,7 @@ void record_both(Recorder& out, const std::vector<Ends>& all, Random* starts = n
         if (any) {
             const EventRow after = matrix_row(9, drawn.modelview(), drawn.color(), drawn.line_width(), drawn.depth());
             out.append("state", std::span<const float>(after));
+            if (starts != nullptr) record_steps(out, drawn.first_steps());
         }
         out.append("matrix", hook_matrix(ends.from, ends.to));
     }
@@ -98,6 +147,24 @@ std::vector<Ends> hard_pairs(Random& random)
     return all;
 }
 
+// Differences of 25 binary digits, half-way between two floats: whoever rounds once takes the even one. A sine, cosine
+// or square root in double comes out on either side.
+void record_halves(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 60; ++i) {
+        glm::vec3 from(1);
+        glm::vec3 to(1);
+        for (int k = 0; k < 2; ++k) {
+            const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
+            const std::uint32_t even = 2 * random.below(1U << 22U);
+            const std::uint32_t odd = 2 * random.below(1U << 22U) + 1;
+            to[k] = sign * (0.5F + 0x1p-24F * static_cast<float>(even));
+            from[k] = -sign * (0.5F + 0x1p-24F * static_cast<float>(odd));
+        }
+        out.append("matrix", hook_matrix(from, to));
+    }
+}
+
 void record_circles(Recorder& out, std::initializer_list<unsigned> counts, Random& random)
 {
     for (const unsigned count : counts) {
@@ -111,12 +178,8 @@ void record_circles(Recorder& out, std::initializer_list<unsigned> counts, Rando
 }
 
 const Driver driver = {
-    {"hook", [](Case& c, Recorder& out) { record_figure(out, c.random, Stack::shown, draw_hook); }},
-    {"four hooks",
-     [](Case& c, Recorder& out) {
-         record_figure(out, c.random, Stack::shown,
-                       [](RecordingPipeline& drawn) { draw_four_hooks(drawn, drawn.marker()); });
-     }},
+    {"hook", [](Case& c, Recorder& out) { record_hooks(out, c.random); }},
+    {"four hooks", [](Case& c, Recorder& out) { record_four_hooks(out, c.random); }},
     {"directions", [](Case&, Recorder& out) { record_both(out, all_directions()); }},
     {"two places",
      [](Case& c, Recorder& out) {
@@ -124,6 +187,11 @@ const Driver driver = {
          record_both(out, pairs, &c.random);
      }},
     {"hard places", [](Case& c, Recorder& out) { record_both(out, hard_pairs(c.random)); }},
+    {"half-way numbers", [](Case& c, Recorder& out) { record_halves(out, c.random); }},
+    {"no hooks",
+     [](Case& c, Recorder& out) {
+         record_circles(out, {0, 3, 0, 1, 0}, c.random);
+     }},
     {"circle",
      [](Case& c, Recorder& out) {
          record_circles(out, {5, 8, 3, 2, 1}, c.random);

@@ -36,25 +36,28 @@ void record_known(Recorder& out)
     record_instances(out, expand(b.graph, plenty));
 }
 
-/// A cycle begins at its smallest node, and does not come back to it: whoever found it, wherever they began.
+/// Of a cycle, whose last node is the first one again: it begins at its smallest node and ends before it, whoever found
+/// it, wherever they began.
 std::vector<std::uint32_t> canonical(std::vector<std::uint32_t> path)
 {
-    if (path.size() > 1 && path.front() == path.back()) path.pop_back();
+    path.pop_back();
     std::rotate(path.begin(), std::min_element(path.begin(), path.end()), path.end());
     return path;
 }
 
 void record_cycles(Recorder& out, Random& random)
 {
-    out.text("found.names", "1 no cycle; instances\n2 a cycle of these nodes\n");
+    out.text("found.names", "1 no cycle; instances\n2 a cycle of these nodes\n3 a path that does not come back\n");
     for (int i = 0; i < 60; ++i) {
         const SceneGraph graph = random_chain(random, random.below(2) == 0);
         std::array<float, 10> row{1};
         try {
             row[1] = static_cast<float>(expand(graph, plenty).size());
         } catch (const CycleError& error) {
-            const std::vector<std::uint32_t> path = canonical(error.path());
-            row = {2, static_cast<float>(path.size())};
+            const std::vector<std::uint32_t>& given = error.path();
+            const bool is_closed = given.size() > 1 && given.front() == given.back();
+            const std::vector<std::uint32_t> path = is_closed ? canonical(given) : given;
+            row = {is_closed ? 2.0F : 3.0F, static_cast<float>(path.size())};
             for (std::size_t k = 0; k < std::min(path.size(), row.size() - 2); ++k)
                 row[k + 2] = static_cast<float>(path[k] + 1);
         }
@@ -84,6 +87,8 @@ void record_limits(Recorder& out, Random& random)
 {
     for (int i = 0; i < 30; ++i) {
         SceneGraph good = random_chain(random, false);
+        // Nothing leads to this node.
+        if (i % 2 == 0) good.nodes.push_back({node(9999), {Entry::Kind::transformation, 77}});
         SceneGraph bad = good;
         std::size_t good_limit = plenty;
         std::size_t bad_limit = plenty;
@@ -132,7 +137,7 @@ void record_conversion(Recorder& out, const std::vector<ArcGraph>& graphs)
         std::size_t drawn = 0;
         for (const std::vector<Entry>& entries : result.nodes)
             for (const Entry& entry : entries) drawn += entry.kind == Entry::Kind::transformation ? 0 : 1;
-        out.append("size", glm::vec2(result.nodes.size(), drawn));
+        out.append("size", glm::vec3(result.nodes.size(), drawn, result.transformations.size()));
         const std::optional<std::vector<Way>> all = ways(result);
         if (!all) {
             constexpr std::array<float, 17> nothing{-1};

@@ -3,6 +3,7 @@
 
 #include "../drawn_events.hpp"
 #include "grove.hpp"
+#include "tree_order.hpp"
 
 namespace umbral {
 namespace {
@@ -38,31 +39,12 @@ void record_trunk(Recorder& out)
     out.buffer("layers", layers(drawn, 160, 184, low, high));
 }
 
-// Lines in any order and sense: sorted by their places in the trunk's own coordinates, which are exact.
 void record_edges(Recorder& out, Random& random)
 {
-    const auto less = [](glm::vec2 a, glm::vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
     for (int i = 0; i < 6; ++i) {
         RecordingPipeline drawn(i == 0 ? Start{} : random_start(random));
         draw_trunk(drawn);
-        std::vector<std::array<glm::vec2, 2>> lines;
-        std::vector<EventRow> rows;
-        for (const Call& call : drawn.calls()) {
-            if (call.kind != Call::Kind::polyline) continue;
-            for (std::size_t k = 1; k < call.places.size(); ++k) {
-                glm::vec2 a = call.places[k - 1];
-                glm::vec2 b = call.places[k];
-                if (less(b, a)) std::swap(a, b);
-                const EventRow row = event_row(2, seen_at(call.modelview, a), seen_at(call.modelview, b), {},
-                                               call.color, call.line_width);
-                const std::array line{a, b};
-                const auto place = std::find_if(lines.begin(), lines.end(), [&](const auto& other) {
-                    return less(line[0], other[0]) || (line[0] == other[0] && less(line[1], other[1]));
-                });
-                rows.insert(rows.begin() + (place - lines.begin()), row);
-                lines.insert(place, line);
-            }
-        }
+        const std::vector<EventRow> rows = sorted_lines(drawn);
         for (const EventRow& row : rows) out.append("drawn", std::span<const float>(row));
         if (rows.empty()) continue;
         const EventRow after = matrix_row(9, drawn.modelview(), drawn.color(), drawn.line_width(), drawn.depth());
@@ -71,12 +53,30 @@ void record_edges(Recorder& out, Random& random)
     record_names(out, "drawn");
 }
 
+/// The matrices of all trunks.
+std::vector<glm::dmat4> trunks_of(const RecordingPipeline& drawn)
+{
+    std::vector<glm::dmat4> places;
+    for (const Call& call : drawn.calls())
+        if (call.kind == Call::Kind::figure) places.push_back(call.modelview);
+    return places;
+}
+
+// The trunks in one order, and when each was drawn; what else was drawn, and the state afterwards.
 void record_trees(Recorder& out, std::initializer_list<unsigned> levels, Random& random)
 {
     for (const unsigned level : levels) {
         RecordingPipeline drawn(random_start(random));
         draw_tree(drawn, level, drawn.marker());
-        record_events(out, "drawn", drawn, Stack::left_out);
+        std::vector<Call> trunks;
+        for (const Call& call : drawn.calls())
+            if (call.kind == Call::Kind::figure) trunks.push_back(call);
+        for (const std::size_t i : tree_order(trunks_of(drawn))) {
+            const EventRow row = matrix_row(1, trunks[i].modelview, trunks[i].color, trunks[i].line_width);
+            out.append("drawn", std::span<const float>(row));
+            out.append("order", static_cast<std::int32_t>(i));
+        }
+        record_events(out, "drawn", drawn, Stack::left_out, Lines::shown, Figures::left_out);
     }
     record_names(out, "drawn");
 }
@@ -86,8 +86,8 @@ void record_tall(Recorder& out)
 {
     RecordingPipeline drawn;
     draw_tree(drawn, 11, drawn.marker());
-    for (const Call& call : drawn.calls())
-        if (call.kind == Call::Kind::figure) out.append("trunks", glm::mat4(call.modelview));
+    const std::vector<glm::dmat4> places = trunks_of(drawn);
+    for (const std::size_t i : tree_order(places)) out.append("trunks", glm::mat4(places[i]));
 }
 
 }

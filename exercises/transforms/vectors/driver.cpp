@@ -52,8 +52,8 @@ void record_null(Random& random, Recorder& out)
         const glm::vec3 b = 2.0F * random.unit_vector();
         const glm::vec3 c = random.unit_vector();
         const Couple null = i % 3 == 0   ? Couple{{0, 0, 0}, b}
-                            : i % 3 == 1 ? Couple{a, {0, -0.0F, 0}}
-                                         : Couple{{-0.0F, 0, 0}, {0, 0, 0}};
+                            : i % 3 == 1 ? Couple{a, {0, 0, 0}}
+                                         : Couple{{0, 0, 0}, {0, 0, 0}};
         const bool swapped = random.below(2) == 1;
         for (const bool is_null : {swapped, !swapped}) {
             const Couple& couple = is_null ? null : Couple{a, c};
@@ -75,8 +75,26 @@ void record_sizes(Random& random, Recorder& out)
             out.append("length", length_of(a));
             out.append("unit", normalised(a));
             out.append("angle", angle_between(a, b));
-            out.append("parallel", parallel_part(random.unit_vector(), b));
+            const glm::vec3 unit = random.unit_vector();
+            out.append("parallel", parallel_part(unit, b));
+            out.append("perpendicular", perpendicular_part(unit, b));
         }
+    }
+}
+
+// Products of components that no float can hold, of vectors whose dot and cross product are floats. `a` and `b` lie at
+// right angles in the plane, but for the last component; `c` is nearly parallel to `a`.
+void record_large_products(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 30; ++i) {
+        const auto part = [&random] { return random.uniform(3e19F, 6e19F) * (random.below(2) == 0 ? 1.0F : -1.0F); };
+        const float x = part();
+        const float y = part();
+        const glm::vec3 a(x, y, 0.25F * x);
+        const glm::vec3 b(-y, x, 0.25F * y);
+        const glm::vec3 c = a * (glm::vec3(1) + 1e-2F * random.in_cube());
+        out.append("dot", dot_product(a, b));
+        out.append("cross", cross_product(a, c));
     }
 }
 
@@ -104,6 +122,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"null vectors", [](Case& c, Recorder& out) { record_null(c.random, out); }},
     {"tiny and huge", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
+    {"large products", [](Case& c, Recorder& out) { record_large_products(c.random, out); }},
     {"nearly parallel", [](Case& c, Recorder& out) { record_nearly_parallel(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { out.image("rosette", draw_rosette()); }},
 };

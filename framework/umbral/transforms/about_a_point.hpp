@@ -17,6 +17,11 @@ namespace umbral::transforms {
 /// Multiplies the distances from `centre` along x, y and z by these factors.
 [[nodiscard]] glm::mat4 scaling_about_point(const glm::vec3& centre, const glm::vec3& factors);
 
+/// A scaling along any axis: multiplies the distances from the plane through `point` across `direction` by `factor`,
+/// and leaves the plane in its place. -1 is the mirror, 0 presses everything onto the plane. Course: "escalado" along
+/// an axis that is none of the world's.
+[[nodiscard]] glm::mat4 scaling_along(const glm::vec3& point, const glm::vec3& direction, float factor);
+
 /// The symmetry about a point: `centre` is the middle between each point and its image.
 [[nodiscard]] glm::mat4 reflection_in_point(const glm::vec3& centre);
 

@@ -4,8 +4,8 @@
 
 namespace umbral::transforms {
 
-/// The hook: the open line (0,0), (1,0), (1,1), (0,1), (0,2), from its lower end to its upper end, in the current
-/// colour and width; neutral. Course: problem 2.15, gancho.
+/// The hook: the open line (0,0), (1,0), (1,1), (0,1), (0,2), in the current colour and width, from either end, in one
+/// piece or several; neutral. Its lower end is (0,0), its upper end (0,2). Course: problem 2.15, gancho.
 void draw_hook(Pipeline& pipeline);
 
 /// Four copies of `hook` in a chain: each begins where the one before ended, turned by 90 degrees counter-clockwise
@@ -14,8 +14,8 @@ void draw_hook(Pipeline& pipeline);
 void draw_four_hooks(Pipeline& pipeline, const Figure& hook);
 
 /// Draws `hook` once, turned, scaled alike in x and y, and moved, so that its lower end lies at `from` and its upper
-/// end at `to`; never mirrored. Neutral, for which it may push and pop. Composes translation, rotation and scaling;
-/// angles come from trigonometric functions.
+/// end at `to`; never mirrored. Neutral, for which it may push and pop. Composes a translation, a rotation and a
+/// scaling, each by a call of its own; angles come from trigonometric functions.
 ///
 /// The points are homogeneous coordinates of the plane, (x, y, 1): the third number is w, not z. If they are the same
 /// place, the hook shrinks to it: no number becomes NaN. Course: problem 2.17 (a), gancho_2p.

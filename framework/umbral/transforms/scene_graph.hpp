@@ -37,7 +37,8 @@ struct Instance {
 /// A node contains itself.
 class CycleError : public std::runtime_error {
 public:
-    /// `path`: nodes, each of which has the next one as an entry; the first one is the last one again.
+    /// `path`: nodes, each of which has the next one as an entry; the last one is the first one again, and no other is
+    /// there twice.
     explicit CycleError(std::vector<std::uint32_t> path)
         : std::runtime_error("expected a graph without cycles, got a node that contains itself"), path_(std::move(path))
     {

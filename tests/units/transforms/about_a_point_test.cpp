@@ -32,6 +32,9 @@ TEST(AboutAPoint, known_answers)
     EXPECT_EQ(reflection_in_plane({1, 2, 3}, {0, 0, 2}) * glm::vec4(5, 6, 7, 1), glm::vec4(5, 6, -1, 1));
     EXPECT_EQ(reflection_in_point({1, 2, 3}) * glm::vec4(5, 6, 7, 1), glm::vec4(-3, -2, -1, 1));
     EXPECT_EQ(scaling_about_point({1, 2, 3}, {2, 0, 1}) * glm::vec4(5, 6, 7, 1), glm::vec4(9, 2, 7, 1));
+    EXPECT_EQ(scaling_along({1, 2, 3}, {0, 0, 2}, 3) * glm::vec4(5, 6, 7, 1), glm::vec4(5, 6, 15, 1));
+    EXPECT_EQ(scaling_along({1, 2, 3}, {0, 0, 2}, -1), reflection_in_plane({1, 2, 3}, {0, 0, 2}));
+    EXPECT_EQ(scaling_along({1, 2, 3}, {0, 0, 0}, 3), glm::mat4(1));
     EXPECT_EQ(alignment({1, 0, 0}, {-3, 0, 0}), glm::mat4(glm::mat3(-1, 0, 0, 0, -1, 0, 0, 0, 1)));
     EXPECT_EQ(placed_along({1, 2, 3}, {0, -2, 0})[0], glm::vec4(1, 0, 0, 0));
     EXPECT_EQ(placed_along({1, 2, 3}, {0, 0, 0})[3], glm::vec4(1, 2, 3, 1));

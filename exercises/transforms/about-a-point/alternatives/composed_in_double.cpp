@@ -53,6 +53,19 @@ glm::mat4 scaling_about_point(const glm::vec3& centre, const glm::vec3& factors)
     return about(centre, m);
 }
 
+// Turned so that the direction becomes z, scaled there, and turned back.
+glm::mat4 scaling_along(const glm::vec3& point, const glm::vec3& direction, float factor)
+{
+    if (direction == glm::vec3(0)) return glm::mat4(1);
+    const Vector z = unit(direction);
+    const Vector aside = std::abs(z.x) < Long(0.8) ? Vector(1, 0, 0) : Vector(0, 1, 0);
+    const Vector x = normalize(cross(aside, z));
+    const Matrix3 axes(x, cross(z, x), z);
+    Matrix3 scaled(1);
+    scaled[2][2] = factor;
+    return about(point, axes * scaled * transpose(axes));
+}
+
 glm::mat4 reflection_in_point(const glm::vec3& centre) { return about(centre, Matrix3(-1)); }
 
 glm::mat4 reflection_in_line(const glm::vec3& point, const glm::vec3& direction)

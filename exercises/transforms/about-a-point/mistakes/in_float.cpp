@@ -25,6 +25,12 @@ glm::mat4 scaling_about_point(const glm::vec3& centre, const glm::vec3& factors)
 {
     return about(centre, glm::scale(glm::mat4(1), factors));
 }
+glm::mat4 scaling_along(const glm::vec3& point, const glm::vec3& direction, float factor)
+{
+    if (is_null(direction)) return glm::mat4(1);
+    const glm::vec3 e = normalize(direction);
+    return about(point, glm::mat4(glm::mat3(1) + (factor - 1) * glm::outerProduct(e, e)));
+}
 glm::mat4 reflection_in_point(const glm::vec3& centre)
 {
     return about(centre, glm::scale(glm::mat4(1), glm::vec3(-1)));
