@@ -113,6 +113,8 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     const auto comparable = [](const Fact& fact) {
         return fact.kind == Fact::Kind::length || (fact.kind == Fact::Kind::number && !fact.component);
     };
+    // "The distance … is less than the radius" is how people say it.
+    if (facts[i].kind == Fact::Kind::number && facts[j].kind == Fact::Kind::length) std::swap(i, j);
     const Fact& a = facts[i];
     const Fact& b = facts[j];
     if (!comparable(a) || !comparable(b)) return;

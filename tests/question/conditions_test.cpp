@@ -1,0 +1,134 @@
+#include "question/conditions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <umbral/core/random.hpp>
+
+namespace umbral::grader {
+namespace {
+
+/// Rays and spheres, 400 of them: half of the rays begin inside.
+QuestionTable rays(std::uint64_t seed)
+{
+    QuestionTable table{{"ray.origin.x", "ray.origin.y", "ray.origin.z", "ray.t_min", "sphere.centre.x",
+                         "sphere.centre.y", "sphere.centre.z", "sphere.radius"},
+                        {}};
+    Random random(seed);
+    for (int i = 0; i < 400; ++i) {
+        const float radius = random.uniform(0.5F, 2);
+        const glm::vec3 centre = random.in_cube();
+        const glm::vec3 origin =
+            centre + radius * random.uniform(0.1F, 0.9F) * (i % 2 == 0 ? 1.0F : 3.0F) * random.unit_vector() +
+            (i % 2 == 0 ? 0.0F : 2.0F) * radius;
+        const float least = i % 4 < 2 ? 0.0F : random.uniform(0.1F, 1);
+        table.numbers.push_back({origin.x, origin.y, origin.z, least, centre.x, centre.y, centre.z, radius});
+    }
+    return table;
+}
+
+template <class Test>
+std::vector<bool> wrong_where(const QuestionTable& table, const Test& test)
+{
+    std::vector<bool> wrong;
+    for (const std::vector<double>& row : table.numbers) wrong.push_back(test(row));
+    return wrong;
+}
+
+double apart(const std::vector<double>& row)
+{
+    return std::sqrt(std::pow(row[0] - row[4], 2) + std::pow(row[1] - row[5], 2) + std::pow(row[2] - row[6], 2));
+}
+
+std::string words(const QuestionTable& table, const std::vector<bool>& wrong)
+{
+    const auto condition = simplest_condition(facts_of(table), wrong);
+    return condition ? condition->words : "nothing";
+}
+
+TEST(Conditions, find_that_the_origin_lies_inside)
+{
+    const QuestionTable table = rays(1);
+    const auto wrong = wrong_where(table, [](const auto& row) { return apart(row) < row[7]; });
+    EXPECT_EQ(words(table, wrong), "the distance between ray.origin and sphere.centre is less than sphere.radius");
+}
+
+TEST(Conditions, find_signs_zeros_and_bounds_in_the_simplest_words)
+{
+    const QuestionTable table = rays(2);
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[3] > 0; })), "ray.t_min is not 0");
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[4] < 0; })),
+              "sphere.centre.x is negative");
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[7] >= 1; })),
+              "sphere.radius is at least 1");
+}
+
+TEST(Conditions, join_two_where_one_does_not_do)
+{
+    const QuestionTable table = rays(3);
+    const auto wrong = wrong_where(table, [](const auto& row) { return row[3] > 0 && row[5] < 0; });
+    const std::string found = words(table, wrong);
+    EXPECT_NE(found.find("ray.t_min is not 0"), std::string::npos) << found;
+    EXPECT_NE(found.find("sphere.centre.y is negative"), std::string::npos) << found;
+    EXPECT_NE(found.find(" and "), std::string::npos) << found;
+}
+
+TEST(Conditions, say_nothing_about_chance)
+{
+    int said = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        const QuestionTable table = rays(seed);
+        Random random(seed + 1000);
+        const auto wrong = wrong_where(table, [&](const auto&) { return random.below(2) == 0; });
+        said += words(table, wrong) == "nothing" ? 0 : 1;
+    }
+    EXPECT_EQ(said, 0);
+}
+
+TEST(Conditions, need_four_of_either)
+{
+    QuestionTable table{{"x"}, {{-1}, {-2}, {-3}, {1}, {2}, {3}, {4}}};
+    const auto negative = [](const auto& row) { return row[0] < 0; };
+    EXPECT_EQ(words(table, wrong_where(table, negative)), "nothing");
+    table.numbers.push_back({-4});
+    EXPECT_EQ(words(table, wrong_where(table, negative)), "x is negative");
+}
+
+TEST(Conditions, count_what_they_part)
+{
+    QuestionTable table{{"x"}, {}};
+    for (int i = -100; i <= 100; ++i) table.numbers.push_back({static_cast<double>(i)});
+    auto wrong = wrong_where(table, [](const auto& row) { return row[0] < 0; });
+    wrong[200] = true;
+    const auto condition = simplest_condition(facts_of(table), wrong);
+    ASSERT_TRUE(condition);
+    EXPECT_EQ(sentence_of(*condition), "wrong wherever x is negative (100 of 101), right everywhere else (100 of 100)");
+}
+
+TEST(Conditions, hold_or_not_on_other_questions)
+{
+    const QuestionTable seen = rays(5);
+    const auto inside = [](const auto& row) { return apart(row) < row[7]; };
+    const auto condition = simplest_condition(facts_of(seen), wrong_where(seen, inside));
+    ASSERT_TRUE(condition);
+    const QuestionTable fresh = rays(6);
+    EXPECT_TRUE(parts(*condition, facts_of(fresh), wrong_where(fresh, inside)));
+    EXPECT_FALSE(parts(*condition, facts_of(fresh), wrong_where(fresh, [](const auto& row) { return row[4] < 0; })));
+    EXPECT_FALSE(parts(*condition, facts_of(fresh), std::vector<bool>(400, true)));
+}
+
+TEST(Facts, know_lengths_products_and_parallel_vectors)
+{
+    const QuestionTable table{{"u.x", "u.y", "v.x", "v.y", "m[0][0]"}, {{3, 4, 6, 8, 1}, {1, 0, 0, 2, 1}}};
+    std::map<std::string, Fact> facts;
+    for (const Fact& fact : facts_of(table)) facts[fact.words] = fact;
+    EXPECT_EQ(facts.at("the length of u").values, (std::vector<double>{5, 1}));
+    EXPECT_EQ(facts.at("dot(u, v)").values, (std::vector<double>{50, 0}));
+    EXPECT_EQ(facts.at("the distance between u and v").values[0], 5);
+    EXPECT_EQ(facts.at("u and v").values, (std::vector<double>{0, 1}));
+    EXPECT_TRUE(facts.at("u.x").component);
+    EXPECT_TRUE(facts.at("m[0][0]").component);
+}
+
+}
+}
