@@ -70,6 +70,8 @@ Sample sample(const AskedCheck& asked, const QuestionLog& log, const Tensor& stu
     const auto& [kind, rows] = *most;
     const std::vector<std::string> parameters = parameter_names(asked.headers, kind->function);
     for (const std::string& place : kind->features) result.table.names.push_back(in_words(place, parameters));
+    // That nothing is found where something is says more than what else is true of such questions.
+    if (view.optional()) result.table.first = result.table.names.size();
     std::ranges::copy(answer_names(*expected.value, view), std::back_inserter(result.table.names));
     for (const std::size_t row : rows) {
         std::vector<double> numbers = kind->questions.at(*log.question_of(check.value, row, states.size()));

@@ -18,7 +18,7 @@ namespace umbral::grader {
 struct GradeOptions {
     SeedPlan seeds;
     bool explain = true;
-    bool questions = true;  ///< what was asked behind wrong values, and what those have in common
+    bool questions = true;              ///< what was asked behind wrong values, and what those have in common
     std::filesystem::path artefacts;    ///< where pictures go; empty for none
     std::filesystem::path relative_to;  ///< pictures are named relative to this in the report
     bool show_hidden = false;           ///< evidence of hidden checks too: for instructors only

@@ -18,7 +18,7 @@ struct Difference {
     std::string yours;
     std::string expected;
     std::optional<std::size_t> cell{};  ///< of the expected recording, row by row, where it has one
-    std::string question{};  ///< what was asked there, as code; empty where that is not known
+    std::string question{};             ///< what was asked there, as code; empty where that is not known
 };
 
 /// What a check found.

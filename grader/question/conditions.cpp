@@ -33,7 +33,7 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Candid
 {
     const Fact& fact = facts[i];
     const std::string& words = fact.words;
-    const int cost = fact.component ? 2 : fact.kind == Fact::Kind::number ? 0 : 1;
+    const int cost = fact.first ? -1 : fact.component ? 2 : fact.kind == Fact::Kind::number ? 0 : 1;
     if (fact.kind == Fact::Kind::parallel) {
         all.push_back(of_one(words + " are parallel", i, cost, [](double x) { return x < alike; }));
         all.push_back(of_one(words + " are not parallel", i, cost + 1, [](double x) { return x >= alike; }));

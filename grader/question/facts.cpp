@@ -62,7 +62,7 @@ double sine(const std::vector<double>& row, const VectorColumns& a, const Vector
 template <class Value>
 Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const Value& value)
 {
-    Fact result{std::move(words), kind, false, {}};
+    Fact result{std::move(words), kind, false, false, {}};
     for (const std::vector<double>& row : table.numbers) result.values.push_back(value(row));
     return result;
 }
@@ -75,6 +75,7 @@ std::vector<Fact> facts_of(const QuestionTable& table)
     std::vector<Fact> facts;
     for (std::size_t i = 0; i < table.names.size(); ++i) {
         facts.push_back(fact(table.names[i], Fact::Kind::number, table, [&](const auto& row) { return row[i]; }));
+        facts.back().first = table.first == i;
         const auto holds_it = [&](const VectorColumns& vector) {
             return i >= vector.first && i < vector.first + vector.size;
         };

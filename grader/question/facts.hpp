@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Fact {
     std::string words;
     Kind kind = Kind::number;
     bool component = false;      ///< one of a vector's: of less interest than the vector
+    bool first = false;          ///< said before all others that part alike
     std::vector<double> values;  ///< for each question
 };
 
@@ -24,6 +26,7 @@ struct Fact {
 struct QuestionTable {
     std::vector<std::string> names;
     std::vector<std::vector<double>> numbers;
+    std::optional<std::size_t> first{};  ///< the number that is the best reason, of several that part alike
 };
 
 /// All that is told of the questions: their numbers, the lengths of vectors, distances and products between two.

@@ -59,14 +59,16 @@ TEST(Arrows, of_the_grader)
         {"collect", {"model", "run"}},
         {"build", {"model", "run", "collect"}},
         {"judge", {"model"}},
+        {"question", {"model", "judge"}},
         {"manifest", {"model", "judge"}},
         {"report", {"model", "judge"}},
-        {"batch", {"model", "manifest", "run", "store", "collect", "build", "judge", "report"}},
+        {"batch", {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report"}},
         {"bench", {"model", "run", "collect", "build", "judge", "report", "batch"}},
         {"inspect", {"model"}},
         {"attack", {"model"}},
         {"cli",
-         {"model", "manifest", "run", "store", "collect", "build", "judge", "report", "batch", "bench", "attack"}}};
+         {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report", "batch", "bench",
+          "attack"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
         const std::string layer = part(include.line.file, 1);

@@ -23,7 +23,7 @@ struct Inquiry {
     /// Asked in place of the driver's own, each in all calls of its function: the case runs once for each, and what it
     /// records is called "0?name", "1?name" and so on.
     std::vector<OtherQuestion> others{};
-    Grain grain{};  ///< of the case's random numbers
+    Grain grain{};                        ///< of the case's random numbers
     std::optional<std::uint32_t> stop{};  ///< at this question question_reached() is called: for debuggers
 };
 

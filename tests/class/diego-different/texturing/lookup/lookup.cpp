@@ -12,7 +12,8 @@ struct Tap {
 std::array<Tap, 2> taps(float coordinate, int count, Wrap wrap, Filter filter)
 {
     float inside = 0;
-    if (wrap == Wrap::repeat && std::isfinite(coordinate)) inside = std::fmin(coordinate - std::floor(coordinate), 0x1.fffffep-1F);
+    if (wrap == Wrap::repeat && std::isfinite(coordinate))
+        inside = std::fmin(coordinate - std::floor(coordinate), 0x1.fffffep-1F);
     if (wrap == Wrap::clamp_to_edge && coordinate > 0) inside = std::fmin(coordinate, 1.0F);
     const double place = static_cast<double>(inside) * count;
     const auto bounded = [&](int index) {
@@ -23,7 +24,8 @@ std::array<Tap, 2> taps(float coordinate, int count, Wrap wrap, Filter filter)
     if (filter == Filter::nearest) return {{{bounded(static_cast<int>(place)), 1}, {0, 0}}};
     const double first = std::floor(place - 0.5);
     const auto second_weight = static_cast<float>(place - 0.5 - first);
-    return {{{bounded(static_cast<int>(first)), 1 - second_weight}, {bounded(static_cast<int>(first) + 1), second_weight}}};
+    return {
+        {{bounded(static_cast<int>(first)), 1 - second_weight}, {bounded(static_cast<int>(first) + 1), second_weight}}};
 }
 
 }

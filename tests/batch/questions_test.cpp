@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include "batch/grade_unit.hpp"
+#include "batch/known_solutions.hpp"
+#include "report/hidden.hpp"
+#include "support/workbench.hpp"
+
+// What is said of bugs that are in no list of mistakes.
+namespace umbral::grader::test {
+namespace {
+
+class Questions : public testing::Test {
+protected:
+    Workbench bench;
+    Exercise sphere = bench.exercise("raytracing/sphere");
+    Worker worker{bench.tools()};
+
+    /// The reference with one text in place of another, which it must hold.
+    UnitResult grade(const std::string& from, const std::string& to)
+    {
+        Sources sources = reference_sources(bench.tools().reference, sphere);
+        std::string& text = sources.begin()->second;
+        const std::size_t place = text.find(from);
+        EXPECT_NE(place, std::string::npos) << from;
+        text.replace(place, from.size(), to);
+        return grade_unit(worker, sphere, {sources, {}, ""}, {});
+    }
+
+    static const CheckResult& check(const UnitResult& result, const std::string& name)
+    {
+        return *std::ranges::find(result.checks, name, &CheckResult::name);
+    }
+};
+
+TEST_F(Questions, an_interval_that_begins_at_0_is_told_by_where_it_goes_wrong_and_by_what_it_answers)
+{
+    const UnitResult result = grade("if (ray.t_min < t &&", "if (0 < t &&");
+    const CheckResult& wrong = check(result, "behind and before/t");
+    ASSERT_LT(wrong.score, wrong.max_score);
+    ASSERT_TRUE(wrong.first_difference);
+    EXPECT_TRUE(wrong.first_difference->question.starts_with("intersect(Ray{{")) << wrong.first_difference->question;
+    EXPECT_TRUE(wrong.common.starts_with("wrong wherever ray.t_min is not 0 (")) << wrong.common;
+    ASSERT_TRUE(wrong.simplest);
+    EXPECT_LT(wrong.simplest->question.size(), wrong.first_difference->question.size());
+    ASSERT_FALSE(result.explanations.empty());
+    EXPECT_EQ(result.explanations.front().name, "question: ray.t_min taken as 0");
+}
+
+TEST_F(Questions, an_origin_inside_that_finds_nothing_is_told_in_words_of_lengths)
+{
+    const UnitResult result = grade(
+        "const float q = b", "if (length(to_origin) < sphere.radius) return std::nullopt;\n    const float q = b");
+    const std::string& common = check(result, "inside/t").common;
+    // All rays of that case begin inside: those that are cut short find nothing, and rightly so.
+    EXPECT_EQ(common, "wrong wherever something is to be found (201 of 201), right everywhere else (201 of 201)");
+}
+
+TEST_F(Questions, what_is_wrong_by_chance_has_nothing_in_common)
+{
+    const UnitResult result = grade("return first_inside(ray,", R"(
+    const unsigned bits = glm::floatBitsToUint(ray.origin.x);
+    if (((bits ^ (bits >> 13U)) * 2654435761U) >> 31U) return 12345.0F;
+    return first_inside(ray,)");
+    const CheckResult& wrong = check(result, "random/t");
+    ASSERT_LT(wrong.score, wrong.max_score);
+    for (const CheckResult& one : result.checks) EXPECT_EQ(one.common, "") << one.name;
+    for (const Explanation& one : result.explanations) EXPECT_FALSE(one.name.starts_with("question: ")) << one.name;
+}
+
+TEST_F(Questions, of_hidden_checks_reach_instructors_only)
+{
+    const UnitResult result = grade("return t;", "return 1.001F * t;");
+    const CheckResult& hidden = check(result, "random/t");
+    ASSERT_TRUE(hidden.hidden);
+    ASSERT_LT(hidden.score, hidden.max_score);
+    EXPECT_TRUE(hidden.first_difference && !hidden.first_difference->question.empty());
+    EXPECT_TRUE(hidden.common.empty() && !hidden.simplest);
+    SubmissionResult submission;
+    submission.units.push_back(result);
+    const SubmissionResult shown = without_hidden_values(submission);
+    EXPECT_FALSE(check(shown.units.front(), "random/t").first_difference);
+}
+
+TEST_F(Questions, right_work_is_asked_nothing)
+{
+    const UnitResult result =
+        grade_unit(worker, sphere, {reference_sources(bench.tools().reference, sphere), {}, ""}, {});
+    for (const CheckResult& one : result.checks)
+        EXPECT_TRUE(one.common.empty() && !one.simplest && !one.first_difference) << one.name;
+}
+
+}
+}
