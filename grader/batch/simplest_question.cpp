@@ -59,10 +59,12 @@ void look_at(Worker& worker, const Exercise& exercise, const Built& built, const
     const RowKind& kind = rows_of(check);
     const TensorView view(*yours);
     const TensorView right(*side.value);
-    for (const auto& [question, code] : read_questions(written.recording.tensors).code)
-        if (const auto found = rows.find(question); found != rows.end())
-            simplest.offer({"simpler inputs", kind.show(view, found->second, 0), kind.show(right, found->second, 0),
-                            std::nullopt, code});
+    for (const auto& [question, code] : read_questions(written.recording.tensors).code) {
+        const auto found = rows.find(question);
+        if (found == rows.end()) continue;
+        const auto [mine, reference] = show_both(kind, view, right, found->second, 0);
+        simplest.offer({"simpler inputs", mine, reference, std::nullopt, code});
+    }
 }
 
 bool can_be_simpler(const Check& check, const CheckResult& result)

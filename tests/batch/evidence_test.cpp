@@ -9,6 +9,7 @@
 #include "judge/evidence/kinds.hpp"
 #include "judge/judges.hpp"
 #include "judge/make.hpp"
+#include "judge/rows/tensor_view.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -72,13 +73,19 @@ TEST(Evidence, first_rows_then_the_worst_of_the_others)
 
 TEST(Evidence, digits_suffice_to_tell_numbers_apart)
 {
-    EXPECT_EQ(telling_apart(1, 1).yours, "1");
-    const NumberPair pair = telling_apart(1.0000001, 1.0000002);
-    EXPECT_NE(pair.yours, pair.expected);
+    const auto pair_of = [](double yours, double expected) {
+        return telling_apart(
+            [&](int digits) { return std::pair(number_text(yours, digits), number_text(expected, digits)); });
+    };
+    EXPECT_EQ(pair_of(1, 1).first, "1");
+    EXPECT_EQ(pair_of(0.1, 0.1).second, "0.1");
+    EXPECT_EQ(pair_of(0.0, -0.0).second, "-0");
+    const auto pair = pair_of(1.0000001, 1.0000002);
+    EXPECT_NE(pair.first, pair.second);
     const double next = std::nextafter(0.1, 1);
-    EXPECT_NE(telling_apart(0.1, next).yours, telling_apart(0.1, next).expected);
-    EXPECT_EQ(telling_apart(NAN, 1).yours, "nan");
-    EXPECT_EQ(telling_apart(NAN, NAN).yours, "nan") << "ends though NaN equals nothing";
+    EXPECT_NE(pair_of(0.1, next).first, pair_of(0.1, next).second);
+    EXPECT_EQ(pair_of(NAN, 1).first, "nan");
+    EXPECT_EQ(pair_of(NAN, NAN).first, "nan") << "ends though NaN equals nothing";
 }
 
 TEST(Evidence, what_is_no_number_or_not_there_is_said)

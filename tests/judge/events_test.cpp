@@ -48,6 +48,30 @@ TEST(Events, a_lost_event_costs_itself_only)
     EXPECT_EQ(found.first_difference->expected, "zoom in (1.1)");
 }
 
+TEST(Events, what_came_too_early_too_late_or_too_often_is_said_so)
+{
+    // press, pan (3, 0), pan (4, 5), zoom in, press
+    const auto order = [&](std::initializer_list<int> places) {
+        std::vector<float> yours;
+        for (const int place : places) yours.insert(yours.end(), &session[3 * place], &session[3 * place] + 3);
+        const std::string message = judged(yours, session).message;
+        return message.substr(0, message.rfind(" ("));
+    };
+    EXPECT_EQ(order({3, 0, 1, 2, 4}), "event 1: zoom in (1.1) came too early: it is expected as event 4");
+    EXPECT_EQ(order({0, 2, 3, 4, 1}),
+              "event 2: expected pan (3, 0), nothing came; it came too late, as event 5 of yours");
+    EXPECT_EQ(order({0, 1, 2, 1, 3, 4}), "event 4: pan (3, 0) came too often");
+}
+
+TEST(Events, two_different_numbers_never_look_alike)
+{
+    std::vector<float> yours = session;
+    yours[4] = std::nextafter(3.0F, 4.0F);
+    const Judgement found = judged(yours, session);
+    EXPECT_NE(found.first_difference->yours, found.first_difference->expected);
+    EXPECT_EQ(found.first_difference->expected, "pan (3, 0)");
+}
+
 TEST(Events, a_duplicate_or_another_event_is_named)
 {
     std::vector<float> twice = session;
@@ -63,7 +87,7 @@ TEST(Events, a_duplicate_or_another_event_is_named)
               "event 4: expected zoom in (1.1), pan (3, 0) came instead (4");
     std::vector<float> behind = session;
     behind.insert(behind.end(), {9, 0, 7});
-    EXPECT_NE(judged(behind, session).message.find("event 6: event of code 9 (0, 7) came, nothing was expected"),
+    EXPECT_NE(judged(behind, session).message.find("event 6: event of code 9 (0, 7) came, and is expected nowhere"),
               std::string::npos);
     EXPECT_NE(judged({}, session).message.find("event 1: expected press, nothing came"), std::string::npos);
 }

@@ -23,8 +23,10 @@ void explain(const Check& check, const BufferCells& cells, const Tensor& expecte
     const auto first = static_cast<std::size_t>(
         std::ranges::find_if(cells.states, [](CellState state) { return state > CellState::right; }) -
         cells.states.begin());
-    result.first_difference =
-        Difference{pixel_text(cells, first), cell_text(cells.yours, first), cell_text(cells.expected, first), first};
+    const auto [yours, right] = telling_apart([&](int digits) {
+        return std::pair(cell_text(cells.yours, first, digits), cell_text(cells.expected, first, digits));
+    });
+    result.first_difference = Difference{pixel_text(cells, first), yours, right, first};
     const std::size_t content = cells.states.size() - cells.count(CellState::background);
     result.message = fmt::format(
         "{} of {} {} {} wrong ({} missing, {} extra, {} with another value); {}; the first is {}: yours {}, expected "

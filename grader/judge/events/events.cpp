@@ -46,14 +46,14 @@ public:
             used_[expected.cell(i)[0]] = std::max(used_[expected.cell(i)[0]], significant(expected.cell(i)));
     }
 
-    [[nodiscard]] std::string operator()(std::span<const double> event) const
+    [[nodiscard]] std::string operator()(std::span<const double> event, int digits = usual_digits) const
     {
         if (!std::isfinite(event[0])) return "an event whose code is no number";
         const auto name = names_.find(event[0]);
         const auto used = used_.find(event[0]);
         const std::size_t size = std::max(significant(event), used == used_.end() ? 1 : used->second);
         std::string text = name != names_.end() ? name->second : fmt::format("event of code {}", number_text(event[0]));
-        for (std::size_t i = 1; i < size; ++i) text += (i == 1 ? " (" : ", ") + number_text(event[i]);
+        for (std::size_t i = 1; i < size; ++i) text += (i == 1 ? " (" : ", ") + number_text(event[i], digits);
         return size > 1 ? text + ")" : text;
     }
 
@@ -87,6 +87,59 @@ std::optional<Gap> first_gap(const Alignment& alignment, std::size_t yours, std:
     }
     if (next == yours && next == expected) return std::nullopt;
     return gap(yours, expected);
+}
+
+/// Two sequences, and where they part.
+struct Parting {
+    const Tolerance& tolerance;
+    const TensorView& yours;
+    const TensorView& expected;
+    const Alignment& alignment;
+    const Gap& gap;
+};
+
+/// The first event of `side` behind `from` that has no partner and equals `event`.
+template <class IsMatched>
+std::optional<std::size_t> later(const Parting& parting, std::span<const double> event, const TensorView& side,
+                                 std::size_t from, const IsMatched& matched)
+{
+    for (std::size_t i = from; i < side.cells(); ++i)
+        if (!matched(i) && same_event(parting.tolerance, side.cell(i), event)) return i;
+    return std::nullopt;
+}
+
+/// Too early, too late, too often, or another one altogether.
+std::string in_words(const Parting& parting, const std::string& came, const std::string& wanted)
+{
+    const auto& [tolerance, yours, expected, alignment, gap] = parting;
+    // Both sides of the matches increase.
+    const auto yours_matched = [&](std::size_t i) {
+        const auto found =
+            std::ranges::lower_bound(alignment.matches, i, {}, &std::pair<std::size_t, std::size_t>::first);
+        return found != alignment.matches.end() && found->first == i;
+    };
+    const auto expected_matched = [&](std::size_t i) {
+        const auto found =
+            std::ranges::lower_bound(alignment.matches, i, {}, &std::pair<std::size_t, std::size_t>::second);
+        return found != alignment.matches.end() && found->second == i;
+    };
+    if (gap.surplus > 0) {
+        const auto event = yours.cell(gap.yours);
+        if (gap.lost == 0 && gap.yours > 0 && same_event(tolerance, event, yours.cell(gap.yours - 1)))
+            return came + " came once more";
+        if (const auto place = later(parting, event, expected, gap.expected, expected_matched))
+            return fmt::format("{} came too early: it is expected as event {}{}", came, *place + 1,
+                               gap.lost > 0 ? ", after " + wanted : std::string());
+        if (gap.lost == 0) {
+            for (std::size_t i = 0; i < expected.cells(); ++i)
+                if (same_event(tolerance, event, expected.cell(i))) return came + " came too often";
+            return came + " came, and is expected nowhere";
+        }
+    }
+    const std::string instead = fmt::format("expected {}, {} came{}", wanted, came, gap.surplus > 0 ? " instead" : "");
+    if (const auto place = later(parting, expected.cell(gap.expected), yours, gap.yours, yours_matched))
+        return fmt::format("{}; it came too late, as event {} of yours", instead, *place + 1);
+    return instead;
 }
 
 }
@@ -137,20 +190,15 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
     if (!gap) return judgement;
 
     const EventWriter write(expected, text_of(names));
-    const std::string came = gap->surplus > 0 ? write(yours.cell(gap->yours)) : "nothing";
-    const std::string wanted = gap->lost > 0 ? write(expected.cell(gap->expected)) : "nothing";
-    const bool again = gap->lost == 0 && gap->yours > 0 &&
-                       same_event(check.tolerance, yours.cell(gap->yours), yours.cell(gap->yours - 1));
+    const auto [came, wanted] = telling_apart([&](int digits) {
+        return std::pair(gap->surplus > 0 ? write(yours.cell(gap->yours), digits) : "nothing",
+                         gap->lost > 0 ? write(expected.cell(gap->expected), digits) : "nothing");
+    });
     judgement.first_difference =
         Difference{fmt::format("event {} of {}", gap->expected + 1, expected.cells()), came, wanted,
                    gap->expected < expected.cells() ? std::optional(gap->expected) : std::nullopt};
     judgement.message = fmt::format("event {}: ", gap->expected + 1);
-    if (again)
-        judgement.message += came + " came once more";
-    else if (gap->lost == 0)
-        judgement.message += came + " came, nothing was expected";
-    else
-        judgement.message += fmt::format("expected {}, {} came{}", wanted, came, gap->surplus > 0 ? " instead" : "");
+    judgement.message += in_words({check.tolerance, yours, expected, alignment, *gap}, came, wanted);
     judgement.message +=
         fmt::format(" ({} of {} expected events are right, {}{} of yours {} too much)", matched, expected.cells(),
                     alignment.best ? "" : "about ", surplus, surplus == 1 ? "is" : "are");

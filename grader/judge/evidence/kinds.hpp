@@ -25,11 +25,4 @@ inline constexpr std::size_t most_compared_lines = 4000;  ///< of each side
 /// Two lists beside each other; `cut`: there were more lines than were compared.
 [[nodiscard]] LinesEvidence lines_evidence(const Sides& sides, std::string what, bool cut);
 
-/// Two numbers in as few digits (six or more) as tell them apart.
-struct NumberPair {
-    std::string yours;
-    std::string expected;
-};
-[[nodiscard]] NumberPair telling_apart(double yours, double expected);
-
 }

@@ -42,9 +42,11 @@ public:
         pair.cell = row;
         const bool both = yours_.present(row) && expected_.present(row);
         for (std::size_t i = 0; both && i < expected_.components(); ++i) {
-            const NumberPair texts = telling_apart(yours_.cell(row)[i], expected_.cell(row)[i]);
-            pair.yours.push_back(texts.yours);
-            pair.expected.push_back(texts.expected);
+            const auto [mine, right] = telling_apart([&](int digits) {
+                return std::pair(number_text(yours_.cell(row)[i], digits), number_text(expected_.cell(row)[i], digits));
+            });
+            pair.yours.push_back(mine);
+            pair.expected.push_back(right);
             pair.differs.push_back(!component(row, i).right);
         }
         if (!both) {
@@ -90,14 +92,6 @@ private:
     const RowKind& kind_;
 };
 
-}
-
-NumberPair telling_apart(double yours, double expected)
-{
-    for (int digits = 6;; ++digits) {
-        NumberPair pair{fmt::format("{:.{}g}", yours, digits), fmt::format("{:.{}g}", expected, digits)};
-        if (digits >= 17 || yours == expected || pair.yours != pair.expected) return pair;
-    }
 }
 
 Evidence rows_evidence(const Check& check, const Observation& observation, bool right)

@@ -36,15 +36,15 @@ std::string entry_text(std::size_t matrix, std::size_t components, std::size_t i
 }
 
 // The entry, then the whole matrix by rows: "5 in [1 0 0 5; 0 1 0 0; 0 0 1 0; 0 0 0 1]".
-std::string matrix_text(const TensorView& view, std::size_t row, std::size_t index)
+std::string matrix_text(const TensorView& view, std::size_t row, std::size_t index, int digits)
 {
     if (!view.present(row)) return "nothing";
     const auto entries = view.cell(row);
     const std::size_t side = side_of(entries.size());
-    std::string text = number_text(entries[index]) + " in [";
+    std::string text = number_text(entries[index], digits) + " in [";
     for (std::size_t i = 0; i < side; ++i)
         for (std::size_t j = 0; j < side; ++j)
-            text += (j > 0 ? " " : i > 0 ? "; " : "") + number_text(entries[j * side + i]);
+            text += (j > 0 ? " " : i > 0 ? "; " : "") + number_text(entries[j * side + i], digits);
     return text + "]";
 }
 

@@ -17,9 +17,10 @@ Scale component_scale(std::span<const double> expected, std::size_t index)
     return {float_ulp(expected[index]), largest};
 }
 
-constexpr RowKind numbers{"row", "rows", component_scale,
-                          [](std::size_t row, std::size_t, std::size_t) { return "row " + std::to_string(row); },
-                          [](const TensorView& view, std::size_t row, std::size_t) { return cell_text(view, row); }};
+constexpr RowKind numbers{
+    "row", "rows", component_scale,
+    [](std::size_t row, std::size_t, std::size_t) { return "row " + std::to_string(row); },
+    [](const TensorView& view, std::size_t row, std::size_t, int digits) { return cell_text(view, row, digits); }};
 
 }
 

@@ -76,6 +76,14 @@ void add_quantiles(std::vector<double> errors, std::map<std::string, double>& me
 
 }
 
+std::pair<std::string, std::string> show_both(const RowKind& kind, const TensorView& student,
+                                              const TensorView& expected, std::size_t row, std::size_t index)
+{
+    return telling_apart([&](int digits) {
+        return std::pair(kind.show(student, row, index, digits), kind.show(expected, row, index, digits));
+    });
+}
+
 std::vector<RowState> row_states(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor,
                                  const Tensor* margin, const RowKind& kind)
 {
@@ -149,19 +157,18 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     if (!first_wrong) return result;
 
     const std::size_t columns = expected.components();
-    result.first_difference = Difference{kind.where(*first_wrong, columns, first.component),
-                                         kind.show(student, *first_wrong, first.component),
-                                         kind.show(expected, *first_wrong, first.component), first_wrong};
+    const auto [yours, right] = show_both(kind, student, expected, *first_wrong, first.component);
+    result.first_difference = Difference{kind.where(*first_wrong, columns, first.component), yours, right, first_wrong};
     const std::string distance = worst.comparable && std::isfinite(worst.error)
                                      ? " (" + error_text(unit_of(check.tolerance), worst.error) + ")"
                                      : "";
     const std::string of = rows == 1 ? fmt::format("The only {} is wrong: ", kind.one)
                                      : fmt::format("{} of {} {} {} wrong; the worst is ", wrong, rows, kind.many,
                                                    wrong == 1 ? "is" : "are");
+    const auto [worst_yours, worst_right] = show_both(kind, student, expected, *worst_wrong, worst.component);
     result.message =
         fmt::format("{}{}: yours {}, expected {}{}", of, kind.where(*worst_wrong, columns, worst.component),
-                    kind.show(student, *worst_wrong, worst.component),
-                    kind.show(expected, *worst_wrong, worst.component), distance);
+                    worst_yours, worst_right, distance);
     return result;
 }
 

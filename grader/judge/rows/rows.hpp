@@ -17,8 +17,13 @@ struct RowKind {
     Scale (*scale)(std::span<const double> expected, std::size_t index);
     /// Where component `index` of a row is, and how the row is shown.
     std::string (*where)(std::size_t row, std::size_t components, std::size_t index);
-    std::string (*show)(const TensorView& view, std::size_t row, std::size_t index);
+    std::string (*show)(const TensorView& view, std::size_t row, std::size_t index, int digits);
 };
+
+/// What both sides have in a row, `index` being the component of interest, in as many digits as tell them apart.
+[[nodiscard]] std::pair<std::string, std::string> show_both(const RowKind& kind, const TensorView& student,
+                                                            const TensorView& expected, std::size_t row,
+                                                            std::size_t index);
 
 enum class RowState : std::uint8_t { left_out, right, wrong };
 

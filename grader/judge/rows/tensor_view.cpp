@@ -137,7 +137,7 @@ bool all_finite(std::span<const double> values)
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-std::string number_text(double value) { return fmt::format("{:.6g}", value); }
+std::string number_text(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
 
 std::string count_text(double count)
 {
@@ -146,13 +146,13 @@ std::string count_text(double count)
     return digits;
 }
 
-std::string cell_text(const TensorView& view, std::size_t cell)
+std::string cell_text(const TensorView& view, std::size_t cell, int digits)
 {
     if (!view.present(cell)) return "nothing";
     const auto values = view.cell(cell);
-    if (values.size() == 1) return number_text(values[0]);
+    if (values.size() == 1) return number_text(values[0], digits);
     std::string text = "(";
-    for (const double value : values) text += (text.size() > 1 ? ", " : "") + number_text(value);
+    for (const double value : values) text += (text.size() > 1 ? ", " : "") + number_text(value, digits);
     return text + ")";
 }
 

@@ -59,13 +59,25 @@ private:
 
 [[nodiscard]] bool all_finite(std::span<const double> values);
 
-/// "3.25", "1.6e+06", "nan": six digits, which tell two floats apart in what people read.
-[[nodiscard]] std::string number_text(double value);
+/// "3.25", "1.6e+06", "nan": in six significant digits unless said otherwise.
+inline constexpr int usual_digits = 6;
+[[nodiscard]] std::string number_text(double value, int digits = usual_digits);
+
+/// Two texts in as few digits, six or more, as tell them apart: `write(digits)` gives both. So two values that differ
+/// never look alike.
+template <class Write>
+[[nodiscard]] auto telling_apart(const Write& write)
+{
+    constexpr int most_digits = 17;  // of a double
+    for (int digits = usual_digits; digits <= most_digits; ++digits)
+        if (auto both = write(digits); both.first != both.second) return both;
+    return write(usual_digits);
+}
 
 /// "1,536": a count of things, not negative, rounded.
 [[nodiscard]] std::string count_text(double count);
 
 /// One number, or "(1, 2, 3)"; "nothing" for an absent cell.
-[[nodiscard]] std::string cell_text(const TensorView& view, std::size_t cell);
+[[nodiscard]] std::string cell_text(const TensorView& view, std::size_t cell, int digits = usual_digits);
 
 }
