@@ -53,14 +53,19 @@ std::optional<Objection> object_to(const Inspection& inspection, const std::set<
                                                          "attributes, assembler or a counter of your own",
                                                          listed(inspection.uncounted))};
     std::vector<std::string> wanted;
-    for (const InspectedSymbol& symbol : inspection.undefined)
-        if (!is_allowed_symbol(symbol.name, exercise.gl_calls, exercise.glfw) && !offered.contains(symbol.name))
-            wanted.push_back(symbol.readable);
+    std::string reason;
+    for (const InspectedSymbol& symbol : inspection.undefined) {
+        if (is_allowed_symbol(symbol.name, exercise.gl_calls, exercise.glfw) || offered.contains(symbol.name)) continue;
+        wanted.push_back(symbol.readable);
+        const std::string_view what = what_is_wrong_with(symbol.name);
+        if (reason.empty() && !what.empty()) reason = fmt::format("; {} {}", symbol.readable, what);
+    }
     if (wanted.empty()) return std::nullopt;
-    return Objection{Verdict::forbidden,
-                     fmt::format("{}: no unit may call {}; allowed are the C++ library, mathematics, the framework and "
-                                 "the units this one uses",
-                                 listed(wanted), wanted.size() == 1 ? "it" : "them")};
+    return Objection{
+        Verdict::forbidden,
+        fmt::format("{}: no unit may call {}{}; allowed are the C++ library, mathematics, C functions that "
+                    "compute, the framework and the units this one uses",
+                    listed(wanted), wanted.size() == 1 ? "it" : "them", reason)};
 }
 
 std::optional<Objection> check_words(const Sources& files, const Exercise& exercise)
