@@ -79,9 +79,15 @@ ConfinedResult compile(const Toolchain& tools, const Exercise& exercise, const s
     return run_confined(command);
 }
 
+std::size_t lines_between(const std::string& source, const Mutant& mutant)
+{
+    const std::string_view text = std::string_view(source).substr(mutant.begin, mutant.end - mutant.begin);
+    return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
 /// The numbers of mutants on whose lines a compiler's errors and notes lie. An error on a line of the source itself
 /// comes of one of the mutants there.
-std::set<unsigned> blamed(const std::string& output, const std::vector<Mutant>& mutants)
+std::set<unsigned> blamed(const std::string& output, const std::string& source, const std::vector<Mutant>& mutants)
 {
     std::set<unsigned> numbers;
     std::set<std::size_t> own_lines;
@@ -98,7 +104,9 @@ std::set<unsigned> blamed(const std::string& output, const std::vector<Mutant>& 
     }
     if (!numbers.empty()) return numbers;
     for (const Mutant& mutant : mutants)
-        if (own_lines.contains(mutant.line)) numbers.insert(mutant.number);
+        if (const auto line = own_lines.lower_bound(mutant.line);
+            line != own_lines.end() && *line <= mutant.line + lines_between(source, mutant))
+            numbers.insert(mutant.number);
     return numbers;
 }
 
@@ -115,7 +123,7 @@ BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, con
     for (int attempt = 0;; ++attempt) {
         const ConfinedResult result = compile(tools, exercise, with_mutants(text, built.mutants), work);
         if (result.exit_status == 0) break;
-        const std::set<unsigned> wrong = blamed(result.output, built.mutants);
+        const std::set<unsigned> wrong = blamed(result.output, text, built.mutants);
         const std::size_t left_out =
             std::erase_if(built.mutants, [&](const Mutant& mutant) { return wrong.contains(mutant.number); });
         if (left_out == 0 || attempt == most_attempts)

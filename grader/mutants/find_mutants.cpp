@@ -27,7 +27,8 @@ public:
     [[nodiscard]] std::vector<Mutant> found() && { return std::move(mutants_); }
 
 private:
-    void visit(const Node& node, bool in_double)
+    /// `declares`: the call stands for a constructor's, and begins with the name of what is declared: `corners(a, b)`.
+    void visit(const Node& node, bool in_double, bool declares = false)
     {
         const std::string_view text = syntax_.of(node);
         if (node.kind == CXCursor_DeclStmt &&
@@ -36,15 +37,23 @@ private:
         if (node.kind == CXCursor_StaticAssert || node.kind == CXCursor_TypeAliasDecl) return;
         statements(node);
         conditions(node);
-        mutate_expression(syntax_, node, mutants_);
-        const bool arithmetic = (node.kind == CXCursor_BinaryOperator || node.kind == CXCursor_CallExpr) &&
+        if (!declares) mutate_expression(syntax_, node, mutants_);
+        const bool arithmetic = !declares && (node.kind == CXCursor_BinaryOperator || node.kind == CXCursor_CallExpr) &&
                                 node.type == "double" && text.find('=') == std::string_view::npos;
         if (arithmetic && !in_double)
             add_change(syntax_, node, "float for double",
                        "static_cast<double>(static_cast<float>(" + std::string(text) + "))", mutants_);
         // A case's label is a constant.
         const std::size_t first = node.kind == CXCursor_CaseStmt ? 1 : 0;
-        for (std::size_t i = first; i < node.children.size(); ++i) visit(node.children[i], in_double || arithmetic);
+        for (std::size_t i = first; i < node.children.size(); ++i)
+            visit(node.children[i], in_double || arithmetic, is_declared_by(node, node.children[i]));
+    }
+
+    [[nodiscard]] bool is_declared_by(const Node& declaration, const Node& call) const
+    {
+        const std::string_view text = syntax_.of(call);
+        return declaration.kind == CXCursor_VarDecl && call.kind == CXCursor_CallExpr &&
+               text.starts_with(declaration.called) && text.substr(declaration.called.size()).find_first_of("({") == 0;
     }
 
     /// The statements of a block, and those that stand alone behind a condition.
