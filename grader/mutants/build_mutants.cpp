@@ -115,7 +115,7 @@ std::set<unsigned> blamed(const std::string& output, const std::string& source, 
 BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, const fs::path& finder,
                            const fs::path& source, const fs::path& work)
 {
-    constexpr int most_attempts = 20;
+    constexpr int most_attempts = 60;
     BuiltMutants built;
     built.mutants = find(finder, source, tools);
     const std::size_t found = built.mutants.size();

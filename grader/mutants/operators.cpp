@@ -74,6 +74,9 @@ void mutate_binary(const Syntax& syntax, const Node& node, const Binary& binary,
 {
     const std::string left(syntax.of(*binary.left));
     const std::string right(syntax.of(*binary.right));
+    // Texts are joined, and nothing else.
+    const bool text = node.type.find("basic_string") != std::string::npos;
+    if (text && binary.word == "+") return;
     for (const Exchange& one : operators)
         if (one.one == binary.word)
             add_change(syntax, node, one.kind, left + ' ' + std::string(one.other) + ' ' + right, mutants);
