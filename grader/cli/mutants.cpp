@@ -17,6 +17,9 @@ void validate_mutants(Application& application, const MutantsOptions& options)
 {
     const Paint paint(application.style);
     application.require_answers();
+    if (application.layout.installed)
+        throw UsageError(
+            "validate --mutants finds mutants by umbral-mutate, which packages do not hold: call it in a checkout");
     expect_writable(options.markdown);
     const std::vector<Exercise> exercises =
         options.units.empty() ? application.readable() : application.chosen(options.units);

@@ -5,21 +5,11 @@
 #include "build/allowed.hpp"
 #include "build/c_functions.hpp"
 #include "build/system_libraries.hpp"
+#include "standard_uses.hpp"
 #include "support/workbench.hpp"
 
 namespace umbral::grader::test {
 namespace {
-
-struct Use {
-    const char* name;
-    const char* code;
-};
-
-/// One use of every function of a header, as far as it computes. `x`, `i` and `text` are not known when it is compiled,
-/// so that nothing is computed by the compiler.
-const std::vector<Use> uses = {
-#include "standard_uses.inc"
-};
 
 std::string using_function(const std::string& code)
 {
@@ -49,7 +39,7 @@ TEST_P(StandardFunctions, are_allowed)
     EXPECT_EQ(to_string(built.verdict), "ok") << built.message;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, StandardFunctions, testing::ValuesIn(uses),
+INSTANTIATE_TEST_SUITE_P(All, StandardFunctions, testing::ValuesIn(standard_uses),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(CFunctions, of_another_version_belong_with_those_of_this_one)
