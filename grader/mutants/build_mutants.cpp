@@ -51,7 +51,8 @@ std::vector<Mutant> find(const fs::path& finder, const fs::path& source, const T
     std::vector<Mutant> mutants;
     for (const auto& one : json)
         mutants.push_back({one.at("number"), static_cast<Mutant::Form>(one.at("form").get<int>()), one.at("begin"),
-                           one.at("end"), one.at("line"), one.at("replacement"), one.at("kind"), one.at("change")});
+                           one.at("end"), one.at("line"), one.at("replacement"), one.at("kind"), one.at("change"),
+                           one.at("gives_nothing")});
     return mutants;
 }
 

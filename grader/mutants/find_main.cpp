@@ -19,7 +19,8 @@ try {
                         {"line", mutant.line},
                         {"replacement", mutant.replacement},
                         {"kind", mutant.kind},
-                        {"change", mutant.change}});
+                        {"change", mutant.change},
+                        {"gives_nothing", mutant.gives_nothing}});
     std::cout << list.dump() << '\n';
     return 0;
 } catch (const std::exception& error) {

@@ -18,10 +18,11 @@ struct Mutant {
     Form form = Form::expression;
     std::size_t begin = 0;  ///< offsets in the source, the end behind the last character
     std::size_t end = 0;
-    std::size_t line = 0;     ///< from 1
-    std::string replacement;  ///< C++
-    std::string kind;         ///< "comparison", "sign" …: the operator of the mutation
-    std::string change;       ///< for people: "a < b → a <= b"
+    std::size_t line = 0;        ///< from 1
+    std::string replacement;     ///< C++
+    std::string kind;            ///< "comparison", "sign" …: the operator of the mutation
+    std::string change;          ///< for people: "a < b → a <= b"
+    bool gives_nothing = false;  ///< an expression of type void
 };
 
 }

@@ -177,6 +177,7 @@ void add_change(const Syntax& syntax, const Node& node, const char* kind, const 
     mutant.replacement = replacement;
     mutant.kind = kind;
     mutant.change = std::string(syntax.of(node)) + " → " + replacement;
+    mutant.gives_nothing = node.type == "void";
     mutants.push_back(std::move(mutant));
 }
 

@@ -8,6 +8,19 @@
 namespace umbral::grader {
 namespace {
 
+/// A text on one line, so that a diagnostic's line says whose it is: without comments to a line's end.
+std::string flat(std::string_view text)
+{
+    std::string line;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
+        if (!quoted && text.substr(i).starts_with("//")) i = std::min(text.find('\n', i), text.size() - 1);
+        line += text[i] == '\n' ? ' ' : text[i];
+    }
+    return line;
+}
+
 /// Writes a source from its beginning to its end; mutants that lie within others are written within their originals.
 class Writer {
 public:
@@ -62,8 +75,16 @@ private:
         const std::string original = until(mutant.end);
         if (mutant.form == Mutant::Form::statement)
             return fmt::format("{{{}if (!umbral_mutant({})) {}{} }}", own_line, mutant.number, back, original);
-        return fmt::format("({}umbral_mutant({}) ? ({}) :{}({}))", own_line, mutant.number, mutant.replacement, back,
-                           original);
+        // What is asked is whether it is true, whatever its type.
+        if (mutant.kind == "condition")
+            return fmt::format("({}umbral_mutant({}) ? ({}) :{}static_cast<bool>({}))", own_line, mutant.number,
+                               flat(mutant.replacement), back, original);
+        if (mutant.gives_nothing)
+            return fmt::format("({}umbral_mutant({}) ? ({}) :{}({}))", own_line, mutant.number,
+                               flat(mutant.replacement), back, original);
+        return fmt::format("({}umbral_mutant({}) ? umbral_as<decltype(({}))>({}) :{}({}))", own_line, mutant.number,
+                           flat(std::string_view(source_).substr(mutant.begin, mutant.end - mutant.begin)),
+                           flat(mutant.replacement), back, original);
     }
 
     const std::string& source_;
@@ -76,9 +97,12 @@ private:
 
 std::string with_mutants(const std::string& source, std::span<const Mutant> mutants)
 {
+    // A change of another type would change the original too: both sides of a ?: become one type.
     return fmt::format(
-        "extern \"C\" {{ int {0} = 0; }}\n"
-        "static inline bool umbral_mutant(int number) {{ return {0} == number; }}\n#line 1\n{1}",
+        "#include <type_traits>\nextern \"C\" {{ int {0} = 0; }}\n"
+        "static inline bool umbral_mutant(int number) {{ return {0} == number; }}\n"
+        "template <class T, class U> requires std::is_same_v<std::remove_cvref_t<T>, std::remove_cvref_t<U>>\n"
+        "static inline T umbral_as(U&& changed) {{ return static_cast<T>(changed); }}\n#line 1\n{1}",
         chosen_mutant, Writer(source, mutants).text());
 }
 

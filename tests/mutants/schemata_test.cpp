@@ -27,14 +27,30 @@ std::string body(const std::string& text)
 TEST(Schemata, an_expression_is_chosen_by_its_number)
 {
     EXPECT_EQ(body(with_mutants("x = a + b;", std::vector{expression(1, 4, 9, "a - b")})),
-              "x = (umbral_mutant(1) ? (a - b) :(a + b));");
+              "x = (umbral_mutant(1) ? umbral_as<decltype((a + b))>(a - b) :(a + b));");
 }
 
 TEST(Schemata, mutants_within_others_are_written_within_their_originals)
 {
     const std::vector mutants{expression(1, 0, 5, "a - b"), expression(2, 0, 5, "a"), expression(3, 4, 5, "c")};
     EXPECT_EQ(body(with_mutants("a + b", mutants)),
-              "(umbral_mutant(1) ? (a - b) :((umbral_mutant(2) ? (a) :(a + (umbral_mutant(3) ? (c) :(b))))))");
+              "(umbral_mutant(1) ? umbral_as<decltype((a + b))>(a - b) :((umbral_mutant(2) ? umbral_as<decltype((a + "
+              "b))>(a) :(a + (umbral_mutant(3) ? umbral_as<decltype((b))>(c) :(b))))))");
+}
+
+TEST(Schemata, a_condition_may_be_of_any_type)
+{
+    Mutant mutant = expression(1, 4, 5, "false");
+    mutant.kind = "condition";
+    EXPECT_EQ(body(with_mutants("if (p) f();", std::vector{mutant})),
+              "if ((umbral_mutant(1) ? (false) :static_cast<bool>(p))) f();");
+}
+
+TEST(Schemata, a_mutant_of_several_lines_stands_on_one)
+{
+    const std::string source = "f(a,  // one\n\"//\", b)";
+    const std::string text = with_mutants(source, std::vector{expression(3, 0, source.size(), "g(a,  // one\n b)")});
+    EXPECT_NE(text.find("umbral_as<decltype((f(a,   \"//\", b)))>(g(a,    b)) :"), std::string::npos) << text;
 }
 
 TEST(Schemata, statements_are_left_out_and_come_in)
@@ -50,7 +66,9 @@ TEST(Schemata, statements_are_left_out_and_come_in)
 TEST(Schemata, lines_of_diagnostics_tell_the_mutant)
 {
     const std::string text = with_mutants("int x;\nint y = a < b;\n", std::vector{expression(7, 15, 20, "a <= b")});
-    EXPECT_NE(text.find("#line 1000007\numbral_mutant(7) ? (a <= b) :\n#line 2\n(a < b)"), std::string::npos) << text;
+    EXPECT_NE(text.find("#line 1000007\numbral_mutant(7) ? umbral_as<decltype((a < b))>(a <= b) :\n#line 2\n(a < b)"),
+              std::string::npos)
+        << text;
 }
 
 TEST(Equivalents, are_about_a_line_and_a_change)
