@@ -32,6 +32,9 @@ Trial try_mutant(Worker& worker, const Exercise& exercise, const std::filesystem
         one.seed = seeds.seed_of(exercise, name);
         one.hidden = is_hidden_case(exercise, name);
         const RunOutcome& reference = worker.trusted(exercise, Answers::reference, name, one.seed);
+        // What the mutant is judged against has all the time it needs, and is remembered.
+        for (const Check& check : exercise.checks)
+            if (check.case_name == name) (void)worker.trusted(exercise, judged_against(check), name, one.seed);
         one.student = worker.run(with_short_limits(exercise, reference.wall_seconds), built, name, one.seed);
         if (one.student.verdict == Verdict::grader_fault) throw std::runtime_error(one.student.message);
         if (one.student.verdict != Verdict::ok)
