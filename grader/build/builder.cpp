@@ -174,6 +174,17 @@ bool look_at(const Toolchain& tools, const Exercise& exercise, const fs::path& l
     return true;
 }
 
+/// Files were refused for what they use: is it used by the unit at all, or by functions that nothing calls?
+Built without_unused_code(const Toolchain& tools, const Exercise& exercise, const Sources& files,
+                          const ScratchFolder& work, const Built& refused)
+{
+    for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
+    const Compilation compilation = compile(tools, exercise, files, work.path(), UnusedCode::left_out);
+    Built built;
+    if (!compilation.library || !look_at(tools, exercise, *compilation.library, built)) return refused;
+    return built;
+}
+
 Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sources& files, const ScratchFolder& work)
 {
     Built built;
@@ -187,8 +198,11 @@ Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sour
             compilation.outcome == Outcome::refused_by_compiler || compilation.outcome == Outcome::not_allowed;
         return built;
     }
-    if (!look_at(tools, exercise, *compilation.library, built)) require_a_working_compiler(tools, exercise);
-    return built;
+    if (!look_at(tools, exercise, *compilation.library, built)) {
+        require_a_working_compiler(tools, exercise);
+        return built;
+    }
+    return built.verdict == Verdict::forbidden ? without_unused_code(tools, exercise, files, work, built) : built;
 }
 
 }

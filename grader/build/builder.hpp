@@ -15,6 +15,7 @@ struct Built {
     Verdict verdict = Verdict::grader_fault;  ///< ok, or why it cannot run
     std::string message;                      ///< diagnostics for the student
     std::filesystem::path library;            ///< empty for a unit without C++, or if not ok
+    unsigned mutant = 0;                      ///< of the library's mutants the one to run (mutants/); none is 0
     Sources sources;                          ///< the texts that are not C++, for the run
     bool repeatable = true;  ///< would it come out so on every machine? Not if the compiler ran out of time, or failed
                              ///< without saying why

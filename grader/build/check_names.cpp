@@ -58,15 +58,21 @@ std::optional<Objection> object_to(const Inspection& inspection, const std::set<
     const auto evades = [&](const std::string& name) {
         return exercise.counts_work && std::ranges::find(counted_calls, name) != counted_calls.end();
     };
-    for (const InspectedSymbol& symbol : inspection.undefined)
-        if (evades(symbol.name) ||
-            (!is_allowed_symbol(symbol.name, exercise.gl_calls, exercise.glfw) && !offered.contains(symbol.name)))
-            wanted.push_back(symbol.readable);
+    std::string reason;
+    for (const InspectedSymbol& symbol : inspection.undefined) {
+        const bool allowed =
+            is_allowed_symbol(symbol.name, exercise.gl_calls, exercise.glfw) || offered.contains(symbol.name);
+        if (allowed && !evades(symbol.name)) continue;
+        wanted.push_back(symbol.readable);
+        const std::string_view what = what_is_wrong_with(symbol.name);
+        if (reason.empty() && !what.empty()) reason = fmt::format("; {} {}", symbol.readable, what);
+    }
     if (wanted.empty()) return std::nullopt;
-    return Objection{Verdict::forbidden,
-                     fmt::format("{}: no unit may call {}; allowed are the C++ library, mathematics, the framework and "
-                                 "the units this one uses",
-                                 listed(wanted), wanted.size() == 1 ? "it" : "them")};
+    return Objection{
+        Verdict::forbidden,
+        fmt::format("{}: no unit may call {}{}; allowed are the C++ library, mathematics, C functions that "
+                    "compute, the framework and the units this one uses",
+                    listed(wanted), wanted.size() == 1 ? "it" : "them", reason)};
 }
 
 std::optional<Objection> check_words(const Sources& files, const Exercise& exercise)

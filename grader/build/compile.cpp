@@ -169,14 +169,17 @@ Outcome outcome_of(const ConfinedResult& result, const Sources& files)
 
 }
 
-Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work,
+                    UnusedCode unused)
 {
     for (const auto& [name, text] : files) write_text(work / name, text);
     Compilation compilation = look_through(tools, exercise, files, work);
     if (compilation.outcome != Outcome::built && compilation.outcome != Outcome::unexplained) return compilation;
     const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
-    std::vector<std::string> task = {"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script,
-                                     "-o",      "student.so"};
+    std::vector<std::string> task{"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script,
+                                  "-o",      "student.so"};
+    if (unused == UnusedCode::left_out)
+        task.insert(task.begin(), {"-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"});
     if (exercise.counts_work)
         for (const std::string_view name : counted_calls) task.push_back(fmt::format("-Wl,--wrap={}", name));
     ConfinedResult result = run_confined(compiler_command(tools, exercise, files, work, task));

@@ -25,11 +25,15 @@ struct Compilation {
     std::string diagnostics;  ///< for the student: the first errors, with the student's own file names
 };
 
+/// What becomes of functions that nothing of the unit calls: they stay in the library, as two definitions of one name
+/// that the linker must see, or are left out, so that they are not held against the file that they stand in.
+enum class UnusedCode { kept, left_out };
+
 /// Writes `files` into the empty folder `work` and makes `work/student.so` of its .cpp files, in confinement: the
 /// compiler sees the folder, what it needs of the system, and the framework's headers. Exported are exactly the names
 /// in the unit's exports.map. Throws std::runtime_error if the files cannot be written or the compiler cannot be run.
 [[nodiscard]] Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files,
-                                  const std::filesystem::path& work);
+                                  const std::filesystem::path& work, UnusedCode unused = UnusedCode::kept);
 
 /// The first errors of g++ output, with their notes and source lines, at most `lines` lines.
 [[nodiscard]] std::string first_errors(std::string_view output, std::size_t lines);

@@ -13,6 +13,7 @@
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
+#include "cli/mutants.hpp"
 #include "cli/paths.hpp"
 #include "report/paint.hpp"
 
@@ -26,6 +27,8 @@ struct Options {
     bool json = false;
     bool quiet = false;
     std::string table;
+    bool mutants = false;
+    std::string markdown;
 };
 
 void print(const Finding& finding, const Paint& paint)
@@ -107,7 +110,16 @@ void add_validate(Command parser, Application& application)
     command.flag("--json", options->json, "As JSON");
     command.option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown")
         .called("FILE");
-    command.runs([&application, options] { validate(application, *options); });
+    command.flag("--mutants", options->mutants, "Instead: small changes of each reference must lose points");
+    command.option("--markdown", options->markdown, "With --mutants: write what came of them as Markdown")
+        .called("FILE");
+    command.runs([&application, options] {
+        if (options->mutants)
+            return validate_mutants(application,
+                                    {options->units, options->jobs, options->json, options->quiet, options->markdown});
+        if (!options->markdown.empty()) throw UsageError("--markdown goes with --mutants; mistakes have --table");
+        validate(application, *options);
+    });
 }
 
 }

@@ -3,6 +3,7 @@
 #include <dwarf.h>
 #include <gelf.h>
 
+#include <cstddef>
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -45,7 +46,31 @@ struct Symbols {
     Names<std::string> undefined;
 };
 
-void add_symbols(Elf* elf, Symbols& symbols)
+/// Which symbols of the table `table` the loader looks up, by their places: those of its relocations. The linker leaves
+/// names in the table whose users it left out.
+std::set<std::size_t> looked_up(Elf* elf, Elf_Scn* table)
+{
+    std::set<std::size_t> places;
+    for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf, section)) != nullptr;) {
+        GElf_Shdr header;
+        if (gelf_getshdr(section, &header) == nullptr || header.sh_entsize == 0 ||
+            (header.sh_type != SHT_RELA && header.sh_type != SHT_REL) || header.sh_link != elf_ndxscn(table))
+            continue;
+        Elf_Data* data = elf_getdata(section, nullptr);
+        for (std::size_t i = 0; data != nullptr && i < header.sh_size / header.sh_entsize; ++i) {
+            GElf_Rela with_addend;
+            GElf_Rel without;
+            if (header.sh_type == SHT_RELA && gelf_getrela(data, static_cast<int>(i), &with_addend) != nullptr)
+                places.insert(GELF_R_SYM(with_addend.r_info));
+            else if (header.sh_type == SHT_REL && gelf_getrel(data, static_cast<int>(i), &without) != nullptr)
+                places.insert(GELF_R_SYM(without.r_info));
+        }
+    }
+    return places;
+}
+
+/// With `all`, also those that nothing looks up.
+void add_symbols(Elf* elf, bool all, Symbols& symbols)
 {
     for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf, section)) != nullptr;) {
         GElf_Shdr header;
@@ -53,27 +78,47 @@ void add_symbols(Elf* elf, Symbols& symbols)
             continue;
         Elf_Data* data = elf_getdata(section, nullptr);
         const auto count = header.sh_size / header.sh_entsize;
+        const std::set<std::size_t> wanted = looked_up(elf, section);
         for (std::size_t i = 1;
              data != nullptr && i < count && !symbols.defined.overflown() && !symbols.undefined.overflown(); ++i) {
             GElf_Sym symbol;
             const char* name = nullptr;
             if (gelf_getsym(data, static_cast<int>(i), &symbol) == nullptr) break;
             if ((name = elf_strptr(elf, header.sh_link, symbol.st_name)) == nullptr) continue;
-            if (symbol.st_shndx == SHN_UNDEF)
-                symbols.undefined.add(cut(name, caps::symbol));
-            else if (GELF_ST_BIND(symbol.st_info) != STB_LOCAL)
+            if (symbol.st_shndx == SHN_UNDEF) {
+                // A library without relocations would be none of ours: then all names count.
+                if (all || wanted.empty() || wanted.contains(i)) symbols.undefined.add(cut(name, caps::symbol));
+            } else if (GELF_ST_BIND(symbol.st_info) != STB_LOCAL) {
                 symbols.defined.add(cut(name, caps::symbol));
+            }
         }
     }
 }
 
-/// A subprogram that left code: it has an address, or a copy of it was inlined somewhere.
+/// Does a function's code lie in the file? Of one that the linker left out, since nothing called it, the addresses
+/// begin at 0.
+bool has_code(Dwarf_Die* die)
+{
+    Dwarf_Addr base = 0;
+    Dwarf_Addr begin = 0;
+    Dwarf_Addr end = 0;
+    for (std::ptrdiff_t next = 0; (next = dwarf_ranges(die, next, &base, &begin, &end)) > 0;)
+        if (begin != 0) return true;
+    return false;
+}
+
+/// The functions of a file's debug information, and what became of each.
+struct Functions {
+    Names<Pair> used;      ///< left code: has an address, or was inlined into one that has
+    Names<Pair> left_out;  ///< was inlined only into functions that the linker left out
+    Names<Pair> unplaced;  ///< was inlined, and nothing says where
+
+    [[nodiscard]] bool overflown() const { return used.overflown() || left_out.overflown() || unplaced.overflown(); }
+};
+
 void add_function(Dwarf_Die* die, Names<Pair>& functions)
 {
     Dwarf_Attribute attribute;
-    if (dwarf_hasattr(die, DW_AT_low_pc) == 0 && dwarf_hasattr(die, DW_AT_inline) == 0 &&
-        dwarf_hasattr(die, DW_AT_ranges) == 0)
-        return;
     const char* const file = dwarf_decl_file(die);
     for (const unsigned kind : {DW_AT_linkage_name, DW_AT_MIPS_linkage_name, DW_AT_name}) {
         if (dwarf_attr_integrate(die, kind, &attribute) == nullptr) continue;
@@ -83,18 +128,41 @@ void add_function(Dwarf_Die* die, Names<Pair>& functions)
     }
 }
 
-// Depth is bounded, since a forged tree could be as deep as its file is long.
-void walk(Dwarf_Die* parent, int depth, Names<Pair>& functions)
+/// `left_out`: the code round `parent` is not in the file. Depth is bounded, since a forged tree could be as deep as
+/// its file is long.
+void walk(Dwarf_Die* parent, int depth, bool left_out, Functions& functions)
 {
     Dwarf_Die die;
     if (depth > 64 || dwarf_child(parent, &die) != 0) return;
     do {
         const int tag = dwarf_tag(&die);
-        if (tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine) add_function(&die, functions);
-        if (tag == DW_TAG_namespace || tag == DW_TAG_subprogram || tag == DW_TAG_structure_type ||
-            tag == DW_TAG_class_type || tag == DW_TAG_lexical_block)
-            walk(&die, depth + 1, functions);
+        bool gone = left_out;
+        if (tag == DW_TAG_subprogram) {
+            const bool has_addresses = dwarf_hasattr(&die, DW_AT_low_pc) != 0 || dwarf_hasattr(&die, DW_AT_ranges) != 0;
+            gone = has_addresses && !has_code(&die);
+            if (has_addresses)
+                add_function(&die, gone ? functions.left_out : functions.used);
+            else if (dwarf_hasattr(&die, DW_AT_inline) != 0)
+                add_function(&die, functions.unplaced);
+        } else if (tag == DW_TAG_inlined_subroutine) {
+            add_function(&die, gone ? functions.left_out : functions.used);
+        }
+        if (tag == DW_TAG_namespace || tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine ||
+            tag == DW_TAG_structure_type || tag == DW_TAG_class_type || tag == DW_TAG_lexical_block)
+            walk(&die, depth + 1, gone, functions);
     } while (!functions.overflown() && dwarf_siblingof(&die, &die) == 0);
+}
+
+/// Those that left code, or all. One of which nothing says where it was inlined left some: what it did may have become
+/// part of others' code.
+Names<Pair> functions_in(const Functions& found, bool all)
+{
+    Names<Pair> functions = found.used;
+    for (const Pair& function : found.unplaced.all())
+        if (all || !found.left_out.all().contains(function)) functions.add(function);
+    for (const Pair& function : found.left_out.all())
+        if (all) functions.add(function);
+    return functions;
 }
 
 }
@@ -102,18 +170,22 @@ void walk(Dwarf_Die* parent, int depth, Names<Pair>& functions)
 std::string names_as_json(Elf* elf, Dwarf* dwarf, const std::vector<std::string>& interface_names)
 {
     Symbols symbols;
-    Names<Pair> functions;
-    add_symbols(elf, symbols);
-    const bool whole = for_each_unit(dwarf, [&](Dwarf_Die* unit) {
-        walk(unit, 0, functions);
-        return false;
-    });
-    if (!whole || functions.all().empty() || functions.overflown() || symbols.defined.overflown() ||
-        symbols.undefined.overflown())
-        return {};
+    add_symbols(elf, false, symbols);
     nlohmann::json missing = nlohmann::json::array();
     for (const std::string& name : interface_names)
         if (!symbols.defined.all().contains(name)) missing.push_back(demangled(name.c_str(), caps::name));
+    // What was written for the interface under another name is left out as unused, and it is that which must be told.
+    const bool all = !missing.empty();
+    if (all) add_symbols(elf, true, symbols);
+    Functions found;
+    const bool whole = for_each_unit(dwarf, [&](Dwarf_Die* unit) {
+        walk(unit, 0, false, found);
+        return false;
+    });
+    const Names<Pair> functions = functions_in(found, all);
+    if (!whole || functions.all().empty() || functions.overflown() || found.overflown() ||
+        symbols.defined.overflown() || symbols.undefined.overflown())
+        return {};
     nlohmann::json undefined = nlohmann::json::array();
     for (const std::string& name : symbols.undefined.all())
         undefined.push_back({name, demangled(name.c_str(), caps::name)});

@@ -53,6 +53,7 @@ struct Job {
     std::uint64_t cpu_seconds = 0;
     CostLimit costs;  ///< without a table all costs are worked on
     Inquiry inquiry;
+    unsigned mutant = 0;  ///< of a library that holds mutants, which only trusted ones do; 0 for none
 };
 
 std::string content_of(int file)
@@ -74,7 +75,8 @@ Job read_job(int file)
             json.at("memory"),
             json.at("cpu_seconds"),
             {json.at("counted_table"), json.at("counted_sizes")},
-            inquiry_from_json(json.at("inquiry"))};
+            inquiry_from_json(json.at("inquiry")),
+            json.at("mutant")};
 }
 
 /// Opens a library of the run. A file that is not there any more ends the run before any foreign code: a fault of ours.
@@ -167,6 +169,17 @@ Recorder::Tensors answers_to_others(const DriverCase& one, const Case& what, con
     return all;
 }
 
+/// Sets the number by which a library of mutants chooses (mutants/schemata.hpp). Asked for of trusted libraries only.
+void choose_mutant(wire::Header& header, void* library, unsigned number)
+{
+    auto* const chosen = static_cast<int*>(dlsym(library, "umbral_mutant_chosen"));
+    if (chosen == nullptr) {
+        note(header, wire::Note::load_failure, "the library holds no mutants");
+        _exit(exit_load_failure);
+    }
+    *chosen = static_cast<int>(number);
+}
+
 }
 
 void live(const ChildSetup& setup, int run_socket, int confined) noexcept
@@ -218,7 +231,11 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     close(texts_until_read);
     // Line by line, so that what was printed before a crash is not lost.
     setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-    if (!job.solution.empty()) last_words::set_library(header, load(header, job.solution));
+    if (!job.solution.empty()) {
+        void* const solution_library = load(header, job.solution);
+        last_words::set_library(header, solution_library);
+        if (job.mutant != 0) choose_mutant(header, solution_library, job.mutant);
+    }
     void* driver_library = load(header, job.driver);
     const auto* cases = static_cast<const Driver*>(dlsym(driver_library, "_ZN6umbral6driverE"));
     if (cases == nullptr) {

@@ -63,12 +63,13 @@ TEST(Arrows, of_the_grader)
         {"manifest", {"model", "judge"}},
         {"report", {"model", "judge"}},
         {"batch", {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report"}},
+        {"mutants", {"model", "run", "collect", "build", "batch"}},
         {"bench", {"model", "run", "collect", "build", "judge", "report", "batch"}},
         {"inspect", {"model"}},
         {"attack", {"model"}},
         {"cli",
-         {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report", "batch", "bench",
-          "attack"}}};
+         {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report", "batch", "mutants",
+          "bench", "attack"}}};
     std::size_t seen = 0;
     for (const Include& include : includes_below("grader")) {
         const std::string layer = part(include.line.file, 1);

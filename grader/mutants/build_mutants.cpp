@@ -1,0 +1,139 @@
+#include "mutants/build_mutants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "build/compiler_files.hpp"
+#include "build/submission.hpp"
+#include "mutants/schemata.hpp"
+#include "run/confine.hpp"
+
+namespace umbral::grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string quoted(const std::string& word)
+{
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+/// What umbral-mutate prints. Its words are the build's own.
+std::string found_by(const fs::path& finder, const fs::path& source, const Toolchain& tools)
+{
+    std::string command = quoted(finder.string()) + " " + quoted(source.string());
+    for (const std::string& flag : tools.flags)
+        if (flag.starts_with("-std=") || flag.starts_with("-D")) command += " " + quoted(flag);
+    command += " " + quoted("-I" + tools.framework.string()) + " 2>&1";
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "re"), &pclose);
+    std::string text;
+    std::array<char, 4096> part{};
+    for (std::size_t got = 0; pipe && (got = std::fread(part.data(), 1, part.size(), pipe.get())) > 0;)
+        text.append(part.data(), got);
+    return text;
+}
+
+std::vector<Mutant> find(const fs::path& finder, const fs::path& source, const Toolchain& tools)
+{
+    const std::string text = found_by(finder, source, tools);
+    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_array()) throw std::runtime_error(fmt::format("{}: {}", finder.filename().string(), text));
+    std::vector<Mutant> mutants;
+    for (const auto& one : json)
+        mutants.push_back({one.at("number"), static_cast<Mutant::Form>(one.at("form").get<int>()), one.at("begin"),
+                           one.at("end"), one.at("line"), one.at("replacement"), one.at("kind"), one.at("change"),
+                           one.at("gives_nothing")});
+    return mutants;
+}
+
+ConfinedResult compile(const Toolchain& tools, const Exercise& exercise, const std::string& text, const fs::path& work)
+{
+    write_text(work / "mutants.cpp", text);
+    ConfinedCommand command;
+    command.confine = tools.programs / "umbral-confine";
+    command.directory = work;
+    command.cpu_seconds = 4 * tools.compile_seconds;
+    command.wall_seconds = 16 * tools.compile_seconds;
+    command.output_limit = std::size_t{16} << 20U;
+    command.read = compiler_files(tools.compiler);
+    command.read.push_back(tools.framework.string());
+    command.read.push_back(tools.student_header.parent_path().string());
+    command.arguments = {tools.compiler};
+    command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
+    if (exercise.counts_work) command.arguments.emplace_back("-fsanitize-coverage=trace-pc");
+    for (const std::string& word :
+         {std::string("-w"), std::string("-fdiagnostics-color=never"), std::string("-fno-diagnostics-show-caret"),
+          "-I" + tools.framework.string(), std::string("-include"), tools.student_header.string(),
+          std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,-z,lazy"), std::string("-o"),
+          std::string("mutants.so"), std::string("./mutants.cpp")})
+        command.arguments.push_back(word);
+    return run_confined(command);
+}
+
+std::size_t lines_between(const std::string& source, const Mutant& mutant)
+{
+    const std::string_view text = std::string_view(source).substr(mutant.begin, mutant.end - mutant.begin);
+    return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
+/// The numbers of mutants on whose lines a compiler's errors and notes lie. An error on a line of the source itself
+/// comes of one of the mutants there.
+std::set<unsigned> blamed(const std::string& output, const std::string& source, const std::vector<Mutant>& mutants)
+{
+    std::set<unsigned> numbers;
+    std::set<std::size_t> own_lines;
+    std::istringstream stream(output);
+    for (std::string line; std::getline(stream, line);) {
+        constexpr std::string_view file = "mutants.cpp:";
+        const std::size_t at = line.find(file);
+        if (at == std::string::npos) continue;
+        const std::size_t number = std::strtoull(line.c_str() + at + file.size(), nullptr, 10);
+        if (number > first_mutant_line)
+            numbers.insert(static_cast<unsigned>(number - first_mutant_line));
+        else if (line.find(" error: ") != std::string::npos)
+            own_lines.insert(number);
+    }
+    if (!numbers.empty()) return numbers;
+    for (const Mutant& mutant : mutants)
+        if (const auto line = own_lines.lower_bound(mutant.line);
+            line != own_lines.end() && *line <= mutant.line + lines_between(source, mutant))
+            numbers.insert(mutant.number);
+    return numbers;
+}
+
+}
+
+BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, const fs::path& finder,
+                           const fs::path& source, const fs::path& work)
+{
+    constexpr int most_attempts = 60;
+    BuiltMutants built;
+    built.mutants = find(finder, source, tools);
+    const std::size_t found = built.mutants.size();
+    const std::string text = read_text(source);
+    for (int attempt = 0;; ++attempt) {
+        const ConfinedResult result = compile(tools, exercise, with_mutants(text, built.mutants), work);
+        if (result.exit_status == 0) break;
+        const std::set<unsigned> wrong = blamed(result.output, text, built.mutants);
+        const std::size_t left_out =
+            std::erase_if(built.mutants, [&](const Mutant& mutant) { return wrong.contains(mutant.number); });
+        if (left_out == 0 || attempt == most_attempts)
+            throw std::runtime_error(fmt::format("{}: the reference does not compile with its mutants: {}", exercise.id,
+                                                 result.output.substr(0, 2000)));
+    }
+    built.not_compiled = found - built.mutants.size();
+    built.library = work / "mutants.so";
+    return built;
+}
+
+}

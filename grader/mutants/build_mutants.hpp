@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "build/toolchain.hpp"
+#include "model/exercise.hpp"
+#include "mutants/mutant.hpp"
+
+namespace umbral::grader {
+
+/// A reference's mutants, compiled into one library.
+struct BuiltMutants {
+    std::vector<Mutant> mutants;
+    std::size_t not_compiled = 0;  ///< found, but of types that do not fit, or in what the compiler computes
+    std::filesystem::path library;
+};
+
+/// Finds the mutants of the reference in the file `source` by the program `finder` (umbral-mutate) and compiles it with
+/// all that compile into the folder `work`. Throws std::runtime_error with the compiler's words if it cannot be done.
+[[nodiscard]] BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise,
+                                         const std::filesystem::path& finder, const std::filesystem::path& source,
+                                         const std::filesystem::path& work);
+
+}

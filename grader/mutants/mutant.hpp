@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace umbral::grader {
+
+/// A small change of a reference's source, made at run time where the run is given its number.
+struct Mutant {
+    /// How the change is written into the source.
+    enum class Form {
+        expression,  ///< the expression from `begin` to `end` becomes `replacement`
+        statement,   ///< the statement from `begin` to `end` is left out
+        inserted     ///< `replacement`, a statement, comes in at `begin`
+    };
+    unsigned number = 0;  ///< from 1 in each source; 0 is the reference itself
+    Form form = Form::expression;
+    std::size_t begin = 0;  ///< offsets in the source, the end behind the last character
+    std::size_t end = 0;
+    std::size_t line = 0;        ///< from 1
+    std::string replacement;     ///< C++
+    std::string kind;            ///< "comparison", "sign" …: the operator of the mutation
+    std::string change;          ///< for people: "a < b → a <= b"
+    bool gives_nothing = false;  ///< an expression of type void
+};
+
+}

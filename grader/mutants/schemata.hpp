@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "mutants/mutant.hpp"
+
+namespace umbral::grader {
+
+/// What a run is given the number of its mutant by: an int of that name in the library, 0 for none.
+inline constexpr const char* chosen_mutant = "umbral_mutant_chosen";
+
+/// In diagnostics, the line of mutant n is this one and n more: what does not compile can be left out.
+inline constexpr std::size_t first_mutant_line = 1'000'000;
+
+/// A source with all its mutants in it: an expression becomes `(umbral_mutant(17) ? changed : original)`, a statement
+/// `{ if (!umbral_mutant(18)) statement }`. Mutants in the order of find_mutants.
+[[nodiscard]] std::string with_mutants(const std::string& source, std::span<const Mutant> mutants);
+
+}
