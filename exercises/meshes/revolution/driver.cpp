@@ -12,6 +12,9 @@ namespace {
 
 using namespace meshes;
 
+constexpr const char* names_of_triangles =
+    "-1 how many: vertices, triangles, normals and coordinates together\n1 triangle\n";
+
 /// Vertices that matter, by their numbers.
 using Places = std::vector<std::size_t>;
 
@@ -100,10 +103,12 @@ const Driver driver = {
          record_whole(out, {{2, 0}, {2, 3}, {1, 3}}, 5);
          record_whole(out, {{0, -1}, {1, 0}, {0, 1}}, 9);
          record_whole(out, semicircle(7), 13);
+         out.text("triangles.names", names_of_triangles);
      }},
     {"profiles",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 25; ++i) record_whole(out, some_profile(c.random), 4 + c.random.below(12));
+         out.text("triangles.names", names_of_triangles);
      }},
     {"creases and poles",
      [](Case&, Recorder& out) {
@@ -111,6 +116,7 @@ const Driver driver = {
          record_whole(out, {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 3}, {1, 2}}, 8);
          record_whole(out, {{1, 0}, {2, 0}, {1, 0}}, 5);
          record_whole(out, pawn(), 7);
+         out.text("triangles.names", names_of_triangles);
      }},
     {"seam",
      [](Case& c, Recorder& out) {

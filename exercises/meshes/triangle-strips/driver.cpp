@@ -26,7 +26,7 @@ void record_grids(Recorder& out)
 
 void record_decoded(Recorder& out, StripLog& log, const std::string& name, const Strip& strip)
 {
-    log.begin(name);
+    log.begin(name + ": triangle");
     std::vector<glm::uvec3> triangles = ask<triangles_of_strip>(out, strip);
     triangles.resize(std::min(triangles.size(), 2 * strip.size() + 10));
     std::ranges::transform(triangles, triangles.begin(), turned);
@@ -77,10 +77,10 @@ void record_joined(Random& random, Recorder& out)
     StripLog log(out, "indices");
     StripLog drawings(out, "triangles");
     const auto record = [&](const std::string& name, const std::vector<Strip>& strips) {
-        log.begin(name);
+        log.begin(name + ": index");
         const Strip joined = ask<join_strips>(out, strips);
         for (std::size_t i = 0; i < std::min<std::size_t>(joined.size(), 400); ++i) log.add({joined[i]});
-        drawings.begin(name);
+        drawings.begin(name + ": triangle");
         drawings.add(drawn({joined}, 40));
     };
     record("two strips of even length", {{0, 1, 2, 3}, {4, 5, 6, 7}});
@@ -102,7 +102,7 @@ void record_strips_of(Recorder& out, const std::vector<Sample>& meshes)
 {
     StripLog log(out, "triangles");
     for (const auto& [name, mesh] : meshes) {
-        log.begin(name);
+        log.begin(std::string(name) + ": triangle");
         log.add(drawn(ask<make_strips>(out, mesh), mesh.triangles.size()));
     }
     log.finish();

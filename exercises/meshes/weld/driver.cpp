@@ -26,7 +26,9 @@ public:
 
     void add(const std::string& name, const Soup& soup)
     {
-        names_ += std::to_string(++count_) + " " + name + "\n";
+        ++count_;
+        vertex_names_ += std::to_string(count_) + " " + name + ": vertex at\n";
+        triangle_names_ += std::to_string(count_) + " " + name + ": triangle\n";
         const IndexedMesh mesh = ask<weld>(*out_, soup);
         const auto code = static_cast<float>(count_);
         for (std::size_t i = 0; i < std::min(mesh.positions.size(), soup.size() + 10); ++i) {
@@ -41,13 +43,14 @@ public:
 
     void finish() const
     {
-        out_->text("vertices.names", names_);
-        out_->text("triangles.names", names_);
+        out_->text("vertices.names", vertex_names_);
+        out_->text("triangles.names", triangle_names_);
     }
 
 private:
     Recorder* out_;
-    std::string names_;
+    std::string vertex_names_;
+    std::string triangle_names_;
     int count_ = 0;
 };
 
