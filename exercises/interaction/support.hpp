@@ -5,7 +5,7 @@
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <umbral/interaction/orbit_camera.hpp>
-#include <umbral/record/recorder.hpp>
+#include <umbral/record/ask.hpp>
 #include <vector>
 
 /// What the drivers of interaction share: what a user does to a camera.
@@ -33,6 +33,18 @@ inline void apply(OrbitCamera& camera, const CameraEvent& event)
         case CameraEvent::Kind::scroll: return camera.scroll(event.a);
         case CameraEvent::Kind::resize: return camera.resize(static_cast<int>(event.a), static_cast<int>(event.b));
         case CameraEvent::Kind::reset: return camera.reset();
+    }
+}
+
+/// The same as questions (ask.hpp).
+inline void apply(Recorder& out, OrbitCamera& camera, const CameraEvent& event)
+{
+    switch (event.kind) {
+        case CameraEvent::Kind::drag: return ask<&OrbitCamera::drag>(out, camera, event.a, event.b);
+        case CameraEvent::Kind::scroll: return ask<&OrbitCamera::scroll>(out, camera, event.a);
+        case CameraEvent::Kind::resize:
+            return ask<&OrbitCamera::resize>(out, camera, static_cast<int>(event.a), static_cast<int>(event.b));
+        case CameraEvent::Kind::reset: return ask<&OrbitCamera::reset>(out, camera);
     }
 }
 

@@ -219,6 +219,7 @@ TEST(Literal, gives_back_exactly_the_value)
                                "7",
                                literal::in_full),
               R"("a\"\\\n\0017")");
+    EXPECT_EQ(literal::of_text("1 0\t\r", literal::in_full), R"("1 0\t\r")");
 }
 
 TEST(Literal, writes_types_as_people_do)

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <kit/scene.hpp>
@@ -7,6 +8,7 @@
 #include <umbral/input/script.hpp>
 #include <umbral/interaction/callbacks.hpp>
 #include <umbral/interaction/orbit_camera.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../command_log.hpp"
@@ -30,6 +32,26 @@ void play(const input::EventScript& script, const input::HeadlessSettings& setti
     }
 }
 
+/// What was done to a window until then: its making, and a line of the script for each event.
+std::string told(const input::EventScript& script, glm::ivec2 size, const input::HeadlessSettings& settings,
+                 bool listens, double until, bool in_full)
+{
+    constexpr std::ptrdiff_t most_lines = 8;
+    const auto number = [](double value) { return literal::of(value); };
+    std::string text =
+        "// in a window of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " screen coordinates";
+    if (settings.content_scale != glm::dvec2(1))
+        text += ", of " + number(settings.content_scale.x) + " x " + number(settings.content_scale.y) + " pixels each";
+    text += listens ? ",\n// with a key callback already\n" : "\n";
+    text += "install_callbacks(window);";
+    const auto end = std::ranges::find_if(script, [&](const input::TimedEvent& event) { return event.time > until; });
+    const std::ptrdiff_t left_out = in_full ? 0 : std::max<std::ptrdiff_t>(end - script.begin() - most_lines, 0);
+    if (left_out > 0) text += "\n// … " + std::to_string(left_out) + " events left out";
+    std::string lines = input::to_text(input::EventScript(script.begin() + left_out, end));
+    while (lines.ends_with('\n')) lines.pop_back();
+    return lines.empty() ? text : text + '\n' + lines;
+}
+
 /// Windows in which gestures are made are square: a wrong aspect costs points where sizes are looked at, and not again
 /// in every case.
 constexpr glm::ivec2 square{480, 480};
@@ -38,10 +60,29 @@ constexpr glm::ivec2 wide{640, 480};
 void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
             const input::HeadlessSettings& settings = {}, bool listens = false)
 {
+    struct Moment {
+        double time;
+        std::size_t rows;  ///< of commands until then
+    };
+    std::vector<Moment> moments;
     std::optional<LoggedWindow> window;
-    play(
-        script, settings, size, [&](GLFWwindow* made) { window.emplace(made, listens); }, [&] { window->look(); });
-    for (const CommandRow& row : window->rows()) out.append("commands", std::span<const float>(row));
+    const auto begin = [&](GLFWwindow* made) {
+        window.emplace(made, listens);
+        moments.push_back({-1, window->rows().size()});
+    };
+    const auto after_wait = [&] {
+        window->look();
+        moments.push_back({glfwGetTime(), window->rows().size()});
+    };
+    play(script, settings, size, begin, after_wait);
+    std::size_t next = 0;
+    for (const Moment& moment : moments) {
+        if (next == moment.rows) continue;
+        ask_in_words(out, [&] {
+            return told(script, size, settings, listens, moment.time, out.questions()->inquiry().in_full);
+        });
+        for (; next < moment.rows; ++next) out.append("commands", std::span<const float>(window->rows()[next]));
+    }
 }
 
 void record_text(Recorder& out, const char* text, glm::ivec2 size = square,
@@ -91,15 +132,18 @@ private:
     glm::dvec2 shift_{0};
 };
 
-Image picture_after(const char* text)
+Image picture_after(Recorder& out, const char* text)
 {
+    const input::EventScript script = input::parse_script(text);
+    constexpr glm::ivec2 size{256, 256};
+    ask_in_words(out, [&] { return told(script, size, {}, false, script.back().time, true); });
     ObedientCamera camera;
     Controls controls{.commands = &camera};
     const auto begin = [&](GLFWwindow* window) {
         glfwSetWindowUserPointer(window, &controls);
         install_callbacks(window);
     };
-    play(input::parse_script(text), {}, {256, 256}, begin, [] {});
+    play(script, {}, size, begin, [] {});
     return camera.picture();
 }
 
@@ -124,7 +168,7 @@ const Driver driver = {
      }},
     {"two windows", [](Case&, Recorder& out) { record_two_windows(out); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", picture_after(a_look_around)); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", picture_after(out, a_look_around)); }},
 };
 
 }

@@ -1,6 +1,7 @@
 #include <kit/scene.hpp>
 #include <numbers>
 #include <umbral/interaction/orbit_camera.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support.hpp"
@@ -17,12 +18,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The view at the beginning and after each event. A factory that gives no camera leaves nothing to record.
 void record(Recorder& out, const OrbitCameraSettings& settings, const std::vector<CameraEvent>& events)
 {
-    const std::unique_ptr<OrbitCamera> camera = make_orbit_camera(settings);
+    const std::unique_ptr<OrbitCamera> camera = ask_new<make_orbit_camera>(out, "camera", settings);
     if (!camera) return;
-    out.append("view", camera->view());
+    out.append("view", ask<&OrbitCamera::view>(out, *camera));
     for (const CameraEvent& event : events) {
-        apply(*camera, event);
-        out.append("view", camera->view());
+        apply(out, *camera, event);
+        out.append("view", ask<&OrbitCamera::view>(out, *camera));
     }
 }
 
@@ -75,32 +76,39 @@ std::vector<CameraEvent> nonsense()
 /// Two cameras that are moved in turns; what one is told must not reach the other.
 void record_two(Recorder& out, Random& random)
 {
-    const std::unique_ptr<OrbitCamera> first = make_orbit_camera(random_settings(random));
+    const std::unique_ptr<OrbitCamera> first = ask_new<make_orbit_camera>(out, "first", random_settings(random));
     const std::vector<CameraEvent> events = random_session(random, 80);
     const OrbitCameraSettings second_settings = random_settings(random);
     if (!first) return;
-    first->drag(30, 20);
-    const std::unique_ptr<OrbitCamera> second = make_orbit_camera(second_settings);
+    ask<&OrbitCamera::drag>(out, *first, 30, 20);
+    const std::unique_ptr<OrbitCamera> second = ask_new<make_orbit_camera>(out, "second", second_settings);
     if (!second) return;
     for (const CameraEvent& event : events) {
         OrbitCamera& moved = random.below(2) == 0 ? *first : *second;
-        apply(moved, event);
-        out.append("view", first->view());
-        out.append("view", second->view());
+        apply(out, moved, event);
+        out.append("view", ask<&OrbitCamera::view>(out, *first));
+        out.append("view", ask<&OrbitCamera::view>(out, *second));
     }
 }
 
 // A million turns in the same direction, 200,000 drags of 0 to 10 turns, while the wheel goes to and fro.
 void record_long_session(Recorder& out, Random& random)
 {
-    const std::unique_ptr<OrbitCamera> camera =
-        make_orbit_camera({.target = {0.5, -0.25, 1}, .distance = 3, .yaw = 0.3});
+    const OrbitCameraSettings settings{.target = {0.5, -0.25, 1}, .distance = 3, .yaw = 0.3};
+    const std::unique_ptr<OrbitCamera> camera = make_orbit_camera(settings);
     if (!camera) return;
     for (int i = 1; i <= 200'000; ++i) {
         const double right = 4800 + random_pixels(random, 4800);
         camera->drag(right, random_pixels(random, 60));
         camera->scroll(i % 2 == 0 ? 2.5 : -2.5);
-        if (i % 1000 == 0) out.append("view", camera->view());
+        if (i % 1000 != 0) continue;
+        ask_in_words(out, [&] {
+            return "const auto camera = make_orbit_camera(" + literal::of_value(settings, true, literal::Style{}) +
+                   ");\n// " + std::to_string(i) +
+                   " times: camera->drag(right, up), right from 0 to 9600, up from -60 to 60,\n"
+                   "// and then camera->scroll(-2.5) or camera->scroll(2.5), in turns\ncamera->view()";
+        });
+        out.append("view", camera->view());
     }
 }
 
@@ -115,13 +123,13 @@ void record_far_targets(Recorder& out, Random& random)
     }
 }
 
-Image picture_after(const std::vector<CameraEvent>& events)
+Image picture_after(Recorder& out, const std::vector<CameraEvent>& events)
 {
-    const std::unique_ptr<OrbitCamera> camera =
-        make_orbit_camera({.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256});
+    const OrbitCameraSettings settings{.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256};
+    const std::unique_ptr<OrbitCamera> camera = ask_new<make_orbit_camera>(out, "camera", settings);
     if (!camera) return Image(256, 256);
-    for (const CameraEvent& event : events) apply(*camera, event);
-    return draw_scene(camera->view());
+    for (const CameraEvent& event : events) apply(out, *camera, event);
+    return draw_scene(ask<&OrbitCamera::view>(out, *camera));
 }
 
 }
@@ -153,8 +161,9 @@ const Driver driver = {
     {"a million turns", [](Case& c, Recorder& out) { record_long_session(out, c.random); }},
     {"picture",
      [](Case&, Recorder& out) {
-         out.image("from the side", picture_after({drag(-60, -30), drag(10, -4), scroll(2.5)}));
-         out.image("from above", picture_after({drag(80, -60), scroll(-1), drag(10, -500), scroll(2.5), drag(0, 12)}));
+         out.image("from the side", picture_after(out, {drag(-60, -30), drag(10, -4), scroll(2.5)}));
+         out.image("from above",
+                   picture_after(out, {drag(80, -60), scroll(-1), drag(10, -500), scroll(2.5), drag(0, 12)}));
      }},
 };
 

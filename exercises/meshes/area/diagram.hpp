@@ -4,6 +4,7 @@
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <umbral/meshes/area.hpp>
+#include <umbral/record/ask.hpp>
 
 #include "../bodies.hpp"
 
@@ -11,7 +12,7 @@ namespace umbral::meshes {
 
 /// A ball whose triangles are coloured by their areas (triangle_area), from the poles' to the equator's, with the
 /// sphere's outline behind it.
-inline void draw_ball(Drawing& drawing, glm::dvec2 middle, double radius, std::uint32_t columns)
+inline void draw_ball(Recorder& out, Drawing& drawing, glm::dvec2 middle, double radius, std::uint32_t columns)
 {
     const IndexedMesh mesh = ball(columns, columns / 2);
     drawing.disc(middle, 50 * radius, ink::slate);
@@ -27,7 +28,8 @@ inline void draw_ball(Drawing& drawing, glm::dvec2 middle, double radius, std::u
         std::vector<glm::dvec2> places;
         for (const glm::dvec3& corner : corners) places.push_back(middle + radius * glm::dvec2(corner));
         const double share = std::clamp(
-            double{triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z])} / largest, 0.0, 1.0);
+            double{ask<triangle_area>(out, mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z])} / largest,
+            0.0, 1.0);
         const double light = 0.35 + 0.65 * std::max(0.0, dot(normal, normalize(glm::dvec3(-0.4, 0.6, 0.7))));
         drawing.area(places, static_cast<float>(light) * glm::mix(ink::blue, ink::orange, static_cast<float>(share)));
         drawing.outline(places, ink::night, 0.8);
@@ -36,10 +38,10 @@ inline void draw_ball(Drawing& drawing, glm::dvec2 middle, double radius, std::u
 
 /// Left: a ball. Right: how far the areas of finer and finer balls are from 4 π, both in powers of ten: four times the
 /// triangles, a quarter of the error.
-inline Image draw_diagram()
+inline Image draw_diagram(Recorder& out)
 {
     Drawing drawing(600, 300, {0, 0}, {12, 6});
-    draw_ball(drawing, {2.9, 3}, 2.5, 18);
+    draw_ball(out, drawing, {2.9, 3}, 2.5, 18);
 
     constexpr glm::dvec2 origin(6.4, 0.6);
     const auto place = [&](double triangles, double error) {
@@ -55,7 +57,7 @@ inline Image draw_diagram()
     for (std::uint32_t columns = 8; columns <= 1024; columns *= 2) {
         const IndexedMesh mesh = ball(columns, columns / 2);
         const double exact = 12.566370614359172;
-        const double error = std::max(1e-6, std::abs(double{surface_area(mesh)} - exact) / exact);
+        const double error = std::max(1e-6, std::abs(double{ask<surface_area>(out, mesh)} - exact) / exact);
         const glm::dvec2 here = place(static_cast<double>(mesh.triangles.size()), error);
         if (columns > 8) drawing.line(before, here, ink::blue, 2);
         drawing.disc(here, 5, ink::orange);

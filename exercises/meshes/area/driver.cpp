@@ -1,5 +1,6 @@
 #include <limits>
 #include <umbral/meshes/area.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../zoo.hpp"
@@ -14,13 +15,13 @@ using namespace meshes;
 void record_triangles(Recorder& out, const IndexedMesh& mesh)
 {
     for (const glm::uvec3& t : mesh.triangles)
-        out.append("triangles", triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+        out.append("triangles", ask<triangle_area>(out, mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
 }
 
 void record(Recorder& out, const IndexedMesh& mesh)
 {
     record_triangles(out, mesh);
-    out.append("meshes", surface_area(mesh));
+    out.append("meshes", ask<surface_area>(out, mesh));
 }
 
 // The course's example of a PLY file, each quadrilateral cut from its first corner.
@@ -70,8 +71,8 @@ void record_degenerate(Random& random, Recorder& out)
         if (i % 2 == 0) mesh.positions[random.below(9)][i / 2 % 3] = broken[i / 2 % 3];
         record(out, mesh);
     }
-    out.append("meshes", surface_area({}));
-    out.append("meshes", surface_area({{{1, 2, 3}}, {}}));
+    out.append("meshes", ask<surface_area>(out, IndexedMesh{}));
+    out.append("meshes", ask<surface_area>(out, IndexedMesh{{{1, 2, 3}}, {}}));
 }
 
 void record_slivers(Random& random, Recorder& out)
@@ -106,8 +107,9 @@ void record_enlarged(Random& random, Recorder& out)
     turn(mesh, random);
     const IndexedMesh large = mapped(mesh, [](const glm::vec3& position) { return 3.0F * position; });
     for (const glm::uvec3& t : mesh.triangles) {
-        out.append("as it is", triangle_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
-        out.append("enlarged", triangle_area(large.positions[t.x], large.positions[t.y], large.positions[t.z]));
+        out.append("as it is", ask<triangle_area>(out, mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+        out.append("enlarged",
+                   ask<triangle_area>(out, large.positions[t.x], large.positions[t.y], large.positions[t.z]));
     }
 }
 
@@ -122,12 +124,12 @@ const Driver driver = {
     {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"a million triangles",
      [](Case& c, Recorder& out) {
-         out.append("meshes", surface_area(torus(500, 1000)));
-         out.append("meshes", surface_area(sheet_after_a_square(400)));
-         out.append("meshes", surface_area(sheet_of_all_sizes(400, c.random)));
+         out.append("meshes", ask<surface_area>(out, torus(500, 1000)));
+         out.append("meshes", ask<surface_area>(out, sheet_after_a_square(400)));
+         out.append("meshes", ask<surface_area>(out, sheet_of_all_sizes(400, c.random)));
      }},
     {"laws", [](Case& c, Recorder& out) { record_enlarged(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_diagram()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_diagram(out)); }},
 };
 
 }

@@ -1,6 +1,7 @@
 #include <map>
 #include <string>
 #include <umbral/meshes/edges.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -11,17 +12,17 @@ namespace umbral {
 namespace {
 
 using namespace meshes;
-using EdgeTable = std::vector<glm::uvec2>(const IndexedMesh&);
 
 /// Records tables of edges in a canonical order; rows are the mesh's number and two vertices.
 class EdgeLog {
 public:
     EdgeLog(Recorder& out, std::string name) : out_(&out), name_(std::move(name)) {}
 
-    void add(const std::string& mesh_name, const IndexedMesh& mesh, EdgeTable* table)
+    template <auto table>
+    void add(const std::string& mesh_name, const IndexedMesh& mesh)
     {
         names_ += std::to_string(++count_) + " " + mesh_name + ": edge\n";
-        for (const glm::uvec2& edge : canonical(table(mesh), mesh))
+        for (const glm::uvec2& edge : canonical(ask<table>(*out_, mesh), mesh))
             out_->append(
                 name_, std::array{static_cast<float>(count_), static_cast<float>(edge.x), static_cast<float>(edge.y)});
     }
@@ -48,8 +49,8 @@ void record_known(Recorder& out)
     EdgeLog any(out, "edges");
     EdgeLog closed(out, "edges of closed");
     for (const Sample& sample : tame_meshes()) {
-        any.add(sample.name, sample.mesh, edge_table);
-        if (is_closed(sample)) closed.add(sample.name, sample.mesh, edge_table_of_closed);
+        any.add<edge_table>(sample.name, sample.mesh);
+        if (is_closed(sample)) closed.add<edge_table_of_closed>(sample.name, sample.mesh);
     }
     any.finish();
     closed.finish();
@@ -59,8 +60,8 @@ void record_any_winding(Random& random, Recorder& out)
 {
     EdgeLog log(out, "edges");
     for (const Sample& sample : tame_meshes())
-        log.add(sample.name, with_mixed_winding(shuffled(sample.mesh, random), random), edge_table);
-    log.add("hills", with_mixed_winding(shuffled(hills(9, 7, random), random), random), edge_table);
+        log.add<edge_table>(sample.name, with_mixed_winding(shuffled(sample.mesh, random), random));
+    log.add<edge_table>("hills", with_mixed_winding(shuffled(hills(9, 7, random), random), random));
     log.finish();
 }
 
@@ -71,7 +72,7 @@ void record_wild(Random& random, Recorder& out)
         IndexedMesh mesh = with_lonely_vertices(sample.mesh, 3);
         const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
         mesh.triangles.insert(mesh.triangles.end(), {{last, last, 0}, {1, last, 1}, {2, 2, 2}});
-        log.add(sample.name, shuffled(mesh, random), edge_table);
+        log.add<edge_table>(sample.name, shuffled(mesh, random));
     }
     log.finish();
 }
@@ -80,9 +81,9 @@ void record_closed(Random& random, Recorder& out)
 {
     EdgeLog log(out, "edges");
     for (const Sample& sample : tame_meshes())
-        if (is_closed(sample)) log.add(sample.name, shuffled(sample.mesh, random), edge_table_of_closed);
-    log.add("two tori", shuffled(joined(torus(6, 5), torus(9, 4)), random), edge_table_of_closed);
-    log.add("cubes at a corner", shuffled(cubes_at_a_corner(), random), edge_table_of_closed);
+        if (is_closed(sample)) log.add<edge_table_of_closed>(sample.name, shuffled(sample.mesh, random));
+    log.add<edge_table_of_closed>("two tori", shuffled(joined(torus(6, 5), torus(9, 4)), random));
+    log.add<edge_table_of_closed>("cubes at a corner", shuffled(cubes_at_a_corner(), random));
     log.finish();
 }
 
@@ -107,9 +108,9 @@ IndexedMesh discs_with_equal_keys(std::uint32_t factor)
 void record_large_indices(Recorder& out)
 {
     EdgeLog log(out, "edges");
-    for (const std::uint32_t slices : {5U, 40U}) log.add("three cones", cones_with_large_indices(slices), edge_table);
+    for (const std::uint32_t slices : {5U, 40U}) log.add<edge_table>("three cones", cones_with_large_indices(slices));
     for (const std::uint32_t factor : {1000U, 1024U, 4096U, 5000U, 10'000U, 16'384U, 65'536U, 100'000U, 1'000'000U})
-        log.add("discs, factor " + std::to_string(factor), discs_with_equal_keys(factor), edge_table);
+        log.add<edge_table>("discs, factor " + std::to_string(factor), discs_with_equal_keys(factor));
     log.finish();
 }
 
@@ -117,10 +118,10 @@ void record_large_mesh(Random& random, Recorder& out)
 {
     EdgeLog log(out, "edges");
     const IndexedMesh mesh = shuffled(torus(70, 60), random);
-    log.add("torus of 8400 triangles", with_mixed_winding(mesh, random), edge_table);
+    log.add<edge_table>("torus of 8400 triangles", with_mixed_winding(mesh, random));
     log.finish();
     EdgeLog closed(out, "edges of closed");
-    closed.add("torus of 8400 triangles", mesh, edge_table_of_closed);
+    closed.add<edge_table_of_closed>("torus of 8400 triangles", mesh);
     closed.finish();
 }
 
@@ -131,8 +132,9 @@ void record_work(Random& random, Recorder& out)
     for (const std::uint32_t side : {9U, 13U, 18U, 26U, 36U}) {
         const IndexedMesh mesh = shuffled(torus(side, side), random);
         const IndexedMesh mixed = with_mixed_winding(mesh, random);
-        record_cost(out, "blocks", mesh.triangles.size(), [&] { (void)edge_table(mixed); });
-        record_cost(out, "blocks of closed", mesh.triangles.size(), [&] { (void)edge_table_of_closed(mesh); });
+        record_cost(out, "blocks", mesh.triangles.size(), [&] { (void)ask<edge_table>(out, mixed); });
+        record_cost(out, "blocks of closed", mesh.triangles.size(),
+                    [&] { (void)ask<edge_table_of_closed>(out, mesh); });
     }
 }
 
@@ -143,27 +145,28 @@ void record_closed_alone(Recorder& out)
     out.text("blocks.names", "vertices");
     for (const int vertices : {600, 1800, 5400, 16'200}) {
         const IndexedMesh mesh = with_lonely_vertices(torus(12, 10), vertices - 120);
-        record_cost(out, "blocks", mesh.positions.size(), [&] { (void)edge_table_of_closed(mesh); });
+        record_cost(out, "blocks", mesh.positions.size(), [&] { (void)ask<edge_table_of_closed>(out, mesh); });
     }
     for (const std::uint32_t side : {5U, 8U, 12U, 17U, 23U, 30U}) {
         const IndexedMesh mesh = torus(side, side);
         const AllocationCount memory;
-        const std::vector<glm::uvec2> edges = edge_table_of_closed(mesh);
+        const std::vector<glm::uvec2> edges = ask<edge_table_of_closed>(out, mesh);
         out.append("edges and memory", glm::vec2(edges.size(), memory.most()));
     }
 }
 
 // A Moebius strip from the first function, a knot from the second.
-Image draw_wireframes()
+Image draw_wireframes(Recorder& out)
 {
     Drawing drawing(600, 300, {-4.4, -2.2}, {4.4, 2.2});
     const auto tilted = [](const glm::vec3& p) {
         return 1.45F * glm::vec3(p.x, 0.8F * p.y - 0.6F * p.z, 0.6F * p.y + 0.8F * p.z);
     };
     const IndexedMesh strip = mapped(moebius(48, 5), tilted);
-    draw_wireframe(drawing, strip, canonical(edge_table(strip), strip), {-2.35, 0}, 9, ink::orange, ink::red);
+    draw_wireframe(drawing, strip, canonical(ask<edge_table>(out, strip), strip), {-2.35, 0}, 9, ink::orange, ink::red);
     const IndexedMesh knot = mapped(trefoil(54, 8, 0.5), [](const glm::vec3& p) { return 0.55F * p; });
-    draw_wireframe(drawing, knot, canonical(edge_table_of_closed(knot), knot), {2.3, 0}, 9, ink::blue, ink::green);
+    draw_wireframe(drawing, knot, canonical(ask<edge_table_of_closed>(out, knot), knot), {2.3, 0}, 9, ink::blue,
+                   ink::green);
     return drawing.picture();
 }
 
@@ -178,7 +181,7 @@ const Driver driver = {
     {"large mesh", [](Case& c, Recorder& out) { record_large_mesh(c.random, out); }},
     {"closed alone", [](Case&, Recorder& out) { record_closed_alone(out); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_wireframes()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_wireframes(out)); }},
 };
 
 }

@@ -1,4 +1,5 @@
 #include <umbral/meshes/euler.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -19,7 +20,7 @@ void append(Recorder& out, std::string_view name, std::initializer_list<int> num
 
 void record_counts(Recorder& out, const IndexedMesh& mesh)
 {
-    const TopologyCounts counts = count_topology(mesh);
+    const TopologyCounts counts = ask<count_topology>(out, mesh);
     append(out, "elements", {counts.vertices, counts.isolated_vertices, counts.edges, counts.faces});
     append(out, "boundary", {counts.boundary_edges, counts.boundary_loops});
     append(out, "pieces", {counts.components, counts.non_manifold_edges});
@@ -27,7 +28,7 @@ void record_counts(Recorder& out, const IndexedMesh& mesh)
 
 void record_genus(Recorder& out, const IndexedMesh& mesh)
 {
-    const std::optional<int> handles = genus(mesh);
+    const std::optional<int> handles = ask<genus>(out, mesh);
     out.append("genus", handles ? std::optional<float>(static_cast<float>(*handles)) : std::nullopt);
 }
 
@@ -100,21 +101,21 @@ void record_sphere(Recorder& out, const std::optional<ElementCounts>& counts)
 void record_spheres(Recorder& out)
 {
     for (const std::int64_t number : {-6, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 20, 30, 36, 41, 999, 30'000}) {
-        record_sphere(out, sphere_from_vertices(number));
-        record_sphere(out, sphere_from_edges(number));
-        record_sphere(out, sphere_from_faces(number));
+        record_sphere(out, ask<sphere_from_vertices>(out, number));
+        record_sphere(out, ask<sphere_from_edges>(out, number));
+        record_sphere(out, ask<sphere_from_faces>(out, number));
     }
     // Powers of two and their like are exact in float; in 32 bits three times as many do not fit.
-    record_sphere(out, sphere_from_vertices((std::int64_t{1} << 40) + 2));
-    record_sphere(out, sphere_from_edges(std::int64_t{3} << 40));
-    record_sphere(out, sphere_from_faces(std::int64_t{1} << 41));
+    record_sphere(out, ask<sphere_from_vertices>(out, (std::int64_t{1} << 40) + 2));
+    record_sphere(out, ask<sphere_from_edges>(out, std::int64_t{3} << 40));
+    record_sphere(out, ask<sphere_from_faces>(out, std::int64_t{1} << 41));
     // These cannot be told from their neighbours in double.
     constexpr std::int64_t most = 1'000'000'000'000'000'000;
-    record_sphere(out, sphere_from_vertices(most));
-    record_sphere(out, sphere_from_edges(most));
-    record_sphere(out, sphere_from_edges(most - 1));
-    record_sphere(out, sphere_from_faces(most));
-    record_sphere(out, sphere_from_faces(most - 1));
+    record_sphere(out, ask<sphere_from_vertices>(out, most));
+    record_sphere(out, ask<sphere_from_edges>(out, most));
+    record_sphere(out, ask<sphere_from_edges>(out, most - 1));
+    record_sphere(out, ask<sphere_from_faces>(out, most));
+    record_sphere(out, ask<sphere_from_faces>(out, most - 1));
 }
 
 void record_work(Recorder& out)
@@ -123,8 +124,8 @@ void record_work(Recorder& out)
     for (const std::uint32_t side : {9U, 13U, 18U, 26U, 36U}) {
         const IndexedMesh mesh = torus(side, side);
         record_cost(out, "blocks", mesh.triangles.size(), [&] {
-            (void)count_topology(mesh);
-            (void)genus(mesh);
+            (void)ask<count_topology>(out, mesh);
+            (void)ask<genus>(out, mesh);
         });
     }
 }
@@ -163,7 +164,7 @@ const Driver driver = {
          for (const std::uint32_t slices : {3U, 8U, 60U}) record_counts(out, cones_with_large_indices(slices));
      }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_gallery()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_gallery(out)); }},
 };
 
 }

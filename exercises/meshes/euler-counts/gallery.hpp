@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <kit/drawing.hpp>
 #include <umbral/meshes/euler.hpp>
+#include <umbral/record/ask.hpp>
 #include <utility>
 
 #include "../show.hpp"
@@ -45,7 +46,7 @@ inline void draw_marks(const Show& show, const std::vector<Mark>& marks)
 }
 
 /// Blue where there is a genus, pink where there is none.
-inline Image draw_gallery()
+inline Image draw_gallery(Recorder& out)
 {
     constexpr int columns = 4;
     Show show(columns, 2, 150, 150);
@@ -61,13 +62,13 @@ inline Image draw_gallery()
                                              moebius(28, 3),
                                              cubes_at_a_corner()};
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-        const std::optional<int> handles = genus(meshes[i]);
+        const std::optional<int> handles = ask<genus>(out, meshes[i]);
         show.pane(static_cast<int>(i) % columns, static_cast<int>(i) / columns, {{0, 2.1F, 4.9F}, {0, -0.2F, 0}, 33});
         std::vector<glm::vec3> colors;
         for (std::size_t face = 0; face < meshes[i].triangles.size(); ++face)
             colors.push_back((face % 2 == 0 ? 1.0F : 0.86F) * (handles ? ink::blue : ink::pink));
         show.mesh(meshes[i], colors, {1.0F, {}, 0});
-        draw_marks(show, marks_of(count_topology(meshes[i]), handles));
+        draw_marks(show, marks_of(ask<count_topology>(out, meshes[i]), handles));
     }
     return show.picture();
 }

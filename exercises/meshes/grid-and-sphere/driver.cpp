@@ -1,5 +1,6 @@
 #include <kit/canonical.hpp>
 #include <optional>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -15,7 +16,10 @@ struct Shape {
     bool sphere;
     std::uint32_t columns, rows;
 
-    [[nodiscard]] IndexedMesh make() const { return sphere ? make_sphere(columns, rows) : make_grid(columns, rows); }
+    [[nodiscard]] IndexedMesh make(Recorder& out) const
+    {
+        return sphere ? ask<make_sphere>(out, columns, rows) : ask<make_grid>(out, columns, rows);
+    }
     [[nodiscard]] std::size_t vertices() const
     {
         return sphere ? columns * (rows - 1) + 2 : (columns + 1) * (rows + 1);
@@ -27,7 +31,7 @@ void record_shapes(Recorder& out, const std::vector<Shape>& shapes)
 {
     std::string names;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        const IndexedMesh mesh = shapes[i].make();
+        const IndexedMesh mesh = shapes[i].make(out);
         record_rows(out, "positions", mesh.positions, shapes[i].vertices());
         record_indices(out, "triangles", static_cast<float>(i), mesh.triangles, shapes[i].triangles());
         names += std::to_string(i) + (shapes[i].sphere ? " triangle of the sphere " : " triangle of the grid ") +
@@ -48,7 +52,7 @@ std::vector<Shape> random_shapes(Random& random)
 
 void record_size(Recorder& out, const Shape& shape)
 {
-    const IndexedMesh mesh = shape.make();
+    const IndexedMesh mesh = shape.make(out);
     out.append("tables",
                glm::vec2(static_cast<float>(mesh.positions.size()), static_cast<float>(mesh.triangles.size())));
 }
@@ -70,7 +74,7 @@ void record_sizes(Random& random, Recorder& out)
 void record_voxels(Recorder& out)
 {
     for (const std::uint32_t k : {1U, 2U, 3U, 4U, 5U, 8U, 11U, 16U, 20U}) {
-        const std::vector<std::uint8_t> bytes = make_voxel_sphere(k);
+        const std::vector<std::uint8_t> bytes = ask<make_voxel_sphere>(out, k);
         out.append("sizes", static_cast<float>(bytes.size()));
         for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i)
             out.append("bytes", i < bytes.size() ? std::optional<float>(bytes[i]) : std::nullopt);
@@ -84,8 +88,8 @@ void record_border(Random& random, Recorder& out)
         for (int i = 0; i < 40; ++i) {
             const auto [inside, outside] = border_voxels(random, k, i % 2 == 0);
             const bool swapped = random.below(2) == 0;
-            out.append("inside", voxel_is_inside(k, swapped ? outside : inside) ? 1.0F : 0.0F);
-            out.append("inside", voxel_is_inside(k, swapped ? inside : outside) ? 1.0F : 0.0F);
+            out.append("inside", ask<voxel_is_inside>(out, k, swapped ? outside : inside) ? 1.0F : 0.0F);
+            out.append("inside", ask<voxel_is_inside>(out, k, swapped ? inside : outside) ? 1.0F : 0.0F);
         }
 }
 
@@ -93,7 +97,7 @@ void record_fine(Random& random, Recorder& out)
 {
     for (const Shape& shape :
          {Shape{false, 300'000, 1}, {false, 1, 99'991}, {true, 20'000, 20}, {true, 3, 100'000}, {true, 360, 720}}) {
-        const IndexedMesh mesh = shape.make();
+        const IndexedMesh mesh = shape.make(out);
         for (int i = 0; i < 200; ++i) {
             const std::size_t place = random.below(static_cast<std::uint32_t>(shape.vertices()));
             out.append(shape.sphere ? "sphere" : "grid",
@@ -107,8 +111,8 @@ void record_work(Recorder& out)
     out.text("blocks.names", "cells");
     for (const std::uint32_t side : {8U, 12U, 16U, 24U, 32U})
         record_cost(out, "blocks", side * side, [&] {
-            (void)make_grid(side, side);
-            (void)make_sphere(side, side);
+            (void)ask<make_grid>(out, side, side);
+            (void)ask<make_sphere>(out, side, side);
         });
 }
 
@@ -133,12 +137,12 @@ std::vector<glm::vec3> colored(IndexedMesh& mesh, std::size_t most, Hue hue)
 }
 
 // The grid, bent into a wave; the sphere by meridians and parallels; the sphere of voxels.
-Image picture()
+Image picture(Recorder& out)
 {
     Show show(3, 1, 240, 240);
     const Look edges{1.2F, {0.3F, 0.05F, 0.05F}, 0.85F};
 
-    IndexedMesh grid = make_grid(14, 14);
+    IndexedMesh grid = ask<make_grid>(out, 14, 14);
     grid.positions.resize(std::min<std::size_t>(grid.positions.size(), 1000));
     for (glm::vec3& p : grid.positions) {
         const glm::vec2 q = 2.0F * glm::vec2(p) - 1.0F;
@@ -147,11 +151,11 @@ Image picture()
     show.pane(0, 0, {{1.6F, 2.7F, 3.6F}, {0, -0.1F, 0}, 36});
     show.mesh(grid, colored(grid, 2000, [](glm::vec3 p) { return 0.5 + 1.4 * p.y; }), edges);
 
-    IndexedMesh sphere = make_sphere(24, 16);
+    IndexedMesh sphere = ask<make_sphere>(out, 24, 16);
     show.pane(1, 0, {{1.3F, 1.5F, 3.2F}, {0, 0, 0}, 21});
     show.mesh(sphere, colored(sphere, 4000, [](glm::vec3 p) { return 0.5 + 0.6 * p.y; }), edges);
 
-    IndexedMesh voxels = surface(make_voxel_sphere(20), 20);
+    IndexedMesh voxels = surface(ask<make_voxel_sphere>(out, 20), 20);
     show.pane(2, 0, {{1.3F, 1.5F, 3.2F}, {0, 0, 0}, 21});
     show.mesh(voxels, colored(voxels, 20'000, [](glm::vec3 p) { return 0.5 + 0.6 * p.y; }), {0, {0, 0, 0}, 0});
     return show.picture();
@@ -174,7 +178,7 @@ const Driver driver = {
     {"border", [](Case& c, Recorder& out) { record_border(c.random, out); }},
     {"fine", [](Case& c, Recorder& out) { record_fine(c.random, out); }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("shapes", picture()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("shapes", picture(out)); }},
 };
 
 }

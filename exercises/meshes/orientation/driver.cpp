@@ -1,5 +1,6 @@
 #include <kit/canonical.hpp>
 #include <umbral/meshes/orientation.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -22,7 +23,7 @@ void record_triangles(Recorder& out, const char* name, const std::vector<glm::uv
 
 void record_faults(Recorder& out, const IndexedMesh& mesh)
 {
-    const ManifoldFaults faults = manifold_faults(mesh);
+    const ManifoldFaults faults = ask<manifold_faults>(out, mesh);
     const auto row = [&](float code, std::uint32_t a, std::uint32_t b) {
         out.append("faults", std::vector<float>{code, static_cast<float>(a), static_cast<float>(b)});
     };
@@ -39,7 +40,7 @@ void record_faults(Recorder& out, const IndexedMesh& mesh)
 /// Wound coherently, or the word that this cannot be: a row of minus one, and nothing for the triangles.
 void record_coherent(Recorder& out, const IndexedMesh& mesh)
 {
-    const auto triangles = coherent_triangles(mesh);
+    const auto triangles = ask<coherent_triangles>(out, mesh);
     out.append("possible", triangles ? 1.0F : 0.0F);
     if (triangles) out.append("sizes", static_cast<float>(triangles->size()));
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -52,7 +53,7 @@ void record_coherent(Recorder& out, const IndexedMesh& mesh)
 /// the copy is free.
 void record_separated(Recorder& out, const IndexedMesh& mesh)
 {
-    const IndexedMesh result = separated(mesh);
+    const IndexedMesh result = ask<separated>(out, mesh);
     std::map<std::uint32_t, float> numbers;
     out.append("sizes",
                glm::vec2(static_cast<float>(result.positions.size()), static_cast<float>(result.triangles.size())));
@@ -86,7 +87,7 @@ void record_windings(Random& random, Recorder& out)
 
 void record_outward(Recorder& out, const IndexedMesh& mesh)
 {
-    record_triangles(out, "triangles", outward_triangles(mesh), mesh.triangles.size());
+    record_triangles(out, "triangles", ask<outward_triangles>(out, mesh), mesh.triangles.size());
 }
 
 void record_far(Random& random, Recorder& out)
@@ -102,10 +103,10 @@ void record_work(Random& random, Recorder& out)
         out.text(std::string(name) + ".names", "triangles");
     for (const std::uint32_t size : {10U, 15U, 22U, 33U}) {
         const IndexedMesh mesh = shuffled(joined(torus(2 * size, size), disc(2 * size * size), {3, 0, 0}), random);
-        record_cost(out, "faults", mesh.triangles.size(), [&] { (void)manifold_faults(mesh); });
-        record_cost(out, "coherent", mesh.triangles.size(), [&] { (void)coherent_triangles(mesh); });
-        record_cost(out, "outward", mesh.triangles.size(), [&] { (void)outward_triangles(mesh); });
-        record_cost(out, "separated", mesh.triangles.size(), [&] { (void)separated(mesh); });
+        record_cost(out, "faults", mesh.triangles.size(), [&] { (void)ask<manifold_faults>(out, mesh); });
+        record_cost(out, "coherent", mesh.triangles.size(), [&] { (void)ask<coherent_triangles>(out, mesh); });
+        record_cost(out, "outward", mesh.triangles.size(), [&] { (void)ask<outward_triangles>(out, mesh); });
+        record_cost(out, "separated", mesh.triangles.size(), [&] { (void)ask<separated>(out, mesh); });
     }
 }
 
@@ -136,7 +137,7 @@ const Driver driver = {
          for (const IndexedMesh& mesh : suspects(c.random)) record_separated(out, mesh);
      }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
-    {"picture", [](Case& c, Recorder& out) { out.image("sides", picture_of_sides(c.random)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("sides", picture_of_sides(out, c.random)); }},
 };
 
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <umbral/meshes/orientation.hpp>
+#include <umbral/record/ask.hpp>
 
 #include "../show.hpp"
 #include "cases.hpp"
@@ -55,18 +56,18 @@ inline IndexedMesh pulled_apart(IndexedMesh mesh)
 
 /// A torus wound at random; the same wound coherently, but inside out; two balls, one within the other, turned outwards
 /// and cut open; cubes that shared edges, come apart.
-inline Image picture_of_sides(Random& random)
+inline Image picture_of_sides(Recorder& out, Random& random)
 {
     Show show(4, 1, 170, 190);
     const IndexedMesh body = torus(26, 14, 0.95F, 0.42F);
     const IndexedMesh mixed = with_mixed_winding(turned_over(body), random);
     show_sides(show, 0, mixed);
-    const auto wound = coherent_triangles(mixed);
+    const auto wound = ask<coherent_triangles>(out, mixed);
     show_sides(show, 1, {body.positions, wound.value_or(std::vector<glm::uvec3>{})});
     const IndexedMesh inside_out = joined(turned_over(ball(24, 14, 1.25F)), turned_over(ball(16, 10, 0.55F)));
-    show_sides(show, 2, cut_open({inside_out.positions, outward_triangles(inside_out)}));
+    show_sides(show, 2, cut_open({inside_out.positions, ask<outward_triangles>(out, inside_out)}));
     IndexedMesh cubes = centred(cube_surface({{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {1, 0, 1}, {0, 1, 1}}, 0.62F));
-    show_sides(show, 3, pulled_apart(separated(cubes)));
+    show_sides(show, 3, pulled_apart(ask<separated>(out, cubes)));
     return show.picture();
 }
 

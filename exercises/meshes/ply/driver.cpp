@@ -1,11 +1,13 @@
 #include <locale>
 #include <umbral/meshes/ply.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "decode.hpp"
 #include "dialect.hpp"
 #include "malformed.hpp"
 #include "models.hpp"
+#include "reading_text.hpp"
 
 namespace umbral {
 namespace {
@@ -15,13 +17,17 @@ using namespace meshes;
 constexpr std::uint32_t missing = 4294967295U;
 constexpr PlyFormat formats[] = {PlyFormat::ascii, PlyFormat::little_endian, PlyFormat::big_endian};
 
-PolygonMesh read(const std::string& file) { return read_ply(std::as_bytes(std::span(file))); }
+PolygonMesh read(Recorder& out, const std::string& file, const std::string& remark = "")
+{
+    ask_in_words(out, [&] { return remark + reading_text(file, out.questions()->inquiry().in_full); });
+    return read_ply(std::as_bytes(std::span(file)));
+}
 
 /// What is refused is recorded as missing.
-PolygonMesh read_or_nothing(const std::string& file)
+PolygonMesh read_or_nothing(Recorder& out, const std::string& file, const std::string& remark = "")
 {
     try {
-        return read(file);
+        return read(out, file, remark);
     } catch (const std::exception&) {
         return {};
     }
@@ -57,7 +63,7 @@ void record_bits(Recorder& out, const PolygonMesh& mesh, std::size_t count)
 /// What came of a file that holds `expected`.
 void record_read(Recorder& out, const std::string& file, const PolygonMesh& expected)
 {
-    const PolygonMesh mesh = read_or_nothing(file);
+    const PolygonMesh mesh = read_or_nothing(out, file);
     for (std::size_t i = 0; i < expected.positions.size(); ++i)
         out.append("positions", i < mesh.positions.size() ? mesh.positions[i] : glm::vec3(std::nanf("")));
     record_faces(out, mesh.faces, expected);
@@ -144,7 +150,7 @@ void record_decimals(Recorder& out)
         for (const char* word : words) {
             const std::string header = std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty ") + type +
                                        " x\nproperty float y\nproperty float z\nend_header\n";
-            PolygonMesh mesh = read_or_nothing(header + word + " 0 1\n");
+            PolygonMesh mesh = read_or_nothing(out, header + word + " 0 1\n");
             // A zero that came of what is too small may have either sign.
             if (std::string_view(word) == "-1e-400" && !mesh.positions.empty() && mesh.positions[0].x == 0)
                 mesh.positions[0].x = 0;
@@ -154,10 +160,10 @@ void record_decimals(Recorder& out)
 }
 
 /// 0 for a file that was read, the problem for one that was refused, 99 for another exception.
-std::uint32_t outcome(const std::string& file, std::size_t* place = nullptr)
+std::uint32_t outcome(Recorder& out, const std::string& file, std::size_t* place = nullptr)
 {
     try {
-        (void)read(file);
+        (void)read(out, file);
         return 0;
     } catch (const PlyError& error) {
         if (place != nullptr) *place = error.place();
@@ -172,8 +178,8 @@ void record_problems(Recorder& out, const std::vector<Malformed>& files)
 {
     for (const Malformed& bad : files) {
         std::size_t place = missing;
-        out.append("problems", outcome(good_ascii));
-        out.append("problems", outcome(bad.file, &place));
+        out.append("problems", outcome(out, good_ascii));
+        out.append("problems", outcome(out, bad.file, &place));
         if (bad.has_place) out.append("places", static_cast<std::uint32_t>(std::min<std::size_t>(place, missing)));
     }
 }
@@ -181,7 +187,7 @@ void record_problems(Recorder& out, const std::vector<Malformed>& files)
 /// Files that the unit writes, and what stands in them.
 void record_written(Recorder& out, const PolygonMesh& mesh, PlyFormat format)
 {
-    const Decoded file = decoded(write_ply(mesh, format), format);
+    const Decoded file = decoded(ask<write_ply>(out, mesh, format), format);
     const auto same = [](std::uint32_t row) { return row; };
     append_rows(out, "bits", file.position_bits, 3 * mesh.positions.size(), same);
     for (std::size_t i = 0; format == PlyFormat::ascii && i < 3 * mesh.positions.size(); ++i) {
@@ -227,15 +233,32 @@ class CommaPunctuation : public std::numpunct<char> {
     std::string do_grouping() const override { return "\3"; }
 };
 
+/// While it lives, that is the program's locale.
+class CommaLocale {
+public:
+    CommaLocale() : before_(std::locale::global(std::locale(std::locale::classic(), new CommaPunctuation))) {}
+    CommaLocale(const CommaLocale&) = delete;
+    CommaLocale& operator=(const CommaLocale&) = delete;
+    ~CommaLocale() { std::locale::global(before_); }
+
+private:
+    std::locale before_;
+};
+
 void record_in_locale(Random& random, Recorder& out)
 {
     const PolygonMesh mesh{{{0.5F, -1.25F, 12345.5F}, {1e6F, 2e-3F, 1234567}}, {{0, 1, 0}}};
     const std::string file = written_in({}, mesh, random);
-    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaPunctuation));
-    const PolygonMesh got = read_or_nothing(file);
-    const std::string written = write_ply(mesh, PlyFormat::ascii);
-    std::locale::global(before);
-    record_bits(out, got, 2);
+    const std::string remark = "// std::locale::global was given a decimal comma, and dots between thousands\n";
+    const auto in_locale = [](const auto& work) {
+        const CommaLocale locale;
+        return work();
+    };
+    record_bits(out, in_locale([&] { return read_or_nothing(out, file, remark); }), 2);
+    ask_in_words(out, [&] {
+        return remark + "write_ply(" + literal::of_value(mesh, true, literal::Style{}) + ", PlyFormat::ascii)";
+    });
+    const std::string written = in_locale([&] { return write_ply(mesh, PlyFormat::ascii); });
     append_rows(out, "bits", decoded(written, PlyFormat::ascii).position_bits, 6,
                 [](std::uint32_t row) { return row; });
 }
@@ -263,7 +286,7 @@ const Driver driver = {
          for (std::size_t i = 0; i < 3; ++i) {
              Dialect dialect;
              dialect.format = formats[i];
-             got.push_back(read_or_nothing(written_in(dialect, models[i], c.random)));
+             got.push_back(read_or_nothing(out, written_in(dialect, models[i], c.random)));
          }
          out.image("models", picture_of(got));
      }},

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <umbral/meshes/sizes.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 #include <utility>
 
@@ -18,13 +19,13 @@ void record(Recorder& out, const char* name, std::uint64_t value)
 
 void record_counts(Recorder& out, std::uint64_t columns, std::uint64_t rows)
 {
-    const GridCounts counts = grid_counts(columns, rows);
+    const GridCounts counts = ask<grid_counts>(out, columns, rows);
     for (const std::uint64_t count : {counts.vertices, counts.edges, counts.triangles}) record(out, "counts", count);
 }
 
 void record_bytes(Recorder& out, std::uint64_t columns, std::uint64_t rows, const EntryBytes& bytes)
 {
-    const GridBytes sizes = grid_bytes(columns, rows, bytes);
+    const GridBytes sizes = ask<grid_bytes>(out, columns, rows, bytes);
     record(out, "isolated", sizes.isolated);
     record(out, "indexed", sizes.indexed);
     record(out, "strips", sizes.strips);
@@ -33,18 +34,18 @@ void record_bytes(Recorder& out, std::uint64_t columns, std::uint64_t rows, cons
 
 void record_work(Recorder& out, std::uint64_t columns, std::uint64_t rows)
 {
-    const GridWork work = grid_work(columns, rows);
+    const GridWork work = ask<grid_work>(out, columns, rows);
     for (const std::uint64_t count : {work.isolated, work.indexed, work.strips}) record(out, "work", count);
 }
 
 void record_sphere(Recorder& out)
 {
     for (const std::uint64_t k : {1U, 2U, 3U, 5U, 8U, 16U, 17U, 31U, 100U, 288U, 1024U})
-        record(out, "voxels", voxel_bytes(k));
+        record(out, "voxels", ask<voxel_bytes>(out, k));
     for (const std::uint64_t k : {2U, 3U, 8U, 16U, 17U, 100U, 287U, 288U, 1024U})
-        record(out, "mesh", sphere_mesh_bytes(k));
+        record(out, "mesh", ask<sphere_mesh_bytes>(out, k, EntryBytes{}));
     for (const auto& [vertex, index] : {std::pair{12U, 4U}, {24U, 4U}, {12U, 2U}, {1U, 1U}, {6U, 8U}, {44U, 4U}})
-        record(out, "crossover", crossover_resolution({vertex, index, 8}));
+        record(out, "crossover", ask<crossover_resolution>(out, EntryBytes{vertex, index, 8}));
 }
 
 void record_grid(Recorder& out)
@@ -71,9 +72,9 @@ void record_random(Random& random, Recorder& out)
         const EntryBytes bytes = random_entries(random);
         const std::uint64_t columns = 1 + random.below(5000);
         const std::uint64_t rows = 1 + random.below(5000);
-        record(out, "sphere", voxel_bytes(columns));
-        record(out, "sphere", sphere_mesh_bytes(rows + 1, bytes));
-        record(out, "sphere", crossover_resolution(bytes));
+        record(out, "sphere", ask<voxel_bytes>(out, columns));
+        record(out, "sphere", ask<sphere_mesh_bytes>(out, rows + 1, bytes));
+        record(out, "sphere", ask<crossover_resolution>(out, bytes));
         record_counts(out, columns, rows);
         record_bytes(out, columns, rows, bytes);
     }
@@ -85,14 +86,13 @@ void record_large(Random& random, Recorder& out)
     for (int i = 0; i < 40; ++i) {
         const EntryBytes bytes = random_entries(random);
         const std::uint64_t k = 1'000'000 + random.below(1'000'000);
-        record(out, "sizes", voxel_bytes(k));
-        record(out, "sizes", sphere_mesh_bytes(k, bytes));
+        record(out, "sizes", ask<voxel_bytes>(out, k));
+        record(out, "sizes", ask<sphere_mesh_bytes>(out, k, bytes));
         const std::uint64_t columns = 50'000'000 + random.below(50'000'000);
         const std::uint64_t rows = 50'000'000 + random.below(50'000'000);
-        const GridCounts counts = grid_counts(columns, rows);
-        const GridBytes sizes = grid_bytes(columns, rows, bytes);
-        for (const std::uint64_t value :
-             {counts.edges, sizes.isolated, sizes.indexed, sizes.strips, sizes.indexed_strips})
+        record(out, "sizes", ask<grid_counts>(out, columns, rows).edges);
+        const GridBytes sizes = ask<grid_bytes>(out, columns, rows, bytes);
+        for (const std::uint64_t value : {sizes.isolated, sizes.indexed, sizes.strips, sizes.indexed_strips})
             record(out, "sizes", value);
     }
 }
@@ -106,7 +106,7 @@ glm::dvec2 on_chart(std::uint64_t k, std::uint64_t bytes)
 
 // Left: bytes of voxels and of meshes for all resolutions, and where they cross. Right: bytes per vertex of a large
 // grid, a square each, those of coordinates in orange; isolated triangles, indexed, strips, indexed strips.
-Image picture()
+Image picture(Recorder& out)
 {
     Drawing drawing(640, 340, {-0.2, -0.45}, {11.6, 5.8});
     for (int e = 0; e <= 30; e += 5)
@@ -120,15 +120,16 @@ Image picture()
             drawing.line(on_chart(k, bytes(k)), on_chart(next, bytes(next)), color, 4);
         }
     };
-    chart([](std::uint64_t k) { return voxel_bytes(k); }, ink::blue);
-    chart([](std::uint64_t k) { return sphere_mesh_bytes(k); }, ink::orange);
-    const std::uint64_t crossing = crossover_resolution();
-    drawing.line(on_chart(crossing, 1), on_chart(crossing, voxel_bytes(crossing)), ink::white, 1.5);
-    drawing.ring(on_chart(crossing, voxel_bytes(crossing)), 9, ink::white, 2.5);
+    chart([&](std::uint64_t k) { return ask<voxel_bytes>(out, k); }, ink::blue);
+    chart([&](std::uint64_t k) { return ask<sphere_mesh_bytes>(out, k, EntryBytes{}); }, ink::orange);
+    const std::uint64_t crossing = ask<crossover_resolution>(out, EntryBytes{});
+    const glm::dvec2 crossed = on_chart(crossing, ask<voxel_bytes>(out, crossing));
+    drawing.line(on_chart(crossing, 1), crossed, ink::white, 1.5);
+    drawing.ring(crossed, 9, ink::white, 2.5);
 
     constexpr std::uint64_t side = 4096;
-    const GridBytes sizes = grid_bytes(side, side);
-    const GridBytes doubled = grid_bytes(side, side, {24, 4, 8});
+    const GridBytes sizes = ask<grid_bytes>(out, side, side, EntryBytes{});
+    const GridBytes doubled = ask<grid_bytes>(out, side, side, EntryBytes{24, 4, 8});
     const auto per_vertex = [](std::uint64_t bytes) {
         return std::min(static_cast<int>(std::lround(static_cast<double>(bytes) / double{side * side})), 96);
     };
@@ -157,7 +158,7 @@ const Driver driver = {
     {"grid", [](Case&, Recorder& out) { record_grid(out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"large", [](Case& c, Recorder& out) { record_large(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("chart", picture()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("chart", picture(out)); }},
 };
 
 }

@@ -1,6 +1,7 @@
 #include <kit/canonical.hpp>
 #include <stdexcept>
 #include <umbral/meshes/revolution.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "profiles.hpp"
@@ -10,6 +11,9 @@ namespace umbral {
 namespace {
 
 using namespace meshes;
+
+constexpr const char* names_of_triangles =
+    "-1 how many: vertices, triangles, normals and coordinates together\n1 triangle\n";
 
 /// Vertices that matter, by their numbers.
 using Places = std::vector<std::size_t>;
@@ -35,7 +39,7 @@ void record_vertices(Recorder& out, const TexturedMesh& surface, const Places& p
 /// Everything: also how many, and the triangles in any order and begun anywhere.
 void record_whole(Recorder& out, const Profile& profile, std::uint32_t copies)
 {
-    const TexturedMesh surface = revolve(profile, copies);
+    const TexturedMesh surface = ask<revolve>(out, profile, copies);
     record_vertices(out, surface, all_places(profile, copies));
     const auto size = [](const auto& list) { return static_cast<float>(list.size()); };
     out.append("triangles", std::vector<float>{-1, size(surface.mesh.positions), size(surface.mesh.triangles),
@@ -46,7 +50,7 @@ void record_whole(Recorder& out, const Profile& profile, std::uint32_t copies)
 /// The first and the last copy, which must lie in the same place to the last bit.
 void record_seam(Recorder& out, const Profile& profile, std::uint32_t copies)
 {
-    const TexturedMesh surface = revolve(profile, copies);
+    const TexturedMesh surface = ask<revolve>(out, profile, copies);
     Places places;
     for (std::size_t j = 0; j < profile.size(); ++j)
         places.insert(places.end(), {j, profile.size() * (copies - 1) + j});
@@ -58,7 +62,7 @@ void record_many(Random& random, Recorder& out)
     // Very many copies, of which some are looked at: where errors that add up are largest, and at the quarters of the
     // turn.
     for (const std::uint32_t copies : {1001U, 10'001U, 65'537U}) {
-        const TexturedMesh surface = revolve(Profile{{1, 0}, {2, 1}}, copies);
+        const TexturedMesh surface = ask<revolve>(out, Profile{{1, 0}, {2, 1}}, copies);
         Places places;
         for (std::uint32_t k = 0; k < 200; ++k)
             places.push_back(2 * std::size_t{copies - 1} * k / 200 + random.below(2 * (copies / 256)));
@@ -68,7 +72,7 @@ void record_many(Random& random, Recorder& out)
     }
     for (const std::uint32_t points : {1000U, 10'000U, 50'000U}) {
         const Profile profile = long_profile(points, random);
-        const TexturedMesh surface = revolve(profile, 4);
+        const TexturedMesh surface = ask<revolve>(out, profile, 4);
         Places places;
         for (std::uint32_t k = 0; k < 200; ++k) places.push_back(points + std::size_t{points - 1} * k / 199);
         record_vertices(out, surface, places);
@@ -81,7 +85,7 @@ void record_attempts(Recorder& out)
     for (const Attempt& attempt : attempts()) {
         float outcome = 1;
         try {
-            (void)revolve(attempt.profile, attempt.copies);
+            (void)ask<revolve>(out, attempt.profile, attempt.copies);
         } catch (const std::invalid_argument&) {
             outcome = 2;
         } catch (const std::exception&) {
@@ -99,10 +103,12 @@ const Driver driver = {
          record_whole(out, {{2, 0}, {2, 3}, {1, 3}}, 5);
          record_whole(out, {{0, -1}, {1, 0}, {0, 1}}, 9);
          record_whole(out, semicircle(7), 13);
+         out.text("triangles.names", names_of_triangles);
      }},
     {"profiles",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 25; ++i) record_whole(out, some_profile(c.random), 4 + c.random.below(12));
+         out.text("triangles.names", names_of_triangles);
      }},
     {"creases and poles",
      [](Case&, Recorder& out) {
@@ -110,6 +116,7 @@ const Driver driver = {
          record_whole(out, {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 3}, {1, 2}}, 8);
          record_whole(out, {{1, 0}, {2, 0}, {1, 0}}, 5);
          record_whole(out, pawn(), 7);
+         out.text("triangles.names", names_of_triangles);
      }},
     {"seam",
      [](Case& c, Recorder& out) {
@@ -118,7 +125,7 @@ const Driver driver = {
      }},
     {"many", [](Case& c, Recorder& out) { record_many(c.random, out); }},
     {"refused", [](Case&, Recorder& out) { record_attempts(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("surfaces", picture()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("surfaces", picture(out)); }},
 };
 
 }

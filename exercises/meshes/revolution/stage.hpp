@@ -5,6 +5,7 @@
 #include <kit/attributes.hpp>
 #include <kit/stage.hpp>
 #include <umbral/meshes/revolution.hpp>
+#include <umbral/record/ask.hpp>
 #include <vector>
 
 #include "profiles.hpp"
@@ -68,7 +69,7 @@ inline void draw(const gl::Program& program, TexturedMesh surface)
 }
 
 /// 600 x 260 pixels: a pawn, a vase and a globe.
-inline Image picture()
+inline Image picture(Recorder& out)
 {
     constexpr int width = 200;
     constexpr int height = 260;
@@ -83,7 +84,7 @@ inline Image picture()
         stage.look(target + glm::vec3(1.2F, 1.7F, 5.6F), target, 25,
                    static_cast<float>(width) / static_cast<float>(height));
         stage.program().set("pattern", i);
-        draw(stage.program(), revolve(profiles[i], 49));
+        draw(stage.program(), ask<revolve>(out, profiles[i], 49));
     }
     return stage.picture();
 }

@@ -1,3 +1,4 @@
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -16,17 +17,17 @@ void record_grids(Recorder& out)
     for (const auto& [columns, rows] :
          {std::pair{1U, 1U}, {1U, 4U}, {5U, 1U}, {2U, 3U}, {8U, 4U}, {3U, 7U}, {0U, 3U}, {4U, 0U}}) {
         log.begin("grid of " + std::to_string(columns) + " x " + std::to_string(rows) + ": strip, vertex");
-        const std::vector<Strip> strips = grid_strips(columns, rows);
+        const std::vector<Strip> strips = ask<grid_strips>(out, columns, rows);
         for (std::uint32_t i = 0; i < std::min<std::size_t>(strips.size(), 20); ++i)
             for (std::size_t k = 0; k < std::min<std::size_t>(strips[i].size(), 40); ++k) log.add({i, strips[i][k]});
     }
     log.finish();
 }
 
-void record_decoded(StripLog& log, const std::string& name, const Strip& strip)
+void record_decoded(Recorder& out, StripLog& log, const std::string& name, const Strip& strip)
 {
-    log.begin(name);
-    std::vector<glm::uvec3> triangles = triangles_of_strip(strip);
+    log.begin(name + ": triangle");
+    std::vector<glm::uvec3> triangles = ask<triangles_of_strip>(out, strip);
     triangles.resize(std::min(triangles.size(), 2 * strip.size() + 10));
     std::ranges::transform(triangles, triangles.begin(), turned);
     log.add(triangles);
@@ -36,17 +37,17 @@ void record_known_strips(Recorder& out)
 {
     constexpr std::uint32_t r = restart_index;
     StripLog log(out, "triangles");
-    record_decoded(log, "one triangle", {4, 7, 5});
-    record_decoded(log, "zigzag", {0, 1, 2, 3, 4, 5, 6, 7});
-    record_decoded(log, "nothing", {});
-    record_decoded(log, "two indices", {3, 8});
-    record_decoded(log, "repeated index", {0, 1, 2, 2, 3, 4, 5});
-    record_decoded(log, "joined strips", {0, 1, 2, 3, 3, 6, 6, 7, 8, 9});
-    record_decoded(log, "joined strips of odd length", {0, 1, 2, 3, 4, 4, 6, 6, 6, 7, 8, 9});
-    record_decoded(log, "corner and back", {0, 1, 2, 1, 3, 1, 4});
-    record_decoded(log, "restart after an even number", {0, 1, 2, 3, r, 4, 5, 6, 7});
-    record_decoded(log, "restart after an odd number", {0, 1, 2, 3, 4, r, 5, 6, 7, 8});
-    record_decoded(log, "restarts of no use", {r, r, 0, 1, r, 2, r, 3, 4, 5, 6, r});
+    record_decoded(out, log, "one triangle", {4, 7, 5});
+    record_decoded(out, log, "zigzag", {0, 1, 2, 3, 4, 5, 6, 7});
+    record_decoded(out, log, "nothing", {});
+    record_decoded(out, log, "two indices", {3, 8});
+    record_decoded(out, log, "repeated index", {0, 1, 2, 2, 3, 4, 5});
+    record_decoded(out, log, "joined strips", {0, 1, 2, 3, 3, 6, 6, 7, 8, 9});
+    record_decoded(out, log, "joined strips of odd length", {0, 1, 2, 3, 4, 4, 6, 6, 6, 7, 8, 9});
+    record_decoded(out, log, "corner and back", {0, 1, 2, 1, 3, 1, 4});
+    record_decoded(out, log, "restart after an even number", {0, 1, 2, 3, r, 4, 5, 6, 7});
+    record_decoded(out, log, "restart after an odd number", {0, 1, 2, 3, 4, r, 5, 6, 7, 8});
+    record_decoded(out, log, "restarts of no use", {r, r, 0, 1, r, 2, r, 3, 4, 5, 6, r});
     log.finish();
 }
 
@@ -66,7 +67,7 @@ void record_random_strips(Random& random, Recorder& out)
         Strip strip = random_strip(random, 30);
         for (std::uint32_t& index : strip)
             if (random.below(10) == 0) index = restart_index;
-        record_decoded(log, "random strip", strip);
+        record_decoded(out, log, "random strip", strip);
     }
     log.finish();
 }
@@ -76,10 +77,10 @@ void record_joined(Random& random, Recorder& out)
     StripLog log(out, "indices");
     StripLog drawings(out, "triangles");
     const auto record = [&](const std::string& name, const std::vector<Strip>& strips) {
-        log.begin(name);
-        const Strip joined = join_strips(strips);
+        log.begin(name + ": index");
+        const Strip joined = ask<join_strips>(out, strips);
         for (std::size_t i = 0; i < std::min<std::size_t>(joined.size(), 400); ++i) log.add({joined[i]});
-        drawings.begin(name);
+        drawings.begin(name + ": triangle");
         drawings.add(drawn({joined}, 40));
     };
     record("two strips of even length", {{0, 1, 2, 3}, {4, 5, 6, 7}});
@@ -101,8 +102,8 @@ void record_strips_of(Recorder& out, const std::vector<Sample>& meshes)
 {
     StripLog log(out, "triangles");
     for (const auto& [name, mesh] : meshes) {
-        log.begin(name);
-        log.add(drawn(make_strips(mesh), mesh.triangles.size()));
+        log.begin(std::string(name) + ": triangle");
+        log.add(drawn(ask<make_strips>(out, mesh), mesh.triangles.size()));
     }
     log.finish();
 }
@@ -124,10 +125,19 @@ std::vector<Sample> larger_meshes(Random& random)
 // choice may come off badly by chance. One mesh is much larger than the others, so that no one number is near them all.
 void record_index_counts(Random& random, Recorder& out)
 {
-    for (const IndexedMesh& mesh : {torus(10, 7), ball(9, 9), trefoil(16, 5, 0.4), plate_with_holes(4),
-                                    hills(9, 8, random), tube(8, 5), torus(50, 40)}) {
+    for (const auto& [name, mesh] : std::vector<Sample>{{"torus(10, 7)", torus(10, 7)},
+                                                        {"ball(9, 9)", ball(9, 9)},
+                                                        {"trefoil(16, 5, 0.4)", trefoil(16, 5, 0.4)},
+                                                        {"plate_with_holes(4)", plate_with_holes(4)},
+                                                        {"hills(9, 8, random)", hills(9, 8, random)},
+                                                        {"tube(8, 5)", tube(8, 5)},
+                                                        {"torus(50, 40)", torus(50, 40)}}) {
         std::size_t count = 0;
         const int orders = mesh.triangles.size() < 1000 ? 12 : 1;
+        ask_in_words(out, [&, name = name, faces = mesh.triangles.size()] {
+            return "// all indices of the strips, of " + std::to_string(faces) + " triangles; the mean of " +
+                   std::to_string(orders) + " random orders\nmake_strips(shuffled(" + name + ", random))";
+        });
         for (int order = 0; order < orders; ++order)
             for (const Strip& strip : make_strips(shuffled(mesh, random))) count += strip.size();
         out.append("indices", static_cast<float>(count) / static_cast<float>(orders));
@@ -138,9 +148,9 @@ void record_index_counts(Random& random, Recorder& out)
 void record_coordinates(Random& random, Recorder& out)
 {
     const auto record = [&](const std::vector<glm::vec3>& positions, const std::vector<Strip>& strips) {
-        const StripBytes bytes = strip_bytes(positions.size(), strips);
+        const StripBytes bytes = ask<strip_bytes>(out, positions.size(), strips);
         out.append("bytes", glm::vec2(bytes.coordinates, bytes.indexed));
-        const std::vector<std::vector<glm::vec3>> got = strips_of_coordinates(positions, strips);
+        const std::vector<std::vector<glm::vec3>> got = ask<strips_of_coordinates>(out, positions, strips);
         for (std::size_t i = 0; i < strips.size(); ++i) {
             const std::vector<glm::vec3> strip = i < got.size() ? got[i] : std::vector<glm::vec3>{};
             out.append("lengths", static_cast<float>(strip.size()));
@@ -183,7 +193,7 @@ void record_work(Random& random, Recorder& out)
     out.text("blocks.names", "triangles");
     for (const std::uint32_t side : {9U, 13U, 18U, 26U, 36U}) {
         const IndexedMesh mesh = shuffled(torus(side, side), random);
-        record_cost(out, "blocks", mesh.triangles.size(), [&] { (void)make_strips(mesh); });
+        record_cost(out, "blocks", mesh.triangles.size(), [&] { (void)ask<make_strips>(out, mesh); });
     }
 }
 
@@ -200,7 +210,7 @@ const Driver driver = {
     {"coordinates", [](Case& c, Recorder& out) { record_coordinates(c.random, out); }},
     {"odd meshes", [](Case& c, Recorder& out) { record_strips_of(out, odd_meshes(c.random)); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_strips()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_strips(out)); }},
 };
 
 }

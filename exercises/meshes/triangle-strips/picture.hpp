@@ -3,6 +3,7 @@
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <umbral/meshes/strips.hpp>
+#include <umbral/record/ask.hpp>
 
 #include "../show.hpp"
 #include "../zoo.hpp"
@@ -29,7 +30,7 @@ inline std::vector<glm::vec3> hills_over_a_grid(std::uint32_t columns, std::uint
 
 /// Left: the strips of a grid, joined and taken apart again, each in a colour of its own, with its zigzag over it.
 /// Right: a knot drawn from its strips. Backs are red.
-inline Image draw_strips()
+inline Image draw_strips(Recorder& out)
 {
     constexpr std::uint32_t columns = 16;
     constexpr std::uint32_t rows = 8;
@@ -37,8 +38,8 @@ inline Image draw_strips()
     Show show(2, 1, 300, 300);
 
     show.pane(0, 0, {{-0.4F, 3.2F, 5.2F}, {0, -0.1F, 0.1F}, 38});
-    const std::vector<Strip> strips = grid_strips(columns, rows);
-    IndexedMesh ground{hills_over_a_grid(columns, rows), triangles_of_strip(join_strips(strips))};
+    const std::vector<Strip> strips = ask<grid_strips>(out, columns, rows);
+    IndexedMesh ground{hills_over_a_grid(columns, rows), ask<triangles_of_strip>(out, ask<join_strips>(out, strips))};
     ground.triangles.resize(std::min<std::size_t>(ground.triangles.size(), 1000));
     std::vector<glm::vec3> colors;
     for (std::size_t i = 0; i < ground.triangles.size(); ++i) {
@@ -55,7 +56,7 @@ inline Image draw_strips()
 
     show.pane(1, 0, {{0.4F, -1.8F, 6.4F}, {0, 0, 0}, 33});
     IndexedMesh knot = mapped(trefoil(72, 8, 0.55), [](const glm::vec3& p) { return 0.5F * p; });
-    knot.triangles = drawn(make_strips(knot), knot.triangles.size());
+    knot.triangles = drawn(ask<make_strips>(out, knot), knot.triangles.size());
     std::vector<glm::vec3> shades;
     for (const glm::uvec3& t : knot.triangles) {
         const glm::vec3 place = t.x < knot.positions.size() ? knot.positions[t.x] : glm::vec3(0);

@@ -1,5 +1,6 @@
 #include <limits>
 #include <umbral/meshes/normals.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -13,8 +14,8 @@ using namespace meshes;
 
 void record(Recorder& out, const IndexedMesh& mesh)
 {
-    for (const glm::vec3& normal : face_normals(mesh)) out.append("faces", normal);
-    for (const glm::vec3& normal : vertex_normals(mesh)) out.append("vertices", normal);
+    for (const glm::vec3& normal : ask<face_normals>(out, mesh)) out.append("faces", normal);
+    for (const glm::vec3& normal : ask<vertex_normals>(out, mesh)) out.append("vertices", normal);
 }
 
 // Meshes whose normals a student can work out by hand.
@@ -98,14 +99,16 @@ void record_degenerate(Random& random, Recorder& out)
 void record_slivers(Random& random, Recorder& out)
 {
     for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
-        for (const glm::vec3& normal : face_normals(sliver_triangles(sine, 100, random))) out.append("faces", normal);
+        for (const glm::vec3& normal : ask<face_normals>(out, sliver_triangles(sine, 100, random)))
+            out.append("faces", normal);
 }
 
 // Folds that are nearly closed: the normal of the edge is what is left when two normals nearly cancel.
 void record_folds(Random& random, Recorder& out)
 {
     for (const double angle : {1e-1, 1e-2, 1e-3, 1e-4, 2e-5})
-        for (const glm::vec3& normal : vertex_normals(sharp_folds(angle, 50, random))) out.append("vertices", normal);
+        for (const glm::vec3& normal : ask<vertex_normals>(out, sharp_folds(angle, 50, random)))
+            out.append("vertices", normal);
 }
 
 void record_scales(Random& random, Recorder& out)
@@ -134,8 +137,8 @@ void record_work(Random& random, Recorder& out)
     for (const std::uint32_t side : {11U, 16U, 22U, 32U, 45U}) {
         const IndexedMesh mesh = hills(side, side, random);
         record_cost(out, "blocks", mesh.triangles.size(), [&] {
-            (void)face_normals(mesh);
-            (void)vertex_normals(mesh);
+            (void)ask<face_normals>(out, mesh);
+            (void)ask<vertex_normals>(out, mesh);
         });
     }
 }
@@ -154,7 +157,9 @@ const Driver driver = {
     {"picture",
      [](Case&, Recorder& out) {
          const IndexedMesh knot = trefoil(72, 8, 0.55);
-         out.image("colours", draw_side_by_side(flat(knot, face_normals(knot)), smooth(knot, vertex_normals(knot))));
+         const shapes::Shape left = flat(knot, ask<face_normals>(out, knot));
+         const shapes::Shape right = smooth(knot, ask<vertex_normals>(out, knot));
+         out.image("colours", draw_side_by_side(left, right));
      }},
 };
 

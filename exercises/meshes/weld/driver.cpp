@@ -1,6 +1,7 @@
 #include <kit/drawing.hpp>
 #include <map>
 #include <umbral/meshes/weld.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -25,8 +26,10 @@ public:
 
     void add(const std::string& name, const Soup& soup)
     {
-        names_ += std::to_string(++count_) + " " + name + "\n";
-        const IndexedMesh mesh = weld(soup);
+        ++count_;
+        vertex_names_ += std::to_string(count_) + " " + name + ": vertex at\n";
+        triangle_names_ += std::to_string(count_) + " " + name + ": triangle\n";
+        const IndexedMesh mesh = ask<weld>(*out_, soup);
         const auto code = static_cast<float>(count_);
         for (std::size_t i = 0; i < std::min(mesh.positions.size(), soup.size() + 10); ++i) {
             const glm::vec3& p = mesh.positions[i];
@@ -40,13 +43,14 @@ public:
 
     void finish() const
     {
-        out_->text("vertices.names", names_);
-        out_->text("triangles.names", names_);
+        out_->text("vertices.names", vertex_names_);
+        out_->text("triangles.names", triangle_names_);
     }
 
 private:
     Recorder* out_;
-    std::string names_;
+    std::string vertex_names_;
+    std::string triangle_names_;
     int count_ = 0;
 };
 
@@ -85,7 +89,7 @@ void record_isolated(Random& random, Recorder& out)
 {
     for (const IndexedMesh& mesh :
          {cube(), shuffled(torus(5, 4), random), with_lonely_vertices(hills(4, 3, random), 3)}) {
-        const Soup soup = isolated_triangles(mesh);
+        const Soup soup = ask<isolated_triangles>(out, mesh);
         for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i)
             out.append("corners", i < soup.size() ? soup[i] : glm::vec3(0));
         out.append("sizes", static_cast<float>(soup.size()));
@@ -98,18 +102,18 @@ void record_work(Random& random, Recorder& out)
     out.text("blocks in a diagonal plane.names", "corners");
     for (const std::uint32_t side : {13U, 19U, 26U, 37U, 52U}) {
         const Soup soup = soup_of(shuffled(torus(side, side), random));
-        record_cost(out, "blocks", soup.size(), [&] { (void)weld(soup); });
+        record_cost(out, "blocks", soup.size(), [&] { (void)ask<weld>(out, soup); });
         // Side² cells, more and more of them in a row: who hashes rows alike takes time n^1.75, and who compares all
         // corners n².
         const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(side)));
         const Soup diagonal = diagonal_soup(side * side / rows, rows, random);
-        record_cost(out, "blocks in a diagonal plane", diagonal.size(), [&] { (void)weld(diagonal); });
+        record_cost(out, "blocks in a diagonal plane", diagonal.size(), [&] { (void)ask<weld>(out, diagonal); });
     }
 }
 
 // Left: triangles before welding, drawn apart. Right: the welded mesh; the more triangles a vertex has, the larger and
 // the warmer its disc.
-Image draw_before_and_after()
+Image draw_before_and_after(Recorder& out)
 {
     const Soup soup = soup_of(ball(12, 8));
     Show show(2, 1, 300, 300);
@@ -126,7 +130,7 @@ Image draw_before_and_after()
     show.mesh(apart, colors, {0, ink::slate, 0.8F});
 
     show.pane(1, 0, camera);
-    const IndexedMesh welded = weld(soup);
+    const IndexedMesh welded = ask<weld>(out, soup);
     show.mesh(welded, colors, {1.2F, {}, 0});
     std::map<int, std::vector<glm::vec3>> places;
     std::vector<int> uses(std::min(welded.positions.size(), soup.size()), 0);
@@ -152,7 +156,7 @@ const Driver driver = {
     {"not a number", record_special<soup_of_broken_corners>},
     {"isolated", [](Case& c, Recorder& out) { record_isolated(c.random, out); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_before_and_after()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_before_and_after(out)); }},
 };
 
 }

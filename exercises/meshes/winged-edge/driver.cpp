@@ -1,3 +1,4 @@
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -28,7 +29,7 @@ void record_tables(Recorder& out, const PolygonMesh& mesh)
 {
     std::size_t corners = 0;
     for (const auto& face : mesh.faces) corners += face.size();
-    const auto result = winged_edges(mesh);
+    const auto result = ask<winged_edges>(out, mesh);
     const auto* const got = std::get_if<WingedMesh>(&result);
     const WingedMesh tables = got != nullptr ? *got : WingedMesh{};
     out.append("edges", std::vector<float>{static_cast<float>(tables.edges.size()), 0, 0, 0, 0, 0, 0, 0});
@@ -48,20 +49,18 @@ void record_tables(Recorder& out, const PolygonMesh& mesh)
 /// The fault and where; zeros for a mesh that was accepted.
 void record_fault(Recorder& out, const PolygonMesh& mesh)
 {
-    const auto result = winged_edges(mesh);
+    const auto result = ask<winged_edges>(out, mesh);
     if (const auto* const fault = std::get_if<NotWinged>(&result))
         append_row(out, "faults", {static_cast<std::uint32_t>(fault->fault), fault->a, fault->b});
     else
         append_row(out, "faults", {0, 0, 0});
 }
 
-using Query = std::vector<std::uint32_t>(const WingedMesh&, std::uint32_t);
-
 /// An answer with its length before it. The right length is that of the question's own ring, which the mesh tells.
-void record_answer(Recorder& out, const char* name, Query* query, const WingedMesh& tables, std::uint32_t number,
-                   std::size_t length)
+template <auto query>
+void record_answer(Recorder& out, const char* name, const WingedMesh& tables, std::uint32_t number, std::size_t length)
 {
-    const std::vector<std::uint32_t> answer = query(tables, number);
+    const std::vector<std::uint32_t> answer = ask<query>(out, tables, number);
     out.append(name, static_cast<float>(answer.size()));
     append_list(out, name, answer, length);
 }
@@ -72,15 +71,15 @@ void record_questions(Recorder& out, const PolygonMesh& mesh)
     std::vector<std::size_t> degrees(mesh.positions.size(), 0);
     for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
         const std::size_t corners = mesh.faces[face].size();
-        record_answer(out, "edges round faces", edges_round_face, tables, face, corners);
-        record_answer(out, "vertices round faces", vertices_round_face, tables, face, corners);
-        record_answer(out, "faces round faces", faces_round_face, tables, face, corners);
+        record_answer<edges_round_face>(out, "edges round faces", tables, face, corners);
+        record_answer<vertices_round_face>(out, "vertices round faces", tables, face, corners);
+        record_answer<faces_round_face>(out, "faces round faces", tables, face, corners);
         for (const std::uint32_t corner : mesh.faces[face]) ++degrees[corner];
     }
     for (std::uint32_t vertex = 0; vertex < degrees.size(); ++vertex) {
-        record_answer(out, "edges round vertices", edges_round_vertex, tables, vertex, degrees[vertex]);
-        record_answer(out, "vertices round vertices", vertices_round_vertex, tables, vertex, degrees[vertex]);
-        record_answer(out, "faces round vertices", faces_round_vertex, tables, vertex, degrees[vertex]);
+        record_answer<edges_round_vertex>(out, "edges round vertices", tables, vertex, degrees[vertex]);
+        record_answer<vertices_round_vertex>(out, "vertices round vertices", tables, vertex, degrees[vertex]);
+        record_answer<faces_round_vertex>(out, "faces round vertices", tables, vertex, degrees[vertex]);
     }
 }
 
@@ -92,10 +91,17 @@ void record_work(Recorder& out)
         const PolygonMesh ring = polygons_of(torus(2 * size, size));
         const PolygonMesh cone = double_cone(2 * size * size);
         record_cost(out, "building", ring.faces.size(), [&] {
-            (void)winged_edges(ring);
-            (void)winged_edges(cone);
+            (void)ask<winged_edges>(out, ring);
+            (void)ask<winged_edges>(out, cone);
         });
         const WingedMesh tables[] = {tables_of(ring), tables_of(cone)};
+        ask_in_words(out, [&] {
+            return "// faces_round_face(tables, face) for each face, and vertices_round_vertex(tables, vertex) for "
+                   "each\n"
+                   "// vertex, of a torus of " +
+                   std::to_string(2 * size) + " x " + std::to_string(size) +
+                   " quadrilaterals and of a double cone of " + std::to_string(2 * size * size) + " sides";
+        });
         record_cost(out, "asking", ring.faces.size(), [&] {
             for (const WingedMesh& mesh : tables) {
                 for (std::uint32_t face = 0; face < mesh.edge_of_face.size(); ++face)
@@ -111,15 +117,15 @@ void record_work(Recorder& out)
 
 /// A mesh with what lies round one face (left) or round one vertex (right): the faces there, and the edges as they are
 /// walked, from white to red.
-void draw_round(const Show& show, const PolygonMesh& mesh, std::uint32_t number, bool is_face)
+void draw_round(Recorder& out, const Show& show, const PolygonMesh& mesh, std::uint32_t number, bool is_face)
 {
-    const auto result = winged_edges(mesh);
+    const auto result = ask<winged_edges>(out, mesh);
     const auto* const tables = std::get_if<WingedMesh>(&result);
     std::vector<std::uint32_t> faces;
     std::vector<std::uint32_t> edges;
     if (tables != nullptr) {
-        faces = is_face ? faces_round_face(*tables, number) : faces_round_vertex(*tables, number);
-        edges = is_face ? edges_round_face(*tables, number) : edges_round_vertex(*tables, number);
+        faces = is_face ? ask<faces_round_face>(out, *tables, number) : ask<faces_round_vertex>(out, *tables, number);
+        edges = is_face ? ask<edges_round_face>(out, *tables, number) : ask<edges_round_vertex>(out, *tables, number);
     }
     std::vector<glm::vec3> colors;
     std::vector<std::array<glm::vec3, 2>> lines;
@@ -163,10 +169,10 @@ void record_picture(Recorder& out)
     const glm::vec3 eye(0.7F, 0.9F, 4.6F);
     const PolygonMesh ball_of_faces = football();
     show.pane(0, 0, {eye, {0, 0, 0}, 27});
-    draw_round(show, ball_of_faces, facing(ball_of_faces, eye + glm::vec3(0, 1, -2)), true);
+    draw_round(out, show, ball_of_faces, facing(ball_of_faces, eye + glm::vec3(0, 1, -2)), true);
     PolygonMesh globe = polygons_of(ball(10, 7, 1.05F));
     show.pane(1, 0, {{0.7F, 1.9F, 4.2F}, {0, 0, 0}, 27});
-    draw_round(show, globe, 21, false);
+    draw_round(out, show, globe, 21, false);
     out.image("neighbours", show.picture());
 }
 

@@ -1,5 +1,6 @@
 #include <kit/scene.hpp>
 #include <umbral/projections/view.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 #include <vector>
 
@@ -12,7 +13,7 @@ using namespace projections;
 
 void record(Recorder& out, const std::vector<Placement>& cameras)
 {
-    for (const auto& [eye, target, up] : cameras) out.append("view", view_matrix(eye, target, up));
+    for (const auto& [eye, target, up] : cameras) out.append("view", ask<view_matrix>(out, eye, target, up));
 }
 
 // Cameras whose matrices a student can work out by hand; the last three are those of problems 3.1 and 4.1.
@@ -111,7 +112,9 @@ const Driver driver = {
     {"degenerate", [](Case& c, Recorder& out) { record(out, degenerate(c.random)); }},
     {"picture",
      [](Case&, Recorder& out) {
-         out.image("colours", draw_scene(view_matrix({3.4F, 2.5F, 4.4F}, {0.25F, 0.45F, 0}, {0.12F, 1, 0})));
+         const glm::mat4 view =
+             ask<view_matrix>(out, glm::vec3(3.4F, 2.5F, 4.4F), glm::vec3(0.25F, 0.45F, 0), glm::vec3(0.12F, 1, 0));
+         out.image("colours", draw_scene(view));
      }},
 };
 

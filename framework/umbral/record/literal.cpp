@@ -83,6 +83,10 @@ std::string of_text(std::string_view text, const Style& style)
             result += {'\\', static_cast<char>(letter)};
         else if (letter == '\n')
             result += "\\n";
+        else if (letter == '\r')
+            result += "\\r";
+        else if (letter == '\t')
+            result += "\\t";
         else if (letter < 0x20 || letter >= 0x7F)  // three octal digits end by themselves, whatever follows
             result += {'\\', digits[letter >> 6U], digits[letter >> 3U & 7U], digits[letter & 7U]};
         else
