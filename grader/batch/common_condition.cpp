@@ -71,6 +71,7 @@ Sample sample(const AskedCheck& asked, const QuestionLog& log, const Tensor& stu
     const std::vector<std::string> parameters = parameter_names(asked.headers, kind->function);
     for (const std::string& place : kind->features) result.table.names.push_back(in_words(place, parameters));
     // That nothing is found where something is says more than what else is true of such questions.
+    result.table.answers = result.table.names.size();
     if (view.optional()) result.table.first = result.table.names.size();
     std::ranges::copy(answer_names(*expected.value, view), std::back_inserter(result.table.names));
     for (const std::size_t row : rows) {

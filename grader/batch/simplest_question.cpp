@@ -18,14 +18,38 @@ constexpr double much_shorter = 0.75;    ///< of the first question's length
 /// From coarse to fine: the first at which the work is still wrong has the simplest inputs.
 constexpr Grain grains[] = {{1, 0}, {2, 0}, {2, 2}, {3, 0}, {4, 0}, {4, 4}, {6, 0}};
 
+/// How much there is to look at in a question: the letters that are shown of it, and the elements of its lists.
+double length_of(const QuestionLog& log, std::uint32_t question, const std::string& code)
+{
+    constexpr double letters_an_element = 10;
+    double length = static_cast<double>(code.size());
+    if (const QuestionKind* kind = log.kind_of(question))
+        for (std::size_t i = 0; i < kind->features.size(); ++i)
+            if (kind->features[i].ends_with(".size()")) length += letters_an_element * kind->questions.at(question)[i];
+    return length;
+}
+
 struct Simplest {
     std::optional<Difference> found;
+    double length = 0;
 
-    void offer(const Difference& other)
+    void offer(const Difference& other, double other_length)
     {
-        if (!found || other.question.size() < found->question.size()) found = other;
+        if (found && length <= other_length) return;
+        found = other;
+        length = other_length;
     }
 };
+
+/// The length of the question behind a check's first wrong value.
+double first_length(Worker& worker, const Exercise& exercise, const Check& check, const CaseResult& one,
+                    const Difference& first)
+{
+    const RunOutcome told = worker.inquire(exercise, check.case_name, one.seed, {.questions = true});
+    const QuestionLog log = read_questions(told.recording.tensors);
+    const auto question = first.cell ? log.question_of(check.value, *first.cell, 0) : std::nullopt;
+    return question ? length_of(log, *question, first.question) : 0;
+}
 
 /// The wrong rows of one run, each with its question.
 void look_at(Worker& worker, const Exercise& exercise, const Built& built, const Check& declared, const CaseResult& one,
@@ -63,7 +87,7 @@ void look_at(Worker& worker, const Exercise& exercise, const Built& built, const
         const auto found = rows.find(question);
         if (found == rows.end()) continue;
         const auto [mine, reference] = show_both(kind, view, right, found->second, 0);
-        simplest.offer({"simpler inputs", mine, reference, std::nullopt, code});
+        simplest.offer({"simpler inputs", mine, reference, std::nullopt, code}, length_of(log, question, code));
     }
 }
 
@@ -89,9 +113,9 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
         Simplest simplest;
         for (const Grain& grain : grains)
             look_at(worker, exercise, built, check, cases.at(check.case_name), grain, simplest);
-        const std::size_t first = result.checks[i].first_difference->question.size();
-        if (simplest.found &&
-            static_cast<double>(simplest.found->question.size()) < much_shorter * static_cast<double>(first))
+        const double first =
+            first_length(worker, exercise, check, cases.at(check.case_name), *result.checks[i].first_difference);
+        if (simplest.found && simplest.length < much_shorter * first)
             result.checks[i].simplest = std::move(simplest.found);
     }
 }

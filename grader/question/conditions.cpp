@@ -110,7 +110,9 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
 /// Of two facts that measure alike: "the distance between ray.origin and sphere.centre is less than sphere.radius".
 void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j, std::vector<Candidate>& all)
 {
+    // A list's least number, or an answer's length, equals many a number by chance.
     const auto comparable = [](const Fact& fact) {
+        if (fact.words.starts_with("the least") || fact.words.starts_with("the largest") || fact.answer) return false;
         return fact.kind == Fact::Kind::length || (fact.kind == Fact::Kind::number && !fact.component);
     };
     // "The distance … is less than the radius" is how people say it.
@@ -201,7 +203,13 @@ void offer_joined(const std::vector<Candidate>& candidates, const std::vector<Fa
                                      return one(all, question) && other(all, question);
                                  },
                                  joining + a.cost + b.cost};
-            found.offer(measured(both, facts, wrong), both.cost);
+            Condition joined = measured(both, facts, wrong);
+            // Each must be needed, and together they must hold without exception: two say more by chance than one.
+            const std::size_t needed = std::max(least_questions, joined.right / 10);
+            const bool each_needed = wide[i].first.right_where >= joined.right_where + needed &&
+                                     wide[j].first.right_where >= joined.right_where + needed;
+            if (each_needed && joined.right_where == 0 && joined.wrong_where == joined.wrong)
+                found.offer(std::move(joined), both.cost);
         }
     }
 }
@@ -217,7 +225,9 @@ bool parts(const Condition& condition, const std::vector<Fact>& facts, const std
 std::optional<Condition> simplest_condition(const std::vector<Fact>& facts, const std::vector<bool>& wrong)
 {
     const auto count = static_cast<std::size_t>(std::ranges::count(wrong, true));
-    if (count < least_questions || wrong.size() - count < least_questions) return std::nullopt;
+    // Of very few among very many, anything is true.
+    const std::size_t least = std::max(least_questions, wrong.size() / 20);
+    if (count < least || wrong.size() - count < least) return std::nullopt;
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < facts.size(); ++i) {
         add_plain(facts, i, candidates);

@@ -62,7 +62,7 @@ double sine(const std::vector<double>& row, const VectorColumns& a, const Vector
 template <class Value>
 Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const Value& value)
 {
-    Fact result{std::move(words), kind, false, false, {}};
+    Fact result{std::move(words), kind, false, false, false, {}};
     for (const std::vector<double>& row : table.numbers) result.values.push_back(value(row));
     return result;
 }
@@ -76,6 +76,7 @@ std::vector<Fact> facts_of(const QuestionTable& table)
     for (std::size_t i = 0; i < table.names.size(); ++i) {
         facts.push_back(fact(table.names[i], Fact::Kind::number, table, [&](const auto& row) { return row[i]; }));
         facts.back().first = table.first == i;
+        facts.back().answer = i >= table.answers;
         const auto holds_it = [&](const VectorColumns& vector) {
             return i >= vector.first && i < vector.first + vector.size;
         };
@@ -86,9 +87,10 @@ std::vector<Fact> facts_of(const QuestionTable& table)
         const VectorColumns& a = vectors[i];
         facts.push_back(fact("the length of " + a.words, Fact::Kind::length, table,
                              [&](const auto& row) { return std::sqrt(dot(row, a, a)); }));
+        facts.back().answer = a.first >= table.answers;
         for (std::size_t j = i + 1; j < std::min(vectors.size(), most_vectors); ++j) {
             const VectorColumns& b = vectors[j];
-            if (a.size != b.size) continue;
+            if (a.size != b.size || b.first >= table.answers) continue;
             facts.push_back(fact(fmt::format("the distance between {} and {}", a.words, b.words), Fact::Kind::length,
                                  table, [&](const auto& row) { return distance(row, a, b); }));
             facts.push_back(fact(fmt::format("dot({}, {})", a.words, b.words), Fact::Kind::product, table,

@@ -17,6 +17,7 @@ struct Fact {
     std::string words;
     Kind kind = Kind::number;
     bool component = false;      ///< one of a vector's: of less interest than the vector
+    bool answer = false;         ///< of the right answer, and not of the question
     bool first = false;          ///< said before all others that part alike
     std::vector<double> values;  ///< for each question
 };
@@ -26,6 +27,7 @@ struct Fact {
 struct QuestionTable {
     std::vector<std::string> names;
     std::vector<std::vector<double>> numbers;
+    std::size_t answers = static_cast<std::size_t>(-1);  ///< from this number on they are of the right answer
     std::optional<std::size_t> first{};  ///< the number that is the best reason, of several that part alike
 };
 

@@ -53,6 +53,16 @@ Markup question(const CheckResult& check)
                   check.first_difference->where, check.first_difference->question);
 }
 
+Markup simplest(const CheckResult& check)
+{
+    if (!check.simplest) return {};
+    return markup(
+        "<div class=\"simplest\"><h4>The simplest question with a wrong answer</h4>\n<pre><code>{}</code></pre>\n<dl "
+        "class=\"first\"><div class=\"of-yours\"><dt>yours</dt><dd>{}</dd></div><div "
+        "class=\"of-reference\"><dt>expected</dt><dd>{}</dd></div></dl></div>\n",
+        check.simplest->question, check.simplest->yours, check.simplest->expected);
+}
+
 /// With a capital letter and a full stop.
 std::string sentence(std::string text)
 {
@@ -99,6 +109,7 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
     result += "</p></header>\n";
     if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", short_message(check, detail));
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
+    result += simplest(check);
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
     if (!std::holds_alternative<RowsEvidence>(detail.evidence)) result += question(check);
     result += std::visit(Show{anchor}, detail.evidence);
