@@ -51,21 +51,22 @@ double first_length(Worker& worker, const Exercise& exercise, const Check& check
     return question ? length_of(log, *question, first.question) : 0;
 }
 
-/// The wrong rows of one run, each with its question.
-void look_at(Worker& worker, const Exercise& exercise, const Built& built, const Check& declared, const CaseResult& one,
+/// The wrong rows of one run, each with its question. False if the run took its whole time: another would, too.
+bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const Check& declared, const CaseResult& one,
              const Grain& grain, Simplest& simplest)
 {
     const auto told = worker.run_coarse(exercise, Answers::reference, declared.case_name, one.seed, grain);
-    if (told.verdict != Verdict::ok) return;
+    if (told.verdict != Verdict::ok) return true;
     const RunOutcome expected =
         declared.hard ? worker.run_coarse(exercise, Answers::oracle, declared.case_name, one.seed, grain) : told;
-    if (expected.verdict != Verdict::ok) return;
+    if (expected.verdict != Verdict::ok) return true;
     const RunOutcome student = worker.run_coarse(exercise, built, declared.case_name, one.seed, grain, expected);
     const Expected side = expected_of(declared, expected);
     const Tensor* yours = observed(declared, student);
+    if (student.verdict == Verdict::timeout) return false;
     if (student.verdict != Verdict::ok || yours == nullptr || side.value == nullptr || !well_formed(*yours) ||
         !well_formed(*side.value) || shape_error(declared, *yours, *side.value))
-        return;
+        return true;
     Check check = declared;
     check.pairs = false;
     const QuestionLog log = read_questions(told.recording.tensors);
@@ -75,11 +76,11 @@ void look_at(Worker& worker, const Exercise& exercise, const Built& built, const
         if (const auto question = log.question_of(check.value, row, states.size());
             states[row] == RowState::wrong && question)
             rows.emplace(*question, row);
-    if (rows.empty()) return;
+    if (rows.empty()) return true;
     Inquiry inquiry{.grain = grain};
     for (const auto& [question, row] : rows) inquiry.wanted.push_back(question);
     const RunOutcome written = worker.inquire(exercise, declared.case_name, one.seed, inquiry);
-    if (written.verdict != Verdict::ok) return;
+    if (written.verdict != Verdict::ok) return true;
     const RowKind& kind = rows_of(check);
     const TensorView view(*yours);
     const TensorView right(*side.value);
@@ -89,6 +90,7 @@ void look_at(Worker& worker, const Exercise& exercise, const Built& built, const
         const auto [mine, reference] = show_both(kind, view, right, found->second, 0);
         simplest.offer({"simpler inputs", mine, reference, std::nullopt, code}, length_of(log, question, code));
     }
+    return true;
 }
 
 bool can_be_simpler(const Check& check, const CheckResult& result)
@@ -111,8 +113,10 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
     for (const std::size_t i : checks) {
         const Check& check = exercise.checks[i];
         Simplest simplest;
-        for (const Grain& grain : grains)
-            look_at(worker, exercise, built, check, cases.at(check.case_name), grain, simplest);
+        const bool in_time = std::ranges::all_of(grains, [&](const Grain& grain) {
+            return look_at(worker, exercise, built, check, cases.at(check.case_name), grain, simplest);
+        });
+        if (!in_time) return;
         const double first =
             first_length(worker, exercise, check, cases.at(check.case_name), *result.checks[i].first_difference);
         if (simplest.found && simplest.length < much_shorter * first)
