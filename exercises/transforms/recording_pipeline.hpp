@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <umbral/core/grid.hpp>
 #include <umbral/core/random.hpp>
-#include <umbral/record/recorder.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/pipeline.hpp>
 #include <vector>
 
@@ -143,5 +143,29 @@ private:
     std::vector<glm::mat4> first_steps_;
     std::size_t places_ = 0;
 };
+
+/// "RecordingPipeline pipeline({.modelview = …, …});"
+inline std::string code_of(const Start& start)
+{
+    const auto exact = [](const auto& value) { return literal::of_value(value, false, literal::in_full); };
+    if (start.modelview == glm::mat4(1) && start.color == glm::vec3(1) && start.depth == 0)
+        return "RecordingPipeline pipeline;";
+    return "RecordingPipeline pipeline({.modelview = " + exact(start.modelview) + ", .color = " + exact(start.color) +
+           ", .line_width = " + exact(start.line_width) + ", .background = " + exact(start.background) +
+           ", .depth = " + exact(start.depth) + "});";
+}
+
+/// Questions about what is drawn with `pipeline` tell how it stands.
+inline void introduce(Recorder& out, const Pipeline& pipeline, const Start& start)
+{
+    if (Questions* const questions = out.questions()) questions->set_object(&pipeline, "pipeline", code_of(start));
+}
+
+/// … and what draws the figure they hand over, a pipeline's marker, is called `name`.
+inline void introduce(Recorder& out, const Figure& marker, const std::string& name)
+{
+    if (Questions* const questions = out.questions())
+        questions->set_object(&marker, name, "const Figure " + name + " = pipeline.marker();");
+}
 
 }

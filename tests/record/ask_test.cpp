@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <umbral/core/ray.hpp>
 #include <umbral/record/ask.hpp>
@@ -34,6 +35,12 @@ float sum(std::span<const float> numbers, Side side)
     return result;
 }
 void append_twice(float value, std::vector<float>& to) { to.insert(to.end(), 2, value); }
+
+using Step = std::function<void(Counter&)>;
+void take_steps(Counter& counter, const Step& step, int count)
+{
+    for (int i = 0; i < count; ++i) step(counter);
+}
 
 std::unique_ptr<Counter> make_counter(int first)
 {
@@ -171,6 +178,19 @@ TEST(Ask, of_an_object_tells_all_that_was_done_to_it)
               "3\tconst auto counter = make_counter(5);|counter->add(2);|counter->add(-1);|counter->total()\n"
               "4\tconst auto counter = make_counter(5);|counter->add(2);|counter->add(-1);|counter->total()\n");
     EXPECT_EQ(numbers<std::uint32_t>(tensors, "?rows total"), (std::vector<std::uint32_t>{4, 5}));
+}
+
+TEST(Ask, of_what_objects_are_handed_to_tells_how_they_stand)
+{
+    const auto tensors = asked({.wanted = {1}}, [](Recorder& out) {
+        const auto counter = ask_new<make_counter>(out, "counter", 5);
+        const Step step = [](Counter& to) { to.add(1); };
+        if (Questions* const questions = out.questions()) questions->set_object(&step, "step", "const Step step = …;");
+        ask<take_steps>(out, *counter, step, 3);
+        EXPECT_EQ(counter->total(), 8);
+    });
+    EXPECT_EQ(text(tensors, "?code"),
+              "1\tconst auto counter = make_counter(5);|const Step step = …;|take_steps(counter, step, 3)\n");
 }
 
 TEST(Ask, leaves_out_the_middle_of_long_stories_and_lists_unless_in_full)

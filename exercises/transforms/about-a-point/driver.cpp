@@ -1,5 +1,6 @@
 #include <limits>
 #include <numbers>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support.hpp"
@@ -15,28 +16,28 @@ constexpr float pi = std::numbers::pi_v<float>;
 void record_known(Recorder& out)
 {
     for (const glm::vec3& centre : {glm::vec3(0, 0, 0), {1, 0, 0}, {1, 2, 3}}) {
-        out.append("rotation", rotation_about_point(centre, {{0, 0, 1}, pi / 2}));
-        out.append("rotation", rotation_about_point(centre, {{0, 2, 0}, pi / 4}));
-        out.append("scaling", scaling_about_point(centre, {2, 2, 2}));
-        out.append("scaling", scaling_about_point(centre, {1, -1, 0.5F}));
-        out.append("along", scaling_along(centre, {0, 0, 2}, 3));
-        out.append("along", scaling_along(centre, {1, 1, 0}, 0.5F));
-        out.append("along", scaling_along(centre, {0, 3, 4}, 0));
-        out.append("along", scaling_along(centre, {1, 0, 1}, -1));
-        out.append("point", reflection_in_point(centre));
-        out.append("line", reflection_in_line(centre, {0, 3, 0}));
-        out.append("line", reflection_in_line(centre, {1, 1, 0}));
-        out.append("plane", reflection_in_plane(centre, {0, 0, 2}));
-        out.append("plane", reflection_in_plane(centre, {1, 0, 1}));
-        out.append("placed", placed_along(centre, {0, 0, 5}));
-        out.append("placed", placed_along(centre, {3, 0, 0}));
-        out.append("placed", placed_along(centre, {0, 3, 4}));
+        out.append("rotation", ask<rotation_about_point>(out, centre, {{0, 0, 1}, pi / 2}));
+        out.append("rotation", ask<rotation_about_point>(out, centre, {{0, 2, 0}, pi / 4}));
+        out.append("scaling", ask<scaling_about_point>(out, centre, {2, 2, 2}));
+        out.append("scaling", ask<scaling_about_point>(out, centre, {1, -1, 0.5F}));
+        out.append("along", ask<scaling_along>(out, centre, {0, 0, 2}, 3));
+        out.append("along", ask<scaling_along>(out, centre, {1, 1, 0}, 0.5F));
+        out.append("along", ask<scaling_along>(out, centre, {0, 3, 4}, 0));
+        out.append("along", ask<scaling_along>(out, centre, {1, 0, 1}, -1));
+        out.append("point", ask<reflection_in_point>(out, centre));
+        out.append("line", ask<reflection_in_line>(out, centre, {0, 3, 0}));
+        out.append("line", ask<reflection_in_line>(out, centre, {1, 1, 0}));
+        out.append("plane", ask<reflection_in_plane>(out, centre, {0, 0, 2}));
+        out.append("plane", ask<reflection_in_plane>(out, centre, {1, 0, 1}));
+        out.append("placed", ask<placed_along>(out, centre, {0, 0, 5}));
+        out.append("placed", ask<placed_along>(out, centre, {3, 0, 0}));
+        out.append("placed", ask<placed_along>(out, centre, {0, 3, 4}));
     }
-    out.append("alignment", alignment({1, 0, 0}, {0, 1, 0}));
-    out.append("alignment", alignment({0, 0, 2}, {0, 3, 0}));
-    out.append("alignment", alignment({1, 2, 3}, {2, 4, 6}));
-    out.append("alignment", alignment({1, 0, 0}, {1, 1, 0}));
-    out.append("alignment", alignment({1, 2, 2}, {2, 1, -2}));
+    out.append("alignment", ask<alignment>(out, {1, 0, 0}, {0, 1, 0}));
+    out.append("alignment", ask<alignment>(out, {0, 0, 2}, {0, 3, 0}));
+    out.append("alignment", ask<alignment>(out, {1, 2, 3}, {2, 4, 6}));
+    out.append("alignment", ask<alignment>(out, {1, 0, 0}, {1, 1, 0}));
+    out.append("alignment", ask<alignment>(out, {1, 2, 2}, {2, 1, -2}));
 }
 
 void record_random(Random& random, Recorder& out)
@@ -44,20 +45,20 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 100; ++i) {
         const glm::vec3 centre = 8.0F * random.in_cube();
         const glm::vec3 direction = random.uniform(0.5F, 4) * random.unit_vector();
-        out.append("rotation", rotation_about_point(centre, random_turn(random)));
-        out.append("scaling", scaling_about_point(centre, 2.0F * random.in_cube()));
-        out.append("along", scaling_along(centre, direction, random.uniform(-2, 2)));
-        out.append("point", reflection_in_point(centre));
-        out.append("line", reflection_in_line(centre, direction));
-        out.append("plane", reflection_in_plane(centre, direction));
-        out.append("placed", placed_along(centre, direction));
+        out.append("rotation", ask<rotation_about_point>(out, centre, random_turn(random)));
+        out.append("scaling", ask<scaling_about_point>(out, centre, 2.0F * random.in_cube()));
+        out.append("along", ask<scaling_along>(out, centre, direction, random.uniform(-2, 2)));
+        out.append("point", ask<reflection_in_point>(out, centre));
+        out.append("line", ask<reflection_in_line>(out, centre, direction));
+        out.append("plane", ask<reflection_in_plane>(out, centre, direction));
+        out.append("placed", ask<placed_along>(out, centre, direction));
         // From 0.2 to 2.9 radians apart.
         const glm::vec3 from = random.unit_vector();
         const glm::vec3 aside = normalize(cross(from, random.unit_vector()));
         const float angle = random.uniform(0.2F, 2.9F);
         const float size = random.uniform(0.5F, 4);
-        out.append("alignment", alignment(direction.x > 0 ? 3.0F * from : from,
-                                          size * (std::cos(angle) * from + std::sin(angle) * aside)));
+        out.append("alignment", ask<alignment>(out, direction.x > 0 ? 3.0F * from : from,
+                                               size * (std::cos(angle) * from + std::sin(angle) * aside)));
     }
 }
 
@@ -72,12 +73,12 @@ void record_null(Random& random, Recorder& out)
         const bool first = random.below(2) == 1;
         for (const bool is_null : {first, !first}) {
             const glm::vec3 direction = is_null ? null : given;
-            if (i % 6 == 0) out.append("matrix", reflection_in_line(centre, direction));
-            if (i % 6 == 1) out.append("matrix", reflection_in_plane(centre, direction));
-            if (i % 6 == 2) out.append("matrix", alignment(direction, other));
-            if (i % 6 == 3) out.append("matrix", placed_along(centre, direction));
-            if (i % 6 == 5) out.append("matrix", scaling_along(centre, direction, 2));
-            if (i % 6 == 4) out.append("matrix", rotation_about_point(centre, {direction, 1}));
+            if (i % 6 == 0) out.append("matrix", ask<reflection_in_line>(out, centre, direction));
+            if (i % 6 == 1) out.append("matrix", ask<reflection_in_plane>(out, centre, direction));
+            if (i % 6 == 2) out.append("matrix", ask<alignment>(out, direction, other));
+            if (i % 6 == 3) out.append("matrix", ask<placed_along>(out, centre, direction));
+            if (i % 6 == 5) out.append("matrix", ask<scaling_along>(out, centre, direction, 2));
+            if (i % 6 == 4) out.append("matrix", ask<rotation_about_point>(out, centre, {direction, 1}));
         }
     }
 }
@@ -99,7 +100,7 @@ void record_not_finite(Random& random, Recorder& out)
             bad.axis[i % 4] = number;
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first})
-            out.append("rotation", rotation_about_point(centre, is_bad ? bad : given));
+            out.append("rotation", ask<rotation_about_point>(out, centre, is_bad ? bad : given));
     }
 }
 
@@ -111,8 +112,9 @@ void record_far(Random& random, Recorder& out)
             for (int i = 0; i < 8; ++i) {
                 const glm::vec3 centre = far * random.unit_vector();
                 const glm::vec3 axis = clear_axis(false, random);
-                out.append("rotation", rotation_about_point(centre, {axis, change * random.uniform(0.5F, 1)}));
-                out.append("scaling", scaling_about_point(centre, 1.0F + change * random.in_cube()));
+                out.append("rotation",
+                           ask<rotation_about_point>(out, centre, {axis, change * random.uniform(0.5F, 1)}));
+                out.append("scaling", ask<scaling_about_point>(out, centre, 1.0F + change * random.in_cube()));
             }
         }
     }
@@ -137,14 +139,14 @@ void record_opposite(Random& random, Recorder& out)
         const auto factor = static_cast<float>(1 + random.below(7));
         const bool first = random.below(2) == 1;
         for (const bool opposite : {first, !first})
-            out.append("opposite", alignment(from, (opposite ? -factor : factor) * from + 0.0F));  // no -0
+            out.append("opposite", ask<alignment>(out, from, (opposite ? -factor : factor) * from + 0.0F));  // no -0
     }
     for (const float angle : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
         for (int i = 0; i < 16; ++i) {
             const glm::vec3 from = clear_axis(false, random);
             const glm::vec3 aside = length(from) * normalize(cross(from, random.unit_vector()));
             const glm::vec3 to = from + angle * aside;
-            out.append("nearly", alignment(from, i % 4 == 0 ? to : -to));
+            out.append("nearly", ask<alignment>(out, from, i % 4 == 0 ? to : -to));
         }
     }
 }
@@ -156,8 +158,9 @@ void record_steep(Random& random, Recorder& out)
         for (int i = 0; i < 10; ++i) {
             const float angle = random.uniform(-pi, pi);
             const float up = i % 2 == 0 ? 1.0F : -2.0F;
-            out.append("placed", placed_along(random.in_cube(), {aside * std::cos(angle) + 0.0F, up,
-                                                                 aside * std::sin(angle) + 0.0F}));  // no -0
+            out.append("placed", ask<placed_along>(
+                                     out, random.in_cube(),
+                                     {aside * std::cos(angle) + 0.0F, up, aside * std::sin(angle) + 0.0F}));  // no -0
         }
     }
 }
@@ -168,11 +171,11 @@ void record_sizes(Random& random, Recorder& out)
         for (int i = 0; i < 8; ++i) {
             const glm::vec3 direction = size * random.unit_vector();
             const glm::vec3 centre = random.in_cube();
-            out.append("matrix", reflection_in_line(centre, direction));
-            out.append("matrix", reflection_in_plane(centre, direction));
-            out.append("matrix", scaling_along(centre, direction, 0.5F));
-            out.append("matrix", placed_along(centre, direction));
-            out.append("matrix", alignment(clear_axis(true, random), direction));
+            out.append("matrix", ask<reflection_in_line>(out, centre, direction));
+            out.append("matrix", ask<reflection_in_plane>(out, centre, direction));
+            out.append("matrix", ask<scaling_along>(out, centre, direction, 0.5F));
+            out.append("matrix", ask<placed_along>(out, centre, direction));
+            out.append("matrix", ask<alignment>(out, clear_axis(true, random), direction));
         }
     }
 }
@@ -188,7 +191,7 @@ const Driver driver = {
     {"opposite", [](Case& c, Recorder& out) { record_opposite(c.random, out); }},
     {"steep", [](Case& c, Recorder& out) { record_steep(c.random, out); }},
     {"tiny and huge", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("kaleidoscope", draw_kaleidoscope()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("kaleidoscope", draw_kaleidoscope(out)); }},
 };
 
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <umbral/core/random.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/about_a_point.hpp>
 
 /// A kaleidoscope: shards of glass in a wedge of 30 degrees, its mirror image, and six turns of both about a point that
@@ -34,7 +35,7 @@ inline std::vector<Shard> shards()
     return result;
 }
 
-inline Image draw_kaleidoscope()
+inline Image draw_kaleidoscope(Recorder& out)
 {
     const glm::vec3 centre(7, -4, 0);
     const auto polar = [&](float radius, float degrees) {
@@ -48,13 +49,15 @@ inline Image draw_kaleidoscope()
     // Turns by 60 degrees; half of them as the symmetry about the centre of the others.
     std::vector<glm::mat4> sectors;
     for (int k = 0; k < 3; ++k) {
-        const glm::mat4 turn = rotation_about_point(centre, {{0, 0, 3}, glm::radians(60.0F * static_cast<float>(k))});
+        const glm::mat4 turn =
+            ask<rotation_about_point>(out, centre, {{0, 0, 3}, glm::radians(60.0F * static_cast<float>(k))});
         sectors.push_back(turn);
-        sectors.push_back(reflection_in_point(centre) * turn);
+        sectors.push_back(ask<reflection_in_point>(out, centre) * turn);
     }
     // In the plane the mirror across the wedge's edge and the half turn about that edge do the same.
     const glm::vec3 edge = polar(2, 30) - centre;
-    const glm::mat4 mirrors[] = {reflection_in_plane(centre, {edge.y, -edge.x, 0}), reflection_in_line(centre, edge)};
+    const glm::mat4 mirrors[] = {ask<reflection_in_plane>(out, centre, {edge.y, -edge.x, 0}),
+                                 ask<reflection_in_line>(out, centre, edge)};
     int copy = 0;
     for (const glm::mat4& sector : sectors) {
         for (const bool mirrored : {false, true}) {
@@ -71,12 +74,13 @@ inline Image draw_kaleidoscope()
     for (int i = 0; i < 36; ++i) {
         const auto degrees = 10 * static_cast<float>(i);
         const glm::vec3 along(-std::sin(glm::radians(degrees)), std::cos(glm::radians(degrees)), 0);
-        const glm::mat4 dart = placed_along(polar(3.05F, degrees), along);
+        const glm::mat4 dart = ask<placed_along>(out, polar(3.05F, degrees), along);
         const glm::vec3 color = i % 3 == 0 ? ink::white : ink::mist;
         drawing.arrow(place(dart, {0, 0, -0.17F}), place(dart, {0, 0, 0.2F}), color, i % 3 == 0 ? 3 : 2);
-        const glm::vec3 out = glm::vec3(alignment({1, 0, 0}, polar(1, degrees) - centre) * glm::vec4(0.34F, 0, 0, 0));
-        const glm::mat4 shrunk = scaling_about_point(centre, glm::vec3(i % 3 == 0 ? 1 : 0.55F));
-        drawing.line({centre.x, centre.y}, place(shrunk, centre + out), ink::white, 1.5, 0.8);
+        const glm::vec3 ray =
+            glm::vec3(ask<alignment>(out, {1, 0, 0}, polar(1, degrees) - centre) * glm::vec4(0.34F, 0, 0, 0));
+        const glm::mat4 shrunk = ask<scaling_about_point>(out, centre, glm::vec3(i % 3 == 0 ? 1 : 0.55F));
+        drawing.line({centre.x, centre.y}, place(shrunk, centre + ray), ink::white, 1.5, 0.8);
     }
     return drawing.picture();
 }

@@ -1,5 +1,6 @@
 #include <array>
 #include <limits>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 #include <umbral/transforms/android.hpp>
 
@@ -17,7 +18,8 @@ void record(Recorder& out, const Android& android, const Start& start, const cha
             const char* state = nullptr)
 {
     RecordingPipeline drawn(start);
-    android.draw(drawn);
+    introduce(out, drawn, start);
+    ask<&Android::draw>(out, android, drawn);
     const std::vector<DrawnSolid> solids = sorted_solids(drawn, start);
     for (const DrawnSolid& solid : solids) {
         out.append("solids", std::span<const float>(solid.row));
@@ -55,7 +57,11 @@ void record(Recorder& out, const Android& android, const Start& start, const cha
 
 void record_names(Recorder& out)
 {
-    out.text("solids.names", "1 half sphere\n2 cylinder\n9 something that is no solid\n");
+    out.text("solids.names",
+             "1 half sphere: middle, axis as x 0 0 y z 0, square of the radius as xx yy zz xy xz yz, colour\n"
+             "2 cylinder: middle, product of the axis with its direction as xx yy zz xy xz yz, square of the radius "
+             "likewise, colour\n"
+             "9 something that is no solid\n");
 }
 
 /// Anywhere in space, any colour.
@@ -69,18 +75,18 @@ Start somewhere(Random& random)
     return start;
 }
 
-void pose(Android& android, Random& random, double reach)
+void pose(Recorder& out, Android& android, Random& random, double reach)
 {
     const auto angle = [&] { return reach * (2 * random.uniform_double() - 1); };
-    android.set_left_arm(angle());
-    android.set_right_arm(angle());
-    android.set_head(angle());
+    ask<&Android::set_left_arm>(out, android, angle());
+    ask<&Android::set_right_arm>(out, android, angle());
+    ask<&Android::set_head>(out, android, angle());
 }
 
 void record_at_rest(Recorder& out, Random& random)
 {
     record_names(out);
-    const std::unique_ptr<Android> android = make_android();
+    const std::unique_ptr<Android> android = ask_new<make_android>(out, "android");
     if (!android) return;
     record(out, *android, {.color = {0.2F, 0.7F, 0.3F}}, "order");
     for (int i = 0; i < 2; ++i) record(out, *android, somewhere(random), "order");
@@ -90,12 +96,17 @@ void record_at_rest(Recorder& out, Random& random)
 void record_joints(Recorder& out)
 {
     record_names(out);
-    const std::unique_ptr<Android> android = make_android();
+    const std::unique_ptr<Android> android = ask_new<make_android>(out, "android");
     if (!android) return;
     const Start start{.color = {0.2F, 0.7F, 0.3F}};
-    for (const auto set : {&Android::set_left_arm, &Android::set_right_arm, &Android::set_head}) {
+    using Set = void(Recorder&, Android&, double);
+    constexpr std::array<Set*, 3> setters = {
+        [](Recorder& o, Android& a, double angle) { ask<&Android::set_left_arm>(o, a, angle); },
+        [](Recorder& o, Android& a, double angle) { ask<&Android::set_right_arm>(o, a, angle); },
+        [](Recorder& o, Android& a, double angle) { ask<&Android::set_head>(o, a, angle); }};
+    for (Set* const set : setters) {
         for (const double angle : {0.5, -1.25, 0.0}) {
-            ((*android).*set)(angle);
+            set(out, *android, angle);
             record(out, *android, start);
         }
     }
@@ -104,13 +115,13 @@ void record_joints(Recorder& out)
 void record_poses(Recorder& out, Random& random)
 {
     record_names(out);
-    out.text("state.names", "3 afterwards\n");
-    const std::unique_ptr<Android> android = make_android();
+    out.text("state.names", "3 afterwards: x axis, y axis, z axis, origin, colour, line width, depth of the stack\n");
+    const std::unique_ptr<Android> android = ask_new<make_android>(out, "android");
     if (!android) return;
     for (int i = 0; i < 12; ++i) {
-        pose(*android, random, 3.1);
-        if (i % 3 == 0) android->set_head(std::numeric_limits<double>::quiet_NaN());
-        if (i % 4 == 1) android->set_left_arm(std::numeric_limits<double>::infinity());
+        pose(out, *android, random, 3.1);
+        if (i % 3 == 0) ask<&Android::set_head>(out, *android, std::numeric_limits<double>::quiet_NaN());
+        if (i % 4 == 1) ask<&Android::set_left_arm>(out, *android, std::numeric_limits<double>::infinity());
         record(out, *android, somewhere(random), nullptr, "state");
     }
 }
@@ -118,11 +129,11 @@ void record_poses(Recorder& out, Random& random)
 void record_two(Recorder& out, Random& random)
 {
     record_names(out);
-    const std::unique_ptr<Android> one = make_android();
-    const std::unique_ptr<Android> other = make_android();
+    const std::unique_ptr<Android> one = ask_new<make_android>(out, "one");
+    const std::unique_ptr<Android> other = ask_new<make_android>(out, "other");
     if (!one || !other) return;
     for (int i = 0; i < 4; ++i) {
-        pose(i % 2 == 0 ? *one : *other, random, 3.1);
+        pose(out, i % 2 == 0 ? *one : *other, random, 3.1);
         record(out, *one, {});
         record(out, *other, {});
     }
@@ -132,14 +143,14 @@ void record_two(Recorder& out, Random& random)
 void record_long_dance(Recorder& out, Random& random)
 {
     record_names(out);
-    const std::unique_ptr<Android> android = make_android();
+    const std::unique_ptr<Android> android = ask_new<make_android>(out, "android");
     if (!android) return;
     double angles[3] = {};
     for (int step = 1; step <= 100'000; ++step) {
         for (double& angle : angles) angle += 0.03 * random.uniform_double() - 0.01;
-        android->set_left_arm(angles[0]);
-        android->set_right_arm(angles[1]);
-        android->set_head(angles[2]);
+        ask<&Android::set_left_arm>(out, *android, angles[0]);
+        ask<&Android::set_right_arm>(out, *android, angles[1]);
+        ask<&Android::set_head>(out, *android, angles[2]);
         if (step % 20'000 == 0) record(out, *android, {});
     }
 }
@@ -152,7 +163,7 @@ const Driver driver = {
     {"poses", [](Case& c, Recorder& out) { record_poses(out, c.random); }},
     {"two androids", [](Case& c, Recorder& out) { record_two(out, c.random); }},
     {"long dance", [](Case& c, Recorder& out) { record_long_dance(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_parade()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_parade(out)); }},
 };
 
 }

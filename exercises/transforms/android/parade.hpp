@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kit/double_frame.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/android.hpp>
 
 #include "../gl_pipelines.hpp"
@@ -16,7 +17,7 @@ inline glm::mat4 parade_view()
 inline glm::mat4 parade_projection() { return glm::perspective(glm::radians(26.0F), 1.75F, 1.0F, 60.0F); }
 
 /// Five poses, each of them set on the same android, on round stands.
-inline void paint_parade(Pipeline& pipeline, Android& android)
+inline void paint_parade(Recorder& out, Pipeline& pipeline, Android& android)
 {
     struct Pose {
         glm::vec3 place;
@@ -31,9 +32,9 @@ inline void paint_parade(Pipeline& pipeline, Android& android)
                           {{0, 0, 1.2F}, 0, {0.55F, 0.74F, 0.18F}, 0, 0, 0}};
     pipeline.set_view(parade_view());
     for (const Pose& pose : poses) {
-        android.set_left_arm(pose.left);
-        android.set_right_arm(pose.right);
-        android.set_head(pose.head);
+        ask<&Android::set_left_arm>(out, android, pose.left);
+        ask<&Android::set_right_arm>(out, android, pose.right);
+        ask<&Android::set_head>(out, android, pose.head);
         pipeline.push();
         pipeline.compose(glm::translate(glm::mat4(1), pose.place));
         pipeline.push();
@@ -44,19 +45,19 @@ inline void paint_parade(Pipeline& pipeline, Android& android)
         pipeline.pop();
         pipeline.set_color(pose.color);
         pipeline.compose(glm::rotate(glm::mat4(1), pose.turn, {0, 1, 0}));
-        android.draw(pipeline);
+        ask<&Android::draw>(out, android, pipeline);
         pipeline.pop();
     }
 }
 
 /// 560 x 320 pixels, by the programmable pipeline.
-inline Image draw_parade()
+inline Image draw_parade(Recorder& out)
 {
     const DoubleFrame frame(560, 320, parade_background);
     glEnable(GL_DEPTH_TEST);
-    const std::unique_ptr<Android> android = make_android();
+    const std::unique_ptr<Android> android = ask_new<make_android>(out, "android");
     ProgrammablePipeline pipeline(make_matrix_stack(), parade_projection(), parade_background, 2);
-    if (android) paint_parade(pipeline, *android);
+    if (android) paint_parade(out, pipeline, *android);
     return frame.picture();
 }
 

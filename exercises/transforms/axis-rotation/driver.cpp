@@ -1,5 +1,6 @@
 #include <limits>
 #include <numbers>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support.hpp"
@@ -21,9 +22,9 @@ void record_known(Recorder& out)
         {{0, 0, 1}, -pi / 2},        {{0, 3, 4}, pi},     {{2, 0, 0}, 1},      {{1, -1, 0}, 0.5F},
         {{-0.3F, 0.4F, 1.2F}, 2.5F}, {{0, 0, 7}, 0}};
     for (const AxisAngle& turn : turns) {
-        out.append("matrix", rotation_matrix(turn));
+        out.append("matrix", ask<rotation_matrix>(out, turn));
         for (const glm::vec3& vector : {glm::vec3(1, 0, 0), {0, 2, 0}, {1, 2, 3}})
-            out.append("vector", rotate_vector(vector, turn));
+            out.append("vector", ask<rotate_vector>(out, vector, turn));
     }
 }
 
@@ -31,8 +32,8 @@ void record_random(Random& random, Recorder& out)
 {
     for (const AxisAngle& turn : random_turns(random, 300)) {
         const glm::vec3 vector = 10.0F * random.in_cube();
-        out.append("matrix", rotation_matrix(turn));
-        out.append("vector", rotate_vector(vector, turn));
+        out.append("matrix", ask<rotation_matrix>(out, turn));
+        out.append("vector", ask<rotate_vector>(out, vector, turn));
     }
 }
 
@@ -42,9 +43,9 @@ void record_lengths(Random& random, Recorder& out)
     for (const float size : {1e-37F, 1e-30F, 1e-22F, 1e-5F, 1e5F, 1e22F, 1e30F, 1e37F}) {
         for (int i = 0; i < 20; ++i) {
             const AxisAngle turn{size * random.unit_vector(), random.uniform(-pi, pi)};
-            out.append("matrix", rotation_matrix(turn));
+            out.append("matrix", ask<rotation_matrix>(out, turn));
             const glm::vec3 vector = random.unit_vector();
-            out.append("vector", rotate_vector(vector, turn));
+            out.append("vector", ask<rotate_vector>(out, vector, turn));
         }
     }
 }
@@ -55,7 +56,7 @@ void record_angles(Random& random, Recorder& out)
     for (const float angle : {pi, -pi, 2 * pi, 7.0F, 100.0F, -1e3F, 1e4F, 1e5F, -1e6F, 3.14F, 3.1415F, 3.1416F}) {
         for (int i = 0; i < 10; ++i) {
             const float off = i < 5 ? 0 : random.uniform(-1e-3F, 1e-3F);
-            out.append("matrix", rotation_matrix({random.unit_vector(), angle * (1 + off)}));
+            out.append("matrix", ask<rotation_matrix>(out, {random.unit_vector(), angle * (1 + off)}));
         }
     }
 }
@@ -79,8 +80,8 @@ void record_nothing(Random& random, Recorder& out)
         const bool swapped = random.below(2) == 1;
         for (const AxisAngle& asked : {swapped ? other : turn, swapped ? turn : other}) {
             const glm::vec3 vector = random.in_cube();
-            out.append("matrix", rotation_matrix(asked));
-            out.append("vector", rotate_vector(vector, asked));
+            out.append("matrix", ask<rotation_matrix>(out, asked));
+            out.append("vector", ask<rotate_vector>(out, vector, asked));
         }
     }
 }
@@ -91,22 +92,23 @@ void record_tiny(Random& random, Recorder& out)
     for (const float angle : {1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F, 1e-7F, 1e-8F}) {
         for (int i = 0; i < 40; ++i) {
             const bool flat = i % 2 == 0;
-            out.append("entries", rotation_matrix({clear_axis(flat, random), angle * random.uniform(0.5F, 1)}));
+            out.append("entries",
+                       ask<rotation_matrix>(out, {clear_axis(flat, random), angle * random.uniform(0.5F, 1)}));
         }
     }
 }
 
 void record_chains(Random& random, Recorder& out)
 {
-    out.append("matrix", compose_rotations({}));
+    out.append("matrix", ask<compose_rotations>(out, {}));
     const AxisAngle quarter_turns[] = {{{1, 0, 0}, pi / 2}, {{0, 1, 0}, pi / 2}};
-    out.append("matrix", compose_rotations(quarter_turns));
+    out.append("matrix", ask<compose_rotations>(out, quarter_turns));
     for (std::size_t i = 0; i < 60; ++i) {
         std::vector<AxisAngle> turns = random_turns(random, 2 + i % 7);
         if (i % 5 == 0) turns[1].axis = glm::vec3(0);
         if (i % 5 == 1) turns[0].angle = std::numeric_limits<float>::infinity();
         if (i % 5 == 2) turns[1].axis.y = std::numeric_limits<float>::quiet_NaN();
-        out.append("matrix", compose_rotations(turns));
+        out.append("matrix", ask<compose_rotations>(out, turns));
     }
 }
 
@@ -115,13 +117,14 @@ void record_long_chains(Random& random, Recorder& out)
 {
     const std::vector<AxisAngle> steady(3'600'000, {{1, -2, 2}, 1e-4F});
     for (const std::size_t count : {std::size_t{1000}, std::size_t{10'000}, std::size_t{100'000}, steady.size()})
-        out.append("matrix", compose_rotations(std::span(steady).first(count)));
+        out.append("matrix", ask<compose_rotations>(out, std::span(steady).first(count)));
     // Each of these is less than half a unit in the last place of a float 1.
     const std::vector<AxisAngle> creeping(200'000, {{-3, 1, 2}, 2e-8F});
     for (const std::size_t count : {std::size_t{20'000}, creeping.size()})
-        out.append("matrix", compose_rotations(std::span(creeping).first(count)));
+        out.append("matrix", ask<compose_rotations>(out, std::span(creeping).first(count)));
     for (const float angle : {1e-3F, 0.1F})
-        out.append("matrix", compose_rotations(wandering_turns(random.unit_vector(), angle, 200'000, random)));
+        out.append("matrix",
+                   ask<compose_rotations>(out, wandering_turns(random.unit_vector(), angle, 200'000, random)));
 }
 
 }
@@ -135,7 +138,7 @@ const Driver driver = {
     {"tiny angles", [](Case& c, Recorder& out) { record_tiny(c.random, out); }},
     {"chains", [](Case& c, Recorder& out) { record_chains(c.random, out); }},
     {"long chains", [](Case& c, Recorder& out) { record_long_chains(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_flower()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_flower(out)); }},
 };
 
 }

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <kit/stage.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/rotation.hpp>
 #include <vector>
 
@@ -60,7 +61,7 @@ inline glm::vec3 hue(float turn)
 }
 
 /// 320 x 320 pixels.
-inline Image draw_flower()
+inline Image draw_flower(Recorder& out)
 {
     const Stage stage(320, 320, {0.62F, 0.74F, 0.86F});
     stage.look({0.9F, 3.1F, 4.6F}, {0.28F, 0.68F, 0.2F}, 36);
@@ -77,7 +78,7 @@ inline Image draw_flower()
         const glm::mat4 twisted = glm::scale(glm::rotate(raised, 0.35F, {1, 0, 0}), glm::vec3(ring.length));
         for (int i = 0; i < ring.petals; ++i) {
             const float turn = static_cast<float>(i) / static_cast<float>(ring.petals);
-            const glm::mat4 rotation = rotation_matrix({flower_axis, ring.first + shapes::turn * turn});
+            const glm::mat4 rotation = ask<rotation_matrix>(out, {flower_axis, ring.first + shapes::turn * turn});
             things.push_back({petal, heart * rotation * twisted, {.color = hue(turn + 0.1F * ring.rise)}});
         }
     }

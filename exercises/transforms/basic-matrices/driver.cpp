@@ -1,4 +1,5 @@
 #include <numbers>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "tower.hpp"
@@ -21,9 +22,9 @@ glm::mat4 given_matrix(Random& random)
 
 void record_rotations(float angle, Recorder& out)
 {
-    out.append("rotation", rotation_about_x(angle));
-    out.append("rotation", rotation_about_y(angle));
-    out.append("rotation", rotation_about_z(angle));
+    out.append("rotation", ask<rotation_about_x>(out, angle));
+    out.append("rotation", ask<rotation_about_y>(out, angle));
+    out.append("rotation", ask<rotation_about_z>(out, angle));
 }
 
 // The course's examples first: Tra[0,1.2,0], Tra[0.7,0.6,-0.5], Esc[1.5,…], the mirror Esc[1,1,-1], Rot_x[23°],
@@ -31,18 +32,18 @@ void record_rotations(float angle, Recorder& out)
 void record_known(Recorder& out)
 {
     for (const glm::vec3& offset : {glm::vec3(0, 1.2F, 0), {0.7F, 0.6F, -0.5F}, {1, 2, 3}, {0, 0, 0}})
-        out.append("translation", translation_matrix(offset));
+        out.append("translation", ask<translation_matrix>(out, offset));
     for (const glm::vec3& factors : {glm::vec3(1.5F), {2.5F, 1, 1}, {1, 3, 1}, {1, 1, -1}, {2, 0, 0.5F}})
-        out.append("scaling", scaling_matrix(factors));
+        out.append("scaling", ask<scaling_matrix>(out, factors));
     for (int moved = 0; moved < 3; ++moved)
         for (const int by : {(moved + 1) % 3, (moved + 2) % 3})
-            out.append("shear", shear_matrix(moved, by, 0.5F + static_cast<float>(moved)));
+            out.append("shear", ask<shear_matrix>(out, moved, by, 0.5F + static_cast<float>(moved)));
     for (const float angle : {pi / 2, 23 * pi / 180, pi / 3, pi / 4, -pi / 2, pi}) record_rotations(angle, out);
 
     glm::mat4 matrix(0.0F, 2.0F, 0.0F, 0.0F, -1.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 5.0F, 6.0F, 7.0F, 1.0F);
     for (const glm::vec3& v : {glm::vec3(1, 0, 0), {0, 1, 0}, {0, 0, 0}, {1, 2, 3}}) {
-        out.append("point", transform_point(matrix, v));
-        out.append("vector", transform_vector(matrix, v));
+        out.append("point", ask<transform_point>(out, matrix, v));
+        out.append("vector", ask<transform_vector>(out, matrix, v));
     }
     glm::mat4 moved(1);
     moved[3] = {3, 0, 0, 1};
@@ -53,7 +54,7 @@ void record_known(Recorder& out)
                               {moved, matrix},
                               {matrix, moved, doubled},
                               {matrix}})
-        out.append("composed", compose_matrices(steps));
+        out.append("composed", ask<compose_matrices>(out, steps));
 }
 
 // No step and one step, in pairs, in random order.
@@ -63,7 +64,7 @@ void record_no_steps(Random& random, Recorder& out)
         const std::vector<glm::mat4> steps{given_matrix(random)};
         const bool first = random.below(2) == 1;
         for (const bool none : {first, !first})
-            out.append("composed", compose_matrices(std::span(steps).first(none ? 0 : 1)));
+            out.append("composed", ask<compose_matrices>(out, std::span(steps).first(none ? 0 : 1)));
     }
 }
 
@@ -71,18 +72,18 @@ void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
         const glm::vec3 numbers = 8.0F * random.in_cube();
-        out.append("translation", translation_matrix(numbers));
-        out.append("scaling", scaling_matrix({numbers.y, numbers.z, numbers.x}));
-        out.append("shear", shear_matrix(i % 3, (i + 1 + i / 3 % 2) % 3, numbers.z));
+        out.append("translation", ask<translation_matrix>(out, numbers));
+        out.append("scaling", ask<scaling_matrix>(out, {numbers.y, numbers.z, numbers.x}));
+        out.append("shear", ask<shear_matrix>(out, i % 3, (i + 1 + i / 3 % 2) % 3, numbers.z));
         record_rotations(random.uniform(-pi, pi), out);
         const glm::mat4 matrix = given_matrix(random);
-        out.append("point", transform_point(matrix, numbers));
-        out.append("vector", transform_vector(matrix, numbers));
+        out.append("point", ask<transform_point>(out, matrix, numbers));
+        out.append("vector", ask<transform_vector>(out, matrix, numbers));
     }
     for (std::size_t i = 0; i < 60; ++i) {
         std::vector<glm::mat4> steps;
         for (std::size_t k = 0; k < 2 + i % 5; ++k) steps.push_back(given_matrix(random));
-        out.append("composed", compose_matrices(steps));
+        out.append("composed", ask<compose_matrices>(out, steps));
     }
 }
 
@@ -99,7 +100,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
     {"no steps", [](Case& c, Recorder& out) { record_no_steps(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("tower", draw_tower()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("tower", draw_tower(out)); }},
 };
 
 }

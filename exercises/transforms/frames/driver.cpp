@@ -1,5 +1,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support.hpp"
@@ -40,12 +41,12 @@ void record_known(Recorder& out)
     const Frame cyclic{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {-1, -2, -3}};
     const Frame tilted{{0.6F, 0.8F, 0}, {-0.8F, 0.6F, 0}, {0, 0, 1}, {10, 0, -5}};
     for (const Frame& frame : {world, doubled, sheared, quarter, cyclic, tilted}) {
-        out.append("matrix", frame_matrix(frame));
-        out.append("inverse", inverse_of_frame(frame));
+        out.append("matrix", ask<frame_matrix>(out, frame));
+        out.append("inverse", ask<inverse_of_frame>(out, frame));
         for (const Frame& other : {world, doubled, quarter, sheared})
-            out.append("between", between_frames(frame, other));
+            out.append("between", ask<between_frames>(out, frame, other));
     }
-    for (const Frame& frame : {quarter, cyclic, tilted}) out.append("cartesian", inverse_of_cartesian(frame));
+    for (const Frame& frame : {quarter, cyclic, tilted}) out.append("cartesian", ask<inverse_of_cartesian>(out, frame));
 }
 
 void record_random(Random& random, Recorder& out)
@@ -53,10 +54,10 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 150; ++i) {
         const Frame from = oblique(8.0F * random.in_cube(), random);
         const Frame to = oblique(8.0F * random.in_cube(), random);
-        out.append("matrix", frame_matrix(from));
-        out.append("inverse", inverse_of_frame(from));
-        out.append("between", between_frames(from, to));
-        out.append("cartesian", inverse_of_cartesian(cartesian(8.0F * random.in_cube(), random)));
+        out.append("matrix", ask<frame_matrix>(out, from));
+        out.append("inverse", ask<inverse_of_frame>(out, from));
+        out.append("between", ask<between_frames>(out, from, to));
+        out.append("cartesian", ask<inverse_of_cartesian>(out, cartesian(8.0F * random.in_cube(), random)));
     }
 }
 
@@ -66,7 +67,7 @@ void record_drifted(Random& random, Recorder& out)
     for (int i = 0; i < 60; ++i) {
         Frame frame = cartesian(8.0F * random.in_cube(), random);
         for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis += 2e-3F * random.unit_vector();
-        out.append("inverse", inverse_of_frame(frame));
+        out.append("inverse", ask<inverse_of_frame>(out, frame));
     }
 }
 
@@ -80,8 +81,8 @@ void record_orientation(Random& random, Recorder& out)
         Frame other = frame;
         std::swap(i % 2 == 0 ? other.x : other.z, other.y);
         const bool swapped = random.below(2) == 1;
-        out.append("sign", orientation(swapped ? other : frame));
-        out.append("sign", orientation(swapped ? frame : other));
+        out.append("sign", ask<orientation>(out, swapped ? other : frame));
+        out.append("sign", ask<orientation>(out, swapped ? frame : other));
     }
 }
 
@@ -99,7 +100,7 @@ void record_kinds(Random& random, Recorder& out)
         if (mirrored) frame.y = -frame.y;
         // As far off as a long chain of turns leaves a frame.
         if (i % 5 > 2) frame.x *= 1.00001F;
-        out.append("kind", static_cast<std::int32_t>(classify_frame(frame)));
+        out.append("kind", static_cast<std::int32_t>(ask<classify_frame>(out, frame)));
     }
 }
 
@@ -121,7 +122,7 @@ void record_thresholds(Random& random, Recorder& out)
             else
                 axis += off * next;
             if (i % 4 == 3) axis *= 8.0F;
-            out.append("kind", static_cast<std::int32_t>(classify_frame(other)));
+            out.append("kind", static_cast<std::int32_t>(ask<classify_frame>(out, other)));
         }
     }
 }
@@ -148,7 +149,7 @@ void record_coplanar(Random& random, Recorder& out)
         // Powers of two round nothing.
         for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z})
             *axis *= i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p-100F : 0x1p100F;
-        out.append("sign", orientation(frame));
+        out.append("sign", ask<orientation>(out, frame));
     }
 }
 
@@ -159,7 +160,7 @@ void record_ill_conditioned(Random& random, Recorder& out)
         for (int i = 0; i < 12; ++i) {
             Frame frame = cartesian(random.in_cube(), random);
             frame.y = frame.x + apart * frame.y;
-            out.append("inverse", inverse_of_frame(frame));
+            out.append("inverse", ask<inverse_of_frame>(out, frame));
         }
     }
 }
@@ -173,7 +174,8 @@ void record_far(Random& random, Recorder& out)
             const glm::vec3 here = far * random.unit_vector();
             const glm::vec3 there = here + 8.0F * random.unit_vector();
             const Frame from = oblique(here, random);
-            out.append("between", between_frames(from, i % 2 == 0 ? cartesian(there, random) : oblique(there, random)));
+            out.append("between",
+                       ask<between_frames>(out, from, i % 2 == 0 ? cartesian(there, random) : oblique(there, random)));
         }
     }
 }
@@ -190,7 +192,7 @@ const Driver driver = {
     {"nearly in a plane", [](Case& c, Recorder& out) { record_coplanar(c.random, out); }},
     {"ill-conditioned", [](Case& c, Recorder& out) { record_ill_conditioned(c.random, out); }},
     {"far away", [](Case& c, Recorder& out) { record_far(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("whirl", draw_whirl()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("whirl", draw_whirl(out)); }},
 };
 
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <kit/drawing.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/frames.hpp>
 
 /// A whirl of frames, each a little smaller and turned beside the last one, as someone sees it who stands in an oblique
@@ -18,7 +19,7 @@ inline Frame whirl_frame(int k)
     return {x, k % 4 == 3 ? -y : y, {0, 0, size}, 5.0F * x + glm::vec3(40, 30, 0)};
 }
 
-inline Image draw_whirl()
+inline Image draw_whirl(Recorder& out)
 {
     constexpr int frames = 96;
     const Frame viewer{{1, 0.12F, 0}, {-0.2F, 1, 0}, {0, 0, 1}, {40, 30, 0}};
@@ -28,15 +29,15 @@ inline Image draw_whirl()
         return glm::dvec2(q.x, q.y);
     };
     // The world's grid, from the world to the viewer.
-    const glm::mat4 from_world = inverse_of_frame(viewer);
+    const glm::mat4 from_world = ask<inverse_of_frame>(out, viewer);
     for (float k = -12; k <= 12; ++k) {
         drawing.line(place(from_world, {40 + k, 15}), place(from_world, {40 + k, 45}), ink::slate, 1);
         drawing.line(place(from_world, {25, 30 + k}), place(from_world, {55, 30 + k}), ink::slate, 1);
     }
     for (int k = 0; k < frames; ++k) {
         const Frame frame = whirl_frame(k);
-        const glm::mat4 m = between_frames(frame, viewer);
-        const bool left = orientation(frame) < 0;
+        const glm::mat4 m = ask<between_frames>(out, frame, viewer);
+        const bool left = ask<orientation>(out, frame) < 0;
         const auto share = static_cast<float>(k) / frames;
         const glm::vec3 color = left ? glm::mix(ink::orange, ink::red, share) : glm::mix(ink::blue, ink::green, share);
         // A flag in the frame's own coordinates: a triangle over x and y tells one hand from the other.
@@ -48,8 +49,9 @@ inline Image draw_whirl()
         // its size.
         const float size = length(frame.x);
         const Frame upright{frame.x / size, frame.y / size, frame.z / size, frame.origin};
-        const glm::vec4 bead = frame_matrix(upright) *
-                               (inverse_of_cartesian(upright) * (frame_matrix(frame) * glm::vec4(0.8F, 0.7F, 0, 1)));
+        const glm::vec4 bead =
+            ask<frame_matrix>(out, upright) *
+            (ask<inverse_of_cartesian>(out, upright) * (ask<frame_matrix>(out, frame) * glm::vec4(0.8F, 0.7F, 0, 1)));
         drawing.disc(place(from_world, {bead.x, bead.y}), 3.5 * double{size}, ink::pink);
     }
     return drawing.picture();

@@ -1,6 +1,7 @@
 #include <array>
 #include <numbers>
 #include <optional>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 #include <umbral/transforms/hook.hpp>
 
@@ -21,8 +22,12 @@ struct Ends {
 void record_four_hooks(Recorder& out, Random& random)
 {
     for (int i = 0; i < 5; ++i) {
-        RecordingPipeline drawn(i == 0 ? Start{} : random_start(random));
-        draw_four_hooks(drawn, drawn.marker());
+        const Start start = i == 0 ? Start{} : random_start(random);
+        RecordingPipeline drawn(start);
+        const Figure hook = drawn.marker();
+        introduce(out, drawn, start);
+        introduce(out, hook, "hook");
+        ask<draw_four_hooks>(out, drawn, hook);
         record_events(out, "drawn", drawn, Stack::shown);
     }
     record_names(out, "drawn");
@@ -32,8 +37,10 @@ void record_four_hooks(Recorder& out, Random& random)
 void record_hooks(Recorder& out, Random& random)
 {
     for (int i = 0; i < 5; ++i) {
-        RecordingPipeline drawn(i == 0 ? Start{} : random_start(random));
-        draw_hook(drawn);
+        const Start start = i == 0 ? Start{} : random_start(random);
+        RecordingPipeline drawn(start);
+        introduce(out, drawn, start);
+        ask<draw_hook>(out, drawn);
         for (const EventRow& row : sorted_lines(drawn)) out.append("drawn", std::span<const float>(row));
         record_events(out, "drawn", drawn, Stack::left_out, Lines::left_out);
     }
@@ -87,8 +94,12 @@ void record_steps(Recorder& out, const std::vector<glm::mat4>& steps)
 void record_both(Recorder& out, const std::vector<Ends>& all, Random* starts = nullptr)
 {
     for (const Ends& ends : all) {
-        RecordingPipeline drawn(starts == nullptr ? Start{} : random_start(*starts));
-        draw_hook_between(drawn, drawn.marker(), ends.from, ends.to);
+        const Start start = starts == nullptr ? Start{} : random_start(*starts);
+        RecordingPipeline drawn(start);
+        const Figure hook = drawn.marker();
+        introduce(out, drawn, start);
+        introduce(out, hook, "hook");
+        ask<draw_hook_between>(out, drawn, hook, ends.from, ends.to);
         bool any = false;
         for (const Call& call : drawn.calls()) {
             if (call.kind != Call::Kind::figure) continue;
@@ -100,8 +111,13 @@ void record_both(Recorder& out, const std::vector<Ends>& all, Random* starts = n
             out.append("state", std::span<const float>(after));
             if (starts != nullptr) record_steps(out, drawn.first_steps());
         }
-        out.append("matrix", hook_matrix(ends.from, ends.to));
+        out.append("matrix", ask<hook_matrix>(out, ends.from, ends.to));
     }
+    if (starts == nullptr) return;
+    record_names(out, "state");
+    out.text("steps.names",
+             "1 translation: x axis, y axis, origin\n2 rotation: x axis, y axis, origin\n"
+             "3 scaling: x axis, y axis, origin\n4 none of these: x axis, y axis, origin\n");
 }
 
 // Along the axes, and between them. Lengths are powers of two and places multiples of 1/4: nothing need be rounded.
@@ -161,15 +177,19 @@ void record_halves(Recorder& out, Random& random)
             to[k] = sign * (0.5F + 0x1p-24F * static_cast<float>(even));
             from[k] = -sign * (0.5F + 0x1p-24F * static_cast<float>(odd));
         }
-        out.append("matrix", hook_matrix(from, to));
+        out.append("matrix", ask<hook_matrix>(out, from, to));
     }
 }
 
 void record_circles(Recorder& out, std::initializer_list<unsigned> counts, Random& random)
 {
     for (const unsigned count : counts) {
-        RecordingPipeline drawn(random_start(random));
-        draw_hook_circle(drawn, drawn.marker(), count);
+        const Start start = random_start(random);
+        RecordingPipeline drawn(start);
+        const Figure hook = drawn.marker();
+        introduce(out, drawn, start);
+        introduce(out, hook, "hook");
+        ask<draw_hook_circle>(out, drawn, hook, count);
         record_events(out, "drawn", drawn, Stack::left_out);
     }
     record_names(out, "drawn");
@@ -200,7 +220,7 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          record_circles(out, {4 + c.random.below(8), 13 + c.random.below(30)}, c.random);
      }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_wheel()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_wheel(out)); }},
 };
 
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <kit/double_frame.hpp>
 #include <numbers>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/hook.hpp>
 
 #include "../gl_pipelines.hpp"
@@ -18,7 +19,7 @@ inline glm::vec3 hook_hue(float turn)
 
 /// All that can be made of the hook: the pinwheel, circles of 5, 8 and 13, and a spiral whose hooks are placed with and
 /// without angles in turn.
-inline void paint_wheel(Pipeline& pipeline)
+inline void paint_wheel(Recorder& out, Pipeline& pipeline)
 {
     const auto scaled = [&](float size, auto draw) {
         pipeline.push();
@@ -30,14 +31,14 @@ inline void paint_wheel(Pipeline& pipeline)
     scaled(0.24F, [&] {
         pipeline.compose(glm::translate(glm::mat4(1), {1, -1, 0}));
         pipeline.set_color(ink::white);
-        draw_four_hooks(pipeline, draw_hook);
+        ask<draw_four_hooks>(out, pipeline, draw_hook);
     });
     constexpr unsigned counts[] = {5, 8, 13};
     constexpr float sizes[] = {1.15F, 2.15F, 3.2F};
     for (int ring = 0; ring < 3; ++ring)
         scaled(sizes[ring], [&] {
             pipeline.set_color(hook_hue(0.15F + 0.28F * static_cast<float>(ring)));
-            draw_hook_circle(pipeline, draw_hook, counts[ring]);
+            ask<draw_hook_circle>(out, pipeline, draw_hook, counts[ring]);
         });
     constexpr int steps = 34;
     const auto place = [](int i) {
@@ -48,11 +49,11 @@ inline void paint_wheel(Pipeline& pipeline)
     for (int i = 0; i < steps; ++i) {
         pipeline.set_color(hook_hue(static_cast<float>(i) / steps));
         if (i % 2 == 0) {
-            draw_hook_between(pipeline, draw_hook, place(i), place(i + 1));
+            ask<draw_hook_between>(out, pipeline, draw_hook, place(i), place(i + 1));
         } else {
             pipeline.push();
-            pipeline.compose(hook_matrix(place(i), place(i + 1)));
-            draw_hook(pipeline);
+            pipeline.compose(ask<hook_matrix>(out, place(i), place(i + 1)));
+            ask<draw_hook>(out, pipeline);
             pipeline.pop();
         }
     }
@@ -61,13 +62,13 @@ inline void paint_wheel(Pipeline& pipeline)
 inline constexpr float wheel_reach = 7.6F;
 
 /// 384 x 384 pixels, by the programmable pipeline.
-inline Image draw_wheel()
+inline Image draw_wheel(Recorder& out)
 {
     const DoubleFrame frame(384, 384);
     ProgrammablePipeline pipeline(make_matrix_stack(), glm::ortho(-wheel_reach, wheel_reach, -wheel_reach, wheel_reach),
                                   ink::night, 2);
     pipeline.set_view(glm::mat4(1));
-    paint_wheel(pipeline);
+    paint_wheel(out, pipeline);
     return frame.picture();
 }
 

@@ -1,3 +1,4 @@
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../drawn_events.hpp"
@@ -11,16 +12,16 @@ using namespace transforms;
 
 void record(Recorder& out, const MatrixStack& stack)
 {
-    out.append("modelview", stack.modelview());
-    out.append("normals", up_to_scale(stack.normal_matrix()));
+    out.append("modelview", ask<&MatrixStack::modelview>(out, stack));
+    out.append("normals", up_to_scale(ask<&MatrixStack::normal_matrix>(out, stack)));
 }
 
 void record_session(Recorder& out, const std::vector<Step>& steps)
 {
-    const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+    const std::unique_ptr<MatrixStack> stack = ask_new<make_matrix_stack>(out, "stack");
     if (!stack) return;
     for (const Step& step : steps) {
-        apply(*stack, step);
+        apply(out, *stack, step);
         record(out, *stack);
     }
 }
@@ -33,16 +34,16 @@ void record_pops(Recorder& out, Random& random)
         const bool first_works = random.below(2) == 0;
         for (const bool works : {first_works, !first_works}) {
             const std::vector<Step> steps = steps_before_a_pop(random, works);
-            const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+            const std::unique_ptr<MatrixStack> stack = ask_new<make_matrix_stack>(out, "stack");
             if (!stack) return;
-            for (const Step& step : steps) apply(*stack, step);
-            out.append("thrown", thrown_by_pop(*stack));
-            out.append("modelview", stack->modelview());
-            stack->push();
-            stack->compose(quarter_turn(1));
-            out.append("modelview", stack->modelview());
-            (void)thrown_by_pop(*stack);
-            out.append("modelview", stack->modelview());
+            for (const Step& step : steps) apply(out, *stack, step);
+            out.append("thrown", thrown_by_pop(out, *stack));
+            out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
+            ask<&MatrixStack::push>(out, *stack);
+            ask<&MatrixStack::compose>(out, *stack, quarter_turn(1));
+            out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
+            (void)thrown_by_pop(out, *stack);
+            out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
         }
     }
 }
@@ -51,31 +52,31 @@ void record_pops(Recorder& out, Random& random)
 void record_deep(Recorder& out)
 {
     constexpr int depth = 100'000;
-    const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+    const std::unique_ptr<MatrixStack> stack = ask_new<make_matrix_stack>(out, "stack");
     if (!stack) return;
     for (int i = 0; i < depth; ++i) {
-        stack->push();
-        stack->compose(quarter_turn(i % 3));
+        ask<&MatrixStack::push>(out, *stack);
+        ask<&MatrixStack::compose>(out, *stack, quarter_turn(i % 3));
     }
     for (int i = 0; i < depth; ++i) {
-        if (i % 4999 == 0) out.append("modelview", stack->modelview());
-        stack->pop();
+        if (i % 4999 == 0) out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
+        ask<&MatrixStack::pop>(out, *stack);
     }
-    out.append("modelview", stack->modelview());
+    out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
 }
 
 void record_two(Recorder& out, Random& random)
 {
-    const std::unique_ptr<MatrixStack> one = make_matrix_stack();
-    const std::unique_ptr<MatrixStack> other = make_matrix_stack();
+    const std::unique_ptr<MatrixStack> one = ask_new<make_matrix_stack>(out, "one");
+    const std::unique_ptr<MatrixStack> other = ask_new<make_matrix_stack>(out, "other");
     if (!one || !other) return;
     const std::vector<Step> first = random_session(random, 30);
     const std::vector<Step> second = random_session(random, 30);
     for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) {
-        apply(*one, first[i]);
-        apply(*other, second[i]);
-        out.append("modelview", one->modelview());
-        out.append("modelview", other->modelview());
+        apply(out, *one, first[i]);
+        apply(out, *other, second[i]);
+        out.append("modelview", ask<&MatrixStack::modelview>(out, *one));
+        out.append("modelview", ask<&MatrixStack::modelview>(out, *other));
     }
 }
 
@@ -83,11 +84,11 @@ void record_long_chains(Recorder& out, Random& random)
 {
     for (int chain = 0; chain < 3; ++chain) {
         const glm::vec3 axis = random.unit_vector();
-        const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+        const std::unique_ptr<MatrixStack> stack = ask_new<make_matrix_stack>(out, "stack");
         if (!stack) return;
         for (int i = 1; i <= 30'000; ++i) {
-            stack->compose(glm::rotate(glm::mat4(1), 1e-3F, axis));
-            if (i % 3000 == 0) out.append("modelview", stack->modelview());
+            ask<&MatrixStack::compose>(out, *stack, glm::rotate(glm::mat4(1), 1e-3F, axis));
+            if (i % 3000 == 0) out.append("modelview", ask<&MatrixStack::modelview>(out, *stack));
         }
     }
 }
@@ -101,43 +102,64 @@ void record_scales(Recorder& out, Random& random)
             const glm::mat4 turn = rigid(random);
             const glm::vec3 size(scale * random.uniform(1, 3), scale * random.uniform(1, 3),
                                  -scale * random.uniform(1, 3));
-            const std::unique_ptr<MatrixStack> stack = make_matrix_stack();
+            const std::unique_ptr<MatrixStack> stack = ask_new<make_matrix_stack>(out, "stack");
             if (!stack) return;
-            stack->set_view(view);
-            stack->compose(turn);
-            stack->compose(glm::scale(glm::mat4(1), size));
-            out.append("normals", up_to_scale(stack->normal_matrix()));
+            ask<&MatrixStack::set_view>(out, *stack, view);
+            ask<&MatrixStack::compose>(out, *stack, turn);
+            ask<&MatrixStack::compose>(out, *stack, glm::scale(glm::mat4(1), size));
+            out.append("normals", up_to_scale(ask<&MatrixStack::normal_matrix>(out, *stack)));
         }
     }
+}
+
+/// What is drawn above each other in one picture, `size` cells each.
+std::string code_of(const std::vector<Start>& starts, int size)
+{
+    std::string code;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+        code += (i > 0 ? "\n" : "") + ("// in rows from " + std::to_string(i * static_cast<std::size_t>(size))) +
+                ":\n" + transforms::code_of(starts[i]) + "\ndraw_simple_figure(pipeline);";
+    return code;
 }
 
 // The figure as it is, and in three places that nobody can have expected. Who fills nothing has left no state either.
 void record_simple(Recorder& out, Random& random)
 {
     constexpr int size = 96;
+    std::vector<Start> starts = {{.color = {0.2F, 0.6F, 0.9F}, .background = {0.1F, 0.1F, 0.2F}}};
+    while (starts.size() < 4) starts.push_back(random_start(random));
     Grid<std::uint32_t> all(size, 4 * size);
+    // One question for all cells.
+    ask_in_words(out, [&] { return code_of(starts, size); });
     for (int i = 0; i < 4; ++i) {
-        const Start start =
-            i == 0 ? Start{.color = {0.2F, 0.6F, 0.9F}, .background = {0.1F, 0.1F, 0.2F}} : random_start(random);
-        RecordingPipeline drawn(start);
+        RecordingPipeline drawn(starts[static_cast<std::size_t>(i)]);
         draw_simple_figure(drawn);
         const double reach = i == 0 ? 1.25 : 4;
         const Grid<std::uint32_t> cells = filled_cells(drawn, size, size, glm::dvec2(-reach), glm::dvec2(reach));
         std::copy(cells.cells.begin(), cells.cells.end(), all.cells.begin() + i * size * size);
+    }
+    out.buffer("cells", all);
+    for (const Start& start : starts) {
+        RecordingPipeline drawn(start);
+        introduce(out, drawn, start);
+        ask<draw_simple_figure>(out, drawn);
         const auto filled = [](const Call& call) { return call.kind == Call::Kind::triangles && !call.places.empty(); };
         if (std::none_of(drawn.calls().begin(), drawn.calls().end(), filled)) continue;
         const EventRow after = matrix_row(9, drawn.modelview(), drawn.color(), drawn.line_width(), drawn.depth());
         out.append("state", std::span<const float>(after));
     }
-    out.buffer("cells", all);
     record_names(out, "state");
 }
 
 void record_complex(Recorder& out, Random& random)
 {
     for (int i = 0; i < 5; ++i) {
-        RecordingPipeline drawn(i == 0 ? Start{} : random_start(random));
-        draw_complex_figure(drawn, drawn.marker());
+        const Start start = i == 0 ? Start{} : random_start(random);
+        RecordingPipeline drawn(start);
+        const Figure figure = drawn.marker();
+        introduce(out, drawn, start);
+        introduce(out, figure, "figure");
+        ask<draw_complex_figure>(out, drawn, figure);
         record_events(out, "drawn", drawn, Stack::left_out);
     }
     record_names(out, "drawn");
@@ -158,7 +180,7 @@ const Driver driver = {
     {"tiny and huge", [](Case& c, Recorder& out) { record_scales(out, c.random); }},
     {"simple figure", [](Case& c, Recorder& out) { record_simple(out, c.random); }},
     {"complex figure", [](Case& c, Recorder& out) { record_complex(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rosette(make_matrix_stack())); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rosette(out)); }},
 };
 
 }

@@ -3,14 +3,16 @@
 #include <kit/double_frame.hpp>
 #include <numbers>
 
+#include <umbral/record/ask.hpp>
 #include "../gl_pipelines.hpp"
 
 namespace umbral::transforms {
 
-/// Three rings of complex figures, turned one inside the other, in the programmable pipeline with `stack` for its
-/// matrices: 384 x 384 pixels.
-inline Image draw_rosette(std::unique_ptr<MatrixStack> stack)
+/// Three rings of complex figures, turned one inside the other, in the programmable pipeline with the unit's
+/// stack for its matrices: 384 x 384 pixels.
+inline Image draw_rosette(Recorder& out)
 {
+    std::unique_ptr<MatrixStack> stack = ask_new<make_matrix_stack>(out, "stack");
     const DoubleFrame frame(384, 384);
     if (!stack) return frame.picture();
 
@@ -27,7 +29,7 @@ inline Image draw_rosette(std::unique_ptr<MatrixStack> stack)
             pipeline.push();
             pipeline.compose(glm::translate(glm::mat4(1), {radii[ring], -0.5F * sizes[ring], 0}));
             pipeline.compose(glm::scale(glm::mat4(1), glm::vec3(sizes[ring])));
-            draw_complex_figure(pipeline, draw_simple_figure);
+            ask<draw_complex_figure>(out, pipeline, draw_simple_figure);
             pipeline.pop();
             pipeline.compose(
                 glm::rotate(glm::mat4(1), 2 * std::numbers::pi_v<float> / static_cast<float>(counts[ring]), {0, 0, 1}));

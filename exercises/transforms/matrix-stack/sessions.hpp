@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/core/random.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/matrix_stack.hpp>
 #include <vector>
 
@@ -15,13 +16,13 @@ struct Step {
     glm::mat4 matrix{1};
 };
 
-inline void apply(MatrixStack& stack, const Step& step)
+inline void apply(Recorder& out, MatrixStack& stack, const Step& step)
 {
     switch (step.kind) {
-        case Step::Kind::set_view: return stack.set_view(step.matrix);
-        case Step::Kind::compose: return stack.compose(step.matrix);
-        case Step::Kind::push: return stack.push();
-        case Step::Kind::pop: return stack.pop();
+        case Step::Kind::set_view: return ask<&MatrixStack::set_view>(out, stack, step.matrix);
+        case Step::Kind::compose: return ask<&MatrixStack::compose>(out, stack, step.matrix);
+        case Step::Kind::push: return ask<&MatrixStack::push>(out, stack);
+        case Step::Kind::pop: return ask<&MatrixStack::pop>(out, stack);
     }
 }
 
@@ -31,10 +32,10 @@ inline Step push() { return {Step::Kind::push, {}}; }
 inline Step pop() { return {Step::Kind::pop, {}}; }
 
 /// 0 if a pop goes well, 1 if it throws EmptyStack, 2 if it throws anything else.
-inline float thrown_by_pop(MatrixStack& stack)
+inline float thrown_by_pop(Recorder& out, MatrixStack& stack)
 {
     try {
-        stack.pop();
+        ask<&MatrixStack::pop>(out, stack);
         return 0;
     } catch (const EmptyStack&) {
         return 1;

@@ -1,4 +1,5 @@
 #include <glm/gtc/matrix_transform.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support.hpp"
@@ -12,7 +13,7 @@ using namespace transforms;
 // The length of a normal matrix is free: what is recorded is its multiple whose largest entry is 1 or -1.
 void record_matrix(const glm::mat4& model, Recorder& out)
 {
-    const glm::mat3 u = normal_matrix(model);
+    const glm::mat3 u = ask<normal_matrix>(out, model);
     double largest = 0;
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(double{u[column][row]}));
@@ -22,7 +23,7 @@ void record_matrix(const glm::mat4& model, Recorder& out)
 void record(const glm::mat4& model, const glm::vec3& normal, Recorder& out)
 {
     record_matrix(model, out);
-    out.append("normal", transformed_normal(model, normal));
+    out.append("normal", ask<transformed_normal>(out, model, normal));
 }
 
 glm::mat4 turned(Random& random)
@@ -127,7 +128,7 @@ const Driver driver = {
     {"flattened", [](Case& c, Recorder& out) { record_flattened(c.random, out); }},
     {"tiny and huge", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"nearly flat", [](Case& c, Recorder& out) { record_nearly_flat(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("pebbles", draw_pebbles()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("pebbles", draw_pebbles(out)); }},
 };
 
 }

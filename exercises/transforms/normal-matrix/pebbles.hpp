@@ -3,6 +3,7 @@
 #include <cmath>
 #include <kit/stage.hpp>
 #include <list>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/normal_matrix.hpp>
 #include <vector>
 
@@ -15,17 +16,17 @@ struct Pebble {
     glm::vec3 color;
 };
 
-inline Pebble pebble(const glm::mat4& model, const glm::vec3& color)
+inline Pebble pebble(Recorder& out, const glm::mat4& model, const glm::vec3& color)
 {
     shapes::Shape shape = shapes::sphere(64, 40);
     for (std::size_t i = 0; i < shape.positions.size(); ++i) {
-        shape.normals[i] = transformed_normal(model, shape.positions[i]);
+        shape.normals[i] = ask<transformed_normal>(out, model, shape.positions[i]);
         shape.positions[i] = glm::vec3(model * glm::vec4(shape.positions[i], 1));
     }
     return {shape, color};
 }
 
-inline std::vector<Pebble> pebbles()
+inline std::vector<Pebble> pebbles(Recorder& out)
 {
     std::vector<Pebble> pile;
     // Sizes from the ground up; `lean` shears x by y, `tilt` turns about z, `spin` about y.
@@ -35,7 +36,7 @@ inline std::vector<Pebble> pebbles()
         glm::mat4 model = glm::translate(glm::mat4(1), middle);
         model = glm::rotate(model, spin, {0, 1, 0});
         model = glm::rotate(model, tilt, {0, 0, 1});
-        pile.push_back(pebble(glm::scale(model * shear, size), color));
+        pile.push_back(pebble(out, glm::scale(model * shear, size), color));
     };
     add({0, 0.32F, 0}, {1.25F, 0.36F, 0.95F}, 0.3F, 0.02F, 0.3F, {0.10F, 0.13F, 0.17F});
     add({0.05F, 0.88F, 0}, {0.85F, 0.27F, 0.72F}, -0.5F, 0.05F, 1.2F, {0.42F, 0.16F, 0.09F});
@@ -49,14 +50,14 @@ inline std::vector<Pebble> pebbles()
 }
 
 /// 320 x 320 pixels.
-inline Image draw_pebbles()
+inline Image draw_pebbles(Recorder& out)
 {
     const Stage stage(320, 320, {0.675F, 0.743F, 0.806F});
     stage.look({2.2F, 2.6F, 5.6F}, {0.1F, 0.9F, 0.1F}, 36);
     const gl::Mesh box = uploaded(shapes::box());
     std::list<gl::Mesh> meshes;
     std::vector<Stage::Thing> things;
-    for (const auto& [shape, color] : pebbles())
+    for (const auto& [shape, color] : pebbles(out))
         things.push_back({meshes.emplace_back(shape.positions, shape.normals, shape.indices),
                           glm::mat4(1),
                           {.color = color, .gloss = 0.6F}});

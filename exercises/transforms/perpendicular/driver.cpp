@@ -1,4 +1,5 @@
 #include <numbers>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "tree.hpp"
@@ -27,8 +28,8 @@ PlaneFrame random_frame(bool left_handed, Random& random)
 
 void record_space(const glm::vec3& e, const glm::vec3& u, Recorder& out)
 {
-    out.append("across", across(e, u));
-    out.append("across matrix", across_matrix(e));
+    out.append("across", ask<across>(out, e, u));
+    out.append("across matrix", ask<across_matrix>(out, e));
 }
 
 void record_known(Recorder& out)
@@ -37,16 +38,17 @@ void record_known(Recorder& out)
     const PlaneFrame turned{{0.6F, 0.8F}, {-0.8F, 0.6F}, {0, 5}};
     const PlaneFrame mirrored{{0, 1}, {1, 0}, {-1, 2}};
     for (const glm::vec2& u : {glm::vec2(1, 0), {0, 1}, {3, 4}, {-2, 5}, {0, 0}}) {
-        out.append("left", turn_left(u));
-        out.append("right", turn_right(u));
+        out.append("left", ask<turn_left>(out, u));
+        out.append("right", ask<turn_right>(out, u));
         for (const PlaneFrame& frame : {shifted, turned, mirrored}) {
-            out.append("in a frame", turn_vector_in(frame, u));
-            out.append("point", turn_point_in(frame, u));
+            out.append("in a frame", ask<turn_vector_in>(out, frame, u));
+            out.append("point", ask<turn_point_in>(out, frame, u));
         }
-        for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F}) out.append("rotated", rotate_in_plane(u, angle));
+        for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F})
+            out.append("rotated", ask<rotate_in_plane>(out, u, angle));
     }
     for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F, 50 * pi / 180})
-        out.append("matrix", plane_rotation_matrix(angle));
+        out.append("matrix", ask<plane_rotation_matrix>(out, angle));
     record_space({0, 0, 1}, {1, 0, 0}, out);
     record_space({1, 0, 0}, {0, 2, 0}, out);
     record_space({1, 2, 3}, {4, 5, 6}, out);
@@ -57,12 +59,12 @@ void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
         const glm::vec2 u = in_square(random);
-        out.append("left", turn_left(u));
-        out.append("right", turn_right(u));
-        out.append("point", turn_point_in(random_frame(i % 3 == 0, random), u));
+        out.append("left", ask<turn_left>(out, u));
+        out.append("right", ask<turn_right>(out, u));
+        out.append("point", ask<turn_point_in>(out, random_frame(i % 3 == 0, random), u));
         const float angle = random.uniform(-pi, pi);
-        out.append("rotated", rotate_in_plane(u, angle));
-        out.append("matrix", plane_rotation_matrix(angle));
+        out.append("rotated", ask<rotate_in_plane>(out, u, angle));
+        out.append("matrix", ask<plane_rotation_matrix>(out, angle));
         const glm::vec3 e = 3.0F * random.in_cube();
         record_space(e, 3.0F * random.in_cube(), out);
     }
@@ -76,7 +78,7 @@ void record_hands(Random& random, Recorder& out)
         const glm::vec2 u = in_square(random);
         const bool first = random.below(2) == 1;
         for (const bool left_handed : {first, !first})
-            out.append("in a frame", turn_vector_in(random_frame(left_handed, random), u));
+            out.append("in a frame", ask<turn_vector_in>(out, random_frame(left_handed, random), u));
     }
 }
 
@@ -85,10 +87,10 @@ void record_kept(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
         const float angle = random.uniform(-pi, pi);
-        const glm::dvec2 a(rotate_in_plane(in_square(random), angle));
-        const glm::dvec2 b(rotate_in_plane(in_square(random), angle));
-        out.append("dot", dot(a, b));
+        const glm::dvec2 a(ask<rotate_in_plane>(out, in_square(random), angle));
         out.append("length", length(a));
+        const glm::dvec2 b(ask<rotate_in_plane>(out, in_square(random), angle));
+        out.append("dot", dot(a, b));
     }
 }
 
@@ -97,7 +99,7 @@ void record_many_turns(Random& random, Recorder& out)
     for (const float angle : {2 * pi, 100.0F, -1e3F, 1e4F, -1e6F}) {
         for (int i = 0; i < 8; ++i) {
             const glm::vec2 u = in_square(random);
-            out.append("rotated", rotate_in_plane(u, angle * random.uniform(0.9F, 1)));
+            out.append("rotated", ask<rotate_in_plane>(out, u, angle * random.uniform(0.9F, 1)));
         }
     }
 }
@@ -110,7 +112,7 @@ const Driver driver = {
     {"either hand", [](Case& c, Recorder& out) { record_hands(c.random, out); }},
     {"kept", [](Case& c, Recorder& out) { record_kept(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("tree", draw_tree()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("tree", draw_tree(out)); }},
 };
 
 }

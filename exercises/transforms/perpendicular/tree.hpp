@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <kit/drawing.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/perpendicular.hpp>
 
 /// A tree of Pythagoras: on every square a right-angled triangle, on its legs two smaller squares, all by P and
@@ -16,7 +17,7 @@ struct Branch {
     int depth;
 };
 
-inline Image draw_tree()
+inline Image draw_tree(Recorder& out)
 {
     constexpr int deepest = 11;
     constexpr std::array<glm::vec3, 5> stops = {glm::vec3(0.36F, 0.24F, 0.20F),
@@ -32,7 +33,7 @@ inline Image draw_tree()
         const Branch branch = branches[i];
         // Sides shrink; one that grows is a wrong answer, and would take long to paint.
         if (!(length(branch.side) < 1.5F)) continue;
-        const glm::vec2 up = turn_left(branch.side);
+        const glm::vec2 up = ask<turn_left>(out, branch.side);
         const glm::vec2 top = branch.foot + up;
         const float place = 4 * static_cast<float>(branch.depth) / deepest;
         const auto stop = std::min(static_cast<std::size_t>(place), stops.size() - 2);
@@ -42,8 +43,8 @@ inline Image draw_tree()
         drawing.outline(square, 0.55F * color, 1);
         if (branch.depth == deepest) continue;
         // The legs: one leans by an angle from the side, the other stands at a right angle to the first.
-        const glm::vec2 first = std::cos(branch.lean) * rotate_in_plane(branch.side, branch.lean);
-        const glm::vec2 second = std::tan(branch.lean) * turn_right(first);
+        const glm::vec2 first = std::cos(branch.lean) * ask<rotate_in_plane>(out, branch.side, branch.lean);
+        const glm::vec2 second = std::tan(branch.lean) * ask<turn_right>(out, first);
         const float next = branch.depth % 2 == 0 ? 0.86F : 0.72F;
         branches.push_back({top, first, next, branch.depth + 1});
         branches.push_back({top + first, second, next, branch.depth + 1});

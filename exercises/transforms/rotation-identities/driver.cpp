@@ -1,3 +1,4 @@
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "globe.hpp"
@@ -20,9 +21,9 @@ void record_known(Recorder& out)
 {
     for (const WorldAxis axis : axes) {
         for (const float degrees : {0.0F, 90.0F, -90.0F, 180.0F, 23.0F, 60.0F, 45.0F, 30.0F}) {
-            out.append("matrix", elementary_matrix({axis, degrees}));
+            out.append("matrix", ask<elementary_matrix>(out, {axis, degrees}));
             for (const glm::vec3& v : {glm::vec3(1, 2, 3), {0, 0, 4}})
-                out.append("vector", elementary_rotation(v, {axis, degrees}));
+                out.append("vector", ask<elementary_rotation>(out, v, {axis, degrees}));
         }
     }
 }
@@ -31,8 +32,8 @@ void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
         const ElementaryTurn turn = random_turn(random);
-        out.append("matrix", elementary_matrix(turn));
-        out.append("vector", elementary_rotation(8.0F * random.in_cube(), turn));
+        out.append("matrix", ask<elementary_matrix>(out, turn));
+        out.append("vector", ask<elementary_rotation>(out, 8.0F * random.in_cube(), turn));
     }
 }
 
@@ -43,12 +44,12 @@ void record_identities(Random& random, Recorder& out)
         const ElementaryTurn turn = random_turn(random);
         const glm::vec3 a = 3.0F * random.in_cube();
         const glm::vec3 b = 3.0F * random.in_cube();
-        const glm::dvec3 turned_a(elementary_rotation(a, turn));
-        const glm::dvec3 turned_b(elementary_rotation(b, turn));
-        out.append("dot", dot(turned_a, turned_b));
+        const glm::dvec3 turned_a(ask<elementary_rotation>(out, a, turn));
         out.append("length", length(turned_a));
+        const glm::dvec3 turned_b(ask<elementary_rotation>(out, b, turn));
+        out.append("dot", dot(turned_a, turned_b));
         out.append("cross of the turned", glm::vec3(cross(turned_a, turned_b)));
-        out.append("turned cross", elementary_rotation(glm::vec3(cross(glm::dvec3(a), glm::dvec3(b))), turn));
+        out.append("turned cross", ask<elementary_rotation>(out, glm::vec3(cross(glm::dvec3(a), glm::dvec3(b))), turn));
     }
 }
 
@@ -59,8 +60,8 @@ void record_quarter_turns(Random& random, Recorder& out)
         const int most = i < 30 ? 8 : i < 60 ? 4000 : 180'000;
         const int quarters = static_cast<int>(random.below(2 * static_cast<std::uint32_t>(most))) - most;
         const ElementaryTurn turn{axes[random.below(3)], static_cast<float>(90 * quarters)};
-        out.append("matrix", elementary_matrix(turn));
-        out.append("vector", elementary_rotation(8.0F * random.in_cube(), turn));
+        out.append("matrix", ask<elementary_matrix>(out, turn));
+        out.append("vector", ask<elementary_rotation>(out, 8.0F * random.in_cube(), turn));
     }
 }
 
@@ -70,20 +71,20 @@ void record_many_turns(Random& random, Recorder& out)
         for (int i = 0; i < 15; ++i) {
             const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
             const ElementaryTurn turn{axes[random.below(3)], sign * degrees * random.uniform(0.3F, 1)};
-            out.append("vector", elementary_rotation(random.unit_vector(), turn));
+            out.append("vector", ask<elementary_rotation>(out, random.unit_vector(), turn));
         }
     }
 }
 
 void record_chains(Random& random, Recorder& out)
 {
-    out.append("vector", after_turns({1, 2, 3}, {}));
+    out.append("vector", ask<after_turns>(out, {1, 2, 3}, {}));
     const ElementaryTurn quarters[] = {{WorldAxis::x, 90}, {WorldAxis::y, 90}};
-    out.append("vector", after_turns({1, 2, 3}, quarters));
+    out.append("vector", ask<after_turns>(out, {1, 2, 3}, quarters));
     for (std::size_t i = 0; i < 60; ++i) {
         std::vector<ElementaryTurn> turns;
         for (std::size_t k = 0; k < 2 + i % 7; ++k) turns.push_back(random_turn(random));
-        out.append("vector", after_turns(random.unit_vector(), turns));
+        out.append("vector", ask<after_turns>(out, random.unit_vector(), turns));
     }
 }
 
@@ -99,12 +100,12 @@ void record_long_chains(Random& random, Recorder& out)
         for (const std::size_t count : {std::size_t{6'000}, std::size_t{60'000}, longest}) {
             const glm::vec3 a = random.uniform(0.5F, 1) * random.unit_vector();
             const glm::vec3 b = random.uniform(0.5F, 1) * random.unit_vector();
-            const glm::vec3 turned_a = after_turns(a, std::span(turns).first(count));
-            const glm::vec3 turned_b = after_turns(b, std::span(turns).first(count));
+            const glm::vec3 turned_a = ask<after_turns>(out, a, std::span(turns).first(count));
             out.append("vector", turned_a);
+            out.append("length", length(glm::dvec3(turned_a)));
+            const glm::vec3 turned_b = ask<after_turns>(out, b, std::span(turns).first(count));
             out.append("vector", turned_b);
             out.append("dot", dot(glm::dvec3(turned_a), glm::dvec3(turned_b)));
-            out.append("length", length(glm::dvec3(turned_a)));
         }
     }
 }
@@ -119,7 +120,7 @@ const Driver driver = {
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
     {"chains", [](Case& c, Recorder& out) { record_chains(c.random, out); }},
     {"long chains", [](Case& c, Recorder& out) { record_long_chains(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("globe", draw_globe()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("globe", draw_globe(out)); }},
 };
 
 }

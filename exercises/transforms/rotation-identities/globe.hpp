@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <kit/drawing.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/rotation_identities.hpp>
 
 /// What a point draws on a sphere that turns about two axes at once: the far side faint, the near side bright.
@@ -19,7 +20,7 @@ struct Curve {
     double width;
 };
 
-inline Image draw_globe()
+inline Image draw_globe(Recorder& out)
 {
     constexpr int steps = 1400;
     const std::array<Curve, 6> curves = {{
@@ -39,9 +40,9 @@ inline Image draw_globe()
             for (int i = 0; i <= steps; ++i) {
                 const float share = static_cast<float>(i) / steps;
                 const glm::vec3 inner =
-                    elementary_rotation(curve.start, {curve.inner, 360 * curve.inner_rounds * share});
-                const glm::vec3 there =
-                    after_turns(elementary_matrix({curve.outer, 360 * curve.outer_rounds * share}) * inner, camera);
+                    ask<elementary_rotation>(out, curve.start, {curve.inner, 360 * curve.inner_rounds * share});
+                const glm::vec3 there = ask<after_turns>(
+                    out, ask<elementary_matrix>(out, {curve.outer, 360 * curve.outer_rounds * share}) * inner, camera);
                 if (i > 0 && (there.z > 0) == near) {
                     const double alpha = near ? 0.55 + 0.45 * double{there.z} : 0.16;
                     // A wrong answer must not cross the picture a thousand times.
@@ -55,7 +56,7 @@ inline Image draw_globe()
     for (const auto& [axis, start, color] : {std::tuple{WorldAxis::y, glm::vec3(1, 0, 0), ink::red},
                                              {WorldAxis::z, {0, 1, 0}, ink::green},
                                              {WorldAxis::x, {0, 0, 1}, ink::blue}}) {
-        const glm::vec3 tip = after_turns(elementary_rotation(start, {axis, 360}), camera);
+        const glm::vec3 tip = ask<after_turns>(out, ask<elementary_rotation>(out, start, {axis, 360}), camera);
         drawing.arrow({0, 0}, {tip.x, tip.y}, color, 3.5);
     }
     return drawing.picture();

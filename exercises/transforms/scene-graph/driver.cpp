@@ -1,4 +1,5 @@
 #include <array>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -24,16 +25,16 @@ void record_instances(Recorder& out, const std::vector<Instance>& instances)
 void record_known(Recorder& out)
 {
     SceneGraph graph = facade();
-    record_instances(out, expand(graph, plenty));
+    record_instances(out, ask<expand>(out, graph, plenty));
     graph.root = 2;
-    record_instances(out, expand(graph, plenty));
+    record_instances(out, ask<expand>(out, graph, plenty));
     GraphBuilder b;
     const std::uint32_t empty = b.add_node({});
     const std::uint32_t inner = b.add_node({object(1), b.move(1, 2), object(2), node(empty), b.scale(3, 3)});
     b.graph.root = b.add_node({b.scale(2, 5), node(inner), object(3), b.move(10, 20), node(inner), object(4)});
-    record_instances(out, expand(b.graph, plenty));
+    record_instances(out, ask<expand>(out, b.graph, plenty));
     b.graph.root = empty;
-    record_instances(out, expand(b.graph, plenty));
+    record_instances(out, ask<expand>(out, b.graph, plenty));
 }
 
 /// Of a cycle, whose last node is the first one again: it begins at its smallest node and ends before it, whoever found
@@ -47,12 +48,14 @@ std::vector<std::uint32_t> canonical(std::vector<std::uint32_t> path)
 
 void record_cycles(Recorder& out, Random& random)
 {
-    out.text("found.names", "1 no cycle; instances\n2 a cycle of these nodes\n3 a path that does not come back\n");
+    out.text("found.names",
+             "1 no cycle: how many instances\n2 a cycle: how many nodes, and which, each plus one\n"
+             "3 a path that does not come back: how many nodes, and which, each plus one\n");
     for (int i = 0; i < 60; ++i) {
         const SceneGraph graph = random_chain(random, random.below(2) == 0);
         std::array<float, 10> row{1};
         try {
-            row[1] = static_cast<float>(expand(graph, plenty).size());
+            row[1] = static_cast<float>(ask<expand>(out, graph, plenty).size());
         } catch (const CycleError& error) {
             const std::vector<std::uint32_t>& given = error.path();
             const bool is_closed = given.size() > 1 && given.front() == given.back();
@@ -66,10 +69,10 @@ void record_cycles(Recorder& out, Random& random)
 }
 
 /// 0: nothing, 1: a cycle, 2: too many, 3: out of range, 4: something else.
-float thrown_by(const SceneGraph& graph, std::size_t limit)
+float thrown_by(Recorder& out, const SceneGraph& graph, std::size_t limit)
 {
     try {
-        (void)expand(graph, limit);
+        (void)ask<expand>(out, graph, limit);
         return 0;
     } catch (const CycleError&) {
         return 1;
@@ -105,7 +108,7 @@ void record_limits(Recorder& out, Random& random)
         }
         const bool good_first = random.below(2) == 0;
         for (const bool is_good : {good_first, !good_first})
-            out.append("thrown", is_good ? thrown_by(good, good_limit) : thrown_by(bad, bad_limit));
+            out.append("thrown", is_good ? thrown_by(out, good, good_limit) : thrown_by(out, bad, bad_limit));
     }
 }
 
@@ -118,22 +121,22 @@ void record_many_ways(Recorder& out)
     const Entry step{Entry::Kind::transformation, 0};
     graph.nodes.push_back(
         {object(1), node(1), step, object(2), node(9), object(3), step, object(4), node(17), object(5)});
-    record_instances(out, expand(graph, plenty));
-    out.append("thrown", thrown_by(graph, 4));
-    out.append("thrown", thrown_by(graph, 5));
-    out.append("thrown", thrown_by(doubling(60, {object(1)}), 100'000));
-    out.append("thrown", thrown_by(doubling(10, {node(5)}), plenty));
+    record_instances(out, ask<expand>(out, graph, plenty));
+    out.append("thrown", thrown_by(out, graph, 4));
+    out.append("thrown", thrown_by(out, graph, 5));
+    out.append("thrown", thrown_by(out, doubling(60, {object(1)}), 100'000));
+    out.append("thrown", thrown_by(out, doubling(10, {node(5)}), plenty));
     out.text("blocks.names", "nodes");
     for (const std::uint32_t levels : {6U, 9U, 12U, 15U, 18U}) {
         const SceneGraph empty = doubling(levels, {});
-        record_cost(out, "blocks", levels, [&] { (void)expand(empty, plenty); });
+        record_cost(out, "blocks", levels, [&] { (void)ask<expand>(out, empty, plenty); });
     }
 }
 
 void record_conversion(Recorder& out, const std::vector<ArcGraph>& graphs)
 {
     for (const ArcGraph& graph : graphs) {
-        const SceneGraph result = to_phigs(graph);
+        const SceneGraph result = ask<to_phigs>(out, graph);
         std::size_t drawn = 0;
         for (const std::vector<Entry>& entries : result.nodes)
             for (const Entry& entry : entries) drawn += entry.kind == Entry::Kind::transformation ? 0 : 1;
@@ -166,14 +169,14 @@ const Driver driver = {
     {"known", [](Case&, Recorder& out) { record_known(out); }},
     {"random",
      [](Case& c, Recorder& out) {
-         for (int i = 0; i < 30; ++i) record_instances(out, expand(random_graph(c.random), plenty));
+         for (int i = 0; i < 30; ++i) record_instances(out, ask<expand>(out, random_graph(c.random), plenty));
      }},
     {"cycles", [](Case& c, Recorder& out) { record_cycles(out, c.random); }},
     {"limits", [](Case& c, Recorder& out) { record_limits(out, c.random); }},
     {"many ways", [](Case&, Recorder& out) { record_many_ways(out); }},
     {"conversion", [](Case& c, Recorder& out) { record_conversion(out, known_arc_graphs(c.random)); }},
     {"any conversion", [](Case& c, Recorder& out) { record_conversion(out, random_arc_graphs(c.random)); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_street(expand(street(), plenty))); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_street(ask<expand>(out, street(), plenty))); }},
 };
 
 }

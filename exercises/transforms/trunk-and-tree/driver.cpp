@@ -1,3 +1,4 @@
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 #include <umbral/transforms/tree.hpp>
 
@@ -31,7 +32,8 @@ Grid<std::uint32_t> layers(const RecordingPipeline& drawn, int width, int height
 void record_trunk(Recorder& out)
 {
     RecordingPipeline drawn;
-    draw_trunk(drawn);
+    introduce(out, drawn, {});
+    ask<draw_trunk>(out, drawn);
     // No middle of a cell lies on a line between two corners.
     const glm::dvec2 low(-0.8337, -0.3119);
     const glm::dvec2 high = low + 0.02 * glm::dvec2(160, 184);
@@ -42,8 +44,10 @@ void record_trunk(Recorder& out)
 void record_edges(Recorder& out, Random& random)
 {
     for (int i = 0; i < 6; ++i) {
-        RecordingPipeline drawn(i == 0 ? Start{} : random_start(random));
-        draw_trunk(drawn);
+        const Start start = i == 0 ? Start{} : random_start(random);
+        RecordingPipeline drawn(start);
+        introduce(out, drawn, start);
+        ask<draw_trunk>(out, drawn);
         const std::vector<EventRow> rows = sorted_lines(drawn);
         for (const EventRow& row : rows) out.append("drawn", std::span<const float>(row));
         if (rows.empty()) continue;
@@ -66,8 +70,12 @@ std::vector<glm::dmat4> trunks_of(const RecordingPipeline& drawn)
 void record_trees(Recorder& out, std::initializer_list<unsigned> levels, Random& random)
 {
     for (const unsigned level : levels) {
-        RecordingPipeline drawn(random_start(random));
-        draw_tree(drawn, level, drawn.marker());
+        const Start start = random_start(random);
+        RecordingPipeline drawn(start);
+        const Figure trunk = drawn.marker();
+        introduce(out, drawn, start);
+        introduce(out, trunk, "trunk");
+        ask<draw_tree>(out, drawn, level, trunk);
         std::vector<Call> trunks;
         for (const Call& call : drawn.calls())
             if (call.kind == Call::Kind::figure) trunks.push_back(call);
@@ -85,7 +93,10 @@ void record_trees(Recorder& out, std::initializer_list<unsigned> levels, Random&
 void record_tall(Recorder& out)
 {
     RecordingPipeline drawn;
-    draw_tree(drawn, 11, drawn.marker());
+    const Figure trunk = drawn.marker();
+    introduce(out, drawn, {});
+    introduce(out, trunk, "trunk");
+    ask<draw_tree>(out, drawn, 11, trunk);
     const std::vector<glm::dmat4> places = trunks_of(drawn);
     for (const std::size_t i : tree_order(places)) out.append("trunks", glm::mat4(places[i]));
 }
@@ -104,7 +115,7 @@ const Driver driver = {
          record_trees(out, {4 + c.random.below(2), 7 + c.random.below(2)}, c.random);
      }},
     {"tall tree", [](Case&, Recorder& out) { record_tall(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_grove()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_grove(out)); }},
 };
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kit/double_frame.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/tree.hpp>
 
 #include "../gl_pipelines.hpp"
@@ -10,7 +11,7 @@ namespace umbral::transforms {
 inline constexpr glm::vec3 grove_background(0.93F, 0.95F, 0.97F);
 
 /// A tree of six levels, as the course's, between smaller ones, some of them mirrored.
-inline void paint_grove(Pipeline& pipeline)
+inline void paint_grove(Recorder& out, Pipeline& pipeline)
 {
     struct Place {
         float x;
@@ -27,7 +28,7 @@ inline void paint_grove(Pipeline& pipeline)
         pipeline.push();
         pipeline.compose(glm::translate(glm::mat4(1), {place.x, 0, 0}));
         pipeline.compose(glm::scale(glm::mat4(1), {place.width, place.height, 1}));
-        draw_tree(pipeline, place.levels, draw_trunk);
+        ask<draw_tree>(out, pipeline, place.levels, draw_trunk);
         pipeline.pop();
     }
     pipeline.set_color(trunk_edges);
@@ -39,13 +40,13 @@ inline void paint_grove(Pipeline& pipeline)
 inline glm::mat4 grove_window() { return glm::ortho(-2.9137F, 9.0863F, -0.6071F, 6.3929F); }
 
 /// 480 x 280 pixels, by the programmable pipeline.
-inline Image draw_grove()
+inline Image draw_grove(Recorder& out)
 {
     const DoubleFrame frame(480, 280, grove_background);
     ProgrammablePipeline pipeline(make_matrix_stack(), grove_window(), grove_background, 2);
     pipeline.set_view(glm::mat4(1));
     pipeline.set_line_width(1.5F);
-    paint_grove(pipeline);
+    paint_grove(out, pipeline);
     return frame.picture();
 }
 

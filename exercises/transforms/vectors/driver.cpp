@@ -1,3 +1,4 @@
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support.hpp"
@@ -16,13 +17,13 @@ struct Couple {
 void record(const Couple& couple, Recorder& out)
 {
     const auto& [a, b] = couple;
-    out.append("dot", dot_product(a, b));
-    out.append("cross", cross_product(a, b));
-    out.append("length", length_of(a));
-    out.append("unit", normalised(a));
-    out.append("angle", angle_between(a, b));
-    out.append("parallel", parallel_part(a, b));
-    out.append("perpendicular", perpendicular_part(a, b));
+    out.append("dot", ask<dot_product>(out, a, b));
+    out.append("cross", ask<cross_product>(out, a, b));
+    out.append("length", ask<length_of>(out, a));
+    out.append("unit", ask<normalised>(out, a));
+    out.append("angle", ask<angle_between>(out, a, b));
+    out.append("parallel", ask<parallel_part>(out, a, b));
+    out.append("perpendicular", ask<perpendicular_part>(out, a, b));
 }
 
 // Vectors whose answers a student can work out by hand.
@@ -57,10 +58,10 @@ void record_null(Random& random, Recorder& out)
         const bool swapped = random.below(2) == 1;
         for (const bool is_null : {swapped, !swapped}) {
             const Couple& couple = is_null ? null : Couple{a, c};
-            out.append("unit", normalised(is_null ? glm::vec3(0) : a));
-            out.append("angle", angle_between(couple.a, couple.b));
-            out.append("parallel", parallel_part(a, is_null ? glm::vec3(0) : b));
-            out.append("perpendicular", perpendicular_part(a, is_null ? glm::vec3(0) : b));
+            out.append("unit", ask<normalised>(out, is_null ? glm::vec3(0) : a));
+            out.append("angle", ask<angle_between>(out, couple.a, couple.b));
+            out.append("parallel", ask<parallel_part>(out, a, is_null ? glm::vec3(0) : b));
+            out.append("perpendicular", ask<perpendicular_part>(out, a, is_null ? glm::vec3(0) : b));
         }
     }
 }
@@ -72,12 +73,12 @@ void record_sizes(Random& random, Recorder& out)
         for (int i = 0; i < 12; ++i) {
             const glm::vec3 a = size * random.unit_vector();
             const glm::vec3 b = size * random.uniform(0.1F, 1) * random.unit_vector();
-            out.append("length", length_of(a));
-            out.append("unit", normalised(a));
-            out.append("angle", angle_between(a, b));
+            out.append("length", ask<length_of>(out, a));
+            out.append("unit", ask<normalised>(out, a));
+            out.append("angle", ask<angle_between>(out, a, b));
             const glm::vec3 unit = random.unit_vector();
-            out.append("parallel", parallel_part(unit, b));
-            out.append("perpendicular", perpendicular_part(unit, b));
+            out.append("parallel", ask<parallel_part>(out, unit, b));
+            out.append("perpendicular", ask<perpendicular_part>(out, unit, b));
         }
     }
 }
@@ -93,8 +94,8 @@ void record_large_products(Random& random, Recorder& out)
         const glm::vec3 a(x, y, 0.25F * x);
         const glm::vec3 b(-y, x, 0.25F * y);
         const glm::vec3 c = a * (glm::vec3(1) + 1e-2F * random.in_cube());
-        out.append("dot", dot_product(a, b));
-        out.append("cross", cross_product(a, c));
+        out.append("dot", ask<dot_product>(out, a, b));
+        out.append("cross", ask<cross_product>(out, a, c));
     }
 }
 
@@ -108,9 +109,9 @@ void record_nearly_parallel(Random& random, Recorder& out)
             const glm::vec3 aside = normalize(cross(a, random.unit_vector()));
             const float factor = random.uniform(0.5F, 2) * (i % 4 == 3 ? -1.0F : 1.0F);
             const glm::vec3 b = factor * (a + angle * length(a) * aside);
-            out.append("cross", cross_product(a, b));
-            if (factor > 0) out.append("angle", angle_between(a, b));
-            out.append("perpendicular", perpendicular_part(a, b));
+            out.append("cross", ask<cross_product>(out, a, b));
+            if (factor > 0) out.append("angle", ask<angle_between>(out, a, b));
+            out.append("perpendicular", ask<perpendicular_part>(out, a, b));
         }
     }
 }
@@ -124,7 +125,7 @@ const Driver driver = {
     {"tiny and huge", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"large products", [](Case& c, Recorder& out) { record_large_products(c.random, out); }},
     {"nearly parallel", [](Case& c, Recorder& out) { record_nearly_parallel(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("rosette", draw_rosette()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("rosette", draw_rosette(out)); }},
 };
 
 }

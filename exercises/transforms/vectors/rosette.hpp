@@ -3,6 +3,7 @@
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <numbers>
+#include <umbral/record/ask.hpp>
 #include <umbral/transforms/vectors.hpp>
 
 /// Thales' theorem as a flower: the feet of the perpendiculars from the tip of a vector onto all directions lie on a
@@ -21,7 +22,7 @@ inline glm::vec3 colour_at(float t)
     return glm::mix(stops[stop], stops[stop + 1], place - static_cast<float>(stop));
 }
 
-inline Image draw_rosette()
+inline Image draw_rosette(Recorder& out)
 {
     constexpr float pi = std::numbers::pi_v<float>;
     constexpr int petals = 6;
@@ -32,9 +33,9 @@ inline Image draw_rosette()
         const glm::vec3 vector = direction(pi / 6 + 2 * pi * static_cast<float>(petal) / petals);
         for (int thread = 0; thread < threads; ++thread) {
             const glm::vec3 along = 3.0F * direction(pi * (static_cast<float>(thread) + 0.5F) / threads);
-            const glm::vec3 foot = parallel_part(vector, along);
-            const glm::vec3 rest = perpendicular_part(vector, along);
-            const glm::vec3 color = colour_at(angle_between(vector, along) / pi);
+            const glm::vec3 foot = ask<parallel_part>(out, vector, along);
+            const glm::vec3 rest = ask<perpendicular_part>(out, vector, along);
+            const glm::vec3 color = colour_at(ask<angle_between>(out, vector, along) / pi);
             drawing.line({0, 0}, flat(foot), color, 1, 0.2);
             drawing.line(flat(foot), flat(foot + rest), color, 1, 0.45);
             drawing.disc(flat(foot), 2.2, color);
@@ -42,12 +43,12 @@ inline Image draw_rosette()
     }
     for (int petal = 0; petal < petals; ++petal) {
         const float angle = pi / 6 + 2 * pi * static_cast<float>(petal) / petals;
-        drawing.arrow({0, 0}, flat(normalised(7.0F * direction(angle))), ink::white, 2);
+        drawing.arrow({0, 0}, flat(ask<normalised>(out, 7.0F * direction(angle))), ink::white, 2);
     }
     // Every other mark is a cross product: z × v is v, turned to the left.
     for (int petal = 0; petal < petals; ++petal) {
         const glm::vec3 v = direction(2 * pi * static_cast<float>(petal) / petals);
-        const glm::vec3 left = cross_product({0, 0, 1}, v);
+        const glm::vec3 left = ask<cross_product>(out, {0, 0, 1}, v);
         drawing.arrow(flat(0.99F * v - 0.06F * left), flat(0.99F * v + 0.08F * left),
                       colour_at(static_cast<float>(petal) / petals), 3);
     }

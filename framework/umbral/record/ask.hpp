@@ -32,6 +32,11 @@ struct Kept<std::span<const Element, Extent>> {
     static constexpr bool is_copied = true;
     using Type = std::vector<Element>;
 };
+template <class Result, class... Arguments>
+struct Kept<const std::function<Result(Arguments...)>&> {
+    static constexpr bool is_copied = false;
+    using Type = const std::function<Result(Arguments...)>&;
+};
 template <>
 struct Kept<std::string_view> {
     static constexpr bool is_copied = true;
@@ -83,6 +88,20 @@ void note(Questions& questions, std::string_view function, std::tuple<Kept...>& 
     if (questions.other() && questions.other()->function == function) questions.change(parts_of(arguments));
 }
 
+/// The lines that brought the objects among the arguments where they are. A copy is none of them, though it may lie
+/// where one was.
+template <class... Kept>
+std::string histories(const Questions& questions, const std::tuple<Kept...>& arguments)
+{
+    std::string text;
+    [&]<std::size_t... Index>(std::index_sequence<Index...>)
+    {
+        ((text += std::is_reference_v<Kept> ? questions.history_of(&std::get<Index>(arguments)) : ""), ...);
+    }
+    (std::index_sequence_for<Kept...>{});
+    return text;
+}
+
 /// "intersect(Ray{…}, Sphere{…})"
 template <class... Kept>
 std::string call_text(const Questions& questions, std::string_view function, const std::tuple<Kept...>& arguments)
@@ -90,15 +109,19 @@ std::string call_text(const Questions& questions, std::string_view function, con
     std::string text(reflect::last_name(function));
     text += '(';
     std::size_t count = 0;
-    const auto add = [&](const auto& argument) {
+    const auto add = [&](const auto& argument, bool may_have_a_name) {
         if (count++ > 0) text += ", ";
-        if (const std::string name = questions.name_of(&argument); !name.empty())
+        if (const std::string name = questions.name_of(&argument); may_have_a_name && !name.empty())
             text += name;
         else
             text +=
                 literal::of_value(argument, true, questions.inquiry().in_full ? literal::in_full : literal::Style{});
     };
-    std::apply([&](const auto&... each) { (add(each), ...); }, arguments);
+    [&]<std::size_t... Index>(std::index_sequence<Index...>)
+    {
+        (add(std::get<Index>(arguments), std::is_reference_v<Kept>), ...);
+    }
+    (std::index_sequence_for<Kept...>{});
     return text + ')';
 }
 
@@ -112,7 +135,8 @@ struct AskFunction {
         if (questions == nullptr) return Function(std::forward<Parameters>(arguments)...);
         std::tuple<typename Kept<Parameters>::Type...> all(kept<Parameters>(arguments)...);
         questions->begin();
-        if (questions->code_is_wanted()) questions->set_code(call_text(*questions, name, all));
+        if (questions->code_is_wanted())
+            questions->set_code(histories(*questions, all) + call_text(*questions, name, all));
         note(*questions, name, all);
         return std::apply([](auto&... each) -> Result { return Function(each...); }, all);
     }
@@ -133,7 +157,8 @@ struct AskMember {
                                 : called + "->";
         if (questions->code_is_wanted() || Changes) {
             called += call_text(*questions, name, all);
-            if (questions->code_is_wanted()) questions->set_code(questions->history_of(&object) + called);
+            if (questions->code_is_wanted())
+                questions->set_code(questions->history_of(&object) + histories(*questions, all) + called);
             if (Changes) questions->add_line(&object, called + ";");
         }
         note(*questions, name, all);

@@ -43,7 +43,8 @@ Difference compare_pipelines(const glm::mat4& projection, const glm::vec3& backg
         depth_test ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
         const auto pipeline = make_pipeline();
         pipeline->set_view(glm::mat4(1));
-        paint(*pipeline);
+        Recorder out;
+        paint(out, *pipeline);
         gl::check_errors("a picture");
         return frame.read_pixels();
     };
@@ -76,7 +77,7 @@ TEST_F(PipelinesTest, draw_the_same_trees)
 TEST_F(PipelinesTest, draw_the_same_figures)
 {
     expect_same(compare_pipelines(glm::ortho(-1.0F, 6.0F, -2.5F, 4.5F), glm::vec3(0.1F, 0.2F, 0.3F), false,
-                                  [](Pipeline& pipeline) {
+                                  [](Recorder&, Pipeline& pipeline) {
                                       pipeline.compose(glm::rotate(glm::mat4(1), 0.2F, {0, 0, 1}));
                                       pipeline.set_color({0.9F, 0.6F, 0.1F});
                                       draw_complex_figure(pipeline, draw_simple_figure);
@@ -88,7 +89,7 @@ TEST_F(PipelinesTest, draw_the_same_androids)
 {
     const std::unique_ptr<Android> android = make_android();
     expect_same(compare_pipelines(parade_projection(), parade_background, true,
-                                  [&](Pipeline& pipeline) { paint_parade(pipeline, *android); }));
+                                  [&](Recorder& out, Pipeline& pipeline) { paint_parade(out, pipeline, *android); }));
 }
 
 TEST_F(PipelinesTest, refuse_to_pop_an_empty_stack)
