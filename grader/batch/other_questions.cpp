@@ -19,7 +19,7 @@ namespace {
 /// Of cases, and of questions in one: what is tried must take no longer than people wait.
 constexpr std::size_t most_cases = 3;
 constexpr std::size_t most_questions = 200;
-constexpr std::size_t most_drawn = 24;  ///< where OpenGL draws for each
+constexpr std::size_t most_drawn = 24;  ///< where a picture is drawn for each
 
 /// A case that passes is asked only if it is small: it can speak against a question, but others do too.
 constexpr std::size_t most_passing_cells = 10'000;
@@ -45,6 +45,12 @@ void weigh(const CaseChecks& group, const RunOutcome& run, Candidate& candidate)
     }
 }
 
+/// Does a case leave pictures, and not only rows?
+bool draws(const RunOutcome& run)
+{
+    return std::ranges::any_of(run.recording.tensors, [](const auto& one) { return one.second.columns > 1; });
+}
+
 /// How many other questions one run of this case can be asked.
 std::size_t room(const RunOutcome& plain)
 {
@@ -60,7 +66,8 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
 {
     if (candidates.empty()) return;
     const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
-    const std::size_t most = exercise.gl ? 1 : room(plain);
+    // What one draw leaves in OpenGL's state must not reach the next.
+    const std::size_t most = exercise.gl && draws(plain) ? 1 : room(plain);
     if (candidates.size() > most) {
         weigh_all(worker, exercise, group, candidates.first(most));
         weigh_all(worker, exercise, group, candidates.subspan(most));
@@ -89,9 +96,11 @@ std::vector<Candidate> fitting(Worker& worker, const Exercise& exercise, const C
 {
     const RunOutcome told = worker.inquire(exercise, group.name, group.result->seed, {.questions = true});
     if (told.verdict != Verdict::ok) return {};
+    const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
+    const std::size_t most = exercise.gl && draws(plain) ? most_drawn : most_questions;
     std::vector<Candidate> found;
     for (OtherQuestion& other : read_questions(told.recording.tensors).others)
-        if (found.size() < (exercise.gl ? most_drawn : most_questions)) found.push_back({std::move(other)});
+        if (found.size() < most) found.push_back({std::move(other)});
     weigh_all(worker, exercise, group, found);
     std::erase_if(found, std::not_fn(&Candidate::fits));
     return found;

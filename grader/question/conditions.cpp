@@ -33,7 +33,9 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Candid
 {
     const Fact& fact = facts[i];
     const std::string& words = fact.words;
-    const int cost = fact.first ? -1 : fact.component ? 2 : fact.kind == Fact::Kind::number ? 0 : 1;
+    // Of a product that is 0, the vector that is 0 is the reason, where there is one.
+    const bool plain = fact.kind == Fact::Kind::number;
+    const int cost = fact.first ? -1 : fact.component ? 3 : plain ? 0 : fact.kind == Fact::Kind::length ? 1 : 2;
     if (fact.kind == Fact::Kind::parallel) {
         all.push_back(of_one(words + " are parallel", i, cost, [](double x) { return x < alike; }));
         all.push_back(of_one(words + " are not parallel", i, cost + 1, [](double x) { return x >= alike; }));

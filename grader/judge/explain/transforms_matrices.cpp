@@ -211,7 +211,7 @@ std::vector<NamedTransform> matrix_transforms()
         {"translation missing", "Your matrix turns but does not move: its translation is zero.",
          each_matrix<restore_translation, 16>},
         {"translation negated",
-         "Your translation has the opposite sign: moving the camera to the right moves the world to the left.",
+         "Your translation has the opposite sign: what moves points moves the axes the other way.",
          each_matrix<negate_translation, 16>},
         {"translation not rotated",
          "Your translation is the position itself: it must be rotated too, -R * eye instead of -eye.",
