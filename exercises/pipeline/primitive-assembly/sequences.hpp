@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 #include <umbral/pipeline/assembly.hpp>
-#include <umbral/record/recorder.hpp>
+#include <umbral/record/ask.hpp>
 
 #include "../support.hpp"
 
@@ -63,7 +63,7 @@ inline std::vector<std::uint32_t> canonical_corners(std::vector<std::uint32_t> c
 inline void record_assembly(Recorder& out, PrimitiveType type, const std::vector<std::uint32_t>& vertices)
 {
     const auto code = static_cast<float>(type);
-    const std::vector<Primitive> primitives = assemble(type, vertices);
+    const std::vector<Primitive> primitives = ask<assemble>(out, type, vertices);
     for (std::size_t i = 0; i < std::min(primitives.size(), 2 * vertices.size() + 4); ++i) {
         const std::vector<std::uint32_t> corners = canonical_corners(primitives[i].corners);
         std::array<float, 11> row{code, static_cast<float>(corners.size())};
