@@ -125,6 +125,7 @@ void record_tests(Random& random, Recorder& out, int fragments_each)
 {
     const std::vector<DepthState> all = states();
     Grid<float> after(functions * tile, static_cast<int>(all.size()) * tile);
+    out.text("left.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (int column = 0; column < functions; ++column) {
             DepthState state = all[row];
@@ -162,6 +163,7 @@ void record_drawing(Random& random, Recorder& out)
 {
     const std::vector<DepthState> all = states();
     Grid<float> after(2 * tile, static_cast<int>(all.size()) * tile);
+    out.text("colours.names", "picture");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (const ShadeModel model : {ShadeModel::flat, ShadeModel::smooth}) {
             const int column = model == ShadeModel::flat ? 0 : 1;
@@ -183,6 +185,7 @@ void record_merging(Random& random, Recorder& out)
 {
     const std::vector<DepthState> all = states();
     Grid<float> after(functions * tile, static_cast<int>(all.size()) * tile);
+    out.text("colours.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (int column = 0; column < functions; ++column) {
             DepthState state = all[row];

@@ -14,8 +14,7 @@ void record_sequences(Recorder& out, std::initializer_list<PrimitiveType> types,
 {
     for (const PrimitiveType type : types)
         for (const std::uint32_t count : counts) record_assembly(out, type, counted(count));
-    out.text("primitives.names", all_names());
-    out.text("provoking.names", all_names());
+    name_assembly(out);
 }
 
 // All types, complete and not, with indices that repeat.
@@ -26,8 +25,7 @@ void record_random(Random& random, Recorder& out)
         const std::uint32_t count = random.below(type == polygon ? 10 : 15);
         record_assembly(out, type, random_sequence(random, count, 20));
     }
-    out.text("primitives.names", all_names());
-    out.text("provoking.names", all_names());
+    name_assembly(out);
 }
 
 void record_side(Recorder& out, const std::vector<glm::vec2>& corners)

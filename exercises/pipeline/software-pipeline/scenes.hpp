@@ -35,6 +35,7 @@ inline Layer drawn(Recorder& out, const Call& call)
 /// changed. A student may have changed the grids' sizes: only cells of the picture are looked at.
 inline void record(Recorder& out, const std::vector<Call>& calls)
 {
+    for (const char* const name : {"colours.names", "depths.names"}) out.text(name, "call");
     for (std::size_t i = 0; i < calls.size(); ++i) {
         const Layer layer = drawn(out, calls[i]);
         for (int y = 0; y < std::min(calls[i].height, layer.colors.height); ++y)

@@ -138,7 +138,9 @@ void record_commands(Recorder& out, const input::EventScript& script, glm::dvec2
     append_rows(out, script, content_scale, viewer, 1);
 }
 
-constexpr const char* names = "1 show\n2 show, told to the second viewer\n";
+constexpr const char* names =
+    "1 show, size and P[0].x, P[1].y, P[3].x, P[3].y\n2 show to the second viewer, size and P[0].x, P[1].y, P[3].x, "
+    "P[3].y\n";
 
 constexpr const char* resizing = R"(
 0.1 resize 800 600
