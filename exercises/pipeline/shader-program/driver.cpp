@@ -100,6 +100,14 @@ bool set_one(Recorder& out, ShaderProgram& program, const std::string& name, con
         out, program, name, value);
 }
 
+/// A value as set() is given it. A float without a fraction is still one: another overload takes whole numbers.
+template <class Value>
+std::string value_text(const Value& value)
+{
+    const std::string text = literal::of_value(value, true, {});
+    return std::is_same_v<Value, float> && text.find_first_of(".eF") == std::string::npos ? text + ".0F" : text;
+}
+
 /// What was done to the programs in one round, as code.
 struct Round {
     std::string lines;
@@ -118,7 +126,7 @@ std::vector<float> set_all(Recorder& out, ShaderProgram& program, Random& random
     const auto set = [&](const char* name, const auto& value) {
         const bool absent = random.below(3) == 0;
         const std::string called = absent ? std::string("other_") + name : name;
-        round.lines += round.chosen + "->set(\"" + called + "\", " + literal::of_value(value, true, {}) + ");\n";
+        round.lines += round.chosen + "->set(\"" + called + "\", " + value_text(value) + ");\n";
         returned.push_back(set_one(out, program, called, value) ? 1.0F : 0.0F);
     };
     set("whole", whole);
