@@ -10,7 +10,7 @@
 #include <umbral/core/grid.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/rasterize.hpp>
-#include <umbral/record/recorder.hpp>
+#include <umbral/record/ask.hpp>
 #include <utility>
 #include <vector>
 
@@ -208,7 +208,7 @@ inline void record(Recorder& out, const std::vector<Triangle>& triangles, int wi
     std::vector<Fragment> fragments;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         fragments.clear();
-        rasterize_triangle(triangles[i], width, height, fragments);
+        ask<rasterize_triangle>(out, triangles[i], width, height, fragments);
         for (const auto& [pixel, depth, weights] : fragments) {
             const std::array<float, 3> where = {static_cast<float>(i / together), static_cast<float>(pixel.x),
                                                 static_cast<float>(pixel.y)};

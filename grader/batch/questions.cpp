@@ -5,6 +5,8 @@
 #include "batch/common_condition.hpp"
 #include "batch/other_questions.hpp"
 #include "batch/simplest_question.hpp"
+#include "judge/judges.hpp"
+#include "judge/rows/tensor_view.hpp"
 #include "question/log.hpp"
 
 namespace umbral::grader {
@@ -51,6 +53,8 @@ public:
             if (const auto question = log_.question_of(check.value, cell, expected->cells()))
                 shown_.push_back({*question, &code});
         };
+        if (result.first_difference && is_of_several(check, *expected, *result.first_difference))
+            result.first_difference->cell.reset();
         if (result.first_difference && result.first_difference->cell)
             show(*result.first_difference->cell, result.first_difference->question);
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
@@ -74,6 +78,21 @@ public:
     }
 
 private:
+    /// Does the row that stands for a fragment too many belong to a primitive that several questions led to? Then
+    /// nobody knows which of them it is.
+    [[nodiscard]] bool is_of_several(const Check& check, const Tensor& expected, const Difference& first) const
+    {
+        const auto rows = log_.rows.find(check.value);
+        if (judge_of(check).name != "fragments" || !first.cell || first.expected != "no fragment" ||
+            rows == log_.rows.end() || rows->second.size() != expected.cells())
+            return false;
+        const TensorView view(expected);
+        for (std::size_t row = 0; row < expected.cells(); ++row)
+            if (view.cell(row)[0] == view.cell(*first.cell)[0] && rows->second[row] != rows->second[*first.cell])
+                return true;
+        return false;
+    }
+
     Worker& worker_;
     const Exercise& exercise_;
     const Built& built_;

@@ -214,6 +214,8 @@ Judgement RelationJudge::judge(const RelatedTensors& student, const Tensor* name
     if (!result.message.empty()) return result;
     result = grader::judge(check_, *student.value, *expected_by_relation(check_, *student.to, *student.value), margin_,
                            names);
+    // Rows of the other recording are no rows of this one.
+    if (result.first_difference && judge_of(check_).free_rows) result.first_difference->cell.reset();
     if (!result.message.empty())
         result.message =
             fmt::format("{} Expected here is {}. {}", law(relation_), expected_in_words(relation_), result.message);

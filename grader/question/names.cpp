@@ -59,6 +59,23 @@ std::vector<std::string> names_in(std::string_view list)
     return names;
 }
 
+/// Where a class begins that is called as the last part of this name is; 0 if none is.
+std::size_t class_place(std::string_view code, std::string_view scope)
+{
+    const std::size_t last = scope.rfind("::");
+    const std::string_view name = last == std::string_view::npos ? scope : scope.substr(last + 2);
+    for (const char* const keyword : {"class ", "struct "}) {
+        const std::string head = keyword + std::string(name);
+        for (std::size_t place = code.find(head); place != std::string_view::npos; place = code.find(head, place + 1)) {
+            const std::size_t next = code.find_first_not_of(" \n", place + head.size());
+            const bool is_defined = next != std::string_view::npos &&
+                                    (code[next] == '{' || code[next] == ':' || code.substr(next).starts_with("final"));
+            if (is_defined && !is_letter(code[place + head.size()])) return place;
+        }
+    }
+    return 0;
+}
+
 }
 
 std::vector<std::string> parameter_names(std::string_view header, std::string_view function)
@@ -66,7 +83,9 @@ std::vector<std::string> parameter_names(std::string_view header, std::string_vi
     const std::size_t last = function.rfind("::");
     const std::string_view name = last == std::string_view::npos ? function : function.substr(last + 2);
     const std::string code = without_comments(header);
-    for (std::size_t place = code.find(name); place != std::string::npos; place = code.find(name, place + 1)) {
+    // Several classes may have a function of this name.
+    const std::size_t first = last == std::string_view::npos ? 0 : class_place(code, function.substr(0, last));
+    for (std::size_t place = code.find(name, first); place != std::string::npos; place = code.find(name, place + 1)) {
         const std::size_t end = place + name.size();
         const bool whole = (place == 0 || !is_letter(code[place - 1])) && end < code.size() && code[end] == '(';
         if (whole) return names_in(std::string_view(code).substr(end + 1));

@@ -81,8 +81,19 @@ TEST(Fragments, each_class_is_counted)
     EXPECT_EQ(found.first_difference->where, "pixel (0, 0) of triangle 3");
     EXPECT_EQ(found.first_difference->yours, "no fragment");
     EXPECT_EQ(found.first_difference->expected, "(0.5)");
+    EXPECT_EQ(found.first_difference->cell, 0U);
     EXPECT_EQ(found.sketch,
               "-...\n#~..\n###.\n#2##\nx 0..3, y 0..3; # right - missing 2 drawn again ~ wrong value . empty");
+}
+
+TEST(Fragments, a_row_of_its_primitive_stands_for_a_fragment_too_many)
+{
+    const std::vector<Spot> expected{{1, 5, 6, 1.0F}, {2, 5, 6, 1.0F}};
+    std::vector<Spot> yours = expected;
+    yours.push_back({2, 4, 6, 1.0F});
+    EXPECT_EQ(judged(yours, expected).first_difference.value().cell, 1U);
+    yours.back().primitive = 0;
+    EXPECT_EQ(judged(yours, expected).first_difference.value().cell, std::nullopt);
 }
 
 TEST(Fragments, the_tolerance_holds_for_attributes_only)

@@ -16,6 +16,11 @@ public:
     virtual void push() = 0;
     virtual bool set(const std::string& name, std::map<int, float> values) = 0;
 };
+class Picture;
+class Picture final : public Thing {
+public:
+    void push(int layer) override;
+};
 void unnamed(const Ray&, float, std::vector<int>);
 float meeting(float other);
 )";
@@ -25,6 +30,8 @@ TEST(ParameterNames, are_those_of_the_header)
     EXPECT_EQ(parameter_names(header, "umbral::raytracing::meet"), (Names{"ray", "sphere"}));
     EXPECT_EQ(parameter_names(header, "umbral::Stack::compose"), (Names{"transformation"}));
     EXPECT_EQ(parameter_names(header, "push"), Names());
+    EXPECT_EQ(parameter_names(header, "umbral::Stack::push"), Names());
+    EXPECT_EQ(parameter_names(header, "umbral::Picture::push"), Names{"layer"});
     EXPECT_EQ(parameter_names(header, "set"), (Names{"name", "values"}));
     EXPECT_EQ(parameter_names(header, "unnamed"), (Names{"", "", ""}));
     EXPECT_EQ(parameter_names(header, "no_such"), Names());

@@ -10,7 +10,19 @@ using namespace lighting;
 
 void record_points(Recorder& out, std::string_view name, const std::vector<Probe>& probes, const gl::Program& program)
 {
-    for (const glm::vec3& color : colors_of(probes, program)) out.append(name, color);
+    const std::vector<glm::vec3> colors = colors_of(probes, program);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        ask_point(out, probes[i]);
+        out.append(name, colors[i]);
+    }
+}
+
+// A scene as one picture.
+void record_scene(Recorder& out, std::string_view name, const Scene& scene, const gl::Program& program,
+                  const glm::vec3& background = default_background)
+{
+    ask_scene(out, scene);
+    out.image(name, draw(scene, program, background));
 }
 
 // The still life with the world turned under it, lights and all, first without the camera and then with it; and in half
@@ -21,9 +33,9 @@ void record_laws(Recorder& out, const gl::Program& program)
     const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.9F, normalize(glm::vec3(0.4F, 1, -0.3F)));
     Scene scene = still_life();
     for (Thing& thing : scene.things) thing.model = turned * thing.model;
-    out.image("turned alone", draw(scene, program));
+    record_scene(out, "turned alone", scene, program);
     scene.view = scene.view * inverse(turned);
-    out.image("turned together", draw(scene, program));
+    record_scene(out, "turned together", scene, program);
 
     Scene dim = still_life();
     dim.global_ambient *= 0.5F;
@@ -32,17 +44,17 @@ void record_laws(Recorder& out, const gl::Program& program)
         thing.material.emission = glm::vec3(0);
         thing.material.specular *= 0.4F;
     }
-    out.image("half the light", draw(dim, program, glm::vec3(0)));
+    record_scene(out, "half the light", dim, program, glm::vec3(0));
     dim.global_ambient *= 2.0F;
     for (Light& light : dim.lights) light.color *= 2.0F;
-    out.image("all the light", draw(dim, program, glm::vec3(0)));
+    record_scene(out, "all the light", dim, program, glm::vec3(0));
 }
 
 // One case for many pictures: most of a run's time goes into compiling the shaders.
 void record_pictures(Case& what, Recorder& out)
 {
     const auto program = compile(what);
-    const auto record = [&](const char* name, const Scene& scene) { out.image(name, draw(scene, *program)); };
+    const auto record = [&](const char* name, const Scene& scene) { record_scene(out, name, scene, *program); };
     record("still life", still_life());
     record("diffuse sphere", diffuse_sphere());
     record("exponents", exponents());
@@ -65,8 +77,8 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          const auto program = compile(c);
          record_points(out, "points", random_points(c.random), *program);
-         out.image("smooth", draw(random_scene(c.random, false), *program));
-         out.image("flat", draw(random_scene(c.random, true), *program));
+         record_scene(out, "smooth", random_scene(c.random, false), *program);
+         record_scene(out, "flat", random_scene(c.random, true), *program);
      }},
 };
 

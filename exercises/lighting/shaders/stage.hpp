@@ -9,6 +9,7 @@
 #include <umbral/gl/mesh.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/case.hpp>
 #include <vector>
 
@@ -103,8 +104,10 @@ inline void comment_on(const Image& picture, const gl::Program& program)
     if (!names.empty()) std::printf("Nothing was drawn. Your shaders do not use: %s\n", names.c_str());
 }
 
+inline constexpr glm::vec3 default_background(0.09F, 0.10F, 0.13F);
+
 /// A scene as the shaders draw it, 256 x 256.
-inline Image draw(const Scene& scene, const gl::Program& program, const glm::vec3& background = {0.09F, 0.10F, 0.13F})
+inline Image draw(const Scene& scene, const gl::Program& program, const glm::vec3& background = default_background)
 {
     const gl::Framebuffer frame(256, 256);
     frame.clear({background, 1});
@@ -123,6 +126,46 @@ inline Image draw(const Scene& scene, const gl::Program& program, const glm::vec
     return picture;
 }
 
+/// "name = value", as what a shader is given is written in questions.
+template <class Value>
+std::string uniform_line(const char* name, const Value& value)
+{
+    return std::string(name) + " = " + literal::of_value(value, true, {}) + "\n";
+}
+
+inline std::string lights_text(const std::vector<Light>& lights, const glm::vec3& global_ambient)
+{
+    std::vector<glm::vec4> positions;
+    std::vector<glm::vec3> colors;
+    for (const auto& [position, color] : lights) {
+        positions.push_back(position);
+        colors.push_back(color);
+    }
+    return uniform_line("global_ambient", global_ambient) + uniform_line("light_position", positions) +
+           uniform_line("light_color", colors);
+}
+
+inline std::string material_text(const Material& material)
+{
+    return uniform_line("emission", material.emission) + uniform_line("ambient", material.ambient) +
+           uniform_line("diffuse", material.diffuse) + uniform_line("specular", material.specular) +
+           uniform_line("shininess", material.shininess);
+}
+
+/// What is drawn next, as the uniforms that the shaders are given; of many things, the first.
+inline void ask_scene(Recorder& out, const Scene& scene)
+{
+    ask_in_words(out, [&] {
+        std::string text = uniform_line("flat_shading", scene.flat ? 1 : 0) +
+                           lights_text(scene.lights, scene.global_ambient) + uniform_line("view", scene.view);
+        if (scene.things.empty()) return text;
+        text += uniform_line("model", scene.things.front().model) + material_text(scene.things.front().material);
+        const std::size_t more = scene.things.size() - 1;
+        return text + "// a mesh of " + std::to_string(scene.things.front().shape.positions.size()) + " vertices" +
+               (more > 0 ? "; and " + std::to_string(more) + " things more" : "");
+    });
+}
+
 /// One point of a surface: its place and unit normal in eye coordinates, what it is made of and what lights it.
 struct Probe {
     glm::vec3 position;
@@ -133,6 +176,17 @@ struct Probe {
     glm::mat4 model{1};
     glm::mat4 view{1};
 };
+
+/// What one point is drawn with.
+inline void ask_point(Recorder& out, const Probe& probe)
+{
+    ask_in_words(out, [&] {
+        return "// a point that lies here in eye coordinates:\n" + uniform_line("position", probe.position) +
+               uniform_line("normal", probe.normal) + uniform_line("view", probe.view) +
+               uniform_line("model", probe.model) + lights_text(probe.lights, probe.global_ambient) +
+               material_text(probe.material);
+    });
+}
 
 /// The colours (0 to 1) of single points, each drawn as one pixel: no triangle, no interpolation, smooth shading.
 inline std::vector<glm::vec3> colors_of(const std::vector<Probe>& probes, const gl::Program& program)

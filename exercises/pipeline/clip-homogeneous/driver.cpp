@@ -49,7 +49,7 @@ void append(Recorder& out, const char* name, std::size_t triangle, std::size_t c
 void record(Recorder& out, const std::vector<ClipTriangle>& triangles)
 {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const std::vector<ClipVertex> polygon = clipped(triangles[i]);
+        const std::vector<ClipVertex> polygon = clipped(out, triangles[i]);
         const std::vector<ClipVertex> positions = by_position(polygon);
         for (std::size_t k = 0; k < positions.size(); ++k) {
             const glm::vec4 p = positions[k].position;
@@ -160,7 +160,7 @@ void record_on_planes(Random& random, Recorder& out)
         ClipTriangle triangle = {random_corner(random, 0.9F), random_corner(random, 0.9F), random_corner(random, 0.9F)};
         const float beyond = side * random.uniform(1.1F, 4);
         triangle[random.below(3)][axis] = beyond * 4;
-        const std::vector<ClipVertex> polygon = by_position(clipped(triangle));
+        const std::vector<ClipVertex> polygon = by_position(clipped(out, triangle));
         for (std::size_t k = 0; k < polygon.size(); ++k)
             append(out, "along", i, k, std::array{polygon[k].position[axis] / polygon[k].position.w});
     }
@@ -174,7 +174,7 @@ void record_seams(Recorder& out)
     for (std::size_t i = 0; i < land.triangles.size(); ++i) {
         const ClipTriangle triangle = land.projected(i);
         if ((outside_planes(triangle[0]) | outside_planes(triangle[1]) | outside_planes(triangle[2])) == 0) continue;
-        const std::vector<ClipVertex> polygon = by_position(clipped(triangle));
+        const std::vector<ClipVertex> polygon = by_position(clipped(out, triangle));
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             const glm::vec4 p = polygon[k].position + 0.0F;  // no -0
             const std::array bits = {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
@@ -200,7 +200,7 @@ void record_plain(Random& random, Recorder& out)
                                             : size * double{random.uniform(-1, 1)};
             triangle[k] = glm::vec4(projection * glm::dvec4(x, -1 - 0.5 * double{random.uniform()}, -forward, 1));
         }
-        const std::vector<ClipVertex> polygon = by_position(clipped(triangle));
+        const std::vector<ClipVertex> polygon = by_position(clipped(out, triangle));
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             const glm::vec3 ndc = glm::vec3(polygon[k].position) / polygon[k].position.w;
             append(out, "ndc", i, k, std::array{ndc.x, ndc.y, ndc.z});
@@ -218,7 +218,7 @@ const Driver driver = {
     {"on the planes", [](Case& c, Recorder& out) { record_on_planes(c.random, out); }},
     {"seams", [](Case&, Recorder& out) { record_seams(out); }},
     {"plain", [](Case& c, Recorder& out) { record_plain(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_hills()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_hills(out)); }},
 };
 
 }

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <kit/drawing.hpp>
 #include <umbral/pipeline/clip.hpp>
+#include <umbral/record/ask.hpp>
 
 /// Hills that a camera stands in: many triangles cross the sides of its view volume, and some reach behind it. The goal
 /// picture shows them from outside.
@@ -14,10 +15,10 @@ namespace umbral::pipeline {
 using ClipTriangle = std::array<glm::vec4, 3>;
 
 /// What the unit appends for a triangle. The vector holds something before: a unit that overwrites it loses a corner.
-inline std::vector<ClipVertex> clipped(const ClipTriangle& triangle)
+inline std::vector<ClipVertex> clipped(Recorder& out, const ClipTriangle& triangle)
 {
     std::vector<ClipVertex> polygon(1);
-    clip_triangle(triangle, polygon);
+    ask<clip_triangle>(out, triangle, polygon);
     if (!polygon.empty()) polygon.erase(polygon.begin());
     return polygon;
 }
@@ -98,11 +99,11 @@ struct Facet {
     double distance = 0;
 };
 
-inline Facet facet(const Landscape& land, std::size_t i, const Onlooker& onlooker)
+inline Facet facet(Recorder& out, const Landscape& land, std::size_t i, const Onlooker& onlooker)
 {
     const glm::dmat4 back = glm::inverse(glm::dmat4(land.projection));
     const auto& corners = land.triangles[i];
-    std::vector<ClipVertex> polygon = clipped(land.projected(i));
+    std::vector<ClipVertex> polygon = clipped(out, land.projected(i));
     polygon.resize(std::min<std::size_t>(polygon.size(), 12));
     Facet result;
     for (const ClipVertex& vertex : polygon) {
@@ -145,7 +146,7 @@ inline void draw_volume(Drawing& drawing, const Landscape& land, const Onlooker&
 }
 
 /// What the unit keeps is coloured, with dots at new corners; the rest of the hills are thin lines.
-inline Image draw_hills()
+inline Image draw_hills(Recorder& out)
 {
     const Landscape land = hills(18);
     const detail::Onlooker onlooker;
@@ -155,7 +156,7 @@ inline Image draw_hills()
     detail::draw_volume(drawing, land, onlooker, false);
 
     std::vector<detail::Facet> facets;
-    for (std::size_t i = 0; i < land.triangles.size(); ++i) facets.push_back(detail::facet(land, i, onlooker));
+    for (std::size_t i = 0; i < land.triangles.size(); ++i) facets.push_back(detail::facet(out, land, i, onlooker));
     std::stable_sort(facets.begin(), facets.end(),
                      [](const detail::Facet& a, const detail::Facet& b) { return a.distance > b.distance; });
     for (const detail::Facet& facet : facets) {

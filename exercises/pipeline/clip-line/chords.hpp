@@ -4,12 +4,13 @@
 #include <kit/drawing.hpp>
 #include <numbers>
 #include <umbral/pipeline/clip_line.hpp>
+#include <umbral/record/ask.hpp>
 
 /// The goal picture of pipeline/clip-line: chords of a circle, each from a point to the one at twice its angle, and a
 /// window that they are cut to.
 namespace umbral::pipeline {
 
-inline Image draw_chords()
+inline Image draw_chords(Recorder& out)
 {
     constexpr int count = 150;
     const ClipWindow window{{-0.95F, -0.58F}, {0.62F, 0.52F}};
@@ -23,13 +24,13 @@ inline Image draw_chords()
     for (int i = 1; i < count; ++i) drawing.line(on_circle(i), on_circle(2 * i), ink::slate, 1, 0.55);
     for (int i = 1; i < count; ++i) {
         const LineSegment chord{on_circle(i), on_circle(2 * i)};
-        const unsigned code = region_code(window, chord.from);
+        const unsigned code = ask<region_code>(out, window, chord.from);
         const glm::vec3 across = (code & 1) != 0 ? ink::blue : (code & 2) != 0 ? ink::orange : ink::white;
         const glm::vec3 color = (code & 4) != 0   ? glm::mix(across, ink::pink, 0.6F)
                                 : (code & 8) != 0 ? glm::mix(across, ink::green, 0.6F)
                                                   : across;
         drawing.disc(chord.from, 2.5, color);
-        const std::optional<LineSegment> inside = clip_segment(window, chord);
+        const std::optional<LineSegment> inside = ask<clip_segment>(out, window, chord);
         if (!inside) continue;
         drawing.line(inside->from, inside->to, color, 1.5, 0.9);
         for (const glm::vec2& end : {inside->from, inside->to}) drawing.disc(end, 2.2, color);

@@ -16,9 +16,9 @@ struct Task {
 };
 
 // The four numbers of what is left, or four times nothing.
-std::array<std::optional<float>, 4> ends(const Task& task)
+std::array<std::optional<float>, 4> ends(Recorder& out, const Task& task)
 {
-    const std::optional<LineSegment> left = clip_segment(task.window, task.segment);
+    const std::optional<LineSegment> left = ask<clip_segment>(out, task.window, task.segment);
     if (!left) return {};
     return {left->from.x, left->from.y, left->to.x, left->to.y};
 }
@@ -26,20 +26,15 @@ std::array<std::optional<float>, 4> ends(const Task& task)
 void record(Recorder& out, const std::vector<Task>& tasks)
 {
     for (const Task& task : tasks)
-        for (const std::optional<float>& number : ends(task)) out.append("ends", number);
+        for (const std::optional<float>& number : ends(out, task)) out.append("ends", number);
 }
 
-// Tasks 2k and 2k + 1 are a pair: each number of one stands beside that of the other.
+// Tasks 2k and 2k + 1 are a pair: each number of one stands beside that of the other, so that each is asked for alone.
 void record_pairs(Recorder& out, const std::vector<Task>& tasks)
 {
-    for (std::size_t i = 0; i + 1 < tasks.size(); i += 2) {
-        const auto one = ends(tasks[i]);
-        const auto other = ends(tasks[i + 1]);
-        for (std::size_t k = 0; k < one.size(); ++k) {
-            out.append("ends", one[k]);
-            out.append("ends", other[k]);
-        }
-    }
+    for (std::size_t i = 0; i + 1 < tasks.size(); i += 2)
+        for (std::size_t k = 0; k < 4; ++k)
+            for (const std::size_t task : {i, i + 1}) out.append("ends", ends(out, tasks[task])[k]);
 }
 
 void add_pair(std::vector<Task>& tasks, const Task& one, const Task& other, Random& random)
@@ -67,7 +62,7 @@ void record_codes(Recorder& out)
         };
         for (const float y : places(window.low.y, window.high.y))
             for (const float x : places(window.low.x, window.high.x))
-                out.append("codes", std::uint32_t{region_code(window, {x, y})});
+                out.append("codes", std::uint32_t{ask<region_code>(out, window, {x, y})});
     }
 }
 
@@ -197,10 +192,19 @@ std::vector<Task> corner_pairs(Random& random, int count)
 void record_both_ways(Random& random, Recorder& out)
 {
     const std::vector<Task> tasks = random_pairs(random, 200, 6);
+    out.text("first.names", "segment");
     for (std::size_t i = 0; i < tasks.size(); ++i) {
         const auto& [window, segment] = tasks[i];
+        const LineSegment reversed{segment.to, segment.from};
+        ask_in_words(out, [&] {
+            const auto call = [&](const LineSegment& one) {
+                return "clip_segment(" + literal::of_value(window, true, {}) + ", " + literal::of_value(one, true, {}) +
+                       ");";
+            };
+            return "const auto there = " + call(segment) + "\nconst auto back = " + call(reversed);
+        });
         const std::optional<LineSegment> there = clip_segment(window, segment);
-        const std::optional<LineSegment> back = clip_segment(window, {segment.to, segment.from});
+        const std::optional<LineSegment> back = clip_segment(window, reversed);
         if (!there || !back) continue;
         const std::array four = {there->from, there->to, back->from, back->to};
         for (std::size_t k = 0; k < four.size(); ++k) {
@@ -221,7 +225,7 @@ const Driver driver = {
     {"both ways", [](Case& c, Recorder& out) { record_both_ways(c.random, out); }},
     {"long", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 300, 5e5F)); }},
     {"corners", [](Case& c, Recorder& out) { record_pairs(out, corner_pairs(c.random, 300)); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_chords()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_chords(out)); }},
 };
 
 }

@@ -40,8 +40,9 @@ struct Task {
 // Rows [polygon, corner, 0, x, y].
 void record(Recorder& out, const std::vector<Task>& tasks)
 {
+    out.text("corners.names", "polygon");
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-        const Polygon left = from_extreme(clipped(tasks[i].polygon, tasks[i].window));
+        const Polygon left = from_extreme(clipped(out, tasks[i].polygon, tasks[i].window));
         for (std::size_t k = 0; k < left.size(); ++k)
             out.append("corners", std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(k), 0.0F,
                                                                     left[k].x, left[k].y}));
@@ -96,7 +97,7 @@ void record_covered(Recorder& out, const std::vector<Task>& tasks)
     constexpr int size = 32;
     Grid<std::uint32_t> covered(size * static_cast<int>(tasks.size()), size);
     for (std::size_t t = 0; t < tasks.size(); ++t) {
-        const Polygon left = clipped(tasks[t].polygon, tasks[t].window);
+        const Polygon left = clipped(out, tasks[t].polygon, tasks[t].window);
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const glm::dvec2 p(-4 + 0.503 * x, -4 + 0.4973 * y);
@@ -198,7 +199,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record(out, random_tasks(c.random, 200, true)); }},
     {"far", [](Case& c, Recorder& out) { record(out, far_tasks(c.random, 150)); }},
     {"grazing", [](Case& c, Recorder& out) { record(out, grazing_tasks(c.random, 150)); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_spiral()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_spiral(out)); }},
 };
 
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/clip_polygon.hpp>
+#include <umbral/record/ask.hpp>
 
 /// Polygons and windows for pipeline/clip-polygon, and its goal picture.
 namespace umbral::pipeline {
@@ -13,9 +14,9 @@ namespace umbral::pipeline {
 using Polygon = std::vector<glm::vec2>;
 
 /// What the unit makes of them; no more corners than any right answer has.
-inline Polygon clipped(const Polygon& polygon, const Polygon& window)
+inline Polygon clipped(Recorder& out, const Polygon& polygon, const Polygon& window)
 {
-    Polygon result = clip_polygon(polygon, window);
+    Polygon result = ask<clip_polygon>(out, polygon, window);
     result.resize(std::min<std::size_t>(result.size(), 40 + 4 * polygon.size()));
     return result;
 }
@@ -90,13 +91,13 @@ inline void fill(Drawing& drawing, const Polygon& polygon, glm::vec3 color, doub
 
 /// The spiral in a slanted window: what is left is filled, with its bridges, and dots at new corners; the rest is a
 /// thin line.
-inline Image draw_spiral()
+inline Image draw_spiral(Recorder& out)
 {
     constexpr double half = 1.34;
     constexpr int size = 500;
     const Polygon band = spiral(120);
     const Polygon window = {{-0.88F, -0.42F}, {-0.1F, -0.92F}, {0.98F, -0.5F}, {0.72F, 0.62F}, {-0.46F, 0.78F}};
-    const Polygon left = clipped(band, window);
+    const Polygon left = clipped(out, band, window);
     const auto wide = [](const Polygon& polygon) { return std::vector<glm::dvec2>(polygon.begin(), polygon.end()); };
 
     Drawing drawing(size, size, {-half, -half}, {half, half});

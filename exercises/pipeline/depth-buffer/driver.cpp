@@ -16,14 +16,25 @@ DepthFunction function(int i) { return static_cast<DepthFunction>(i); }
 
 float last_code(DepthFormat format) { return format == DepthFormat::unorm16 ? 65535.0F : 16777215.0F; }
 
-// A row for each function: less than, equal to, greater than the stored depth.
+// Three answers in one row: less than, equal to, greater than the stored depth.
+glm::vec3 passes(Recorder& out, DepthFunction function, float low, float high)
+{
+    ask_in_words(out, [&] {
+        const auto call = [&](float incoming, float stored) {
+            return "depth_passes(" + literal::of_value(function, true, {}) + ", " + literal::of(incoming) + ", " +
+                   literal::of(stored) + ")";
+        };
+        return call(low, high) + "\n" + call(high, high) + "\n" + call(high, low);
+    });
+    return {depth_passes(function, low, high), depth_passes(function, high, high), depth_passes(function, high, low)};
+}
+
+// A row for each function.
 void record_functions(Recorder& out)
 {
     const float next = std::nextafter(0.75F, 1.0F);
     for (const auto& [low, high] : {std::pair(0.25F, 0.5F), {0.0F, 1.0F}, {0.75F, next}, {0.0F, 1e-40F}})
-        for (int i = 0; i < functions; ++i)
-            out.append("passes", glm::vec3(depth_passes(function(i), low, high), depth_passes(function(i), high, high),
-                                           depth_passes(function(i), high, low)));
+        for (int i = 0; i < functions; ++i) out.append("passes", passes(out, function(i), low, high));
 }
 
 void record_formats(Recorder& out)
@@ -31,7 +42,7 @@ void record_formats(Recorder& out)
     for (const float depth :
          {0.0F, 1.0F, 0.5F, 0.25F, 0.1F, 1.0F / 3, 0.71F, 0.999F, 1e-3F, 4e-6F, -0.25F, 1.75F, 0.0099F})
         for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32})
-            out.append("depth", stored_depth(format, depth));
+            out.append("depth", ask<stored_depth>(out, format, depth));
 }
 
 // Depths of all sizes; what comes back is recorded as its code, the nearest whole number.
@@ -40,7 +51,7 @@ void record_codes(Random& random, Recorder& out)
     for (int i = 0; i < 600; ++i) {
         const float depth = std::exp2(-8 * random.uniform() * random.uniform());
         const DepthFormat format = i % 4 == 0 ? DepthFormat::unorm16 : DepthFormat::unorm24;
-        out.append("code", std::nearbyint(double{stored_depth(format, depth)} * double{last_code(format)}));
+        out.append("code", std::nearbyint(double{ask<stored_depth>(out, format, depth)} * double{last_code(format)}));
     }
 }
 
@@ -80,11 +91,11 @@ float random_depth(Random& random, const Levels& levels)
 
 // A buffer of codes that the format has, all close together, so that ties occur: as the unit itself keeps them, since
 // the last bit of these floats is free.
-Grid<float> random_depths(Random& random, const Levels& levels)
+Grid<float> random_depths(Random& random, Recorder& out, const Levels& levels)
 {
     Grid<float> depths(tile, tile);
     for (float& depth : depths.cells)
-        depth = stored_depth(levels.format, levels.at(static_cast<double>(random.below(3)) - 1));
+        depth = ask<stored_depth>(out, levels.format, levels.at(static_cast<double>(random.below(3)) - 1));
     return depths;
 }
 
@@ -114,14 +125,15 @@ void record_tests(Random& random, Recorder& out, int fragments_each)
 {
     const std::vector<DepthState> all = states();
     Grid<float> after(functions * tile, static_cast<int>(all.size()) * tile);
+    out.text("left.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (int column = 0; column < functions; ++column) {
             DepthState state = all[row];
             state.function = function(column);
             const Levels levels = random_levels(random, state.format);
-            Grid<float> depths = random_depths(random, levels);
+            Grid<float> depths = random_depths(random, out, levels);
             std::vector<Fragment> fragments = random_fragments(random, levels, fragments_each);
-            test_depth(state, fragments, depths);
+            ask<test_depth>(out, state, fragments, depths);
             put(depths, after, column, static_cast<int>(row));
             fragments.resize(std::min<std::size_t>(fragments.size(), static_cast<std::size_t>(fragments_each)));
             const auto scenario = static_cast<float>(row * functions + static_cast<std::size_t>(column));
@@ -151,16 +163,17 @@ void record_drawing(Random& random, Recorder& out)
 {
     const std::vector<DepthState> all = states();
     Grid<float> after(2 * tile, static_cast<int>(all.size()) * tile);
+    out.text("colours.names", "picture");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (const ShadeModel model : {ShadeModel::flat, ShadeModel::smooth}) {
             const int column = model == ShadeModel::flat ? 0 : 1;
             const Levels levels = random_levels(random, all[row].format);
-            Layer layer{{tile, tile}, random_depths(random, levels)};
+            Layer layer{{tile, tile}, random_depths(random, out, levels)};
             for (int triangle = 0; triangle < 3; ++triangle) {
                 const glm::vec3 a = random_color(random);
                 const glm::vec3 b = random_color(random);
                 const std::array colors = {a, b, random_color(random)};
-                draw_fragments(all[row], model, colors, random_fragments(random, levels, 20), layer);
+                ask<draw_fragments>(out, all[row], model, colors, random_fragments(random, levels, 20), layer);
             }
             record_colors(out, "colours", 2 * row + static_cast<std::size_t>(column), layer);
             put(layer.depths, after, column, static_cast<int>(row));
@@ -172,19 +185,20 @@ void record_merging(Random& random, Recorder& out)
 {
     const std::vector<DepthState> all = states();
     Grid<float> after(functions * tile, static_cast<int>(all.size()) * tile);
+    out.text("colours.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (int column = 0; column < functions; ++column) {
             DepthState state = all[row];
             state.function = function(column);
             const Levels levels = random_levels(random, state.format);
             const auto layer = [&] {
-                Layer result{{tile, tile}, random_depths(random, levels)};
+                Layer result{{tile, tile}, random_depths(random, out, levels)};
                 for (glm::vec3& color : result.colors.cells) color = random_color(random);
                 return result;
             };
             const Layer source = layer();
             Layer target = layer();
-            merge_layers(state, source, target);
+            ask<merge_layers>(out, state, source, target);
             record_colors(out, "colours", row * functions + static_cast<std::size_t>(column), target);
             put(target.depths, after, column, static_cast<int>(row));
         }
@@ -195,11 +209,11 @@ void record_merging(Random& random, Recorder& out)
 // refused as the interface says, 2 if in another way.
 void record_sizes(Random& random, Recorder& out)
 {
-    const auto refused = [](glm::ivec2 source, glm::ivec2 target) {
+    const auto refused = [&](glm::ivec2 source, glm::ivec2 target) {
         const Layer from{{source.x, source.y, glm::vec3(1)}, {source.x, source.y, 0.25F}};
         Layer to{{target.x, target.y}, {target.x, target.y, 0.5F}};
         try {
-            merge_layers({}, from, to);
+            ask<merge_layers>(out, {}, from, to);
         } catch (const std::invalid_argument&) {
             return 1.0F;
         } catch (...) {
@@ -225,7 +239,7 @@ const Driver driver = {
     {"drawing", [](Case& c, Recorder& out) { record_drawing(c.random, out); }},
     {"merging", [](Case& c, Recorder& out) { record_merging(c.random, out); }},
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rings()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rings(out)); }},
 };
 
 }

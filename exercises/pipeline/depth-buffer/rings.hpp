@@ -7,6 +7,7 @@
 #include <kit/shapes.hpp>
 #include <umbral/core/grid.hpp>
 #include <umbral/pipeline/depth.hpp>
+#include <umbral/record/ask.hpp>
 
 /// The goal picture of pipeline/depth-buffer: two rings, each drawn into a layer of its own, that are linked once the
 /// layers are merged.
@@ -42,7 +43,7 @@ inline glm::vec3 shaded(const glm::vec3& normal, const glm::vec3& color)
     return (0.12F + 0.88F * std::max(0.0F, glm::dot(normal, light))) * color + 0.5F * shine;
 }
 
-inline void draw_ring(const Ring& ring, const DepthState& state, ShadeModel model, Layer& layer)
+inline void draw_ring(Recorder& out, const Ring& ring, const DepthState& state, ShadeModel model, Layer& layer)
 {
     const glm::mat3 axes(ring.along, ring.across, glm::cross(ring.along, ring.across));
     const shapes::Shape torus = shapes::torus(34, 14, 0.34F);
@@ -57,31 +58,31 @@ inline void draw_ring(const Ring& ring, const DepthState& state, ShadeModel mode
         }
         fragments.clear();
         rasterize_triangle(corners, panel, panel, fragments);
-        draw_fragments(state, model, colors, fragments, layer);
+        ask<draw_fragments>(out, state, model, colors, fragments, layer);
     }
 }
 
-inline Layer linked_rings(const DepthState& state, ShadeModel model)
+inline Layer linked_rings(Recorder& out, const DepthState& state, ShadeModel model)
 {
     const Layer empty{{panel, panel, glm::vec3(srgb_decoded(glm::dvec3(ink::night)))}, {panel, panel, 1.0F}};
     const glm::vec3 tilt = glm::normalize(glm::vec3(0, 0.55F, 0.84F));
     Layer left = empty;
     Layer right = empty;
-    draw_ring({{-0.24F, 0.08F, 0}, {1, 0, 0}, glm::normalize(glm::vec3(0.1F, 0.9F, -0.45F)), {0.09F, 0.42F, 0.8F}},
+    draw_ring(out, {{-0.24F, 0.08F, 0}, {1, 0, 0}, glm::normalize(glm::vec3(0.1F, 0.9F, -0.45F)), {0.09F, 0.42F, 0.8F}},
               state, model, left);
-    draw_ring({{0.24F, -0.08F, 0}, {1, 0, 0}, tilt, {0.85F, 0.32F, 0.02F}}, state, model, right);
-    merge_layers(state, right, left);
+    draw_ring(out, {{0.24F, -0.08F, 0}, {1, 0, 0}, tilt, {0.85F, 0.32F, 0.02F}}, state, model, right);
+    ask<merge_layers>(out, state, right, left);
     return {of_size(left.colors, panel, panel), of_size(left.depths, panel, panel)};
 }
 
 }
 
 /// Flat, smooth, and the depths themselves, side by side.
-inline Image draw_rings()
+inline Image draw_rings(Recorder& out)
 {
     const DepthState state{true, DepthFunction::less, true, DepthFormat::unorm16};
-    const Layer flat = detail::linked_rings(state, ShadeModel::flat);
-    const Layer smooth = detail::linked_rings(state, ShadeModel::smooth);
+    const Layer flat = detail::linked_rings(out, state, ShadeModel::flat);
+    const Layer smooth = detail::linked_rings(out, state, ShadeModel::smooth);
     Image picture(3 * detail::panel, detail::panel);
     for (int y = 0; y < detail::panel; ++y)
         for (int x = 0; x < detail::panel; ++x) {

@@ -23,8 +23,9 @@ void record_by_hand(Recorder& out)
     for (const auto& [n, f] : {std::pair(1.0, 3.0), {0.2, 400.0}, {0.01, 1000.0}, {2.0, infinity}})
         for (const double part : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
             const double distance = std::isinf(f) ? n / (1.0 - 0.9 * part) : n + part * (f - n);
-            out.append("ndc", ndc_depth({n, f}, -distance));
-            for (const bool reversed : {false, true}) out.append("window", window_depth({n, f, reversed}, -distance));
+            out.append("ndc", ask<ndc_depth>(out, {n, f}, -distance));
+            for (const bool reversed : {false, true})
+                out.append("window", ask<window_depth>(out, {n, f, reversed}, -distance));
         }
 }
 
@@ -32,7 +33,7 @@ void record_codes(Recorder& out)
 {
     for (const int bits : {1, 2, 8, 16, 24, 32})
         for (const double depth : {0.0, 1.0, 0.5, 0.49, 0.51, 0.31, 0.70001, 1.0 / 3, 1e-3, 0.999, -2.0, 1.5})
-            out.append("codes", depth_code(depth, bits));
+            out.append("codes", ask<depth_code>(out, depth, bits));
 }
 
 // The course's four codes first.
@@ -40,8 +41,10 @@ void record_back(Recorder& out)
 {
     for (const auto& [n, f] : {std::pair(0.2, 400.0), {0.01, 1000.0}, {1.0, 3.0}})
         for (const std::uint32_t code : {1U, 65534U, 0U, 65535U, 32768U, 52454U})
-            for (const bool reversed : {false, true}) out.append("eye", eye_depth({n, f, reversed}, code, 16));
-    for (const std::uint32_t code : {0U, 1U, 127U, 254U}) out.append("eye", eye_depth({0.5, infinity}, code, 8));
+            for (const bool reversed : {false, true})
+                out.append("eye", ask<eye_depth>(out, {n, f, reversed}, code, 16));
+    for (const std::uint32_t code : {0U, 1U, 127U, 254U})
+        out.append("eye", ask<eye_depth>(out, {0.5, infinity}, code, 8));
 }
 
 struct Camera {
@@ -64,11 +67,11 @@ void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 300; ++i) {
         const auto& [range, distance, bits] = random_camera(random);
-        out.append("window", window_depth(range, -distance));
+        out.append("window", ask<window_depth>(out, range, -distance));
         const std::uint32_t code = random.below(1U << static_cast<unsigned>(bits));
-        out.append("eye", eye_depth(range, code, bits));
+        out.append("eye", ask<eye_depth>(out, range, code, bits));
         const double last = std::ldexp(1.0, bits) - 1;
-        out.append("codes", depth_code((code + 0.8 * (random.uniform_double() - 0.5)) / last, bits));
+        out.append("codes", ask<depth_code>(out, (code + 0.8 * (random.uniform_double() - 0.5)) / last, bits));
     }
 }
 
@@ -77,7 +80,7 @@ void record_resolution(Random& random, Recorder& out)
     const auto all = [&](double n, double f, double distance) {
         for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32})
             for (const bool reversed : {false, true})
-                out.append("resolution", depth_resolution({n, f, reversed}, format, -distance));
+                out.append("resolution", ask<depth_resolution>(out, {n, f, reversed}, format, -distance));
     };
     for (const double distance : {0.1, 1.0, 10.0, 100.0, 500.0}) all(0.01, 1000, distance);
     for (const double distance : {1.0, 10.0, 100.0, 300.0}) all(0.2, 400, distance);
@@ -92,11 +95,11 @@ void record_fighting(Random& random, Recorder& out)
     for (const auto& [n, f] : {std::pair(0.01, 1000.0), {0.2, 400.0}, {1.0, infinity}})
         for (const int bits : {16, 24})
             for (const double gap : {1e-6, 1e-3, 0.1, 1.0, 10.0})
-                append(out, "begin", fighting_distance({n, f}, bits, gap));
+                append(out, "begin", ask<fighting_distance>(out, {n, f}, bits, gap));
     for (int i = 0; i < 100; ++i) {
         const Camera camera = random_camera(random);
         const double gap = camera.range.near_plane * std::exp2(random.uniform(-14, 6));
-        append(out, "begin", fighting_distance(camera.range, camera.bits, gap));
+        append(out, "begin", ask<fighting_distance>(out, camera.range, camera.bits, gap));
     }
 }
 
@@ -107,11 +110,12 @@ void record_extremes(Random& random, Recorder& out)
         const double n = std::pow(10, -4 * random.uniform_double());
         const double f = i % 4 == 0 ? infinity : n * std::pow(10, 8 + 6 * random.uniform_double());
         const double beside = std::pow(10, -1 - 9 * random.uniform_double());
-        out.append("near", window_depth({n, f}, -n * (1 + beside)));
-        out.append("far", window_depth({n, f, true}, std::isinf(f) ? -n / beside : -f * (1 - beside)));
+        out.append("near", ask<window_depth>(out, {n, f}, -n * (1 + beside)));
+        out.append("far", ask<window_depth>(out, {n, f, true}, std::isinf(f) ? -n / beside : -f * (1 - beside)));
         const std::uint32_t steps = random.below(1000);
-        out.append("eye", eye_depth({n, f}, 4294967294U - steps, 32));
-        append(out, "begin", fighting_distance({n, infinity}, 16, n * std::pow(10, 5 + 4 * random.uniform_double())));
+        out.append("eye", ask<eye_depth>(out, {n, f}, 4294967294U - steps, 32));
+        append(out, "begin",
+               ask<fighting_distance>(out, {n, infinity}, 16, n * std::pow(10, 5 + 4 * random.uniform_double())));
     }
 }
 
@@ -125,7 +129,7 @@ const Driver driver = {
     {"resolution", [](Case& c, Recorder& out) { record_resolution(c.random, out); }},
     {"fighting", [](Case& c, Recorder& out) { record_fighting(c.random, out); }},
     {"extremes", [](Case& c, Recorder& out) { record_extremes(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_precision()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_precision(out)); }},
 };
 
 }

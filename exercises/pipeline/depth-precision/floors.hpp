@@ -4,6 +4,7 @@
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <umbral/pipeline/depth_precision.hpp>
+#include <umbral/record/ask.hpp>
 
 /// The goal picture of pipeline/depth-precision: what each format resolves at all distances, and what that does to two
 /// floors, one just above the other.
@@ -24,7 +25,7 @@ struct Curve {
 inline double height_of(double decade) { return (decade + 3) / 6; }
 
 /// Decades of the distance to the right, of the resolution upwards.
-inline void draw_curves(Drawing& drawing)
+inline void draw_curves(Recorder& out, Drawing& drawing)
 {
     for (int decade = -2; decade <= 3; ++decade) drawing.line({decade, -1.2}, {decade, 1.2}, ink::slate, 1);
     for (int decade = -10; decade <= 3; ++decade)
@@ -37,8 +38,8 @@ inline void draw_curves(Drawing& drawing)
         glm::dvec2 last(std::nan(""));
         for (int i = 1; i < steps; ++i) {
             const double decade = -2 + 5.0 * i / steps;
-            const double resolution =
-                depth_resolution({near_plane, far_plane, curve.reversed}, curve.format, -std::pow(10, decade));
+            const double resolution = ask<depth_resolution>(out, {near_plane, far_plane, curve.reversed}, curve.format,
+                                                            -std::pow(10, decade));
             const glm::dvec2 place(decade, height_of(std::log10(resolution)));
             drawing.line(last, place, curve.color, 2.5);
             last = place;
@@ -46,19 +47,19 @@ inline void draw_curves(Drawing& drawing)
     }
     for (const auto& [bits, color] : {std::pair(16, ink::red), {24, ink::orange}})
         for (const double gap : {1e-6, 1e-4, 1e-2})
-            if (const std::optional<double> begin = fighting_distance({near_plane, far_plane}, bits, gap);
+            if (const std::optional<double> begin = ask<fighting_distance>(out, {near_plane, far_plane}, bits, gap);
                 begin && *begin > near_plane)
                 drawing.ring({std::log10(*begin), height_of(std::log10(gap))}, 5, color, 2.5);
 }
 
 /// A blue floor a ten-thousandth above a red one. Where both have the same depth in the buffer, the red one, drawn
 /// last, shows.
-inline Image draw_floors(const DepthRange& range, int bits, int width, int height)
+inline Image draw_floors(Recorder& out, const DepthRange& range, int bits, int width, int height)
 {
     Image picture(width, height, glm::u8vec4(14, 15, 23, 255));
     const auto stored = [&](double distance) {
-        const double depth = window_depth(range, -distance);
-        return bits > 0 ? static_cast<double>(depth_code(depth, bits)) : double{static_cast<float>(depth)};
+        const double depth = ask<window_depth>(out, range, -distance);
+        return bits > 0 ? static_cast<double>(ask<depth_code>(out, depth, bits)) : double{static_cast<float>(depth)};
     };
     for (int y = height / 8; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -81,13 +82,13 @@ inline Image draw_floors(const DepthRange& range, int bits, int width, int heigh
 }
 
 /// The curves above; below them the floors in 16 bits, 24 bits, and reversed floats.
-inline Image draw_precision()
+inline Image draw_precision(Recorder& out)
 {
     constexpr int part = 200;
     constexpr int curves = 260;
     constexpr int floors = 130;
     Drawing chart(3 * part, curves, {-2, -1.1}, {3, 1.1});
-    detail::draw_curves(chart);
+    detail::draw_curves(out, chart);
     const Image top = chart.picture();
     Image picture(3 * part, curves + floors, glm::u8vec4(14, 15, 23, 255));
     for (int y = 0; y < curves; ++y)
@@ -98,7 +99,7 @@ inline Image draw_precision()
         {DepthRange{detail::near_plane, detail::far_plane, true}, 0}};
     for (int i = 0; i < 3; ++i) {
         const auto& [range, bits] = views[static_cast<std::size_t>(i)];
-        const Image floor = detail::draw_floors(range, bits, part - 8, floors);
+        const Image floor = detail::draw_floors(out, range, bits, part - 8, floors);
         for (int y = 0; y < floor.height; ++y)
             for (int x = 0; x < floor.width; ++x) picture.at(i * part + 4 + x, curves + y) = floor.at(x, y);
     }

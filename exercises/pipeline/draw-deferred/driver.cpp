@@ -1,5 +1,6 @@
 #include <array>
 #include <umbral/gl/record_trace.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support_gl.hpp"
@@ -11,19 +12,29 @@ namespace {
 using namespace pipeline;
 
 /// Draws if there is something to draw with: a factory that gives nothing leaves the picture empty.
-void draw(const std::unique_ptr<IndexedDrawing>& drawing)
+void draw(Recorder& out, const std::unique_ptr<IndexedDrawing>& drawing)
 {
-    if (drawing) drawing->draw();
+    if (drawing) ask<&IndexedDrawing::draw>(out, *drawing);
 }
 
 // The mesh is gone when the first draw comes.
-std::unique_ptr<IndexedDrawing> drawing_of(ColoredMesh mesh) { return make_indexed_drawing(mesh); }
+std::unique_ptr<IndexedDrawing> drawing_of(Recorder& out, ColoredMesh mesh, std::string_view name = "drawing")
+{
+    return ask_new<make_indexed_drawing>(out, name, mesh);
+}
+
+// What comes next is what is left of a drawing that has gone.
+void delete_drawing(Recorder& out, std::unique_ptr<IndexedDrawing>& drawing, std::string_view name = "drawing")
+{
+    ask_in_words(out, [&] { return std::string(name) + ".reset();  // made before, and drawn"; });
+    drawing.reset();
+}
 
 void record_picture(Recorder& out, std::string_view name, const ColoredMesh& mesh, int size)
 {
     const Canvas canvas(size);
-    const auto drawing = drawing_of(mesh);
-    draw(drawing);
+    const auto drawing = drawing_of(out, mesh);
+    draw(out, drawing);
     out.image(name, canvas.picture());
 }
 
@@ -41,15 +52,15 @@ void frames(Case&, Recorder& out)
     const Canvas canvas(256);
     std::unique_ptr<IndexedDrawing> drawing;
     record_calls(out, "first frame", [&] {
-        drawing = drawing_of(rosette(8, 12));
-        draw(drawing);
+        drawing = drawing_of(out, rosette(8, 12));
+        draw(out, drawing);
     });
     record_calls(out, "later frames", [&] {
-        for (int frame = 0; frame < 3; ++frame) draw(drawing);
+        for (int frame = 0; frame < 3; ++frame) draw(out, drawing);
     });
     out.image("fourth frame", canvas.picture());
     out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
-    record_calls(out, "end", [&] { drawing.reset(); });
+    record_calls(out, "end", [&] { delete_drawing(out, drawing); });
     out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
 }
 
@@ -92,14 +103,14 @@ void state(Case& c, Recorder& out)
     const Canvas canvas(64);
     for (int round = 0; round < 6; ++round) {
         choose_state(c.random);
-        auto drawing = drawing_of(polygon(5 + round, {0, 0, 0}, 0.8F, 0));
+        auto drawing = drawing_of(out, polygon(5 + round, {0, 0, 0}, 0.8F, 0));
         record_state(out);
         for (int frame = 0; frame < 3; ++frame) {
             choose_state(c.random);
-            draw(drawing);
+            draw(out, drawing);
             record_state(out);
         }
-        drawing.reset();
+        delete_drawing(out, drawing);
         record_state(out);
     }
 }
@@ -108,16 +119,17 @@ void state(Case& c, Recorder& out)
 void several(Case&, Recorder& out)
 {
     const Canvas canvas(256);
-    std::array drawings{drawing_of(polygon(3, {-0.45F, 0.4F, 0.3F}, 0.5F, 0.0F)), drawing_of({}),
-                        drawing_of(polygon(6, {0.05F, -0.1F, 0}, 0.6F, 0.55F)),
-                        drawing_of(polygon(12, {0.5F, 0.45F, 0.2F}, 0.4F, 0.3F)),
-                        drawing_of(polygon(5, {0.4F, -0.5F, -0.1F}, 0.42F, 0.8F))};
-    for (const std::size_t i : {3, 1, 0, 2, 1, 3}) draw(drawings[i]);
+    std::array drawings{drawing_of(out, polygon(3, {-0.45F, 0.4F, 0.3F}, 0.5F, 0.0F), "drawing0"),
+                        drawing_of(out, {}, "drawing1"),
+                        drawing_of(out, polygon(6, {0.05F, -0.1F, 0}, 0.6F, 0.55F), "drawing2"),
+                        drawing_of(out, polygon(12, {0.5F, 0.45F, 0.2F}, 0.4F, 0.3F), "drawing3"),
+                        drawing_of(out, polygon(5, {0.4F, -0.5F, -0.1F}, 0.42F, 0.8F), "drawing4")};
+    for (const std::size_t i : {3, 1, 0, 2, 1, 3}) draw(out, drawings[i]);
     out.image("first", canvas.picture());
     for (const std::size_t i : {0, 2, 1}) drawings[i].reset();
     canvas.clear();
-    draw(drawings[4]);
-    draw(drawings[3]);
+    draw(out, drawings[4]);
+    draw(out, drawings[3]);
     out.image("after some have gone", canvas.picture());
 }
 

@@ -15,7 +15,7 @@ using namespace pipeline;
 void record_picture(Recorder& out, int size, const std::vector<Piece>& pieces)
 {
     const Stage stage(size);
-    for (const Piece& piece : pieces) draw(piece);
+    for (const Piece& piece : pieces) draw(out, piece);
     out.image("picture", stage.picture());
 }
 
@@ -25,9 +25,9 @@ void record_calls(Recorder& out, std::string_view name, bool cut)
     const Fan tables = fan(9, 2);
     gl::begin_trace();
     if (cut)
-        draw_triangles(tables.positions, tables.indices, {1, 0, 0}, {1, 1, 1});
+        ask<draw_triangles>(out, tables.positions, tables.indices, {1, 0, 0}, {1, 1, 1});
     else
-        draw_polygon(corners, {1, 0, 0}, {1, 1, 1});
+        ask<draw_polygon>(out, corners, {1, 0, 0}, {1, 1, 1});
     gl::record_trace(out, name, gl::end_trace());
 }
 
@@ -99,7 +99,8 @@ void record_state(Recorder& out, const Piece& piece, const Image& picture)
     glGetFloatv(GL_CURRENT_COLOR, color.data());
     std::array<GLint, 2> mode{};
     glGetIntegerv(GL_POLYGON_MODE, mode.data());
-    std::vector<float> row = {color[0], color[1], color[2], color[3], static_cast<float>(mode[0]), static_cast<float>(mode[1])};
+    std::vector<float> row = {
+        color[0], color[1], color[2], color[3], static_cast<float>(mode[0]), static_cast<float>(mode[1])};
     for (const GLenum name :
          {GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM,
           GL_DEPTH_TEST, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE,
@@ -128,7 +129,7 @@ void state(Case& c, Recorder& out)
         if (round % 3 == 1) buffer.emplace();
         choose_state(c.random);
         stage.clear();
-        draw(piece);
+        draw(out, piece);
         record_state(out, piece, stage.pixels());
     }
 }

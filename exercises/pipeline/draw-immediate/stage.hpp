@@ -9,6 +9,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/pipeline/immediate.hpp>
+#include <umbral/record/ask.hpp>
 
 /// Where the cases draw, and what: the tables of problems 1.1 and 1.2.
 namespace umbral::pipeline {
@@ -81,15 +82,15 @@ inline glm::mat4 model_of(const Piece& piece)
     return scale(turned, glm::vec3(piece.radius, piece.radius, 1));
 }
 
-inline void draw(const Piece& piece)
+inline void draw(Recorder& out, const Piece& piece)
 {
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixf(value_ptr(model_of(piece)));
     if (piece.cut) {
         const Fan tables = fan(piece.corners, piece.corners % 2 == 1 ? 2 : 1);
-        draw_triangles(tables.positions, tables.indices, piece.fill, piece.edges);
+        ask<draw_triangles>(out, tables.positions, tables.indices, piece.fill, piece.edges);
     } else {
-        draw_polygon(polygon(piece.corners), piece.fill, piece.edges);
+        ask<draw_polygon>(out, polygon(piece.corners), piece.fill, piece.edges);
     }
 }
 

@@ -29,7 +29,7 @@ private:
 void record_picture(Recorder& out, int size, const std::vector<Piece>& pieces)
 {
     const Stage stage(size);
-    for (const Piece& piece : pieces) draw(piece);
+    for (const Piece& piece : pieces) draw(out, piece);
     out.image("picture", stage.picture());
 }
 
@@ -49,7 +49,7 @@ void record_calls(Recorder& out, std::string_view name, Work&& work)
 void sent_calls(Case&, Recorder& out)
 {
     const Stage stage(32);
-    record_calls(out, "sent", [] { draw(large(Piece::Way::sent, 9)); });
+    record_calls(out, "sent", [&] { draw(out, large(Piece::Way::sent, 9)); });
 }
 
 // Made, drawn once, three times more in other colours, and gone.
@@ -58,16 +58,19 @@ void frames(Recorder& out, Piece::Way way)
     const Stage stage(64);
     std::unique_ptr<OutlinedDrawing> drawing;
     const auto frame = [&](float red) {
-        if (drawing) drawing->draw({red, 0.4F, 0.3F}, {1, 1, red});
+        if (drawing) ask<&OutlinedDrawing::draw>(out, *drawing, {red, 0.4F, 0.3F}, {1, 1, red});
     };
     record_calls(out, "first frame", [&] {
-        drawing = drawing_of(large(way, 11));
+        drawing = drawing_of(out, large(way, 11));
         frame(0.1F);
     });
     record_calls(out, "later frames", [&] {
         for (const float red : {0.3F, 0.6F, 0.9F}) frame(red);
     });
-    record_calls(out, "end", [&] { drawing.reset(); });
+    record_calls(out, "end", [&] {
+        ask_in_words(out, [] { return "drawing.reset();"; });
+        drawing.reset();
+    });
 }
 
 // What is seen belongs to the row: who draws nothing leaves all state alone.
@@ -110,10 +113,10 @@ void state(Case& c, Recorder& out)
         stage.clear();
         std::unique_ptr<OutlinedDrawing> drawing;
         if (piece.way == Piece::Way::sent)
-            draw(piece);
+            draw(out, piece);
         else
-            drawing = drawing_of(piece);
-        if (drawing) drawing->draw(piece.fill, piece.edges);
+            drawing = drawing_of(out, piece);
+        if (drawing) ask<&OutlinedDrawing::draw>(out, *drawing, piece.fill, piece.edges);
         record_state(out, stage.picture());
     }
 }
@@ -133,10 +136,10 @@ void several(Case&, Recorder& out)
                           0,
                           rainbow(0.23F * static_cast<float>(i), 0.8F, 0.7F),
                           {1, 1, 1}});
-        drawings.push_back(drawing_of(pieces.back()));
+        drawings.push_back(drawing_of(out, pieces.back(), "drawing" + std::to_string(i)));
     }
     const auto show = [&](std::size_t i) {
-        if (drawings[i]) drawings[i]->draw(pieces[i].fill, pieces[i].edges);
+        if (drawings[i]) ask<&OutlinedDrawing::draw>(out, *drawings[i], pieces[i].fill, pieces[i].edges);
     };
     for (const std::size_t i : {3, 1, 0, 2}) show(i);
     drawings[0].reset();

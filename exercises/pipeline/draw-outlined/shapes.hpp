@@ -7,6 +7,7 @@
 #include <numbers>
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/outlined.hpp>
+#include <umbral/record/ask.hpp>
 
 /// What the cases draw: regular polygons and wheels of triangles.
 namespace umbral::pipeline {
@@ -36,10 +37,10 @@ inline std::vector<glm::vec2> corners_of(const Piece& piece)
 
 /// The factory's drawing; nothing for what is sent. A piece of no corners has empty tables. The tables go before the
 /// drawing is used.
-inline std::unique_ptr<OutlinedDrawing> drawing_of(const Piece& piece)
+inline std::unique_ptr<OutlinedDrawing> drawing_of(Recorder& out, const Piece& piece, std::string_view name = "drawing")
 {
     std::vector<glm::vec2> positions = corners_of(piece);
-    if (piece.way == Piece::Way::polygon) return make_outlined_polygon(positions);
+    if (piece.way == Piece::Way::polygon) return ask_new<make_outlined_polygon>(out, name, positions);
     std::vector<std::uint32_t> indices;
     const auto n = static_cast<std::uint32_t>(piece.corners);
     if (n > 0) positions.push_back(piece.centre);
@@ -50,15 +51,15 @@ inline std::unique_ptr<OutlinedDrawing> drawing_of(const Piece& piece)
             std::rotate(triangle.begin(), triangle.begin() + (i / 2) % 3, triangle.end());
             indices.insert(indices.end(), triangle.begin(), triangle.end());
         }
-    return make_outlined_triangles(positions, indices);
+    return ask_new<make_outlined_triangles>(out, name, positions, indices);
 }
 
-inline void draw(const Piece& piece)
+inline void draw(Recorder& out, const Piece& piece)
 {
     if (piece.way == Piece::Way::sent)
-        send_polygon(corners_of(piece), piece.fill, piece.edges);
-    else if (const auto drawing = drawing_of(piece))
-        drawing->draw(piece.fill, piece.edges);
+        ask<send_polygon>(out, corners_of(piece), piece.fill, piece.edges);
+    else if (const auto drawing = drawing_of(out, piece))
+        ask<&OutlinedDrawing::draw>(out, *drawing, piece.fill, piece.edges);
 }
 
 /// Rings of pieces in all three ways: the goal picture.

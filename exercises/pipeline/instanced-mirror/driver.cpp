@@ -12,23 +12,23 @@ void pictures(Case& what, Recorder& out)
 {
     const gl::Program program = mirror_program(what);
     program.require_interface(mirror_interface());
-    out.image("lake", draw(lake(), program, 384, 288));
-    out.image("wall", draw(wall(Look::places), program, 192, 192));
-    out.image("light", draw(wall(Look::light), program, 192, 192));
-    out.image("cut", draw(cut(), program, 192, 192));
-    out.image("bowls", draw(bowls(glm::vec3(1)), program, 192, 192));
-    out.image("mirrored bowls", draw(bowls({1, 1, -1}), program, 192, 192));
-    out.image("long normal", draw(long_normal(), program, 192, 192));
-    out.image("stretched", draw(stretched(), program, 192, 192));
+    out.image("lake", draw(out, lake(), program, 384, 288));
+    out.image("wall", draw(out, wall(Look::places), program, 192, 192));
+    out.image("light", draw(out, wall(Look::light), program, 192, 192));
+    out.image("cut", draw(out, cut(), program, 192, 192));
+    out.image("bowls", draw(out, bowls(glm::vec3(1)), program, 192, 192));
+    out.image("mirrored bowls", draw(out, bowls({1, 1, -1}), program, 192, 192));
+    out.image("long normal", draw(out, long_normal(), program, 192, 192));
+    out.image("stretched", draw(out, stretched(), program, 192, 192));
 }
 
 void random(Case& what, Recorder& out)
 {
     const gl::Program program = mirror_program(what);
     program.require_interface(mirror_interface());
-    out.image("places", draw(random_scene(what.random, Look::places), program, 160, 160));
-    out.image("first", draw(random_scene(what.random, Look::all), program, 160, 160));
-    out.image("second", draw(random_scene(what.random, Look::all), program, 160, 160));
+    out.image("places", draw(out, random_scene(what.random, Look::places), program, 160, 160));
+    out.image("first", draw(out, random_scene(what.random, Look::all), program, 160, 160));
+    out.image("second", draw(out, random_scene(what.random, Look::all), program, 160, 160));
 }
 
 }

@@ -7,6 +7,7 @@
 #include <kit/shapes.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/case.hpp>
 
 /// Where the student's vertex shader meets OpenGL: its interface, the fragment shader behind it, and how a scene is
@@ -96,8 +97,27 @@ inline void paint_water(const glm::mat4& view, const glm::mat4& projection, int 
     glDisable(GL_SCISSOR_TEST);
 }
 
-inline Image draw(const Scene& scene, const gl::Program& program, int width, int height)
+/// What is drawn next, as the uniforms that the shader is given.
+inline void ask_scene(Recorder& out, const Scene& scene)
 {
+    ask_in_words(out, [&] {
+        const auto line = [](const char* name, const auto& value) {
+            return std::string(name) + " = " + literal::of_value(value, true, {}) + "\n";
+        };
+        constexpr std::size_t most = 3;
+        std::string text = line("mirror", scene.mirror) + "view = glm::lookAt(" +
+                           literal::of_value(scene.eye, true, {}) + ", " + literal::of_value(scene.target, true, {}) +
+                           ", glm::vec3{0, 1, 0})\n";
+        for (std::size_t i = 0; i < std::min(scene.things.size(), most); ++i)
+            text += line("model", scene.things[i].model);
+        if (scene.things.size() > most) text += "// … " + std::to_string(scene.things.size() - most) + " things more\n";
+        return text + "// each thing is drawn " + (scene.instances == 1 ? "once" : "twice: gl_InstanceID is 0, then 1");
+    });
+}
+
+inline Image draw(Recorder& out, const Scene& scene, const gl::Program& program, int width, int height)
+{
+    ask_scene(out, scene);
     const DoubleFrame frame(width, height);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CLIP_DISTANCE0);

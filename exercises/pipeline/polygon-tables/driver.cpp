@@ -2,6 +2,7 @@
 #include <kit/drawing.hpp>
 #include <map>
 #include <umbral/pipeline/polygon.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -13,9 +14,9 @@ using namespace pipeline;
 void record_tables(Recorder& out, std::uint32_t sides)
 {
     const auto code = static_cast<float>(sides);
-    record_rows(out, "loop", polygon_loop(sides), sides);
-    record_rows(out, "segments", polygon_segments(sides), std::size_t{2} * sides);
-    const IndexedPolygon fan = polygon_fan(sides);
+    record_rows(out, "loop", ask<polygon_loop>(out, sides), sides);
+    record_rows(out, "segments", ask<polygon_segments>(out, sides), std::size_t{2} * sides);
+    const IndexedPolygon fan = ask<polygon_fan>(out, sides);
     record_rows(out, "positions", fan.positions, sides + 1);
     record_indices(out, "triangles", code, fan.triangles, sides);
     record_indices(out, "edges", code, fan.edges, std::size_t{2} * sides);
@@ -58,9 +59,13 @@ void record_sizes(Random& random, Recorder& out)
         const std::uint32_t some = i < 3 ? 3 + i : 3 + random.below(200);
         const bool swapped = random.below(2) == 1;
         for (const std::uint32_t sides : {swapped ? some : none, swapped ? none : some}) {
+            ask_in_words(out, [sides] {
+                const std::string n = std::to_string(sides);
+                return "polygon_loop(" + n + ").size()\npolygon_segments(" + n + ").size()";
+            });
             out.append("tables", glm::vec2(static_cast<float>(polygon_loop(sides).size()),
                                            static_cast<float>(polygon_segments(sides).size())));
-            out.append("fan", size_of(polygon_fan(sides)));
+            out.append("fan", size_of(ask<polygon_fan>(out, sides)));
         }
     }
 }
@@ -72,7 +77,7 @@ void record_joints(Random& random, Recorder& out)
     std::vector<std::uint32_t> all = {3, 4, 5, 7, 12, 100};
     for (int i = 0; i < 10; ++i) all.push_back(3 + random.below(400));
     for (const std::uint32_t sides : all) {
-        const std::vector<glm::vec2> ends = polygon_segments(sides);
+        const std::vector<glm::vec2> ends = ask<polygon_segments>(out, sides);
         std::map<std::pair<float, float>, float> first;
         float last = -1;
         for (std::size_t i = 0; i < std::min(ends.size(), std::size_t{2} * sides); ++i)
@@ -85,7 +90,7 @@ void record_joints(Random& random, Recorder& out)
 void record_many(Random& random, Recorder& out)
 {
     for (const std::uint32_t sides : {1000U, 3600U, 10'000U, 99'991U, 300'000U, 1'000'000U}) {
-        const std::vector<glm::vec2> corners = polygon_loop(sides);
+        const std::vector<glm::vec2> corners = ask<polygon_loop>(out, sides);
         for (int i = 0; i < 200; ++i) {
             const std::uint32_t place = random.below(sides);
             record_rows(out, "corners",
@@ -101,9 +106,9 @@ void record_work(Recorder& out)
     out.text("blocks.names", "sides");
     for (const std::uint32_t sides : {128U, 256U, 512U, 1024U})
         record_cost(out, "blocks", sides, [&] {
-            (void)polygon_loop(sides);
-            (void)polygon_segments(sides);
-            (void)polygon_fan(sides);
+            (void)ask<polygon_loop>(out, sides);
+            (void)ask<polygon_segments>(out, sides);
+            (void)ask<polygon_fan>(out, sides);
         });
 }
 
@@ -115,13 +120,13 @@ glm::vec3 hue(double turns)
 
 // Left: polygons of 3, 4, 5, … sides, each in the inscribed circle of the one before; the loops drawn filled and as
 // edges. Right: a fan, its triangles and its edges from the tables of indices.
-Image picture()
+Image picture(Recorder& out)
 {
     Drawing drawing(640, 320, {-2.1, -1.05}, {2.1, 1.05});
     double radius = 0.95;
     for (std::uint32_t sides = 3; sides <= 10; ++sides) {
         std::vector<glm::dvec2> corners;
-        for (const glm::vec2& corner : polygon_loop(sides)) {
+        for (const glm::vec2& corner : ask<polygon_loop>(out, sides)) {
             if (corners.size() > sides) break;
             corners.push_back(glm::dvec2(-1.1, -0.14) + 1.15 * radius * glm::dvec2(-corner.y, corner.x));
         }
@@ -130,7 +135,7 @@ Image picture()
         radius *= std::cos(3.14159265358979 / sides);
     }
     constexpr std::uint32_t sides = 24;
-    const IndexedPolygon fan = polygon_fan(sides);
+    const IndexedPolygon fan = ask<polygon_fan>(out, sides);
     const auto place = [&](std::uint32_t index) {
         return index < fan.positions.size() ? glm::dvec2(1.05, 0) + 0.95 * glm::dvec2(fan.positions[index])
                                             : glm::dvec2(NAN);
@@ -158,7 +163,7 @@ const Driver driver = {
     {"joints", [](Case& c, Recorder& out) { record_joints(c.random, out); }},
     {"many sides", [](Case& c, Recorder& out) { record_many(c.random, out); }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("tables", picture()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("tables", picture(out)); }},
 };
 
 }

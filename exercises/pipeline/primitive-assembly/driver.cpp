@@ -14,8 +14,7 @@ void record_sequences(Recorder& out, std::initializer_list<PrimitiveType> types,
 {
     for (const PrimitiveType type : types)
         for (const std::uint32_t count : counts) record_assembly(out, type, counted(count));
-    out.text("primitives.names", all_names());
-    out.text("provoking.names", all_names());
+    name_assembly(out);
 }
 
 // All types, complete and not, with indices that repeat.
@@ -26,13 +25,12 @@ void record_random(Random& random, Recorder& out)
         const std::uint32_t count = random.below(type == polygon ? 10 : 15);
         record_assembly(out, type, random_sequence(random, count, 20));
     }
-    out.text("primitives.names", all_names());
-    out.text("provoking.names", all_names());
+    name_assembly(out);
 }
 
 void record_side(Recorder& out, const std::vector<glm::vec2>& corners)
 {
-    out.append("front", is_front_facing(corners) ? 1.0F : 0.0F);
+    out.append("front", ask<is_front_facing>(out, corners) ? 1.0F : 0.0F);
 }
 
 // A face and the same one backwards, in either order.
@@ -92,7 +90,7 @@ void record_modes(Random& random, Recorder& out)
     for (const PrimitiveType type : all_types)
         for (const PolygonMode mode : {PolygonMode::point, PolygonMode::line, PolygonMode::fill}) {
             const std::vector<glm::vec2> places = random_places(random, 9);
-            record_draw(out, draw++, draw_list(type, counted(9), places, Culling::none, mode), 30);
+            record_draw(out, draw++, ask<draw_list>(out, type, counted(9), places, Culling::none, mode), 30);
         }
     out.text("list.names", draw_names(draw));
 }
@@ -105,7 +103,7 @@ void record_culling(Random& random, Recorder& out)
             const std::vector<glm::vec2> places = random_places(random, 12);
             const auto culling = static_cast<Culling>(1 + random.below(2));
             const auto mode = static_cast<PolygonMode>(random.below(3));
-            record_draw(out, draw++, draw_list(type, counted(12), places, culling, mode), 40);
+            record_draw(out, draw++, ask<draw_list>(out, type, counted(12), places, culling, mode), 40);
         }
     out.text("list.names", draw_names(draw));
 }
@@ -129,9 +127,10 @@ void record_joined(Random& random, Recorder& out)
             }
         }
         const auto mode = i % 3 == 0 ? PolygonMode::line : PolygonMode::fill;
-        record_draw(out, draw++,
-                    draw_list(triangle_strip, sequence, places, i % 2 == 0 ? Culling::back : Culling::none, mode),
-                    3 * sequence.size());
+        record_draw(
+            out, draw++,
+            ask<draw_list>(out, triangle_strip, sequence, places, i % 2 == 0 ? Culling::back : Culling::none, mode),
+            3 * sequence.size());
     }
     out.text("list.names", draw_names(draw));
 }
@@ -158,7 +157,7 @@ void draw_smooth(Drawing& drawing, const std::array<glm::dvec2, 3>& places, cons
 }
 
 // Rows: filled, lines, points. Columns: triangles, quads, polygon. One sequence of eight vertices in all nine.
-Image gallery()
+Image gallery(Recorder& out)
 {
     constexpr std::uint32_t count = 8;
     Drawing drawing(480, 480, {-3.3, -3.3}, {3.3, 3.3});
@@ -177,7 +176,8 @@ Image gallery()
                 return vertex < count ? centre + (glm::dvec2(window[vertex]) - 240.0) / 85.0 : glm::dvec2(NAN);
             };
             for (std::uint32_t i = 0; i < count; ++i) drawing.ring(place(i), 4, ink::slate, 1.5);
-            const DrawList list = sorted(draw_list(columns[column], counted(count), window, Culling::back, rows[row]));
+            const DrawList list =
+                sorted(ask<draw_list>(out, columns[column], counted(count), window, Culling::back, rows[row]));
             for (std::size_t i = 0; i < std::min<std::size_t>(list.triangles.size(), 12); ++i) {
                 const glm::uvec3 t = list.triangles[i];
                 draw_smooth(drawing, {place(t.x), place(t.y), place(t.z)}, {color(t.x), color(t.y), color(t.z)});
@@ -216,7 +216,7 @@ const Driver driver = {
     {"modes", [](Case& c, Recorder& out) { record_modes(c.random, out); }},
     {"culling", [](Case& c, Recorder& out) { record_culling(c.random, out); }},
     {"joined strips", [](Case& c, Recorder& out) { record_joined(c.random, out); }},
-    {"gallery", [](Case&, Recorder& out) { out.image("pictures", gallery()); }},
+    {"gallery", [](Case&, Recorder& out) { out.image("pictures", gallery(out)); }},
 };
 
 }

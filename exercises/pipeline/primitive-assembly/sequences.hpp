@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 #include <umbral/pipeline/assembly.hpp>
-#include <umbral/record/recorder.hpp>
+#include <umbral/record/ask.hpp>
 
 #include "../support.hpp"
 
@@ -25,11 +25,18 @@ inline constexpr std::array names = {"point",
                                      "quadrilateral of a strip",
                                      "polygon"};
 
-inline std::string all_names()
+/// What the numbers of the two tables below mean: vertices count from 1 in the first, since 0 stands for none there.
+inline void name_assembly(Recorder& out)
 {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) text += std::to_string(i) + " " + names[i] + "\n";
-    return text;
+    std::string primitives;
+    std::string provoking;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string line = std::to_string(i) + " " + names[i];
+        primitives += line + ": corners, vertices from 1\n";
+        provoking += line + ": provoking vertex, from 0\n";
+    }
+    out.text("primitives.names", primitives);
+    out.text("provoking.names", provoking);
 }
 
 inline std::vector<std::uint32_t> counted(std::uint32_t count)
@@ -63,7 +70,7 @@ inline std::vector<std::uint32_t> canonical_corners(std::vector<std::uint32_t> c
 inline void record_assembly(Recorder& out, PrimitiveType type, const std::vector<std::uint32_t>& vertices)
 {
     const auto code = static_cast<float>(type);
-    const std::vector<Primitive> primitives = assemble(type, vertices);
+    const std::vector<Primitive> primitives = ask<assemble>(out, type, vertices);
     for (std::size_t i = 0; i < std::min(primitives.size(), 2 * vertices.size() + 4); ++i) {
         const std::vector<std::uint32_t> corners = canonical_corners(primitives[i].corners);
         std::array<float, 11> row{code, static_cast<float>(corners.size())};
@@ -112,7 +119,8 @@ inline std::string draw_names(int draws)
     std::string text;
     for (int draw = 0; draw < draws; ++draw)
         for (const auto& [kind, name] : {std::pair{0, "point"}, {1, "segment"}, {2, "triangle"}})
-            text += std::to_string(4 * draw + kind) + " draw " + std::to_string(draw + 1) + ": " + name + "\n";
+            text += std::to_string(4 * draw + kind) + " draw " + std::to_string(draw + 1) + ": " + name +
+                    ", vertices from 1\n";
     return text;
 }
 

@@ -145,7 +145,7 @@ void cover(Recorder& out, std::string_view name, const std::vector<Triangle>& tr
     std::vector<Fragment> fragments;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         fragments.clear();
-        rasterize_triangle(triangles[i], 40, 32, fragments);
+        ask<rasterize_triangle>(out, triangles[i], 40, 32, fragments);
         for (const Fragment& fragment : fragments)
             out.append(name, glm::vec3(static_cast<float>(i / together), static_cast<float>(fragment.pixel.x),
                                        static_cast<float>(fragment.pixel.y)));
@@ -186,7 +186,8 @@ void laws(Random& random, Recorder& out)
 void record_list(Random& random, Recorder& out)
 {
     std::vector<Fragment> fragments = {{{3, 2}, 0.5F, {1, 0, 0}}};
-    for (const Triangle& next : random_triangles(random, 8, 12, 10)) rasterize_triangle(next, 12, 10, fragments);
+    for (const Triangle& next : random_triangles(random, 8, 12, 10))
+        ask<rasterize_triangle>(out, next, 12, 10, fragments);
     fragments.resize(std::min<std::size_t>(fragments.size(), 2000));
     for (const Fragment& fragment : fragments)
         out.append("rows", glm::vec3(1, static_cast<float>(fragment.pixel.x), static_cast<float>(fragment.pixel.y)));
@@ -195,7 +196,7 @@ void record_list(Random& random, Recorder& out)
 
 void record_picture(Recorder& out)
 {
-    const Canvas canvas = scene(480, 320);
+    const Canvas canvas = scene(out, 480, 320);
     out.image("colours", encoded(canvas.colours));
     out.buffer("ids", canvas.ids);
 }

@@ -48,10 +48,10 @@ struct Canvas {
 /// Draws one triangle through the depth buffer; `shade(weights, pixel)` gives the colour. What lies outside the picture
 /// is dropped.
 template <class Shade>
-void draw(Canvas& canvas, const Triangle& triangle, std::uint32_t id, Shade shade)
+void draw(Recorder& out, Canvas& canvas, const Triangle& triangle, std::uint32_t id, Shade shade)
 {
     std::vector<Fragment> fragments;
-    rasterize_triangle(triangle, canvas.ids.width, canvas.ids.height, fragments);
+    ask<rasterize_triangle>(out, triangle, canvas.ids.width, canvas.ids.height, fragments);
     for (const auto& [pixel, depth, weights] : fragments) {
         if (!canvas.ids.contains(pixel.x, pixel.y) || !(depth < canvas.depths.at(pixel.x, pixel.y))) continue;
         canvas.depths.at(pixel.x, pixel.y) = depth;
@@ -104,7 +104,7 @@ inline std::vector<ColouredTriangle> knot(int along, int about)
 }
 
 /// The knot and its mirror image below a chequered floor of two triangles; all of it goes through the unit.
-inline Canvas scene(int width, int height)
+inline Canvas scene(Recorder& out, int width, int height)
 {
     Lens lens;
     lens.width = width;
@@ -131,8 +131,8 @@ inline Canvas scene(int width, int height)
             upright[i] = lens.project(triangle[i].place);
             mirrored[i] = lens.project(triangle[i].place * glm::vec3(1, -1, 1));
         }
-        draw(canvas, upright, id, smooth);
-        draw(mirror, mirrored, id, smooth);
+        draw(out, canvas, upright, id, smooth);
+        draw(out, mirror, mirrored, id, smooth);
     }
 
     const std::array<glm::vec3, 4> corners = {glm::vec3(-40, 0, 5.2F), {40, 0, 5.2F}, {40, 0, -50}, {-40, 0, -50}};
@@ -146,7 +146,7 @@ inline Canvas scene(int width, int height)
             const float far = length(place - lens.eye);
             return mix(polished, sky(pixel.y), 1 - std::exp(-0.0016F * far * far));
         };
-        draw(canvas, {lens.project(places[0]), lens.project(places[1]), lens.project(places[2])}, half + 1, tiles);
+        draw(out, canvas, {lens.project(places[0]), lens.project(places[1]), lens.project(places[2])}, half + 1, tiles);
     }
     return canvas;
 }

@@ -1,6 +1,7 @@
 #include <array>
 #include <span>
 #include <umbral/gl/record_trace.hpp>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "../support_gl.hpp"
@@ -15,10 +16,10 @@ using Program = std::unique_ptr<ShaderProgram>;
 
 /// What making a program says: the step that fails, and a log as its size and a sum that depends on every byte and its
 /// place.
-std::array<float, 3> answer_to(const ShaderTexts& texts)
+std::array<float, 3> answer_to(Recorder& out, const ShaderTexts& texts)
 {
     try {
-        const Program program = make_shader_program(texts);
+        const Program program = ask<make_shader_program>(out, texts);
         return {};
     } catch (const ShaderError& error) {
         const std::string_view log = error.what();
@@ -30,7 +31,7 @@ std::array<float, 3> answer_to(const ShaderTexts& texts)
 
 void record_answer(Recorder& out, const ShaderTexts& texts)
 {
-    const auto [step, size, sum] = answer_to(texts);
+    const auto [step, size, sum] = answer_to(out, texts);
     out.append("step", step);
     out.append("log", glm::vec2(size, sum));
 }
@@ -40,7 +41,7 @@ void errors(Case&, Recorder& out)
 {
     for (const ShaderTexts& texts : failing_texts()) {
         record_answer(out, texts);
-        const auto [step, size, sum] = answer_to(uniforms_of_all_types());
+        const auto [step, size, sum] = answer_to(out, uniforms_of_all_types());
         out.append("step", step);
     }
 }
@@ -81,8 +82,40 @@ std::vector<float> values_of(GLuint program)
     return row;
 }
 
+/// One call of set(), of the overload for this type.
+bool set_one(Recorder& out, ShaderProgram& program, const std::string& name, int value)
+{
+    return ask<static_cast<bool (ShaderProgram::*)(const std::string&, int)>(&ShaderProgram::set)>(out, program, name,
+                                                                                                   value);
+}
+bool set_one(Recorder& out, ShaderProgram& program, const std::string& name, float value)
+{
+    return ask<static_cast<bool (ShaderProgram::*)(const std::string&, float)>(&ShaderProgram::set)>(out, program, name,
+                                                                                                     value);
+}
+template <class Value>
+bool set_one(Recorder& out, ShaderProgram& program, const std::string& name, const Value& value)
+{
+    return ask<static_cast<bool (ShaderProgram::*)(const std::string&, const Value&)>(&ShaderProgram::set)>(
+        out, program, name, value);
+}
+
+/// A value as set() is given it. A float without a fraction is still one: another overload takes whole numbers.
+template <class Value>
+std::string value_text(const Value& value)
+{
+    const std::string text = literal::of_value(value, true, {});
+    return std::is_same_v<Value, float> && text.find_first_of(".eF") == std::string::npos ? text + ".0F" : text;
+}
+
+/// What was done to the programs in one round, as code.
+struct Round {
+    std::string lines;
+    std::string chosen;  ///< which program is set
+};
+
 /// Sets a program's uniforms, each by its own name or by one that the program has not; what set() returns.
-std::vector<float> set_all(ShaderProgram& program, Random& random)
+std::vector<float> set_all(Recorder& out, ShaderProgram& program, Random& random, Round& round)
 {
     glm::mat4 matrix(0);
     for (int i = 0; i < 4; ++i) matrix[i] = glm::vec4(random.in_cube(), random.uniform());
@@ -92,7 +125,9 @@ std::vector<float> set_all(ShaderProgram& program, Random& random)
     std::vector<float> returned;
     const auto set = [&](const char* name, const auto& value) {
         const bool absent = random.below(3) == 0;
-        returned.push_back(program.set(absent ? std::string("other_") + name : name, value) ? 1.0F : 0.0F);
+        const std::string called = absent ? std::string("other_") + name : name;
+        round.lines += round.chosen + "->set(\"" + called + "\", " + value_text(value) + ");\n";
+        returned.push_back(set_one(out, program, called, value) ? 1.0F : 0.0F);
     };
     set("whole", whole);
     set("number", number);
@@ -109,19 +144,23 @@ void uniforms(Case& c, Recorder& out)
     std::array<Program, 3> programs;
     std::array<GLuint, 3> names{};
     for (std::size_t i = 0; i < programs.size(); ++i) {
-        programs[i] = make_shader_program(uniforms_of_all_types());
+        programs[i] = ask_new<make_shader_program>(out, "program" + std::to_string(i), uniforms_of_all_types());
         if (!programs[i]) return;
-        programs[i]->use();
+        ask<&ShaderProgram::use>(out, *programs[i]);
         names[i] = in_use();
     }
     for (int round = 0; round < 12; ++round) {
         const std::uint32_t chosen = c.random.below(3);
         const std::uint32_t active = (chosen + 1 + c.random.below(3)) % 4;
         if (active < 3)
-            programs[active]->use();
+            ask<&ShaderProgram::use>(out, *programs[active]);
         else
             glUseProgram(0);
-        out.append("returned", std::span<const float>(set_all(*programs[chosen], c.random)));
+        Round told{active < 3 ? "program" + std::to_string(active) + "->use();\n" : "glUseProgram(0);\n",
+                   "program" + std::to_string(chosen)};
+        const std::vector<float> returned = set_all(out, *programs[chosen], c.random, told);
+        ask_in_words(out, [&] { return "// three programs of the same texts live\n" + told.lines; });
+        out.append("returned", std::span<const float>(returned));
         std::vector<float> state = {static_cast<float>(round), place_of(in_use(), names)};
         for (int i = 0; i < 16; ++i)  // bounded: each kind of error is noted once
             if (const GLenum error = glGetError(); error != GL_NO_ERROR) state[0] = static_cast<float>(error);
@@ -140,29 +179,31 @@ void leaks(Case&, Recorder& out)
     const glm::vec2 at_first = objects();
     std::vector<Program> programs;
     for (const ShaderTexts& texts : failing_texts()) {
-        programs.push_back(make_shader_program(uniforms_of_all_types()));
+        programs.push_back(ask<make_shader_program>(out, uniforms_of_all_types()));
         const glm::vec2 before(at_first.x, objects().y);
-        (void)answer_to(texts);
+        (void)answer_to(out, texts);
         out.append("alive", objects() - before);
     }
     while (programs.size() > 1) {
         programs.pop_back();
+        ask_in_words(out, [&] { return "programs.pop_back();  // leaves " + std::to_string(programs.size()); });
         out.append("alive", glm::vec2(objects().x - at_first.x, 0));
     }
     programs.clear();
+    ask_in_words(out, [] { return "programs.clear();"; });
     out.append("alive", objects() - at_first);
 }
 
 void record_life(Case&, Recorder& out)
 {
     gl::begin_trace();
-    Program program = make_shader_program(uniforms_of_all_types());
+    Program program = ask_new<make_shader_program>(out, "program", uniforms_of_all_types());
     gl::record_trace(out, "birth", gl::end_trace());
     gl::begin_trace();
     if (program) {
-        program->set("number", 2.0F);
-        program->use();
-        program->set("whole", 3);
+        set_one(out, *program, "number", 2.0F);
+        ask<&ShaderProgram::use>(out, *program);
+        set_one(out, *program, "whole", 3);
     }
     program.reset();
     gl::record_trace(out, "life and death", gl::end_trace());
@@ -178,7 +219,8 @@ const glm::vec3 lamp = glm::normalize(glm::vec3(-0.5F, 0.7F, 0.8F));
 
 void pictures(Case&, Recorder& out)
 {
-    const auto lit = [](const std::vector<Shot>& shots, int size) {
+    const auto lit = [&](const std::vector<Shot>& shots, int size) {
+        ask_shots(out, "lit_shaders()", shots);
         return draw(shots, lit_shaders(), lit_interface(), size);
     };
     out.image("switches", lit({{seen(0.3F), lamp, false, false, false},
@@ -201,6 +243,7 @@ void random(Case& c, Recorder& out)
         shot.lighting = true;
         shot.textured = c.random.below(2) == 0;
         shot.flat = c.random.below(2) == 0;
+        ask_shots(out, "lit_shaders()", {shot});
         out.image(name, draw({shot}, lit_shaders(), lit_interface(), 160));
     }
 }
@@ -211,6 +254,7 @@ const Driver driver = {
     {"pictures", pictures},
     {"minimal",
      [](Case&, Recorder& out) {
+         ask_shots(out, "minimal_shaders()", {{seen(-0.4F)}});
          out.image("picture", draw({{seen(-0.4F)}}, minimal_shaders(), minimal_interface(), 192));
      }},
     {"errors", errors},

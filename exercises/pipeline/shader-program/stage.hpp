@@ -9,6 +9,7 @@
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 #include <umbral/pipeline/program.hpp>
+#include <umbral/record/ask.hpp>
 
 /// Where the student's shaders draw. They are compiled by gl::Program here, so that pictures do not depend on the
 /// student's own class.
@@ -97,6 +98,20 @@ struct Shot {
     bool flat = false;
     bool textured = false;
 };
+
+/// What is drawn next: the texts, and the uniforms that change from shot to shot.
+inline void ask_shots(Recorder& out, std::string_view texts, const std::vector<Shot>& shots)
+{
+    ask_in_words(out, [&] {
+        std::string text = "// a knot, drawn with " + std::string(texts);
+        for (const Shot& shot : shots)
+            text += "\nmodelview = " + literal::of_value(shot.modelview, true, {}) +
+                    "\n    light = " + literal::of_value(shot.light, true, {}) +
+                    ", lighting = " + (shot.lighting ? "1" : "0") + ", flat_shading = " + (shot.flat ? "1" : "0") +
+                    ", textured = " + (shot.textured ? "1" : "0");
+        return text;
+    });
+}
 
 inline void draw(const Shot& shot, const AttributeMesh& model, const gl::Program& program)
 {

@@ -172,7 +172,7 @@ std::vector<Call> seams(Random& random)
 
 void record_picture(Recorder& out)
 {
-    const Layer layer = scenery(480, 320);
+    const Layer layer = scenery(out, 480, 320);
     out.image("colours", encoded(layer.colors));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <numeric>
+#include <string>
 
 #include "scenes.hpp"
 
@@ -10,8 +11,9 @@ namespace umbral::pipeline {
 /// Rows [call, x, y, red, green, blue] of the pixels that changed.
 inline void record_colours(Recorder& out, std::string_view name, const std::vector<Call>& calls)
 {
+    out.text(std::string(name) + ".names", "call");
     for (std::size_t i = 0; i < calls.size(); ++i) {
-        const Layer layer = drawn(calls[i]);
+        const Layer layer = drawn(out, calls[i]);
         for (int y = 0; y < std::min(calls[i].height, layer.colors.height); ++y)
             for (int x = 0; x < std::min(calls[i].width, layer.colors.width); ++x)
                 if (const glm::vec3 color = layer.colors.at(x, y); color != untouched)

@@ -65,7 +65,7 @@ inline Model knot()
     });
 }
 
-inline Layer scenery(int width, int height)
+inline Layer scenery(Recorder& out, int width, int height)
 {
     Layer layer{Grid<glm::vec3>(width, height), Grid<float>(width, height, 1)};
     for (int y = 0; y < height; ++y)
@@ -77,7 +77,7 @@ inline Layer scenery(int width, int height)
     PipelineState state;
     state.viewport = {0, 0, width, height, 0, 1};
     state.to_clip = perspective(1.9F, static_cast<float>(width) / static_cast<float>(height));
-    draw_triangles(state, land.vertices, land.triangles, layer);
+    ask<draw_triangles>(out, state, land.vertices, land.triangles, layer);
 
     // Solid to the left of a plane, a net to the right of it.
     std::vector<glm::uvec3> solid;
@@ -85,9 +85,9 @@ inline Layer scenery(int width, int height)
     for (const glm::uvec3& triangle : tube.triangles)
         (tube.vertices[triangle.x].position.x < 0.3F ? solid : net).push_back(triangle);
     state.culling = Culling::back;
-    draw_triangles(state, tube.vertices, solid, layer);
+    ask<draw_triangles>(out, state, tube.vertices, solid, layer);
     state.mode = PolygonMode::line;
-    draw_triangles(state, tube.vertices, net, layer);
+    ask<draw_triangles>(out, state, tube.vertices, net, layer);
 
     // Points, from the side, in a viewport of their own, in front of all.
     state.mode = PolygonMode::point;
@@ -95,7 +95,7 @@ inline Layer scenery(int width, int height)
     state.viewport = {width - width / 4 - 10, 10, width / 4, width / 4, 0, 0.1F};
     state.to_clip = perspective(2.4F, 1);
     state.to_clip[3] = state.to_clip * glm::vec4(0, -0.52F, 0, 1);
-    draw_triangles(state, tube.vertices, tube.triangles, layer);
+    ask<draw_triangles>(out, state, tube.vertices, tube.triangles, layer);
     return layer;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/software.hpp>
-#include <umbral/record/recorder.hpp>
+#include <umbral/record/ask.hpp>
 #include <vector>
 
 /// Draws for pipeline/software-pipeline: small pictures for the checks.
@@ -23,11 +23,11 @@ struct Call {
 /// No triangle has this colour: pixels that keep it were not drawn.
 inline constexpr glm::vec3 untouched(-1);
 
-inline Layer drawn(const Call& call)
+inline Layer drawn(Recorder& out, const Call& call)
 {
     Layer layer{Grid<glm::vec3>(call.width, call.height, untouched),
                 Grid<float>(call.width, call.height, call.clear_depth)};
-    draw_triangles(call.state, call.vertices, call.triangles, layer);
+    ask<draw_triangles>(out, call.state, call.vertices, call.triangles, layer);
     return layer;
 }
 
@@ -35,8 +35,9 @@ inline Layer drawn(const Call& call)
 /// changed. A student may have changed the grids' sizes: only cells of the picture are looked at.
 inline void record(Recorder& out, const std::vector<Call>& calls)
 {
+    for (const char* const name : {"colours.names", "depths.names"}) out.text(name, "call");
     for (std::size_t i = 0; i < calls.size(); ++i) {
-        const Layer layer = drawn(calls[i]);
+        const Layer layer = drawn(out, calls[i]);
         for (int y = 0; y < std::min(calls[i].height, layer.colors.height); ++y)
             for (int x = 0; x < std::min(calls[i].width, layer.colors.width); ++x) {
                 const std::array<float, 3> where = {static_cast<float>(i), static_cast<float>(x),

@@ -1,6 +1,7 @@
 #include <kit/drawing.hpp>
 #include <limits>
 #include <optional>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "buffers.hpp"
@@ -24,8 +25,8 @@ void record_layout(Recorder& out, const char* name, const VertexLayout& layout, 
 
 void record_layouts(Recorder& out, const std::vector<VertexAttribute>& attributes, std::uint64_t vertices)
 {
-    record_layout(out, "interleaved", interleaved_layout(attributes, vertices), attributes.size());
-    record_layout(out, "separate", separate_layout(attributes, vertices), attributes.size());
+    record_layout(out, "interleaved", ask<interleaved_layout>(out, attributes, vertices), attributes.size());
+    record_layout(out, "separate", ask<separate_layout>(out, attributes, vertices), attributes.size());
 }
 
 void record_course(Recorder& out)
@@ -60,14 +61,13 @@ void record_nothing(Random& random, Recorder& out)
 {
     for (const std::uint64_t vertices : {0U, 1U, 7U})
         for (const std::vector<VertexAttribute>& attributes : {{}, {floats(3)}, course_vertex}) {
-            for (const VertexLayout& layout :
-                 {interleaved_layout(attributes, vertices), separate_layout(attributes, vertices)})
-                record_layout(out, "layouts", layout, attributes.size());
+            record_layout(out, "layouts", ask<interleaved_layout>(out, attributes, vertices), attributes.size());
+            record_layout(out, "layouts", ask<separate_layout>(out, attributes, vertices), attributes.size());
             VertexLayout from = some_layout(random, attributes, vertices, 1, false);
             VertexLayout to = some_layout(random, attributes, vertices, 1, false);
             (vertices == 1 ? from : to).bytes += 5;
             const std::vector<std::byte> result =
-                repack(random_bytes(random, from.bytes), from, to, attributes, vertices);
+                ask<repack>(out, random_bytes(random, from.bytes), from, to, attributes, vertices);
             const auto zeros = std::count(result.begin(), result.end(), std::byte{0});
             out.append("layouts", glm::dvec2(static_cast<double>(result.size()), static_cast<double>(zeros)));
         }
@@ -94,7 +94,7 @@ void record_repacked(Random& random, Recorder& out, const std::vector<VertexAttr
                      std::uint64_t vertices, const VertexLayout& from, const VertexLayout& to)
 {
     const std::vector<std::byte> source = random_bytes(random, from.bytes);
-    const std::vector<std::byte> result = repack(source, from, to, attributes, vertices);
+    const std::vector<std::byte> result = ask<repack>(out, source, from, to, attributes, vertices);
     for (std::size_t i = 0; i < to.bytes; ++i)
         out.append("bytes", i < result.size()
                                 ? std::optional<float>(static_cast<float>(std::to_integer<int>(result[i])))
@@ -143,7 +143,7 @@ void record_fetched(Random& random, Recorder& out, const VertexAttribute& attrib
             }
         }
     for (std::uint64_t vertex = 0; vertex < vertices; ++vertex)
-        out.append("values", fetch_attribute(buffer, attribute, {offset, zero_stride ? 0 : stride}, vertex));
+        out.append("values", ask<fetch_attribute>(out, buffer, attribute, {offset, zero_stride ? 0 : stride}, vertex));
 }
 
 void record_fetches(Random& random, Recorder& out, bool whole, bool zero_stride)
@@ -198,23 +198,23 @@ void draw_memory(Drawing& drawing, const VertexLayout& layout, std::uint64_t ver
 }
 
 // Left: the two layouts in memory. Right: a star whose vertices were interleaved, and then fetched.
-Image picture()
+Image picture(Recorder& out)
 {
     constexpr std::uint64_t vertices = 16;
     Drawing drawing(660, 340, {-1, -9.5}, {40, 11.6});
-    draw_memory(drawing, interleaved_layout(course_vertex, vertices), vertices, {0, 9.2});
-    draw_memory(drawing, separate_layout(course_vertex, vertices), vertices, {0, -1.2});
+    draw_memory(drawing, ask<interleaved_layout>(out, course_vertex, vertices), vertices, {0, 9.2});
+    draw_memory(drawing, ask<separate_layout>(out, course_vertex, vertices), vertices, {0, -1.2});
 
     const VertexLayout separate{{{0, 12}, {12 * vertices, 12}, {24 * vertices, 12}, {36 * vertices, 8}}, 44 * vertices};
     const VertexLayout interleaved{{{0, 44}, {12, 44}, {24, 44}, {36, 44}}, 44 * vertices};
-    std::vector<std::byte> buffer = repack(star(vertices), separate, interleaved, course_vertex, vertices);
+    std::vector<std::byte> buffer = ask<repack>(out, star(vertices), separate, interleaved, course_vertex, vertices);
     buffer.resize(44 * vertices);
     const auto place = [&](std::uint64_t vertex) {
-        return glm::dvec2(31, 1) +
-               7.8 * glm::dvec2(fetch_attribute(buffer, course_vertex[0], interleaved.places[0], vertex % vertices));
+        return glm::dvec2(31, 1) + 7.8 * glm::dvec2(ask<fetch_attribute>(out, buffer, course_vertex[0],
+                                                                         interleaved.places[0], vertex % vertices));
     };
     const auto color = [&](std::uint64_t vertex) {
-        return glm::vec3(fetch_attribute(buffer, course_vertex[1], interleaved.places[1], vertex % vertices));
+        return glm::vec3(ask<fetch_attribute>(out, buffer, course_vertex[1], interleaved.places[1], vertex % vertices));
     };
     for (std::uint64_t i = 0; i < vertices; ++i) {
         drawing.area(std::vector<glm::dvec2>{{31, 1}, place(i), place(i + 1)}, 0.5F * (color(i) + color(i + 1)));
@@ -241,7 +241,7 @@ const Driver driver = {
          record_any_layout(c.random, out, true);
          record_fetches(c.random, out, false, true);
      }},
-    {"picture", [](Case&, Recorder& out) { out.image("memory", picture()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("memory", picture(out)); }},
 };
 
 }

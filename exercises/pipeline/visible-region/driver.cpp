@@ -14,7 +14,7 @@ using namespace pipeline;
 
 void record(Recorder& out, const Box& contents, int width, int height)
 {
-    const auto [low, high] = visible_region(contents, width, height);
+    const auto [low, high] = ask<visible_region>(out, contents, width, height);
     out.append("region", std::span<const float>(std::array{low.x, low.y, low.z, high.x, high.y, high.z}));
 }
 
@@ -29,7 +29,7 @@ void known_matrices(Case&, Recorder& out)
                          {{1, -2, -1}, {4, 0, 1}},
                          {{-3, 5, 10}, {-1, 13, 12}},
                          {{0, 0, -8}, {0.5F, 0.25F, -4}}};
-    for (const Box& box : boxes) out.append("projection", projection_of(box));
+    for (const Box& box : boxes) out.append("projection", ask<projection_of>(out, box));
 }
 
 Box random_box(Random& random, float away)
@@ -43,7 +43,7 @@ Box random_box(Random& random, float away)
 
 void random_matrices(Case& c, Recorder& out)
 {
-    for (int i = 0; i < 200; ++i) out.append("projection", projection_of(random_box(c.random, 5)));
+    for (int i = 0; i < 200; ++i) out.append("projection", ask<projection_of>(out, random_box(c.random, 5)));
 }
 
 // Mirrored, flat, or both: every second one is ordinary.
@@ -54,8 +54,8 @@ void odd_boxes(Case& c, Recorder& out)
         const auto axis = static_cast<glm::vec3::length_type>(c.random.below(3));
         if (i % 4 == 1) std::swap(box.low[axis], box.high[axis]);
         if (i % 4 == 3) box.high[axis] = box.low[axis];
-        out.append("projection", projection_of(box));
-        out.append("ndc", ndc_of(box, 0.5F * (box.low + box.high) + 0.3F * c.random.in_cube()));
+        out.append("projection", ask<projection_of>(out, box));
+        out.append("ndc", ask<ndc_of>(out, box, 0.5F * (box.low + box.high) + 0.3F * c.random.in_cube()));
     }
 }
 
@@ -64,7 +64,7 @@ void record_points(Random& random, Recorder& out, float away)
     for (int i = 0; i < 100; ++i) {
         const Box box = random_box(random, away);
         const glm::vec3 share = 0.5F * (random.in_cube() + 1.0F);
-        out.append("ndc", ndc_of(box, box.low + share * (box.high - box.low)));
+        out.append("ndc", ask<ndc_of>(out, box, box.low + share * (box.high - box.low)));
     }
 }
 
@@ -105,9 +105,26 @@ void odd_windows(Case& c, Recorder& out)
         }
 }
 
-void append_rows(Recorder& out, const LoggedViewer& viewer, float code)
+// A window, and all events up to the one at which something was shown.
+std::string session_text(const input::EventScript& script, glm::dvec2 content_scale, const LoggedViewer::Moment& moment)
 {
-    for (std::vector<float> row : viewer.rows) {
+    constexpr std::size_t most = 8;
+    const std::size_t count = std::min(moment.events, script.size());
+    const std::size_t left_out = count > most ? count - most : 0;
+    std::string text = "// a window of 640 x 480, " + literal::of(content_scale.x) + " pixels a screen coordinate\n" +
+                       "keep_proportions(window);\n";
+    if (left_out > 0) text += "// … " + std::to_string(left_out) + " events left out\n";
+    const auto at = [&](std::size_t place) { return script.begin() + static_cast<std::ptrdiff_t>(place); };
+    text += input::to_text({at(left_out), at(count)});
+    return text + "// viewer.contents() is now " + literal::of_value(moment.contents, true, {});
+}
+
+void append_rows(Recorder& out, const input::EventScript& script, glm::dvec2 content_scale, const LoggedViewer& viewer,
+                 float code)
+{
+    for (std::size_t i = 0; i < viewer.rows.size(); ++i) {
+        ask_in_words(out, [&] { return session_text(script, content_scale, viewer.moments[i]); });
+        std::vector<float> row = viewer.rows[i];
         row[0] = code;
         out.append("commands", std::span<const float>(row));
     }
@@ -118,10 +135,12 @@ void record_commands(Recorder& out, const input::EventScript& script, glm::dvec2
 {
     LoggedViewer viewer(contents);
     play(script, content_scale, viewer);
-    append_rows(out, viewer, 1);
+    append_rows(out, script, content_scale, viewer, 1);
 }
 
-constexpr const char* names = "1 show\n2 show, told to the second viewer\n";
+constexpr const char* names =
+    "1 show, size and P[0].x, P[1].y, P[3].x, P[3].y\n2 show to the second viewer, size and P[0].x, P[1].y, P[3].x, "
+    "P[3].y\n";
 
 constexpr const char* resizing = R"(
 0.1 resize 800 600
@@ -150,10 +169,11 @@ void two_windows(Case&, Recorder& out)
                     {{{-2, -1, 0}, {0, 5, 1}}, cube});
     LoggedViewer first({cube});
     LoggedViewer second({tile});
-    play(input::parse_script("0.1 resize 320 480\n0.2 resize 600 200\n0.3 resize 210 700\n0.4 resize 800 100\n"),
-         {1, 1}, first, &second);
-    append_rows(out, first, 1);
-    append_rows(out, second, 2);
+    const input::EventScript script =
+        input::parse_script("0.1 resize 320 480\n0.2 resize 600 200\n0.3 resize 210 700\n0.4 resize 800 100\n");
+    play(script, {1, 1}, first, &second);
+    append_rows(out, script, {1, 1}, first, 1);
+    append_rows(out, script, {1, 1}, second, 2);
 }
 
 void random_windows(Case& c, Recorder& out)
@@ -190,7 +210,7 @@ const Driver driver = {
      }},
     {"two windows", two_windows},
     {"random sessions", random_windows},
-    {"picture", [](Case&, Recorder& out) { out.image("windows", windows_picture()); }},
+    {"picture", [](Case&, Recorder& out) { out.image("windows", windows_picture(out)); }},
 };
 
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <umbral/input/headless.hpp>
 #include <umbral/pipeline/region.hpp>
+#include <umbral/record/ask.hpp>
 #include <vector>
 
 /// Windows that are played to, and windows that are drawn.
@@ -19,10 +20,19 @@ public:
     {
         rows.push_back({1, static_cast<float>(pixels.x), static_cast<float>(pixels.y), projection[0].x, projection[1].y,
                         projection[3].x, projection[3].y});
+        moments.push_back({event, contents()});
     }
     void next() { ++current_; }
 
+    /// When something was shown: before the first event, or because of one; and what was to be seen then.
+    struct Moment {
+        std::size_t events;
+        Box contents;
+    };
+
     std::vector<std::vector<float>> rows;
+    std::vector<Moment> moments;  ///< of each row
+    std::size_t event = 0;        ///< how many there have been
 
 private:
     std::vector<Box> boxes_;
@@ -39,7 +49,9 @@ inline void play(const input::EventScript& script, glm::dvec2 content_scale, Log
     GLFWwindow* window = glfwCreateWindow(640, 480, "Umbral", nullptr, nullptr);
     glfwSetWindowUserPointer(window, static_cast<Viewer*>(&viewer));
     keep_proportions(window);
-    for (int event = 0; !session.script_is_over(); ++event) {
+    for (std::size_t event = 0; !session.script_is_over(); ++event) {
+        for (LoggedViewer* const told : {&viewer, heir})
+            if (told != nullptr) told->event = event + 1;
         if (event == 2 && heir != nullptr) glfwSetWindowUserPointer(window, static_cast<Viewer*>(heir));
         viewer.next();
         glfwWaitEvents();
@@ -93,9 +105,10 @@ struct Pane {
 };
 
 /// Draws the ornament as a window of that size shows it.
-inline void draw_pane(Drawing& drawing, const Pane& pane)
+inline void draw_pane(Recorder& out, Drawing& drawing, const Pane& pane)
 {
-    const glm::dmat4 projection(projection_of(visible_region(tile, pane.size.x, pane.size.y)));
+    const Box region = ask<visible_region>(out, tile, pane.size.x, pane.size.y);
+    const glm::dmat4 projection(ask<projection_of>(out, region));
     const auto on_paper = [&](glm::dvec2 place) {
         const glm::dvec2 ndc(projection * glm::dvec4(place, 0, 1));
         return pane.corner + (0.5 * ndc + 0.5) * glm::dvec2(pane.size);
@@ -113,12 +126,12 @@ inline void draw_pane(Drawing& drawing, const Pane& pane)
 }
 
 /// Four windows: wide, square, tall, and one with the contents' own proportions.
-inline Image windows_picture()
+inline Image windows_picture(Recorder& out)
 {
     Drawing drawing(512, 432, {0, 0}, {512, 432});
     for (const Pane& pane : {Pane{{16, 276}, {480, 140}}, Pane{{16, 16}, {244, 244}}, Pane{{276, 16}, {76, 244}},
                              Pane{{368, 174}, {129, 86}}, Pane{{368, 16}, {128, 142}}})
-        draw_pane(drawing, pane);
+        draw_pane(out, drawing, pane);
     return drawing.picture();
 }
 

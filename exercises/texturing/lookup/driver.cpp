@@ -1,5 +1,6 @@
 #include <limits>
 #include <stdexcept>
+#include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
 #include "scene.hpp"
@@ -13,7 +14,8 @@ using Textures = std::vector<Grid<glm::vec4>>;
 
 void record(Recorder& out, const Textures& textures, const std::vector<Query>& queries)
 {
-    for (const Query& query : queries) out.append("colours", lookup(textures[query.texture], query.sampler, query.uv));
+    for (const Query& query : queries)
+        out.append("colours", ask<lookup>(out, textures[query.texture], query.sampler, query.uv));
 }
 
 // Red, green / blue, white as one sees it: row 0 is the top one. Beside it, four greys in a row.
@@ -154,9 +156,9 @@ void not_numbers(Random& random, Recorder& out)
 // in another way.
 void without_texels(Random& random, Recorder& out)
 {
-    const auto refused = [](const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv) {
+    const auto refused = [&](const Grid<glm::vec4>& texture, const Sampler& sampler, glm::vec2 uv) {
         try {
-            (void)lookup(texture, sampler, uv);
+            (void)ask<lookup>(out, texture, sampler, uv);
         } catch (const std::invalid_argument&) {
             return 1.0F;
         } catch (...) {
@@ -215,12 +217,13 @@ void record_cycled(Random& random, Recorder& out)
     Grid<glm::vec4> moved(8, 8);
     for (int row = 0; row < 8; ++row)
         for (int column = 0; column < 8; ++column) moved.at((column + 3) % 8, (row + 2) % 8) = still.at(column, row);
-    const auto painted = [](const Grid<glm::vec4>& texture) {
+    const auto painted = [&](const Grid<glm::vec4>& texture) {
         Grid<glm::vec3> picture(96, 96);
         for (int y = 0; y < 96; ++y)
             for (int x = 0; x < 96; ++x) {
                 const glm::vec2 uv((static_cast<float>(x) + 0.5F) / 64, 1.25F - (static_cast<float>(y) + 0.5F) / 64);
-                picture.at(x, y) = glm::vec3(lookup(texture, {Filter::bilinear, Wrap::repeat, Wrap::repeat}, uv));
+                picture.at(x, y) =
+                    glm::vec3(ask<lookup>(out, texture, {Filter::bilinear, Wrap::repeat, Wrap::repeat}, uv));
             }
         return picture;
     };
@@ -244,7 +247,7 @@ const Driver driver = {
     {"far out", [](Case& c, Recorder& out) { far_out(c.random, out); }},
     {"beside borders", [](Case& c, Recorder& out) { beside_borders(c.random, out); }},
     {"laws", [](Case& c, Recorder& out) { record_cycled(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(480, 320)); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out, 480, 320)); }},
 };
 
 }

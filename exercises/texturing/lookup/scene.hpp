@@ -71,7 +71,7 @@ struct Painter {
     glm::vec3 to_light = normalize(glm::vec3(-0.5F, 1, 0.35F));
 
     /// The linear colour that a ray of unit direction sees.
-    [[nodiscard]] glm::vec3 colour(const glm::vec3& eye, const glm::vec3& direction, Filter filter) const
+    [[nodiscard]] glm::vec3 colour(Recorder& out, const glm::vec3& eye, const glm::vec3& direction, Filter filter) const
     {
         const Sampler sampler{filter, Wrap::repeat, Wrap::repeat};
         const glm::vec3 sky = mix(glm::vec3(0.9F, 0.8F, 0.66F), glm::vec3(0.2F, 0.36F, 0.62F),
@@ -83,19 +83,19 @@ struct Painter {
             const glm::vec3 normal = ring.normal(point);
             const float diffuse = std::max(0.0F, dot(normal, to_light)) * lit(ring, point + 0.02F * normal, to_light);
             const float shine = std::pow(std::max(0.0F, dot(normal, normalize(to_light - direction))), 60.0F);
-            const glm::vec3 base(lookup(skin, sampler, ring.coordinates(point)));
+            const glm::vec3 base(ask<lookup>(out, skin, sampler, ring.coordinates(point)));
             return base * (0.9F * diffuse + 0.22F + 0.12F * normal.y) + 0.35F * shine * std::min(1.0F, 4 * diffuse);
         }
         if (to_floor > 60) return sky;
         const glm::vec3 point = eye + to_floor * direction;
-        const glm::vec3 base(lookup(floor, sampler, 0.55F * glm::vec2(point.x, -point.z)));
+        const glm::vec3 base(ask<lookup>(out, floor, sampler, 0.55F * glm::vec2(point.x, -point.z)));
         const float contact = glm::smoothstep(-0.1F, 0.9F, ring.distance(point));
         const glm::vec3 seen = base * (0.8F * lit(ring, point, to_light) * to_light.y + 0.3F * contact);
         return mix(seen, sky, 1 - std::exp(-0.0026F * to_floor * to_floor));
     }
 };
 
-inline Image picture(int width, int height)
+inline Image picture(Recorder& out, int width, int height)
 {
     const Painter painter;
     const glm::vec3 eye(0, 2.6F, 5.0F);
@@ -109,7 +109,7 @@ inline Image picture(int width, int height)
                 (glm::vec2(x, y) + 0.5F - 0.5F * glm::vec2(width, height)) / static_cast<float>(height);
             const glm::vec3 direction = normalize(forward + 0.92F * (at.x * right - at.y * up));
             image.at(x, y) =
-                pixel_of(painter.colour(eye, direction, 2 * x < width ? Filter::nearest : Filter::bilinear));
+                pixel_of(painter.colour(out, eye, direction, 2 * x < width ? Filter::nearest : Filter::bilinear));
         }
     for (int y = 0; y < height; ++y)
         for (int x = width / 2 - 1; x <= width / 2; ++x) image.at(x, y) = glm::u8vec4(255);

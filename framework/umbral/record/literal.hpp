@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <glm/glm.hpp>
@@ -58,6 +59,12 @@ template <class Type>
 inline constexpr bool is_matrix = false;
 template <glm::length_t Columns, glm::length_t Rows, class Number, glm::qualifier Precision>
 inline constexpr bool is_matrix<glm::mat<Columns, Rows, Number, Precision>> = true;
+
+/// An array within a struct: braces of its own stand round elements that have some.
+template <class Type>
+inline constexpr bool has_more_braces = false;
+template <class Element, std::size_t Size>
+inline constexpr bool has_more_braces<std::array<Element, Size>> = !std::is_scalar_v<Element>;
 
 template <class Type>
 inline constexpr bool is_grid = false;
@@ -169,7 +176,9 @@ std::string of_value(const Value& value, bool typed, const Style& style)
         return (typed ? short_type(reflect::type_name<Value>()) : std::string()) + "{" + std::to_string(value.width) +
                ", " + std::to_string(value.height) + ", " + detail::in_braces(value.cells, style) + "}";
     } else if constexpr (detail::List<Value>) {
-        return (typed ? detail::list_type<Value>() : std::string()) + detail::in_braces(value, style);
+        const std::string elements = detail::in_braces(value, style);
+        return (typed ? detail::list_type<Value>() : std::string()) +
+               (detail::has_more_braces<Value> ? "{" + elements + "}" : elements);
     } else if constexpr (reflect::is_plain_struct<Value>) {
         return type() + detail::struct_in_braces(value, style);
     } else {

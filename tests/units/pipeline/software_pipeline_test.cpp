@@ -36,7 +36,8 @@ protected:
 
     void compare(const Call& call, Tally& tally)
     {
-        const Layer ours = drawn(call);
+        Recorder out;
+        const Layer ours = drawn(out, call);
         const Layer theirs = drawn_by_mesa(call, *program_);
         for (std::size_t i = 0; i < ours.colors.cells.size(); ++i) {
             const bool here = ours.colors.cells[i] != untouched;
@@ -161,7 +162,8 @@ TEST_F(SoftwarePipeline, sides_leave_no_gap_and_no_pixel_twice)
         // Only where they lie on different sides of what they share do they not overlap: told by culling, both show the
         // same face.
         const auto count = [](const Call& call) {
-            const Layer layer = drawn(call);
+            Recorder out;
+            const Layer layer = drawn(out, call);
             return std::count_if(layer.colors.cells.begin(), layer.colors.cells.end(),
                                  [](const glm::vec3& color) { return color != untouched; });
         };
@@ -182,7 +184,8 @@ TEST_F(SoftwarePipeline, nonsense_draws_nothing)
             Call call = in_front(random, 2);
             call.state.mode = static_cast<PolygonMode>(mode);
             for (std::size_t i = 0; i < 6; i += 3) call.vertices[i].position.x = number;
-            const Layer layer = drawn(call);
+            Recorder out;
+            const Layer layer = drawn(out, call);
             if (number < 1e38F || number == INFINITY) {
                 EXPECT_TRUE(std::all_of(layer.colors.cells.begin(), layer.colors.cells.end(),
                                         [](const glm::vec3& color) { return color == untouched; }));
