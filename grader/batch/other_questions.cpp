@@ -155,16 +155,32 @@ std::string in_words(const OtherQuestion& question, const std::string& headers)
 std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exercise,
                                             std::span<const CaseChecks> groups)
 {
+    // Pictures cost a hundred times what numbers do, and say less: they are asked where nothing else fails.
+    const auto has_numbers = [&](const CaseChecks& group) {
+        return !draws(worker.trusted(exercise, Answers::reference, group.name, group.result->seed));
+    };
+    std::vector<CaseChecks> asked;
+    std::ranges::copy_if(groups, std::back_inserter(asked), has_numbers);
+    if (std::ranges::none_of(asked, [](const CaseChecks& group) { return group.failing > 0; }))
+        asked.assign(groups.begin(), groups.end());
     std::vector<Candidate> candidates;
     std::size_t tried = 0;
-    for (const CaseChecks& group : groups) {
+    for (const CaseChecks& group : asked) {
         if (group.failing == 0 || !group.result->trouble().empty() || tried++ == most_cases) continue;
         for (Candidate& candidate : fitting(worker, exercise, group))
             if (std::ranges::find(candidates, candidate.question, &Candidate::question) == candidates.end())
                 candidates.push_back({std::move(candidate.question)});
     }
-    for (const CaseChecks& group : groups)
-        if (group.failing > 0 || group.cells <= most_passing_cells) weigh_all(worker, exercise, group, candidates);
+    std::size_t undecided = 0;
+    for (const CaseChecks& group : asked) undecided += group.failing;
+    for (const CaseChecks& group : asked) {
+        undecided -= group.failing;
+        if (group.failing == 0 && group.cells > most_passing_cells) continue;
+        weigh_all(worker, exercise, group, candidates);
+        std::erase_if(candidates, [&](const Candidate& one) {
+            return most_confidence(one.tally, undecided) < thresholds::least_sure;
+        });
+    }
     std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return far_fetched(one.question); });
     std::vector<Explanation> found;
     std::vector<Tally> said;

@@ -24,6 +24,9 @@ struct Features {
     }
 };
 
+/// Of a list, about so many numbers are looked at: of meshes and chains of thousands the first.
+inline constexpr std::size_t most_numbers_of_list = 2000;
+
 inline constexpr std::string_view component_names[] = {"x", "y", "z", "w"};
 
 /// Adds the numbers in `value`, which stands at `place`. Lists give their lengths, their least and their largest
@@ -53,7 +56,8 @@ void add_features(const Place& place, const Value& value, Features& features)
         features.add(value.height, with(".height"));
     } else if constexpr (of::List<Value>) {
         Features inside{.named = false};
-        for (const auto& element : value) add_features(place, element, inside);
+        for (const auto& element : value)
+            if (inside.values.size() < most_numbers_of_list) add_features(place, element, inside);
         const auto [least, largest] = std::minmax_element(inside.values.begin(), inside.values.end());
         features.add(static_cast<double>(value.size()), with(".size()"));
         features.add(inside.values.empty() ? 0 : *least, [&] { return "the least number in " + place.text(); });
