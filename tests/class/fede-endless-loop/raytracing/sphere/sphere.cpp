@@ -6,6 +6,7 @@ std::optional<float> intersect(const Ray& ray, const Sphere& sphere)
 {
     // Make the direction's length 1, counting the factor… which never ends if halving jumps over the interval.
     glm::vec3 d = ray.direction;
+    if (!(length(d) > 0) || std::isinf(length(d))) return std::nullopt;
     float factor = 1;
     while (length(d) < 0.9F || length(d) > 1.1F) {
         const float step = length(d) > 1 ? 0.5F : 2.0F;
