@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "drawn_fragments.hpp"
 #include "explaining.hpp"
 
 namespace umbral::grader::test {
@@ -9,34 +10,6 @@ namespace {
 
 constexpr float nan_f = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity_f = std::numeric_limits<float>::infinity();
-
-/// A fragment with one attribute.
-struct Spot {
-    float primitive;
-    float x;
-    float y;
-    float value = 0;
-};
-
-Tensor fragments(const std::vector<Spot>& spots)
-{
-    std::vector<float> values;
-    for (const Spot& spot : spots) values.insert(values.end(), {spot.primitive, spot.x, spot.y, spot.value});
-    return floats(values, 4);
-}
-
-/// Pixels of `rows` where the character is not '.', for primitive `primitive`, the first at (left, top).
-std::vector<Spot> drawn(float primitive, const std::vector<std::string>& rows, float left = 0, float top = 0)
-{
-    std::vector<Spot> spots;
-    for (std::size_t y = 0; y < rows.size(); ++y)
-        for (std::size_t x = 0; x < rows[y].size(); ++x)
-            if (rows[y][x] != '.')
-                spots.push_back({primitive, left + static_cast<float>(x), top + static_cast<float>(y), 0.5F});
-    return spots;
-}
-
-const std::vector<std::string> triangle{"#....", "##...", "###..", "####."};
 
 Judgement judged(const std::vector<Spot>& yours, const std::vector<Spot>& expected, Tolerance tolerance = {},
                  const Tensor* names = nullptr)
