@@ -202,7 +202,9 @@ Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sour
         require_a_working_compiler(tools, exercise);
         return built;
     }
-    return built.verdict == Verdict::forbidden ? without_unused_code(tools, exercise, files, work, built) : built;
+    // Where work is counted, what reaches for the counter is refused as it was written, used or not.
+    const bool may_be_unused = built.verdict == Verdict::forbidden && !exercise.counts_work;
+    return may_be_unused ? without_unused_code(tools, exercise, files, work, built) : built;
 }
 
 }
