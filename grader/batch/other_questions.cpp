@@ -100,7 +100,8 @@ std::vector<Candidate> fitting(Worker& worker, const Exercise& exercise, const C
     const std::size_t most = exercise.gl && draws(plain) ? most_drawn : most_questions;
     std::vector<Candidate> found;
     for (OtherQuestion& other : read_questions(told.recording.tensors).others)
-        if (found.size() < most) found.push_back({std::move(other)});
+        if (found.size() < most && std::ranges::find(found, other, &Candidate::question) == found.end())
+            found.push_back({std::move(other)});
     weigh_all(worker, exercise, group, found);
     std::erase_if(found, std::not_fn(&Candidate::fits));
     return found;
@@ -123,6 +124,11 @@ bool same(const Tally& a, const Tally& b)
 /// "Your results are the right ones if …"
 std::string sentence(const OtherQuestion& question, const std::string& words)
 {
+    if (question.function.empty())
+        return fmt::format(
+            "Your results are the right ones for other questions: with {} in all of them. Look at how "
+            "your code uses what it is given.",
+            words);
     const std::string function = question.function.substr(question.function.rfind(':') + 1);
     return fmt::format(
         "Your results are the right ones for another question: {} with {}. Look at how your code uses "
@@ -146,6 +152,10 @@ std::string interface_text(const Worker& worker, const Exercise& exercise)
 
 std::string in_words(const OtherQuestion& question, const std::string& headers)
 {
+    if (question.function.empty()) {
+        const std::string field = question.place.substr(question.place.rfind(':') + 1);
+        return fmt::format("{} {}", field, question.change);
+    }
     const std::vector<std::string> parameters = parameter_names(headers, question.function);
     const std::string place = in_words(question.place, parameters);
     if (!question.other.empty()) return fmt::format("{} and {} exchanged", place, in_words(question.other, parameters));

@@ -145,6 +145,8 @@ TEST(Ask, can_ask_another_question_in_place_of_the_drivers)
     EXPECT_EQ(answer({"umbral::sample::sum", "0", "without its last element", ""}), std::pair(4.0F, 105.0F));
     EXPECT_EQ(answer({"umbral::sample::sum", "1", "taken as the first value of its type", ""}), std::pair(4.0F, -2.0F));
     EXPECT_EQ(answer({meet, "no such place", "negated", ""}), std::pair(4.0F, 98.0F));
+    EXPECT_EQ(answer({"", "umbral::sample::Ball.radius", "doubled", ""}), std::pair(8.0F, 98.0F));
+    EXPECT_EQ(answer({"", "umbral::Ray.direction", "negated", ""}), std::pair(-1.0F, 98.0F));
 }
 
 TEST(Ask, lists_what_could_be_asked_instead)
@@ -153,7 +155,7 @@ TEST(Ask, lists_what_could_be_asked_instead)
     const std::string others = text(tensors, "?others");
     for (const char* const line :
          {"umbral::sample::meet\t0.direction\tnegated\t\n", "umbral::sample::meet\t0.origin\t\t0.direction\n",
-          "umbral::sample::meet\t0.t_min\t\t1.radius\n", "\t1.radius\tsquared\t\n"})
+          "umbral::sample::meet\t0.t_min\t\t1.radius\n", "\t1.radius\tsquared\t\n", "\tumbral::Ray.t_min\tnegated\t\n"})
         EXPECT_NE(others.find(line), std::string::npos) << line << "in\n" << others;
 }
 

@@ -85,7 +85,8 @@ void note(Questions& questions, std::string_view function, std::tuple<Kept...>& 
         if (!known) questions.introduce(function, features, parts_of(arguments));
         questions.set_features(function, features);
     }
-    if (questions.other() && questions.other()->function == function) questions.change(parts_of(arguments));
+    const std::optional<OtherQuestion>& other = questions.other();
+    if (other && (other->function.empty() || other->function == function)) questions.change(parts_of(arguments));
 }
 
 /// The lines that brought the objects among the arguments where they are. A copy is none of them, though it may lie

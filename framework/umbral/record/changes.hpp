@@ -22,8 +22,10 @@ struct Change {
 
 /// A part of a question's arguments that can be misunderstood as a whole: a number, a vector, a matrix, a list.
 struct Part {
-    Place place;            ///< as in Features: "0.direction"
-    std::string_view type;  ///< two parts of one type can be taken for each other
+    Place place;               ///< as in Features: "0.direction"
+    std::string_view type;     ///< two parts of one type can be taken for each other
+    std::string_view owner{};  ///< the type of the struct that it is a field of; empty for an argument
+    bool of_element = false;   ///< a field of a list's element, which is changed with all others of its kind only
     void* value = nullptr;
     std::span<const Change> changes{};
     void (*exchange)(void* one, void* other) = nullptr;
@@ -185,6 +187,14 @@ struct ChangesOf<std::vector<Element>> {
 };
 
 template <class Value>
+inline constexpr bool is_list_of_structs = false;
+template <class Element>
+inline constexpr bool is_list_of_structs<std::vector<Element>> =
+    reflect::is_plain_struct<Element> && !literal::detail::is_vector<Element>;
+/// So many elements of a list have fields that are changed with others of their kind: of chains, not of meshes.
+inline constexpr std::size_t most_elements = 64;
+
+template <class Value>
 void exchange(void* one, void* other)
 {
     std::swap(*static_cast<Value*>(one), *static_cast<Value*>(other));
@@ -194,20 +204,26 @@ void exchange(void* one, void* other)
 
 /// Adds the parts of `value`, which stands at `place`, and itself if it is one.
 template <class Value>
-void add_parts(const Place& place, Value& value, std::vector<Part>& parts)
+void add_parts(const Place& place, Value& value, std::vector<Part>& parts, std::string_view owner = {},
+               bool of_element = false)
 {
+    if constexpr (detail::is_list_of_structs<Value>)
+        for (std::size_t i = 0; i < std::min(value.size(), detail::most_elements); ++i)
+            add_parts(place, value[i], parts, {}, true);
     if constexpr (!detail::ChangesOf<Value>::all.empty())
-        parts.push_back(
-            {place, reflect::type_name<Value>(), &value, detail::ChangesOf<Value>::all, detail::exchange<Value>});
+        parts.push_back({place, reflect::type_name<Value>(), owner, of_element, &value, detail::ChangesOf<Value>::all,
+                         detail::exchange<Value>});
     else if constexpr (reflect::is_plain_struct<Value> && std::is_swappable_v<Value>) {
-        parts.push_back({place, reflect::type_name<Value>(), &value, {}, detail::exchange<Value>});
-        reflect::for_each_field(value,
-                                [&](std::string_view name, auto& field) { add_parts(place / name, field, parts); });
+        parts.push_back({place, reflect::type_name<Value>(), owner, of_element, &value, {}, detail::exchange<Value>});
+        reflect::for_each_field(value, [&](std::string_view name, auto& field) {
+            add_parts(place / name, field, parts, reflect::type_name<Value>(), of_element);
+        });
     }
 }
 
 /// A question asked in place of another: in calls of `function`, the part at `place` is changed so, or exchanged with
-/// the part at `other`.
+/// the part at `other`. Without a function, `place` is a field of a struct, "umbral::AxisAngle.angle", and all such
+/// parts of all calls are changed: what is misunderstood in a helper is misunderstood everywhere.
 struct OtherQuestion {
     std::string function;
     std::string place;
@@ -219,6 +235,9 @@ struct OtherQuestion {
 
 /// All that can be asked with these parts in place of what was asked.
 [[nodiscard]] std::vector<OtherQuestion> other_questions(std::string_view function, std::span<const Part> parts);
+
+/// The field that a part is, as an OtherQuestion without a function names it; empty for an argument.
+[[nodiscard]] std::string field_of(const Part& part);
 
 /// Which parts an other question means, among those of its function: looked up once.
 struct ChangedParts {
