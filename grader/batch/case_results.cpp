@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "batch/related.hpp"
+#include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
+#include "judge/rules.hpp"
 #include "model/caps.hpp"
 
 namespace umbral::grader {
@@ -97,6 +99,19 @@ Expected expected_of(const Check& check, const RunOutcome& run)
 {
     return {tensor_of(run, check.value), tensor_of(run, check.value + ".margin"),
             tensor_of(run, check.value + ".names")};
+}
+
+bool has_single_rows(const Check& check, const Tensor* student, const Tensor* expected)
+{
+    return student != nullptr && expected != nullptr && !check.relation && !judge_of(check).free_rows &&
+           judge_of(check).plain_values && well_formed(*student) && well_formed(*expected) &&
+           !shape_error(check, *student, *expected);
+}
+
+std::vector<RowState> single_rows(Check check, const Tensor& student, const Expected& expected)
+{
+    check.pairs = false;
+    return row_states(check, student, *expected.value, expected.margin, rows_of(check));
 }
 
 const Tensor* observed(const Check& check, const RunOutcome& run)

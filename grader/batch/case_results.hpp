@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "judge/judge.hpp"
+#include "judge/rows/rows.hpp"
 #include "model/exercise.hpp"
 #include "model/scorecard.hpp"
 #include "run/spawner.hpp"
@@ -64,6 +65,12 @@ struct Expected {
     const Tensor* names = nullptr;
 };
 [[nodiscard]] Expected expected_of(const Check& check, const RunOutcome& run);
+
+/// Can the check's rows be compared one by one? Not with a relation, where rows are free, or where the values are not
+/// compared themselves; nor if the two are of different shapes.
+[[nodiscard]] bool has_single_rows(const Check& check, const Tensor* student, const Tensor* expected);
+/// What became of each row, whether it counts as one of a pair or not. The two have single rows.
+[[nodiscard]] std::vector<RowState> single_rows(Check check, const Tensor& student, const Expected& expected);
 
 /// The recorded tensor of that name, or null.
 [[nodiscard]] const Tensor* tensor_of(const RunOutcome& run, const std::string& name);

@@ -4,10 +4,6 @@
 
 #include <algorithm>
 
-#include "judge/explain/resemblances.hpp"
-#include "judge/judges.hpp"
-#include "judge/rows/rows.hpp"
-#include "judge/rules.hpp"
 #include "question/conditions.hpp"
 #include "question/names.hpp"
 
@@ -24,13 +20,6 @@ struct Sample {
     QuestionTable table;
     std::vector<bool> wrong;
 };
-
-bool can_be_sampled(const Check& check, const Tensor* student, const Tensor* expected)
-{
-    return student != nullptr && expected != nullptr && !check.relation && !judge_of(check).free_rows &&
-           judge_of(check).plain_values && well_formed(*student) && well_formed(*expected) &&
-           !shape_error(check, *student, *expected);
-}
 
 /// What is known of the right answer in the row too.
 void add_answer(const Tensor& expected, const TensorView& view, std::size_t row, std::vector<double>& numbers)
@@ -54,10 +43,9 @@ std::vector<std::string> answer_names(const Tensor& expected, const TensorView& 
 /// The rows whose questions are of the kind that most rows have.
 Sample sample(const AskedCheck& asked, const QuestionLog& log, const Tensor& student, const Expected& expected)
 {
-    Check check = asked.check;
-    check.pairs = false;
+    const Check& check = asked.check;
     const TensorView view(*expected.value);
-    const std::vector<RowState> states = row_states(check, student, *expected.value, expected.margin, rows_of(check));
+    const std::vector<RowState> states = single_rows(check, student, expected);
     std::map<const QuestionKind*, std::vector<std::size_t>> by_kind;
     for (std::size_t row = 0; row < std::min(states.size(), most_rows); ++row) {
         if (states[row] == RowState::left_out) continue;
@@ -95,13 +83,12 @@ Sample fresh_sample(Worker& worker, const AskedCheck& asked)
     const Check& check = asked.check;
     const std::uint64_t seed = asked.result.seed ^ 0x9E3779B97F4A7C15U;
     const RunOutcome& run = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
-    const RunOutcome told = worker.inquire(asked.exercise, check.case_name, seed, {.questions = true});
+    const QuestionLog& log = worker.questions(asked.exercise, check.case_name, seed);
     const RunOutcome student = worker.run(asked.exercise, asked.built, check.case_name, seed);
     const Expected expected = expected_of(check, run);
     const Tensor* yours = observed(check, student);
-    if (told.verdict != Verdict::ok || student.verdict != Verdict::ok || !can_be_sampled(check, yours, expected.value))
-        return {};
-    return sample(asked, read_questions(told.recording.tensors), *yours, expected);
+    if (student.verdict != Verdict::ok || !has_single_rows(check, yours, expected.value)) return {};
+    return sample(asked, log, *yours, expected);
 }
 
 /// "the right answer is nothing" is what people say.
@@ -129,7 +116,7 @@ std::string common_condition(Worker& worker, const AskedCheck& asked)
     const RunOutcome& run = worker.trusted(asked.exercise, judged_against(check), check.case_name, asked.result.seed);
     const Expected expected = expected_of(check, run);
     const Tensor* student = observed(check, asked.result.student);
-    if (asked.result.hidden || !can_be_sampled(check, student, expected.value)) return "";
+    if (asked.result.hidden || !has_single_rows(check, student, expected.value)) return "";
     const Sample seen = sample(asked, asked.log, *student, expected);
     const std::vector<Fact> facts = facts_of(seen.table);
     const std::optional<Condition> condition = simplest_condition(facts, seen.wrong);

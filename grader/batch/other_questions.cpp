@@ -75,7 +75,7 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
     }
     Inquiry inquiry;
     for (const Candidate& candidate : candidates) inquiry.others.push_back(candidate.question);
-    const RunOutcome run = worker.inquire(exercise, group.name, group.result->seed, inquiry);
+    const RunOutcome run = worker.inquire(exercise, Answers::reference, group.name, group.result->seed, inquiry);
     if (run.verdict != Verdict::ok && candidates.size() > 1) {
         weigh_all(worker, exercise, group, candidates.first(candidates.size() / 2));
         weigh_all(worker, exercise, group, candidates.subspan(candidates.size() / 2));
@@ -94,14 +94,12 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
 /// Those that a failing check of this case speaks for.
 std::vector<Candidate> fitting(Worker& worker, const Exercise& exercise, const CaseChecks& group)
 {
-    const RunOutcome told = worker.inquire(exercise, group.name, group.result->seed, {.questions = true});
-    if (told.verdict != Verdict::ok) return {};
     const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
     const std::size_t most = exercise.gl && draws(plain) ? most_drawn : most_questions;
     std::vector<Candidate> found;
-    for (OtherQuestion& other : read_questions(told.recording.tensors).others)
+    for (const OtherQuestion& other : worker.questions(exercise, group.name, group.result->seed).others)
         if (found.size() < most && std::ranges::find(found, other, &Candidate::question) == found.end())
-            found.push_back({std::move(other)});
+            found.push_back({other});
     weigh_all(worker, exercise, group, found);
     std::erase_if(found, std::not_fn(&Candidate::fits));
     return found;
@@ -193,6 +191,7 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     }
     std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return far_fetched(one.question); });
     std::vector<Explanation> found;
+    if (candidates.empty()) return found;
     std::vector<Tally> said;
     const std::string headers = interface_text(worker, exercise);
     for (const Candidate& candidate : candidates) {

@@ -5,8 +5,6 @@
 #include "batch/common_condition.hpp"
 #include "batch/other_questions.hpp"
 #include "batch/simplest_question.hpp"
-#include "judge/judges.hpp"
-#include "judge/rows/tensor_view.hpp"
 #include "question/log.hpp"
 
 namespace umbral::grader {
@@ -36,10 +34,13 @@ class CaseQuestions {
 public:
     CaseQuestions(Worker& worker, const Exercise& exercise, const Built& built, const CaseResult& one,
                   std::string case_name)
-        : worker_(worker), exercise_(exercise), built_(built), one_(one), case_(std::move(case_name))
+        : worker_(worker),
+          exercise_(exercise),
+          built_(built),
+          one_(one),
+          case_(std::move(case_name)),
+          log_(worker.questions(exercise, case_, one.seed))
     {
-        const RunOutcome told = worker.inquire(exercise, case_, one.seed, {.questions = true});
-        if (told.verdict == Verdict::ok) log_ = read_questions(told.recording.tensors);
     }
 
     [[nodiscard]] bool known() const { return !log_.rows.empty() || !log_.wholes.empty(); }
@@ -53,7 +54,7 @@ public:
             if (const auto question = log_.question_of(check.value, cell, expected->cells()))
                 shown_.push_back({*question, &code});
         };
-        if (result.first_difference && is_of_several(check, *expected, *result.first_difference))
+        if (result.first_difference && is_of_several(check, expected->cells(), *result.first_difference))
             result.first_difference->cell.reset();
         if (result.first_difference && result.first_difference->cell)
             show(*result.first_difference->cell, result.first_difference->question);
@@ -70,7 +71,7 @@ public:
         const auto repeated = std::ranges::unique(inquiry.wanted);
         inquiry.wanted.erase(repeated.begin(), repeated.end());
         if (inquiry.wanted.empty()) return;
-        const RunOutcome told = worker_.inquire(exercise_, case_, one_.seed, inquiry);
+        const RunOutcome told = worker_.inquire(exercise_, Answers::reference, case_, one_.seed, inquiry);
         if (told.verdict != Verdict::ok) return;
         const QuestionLog log = read_questions(told.recording.tensors);
         for (const Shown& one : shown_)
@@ -78,19 +79,12 @@ public:
     }
 
 private:
-    /// Does the row that stands for a fragment too many belong to a primitive that several questions led to? Then
-    /// nobody knows which of them it is.
-    [[nodiscard]] bool is_of_several(const Check& check, const Tensor& expected, const Difference& first) const
+    /// Rows that one value may belong to, and that are answers to different questions: nobody knows which it is.
+    [[nodiscard]] bool is_of_several(const Check& check, std::size_t cells, const Difference& first) const
     {
-        const auto rows = log_.rows.find(check.value);
-        if (judge_of(check).name != "fragments" || !first.cell || first.expected != "no fragment" ||
-            rows == log_.rows.end() || rows->second.size() != expected.cells())
-            return false;
-        const TensorView view(expected);
-        for (std::size_t row = 0; row < expected.cells(); ++row)
-            if (view.cell(row)[0] == view.cell(*first.cell)[0] && rows->second[row] != rows->second[*first.cell])
-                return true;
-        return false;
+        return std::ranges::any_of(first.others, [&](std::size_t other) {
+            return log_.question_of(check.value, other, cells) != log_.question_of(check.value, *first.cell, cells);
+        });
     }
 
     Worker& worker_;
@@ -98,7 +92,7 @@ private:
     const Built& built_;
     const CaseResult& one_;
     std::string case_;
-    QuestionLog log_;
+    const QuestionLog& log_;
     std::vector<Shown> shown_;
 };
 

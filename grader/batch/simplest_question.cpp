@@ -5,7 +5,6 @@
 #include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
 #include "judge/rows/rows.hpp"
-#include "judge/rules.hpp"
 #include "question/log.hpp"
 
 namespace umbral::grader {
@@ -45,41 +44,39 @@ struct Simplest {
 double first_length(Worker& worker, const Exercise& exercise, const Check& check, const CaseResult& one,
                     const Difference& first)
 {
-    const RunOutcome told = worker.inquire(exercise, check.case_name, one.seed, {.questions = true});
-    const QuestionLog log = read_questions(told.recording.tensors);
+    const QuestionLog& log = worker.questions(exercise, check.case_name, one.seed);
     const auto question = first.cell ? log.question_of(check.value, *first.cell, 0) : std::nullopt;
     return question ? length_of(log, *question, first.question) : 0;
 }
 
 /// The wrong rows of one run, each with its question. False if the run took its whole time: another would, too.
-bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const Check& declared, const CaseResult& one,
+bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const Check& check, const CaseResult& one,
              const Grain& grain, Simplest& simplest)
 {
-    const auto told = worker.run_coarse(exercise, Answers::reference, declared.case_name, one.seed, grain);
+    const auto ask = [&](Answers solution, Inquiry inquiry) {
+        inquiry.grain = grain;
+        return worker.inquire(exercise, solution, check.case_name, one.seed, inquiry);
+    };
+    const RunOutcome told = ask(Answers::reference, {.questions = true});
     if (told.verdict != Verdict::ok) return true;
-    const RunOutcome expected =
-        declared.hard ? worker.run_coarse(exercise, Answers::oracle, declared.case_name, one.seed, grain) : told;
+    const RunOutcome expected = judged_against(check) == Answers::reference ? told : ask(Answers::oracle, {});
     if (expected.verdict != Verdict::ok) return true;
-    const RunOutcome student = worker.run_coarse(exercise, built, declared.case_name, one.seed, grain, expected);
-    const Expected side = expected_of(declared, expected);
-    const Tensor* yours = observed(declared, student);
+    const RunOutcome student = worker.run_coarse(exercise, built, check.case_name, one.seed, grain, expected);
+    const Expected side = expected_of(check, expected);
+    const Tensor* yours = observed(check, student);
     if (student.verdict == Verdict::timeout) return false;
-    if (student.verdict != Verdict::ok || yours == nullptr || side.value == nullptr || !well_formed(*yours) ||
-        !well_formed(*side.value) || shape_error(declared, *yours, *side.value))
-        return true;
-    Check check = declared;
-    check.pairs = false;
+    if (student.verdict != Verdict::ok || !has_single_rows(check, yours, side.value)) return true;
     const QuestionLog log = read_questions(told.recording.tensors);
-    const std::vector<RowState> states = row_states(check, *yours, *side.value, side.margin, rows_of(check));
+    const std::vector<RowState> states = single_rows(check, *yours, side);
     std::map<std::uint32_t, std::size_t> rows;
     for (std::size_t row = 0; row < states.size() && rows.size() < most_wrong; ++row)
         if (const auto question = log.question_of(check.value, row, states.size());
             states[row] == RowState::wrong && question)
             rows.emplace(*question, row);
     if (rows.empty()) return true;
-    Inquiry inquiry{.grain = grain};
+    Inquiry inquiry;
     for (const auto& [question, row] : rows) inquiry.wanted.push_back(question);
-    const RunOutcome written = worker.inquire(exercise, declared.case_name, one.seed, inquiry);
+    const RunOutcome written = ask(Answers::reference, inquiry);
     if (written.verdict != Verdict::ok) return true;
     const RowKind& kind = rows_of(check);
     const TensorView view(*yours);

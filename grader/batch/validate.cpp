@@ -198,8 +198,8 @@ std::vector<Finding> expect_questions(Worker& worker, const Exercise& exercise, 
     const GradeOptions options = options_for(seed);
     std::vector<Finding> findings;
     for (const std::string& name : exercise.cases()) {
-        const RunOutcome told =
-            worker.inquire(exercise, name, options.seeds.seed_of(exercise, name), {.questions = true});
+        const RunOutcome told = worker.inquire(exercise, Answers::reference, name,
+                                               options.seeds.seed_of(exercise, name), {.questions = true});
         const QuestionLog log = read_questions(told.recording.tensors);
         std::set<std::string> without;
         for (const Check& check : exercise.checks) {

@@ -8,6 +8,7 @@
 #include "build/builder.hpp"
 #include "build/toolchain.hpp"
 #include "model/scratch.hpp"
+#include "question/log.hpp"
 #include "run/spawner.hpp"
 
 namespace umbral::grader {
@@ -58,15 +59,17 @@ public:
     [[nodiscard]] const RunOutcome& trusted(const Exercise& exercise, Answers solution, const std::string& case_name,
                                             std::uint64_t seed);
 
-    /// Runs one case with the reference, which also tells what `inquiry` wants to know of its questions, or answers
-    /// others in their place: then it may end as any run may. Nothing is kept.
-    [[nodiscard]] RunOutcome inquire(const Exercise& exercise, const std::string& case_name, std::uint64_t seed,
-                                     const Inquiry& inquiry);
+    /// Runs one case with a trusted solution, which also tells what `inquiry` wants to know of its questions, or
+    /// answers others in their place: then it may end as any run may. Nothing is kept.
+    [[nodiscard]] RunOutcome inquire(const Exercise& exercise, Answers solution, const std::string& case_name,
+                                     std::uint64_t seed, const Inquiry& inquiry);
 
-    /// Runs one case on inputs of this grain: by a trusted solution, with its questions, or by a student's build, of
-    /// which is read what `expected` holds too. Nothing is kept.
-    [[nodiscard]] RunOutcome run_coarse(const Exercise& exercise, Answers solution, const std::string& case_name,
-                                        std::uint64_t seed, const Grain& grain);
+    /// The reference's questions in one case, without their code; remembered as other trusted runs are, but on no disk.
+    [[nodiscard]] const QuestionLog& questions(const Exercise& exercise, const std::string& case_name,
+                                               std::uint64_t seed);
+
+    /// Runs one case with a student's build on inputs of this grain, of which is read what `expected` holds too.
+    /// Nothing is kept.
     [[nodiscard]] RunOutcome run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
                                         std::uint64_t seed, const Grain& grain, const RunOutcome& expected);
 
@@ -100,6 +103,7 @@ private:
     std::unique_ptr<Spawner> gl_;
     std::shared_ptr<const UnitKeys> keys_;
     std::map<std::string, RunOutcome> remembered_;
+    std::map<std::string, QuestionLog> questions_;
     std::size_t remembered_bytes_ = 0;
 };
 

@@ -48,8 +48,7 @@ AskedRow question_of_row(const Application& application, const Exercise& exercis
             fmt::format("case '{}' of {} has no check of a value '{}'", case_name, exercise.id, options.value));
     const Tensor* expected = tensor_of(worker.trusted(exercise, Answers::reference, case_name, seed), check->value);
     const std::size_t rows = expected == nullptr ? 0 : expected->cells();
-    const QuestionLog log =
-        read_questions(worker.inquire(exercise, case_name, seed, {.questions = true}).recording.tensors);
+    const QuestionLog& log = worker.questions(exercise, case_name, seed);
     const auto question = log.question_of(check->value, *options.row, rows);
     if (!question)
         throw UsageError(
@@ -58,8 +57,8 @@ AskedRow question_of_row(const Application& application, const Exercise& exercis
                 : fmt::format("what led to single rows of {} is not known; without --row the whole case "
                               "runs",
                               check->name));
-    const QuestionLog told =
-        read_questions(worker.inquire(exercise, case_name, seed, {.wanted = {*question}}).recording.tensors);
+    const QuestionLog told = read_questions(
+        worker.inquire(exercise, Answers::reference, case_name, seed, {.wanted = {*question}}).recording.tensors);
     const auto code = told.code.find(*question);
     const QuestionKind* kind = log.kind_of(*question);
     return {*question, code == told.code.end() ? std::string() : code->second,

@@ -19,6 +19,7 @@ struct Difference {
     std::string expected;
     std::optional<std::size_t> cell{};  ///< of the expected recording, row by row, where it has one
     std::string question{};             ///< what was asked there, as code; empty where that is not known
+    std::vector<std::size_t> others{};  ///< further cells that it may as well belong to; in no file
 };
 
 /// What a check found.

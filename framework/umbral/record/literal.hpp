@@ -75,7 +75,7 @@ inline constexpr bool is_grid<Grid<Cell>> = true;
 template <class Type>
 concept List = std::ranges::contiguous_range<Type> && std::ranges::sized_range<Type>;
 
-/// What is copied and changed: everything but what refers to something elsewhere.
+/// Texts of all kinds.
 template <class Type>
 concept Text = std::is_convertible_v<const Type&, std::string_view>;
 

@@ -46,12 +46,15 @@ Result compare(const FragmentTable& yours, const FragmentTable& expected, const 
     return result;
 }
 
-/// The expected row that stands for a place; where nothing was expected, the first one of its primitive, if there is
-/// any.
-std::optional<std::size_t> row_of(const FragmentTable& expected, const Place& place, Fragments there)
+/// Says which expected row stands for a place: where nothing was expected, the first one of its primitive, if there is
+/// any, and as well all others of it.
+void set_row(const FragmentTable& expected, const Place& place, Fragments there, Difference& difference)
 {
     const Fragments known = there.empty() ? expected.of(place.primitive) : there;
-    return known.empty() ? std::nullopt : std::optional<std::size_t>(known.front().row);
+    if (known.empty()) return;
+    difference.cell = known.front().row;
+    if (there.empty())
+        for (const auto& fragment : known.subspan(1)) difference.others.push_back(fragment.row);
 }
 
 std::string fragments_text(const FragmentTable& table, Fragments here)
@@ -121,7 +124,8 @@ Judgement judge_fragments(const Check& check, const Tensor& student, const Tenso
     const auto& [place, here, there] = *result.first;
     judgement.first_difference =
         Difference{fmt::format("pixel ({}, {}) of {} {}", place.x, place.y, noun, place.primitive),
-                   fragments_text(yours, here), fragments_text(expected, there), row_of(expected, place, there)};
+                   fragments_text(yours, here), fragments_text(expected, there)};
+    set_row(expected, place, there, *judgement.first_difference);
     judgement.message += "; the first is " + judgement.first_difference->where;
     if (with_sketch) judgement.sketch = fragment_sketch(matcher, yours, expected, place);
     return judgement;
