@@ -78,10 +78,9 @@ bool has_both(const std::vector<bool>& wrong, std::size_t least)
 }
 
 /// The same check on inputs that another seed gives; empty where the case cannot be asked again.
-Sample fresh_sample(Worker& worker, const AskedCheck& asked)
+Sample fresh_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
 {
     const Check& check = asked.check;
-    const std::uint64_t seed = asked.result.seed ^ 0x9E3779B97F4A7C15U;
     const RunOutcome& run = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
     const QuestionLog& log = worker.questions(asked.exercise, check.case_name, seed);
     const RunOutcome student = worker.run(asked.exercise, asked.built, check.case_name, seed);
@@ -110,24 +109,36 @@ std::string in_plain_words(const Condition& condition)
 
 }
 
-std::string common_condition(Worker& worker, const AskedCheck& asked)
+std::optional<Condition> find_common_condition(Worker& worker, const AskedCheck& asked)
 {
     const Check& check = asked.check;
     const RunOutcome& run = worker.trusted(asked.exercise, judged_against(check), check.case_name, asked.result.seed);
     const Expected expected = expected_of(check, run);
     const Tensor* student = observed(check, asked.result.student);
-    if (asked.result.hidden || !has_single_rows(check, student, expected.value)) return "";
+    if (asked.result.hidden || !has_single_rows(check, student, expected.value)) return std::nullopt;
     const Sample seen = sample(asked, asked.log, *student, expected);
-    const std::vector<Fact> facts = facts_of(seen.table);
-    const std::optional<Condition> condition = simplest_condition(facts, seen.wrong);
-    if (!condition) return "";
-    const Sample fresh = fresh_sample(worker, asked);
-    if (fresh.table.names != seen.table.names) return "";
+    std::optional<Condition> condition = simplest_condition(facts_of(seen.table), seen.wrong);
+    if (!condition) return std::nullopt;
+    const Sample fresh = fresh_sample(worker, asked, asked.result.seed ^ 0x9E3779B97F4A7C15U);
+    if (fresh.table.names != seen.table.names) return std::nullopt;
     const bool same = fresh.table.numbers == seen.table.numbers;
     const bool holds = same ? has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
                                   condition->wrong_where == condition->wrong
                             : parts(*condition, facts_of(fresh.table), fresh.wrong);
-    return holds ? in_plain_words(*condition) : "";
+    return holds ? condition : std::nullopt;
+}
+
+std::string common_condition(Worker& worker, const AskedCheck& asked)
+{
+    const std::optional<Condition> condition = find_common_condition(worker, asked);
+    return condition ? in_plain_words(*condition) : "";
+}
+
+std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const Condition& condition, std::uint64_t seed)
+{
+    const Sample fresh = fresh_sample(worker, asked, seed);
+    if (!has_both(fresh.wrong, 1)) return std::nullopt;
+    return parts(condition, facts_of(fresh.table), fresh.wrong);
 }
 
 }

@@ -144,8 +144,8 @@ bool was_starved(const RunOutcome& run, const Limits& limits)
 }
 
 /// `detail`, unless it is null, is given evidence.
-UnitResult grade_built(Worker& worker, const Exercise& exercise, const Built& built, const GradeOptions& options,
-                       html::UnitDetail* detail)
+UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built& built, const GradeOptions& options,
+                          html::UnitDetail* detail)
 {
     if (built.verdict != Verdict::ok) {
         UnitResult result = without_points(exercise, built.verdict, built.message);
@@ -222,7 +222,7 @@ UnitResult grade_handed(Worker& worker, const Exercise& exercise, const Handed& 
                             bytes >> 10U, caps::unit_sources >> 10U));
         if (equals_stub(handed.files, exercise))
             return without_points(exercise, Verdict::not_implemented, "the file is still the stub");
-        return grade_built(worker, exercise, build(worker.tools(), exercise, handed.files), options, detail);
+        return judged_in_full(worker, exercise, build(worker.tools(), exercise, handed.files), options, detail);
     });
     // A fault's message is kept as it is: others look for its cause in it.
     if (!handed.notes.empty() && result.verdict != Verdict::grader_fault)
@@ -245,19 +245,25 @@ GradedUnit grade_with_evidence(Worker& worker, const Exercise& exercise, const H
     return graded;
 }
 
+UnitResult grade_built(Worker& worker, const Exercise& exercise, const Built& built, const GradeOptions& options)
+{
+    return guarded(worker, exercise, options,
+                   [&] { return judged_in_full(worker, exercise, built, options, nullptr); });
+}
+
 UnitResult grade_mistake(Worker& worker, const Exercise& exercise, const KnownSolution& mistake,
                          const GradeOptions& options)
 {
     if (!exercise.is_cpp()) return grade_unit(worker, exercise, {mistake.sources, {}, ""}, options);
+    // An installation has it veiled and without debug information, so that it cannot be looked through.
+    const std::filesystem::path library =
+        unit_folder(worker.tools(), exercise.id) / "mistakes" / (mistake.name + ".so");
     return guarded(worker, exercise, options, [&] {
-        // An installation has it veiled and without debug information, so that it cannot be looked through.
-        const std::filesystem::path library =
-            unit_folder(worker.tools(), exercise.id) / "mistakes" / (mistake.name + ".so");
         const bool is_there = std::filesystem::exists(library);
-        return grade_built(worker, exercise,
-                           is_there ? adopt(worker.tools(), exercise, mistake.sources, library)
-                                    : build(worker.tools(), exercise, mistake.sources),
-                           options, nullptr);
+        return judged_in_full(worker, exercise,
+                              is_there ? adopt(worker.tools(), exercise, mistake.sources, library)
+                                       : build(worker.tools(), exercise, mistake.sources),
+                              options, nullptr);
     });
 }
 

@@ -39,6 +39,10 @@ struct GradedUnit {
 [[nodiscard]] GradedUnit grade_with_evidence(Worker& worker, const Exercise& exercise, const Handed& handed,
                                              const GradeOptions& options);
 
+/// The same of what has been built.
+[[nodiscard]] UnitResult grade_built(Worker& worker, const Exercise& exercise, const Built& built,
+                                     const GradeOptions& options);
+
 /// grade_unit for one of the unit's mistakes, which was compiled with the project: what explains students' results is
 /// itself graded.
 [[nodiscard]] UnitResult grade_mistake(Worker& worker, const Exercise& exercise, const KnownSolution& mistake,

@@ -74,6 +74,7 @@ void add_bench(Command parser, Application& application)
     command.passes_words_on();
     add_bench_explanations(command, application);
     add_bench_judges(command, application);
+    add_bench_unforeseen(command, application);
     command.runs([&application, command] {
         if (command.has_named_command()) return;
         std::vector<std::string> words = command.rest();

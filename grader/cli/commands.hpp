@@ -34,5 +34,6 @@ inline constexpr std::array add_commands{add_list,  add_new,      add_new_unit, 
 // Added to the command bench.
 void add_bench_explanations(Command bench, Application& application);
 void add_bench_judges(Command bench, Application& application);
+void add_bench_unforeseen(Command bench, Application& application);
 
 }

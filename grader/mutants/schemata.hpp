@@ -10,6 +10,12 @@ namespace umbral::grader {
 /// What a run is given the number of its mutant by: an int of that name in the library, 0 for none.
 inline constexpr const char* chosen_mutant = "umbral_mutant_chosen";
 
+/// No source has so many mutants.
+inline constexpr unsigned most_mutants = 1U << 15U;
+
+/// What to choose for two mutants of a library at once.
+[[nodiscard]] constexpr unsigned both(unsigned one, unsigned other) { return one + other * most_mutants; }
+
 /// In diagnostics, the line of mutant n is this one and n more: what does not compile can be left out.
 inline constexpr std::size_t first_mutant_line = 1'000'000;
 

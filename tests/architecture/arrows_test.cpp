@@ -64,7 +64,7 @@ TEST(Arrows, of_the_grader)
         {"report", {"model", "judge"}},
         {"batch", {"model", "manifest", "run", "store", "collect", "build", "judge", "question", "report"}},
         {"mutants", {"model", "run", "collect", "build", "batch"}},
-        {"bench", {"model", "run", "collect", "build", "judge", "report", "batch"}},
+        {"bench", {"model", "run", "collect", "build", "judge", "report", "batch", "mutants", "question"}},
         {"inspect", {"model"}},
         {"attack", {"model"}},
         {"cli",

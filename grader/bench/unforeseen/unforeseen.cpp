@@ -1,0 +1,165 @@
+#include "bench/unforeseen/unforeseen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <umbral/core/random.hpp>
+
+#include "batch/common_condition.hpp"
+#include "batch/grade_unit.hpp"
+#include "batch/known_solutions.hpp"
+#include "batch/other_questions.hpp"
+#include "model/digest.hpp"
+#include "model/scratch.hpp"
+#include "mutants/build_mutants.hpp"
+#include "mutants/schemata.hpp"
+#include "report/reasons.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using Truth = ToldSentence::Truth;
+
+/// Seeds of inputs, none of which `umbral validate` uses, on whose the units were made.
+constexpr unsigned seen_inputs = 1'000;
+constexpr std::array other_inputs{1'001U, 1'002U};
+
+/// How many changes are tried for each that is wanted: some lose no points.
+constexpr unsigned most_tries = 4;
+
+GradeOptions options_for(unsigned inputs)
+{
+    GradeOptions options;
+    options.seeds = {"bench unforeseen", "bench unforeseen", "bench unforeseen", inputs, "bench unforeseen"};
+    return options;
+}
+
+/// Tries what is said of one unit's bugs.
+class Trial {
+public:
+    Trial(Worker& worker, const Exercise& exercise, std::filesystem::path library)
+        : worker_(worker), exercise_(exercise), headers_(interface_text(worker, exercise))
+    {
+        built_.verdict = Verdict::ok;
+        built_.library = std::move(library);
+    }
+
+    /// Of a library's mutants `chosen`; nothing if they lose no points.
+    std::optional<UnforeseenBug> explain(unsigned chosen)
+    {
+        built_.mutant = chosen;
+        const UnitResult result = grade_built(worker_, exercise_, built_, options_for(seen_inputs));
+        if (result.verdict == Verdict::grader_fault) throw std::runtime_error(result.message);
+        if (result.score == result.max_score) return std::nullopt;
+        UnforeseenBug bug{exercise_.id, "", false};
+        bug.stopped = std::ranges::all_of(result.checks, [&](const CheckResult& check) {
+            return check.score == check.max_score || !check.first_difference;
+        });
+        bug.has_question = std::ranges::any_of(result.checks, [](const CheckResult& check) {
+            return check.first_difference && !check.first_difference->question.empty();
+        });
+        if (!main_reasons(result).empty()) bug.said.push_back(tried_reason(result));
+        for (std::size_t i = 0; i < result.checks.size(); ++i)
+            if (!result.checks[i].common.empty()) bug.said.push_back(tried_condition(exercise_.checks[i]));
+        return bug;
+    }
+
+private:
+    /// Is one of the reasons, if several fit alike, given with other inputs too?
+    ToldSentence tried_reason(const UnitResult& result)
+    {
+        std::set<std::string> names;
+        for (const Explanation& one : main_reasons(result)) names.insert(one.name);
+        ToldSentence sentence{ToldSentence::Kind::reason, "", fmt::format("{}", fmt::join(names, " or "))};
+        for (const unsigned inputs : other_inputs) {
+            GradeOptions options = options_for(inputs);
+            options.questions = false;
+            const UnitResult again = grade_built(worker_, exercise_, built_, options);
+            if (again.score == again.max_score) continue;
+            const bool said = std::ranges::any_of(again.explanations,
+                                                  [&](const Explanation& one) { return names.contains(one.name); });
+            if (!said) sentence.truth = Truth::fails;
+            if (said && sentence.truth == Truth::untried) sentence.truth = Truth::holds;
+        }
+        return sentence;
+    }
+
+    CaseResult run(const Check& check, unsigned inputs)
+    {
+        CaseResult one;
+        one.seed = options_for(inputs).seeds.seed_of(exercise_, check.case_name);
+        one.student = worker_.run(exercise_, built_, check.case_name, one.seed);
+        return one;
+    }
+
+    ToldSentence tried_condition(const Check& check)
+    {
+        const CaseResult one = run(check, seen_inputs);
+        const AskedCheck asked{exercise_, check, built_, one, worker_.questions(exercise_, check.case_name, one.seed),
+                               headers_};
+        ToldSentence sentence{ToldSentence::Kind::condition, check.name, common_condition(worker_, asked)};
+        const std::optional<Condition> condition = find_common_condition(worker_, asked);
+        if (!condition) return sentence;
+        for (const unsigned inputs : other_inputs) {
+            const std::optional<bool> holds = holds_at(worker_, asked, *condition, run(check, inputs).seed);
+            if (!holds) continue;
+            if (!*holds) sentence.truth = Truth::fails;
+            if (*holds && sentence.truth == Truth::untried) sentence.truth = Truth::holds;
+        }
+        return sentence;
+    }
+
+    Worker& worker_;
+    const Exercise& exercise_;
+    std::string headers_;
+    Built built_;
+};
+
+std::string in_words(const Mutant& mutant) { return fmt::format("line {}: {}", mutant.line, mutant.change); }
+
+/// Mutants in an order that follows from the seed.
+std::vector<Mutant> shuffled(std::vector<Mutant> mutants, Random& random)
+{
+    for (std::size_t i = mutants.size(); i > 1; --i)
+        std::swap(mutants[i - 1], mutants[random.below(static_cast<std::uint32_t>(i))]);
+    return mutants;
+}
+
+}
+
+std::vector<UnforeseenBug> explain_unforeseen(Worker& worker, const Exercise& exercise,
+                                              const std::filesystem::path& finder, const UnforeseenPlan& plan)
+{
+    const ScratchFolder work(worker.tools().cache);
+    const std::filesystem::path source = reference_files(worker.tools().reference, exercise).begin()->second;
+    const BuiltMutants built = build_mutants(worker.tools(), exercise, finder, source, work.path());
+    Random random(case_seed("unforeseen", "", "", exercise.id, "", plan.seed));
+    const std::vector<Mutant> mutants = shuffled(built.mutants, random);
+    Trial trial(worker, exercise, built.library);
+    std::vector<UnforeseenBug> bugs;
+    std::size_t next = 0;
+    for (unsigned found = 0, tried = 0; found < plan.bugs && tried < most_tries * plan.bugs && next < mutants.size();
+         ++tried, ++next) {
+        worker.forget_if_full();
+        std::optional<UnforeseenBug> bug = trial.explain(mutants[next].number);
+        if (!bug) continue;
+        bug->bug = in_words(mutants[next]);
+        bugs.push_back(std::move(*bug));
+        ++found;
+    }
+    for (unsigned found = 0, tried = 0; found < plan.pairs && tried < plan.pairs && next + 1 < mutants.size();
+         ++tried, next += 2) {
+        worker.forget_if_full();
+        std::optional<UnforeseenBug> bug = trial.explain(both(mutants[next].number, mutants[next + 1].number));
+        if (!bug) continue;
+        bug->bug = in_words(mutants[next]) + "; " + in_words(mutants[next + 1]);
+        bug->two = true;
+        bugs.push_back(std::move(*bug));
+        ++found;
+    }
+    return bugs;
+}
+
+}

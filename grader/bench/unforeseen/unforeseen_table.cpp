@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/held_out.hpp"
+#include "bench/unforeseen/unforeseen.hpp"
+
+namespace umbral::grader {
+namespace {
+
+using Truth = ToldSentence::Truth;
+
+bool says(const UnforeseenBug& bug, Truth truth)
+{
+    return std::ranges::any_of(bug.said, [truth](const ToldSentence& one) { return one.truth == truth; });
+}
+
+/// A bug that leaves values, with which sentences.
+struct Counts {
+    std::size_t all = 0;
+    std::size_t stopped = 0;
+    std::size_t question = 0;
+    std::size_t reason = 0;
+    std::size_t condition = 0;
+    std::size_t told = 0;
+    std::size_t wrong = 0;
+    std::size_t untried = 0;
+};
+
+template <class Meant>
+Counts counted(const std::vector<UnforeseenBug>& bugs, Meant meant)
+{
+    Counts counts;
+    for (const UnforeseenBug& bug : bugs) {
+        if (!meant(bug)) continue;
+        if (bug.stopped) {
+            ++counts.stopped;
+            continue;
+        }
+        const auto has = [&](ToldSentence::Kind kind) {
+            return std::ranges::any_of(
+                bug.said, [kind](const ToldSentence& one) { return one.kind == kind && one.truth == Truth::holds; });
+        };
+        ++counts.all;
+        counts.question += bug.has_question ? 1 : 0;
+        counts.reason += has(ToldSentence::Kind::reason) ? 1 : 0;
+        counts.condition += has(ToldSentence::Kind::condition) ? 1 : 0;
+        counts.told += says(bug, Truth::holds) ? 1 : 0;
+        counts.wrong += says(bug, Truth::fails) ? 1 : 0;
+        counts.untried += says(bug, Truth::untried) ? 1 : 0;
+    }
+    return counts;
+}
+
+double percent(std::size_t part, std::size_t all)
+{
+    return all == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(all);
+}
+
+std::string line(const char* name, const Counts& counts)
+{
+    const auto share = [&](std::size_t part) {
+        return fmt::format("{:>6} {:>5.1f} %", part, percent(part, counts.all));
+    };
+    return fmt::format("{:<22}{:>6}{:>9}{}{}{}{}{}{}\n", name, counts.all, counts.stopped, share(counts.question),
+                       share(counts.reason), share(counts.condition), share(counts.told), share(counts.wrong),
+                       share(counts.untried));
+}
+
+std::string listed(const UnforeseenBug& bug, Truth truth)
+{
+    std::string text = fmt::format("  {}, {}\n", bug.unit, bug.bug);
+    for (const ToldSentence& one : bug.said)
+        if (one.truth == truth) text += fmt::format("    {}{}\n", one.check.empty() ? "" : one.check + ": ", one.words);
+    return text;
+}
+
+}
+
+bool meets_targets(const std::vector<UnforeseenBug>& bugs)
+{
+    const Counts all = counted(bugs, [](const UnforeseenBug&) { return true; });
+    return percent(all.told, all.all) >= 65 && percent(all.wrong, all.all) < 1;
+}
+
+std::string unforeseen_table(const std::vector<UnforeseenBug>& bugs)
+{
+    std::string text = fmt::format("{:<22}{:>6}{:>9}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}\n", "", "bugs", "stopped",
+                                   "question shown", "true reason", "true pattern", "either", "false", "untried");
+    text += line("one change", counted(bugs, [](const UnforeseenBug& bug) { return !bug.two; }));
+    text += line("two changes", counted(bugs, [](const UnforeseenBug& bug) { return bug.two; }));
+    text += line("units that tune", counted(bugs, [](const UnforeseenBug& bug) { return !held_out(bug.unit); }));
+    text += line("units held out", counted(bugs, [](const UnforeseenBug& bug) { return held_out(bug.unit); }));
+    text += line("all", counted(bugs, [](const UnforeseenBug&) { return true; }));
+    const auto list = [&](const char* heading, auto meant, Truth truth) {
+        std::string lines;
+        for (const UnforeseenBug& bug : bugs)
+            if (meant(bug)) lines += listed(bug, truth);
+        if (!lines.empty()) text += fmt::format("\n{}\n{}", heading, lines);
+    };
+    list(
+        "False with other inputs:", [](const UnforeseenBug& bug) { return says(bug, Truth::fails); }, Truth::fails);
+    list(
+        "Nothing was said of:", [](const UnforeseenBug& bug) { return !bug.stopped && bug.said.empty(); },
+        Truth::holds);
+    return text;
+}
+
+}
