@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "batch/past_crashes.hpp"
 #include "batch/related.hpp"
 #include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
@@ -26,6 +27,24 @@ std::string too_many(const std::string& value, const RunOutcome& student, const 
     if (shape.rows == 1) return fmt::format("recorded {} bytes, expected {}", shape.columns, right->columns);
     return fmt::format("recorded {} x {} cells, expected {} x {}", shape.columns, shape.rows, right->columns,
                        right->rows);
+}
+
+/// Judges the answers before and between crashes. With one that is missing no check is all right, however much it may
+/// forgive.
+void judge_answers(const Check& check, const AnswersPastCrashes& answers, const Tensor& expected, const Tensor* margin,
+                   std::uint64_t seed, CheckResult& result)
+{
+    const std::string trouble = std::move(result.message);
+    take_judgement(check, judge(check, answers.tensor, expected, margin),
+                   best_control(check, expected, margin, seed).right, result);
+    const auto rows = static_cast<Millipoints>(expected.rows);
+    const auto lost = static_cast<Millipoints>(answers.lost.size());
+    result.score = std::min(result.score, result.max_score * (rows - lost) / std::max<Millipoints>(rows, 1));
+    if (lost == 0) return;
+    if (result.first_difference && result.first_difference->cell &&
+        std::ranges::binary_search(answers.lost, *result.first_difference->cell))
+        result.first_difference->yours = "no answer";
+    result.message = fmt::format("{} of {} rows have no answer: {}", lost, rows, trouble);
 }
 
 bool ran_into_the_limit(const CaseResult& one) { return one.reached && one.student.verdict == Verdict::timeout; }
@@ -59,6 +78,7 @@ std::string CaseResult::trouble() const
     if (student.verdict == Verdict::ok) return "";
     std::string text = fmt::format("{}: {}", in_words(student.verdict), student.message);
     if (!place.empty()) text += " at " + one_line(place);
+    if (!asked.empty()) text += "; asked " + one_line(asked, caps::question);
     return text;
 }
 
@@ -134,7 +154,11 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
     if (check.hard) result.reference_error = judge(check, *reference, *expected, margin).error;
 
     result.message = kept_from_judging(check, one, expected_run);
-    if (!result.message.empty()) return result;
+    if (!result.message.empty()) {
+        if (const auto answers = answers_past_crashes(check, one, *expected))
+            judge_answers(check, *answers, *expected, margin, one.seed, result);
+        return result;
+    }
     Judgement judgement;
     BestControl control;
     if (check.relation) {

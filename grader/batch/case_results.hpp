@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct CaseResult {
     RunOutcome student;
     std::string place;  ///< where it crashed: "sphere.cpp:17"
     double reference_seconds = 0;
+    std::string asked{};               ///< the question in which the run ended, as code; empty if it is not known
+    std::optional<RunOutcome> past{};  ///< the same without the questions in which it crashed (past_crashes.hpp)
 
     [[nodiscard]] bool is_stub() const
     {

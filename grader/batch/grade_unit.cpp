@@ -10,6 +10,7 @@
 #include "batch/case_results.hpp"
 #include "batch/evidence.hpp"
 #include "batch/explain_unit.hpp"
+#include "batch/past_crashes.hpp"
 #include "batch/pictures.hpp"
 #include "batch/questions.hpp"
 #include "batch/rerun.hpp"
@@ -117,15 +118,17 @@ std::string printed_text(const Exercise& exercise, const CaseResults& cases)
 
 /// The student's run of one case. Throws std::runtime_error for a fault of the grader's.
 CaseResult run_case(Worker& worker, const Exercise& exercise, const Built& built, const std::string& name,
-                    const SeedPlan& seeds)
+                    const GradeOptions& options)
 {
     CaseResult one;
-    one.seed = seeds.seed_of(exercise, name);
+    one.seed = options.seeds.seed_of(exercise, name);
     one.hidden = is_hidden_case(exercise, name);
     one.student = worker.run(exercise, built, name, one.seed);
     if (one.student.verdict == Verdict::grader_fault) throw std::runtime_error(one.student.message);
     if (one.student.verdict == Verdict::crashed && !one.student.recording.frames.empty() && !built.library.empty())
         one.place = place_of(worker.tools(), built.library, one.student.recording.frames);
+    go_past_crashes(worker, exercise, built, name, one);
+    if (options.explain) one.asked = question_of_end(worker, exercise, name, one);
     return one;
 }
 
@@ -155,7 +158,7 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
     CaseResults cases;
     for (const std::string& name : shuffled_cases(exercise, options.seeds))
         cases.emplace(name, may_run_another(cases)
-                                ? run_case(worker, exercise, built, name, options.seeds)
+                                ? run_case(worker, exercise, built, name, options)
                                 : not_reached(options.seeds.seed_of(exercise, name), is_hidden_case(exercise, name)));
     UnitResult result = without_points(exercise, Verdict::wrong, "");
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {

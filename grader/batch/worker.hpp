@@ -49,6 +49,10 @@ public:
     [[nodiscard]] RunOutcome run(const Exercise& exercise, const Built& built, const std::string& case_name,
                                  std::uint64_t seed);
 
+    /// The same without some questions; of the recording is read, too, which rows lack an answer for that.
+    [[nodiscard]] RunOutcome run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
+                                      std::uint64_t seed, const PassedOver& passed_over);
+
     /// Runs one case with a student's build, or with the reference if there is none, working on these counted costs
     /// only. Nothing is kept.
     [[nodiscard]] RunOutcome run_limited(const Exercise& exercise, const Built* built, const std::string& case_name,

@@ -153,7 +153,14 @@ Recording parse_recording(std::span<const std::byte> bytes, const WantedTensors&
     const char* end = std::find(std::begin(header.text), std::end(header.text), '\0');
     if (end == std::end(header.text)) damaged(offsetof(wire::Header, text), "a zero behind the text", "none");
 
+    const char* name_end = std::find(std::begin(header.function), std::end(header.function), '\0');
+    if (name_end == std::end(header.function))
+        damaged(offsetof(wire::Header, function), "a zero behind the name of a function", "none");
+
     Recording recording;
+    recording.asked = header.asked;
+    recording.function =
+        printable({header.function, static_cast<std::size_t>(name_end - header.function)}, 3 * sizeof header.function);
     recording.stage = static_cast<wire::Stage>(header.stage);
     recording.note = static_cast<wire::Note>(header.note);
     recording.signal = header.signal;

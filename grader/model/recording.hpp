@@ -33,6 +33,8 @@ struct Recording {
     std::vector<unsigned> refused;      ///< numbers of the system calls refused
     std::vector<std::uint64_t> frames;  ///< addresses in the student's library at a crash, innermost first
     std::string text;                   ///< printable, valid UTF-8
+    std::uint32_t asked = 0;            ///< questions begun, in runs of student's code …
+    std::string function{};             ///< … and what the last one called
     std::map<std::string, Tensor, std::less<>> tensors;
     std::map<std::string, Oversized, std::less<>> oversized{};
 };

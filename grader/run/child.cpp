@@ -53,6 +53,7 @@ struct Job {
     std::uint64_t cpu_seconds = 0;
     CostLimit costs;  ///< without a table all costs are worked on
     Inquiry inquiry;
+    PassedOver passed_over;
     unsigned mutant = 0;  ///< of a library that holds mutants, which only trusted ones do; 0 for none
 };
 
@@ -76,6 +77,7 @@ Job read_job(int file)
             json.at("cpu_seconds"),
             {json.at("counted_table"), json.at("counted_sizes")},
             inquiry_from_json(json.at("inquiry")),
+            {json.at("passed_over"), json.at("end")},
             json.at("mutant")};
 }
 
@@ -169,6 +171,19 @@ Recorder::Tensors answers_to_others(const DriverCase& one, const Case& what, con
     return all;
 }
 
+/// Hands the recording over and ends the run.
+[[noreturn]] void finish(wire::Header& header, const Recorder::Tensors& tensors)
+{
+    header.not_implemented = not_implemented_count();
+    const std::span room(reinterpret_cast<std::byte*>(&header) + wire::tensors_offset,
+                         wire::maximum_size - wire::tensors_offset);
+    header.tensors_size = wire::write_tensors(tensors, room);
+    header.tensor_count = tensors.size();
+    (void)fflush(nullptr);
+    header.stage = static_cast<std::uint32_t>(wire::Stage::finished);
+    _exit(0);
+}
+
 /// Sets the number by which a library of mutants chooses (mutants/schemata.hpp). Asked for of trusted libraries only.
 void choose_mutant(wire::Header& header, void* library, unsigned number)
 {
@@ -251,24 +266,19 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     header.stage = static_cast<std::uint32_t>(wire::Stage::running);
 
     if (!job.costs.table.empty()) limit_costs(job.costs);
+    if (!job.inquiry.others.empty()) finish(header, answers_to_others(*one, what, job.inquiry.others));
     Questions questions(job.inquiry);
-    Recorder recorder = asks_anything(job.inquiry) ? Recorder(questions) : Recorder();
-    Recorder::Tensors other_answers;
-    if (job.inquiry.others.empty())
-        run_case(*one, what, recorder);
-    else
-        other_answers = answers_to_others(*one, what, job.inquiry.others);
+    Recorder* recorded = nullptr;
+    const auto end = [&] {
+        recorded->finish();
+        finish(header, recorded->tensors());
+    };
+    Progress progress(header.asked, header.function, job.passed_over, end);
+    Recorder recorder = asks_anything(job.inquiry) ? Recorder(questions) : Recorder(progress);
+    recorded = &recorder;
+    run_case(*one, what, recorder);
     recorder.finish();
-    const Recorder::Tensors& tensors = job.inquiry.others.empty() ? recorder.tensors() : other_answers;
-
-    header.not_implemented = not_implemented_count();
-    const std::span room(static_cast<std::byte*>(memory) + wire::tensors_offset,
-                         wire::maximum_size - wire::tensors_offset);
-    header.tensors_size = wire::write_tensors(tensors, room);
-    header.tensor_count = tensors.size();
-    (void)fflush(nullptr);
-    header.stage = static_cast<std::uint32_t>(wire::Stage::finished);
-    _exit(0);
+    finish(header, recorder.tensors());
 }
 
 }

@@ -62,6 +62,8 @@ std::string job_text(const RunRequest& request)
         {"counted_table", request.costs.table},
         {"counted_sizes", request.costs.sizes},
         {"inquiry", to_json(request.inquiry)},
+        {"passed_over", request.passed_over.questions},
+        {"end", request.passed_over.end},
         {"mutant", request.mutant},
         {"memory", static_cast<std::uint64_t>(request.limits.memory_mib) << 20U},
         {"cpu_seconds", static_cast<std::uint64_t>(std::ceil(request.limits.wall_seconds)) + 1}};

@@ -30,7 +30,8 @@ struct RunRequest {
     WantedTensors wanted{};  ///< of what it records, all that is looked at; empty for everything
     CostLimit costs{};       ///< work on these counted costs only, to measure them from outside; without a table on all
     Inquiry inquiry{};       ///< what is to be told of its questions, of trusted solutions only; and its inputs' grain
-    unsigned mutant = 0;     ///< of a trusted library that holds mutants, the one to run; 0 for what all others are
+    PassedOver passed_over{};  ///< questions that the student's code is not asked
+    unsigned mutant = 0;       ///< of a trusted library that holds mutants, the one to run; 0 for what all others are
     std::vector<std::string> roots{};  ///< folders of this machine that no text of the run may show (run_text.hpp)
 };
 

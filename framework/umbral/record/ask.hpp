@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <span>
@@ -126,6 +127,19 @@ std::string call_text(const Questions& questions, std::string_view function, con
     return text + ')';
 }
 
+/// What the driver goes on with where a question must not be asked. What has no empty value, or would be used as an
+/// object, ends the case.
+template <class Result>
+Result no_answer(const Recorder& out)
+{
+    if constexpr (!std::is_void_v<Result>) {
+        constexpr bool owns = requires { typename std::remove_reference_t<Result>::element_type; };
+        if constexpr (std::is_default_constructible_v<Result> && !std::is_pointer_v<Result> && !owns) return Result{};
+        out.end_case();
+        std::abort();  // end_case() does not return
+    }
+}
+
 template <auto Function, class Result, class... Parameters>
 struct AskFunction {
     static constexpr std::string_view name = reflect::value_name<Function>();
@@ -133,7 +147,10 @@ struct AskFunction {
     Result operator()(Recorder& out, Parameters... arguments) const
     {
         Questions* const questions = out.questions();
-        if (questions == nullptr) return Function(std::forward<Parameters>(arguments)...);
+        if (questions == nullptr) {
+            if (out.passes_over(name)) return no_answer<Result>(out);
+            return Function(std::forward<Parameters>(arguments)...);
+        }
         std::tuple<typename Kept<Parameters>::Type...> all(kept<Parameters>(arguments)...);
         questions->begin();
         if (questions->code_is_wanted())
@@ -150,7 +167,10 @@ struct AskMember {
     Result operator()(Recorder& out, Object& object, Parameters... arguments) const
     {
         Questions* const questions = out.questions();
-        if (questions == nullptr) return (object.*Function)(std::forward<Parameters>(arguments)...);
+        if (questions == nullptr) {
+            if (out.passes_over(name)) return no_answer<Result>(out);
+            return (object.*Function)(std::forward<Parameters>(arguments)...);
+        }
         std::tuple<typename Kept<Parameters>::Type...> all(kept<Parameters>(arguments)...);
         questions->begin();
         std::string called = questions->name_of(&object);
@@ -210,7 +230,11 @@ template <class Code>
 void ask_in_words(Recorder& out, const Code& code)
 {
     Questions* const questions = out.questions();
-    if (questions == nullptr) return;
+    if (questions == nullptr) {
+        // What it leads to is called by the driver itself.
+        if (out.passes_over("")) out.end_case();
+        return;
+    }
     questions->begin();
     if (questions->code_is_wanted()) questions->set_code(code());
 }

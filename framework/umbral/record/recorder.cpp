@@ -31,6 +31,7 @@ Tensor& Recorder::row(std::string_view name, Element element, std::uint32_t comp
     }
     ++found->second.rows;
     if (questions_ != nullptr) questions_->link_row(name);
+    if (progress_ != nullptr) progress_->add_row(name, found->second.rows - 1);
     return found->second;
 }
 
@@ -104,6 +105,7 @@ void Recorder::whole(std::string_view name, Element element, int width, int heig
 void Recorder::finish()
 {
     if (questions_ != nullptr) questions_->write(tensors_);
+    if (progress_ != nullptr) progress_->write(tensors_);
 }
 
 void Recorder::image(std::string_view name, const Grid<glm::u8vec4>& picture)

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <umbral/core/grid.hpp>
+#include <umbral/record/progress.hpp>
 #include <umbral/record/tensor.hpp>
 
 namespace umbral {
@@ -25,6 +26,8 @@ public:
     Recorder() = default;
     /// Takes down in `questions` which of them led to what, too; it must live as long.
     explicit Recorder(Questions& questions) : questions_(&questions) {}
+    /// Tells how far the run comes, and passes over questions; `progress` must live as long.
+    explicit Recorder(Progress& progress) : progress_(&progress) {}
 
     /// Adds one row to the table called `name`.
     void append(std::string_view name, float value);
@@ -55,6 +58,13 @@ public:
     [[nodiscard]] const Tensors& tensors() const noexcept { return tensors_; }
     /// Where questions are taken down (ask.hpp); null where nobody wants to know them.
     [[nodiscard]] Questions* questions() const noexcept { return questions_; }
+    /// A question that nobody takes down begins, a call of `function`. True if it must not be asked.
+    [[nodiscard]] bool passes_over(std::string_view function)
+    {
+        return progress_ != nullptr && progress_->begin(function);
+    }
+    /// Ends the case before a question that must not be asked, and has no empty answer.
+    void end_case() const { progress_->end(); }
     /// Adds what was taken down of questions to the tensors: called once, at the end.
     void finish();
 
@@ -65,6 +75,7 @@ private:
 
     Tensors tensors_;
     Questions* questions_ = nullptr;
+    Progress* progress_ = nullptr;
 };
 
 }

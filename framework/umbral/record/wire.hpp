@@ -47,6 +47,8 @@ struct Header {
     std::uint32_t refused[32];    ///< their numbers, the first of them
     std::uint32_t frame_count;
     std::uint64_t frames[32];  ///< return addresses at a crash, innermost first, relative to library_base
+    std::uint32_t asked;       ///< questions begun, in runs of student's code
+    char function[64];         ///< what the last of them called, zero-terminated
     char text[4096];           ///< text of an exception or of a StudentError, zero-terminated
 };
 static_assert(sizeof(Header) <= tensors_offset && std::is_trivially_copyable_v<Header>);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <umbral/record/tensor.hpp>
+#include <vector>
+
+namespace umbral {
+
+/// Questions of a student's run that are not asked again, because an earlier run ended in them.
+struct PassedOver {
+    std::vector<std::uint32_t> questions{};  ///< counted from 0; in their place the driver gets an empty answer
+    std::uint32_t end = 0xFFFFFFFFU;         ///< the first one that is never asked: there the case ends
+};
+
+/// In a recording, before a value's name: the rows of its table that follow from an answer that nobody gave.
+inline constexpr std::string_view rows_without_answer = "?lost ";
+
+/// How far a student's run came with its questions, written where it can be read when the run is dead: a crash is told
+/// with the question that led to it, and a second run passes over that one and goes on.
+class Progress {
+public:
+    /// `asked` takes the number of questions begun, `function` the name of what was called last, zero-terminated. `end`
+    /// ends the case with what is recorded, and does not return.
+    Progress(std::uint32_t& asked, std::span<char> function, PassedOver passed_over, std::function<void()> end);
+
+    /// The next question begins, a call of `function`. True if it is to be passed over.
+    bool begin(std::string_view function);
+    /// Ends the case: what was asked has no empty answer, and what follows needs one.
+    void end() const { end_(); }
+
+    /// A row of the table `value` was recorded.
+    void add_row(std::string_view value, std::uint32_t row);
+    /// Adds the rows without an answer to a recording's tensors.
+    void write(std::map<std::string, Tensor, std::less<>>& tensors) const;
+
+private:
+    std::uint32_t& asked_;
+    std::span<char> function_;
+    PassedOver passed_over_;
+    std::function<void()> end_;
+    bool passes_over_ = false;
+    std::map<std::string, std::vector<std::uint32_t>, std::less<>> lost_;
+};
+
+}

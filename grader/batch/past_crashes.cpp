@@ -1,0 +1,129 @@
+#include "batch/past_crashes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "judge/judges.hpp"
+#include "question/log.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// Each costs a run.
+constexpr std::size_t most_crashes = 8;
+
+template <class Number>
+void make_wrong(std::span<std::byte> bytes)
+{
+    for (std::size_t at = 0; at < bytes.size(); at += sizeof(Number)) {
+        Number number{};
+        std::memcpy(&number, bytes.data() + at, sizeof number);
+        if constexpr (std::is_floating_point_v<Number>)
+            number = std::isnan(number) ? Number{0} : std::numeric_limits<Number>::quiet_NaN();
+        else
+            number ^= Number{1} << (8 * sizeof number - 2);
+        std::memcpy(bytes.data() + at, &number, sizeof number);
+    }
+}
+
+/// Gives a row a value that no tolerance takes for the expected one.
+void make_wrong(const Tensor& expected, std::size_t row, Tensor& tensor)
+{
+    const std::size_t size = tensor.components * size_of(tensor.element);
+    const auto bytes = std::span(tensor.bytes).subspan(row * size, size);
+    const auto right = std::span(expected.bytes).subspan(row * size, size);
+    std::ranges::copy(right, bytes.begin());
+    if (!tensor.present.empty()) {
+        tensor.present[row] = expected.present[row] == 0 ? 1 : 0;
+        std::ranges::fill(bytes, std::byte{0});
+        return;
+    }
+    switch (tensor.element) {
+        case Element::float32: return make_wrong<float>(bytes);
+        case Element::float64: return make_wrong<double>(bytes);
+        case Element::int32:
+        case Element::uint32: return make_wrong<std::uint32_t>(bytes);
+        case Element::uint8: return make_wrong<std::uint8_t>(bytes);
+    }
+}
+
+/// The rows that the run itself says have no answer. Whoever forges them names others of their own rows.
+std::vector<std::size_t> told_rows(const Check& check, const RunOutcome& run)
+{
+    std::vector<std::size_t> rows;
+    const Tensor* told = tensor_of(run, std::string(rows_without_answer) + check.value);
+    if (told == nullptr || told->element != Element::uint32) return rows;
+    for (std::size_t at = 0; at + sizeof(std::uint32_t) <= told->bytes.size(); at += sizeof(std::uint32_t)) {
+        std::uint32_t row = 0;
+        std::memcpy(&row, told->bytes.data() + at, sizeof row);
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+bool can_be_passed(const RunOutcome& run)
+{
+    return (run.verdict == Verdict::crashed || run.verdict == Verdict::timeout) && run.recording.asked > 0;
+}
+
+}
+
+void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& built, const std::string& case_name,
+                     CaseResult& one)
+{
+    PassedOver passed_over;
+    RunOutcome last = one.student;
+    // Each run takes one more away, but whether code crashes may be up to chance.
+    for (std::size_t runs = 0; can_be_passed(last) && runs <= most_crashes; ++runs) {
+        const std::uint32_t question = last.recording.asked - 1;
+        const bool again = std::ranges::find(passed_over.questions, question) != passed_over.questions.end();
+        if (again || question >= passed_over.end || (runs > 0 && last.verdict == Verdict::timeout)) return;
+        if (last.verdict == Verdict::timeout || runs == most_crashes)
+            passed_over.end = question;
+        else
+            passed_over.questions.push_back(question);
+        last = worker.run_past(exercise, built, case_name, one.seed, passed_over);
+    }
+    if (last.verdict == Verdict::ok && one.student.verdict != Verdict::ok) one.past = std::move(last);
+}
+
+std::string question_of_end(Worker& worker, const Exercise& exercise, const std::string& case_name,
+                            const CaseResult& one)
+{
+    if (one.hidden || !can_be_passed(one.student)) return "";
+    const Recording& recording = one.student.recording;
+    const std::uint32_t question = recording.asked - 1;
+    // Where the driver goes another way after other answers, the reference was asked something else at that place.
+    const QuestionKind* kind = worker.questions(exercise, case_name, one.seed).kind_of(question);
+    if (!recording.function.empty() && (kind == nullptr || !kind->function.starts_with(recording.function))) return "";
+    const RunOutcome told = worker.inquire(exercise, Answers::reference, case_name, one.seed, {.wanted = {question}});
+    const QuestionLog log = read_questions(told.recording.tensors);
+    const auto found = log.code.find(question);
+    return found == log.code.end() ? "" : found->second;
+}
+
+std::optional<AnswersPastCrashes> answers_past_crashes(const Check& check, const CaseResult& one,
+                                                       const Tensor& expected)
+{
+    const Tensor* recorded = one.past ? tensor_of(*one.past, check.value) : nullptr;
+    if (recorded == nullptr || recorded->columns != 1 || expected.columns != 1 || recorded->rows > expected.rows ||
+        recorded->element != expected.element || recorded->components != expected.components ||
+        recorded->present.empty() != expected.present.empty())
+        return std::nullopt;
+    AnswersPastCrashes answers{*recorded, told_rows(check, *one.past)};
+    std::erase_if(answers.lost, [&](std::size_t row) { return row >= recorded->rows; });
+    for (std::size_t row = recorded->rows; row < expected.rows; ++row) answers.lost.push_back(row);
+    std::ranges::sort(answers.lost);
+    const auto twice = std::ranges::unique(answers.lost);
+    answers.lost.erase(twice.begin(), twice.end());
+    answers.tensor.rows = expected.rows;
+    answers.tensor.bytes.resize(expected.bytes.size());
+    answers.tensor.present.resize(expected.present.size());
+    if (!has_single_rows(check, &answers.tensor, &expected)) return std::nullopt;
+    for (const std::size_t row : answers.lost) make_wrong(expected, row, answers.tensor);
+    return answers;
+}
+
+}
