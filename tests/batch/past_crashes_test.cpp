@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "batch/grade_unit.hpp"
+#include "batch/known_solutions.hpp"
+#include "support/workbench.hpp"
+
+// One edge case that crashes does not cost what has nothing to do with it.
+namespace umbral::grader::test {
+namespace {
+
+class PastCrashes : public testing::Test {
+protected:
+    Workbench bench;
+    Exercise sphere = bench.exercise("raytracing/sphere");
+    Worker worker{bench.tools()};
+
+    /// The reference, which does this where `condition` holds.
+    UnitResult grade(const std::string& condition, const std::string& statement)
+    {
+        Sources sources = reference_sources(bench.tools().reference, sphere);
+        std::string& text = sources.begin()->second;
+        const std::string begin = "const float a = dot(";
+        text.insert(text.find(begin), "if (" + condition + ") " + statement + "\n    ");
+        return grade_unit(worker, sphere, {sources, {}, ""}, {});
+    }
+
+    static const CheckResult& check(const UnitResult& result, const std::string& name)
+    {
+        return *std::ranges::find(result.checks, name, &CheckResult::name);
+    }
+};
+
+constexpr const char* null_write = "*static_cast<volatile int*>(nullptr) = 1;";
+/// Some rays of the case "ends", that hit nothing: which is what an answer that is missing looks like, and still wrong.
+constexpr const char* seldom = "ray.t_min == 4";
+
+TEST_F(PastCrashes, what_has_nothing_to_do_with_them_is_judged)
+{
+    const UnitResult result = grade(seldom, null_write);
+    const CheckResult& ends = check(result, "ends/t");
+    EXPECT_GT(ends.score, 0);
+    EXPECT_LT(ends.score, ends.max_score);
+    EXPECT_NE(ends.message.find(" rows have no answer: crashed: signal 11"), std::string::npos) << ends.message;
+    EXPECT_EQ(check(result, "inside/t").score, check(result, "inside/t").max_score);
+    EXPECT_EQ(result.verdict, Verdict::partial);
+}
+
+TEST_F(PastCrashes, are_told_with_the_question_that_led_to_them)
+{
+    const UnitResult result = grade(seldom, null_write);
+    EXPECT_NE(result.message.find("; asked intersect(Ray{"), std::string::npos) << result.message;
+}
+
+TEST_F(PastCrashes, exceptions_are_no_different)
+{
+    const UnitResult result = grade(seldom, "throw 1;");
+    EXPECT_GT(check(result, "ends/t").score, 0);
+    EXPECT_LT(check(result, "ends/t").score, check(result, "ends/t").max_score);
+}
+
+TEST_F(PastCrashes, an_endless_loop_costs_what_comes_after_it)
+{
+    sphere.limits.wall_seconds = 1;
+    const UnitResult result = grade("ray.t_min == 2 && ray.t_max == 4", "for (volatile int i = 0; i == 0;) {}");
+    const CheckResult& ends = check(result, "ends/t");
+    EXPECT_GT(ends.score, 0);
+    EXPECT_LT(ends.score, ends.max_score);
+}
+
+TEST_F(PastCrashes, code_that_always_crashes_gets_nothing)
+{
+    const UnitResult result = grade("true", null_write);
+    EXPECT_EQ(result.score, 0);
+    EXPECT_EQ(result.verdict, Verdict::crashed);
+}
+
+TEST_F(PastCrashes, of_hidden_cases_only_the_kind_is_told)
+{
+    const UnitResult result = grade("ray.t_min == 0 && ray.origin.x > 5 && ray.origin.y > 5", null_write);
+    EXPECT_EQ(result.message.find("random: crashed; asked"), std::string::npos) << result.message;
+    const std::string& hidden = check(result, "random/t").message;
+    EXPECT_EQ(hidden.find("asked"), std::string::npos) << hidden;
+}
+
+}
+}
