@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "question/conditions.hpp"
 #include "question/names.hpp"
@@ -10,63 +11,66 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t most_rows = 4000;
 constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones can confirm a condition
 constexpr const char* right_answer = "the right answer";
 constexpr const char* has_answer = "there being a right answer";
 
-/// Rows of one check whose questions are of one kind: what is known of each, and which answers are wrong.
+/// Answers whose questions are of one kind: what is known of each, and which are wrong.
 struct Sample {
     QuestionTable table;
+    AnswerTable answers;  ///< in the same order
     std::vector<bool> wrong;
 };
 
-/// What is known of the right answer in the row too.
-void add_answer(const Tensor& expected, const TensorView& view, std::size_t row, std::vector<double>& numbers)
+/// What is known of the right answer too.
+void add_answer(const AskedAnswers& answers, const AskedAnswer& one, std::vector<double>& numbers)
 {
-    if (view.optional()) numbers.push_back(view.present(row) ? 1 : 0);
-    for (std::size_t i = 0; i < expected.components; ++i) numbers.push_back(view.present(row) ? view.cell(row)[i] : 0);
+    if (answers.optional) numbers.push_back(one.answer.expected.empty() ? 0 : 1);
+    if (!one.row) return;
+    for (std::size_t i = 0; i < answers.components; ++i)
+        numbers.push_back(one.answer.expected.empty() ? 0 : one.answer.expected[i]);
 }
 
-std::vector<std::string> answer_names(const Tensor& expected, const TensorView& view)
+std::vector<std::string> answer_names(const AskedAnswers& answers)
 {
-    constexpr std::string_view letters = "xyzw";
     std::vector<std::string> names;
-    if (view.optional()) names.emplace_back(has_answer);
-    for (std::size_t i = 0; i < expected.components; ++i)
-        names.push_back(expected.components == 1   ? right_answer
-                        : expected.components <= 4 ? fmt::format("{}.{}", right_answer, letters[i])
-                                                   : fmt::format("{}[{}]", right_answer, i));
+    if (answers.optional) names.emplace_back(has_answer);
+    if (answers.all.empty() || !answers.all.front().row) return names;
+    for (std::size_t i = 0; i < answers.components; ++i)
+        names.push_back(answers.components == 1      ? right_answer
+                        : i < answers.columns.size() ? fmt::format("{}.{}", right_answer, answers.columns[i])
+                                                     : fmt::format("{}[{}]", right_answer, i));
     return names;
 }
 
-/// The rows whose questions are of the kind that most rows have.
-Sample sample(const AskedCheck& asked, const QuestionLog& log, const Tensor& student, const Expected& expected)
+/// The answers whose questions are of the kind that most have.
+Sample sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
 {
-    const Check& check = asked.check;
-    const TensorView view(*expected.value);
-    const std::vector<RowState> states = single_rows(check, student, expected);
-    std::map<const QuestionKind*, std::vector<std::size_t>> by_kind;
-    for (std::size_t row = 0; row < std::min(states.size(), most_rows); ++row) {
-        if (states[row] == RowState::left_out) continue;
-        const auto question = log.question_of(check.value, row, states.size());
-        if (const QuestionKind* kind = question ? log.kind_of(*question) : nullptr) by_kind[kind].push_back(row);
-    }
+    const AskedAnswers answers = asked_answers(worker, asked, seed);
+    const QuestionLog& log =
+        seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
+    std::map<const QuestionKind*, std::vector<const AskedAnswer*>> by_kind;
+    for (const AskedAnswer& one : answers.all) by_kind[log.kind_of(one.question)].push_back(&one);
     Sample result;
     const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) { return one.second.size(); });
     if (most == by_kind.end()) return result;
-    const auto& [kind, rows] = *most;
+    const auto& [kind, some] = *most;
+    result.answers = {answers.components, answers.columns, {}};
+    for (const AskedAnswer* const one : some) {
+        result.answers.answers.push_back(one->answer);
+        result.wrong.push_back(one->answer.wrong);
+    }
+    if (kind == nullptr) return result;
     const std::vector<std::string> parameters = parameter_names(asked.headers, kind->function);
     for (const std::string& place : kind->features) result.table.names.push_back(in_words(place, parameters));
     // That nothing is found where something is says more than what else is true of such questions.
     result.table.answers = result.table.names.size();
-    if (view.optional()) result.table.first = result.table.names.size();
-    std::ranges::copy(answer_names(*expected.value, view), std::back_inserter(result.table.names));
-    for (const std::size_t row : rows) {
-        std::vector<double> numbers = kind->questions.at(*log.question_of(check.value, row, states.size()));
-        add_answer(*expected.value, view, row, numbers);
+    if (answers.optional) result.table.first = result.table.names.size();
+    std::ranges::copy(answer_names(answers), std::back_inserter(result.table.names));
+    for (const AskedAnswer* const one : some) {
+        std::vector<double> numbers = kind->questions.at(one->question);
+        add_answer(answers, *one, numbers);
         result.table.numbers.push_back(std::move(numbers));
-        result.wrong.push_back(states[row] == RowState::wrong);
     }
     return result;
 }
@@ -77,17 +81,10 @@ bool has_both(const std::vector<bool>& wrong, std::size_t least)
     return count >= least && wrong.size() - count >= least;
 }
 
-/// The same check on inputs that another seed gives; empty where the case cannot be asked again.
-Sample fresh_sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
+/// Where what was seen is confirmed.
+std::array<std::uint64_t, 2> fresh_seeds(const AskedCheck& asked)
 {
-    const Check& check = asked.check;
-    const RunOutcome& run = worker.trusted(asked.exercise, judged_against(check), check.case_name, seed);
-    const QuestionLog& log = worker.questions(asked.exercise, check.case_name, seed);
-    const RunOutcome student = worker.run(asked.exercise, asked.built, check.case_name, seed);
-    const Expected expected = expected_of(check, run);
-    const Tensor* yours = observed(check, student);
-    if (student.verdict != Verdict::ok || !has_single_rows(check, yours, expected.value)) return {};
-    return sample(asked, log, *yours, expected);
+    return {asked.result.seed ^ 0x9E3779B97F4A7C15U, asked.result.seed ^ 0xD1B54A32D192ED03U};
 }
 
 /// "the right answer is nothing" is what people say.
@@ -111,15 +108,11 @@ std::string in_plain_words(const Condition& condition)
 
 std::optional<Condition> find_common_condition(Worker& worker, const AskedCheck& asked)
 {
-    const Check& check = asked.check;
-    const RunOutcome& run = worker.trusted(asked.exercise, judged_against(check), check.case_name, asked.result.seed);
-    const Expected expected = expected_of(check, run);
-    const Tensor* student = observed(check, asked.result.student);
-    if (asked.result.hidden || !has_single_rows(check, student, expected.value)) return std::nullopt;
-    const Sample seen = sample(asked, asked.log, *student, expected);
+    const Sample seen = sample(worker, asked, asked.result.seed);
+    if (seen.table.numbers.empty()) return std::nullopt;
     std::optional<Condition> condition = simplest_condition(facts_of(seen.table), seen.wrong);
     if (!condition) return std::nullopt;
-    const Sample fresh = fresh_sample(worker, asked, asked.result.seed ^ 0x9E3779B97F4A7C15U);
+    const Sample fresh = sample(worker, asked, fresh_seeds(asked).front());
     if (fresh.table.names != seen.table.names) return std::nullopt;
     const bool same = fresh.table.numbers == seen.table.numbers;
     const bool holds = same ? has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
@@ -128,17 +121,40 @@ std::optional<Condition> find_common_condition(Worker& worker, const AskedCheck&
     return holds ? condition : std::nullopt;
 }
 
-std::string common_condition(Worker& worker, const AskedCheck& asked)
+std::string find_common_answer(Worker& worker, const AskedCheck& asked)
+{
+    std::vector<std::string> patterns = answer_patterns(sample(worker, asked, asked.result.seed).answers);
+    for (const std::uint64_t seed : fresh_seeds(asked)) {
+        if (patterns.empty()) return "";
+        const std::vector<std::string> again = answer_patterns(sample(worker, asked, seed).answers);
+        std::erase_if(patterns, [&](const std::string& one) { return std::ranges::find(again, one) == again.end(); });
+    }
+    return patterns.empty() ? "" : patterns.front();
+}
+
+std::string in_common(Worker& worker, const AskedCheck& asked)
 {
     const std::optional<Condition> condition = find_common_condition(worker, asked);
-    return condition ? in_plain_words(*condition) : "";
+    const std::string answer = find_common_answer(worker, asked);
+    std::string text = condition ? in_plain_words(*condition) : "";
+    if (!answer.empty()) text += fmt::format("{}every wrong answer {}", text.empty() ? "" : "; ", answer);
+    return text;
 }
 
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const Condition& condition, std::uint64_t seed)
 {
-    const Sample fresh = fresh_sample(worker, asked, seed);
-    if (!has_both(fresh.wrong, 1)) return std::nullopt;
+    const Sample fresh = sample(worker, asked, seed);
+    if (fresh.table.numbers.empty() || !has_both(fresh.wrong, 1)) return std::nullopt;
     return parts(condition, facts_of(fresh.table), fresh.wrong);
+}
+
+std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std::string& pattern, std::uint64_t seed)
+{
+    const Sample fresh = sample(worker, asked, seed);
+    const std::vector<std::string> found = answer_patterns(fresh.answers);
+    if (found.empty() && std::ranges::count(fresh.wrong, true) < static_cast<std::ptrdiff_t>(least_wrong))
+        return std::nullopt;
+    return std::ranges::find(found, pattern) != found.end();
 }
 
 }

@@ -59,7 +59,7 @@ public:
         if (result.first_difference && result.first_difference->cell)
             show(*result.first_difference->cell, result.first_difference->question);
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
-        result.common = common_condition(worker_, {exercise_, check, built_, one_, log_, headers});
+        result.common = in_common(worker_, {exercise_, check, built_, one_, log_, headers});
     }
 
     /// Asks for the code of all that is shown.

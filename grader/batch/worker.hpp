@@ -72,6 +72,10 @@ public:
     [[nodiscard]] const QuestionLog& questions(const Exercise& exercise, const std::string& case_name,
                                                std::uint64_t seed);
 
+    /// Runs one case with a student's build, and has it say as well which of its rows each question led to.
+    [[nodiscard]] RunOutcome run_told(const Exercise& exercise, const Built& built, const std::string& case_name,
+                                      std::uint64_t seed);
+
     /// Runs one case with a student's build on inputs of this grain, of which is read what `expected` holds too.
     /// Nothing is kept.
     [[nodiscard]] RunOutcome run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,

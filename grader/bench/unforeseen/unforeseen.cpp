@@ -62,7 +62,7 @@ public:
         });
         if (!main_reasons(result).empty()) bug.said.push_back(tried_reason(result));
         for (std::size_t i = 0; i < result.checks.size(); ++i)
-            if (!result.checks[i].common.empty()) bug.said.push_back(tried_condition(exercise_.checks[i]));
+            if (!result.checks[i].common.empty()) try_common(exercise_.checks[i], bug);
         return bug;
     }
 
@@ -94,16 +94,26 @@ private:
         return one;
     }
 
-    ToldSentence tried_condition(const Check& check)
+    /// What is said of a check's wrong answers.
+    void try_common(const Check& check, UnforeseenBug& bug)
     {
         const CaseResult one = run(check, seen_inputs);
         const AskedCheck asked{exercise_, check, built_, one, worker_.questions(exercise_, check.case_name, one.seed),
                                headers_};
-        ToldSentence sentence{ToldSentence::Kind::condition, check.name, common_condition(worker_, asked)};
-        const std::optional<Condition> condition = find_common_condition(worker_, asked);
-        if (!condition) return sentence;
+        if (const auto condition = find_common_condition(worker_, asked))
+            bug.said.push_back(tried(asked, *condition, ToldSentence::Kind::condition, condition->words));
+        if (const std::string answer = find_common_answer(worker_, asked); !answer.empty())
+            bug.said.push_back(tried(asked, answer, ToldSentence::Kind::answer, answer));
+    }
+
+    template <class Pattern>
+    ToldSentence tried(const AskedCheck& asked, const Pattern& pattern, ToldSentence::Kind kind,
+                       const std::string& words)
+    {
+        ToldSentence sentence{kind, asked.check.name, words};
         for (const unsigned inputs : other_inputs) {
-            const std::optional<bool> holds = holds_at(worker_, asked, *condition, run(check, inputs).seed);
+            const std::uint64_t seed = options_for(inputs).seeds.seed_of(exercise_, asked.check.case_name);
+            const std::optional<bool> holds = holds_at(worker_, asked, pattern, seed);
             if (!holds) continue;
             if (!*holds) sentence.truth = Truth::fails;
             if (*holds && sentence.truth == Truth::untried) sentence.truth = Truth::holds;

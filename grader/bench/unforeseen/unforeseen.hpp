@@ -18,11 +18,12 @@ struct ToldSentence {
         untried,  ///< there were none: with other inputs the bug does not show
     };
     enum class Kind : std::uint8_t {
-        reason,    ///< "your results are the right ones for twice the angle", or the hint of a known mistake
-        condition  ///< "wrong wherever ray.t_min is positive"
+        reason,     ///< "your results are the right ones for twice the angle", or the hint of a known mistake
+        condition,  ///< "wrong wherever ray.t_min is positive"
+        answer      ///< "every wrong answer is always 0"
     };
     Kind kind = Kind::reason;
-    std::string check{};  ///< of a condition
+    std::string check{};  ///< of what is said of one check
     std::string words{};
     Truth truth = Truth::untried;
 };

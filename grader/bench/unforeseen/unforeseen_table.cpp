@@ -22,6 +22,7 @@ struct Counts {
     std::size_t question = 0;
     std::size_t reason = 0;
     std::size_t condition = 0;
+    std::size_t answer = 0;
     std::size_t told = 0;
     std::size_t wrong = 0;
     std::size_t untried = 0;
@@ -45,6 +46,7 @@ Counts counted(const std::vector<UnforeseenBug>& bugs, Meant meant)
         counts.question += bug.has_question ? 1 : 0;
         counts.reason += has(ToldSentence::Kind::reason) ? 1 : 0;
         counts.condition += has(ToldSentence::Kind::condition) ? 1 : 0;
+        counts.answer += has(ToldSentence::Kind::answer) ? 1 : 0;
         counts.told += says(bug, Truth::holds) ? 1 : 0;
         counts.wrong += says(bug, Truth::fails) ? 1 : 0;
         counts.untried += says(bug, Truth::untried) ? 1 : 0;
@@ -60,11 +62,11 @@ double percent(std::size_t part, std::size_t all)
 std::string line(const char* name, const Counts& counts)
 {
     const auto share = [&](std::size_t part) {
-        return fmt::format("{:>6} {:>5.1f} %", part, percent(part, counts.all));
+        return fmt::format("{:>8} {:>5.1f} %", part, percent(part, counts.all));
     };
-    return fmt::format("{:<22}{:>6}{:>9}{}{}{}{}{}{}\n", name, counts.all, counts.stopped, share(counts.question),
-                       share(counts.reason), share(counts.condition), share(counts.told), share(counts.wrong),
-                       share(counts.untried));
+    return fmt::format("{:<22}{:>6}{:>9}{}{}{}{}{}{}{}\n", name, counts.all, counts.stopped, share(counts.question),
+                       share(counts.reason), share(counts.condition), share(counts.answer), share(counts.told),
+                       share(counts.wrong), share(counts.untried));
 }
 
 std::string listed(const UnforeseenBug& bug, Truth truth)

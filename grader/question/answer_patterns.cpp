@@ -1,0 +1,198 @@
+#include "question/answer_patterns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::size_t most_named = 4;  ///< more numbers of a row than that are no pattern
+/// Of the size of the right answer: less is rounding.
+constexpr double rounding = 1e-5;
+
+using Pairs = std::vector<const AnswerPair*>;
+
+double size_of(std::span<const double> numbers)
+{
+    double most = 0;
+    for (const double number : numbers) most = std::max(most, std::abs(number));
+    return most;
+}
+
+bool alike(double a, double b, double size) { return std::abs(a - b) <= rounding * size; }
+
+bool alike(std::span<const double> a, std::span<const double> b)
+{
+    const double size = size_of(b);
+    return std::ranges::equal(a, b, [size](double x, double y) { return alike(x, y, size); });
+}
+
+bool all_equal(const Pairs& pairs, const std::vector<double> AnswerPair::*side)
+{
+    return std::ranges::all_of(pairs, [&](const AnswerPair* one) { return alike(one->*side, pairs.front()->*side); });
+}
+
+/// "0", "(0, 0, 1)"
+std::string in_words(std::span<const double> numbers)
+{
+    if (numbers.size() == 1) return fmt::format("{:.6g}", numbers.front());
+    std::vector<std::string> all;
+    for (const double number : numbers) all.push_back(fmt::format("{:.6g}", number));
+    return fmt::format("({})", fmt::join(all, ", "));
+}
+
+// Whether there is an answer, and whether it is one at all.
+void add_presence(const Pairs& wrong, std::vector<std::string>& found)
+{
+    if (std::ranges::all_of(wrong, [](const AnswerPair* one) { return one->yours.empty(); }))
+        found.emplace_back("finds nothing");
+    if (std::ranges::all_of(wrong, [](const AnswerPair* one) { return one->expected.empty(); }))
+        found.emplace_back("finds something where nothing is to be found");
+    if (std::ranges::all_of(wrong, [](const AnswerPair* one) {
+            return std::ranges::any_of(one->yours, [](double x) { return !std::isfinite(x); });
+        }))
+        found.emplace_back("is no finite number");
+}
+
+/// Where all have the same size and are finite.
+bool can_be_compared(const Pairs& wrong)
+{
+    return std::ranges::all_of(wrong, [](const AnswerPair* one) {
+        const auto finite = [](double x) { return std::isfinite(x); };
+        return !one->expected.empty() && one->yours.size() == one->expected.size() &&
+               std::ranges::all_of(one->yours, finite) && std::ranges::all_of(one->expected, finite);
+    });
+}
+
+void add_constant(const Pairs& wrong, std::vector<std::string>& found)
+{
+    constexpr std::size_t most_numbers = 4;
+    if (wrong.front()->yours.size() > most_numbers || wrong.front()->yours.empty()) return;
+    if (all_equal(wrong, &AnswerPair::yours) && !all_equal(wrong, &AnswerPair::expected))
+        found.push_back("is always " + in_words(wrong.front()->yours));
+}
+
+/// The rows of a list in which one row, or the order, is wrong.
+void add_lists(const Pairs& wrong, std::size_t components, std::vector<std::string>& found)
+{
+    const auto all = [&](auto holds) {
+        return std::ranges::all_of(wrong, [&](const AnswerPair* one) {
+            return one->expected.size() > components && holds(std::span(one->yours), std::span(one->expected));
+        });
+    };
+    using Rows = std::span<const double>;
+    if (all([&](Rows yours, Rows right) { return alike(yours, right.first(right.size() - components)); }))
+        found.emplace_back("lacks the last row");
+    if (all([&](Rows yours, Rows right) { return alike(yours, right.subspan(components)); }))
+        found.emplace_back("lacks the first row");
+    if (all([&](Rows yours, Rows right) {
+            return yours.size() == right.size() + components && alike(yours.first(right.size()), right);
+        }))
+        found.emplace_back("has a row too many at its end");
+    if (all([&](Rows yours, Rows right) {
+            return yours.size() == right.size() + components && alike(yours.subspan(components), right);
+        }))
+        found.emplace_back("has a row too many at its beginning");
+    if (all([&](Rows yours, Rows right) {
+            if (yours.size() != right.size()) return false;
+            std::vector<double> turned;
+            for (std::size_t at = yours.size(); at > 0; at -= components)
+                turned.insert(turned.end(), yours.begin() + static_cast<long>(at - components),
+                              yours.begin() + static_cast<long>(at));
+            return alike(turned, right);
+        }))
+        found.emplace_back("has its rows in the opposite order");
+}
+
+/// The components in which some wrong answer differs by more than rounding.
+std::vector<std::size_t> wrong_components(const Pairs& wrong, std::size_t components)
+{
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < components; ++i)
+        if (std::ranges::any_of(wrong, [&](const AnswerPair* one) {
+                const double size = size_of(one->expected);
+                for (std::size_t at = i; at < one->yours.size(); at += components)
+                    if (!alike(one->yours[at], one->expected[at], size)) return true;
+                return false;
+            }))
+            found.push_back(i);
+    return found;
+}
+
+/// What turns each right number into the wrong one beside it, if it is the same everywhere: "plus 1".
+std::optional<std::string> constant_change(const Pairs& wrong, std::size_t components, std::size_t component)
+{
+    std::optional<double> offset;
+    std::optional<double> factor;
+    bool same_offset = true;
+    bool same_factor = true;
+    double least = INFINITY;
+    double most = -INFINITY;
+    for (const AnswerPair* one : wrong)
+        for (std::size_t at = component; at < one->yours.size(); at += components) {
+            const double yours = one->yours[at];
+            const double right = one->expected[at];
+            const double size = std::max(std::abs(yours), std::abs(right));
+            least = std::min(least, right);
+            most = std::max(most, right);
+            if (!offset) offset = yours - right;
+            same_offset = same_offset && alike(yours - right, *offset, size);
+            if (right == 0) {
+                same_factor = same_factor && yours == 0;
+                continue;
+            }
+            if (!factor) factor = yours / right;
+            same_factor = same_factor && alike(yours / right, *factor, std::abs(*factor));
+        }
+    // Of a single right value anything is true.
+    if (!(least < most)) return std::nullopt;
+    if (same_offset && *offset != 0)
+        return fmt::format("the right one {} {:.6g}", *offset > 0 ? "plus" : "minus", std::abs(*offset));
+    if (!same_factor || !factor || *factor == 0) return std::nullopt;
+    if (alike(*factor, -1, 1)) return "the right one with the opposite sign";
+    return fmt::format("{:.6g} times the right one", *factor);
+}
+
+void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<std::string>& found)
+{
+    const std::vector<std::size_t> which = wrong_components(wrong, table.components);
+    if (which.empty()) return;
+    if (table.components == 1) {
+        if (const auto change = constant_change(wrong, 1, 0)) found.push_back("is " + *change);
+        return;
+    }
+    if (which.size() > most_named || 2 * which.size() > table.components) return;
+    std::vector<std::string> names;
+    for (const std::size_t i : which)
+        names.push_back(i < table.columns.size() ? table.columns[i] : fmt::format("number {}", i));
+    std::string text = fmt::format("is wrong in {} only", fmt::join(names, " and "));
+    if (which.size() == 1)
+        if (const auto change = constant_change(wrong, table.components, which.front()))
+            text += fmt::format(", which is {}", *change);
+    found.push_back(std::move(text));
+}
+
+}
+
+std::vector<std::string> answer_patterns(const AnswerTable& table)
+{
+    Pairs wrong;
+    for (const AnswerPair& one : table.answers)
+        if (one.wrong) wrong.push_back(&one);
+    std::vector<std::string> found;
+    if (wrong.size() < least_wrong) return found;
+    add_presence(wrong, found);
+    if (!found.empty()) return found;
+    add_constant(wrong, found);
+    add_lists(wrong, table.components, found);
+    if (can_be_compared(wrong)) add_components(table, wrong, found);
+    return found;
+}
+
+}

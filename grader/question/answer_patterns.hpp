@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace umbral::grader {
+
+/// A student's answer beside the right one: rows of numbers, one after the other; none where nothing was found.
+struct AnswerPair {
+    std::vector<double> yours;
+    std::vector<double> expected;
+    bool wrong = false;
+};
+
+/// The answers to several questions.
+struct AnswerTable {
+    std::size_t components = 1;          ///< numbers in a row
+    std::vector<std::string> columns{};  ///< what they are called; empty if there is only one
+    std::vector<AnswerPair> answers{};
+};
+
+/// Of fewer wrong answers anything may be true by chance.
+inline constexpr std::size_t least_wrong = 4;
+
+/// What all wrong answers share, each in words that hold for answers to other questions too: "only y is wrong", "is
+/// always 0", "lacks the last row". The most telling first; none of fewer than least_wrong.
+[[nodiscard]] std::vector<std::string> answer_patterns(const AnswerTable& table);
+
+}
