@@ -47,17 +47,16 @@ std::string in_words(std::span<const double> numbers)
     return fmt::format("({})", fmt::join(all, ", "));
 }
 
-// Whether there is an answer, and whether it is one at all.
-void add_presence(const Pairs& wrong, std::vector<std::string>& found)
+/// Whether there is an answer, and whether it is one at all; empty if nothing is to say.
+std::string presence(const Pairs& wrong)
 {
-    if (std::ranges::all_of(wrong, [](const AnswerPair* one) { return one->yours.empty(); }))
-        found.emplace_back("finds nothing");
+    if (std::ranges::all_of(wrong, [](const AnswerPair* one) { return one->yours.empty(); })) return "is empty";
     if (std::ranges::all_of(wrong, [](const AnswerPair* one) { return one->expected.empty(); }))
-        found.emplace_back("finds something where nothing is to be found");
-    if (std::ranges::all_of(wrong, [](const AnswerPair* one) {
-            return std::ranges::any_of(one->yours, [](double x) { return !std::isfinite(x); });
-        }))
-        found.emplace_back("is no finite number");
+        return "should be empty";
+    const bool infinite = std::ranges::all_of(wrong, [](const AnswerPair* one) {
+        return std::ranges::any_of(one->yours, [](double x) { return !std::isfinite(x); });
+    });
+    return infinite ? "is not finite" : "";
 }
 
 /// Where all have the same size and are finite.
@@ -171,7 +170,7 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<st
     std::vector<std::string> names;
     for (const std::size_t i : which)
         names.push_back(i < table.columns.size() ? table.columns[i] : fmt::format("number {}", i));
-    std::string text = fmt::format("is wrong in {} only", fmt::join(names, " and "));
+    std::string text = fmt::format("differs in {} only", fmt::join(names, " and "));
     if (which.size() == 1)
         if (const auto change = constant_change(wrong, table.components, which.front()))
             text += fmt::format(", which is {}", *change);
@@ -187,8 +186,7 @@ std::vector<std::string> answer_patterns(const AnswerTable& table)
         if (one.wrong) wrong.push_back(&one);
     std::vector<std::string> found;
     if (wrong.size() < least_wrong) return found;
-    add_presence(wrong, found);
-    if (!found.empty()) return found;
+    if (const std::string text = presence(wrong); !text.empty()) return {text};
     add_constant(wrong, found);
     add_lists(wrong, table.components, found);
     if (can_be_compared(wrong)) add_components(table, wrong, found);

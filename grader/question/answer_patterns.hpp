@@ -23,8 +23,8 @@ struct AnswerTable {
 /// Of fewer wrong answers anything may be true by chance.
 inline constexpr std::size_t least_wrong = 4;
 
-/// What all wrong answers share, each in words that hold for answers to other questions too: "only y is wrong", "is
-/// always 0", "lacks the last row". The most telling first; none of fewer than least_wrong.
+/// What all wrong answers share, each in words that hold for answers to other questions too: "differs in y
+/// only", "is always 0", "lacks the last row". The most telling first; none of fewer than least_wrong.
 [[nodiscard]] std::vector<std::string> answer_patterns(const AnswerTable& table);
 
 }

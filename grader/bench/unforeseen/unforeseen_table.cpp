@@ -87,8 +87,10 @@ bool meets_targets(const std::vector<UnforeseenBug>& bugs)
 
 std::string unforeseen_table(const std::vector<UnforeseenBug>& bugs)
 {
-    std::string text = fmt::format("{:<22}{:>6}{:>9}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}\n", "", "bugs", "stopped",
-                                   "question shown", "true reason", "true pattern", "either", "false", "untried");
+    std::string text = fmt::format("{:<22}{:>6}{:>9}", "", "bugs", "stopped");
+    for (const char* const heading : {"question", "true reason", "true where", "true what", "any", "false", "untried"})
+        text += fmt::format("{:>17}", heading);
+    text += '\n';
     text += line("one change", counted(bugs, [](const UnforeseenBug& bug) { return !bug.two; }));
     text += line("two changes", counted(bugs, [](const UnforeseenBug& bug) { return bug.two; }));
     text += line("units that tune", counted(bugs, [](const UnforeseenBug& bug) { return !held_out(bug.unit); }));
