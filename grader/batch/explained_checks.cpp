@@ -30,9 +30,12 @@ std::vector<CaseChecks> checks_by_case(Worker& worker, const Exercise& exercise,
         if (side.value != nullptr) group.cells += side.value->cells();
     }
     std::erase_if(groups, [](const CaseChecks& group) { return group.checks.empty(); });
-    // Never by time: which mistakes are left out early depends on the order, and two gradings must agree.
-    std::ranges::stable_sort(
-        groups, {}, [](const CaseChecks& group) { return std::tuple(group.failing == 0, group.cells, group.name); });
+    // Never by time: which mistakes are left out early depends on the order, and two gradings must agree. But hard
+    // cases as a rule take longer than others.
+    std::ranges::stable_sort(groups, {}, [](const CaseChecks& group) {
+        const bool hard = std::ranges::any_of(group.checks, [](const FailingCheck& one) { return one.check->hard; });
+        return std::tuple(group.failing == 0, hard, group.cells, group.name);
+    });
     return groups;
 }
 

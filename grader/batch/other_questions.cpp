@@ -51,13 +51,15 @@ bool draws(const RunOutcome& run)
     return std::ranges::any_of(run.recording.tensors, [](const auto& one) { return one.second.columns > 1; });
 }
 
-/// How many other questions one run of this case can be asked.
-std::size_t room(const RunOutcome& plain)
+/// How many other questions one run of this case can be asked: what it can hold, and within a fifth of its time, which
+/// a busy machine stretches.
+std::size_t room(const RunOutcome& plain, const Limits& limits)
 {
     std::size_t bytes = 1;
     for (const auto& [name, tensor] : plain.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
     const std::size_t tensors = std::max<std::size_t>(1, plain.recording.tensors.size());
-    return std::clamp<std::size_t>(std::min(most_tensors / tensors, most_bytes / bytes), 1, 64);
+    const auto in_time = static_cast<std::size_t>(0.2 * limits.wall_seconds / std::max(plain.cpu_seconds, 1e-3));
+    return std::clamp<std::size_t>(std::min({most_tensors / tensors, most_bytes / bytes, in_time}), 1, 64);
 }
 
 /// Asks one case each of the questions, as many as a run can hold at a time. Where a run does not end well, its
@@ -67,7 +69,7 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
     if (candidates.empty()) return;
     const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
     // What one draw leaves in OpenGL's state must not reach the next.
-    const std::size_t most = exercise.gl && draws(plain) ? 1 : room(plain);
+    const std::size_t most = exercise.gl && draws(plain) ? 1 : room(plain, exercise.limits);
     if (candidates.size() > most) {
         weigh_all(worker, exercise, group, candidates.first(most));
         weigh_all(worker, exercise, group, candidates.subspan(most));
@@ -117,6 +119,17 @@ int far_fetched(const OtherQuestion& question)
 bool same(const Tally& a, const Tally& b)
 {
     return a.for_it == b.for_it && a.against_it == b.against_it && a.bits == b.bits;
+}
+
+/// Of questions of which all cases so far say the same, the first: where an argument is not looked at at all, any
+/// change of it fits. What tells them apart is not worth the time.
+void keep_first_of_equals(std::vector<Candidate>& candidates)
+{
+    std::vector<Candidate> kept;
+    for (Candidate& one : candidates)
+        if (std::ranges::none_of(kept, [&](const Candidate& other) { return same(other.tally, one.tally); }))
+            kept.push_back(std::move(one));
+    candidates = std::move(kept);
 }
 
 /// "Your results are the right ones if …"
@@ -179,25 +192,24 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
             if (std::ranges::find(candidates, candidate.question, &Candidate::question) == candidates.end())
                 candidates.push_back({std::move(candidate.question)});
     }
+    std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return far_fetched(one.question); });
     std::size_t undecided = 0;
     for (const CaseChecks& group : asked) undecided += group.failing;
+    std::size_t weighed = 0;
     for (const CaseChecks& group : asked) {
         undecided -= group.failing;
         if (group.failing == 0 && group.cells > most_passing_cells) continue;
+        if (weighed++ == most_cases) keep_first_of_equals(candidates);
         weigh_all(worker, exercise, group, candidates);
         std::erase_if(candidates, [&](const Candidate& one) {
             return most_confidence(one.tally, undecided) < thresholds::least_sure;
         });
     }
-    std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return far_fetched(one.question); });
+    keep_first_of_equals(candidates);
     std::vector<Explanation> found;
     if (candidates.empty()) return found;
-    std::vector<Tally> said;
     const std::string headers = interface_text(worker, exercise);
     for (const Candidate& candidate : candidates) {
-        const auto alike = [&](const Tally& other) { return same(other, candidate.tally); };
-        if (std::ranges::any_of(said, alike)) continue;
-        said.push_back(candidate.tally);
         const std::string words = in_words(candidate.question, headers);
         found.push_back({"question: " + words, sentence(candidate.question, words), confidence(candidate.tally),
                          fit(candidate.tally)});
