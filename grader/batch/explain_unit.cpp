@@ -8,6 +8,7 @@
 #include "batch/explained_checks.hpp"
 #include "batch/other_questions.hpp"
 #include "batch/packaged_unit.hpp"
+#include "batch/two_mistakes.hpp"
 #include "judge/explain/explain.hpp"
 #include "judge/explain/thresholds.hpp"
 
@@ -86,7 +87,10 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
         all, [](const Explanation& one) { return one.fit == 1 && one.confidence >= thresholds::very_sure; });
     if (!explained && std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
         for (Explanation& other : by_other_questions(worker, exercise, groups)) all.push_back(std::move(other));
-    return ranked(std::move(all));
+    std::vector<Explanation> best = ranked(std::move(all));
+    if (!best.empty() && best.front().fit >= 1) return best;
+    std::vector<Explanation> two = by_two_mistakes(worker, exercise, groups, mistakes);
+    return two.empty() ? best : two;
 }
 
 std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, const UnitResult& result,

@@ -52,14 +52,17 @@ TEST_F(Questions, an_origin_inside_that_finds_nothing_is_told_in_words_of_length
         "const float q = b", "if (length(to_origin) < sphere.radius) return std::nullopt;\n    const float q = b");
     const std::string& common = check(result, "inside/t").common;
     // All rays of that case begin inside: those that are cut short find nothing, and rightly so.
-    EXPECT_EQ(common, "wrong wherever something is to be found (201 of 201), right everywhere else (201 of 201)");
+    EXPECT_EQ(common,
+              "wrong wherever something is to be found (201 of 201), right everywhere else (201 of 201); every wrong "
+              "answer is empty");
 }
 
 TEST_F(Questions, what_is_wrong_by_chance_has_nothing_in_common)
 {
     const UnitResult result = grade("return first_inside(ray,", R"(
     const unsigned bits = glm::floatBitsToUint(ray.origin.x);
-    if (((bits ^ (bits >> 13U)) * 2654435761U) >> 31U) return 12345.0F;
+    const unsigned hash = (bits ^ (bits >> 13U)) * 2654435761U;
+    if (hash >> 31U) return static_cast<float>(hash % 10000U);
     return first_inside(ray,)");
     const CheckResult& wrong = check(result, "random/t");
     ASSERT_LT(wrong.score, wrong.max_score);
@@ -79,6 +82,22 @@ TEST_F(Questions, of_hidden_checks_reach_instructors_only)
     submission.units.push_back(result);
     const SubmissionResult shown = without_hidden_values(submission);
     EXPECT_FALSE(check(shown.units.front(), "random/t").first_difference);
+}
+
+TEST_F(Questions, two_known_mistakes_at_once_are_both_told)
+{
+    const std::filesystem::path file = sphere.folder / "alternatives" / "double_precision.cpp";
+    Sources sources{{sphere.files.front(), read_text(file)}};
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        std::string& text = sources.begin()->second;
+        ASSERT_NE(text.find(from), std::string::npos) << from;
+        text.replace(text.find(from), from.size(), to);
+    };
+    replace("t < ray.t_max", "t <= ray.t_max");
+    replace("(discriminant < 0)", "(discriminant <= 0)");
+    const UnitResult result = grade_unit(worker, sphere, {sources, {}, ""}, {});
+    ASSERT_FALSE(result.explanations.empty());
+    EXPECT_EQ(result.explanations.front().name, "mistakes: counts_t_max and drops_tangent");
 }
 
 TEST_F(Questions, right_work_is_asked_nothing)

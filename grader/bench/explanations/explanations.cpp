@@ -7,6 +7,7 @@
 
 #include "batch/explain_unit.hpp"
 #include "batch/grade_unit.hpp"
+#include "batch/two_mistakes.hpp"
 #include "bench/explanations/disturb.hpp"
 #include "judge/explain/confidence.hpp"
 #include "judge/judges.hpp"
@@ -163,7 +164,8 @@ private:
         std::vector<Explanation> said = explain_unit(worker_, exercise_, result, cases, mistakes_);
         const bool part =
             !said.empty() && (said.front().name == mistake_title(a.name) || said.front().name == mistake_title(b.name));
-        note(WorkKind::two_mistakes, a.name + " + " + b.name, std::move(said), part ? "part" : "");
+        note(WorkKind::two_mistakes, a.name + " + " + b.name, std::move(said),
+             part ? "part" : two_mistakes_title(a.name, b.name));
     }
 
     bool equal(const KnownSolution& mistake, const std::string& other_title, const CaseResults& cases)
