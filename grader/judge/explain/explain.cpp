@@ -30,8 +30,9 @@ bool comparable(const FailingCheck& failing)
 Check widened(Check check)
 {
     Tolerance& tolerance = check.tolerance;
-    if (has_bound(tolerance)) tolerance.relative = std::max(4 * tolerance.relative.value_or(0), 1e-5);
-    if (tolerance.absolute) tolerance.absolute = 4 * *tolerance.absolute;
+    // However much a check forgives, what is named must be seen.
+    if (has_bound(tolerance)) tolerance.relative = std::clamp(4 * tolerance.relative.value_or(0), 1e-5, 1e-2);
+    if (tolerance.absolute) tolerance.absolute = std::min(4 * *tolerance.absolute, std::max(*tolerance.absolute, 0.5));
     if (tolerance.ulps) tolerance.ulps = 4 * *tolerance.ulps;
     if (judge_of(check).look == Look::values && !has_bound(tolerance)) tolerance.relative = 1e-5;
     return check;

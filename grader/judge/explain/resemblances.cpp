@@ -63,6 +63,14 @@ std::vector<bool> different_pixels(const Check& check, const Tensor& a_tensor, c
     return result;
 }
 
+/// What a student may be off the right answer by, is more than two ways to the same wrong one differ by.
+Check tightened(Check check)
+{
+    if (check.tolerance.relative) check.tolerance.relative = std::min(*check.tolerance.relative, 1e-2);
+    if (check.tolerance.absolute) check.tolerance.absolute = std::min(*check.tolerance.absolute, 0.5);
+    return check;
+}
+
 Resemblance same_rows(const FailingCheck& failing, const Tensor& mistake_tensor)
 {
     Check check = *failing.check;
@@ -74,7 +82,7 @@ Resemblance same_rows(const FailingCheck& failing, const Tensor& mistake_tensor)
     const Tensor mistake = made_finite(mistake_tensor);
     const auto student_states = row_states(check, student, expected, failing.margin, kind);
     const auto mistake_states = row_states(check, mistake, expected, failing.margin, kind);
-    const auto agreement = row_states(check, student, mistake, failing.margin, kind);
+    const auto agreement = row_states(tightened(check), student, mistake, failing.margin, kind);
     std::size_t deviating = 0;
     std::size_t agreeing = 0;
     bool student_deviates = false;
