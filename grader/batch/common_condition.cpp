@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "judge/rows/columns.hpp"
 #include "question/conditions.hpp"
 #include "question/names.hpp"
 
@@ -28,15 +29,16 @@ void add_answer(const Tensor& expected, const TensorView& view, std::size_t row,
     for (std::size_t i = 0; i < expected.components; ++i) numbers.push_back(view.present(row) ? view.cell(row)[i] : 0);
 }
 
-std::vector<std::string> answer_names(const Tensor& expected, const TensorView& view)
+std::vector<std::string> answer_names(const Expected& expected, const TensorView& view)
 {
-    constexpr std::string_view letters = "xyzw";
+    const std::size_t components = expected.value->components;
+    const std::vector<std::string> columns = column_names(text_of(expected.names), components);
     std::vector<std::string> names;
     if (view.optional()) names.emplace_back(has_answer);
-    for (std::size_t i = 0; i < expected.components; ++i)
-        names.push_back(expected.components == 1   ? right_answer
-                        : expected.components <= 4 ? fmt::format("{}.{}", right_answer, letters[i])
-                                                   : fmt::format("{}[{}]", right_answer, i));
+    for (std::size_t i = 0; i < components; ++i)
+        names.push_back(components == 1   ? right_answer
+                        : columns.empty() ? fmt::format("{}[{}]", right_answer, i)
+                                          : fmt::format("{}.{}", right_answer, columns[i]));
     return names;
 }
 
@@ -60,8 +62,9 @@ Sample sample(const AskedCheck& asked, const QuestionLog& log, const Tensor& stu
     for (const std::string& place : kind->features) result.table.names.push_back(in_words(place, parameters));
     // That nothing is found where something is says more than what else is true of such questions.
     result.table.answers = result.table.names.size();
+    result.table.words = kind->words;
     if (view.optional()) result.table.first = result.table.names.size();
-    std::ranges::copy(answer_names(*expected.value, view), std::back_inserter(result.table.names));
+    std::ranges::copy(answer_names(expected, view), std::back_inserter(result.table.names));
     for (const std::size_t row : rows) {
         std::vector<double> numbers = kind->questions.at(*log.question_of(check.value, row, states.size()));
         add_answer(*expected.value, view, row, numbers);

@@ -10,6 +10,7 @@
 #include "batch/case_results.hpp"
 #include "batch/evidence.hpp"
 #include "batch/explain_unit.hpp"
+#include "batch/long_questions.hpp"
 #include "batch/pictures.hpp"
 #include "batch/questions.hpp"
 #include "batch/rerun.hpp"
@@ -187,6 +188,8 @@ UnitResult grade_built(Worker& worker, const Exercise& exercise, const Built& bu
     if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);
     if (options.explain && options.questions && result.verdict != Verdict::ok)
         add_questions(worker, exercise, built, cases, result, detail);
+    if (options.explain && options.questions && result.verdict != Verdict::ok && !options.artefacts.empty())
+        save_long_questions(worker, exercise, cases, options, result);
     return result;
 }
 
