@@ -12,15 +12,15 @@ namespace umbral::transforms {
 using EventRow = std::array<float, 15>;
 
 inline constexpr std::string_view drawn_event_names =
-    "1 a copy of the figure: x axis, y axis, origin, colour, line width\n"
-    "2 a line: from, to, 0 0 0, colour, line width\n"
+    "1 a copy of the figure: x axis/3, y axis/3, origin/3, colour/3, line width, -\n"
+    "2 a line: from/3, to/3, -/3, colour/3, line width, -\n"
     "3 push\n"
     "4 pop\n"
     "5 pop of an empty stack\n"
-    "6 set_view: x axis, y axis, origin, colour, line width\n"
-    "7 triangles: x axis, y axis, origin, colour, line width\n"
-    "8 a solid: x axis, y axis, origin, colour, line width\n"
-    "9 afterwards: x axis, y axis, origin, colour, line width, depth of the stack\n";
+    "6 set_view: x axis/3, y axis/3, origin/3, colour/3, line width, -\n"
+    "7 triangles: x axis/3, y axis/3, origin/3, colour/3, line width, -\n"
+    "8 a solid: x axis/3, y axis/3, origin/3, colour/3, line width, -\n"
+    "9 afterwards: x axis/3, y axis/3, origin/3, colour/3, line width, depth of the stack\n";
 
 inline glm::dvec3 seen_at(const glm::dmat4& modelview, glm::vec2 place)
 {

@@ -7,6 +7,7 @@
 
 #include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
+#include "judge/rows/columns.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -14,16 +15,15 @@ namespace {
 /// Of one check; more say nothing new.
 constexpr std::size_t most_answers = 4000;
 
-/// "entry (0, 3)" of a matrix, column by column as GLM has it; "x" … "w" of a vector.
-std::vector<std::string> names_of_columns(const Check& check, std::size_t components)
+/// "row 0, column 3" of a matrix, which lies column by column as GLM has it; else what the driver calls them.
+std::vector<std::string> names_of_columns(const Check& check, const Tensor* names, std::size_t components)
 {
-    constexpr std::string_view letters = "xyzw";
     const std::size_t side = components == 16 ? 4 : 3;
-    const bool matrix = &rows_of(check) == &matrix_rows() && side * side == components;
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < components && (matrix || components <= letters.size()); ++i)
-        names.push_back(matrix ? fmt::format("entry ({}, {})", i % side, i / side) : std::string(1, letters[i]));
-    return names;
+    if (&rows_of(check) != &matrix_rows() || side * side != components) return column_names(text_of(names), components);
+    std::vector<std::string> entries;
+    for (std::size_t i = 0; i < components; ++i)
+        entries.push_back(fmt::format("(row {}, column {})", i % side, i / side));
+    return entries;
 }
 
 std::vector<double> row_of(const TensorView& view, std::size_t row)
@@ -129,7 +129,7 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     const Expected expected = expected_of(check, run);
     if (expected.value == nullptr) return answers;
     answers.components = expected.value->components;
-    answers.columns = names_of_columns(check, answers.components);
+    answers.columns = names_of_columns(check, expected.names, answers.components);
     const RunOutcome again = seen ? RunOutcome() : worker.run(asked.exercise, asked.built, check.case_name, seed);
     const RunOutcome& student = seen ? asked.result.student : again;
     if (student.verdict != Verdict::ok) return answers;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
 #include <stdexcept>
 
 #include <algorithm>
@@ -45,6 +46,29 @@ void judge_answers(const Check& check, const AnswersPastCrashes& answers, const 
         std::ranges::binary_search(answers.lost, *result.first_difference->cell))
         result.first_difference->yours = "no answer";
     result.message = fmt::format("{} of {} rows have no answer: {}", lost, rows, trouble);
+}
+
+/// What the unit said when it refused what it was asked for this row; empty if it did not.
+std::string refusal_of(const std::string& value, const RunOutcome& student, std::size_t row)
+{
+    std::istringstream lines{std::string(text_of(tensor_of(student, value + std::string(refusals::suffix))))};
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t tab = line.find('\t');
+        if (tab != std::string::npos && line.substr(0, tab) == std::to_string(row))
+            return one_line(line.substr(tab + 1));
+    }
+    return "";
+}
+
+/// Says of the first wrong value that it is none, where the unit refused what it was asked.
+void add_refusal(const Check& check, const RunOutcome& student, CheckResult& result)
+{
+    if (!result.first_difference || !result.first_difference->cell) return;
+    const std::string why = refusal_of(check.value, student, *result.first_difference->cell);
+    if (why.empty()) return;
+    result.first_difference->yours = fmt::format("refused: {}", why);
+    for (std::string* const text : {&result.message, &result.headline})
+        if (!text->empty()) *text += fmt::format("; at {} yours refused: {}", result.first_difference->where, why);
 }
 
 bool ran_into_the_limit(const CaseResult& one) { return one.reached && one.student.verdict == Verdict::timeout; }
@@ -170,6 +194,7 @@ CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutc
         control = best_control(check, *expected, margin, one.seed);
     }
     take_judgement(check, judgement, control.right, result);
+    add_refusal(check, one.student, result);
     if (judge_of(check).judge_both != nullptr) result.seeds = {one.seed};
     return result;
 }
@@ -179,6 +204,7 @@ void take_judgement(const Check& check, const Judgement& judgement, double contr
     result.score = points_for(check, judgement.right, control);
     result.error = judgement.error;
     result.message = judgement.message;
+    result.headline = judgement.headline;
     result.metrics = judgement.metrics;
     result.metrics["right"] = judgement.right;
     result.first_difference = judgement.first_difference;

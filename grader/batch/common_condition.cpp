@@ -65,6 +65,7 @@ Sample sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
     for (const std::string& place : kind->features) result.table.names.push_back(in_words(place, parameters));
     // That nothing is found where something is says more than what else is true of such questions.
     result.table.answers = result.table.names.size();
+    result.table.words = kind->words;
     if (answers.optional) result.table.first = result.table.names.size();
     std::ranges::copy(answer_names(answers), std::back_inserter(result.table.names));
     for (const AskedAnswer* const one : some) {

@@ -10,6 +10,7 @@
 #include "batch/case_results.hpp"
 #include "batch/evidence.hpp"
 #include "batch/explain_unit.hpp"
+#include "batch/long_questions.hpp"
 #include "batch/past_crashes.hpp"
 #include "batch/pictures.hpp"
 #include "batch/questions.hpp"
@@ -190,6 +191,8 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
     if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);
     if (options.explain && options.questions && result.verdict != Verdict::ok)
         add_questions(worker, exercise, built, cases, result, detail);
+    if (options.explain && options.questions && result.verdict != Verdict::ok && !options.artefacts.empty())
+        save_long_questions(worker, exercise, cases, options, result);
     return result;
 }
 

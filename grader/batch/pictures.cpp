@@ -11,16 +11,13 @@
 #include "run/run_text.hpp"
 
 namespace umbral::grader {
-namespace {
 
-std::string file_name(const Exercise& exercise, const Check& check)
+std::string artefact_name(const Exercise& exercise, const Check& check, const char* extension)
 {
-    std::string name = exercise.id + "-" + check.name + ".png";
+    std::string name = exercise.id + "-" + check.name + extension;
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
     return name;
-}
-
 }
 
 void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options,
@@ -40,7 +37,7 @@ void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& 
         if (student == nullptr || expected.tensor == nullptr || !can_be_drawn(check, *expected.tensor)) continue;
         try {
             std::filesystem::create_directories(options.artefacts);
-            const std::filesystem::path file = options.artefacts / file_name(exercise, check);
+            const std::filesystem::path file = options.artefacts / artefact_name(exercise, check, ".png");
             write_png(file, triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words,
                                      judge_of(check).look == Look::light ? check.judge : image_kind()));
             result.checks[i].artefacts["triptych"] = std::filesystem::relative(file, options.relative_to).string();

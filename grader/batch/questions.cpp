@@ -1,5 +1,7 @@
 #include "batch/questions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "batch/common_condition.hpp"
@@ -24,11 +26,40 @@ std::vector<RowPair*> rows_in(html::UnitDetail* detail, const std::string& check
     return rows;
 }
 
-/// A place in a report where the question behind a value is shown.
+/// A place in a report where the questions behind a value are shown.
 struct Shown {
-    std::uint32_t question;
+    QuestionSpan questions;
     std::string* code;
 };
+
+/// Of more that led to one picture the first and the last are shown.
+constexpr std::uint32_t most_together = 6;
+
+/// Those of them that are shown: all, or the first and the last.
+std::vector<std::uint32_t> shown_of(const QuestionSpan& span)
+{
+    std::vector<std::uint32_t> shown;
+    const std::uint32_t left_out = span.count > most_together ? span.count - most_together : 0;
+    for (std::uint32_t i = 0; i < span.count; ++i)
+        if (i < most_together / 2 || i >= most_together / 2 + left_out) shown.push_back(span.first + i);
+    return shown;
+}
+
+/// Questions below each other; where more than one led to a value, how many is said.
+std::string together(const QuestionSpan& span, const std::map<std::uint32_t, std::string>& code)
+{
+    const std::vector<std::uint32_t> shown = shown_of(span);
+    std::string text = span.count > 1 ? fmt::format("// {} calls in this order led to it\n", span.count) : "";
+    for (const std::uint32_t question : shown) {
+        const auto found = code.find(question);
+        if (found == code.end()) return "";
+        if (shown.size() < span.count && question == shown[most_together / 2])
+            text += fmt::format("// … {} calls left out\n", span.count - shown.size());
+        text += found->second;
+        if (question != shown.back()) text += '\n';
+    }
+    return text;
+}
 
 class CaseQuestions {
 public:
@@ -51,13 +82,18 @@ public:
         const Tensor* expected = tensor_of(run, check.value);
         if (expected == nullptr) return;
         const auto show = [&](std::size_t cell, std::string& code) {
-            if (const auto question = log_.question_of(check.value, cell, expected->cells()))
-                shown_.push_back({*question, &code});
+            if (const QuestionSpan asked = log_.questions_of(check.value, cell, expected->cells()); asked.count > 0)
+                shown_.push_back({asked, &code});
         };
         if (result.first_difference && is_of_several(check, expected->cells(), *result.first_difference))
             result.first_difference->cell.reset();
-        if (result.first_difference && result.first_difference->cell)
-            show(*result.first_difference->cell, result.first_difference->question);
+        if (result.first_difference && result.first_difference->cell) {
+            const std::size_t cell = *result.first_difference->cell;
+            show(cell, result.first_difference->question);
+            // No debugger can stop at several.
+            if (log_.questions_of(check.value, cell, expected->cells()).count > 1)
+                result.first_difference->cell.reset();
+        }
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
         result.common = in_common(worker_, {exercise_, check, built_, one_, log_, headers});
     }
@@ -66,7 +102,7 @@ public:
     void write()
     {
         Inquiry inquiry;
-        for (const Shown& one : shown_) inquiry.wanted.push_back(one.question);
+        for (const Shown& one : shown_) std::ranges::copy(shown_of(one.questions), std::back_inserter(inquiry.wanted));
         std::ranges::sort(inquiry.wanted);
         const auto repeated = std::ranges::unique(inquiry.wanted);
         inquiry.wanted.erase(repeated.begin(), repeated.end());
@@ -74,8 +110,7 @@ public:
         const RunOutcome told = worker_.inquire(exercise_, Answers::reference, case_, one_.seed, inquiry);
         if (told.verdict != Verdict::ok) return;
         const QuestionLog log = read_questions(told.recording.tensors);
-        for (const Shown& one : shown_)
-            if (const auto found = log.code.find(one.question); found != log.code.end()) *one.code = found->second;
+        for (const Shown& one : shown_) *one.code = together(one.questions, log.code);
     }
 
 private:
@@ -83,7 +118,7 @@ private:
     [[nodiscard]] bool is_of_several(const Check& check, std::size_t cells, const Difference& first) const
     {
         return std::ranges::any_of(first.others, [&](std::size_t other) {
-            return log_.question_of(check.value, other, cells) != log_.question_of(check.value, *first.cell, cells);
+            return log_.questions_of(check.value, other, cells) != log_.questions_of(check.value, *first.cell, cells);
         });
     }
 

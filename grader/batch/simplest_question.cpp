@@ -4,6 +4,7 @@
 
 #include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
+#include "judge/rows/columns.hpp"
 #include "judge/rows/rows.hpp"
 #include "question/log.hpp"
 
@@ -81,11 +82,14 @@ bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const
     const RowKind& kind = rows_of(check);
     const TensorView view(*yours);
     const TensorView right(*side.value);
+    const auto columns = column_names(text_of(side.names), right.components());
     for (const auto& [question, code] : read_questions(written.recording.tensors).code) {
         const auto found = rows.find(question);
         if (found == rows.end()) continue;
-        const auto [mine, reference] = show_both(kind, view, right, found->second, 0);
-        simplest.offer({"simpler inputs", mine, reference, std::nullopt, code}, length_of(log, question, code));
+        Difference wrong = row_difference({check, view, right, kind, columns}, found->second, "simpler inputs");
+        wrong.cell.reset();
+        wrong.question = code;
+        simplest.offer(wrong, length_of(log, question, code));
     }
     return true;
 }

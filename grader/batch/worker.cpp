@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "batch/ask_question.hpp"
 #include "batch/case_results.hpp"
 #include "batch/known_solutions.hpp"
 #include "batch/packaged_unit.hpp"
@@ -99,6 +100,7 @@ WantedTensors Worker::wanted(const Exercise& exercise, const std::string& case_n
             const Tensor* tensor = tensor_of(expected, value);
             std::size_t& most = wanted[value];
             most = std::max(most, most_cells(check, tensor == nullptr ? 0 : tensor->cells()));
+            wanted[value + std::string(refusals::suffix)] = refusals::most_bytes;
         }
     }
     return wanted;
@@ -208,6 +210,27 @@ RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, cons
         if (const Tensor* tensor = tensor_of(expected, value)) cells = tensor->cells();
     wanted.inquiry.grain = grain;
     return spawner(exercise.gl).run(wanted);
+}
+
+RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::path& library,
+                             const std::filesystem::path& driver)
+{
+    RunRequest wanted = request(exercise, asked_case, 0);
+    wanted.driver = driver;
+    wanted.solution = library;
+    wanted.roots.push_back(driver.parent_path().string());
+    wanted.roots.push_back(library.parent_path().string());
+    return spawner(exercise.gl).run(wanted);
+}
+
+RunOutcome Worker::answer(const Exercise& exercise, const Built& built, const std::filesystem::path& driver)
+{
+    return answer_of(exercise, built.library, driver);
+}
+
+RunOutcome Worker::answer(const Exercise& exercise, Answers solution, const std::filesystem::path& driver)
+{
+    return answer_of(exercise, library_of(exercise, to_string(solution)), driver);
 }
 
 const RunOutcome& Worker::run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources,

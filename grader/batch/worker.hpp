@@ -81,6 +81,11 @@ public:
     [[nodiscard]] RunOutcome run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
                                         std::uint64_t seed, const Grain& grain, const RunOutcome& expected);
 
+    /// Runs the only case, "question", of a driver of its own (ask_question.hpp) with a student's build, or with a
+    /// trusted solution. Nothing is kept.
+    [[nodiscard]] RunOutcome answer(const Exercise& exercise, const Built& built, const std::filesystem::path& driver);
+    [[nodiscard]] RunOutcome answer(const Exercise& exercise, Answers solution, const std::filesystem::path& driver);
+
     /// The recording of one of the unit's mistakes, compiled when the project was built; kept as well.
     [[nodiscard]] const RunOutcome& run_mistake(const Exercise& exercise, const std::string& name,
                                                 const Sources& sources, const std::string& case_name,
@@ -100,6 +105,8 @@ private:
     [[nodiscard]] const RunOutcome& known(const Exercise& exercise, const std::string& who,
                                           const std::string& case_name, std::uint64_t seed,
                                           const std::function<RunOutcome()>& run);
+    [[nodiscard]] RunOutcome answer_of(const Exercise& exercise, const std::filesystem::path& library,
+                                       const std::filesystem::path& driver);
     const RunOutcome& remember(const std::string& key, RunOutcome outcome);
 
     Toolchain tools_;

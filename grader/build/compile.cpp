@@ -167,25 +167,21 @@ Outcome outcome_of(const ConfinedResult& result, const Sources& files)
                : Outcome::unexplained;
 }
 
-}
-
-Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work,
-                    UnusedCode unused)
+/// The library that the compiler makes of the files by this task.
+Compilation library_of(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work,
+                       const std::string& library_name, std::vector<std::string> task)
 {
     for (const auto& [name, text] : files) write_text(work / name, text);
     Compilation compilation = look_through(tools, exercise, files, work);
-    if (compilation.outcome != Outcome::built && compilation.outcome != Outcome::unexplained) return compilation;
-    const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
-    std::vector<std::string> task{"-shared", "-fuse-ld=mold", "-Wl,-z,lazy", "-Wl,--version-script=" + script,
-                                  "-o",      "student.so"};
-    if (unused == UnusedCode::left_out)
-        task.insert(task.begin(), {"-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"});
-    if (exercise.counts_work)
-        for (const std::string_view name : counted_calls) task.push_back(fmt::format("-Wl,--wrap={}", name));
+    if (compilation.outcome != Compilation::Outcome::built && compilation.outcome != Compilation::Outcome::unexplained)
+        return compilation;
+    for (const std::string& word : {std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,-z,lazy"),
+                                    std::string("-o"), library_name})
+        task.push_back(word);
     ConfinedResult result = run_confined(compiler_command(tools, exercise, files, work, task));
     if (result.exit_status == confinement_failed)
         throw std::runtime_error("the compiler cannot be run: " + result.output);
-    const fs::path library = work / "student.so";
+    const fs::path library = work / library_name;
     if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {
         result.output = without_our_paths(std::move(result.output), tools, work);
         compilation.outcome = outcome_of(result, files);
@@ -201,6 +197,28 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
     // Nothing is run that was not looked through.
     if (compilation.outcome == Outcome::built) compilation.library = library;
     return compilation;
+}
+
+}
+
+Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work,
+                    UnusedCode unused)
+{
+    const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
+    std::vector<std::string> task{"-Wl,--version-script=" + script};
+    if (unused == UnusedCode::left_out)
+        task.insert(task.begin(), {"-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"});
+    if (exercise.counts_work)
+        for (const std::string_view name : counted_calls) task.push_back(fmt::format("-Wl,--wrap={}", name));
+    return library_of(tools, exercise, files, work, "student.so", std::move(task));
+}
+
+Compilation compile_driver(const Toolchain& tools, const Exercise& exercise, const std::string& name,
+                           const std::string& text, const fs::path& work)
+{
+    Exercise uncounted = exercise;
+    uncounted.counts_work = false;
+    return library_of(tools, uncounted, {{name, text}}, work, "driver.so", {"-Wl,-Bsymbolic"});
 }
 
 }

@@ -20,7 +20,8 @@ struct Judgement {
     std::string message;  ///< one line: what is wrong, where; empty if all is right
     std::map<std::string, double> metrics;
     std::optional<Difference> first_difference;
-    std::string sketch{};  ///< a picture in ASCII of the first bad place; empty where there is nothing to draw
+    std::string headline{};  ///< the message up to its values, for where these are shown anyway; empty: it has none
+    std::string sketch{};    ///< a picture in ASCII of the first bad place; empty where there is nothing to draw
     std::optional<double> chance{};  ///< judged by statistics: the chance that correct work deviates so much
     bool borderline = false;         ///< another run with a fresh seed must decide (JudgeRecord::judge_both)
 };
@@ -29,7 +30,8 @@ struct Judgement {
 /// a non-finite value, another shape, type or presence is wrong, never an exception. `margin` (may be null) is the
 /// expected recording's column "<value>.margin": rows where it is under the check's band_ulps do not count. `names`
 /// (may be null) is the expected recording's text "<value>.names": for events lines such as "3 zoom" that name the
-/// codes, for fragments the word for a primitive
+/// codes, and their numbers ("3 zoom: centre/2, factor": columns.hpp), for numbers what these are called, for fragments
+/// the word for a primitive
 /// ("triangle" without it), for costs what there are `size` of ("items" without it).
 /// Throws std::invalid_argument if the check cannot be judged at all (no row counts, unknown rule): a grader fault.
 [[nodiscard]] Judgement judge(const Check& check, const Tensor& student, const Tensor& expected, const Tensor* margin,

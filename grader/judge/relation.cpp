@@ -216,11 +216,12 @@ Judgement RelationJudge::judge(const RelatedTensors& student, const Tensor* name
                            names);
     // Rows of the other recording are no rows of this one.
     if (result.first_difference && judge_of(check_).free_rows) result.first_difference->cell.reset();
-    if (!result.message.empty())
-        result.message =
-            fmt::format("{} Expected here is {}. {}", law(relation_), expected_in_words(relation_), result.message);
+    for (std::string* const text : {&result.message, &result.headline})
+        if (!text->empty())
+            *text = fmt::format("{} Expected here is {}. {}", law(relation_), expected_in_words(relation_), *text);
     if (const std::string why = worthless(student, result); !why.empty()) {
         result.right = 0;
+        result.headline.clear();
         result.message += (result.message.empty() ? law(relation_) + " Yours agree, which tells nothing: "
                                                   : " And it could tell nothing: ") +
                           why;

@@ -63,6 +63,7 @@ json check(const CheckResult& value, Detail detail)
                 {"first_difference", difference(value.first_difference)}};
     if (value.simplest) result["simplest"] = difference(value.simplest);
     if (!value.common.empty()) result["common"] = text(value.common);
+    if (!value.headline.empty()) result["headline"] = text(value.headline);
     if (!value.sketch.empty()) result["sketch"] = text(value.sketch);
     if (detail == Detail::for_report && !value.seeds.empty())
         result["seeds"] = list(value.seeds, [](std::uint64_t seed) { return std::to_string(seed); });

@@ -67,7 +67,7 @@ std::optional<Difference> difference(const Field& field)
 CheckResult check(const Field& field)
 {
     field.allow_only({"name", "kind", "hard", "hidden", "score", "max_score", "error", "reference_error", "message",
-                      "metrics", "first_difference", "common", "simplest", "sketch", "artefacts", "seeds"});
+                      "metrics", "first_difference", "common", "simplest", "headline", "sketch", "artefacts", "seeds"});
     CheckResult result;
     result.name = text(field.member("name"));
     result.kind = kind(field.member("kind"));
@@ -83,6 +83,7 @@ CheckResult check(const Field& field)
     result.first_difference = difference(field.member("first_difference"));
     if (const Field simplest = field.member("simplest"); simplest.given()) result.simplest = difference(simplest);
     if (const Field common = field.member("common"); common.given()) result.common = text(common);
+    if (const Field headline = field.member("headline"); headline.given()) result.headline = text(headline);
     if (const Field sketch = field.member("sketch"); sketch.given()) result.sketch = text(sketch);
     const Field artefacts = field.member("artefacts");
     for (const std::string& name : artefacts.names()) result.artefacts[name] = text(artefacts.member(name));

@@ -28,10 +28,30 @@ Candidate of_one(std::string words, std::size_t fact, int cost, bool (*test)(dou
 
 bool is_finite(double x) { return std::isfinite(x); }
 
+/// Of a number that stands for a word: "rule is even_odd", "closed is true".
+void add_named(const std::vector<Fact>& facts, std::size_t i, std::vector<Candidate>& all)
+{
+    const Fact& fact = facts[i];
+    const bool two = fact.value_names.size() == 2;
+    for (std::size_t k = 0; k < fact.value_names.size(); ++k) {
+        const double value = static_cast<double>(k);
+        const auto add = [&](const char* is, bool equal, int cost) {
+            all.push_back({fmt::format("{} {} {}", fact.words, is, fact.value_names[k]),
+                           [i, value, equal](const std::vector<Fact>& others, std::size_t question) {
+                               return (others[i].values[question] == value) == equal;
+                           },
+                           cost});
+        };
+        add("is", true, 0);
+        if (!two) add("is not", false, 1);
+    }
+}
+
 /// Conditions that need no number: signs, zero, one, not finite.
 void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Candidate>& all)
 {
     const Fact& fact = facts[i];
+    if (!fact.value_names.empty()) return add_named(facts, i, all);
     const std::string& words = fact.words;
     // Of a product that is 0, the vector that is 0 is the reason, where there is one.
     const bool plain = fact.kind == Fact::Kind::number;
@@ -74,7 +94,7 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
                    std::vector<Candidate>& all)
 {
     const Fact& fact = facts[i];
-    if (fact.kind == Fact::Kind::parallel) return;
+    if (fact.kind == Fact::Kind::parallel || !fact.value_names.empty()) return;
     struct Pair {
         double value;
         bool wrong;
@@ -121,7 +141,7 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
     if (facts[i].kind == Fact::Kind::number && facts[j].kind == Fact::Kind::length) std::swap(i, j);
     const Fact& a = facts[i];
     const Fact& b = facts[j];
-    if (!comparable(a) || !comparable(b)) return;
+    if (!comparable(a) || !comparable(b) || a.value_names != b.value_names) return;
     const int cost = 3 + (a.kind == Fact::Kind::length && b.kind == Fact::Kind::length ? 1 : 0);
     const auto add = [&](const char* words, bool (*test)(double, double), int more) {
         all.push_back({fmt::format("{} is {} {}", a.words, words, b.words),
@@ -130,10 +150,12 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
                        },
                        cost + more});
     };
-    add(
-        "less than", [](double x, double y) { return x < y; }, 0);
-    add(
-        "greater than", [](double x, double y) { return x > y; }, 0);
+    if (a.value_names.empty()) {
+        add(
+            "less than", [](double x, double y) { return x < y; }, 0);
+        add(
+            "greater than", [](double x, double y) { return x > y; }, 0);
+    }
     add(
         "equal to", [](double x, double y) { return x == y; }, 0);
     add(

@@ -62,7 +62,7 @@ double sine(const std::vector<double>& row, const VectorColumns& a, const Vector
 template <class Value>
 Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const Value& value)
 {
-    Fact result{std::move(words), kind, false, false, false, {}};
+    Fact result{std::move(words), kind, false, false, false, {}, {}};
     for (const std::vector<double>& row : table.numbers) result.values.push_back(value(row));
     return result;
 }
@@ -77,6 +77,7 @@ std::vector<Fact> facts_of(const QuestionTable& table)
         facts.push_back(fact(table.names[i], Fact::Kind::number, table, [&](const auto& row) { return row[i]; }));
         facts.back().first = table.first == i;
         facts.back().answer = i >= table.answers;
+        if (i < table.words.size()) facts.back().value_names = table.words[i];
         const auto holds_it = [&](const VectorColumns& vector) {
             return i >= vector.first && i < vector.first + vector.size;
         };

@@ -16,10 +16,11 @@ struct Fact {
 
     std::string words;
     Kind kind = Kind::number;
-    bool component = false;      ///< one of a vector's: of less interest than the vector
-    bool answer = false;         ///< of the right answer, and not of the question
-    bool first = false;          ///< said before all others that part alike
-    std::vector<double> values;  ///< for each question
+    bool component = false;                  ///< one of a vector's: of less interest than the vector
+    bool answer = false;                     ///< of the right answer, and not of the question
+    bool first = false;                      ///< said before all others that part alike
+    std::vector<double> values;              ///< for each question
+    std::vector<std::string> value_names{};  ///< what 0, 1, … mean: {"false", "true"}; none of a number that is one
 };
 
 /// Questions of one kind beside each other, in their order: `numbers[i]` are the features of question i, `names` what
@@ -28,6 +29,7 @@ struct QuestionTable {
     std::vector<std::string> names;
     std::vector<std::vector<double>> numbers;
     std::size_t answers = static_cast<std::size_t>(-1);  ///< from this number on they are of the right answer
+    std::vector<std::vector<std::string>> words{};       ///< as QuestionKind::words; fewer: the others have none
     std::optional<std::size_t> first{};  ///< the number that is the best reason, of several that part alike
 };
 

@@ -60,7 +60,12 @@ void read_kinds(const Recorder::Tensors& tensors, QuestionLog& log)
 {
     for (const std::string_view line : lines_of(text_of(tensors, question_names::functions))) {
         const std::vector<std::string_view> words = split(line, '\t');
-        QuestionKind kind{std::string(words.front()), {words.begin() + 1, words.end()}, {}};
+        QuestionKind kind{std::string(words.front()), {}, {}, {}};
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            const std::vector<std::string_view> named = split(words[i], Features::before_word);
+            kind.features.emplace_back(named.front());
+            kind.words.emplace_back(named.begin() + 1, named.end());
+        }
         const auto found = tensors.find(std::string(question_names::features) + std::to_string(log.kinds.size()));
         if (found != tensors.end() && found->second.components == words.size()) {
             const std::vector<double> table = numbers_of<double>(found->second, Element::float64);
@@ -72,6 +77,28 @@ void read_kinds(const Recorder::Tensors& tensors, QuestionLog& log)
         }
         log.kinds.push_back(std::move(kind));
     }
+}
+
+std::vector<QuestionTile> tiles_in(const std::vector<std::uint32_t>& numbers)
+{
+    constexpr std::size_t each = 7;
+    std::vector<QuestionTile> tiles;
+    for (std::size_t i = 0; i + each <= numbers.size(); i += each)
+        tiles.push_back({{numbers[i], numbers[i + 1]},
+                         numbers[i + 2],
+                         numbers[i + 3],
+                         numbers[i + 4],
+                         numbers[i + 5],
+                         numbers[i + 6]});
+    return tiles;
+}
+
+bool holds(const QuestionTile& tile, std::size_t cell)
+{
+    if (tile.columns == 0) return false;
+    const std::size_t x = cell % tile.columns;
+    const std::size_t y = cell / tile.columns;
+    return x >= tile.x && x - tile.x < tile.width && y >= tile.y && y - tile.y < tile.height;
 }
 
 void read_others(std::string_view text, QuestionLog& log)
@@ -88,16 +115,26 @@ void read_others(std::string_view text, QuestionLog& log)
 
 std::optional<std::uint32_t> QuestionLog::question_of(std::string_view value, std::size_t cell, std::size_t cells) const
 {
-    if (const auto found = rows.find(value); found != rows.end())
-        return cell < found->second.size() && found->second[cell] > 0 ? std::optional(found->second[cell] - 1)
-                                                                      : std::nullopt;
+    if (!rows.contains(value) && cells == 0) return std::nullopt;
+    const QuestionSpan known = questions_of(value, cell, cells);
+    return known.count == 1 ? std::optional(known.first) : std::nullopt;
+}
+
+QuestionSpan QuestionLog::questions_of(std::string_view value, std::size_t cell, std::size_t cells) const
+{
+    if (const auto found = rows.find(value); found != rows.end()) {
+        const bool known = cell < found->second.size() && found->second[cell] > 0;
+        return known ? QuestionSpan{found->second[cell] - 1, 1} : QuestionSpan{};
+    }
+    if (const auto found = tiles.find(value); found != tiles.end())
+        for (const QuestionTile& tile : found->second)
+            if (holds(tile, cell)) return tile.questions;
     const auto found = wholes.find(value);
-    if (found == wholes.end() || cells == 0) return std::nullopt;
+    if (found == wholes.end()) return {};
     const auto [first, count] = found->second;
-    // As many for each cell, or one for all of them.
-    if (count == 1) return first;
-    if (count < cells || count % cells != 0 || cell >= cells) return std::nullopt;
-    return first + static_cast<std::uint32_t>(cell * (count / cells));
+    // As many for each cell, or all of them for all.
+    if (count < cells || cells == 0 || count % cells != 0 || cell >= cells) return found->second;
+    return {first + static_cast<std::uint32_t>(cell * (count / cells)), 1};
 }
 
 const QuestionKind* QuestionLog::kind_of(std::uint32_t question) const
@@ -113,6 +150,9 @@ QuestionLog read_questions(const Recorder::Tensors& tensors)
     for (const auto& [name, tensor] : tensors) {
         if (name.starts_with(question_names::rows))
             log.rows[name.substr(question_names::rows.size())] = numbers_of<std::uint32_t>(tensor, Element::uint32);
+        if (name.starts_with(question_names::tiles))
+            log.tiles[name.substr(question_names::tiles.size())] =
+                tiles_in(numbers_of<std::uint32_t>(tensor, Element::uint32));
         if (!name.starts_with(question_names::whole)) continue;
         if (const auto span = numbers_of<std::uint32_t>(tensor, Element::uint32); span.size() == 2)
             log.wholes[name.substr(question_names::whole.size())] = {span[0], span[1]};

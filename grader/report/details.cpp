@@ -83,8 +83,7 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
     block.labelled("check", {fmt::format("{}  {}", paint(Tone::strong, name), words)});
     // A matrix judge's message repeats the matrices that are drawn below.
     const bool drawn = check.first_difference && find_matrix(check.first_difference->yours);
-    const std::string message = drawn ? check.message.substr(0, check.message.find(": yours ")) : check.message;
-    block.sentence("", message);
+    block.sentence("", drawn && !check.headline.empty() ? check.headline : check.message);
     if (check.first_difference) {
         block.sentence("first", check.first_difference->where);
         block.labelled("", side_by_side(*check.first_difference, block.room(), paint));

@@ -20,6 +20,7 @@ SubmissionResult without_hidden_values(SubmissionResult submission)
                          .error = {},
                          .reference_error = {},
                          .message = {},
+                         .headline = {},
                          .metrics = {},
                          .first_difference = {},
                          .common = {},

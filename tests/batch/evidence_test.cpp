@@ -59,6 +59,24 @@ TEST(Evidence, rows_mark_the_components_that_differ)
     EXPECT_EQ(rows.first[0].differs, (std::vector<bool>{false, true, false}));
 }
 
+TEST(Evidence, of_many_named_numbers_those_that_differ_are_shown)
+{
+    std::vector<float> right(20, 1);
+    std::vector<float> wrong = right;
+    wrong[9] = 2;
+    wrong[13] = 3;
+    const Tensor names = text("colour/4, width, rest/5");
+    const auto rows = evidence<RowsEvidence>(check(JudgeKind{"numbers"}), floats(wrong, 10), floats(right, 10), &names);
+    EXPECT_EQ(rows.headings, (std::vector<std::string>{"colour.w", "rest[4]"}));
+    EXPECT_EQ(rows.equal_columns, 8U);
+    EXPECT_EQ(rows.first.at(0).yours, (std::vector<std::string>{"1", "2"}));
+    EXPECT_EQ(rows.first.at(1).yours, (std::vector<std::string>{"3", "1"}));
+    EXPECT_EQ(rows.first.at(1).differs, (std::vector<bool>{true, false}));
+    const Tensor others = text("no names that fit");
+    EXPECT_TRUE(evidence<RowsEvidence>(check(JudgeKind{"numbers"}), floats(wrong, 10), floats(right, 10), &others)
+                    .headings.empty());
+}
+
 TEST(Evidence, first_rows_then_the_worst_of_the_others)
 {
     std::vector<float> wrong;
@@ -169,7 +187,7 @@ TEST(Evidence, traces_are_aligned_and_equal_runs_fold)
     std::size_t covered = 0;
     std::size_t folds = 0;
     for (const LinePair& line : lines.lines) {
-        covered += line.kind == LineKind::omitted ? line.omitted : line.expected_number > 0 ? 1 : 0;
+        covered += line.kind == LineKind::omitted ? line.omitted : line.expected_number ? 1 : 0;
         folds += line.kind == LineKind::omitted ? 1 : 0;
         if (line.kind == LineKind::missing) {
             EXPECT_EQ(line.expected, "glUniform1i(0, 12)");

@@ -170,6 +170,14 @@ const char* const impossible[] = {
     "reset sphere --dir $D/no",
     "reset sphere --dir $F",
     "reset sphere --dir ''",  //
+    "ask",
+    "ask zzz 'intersect()'",
+    "ask sphere --dir $W",
+    "ask sphere 'intersect()' --dir $D",
+    "ask sphere 'intersect()' --dir $D/no",
+    "ask sphere 'intersect()' --file $F --dir $W",
+    "ask sphere --file $D/no --dir $W",
+    "ask lighting/shaders 'main()' --dir $W",  //
     "debug",
     "debug zzz",
     "debug sphere zzz --dir $W",
@@ -266,8 +274,8 @@ TEST(BadArguments, are_usage_errors_of_every_command)
         EXPECT_FALSE(printed.text.empty()) << arguments;
         commands.insert(arguments.substr(0, arguments.find(' ')));
     }
-    for (const char* command : {"list", "new", "check", "hint", "reset", "debug", "render", "compare", "grade", "demo",
-                                "validate", "bench", "doctor"})
+    for (const char* command : {"list", "new", "check", "hint", "reset", "ask", "debug", "render", "compare", "grade",
+                                "demo", "validate", "bench", "doctor"})
         EXPECT_TRUE(commands.contains(command)) << "the table has no line of " << command;
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }

@@ -42,8 +42,8 @@ TEST(Events, a_lost_event_costs_itself_only)
     EXPECT_EQ(found.metrics.at("lost"), 1);
     EXPECT_EQ(
         found.message,
-        "event 4: expected zoom in (1.1), nothing came (4 of 5 expected events are right, 0 of yours are too much)");
-    EXPECT_EQ(found.first_difference->where, "event 4 of 5");
+        "row 3: expected zoom in (1.1), nothing came (4 of 5 expected events are right, 0 of yours are too much)");
+    EXPECT_EQ(found.first_difference->where, "row 3 of 5 events");
     EXPECT_EQ(found.first_difference->yours, "nothing");
     EXPECT_EQ(found.first_difference->expected, "zoom in (1.1)");
 }
@@ -57,10 +57,24 @@ TEST(Events, what_came_too_early_too_late_or_too_often_is_said_so)
         const std::string message = judged(yours, session).message;
         return message.substr(0, message.rfind(" ("));
     };
-    EXPECT_EQ(order({3, 0, 1, 2, 4}), "event 1: zoom in (1.1) came too early: it is expected as event 4");
-    EXPECT_EQ(order({0, 2, 3, 4, 1}),
-              "event 2: expected pan (3, 0), nothing came; it came too late, as event 5 of yours");
-    EXPECT_EQ(order({0, 1, 2, 1, 3, 4}), "event 4: pan (3, 0) came too often");
+    EXPECT_EQ(order({3, 0, 1, 2, 4}), "row 0: zoom in (1.1) came too early: it is expected in row 3");
+    EXPECT_EQ(order({0, 2, 3, 4, 1}), "row 1: expected pan (3, 0), nothing came; it came too late, in row 4 of yours");
+    EXPECT_EQ(order({0, 1, 2, 1, 3, 4}), "row 3: pan (3, 0) came too often");
+}
+
+TEST(Events, numbers_are_shown_with_their_names)
+{
+    const Tensor named = text("3 zoom: centre/2\n2 pan: from, -\n1 press: a, b, c\n");
+    const auto first = [&](std::size_t place, float value) {
+        std::vector<float> yours = session;
+        yours[place] = value;
+        return *judge(check_of(JudgeKind{"events"}), floats(yours, 3), floats(session, 3), nullptr, &named)
+                    .first_difference;
+    };
+    EXPECT_EQ(first(10, 2).yours, "zoom (centre 2 0)");
+    EXPECT_EQ(first(10, 2).expected, "zoom (centre 1.1 0)");
+    EXPECT_EQ(first(4, 7).yours, "pan (from 7)");
+    EXPECT_EQ(first(1, 7).yours, "press: a, b, c (7)") << "names that do not fit the numbers belong to the event";
 }
 
 TEST(Events, two_different_numbers_never_look_alike)
@@ -78,18 +92,18 @@ TEST(Events, a_duplicate_or_another_event_is_named)
     twice.insert(twice.begin() + 3, {1, 0, 0});
     const Judgement again = judged(twice, session);
     EXPECT_DOUBLE_EQ(again.right, 2.0 * 5 / (6 + 5));
-    EXPECT_EQ(again.message.substr(0, again.message.find(" (5")), "event 2: press came once more");
+    EXPECT_EQ(again.message.substr(0, again.message.find(" (5")), "row 1: press came once more");
 
     std::vector<float> other = session;
     other[9] = 2;
     other[10] = 3;
-    EXPECT_EQ(judged(other, session).message.substr(0, 59),
-              "event 4: expected zoom in (1.1), pan (3, 0) came instead (4");
+    EXPECT_EQ(judged(other, session).message.substr(0, 57),
+              "row 3: expected zoom in (1.1), pan (3, 0) came instead (4");
     std::vector<float> behind = session;
     behind.insert(behind.end(), {9, 0, 7});
-    EXPECT_NE(judged(behind, session).message.find("event 6: event of code 9 (0, 7) came, and is expected nowhere"),
+    EXPECT_NE(judged(behind, session).message.find("row 5: event of code 9 (0, 7) came, and is expected nowhere"),
               std::string::npos);
-    EXPECT_NE(judged({}, session).message.find("event 1: expected press, nothing came"), std::string::npos);
+    EXPECT_NE(judged({}, session).message.find("row 0: expected press, nothing came"), std::string::npos);
 }
 
 TEST(Events, the_tolerance_holds_for_numbers_not_for_codes)

@@ -53,6 +53,18 @@ TEST(Conditions, find_that_the_origin_lies_inside)
     EXPECT_EQ(words(table, wrong), "the distance between ray.origin and sphere.centre is less than sphere.radius");
 }
 
+TEST(Conditions, call_values_by_their_names)
+{
+    QuestionTable table{{"closed", "rule", "count"}, {}};
+    table.words = {{"false", "true"}, {"even_odd", "nonzero", "positive"}, {}};
+    for (int i = 0; i < 60; ++i)
+        table.numbers.push_back({static_cast<double>(i % 2), static_cast<double>(i / 2 % 3), static_cast<double>(i)});
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[0] == 1; })), "closed is true");
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[0] == 0; })), "closed is false");
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[1] == 2; })), "rule is positive");
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[1] != 1; })), "rule is not nonzero");
+}
+
 TEST(Conditions, find_signs_zeros_and_bounds_in_the_simplest_words)
 {
     const QuestionTable table = rays(2);

@@ -12,6 +12,8 @@ struct Disc {
 };
 float area(const Disc& disc) { return disc.radius; }
 float twice(float x) { return 2 * x; }
+enum class Rule { even_odd, nonzero };
+float choose(bool closed, Rule rule, int n) { return closed && rule == Rule::even_odd ? 0 : static_cast<float>(n); }
 
 }
 
@@ -28,6 +30,9 @@ QuestionLog log_of(const Inquiry& inquiry)
     out.append("twice", ask<sample::twice>(out, 7));
     ask_in_words(out, [] { return "two\nlines"; });
     out.buffer("whole", Grid<float>(2, 2));
+    out.tile("tiles", 2, 0, 2, 3);
+    out.tile("tiles", 2, 3, 2, 1, 3);
+    out.buffer("tiles", Grid<float>(5, 4));
     out.finish();
     return read_questions(out.tensors());
 }
@@ -52,6 +57,31 @@ TEST(QuestionLog, of_a_picture_knows_the_question_only_if_each_cell_has_one)
     EXPECT_EQ(log.question_of("whole", 3, 4), 3U) << "four questions, four cells";
     EXPECT_EQ(log.question_of("whole", 1, 3), std::nullopt);
     EXPECT_EQ(log.question_of("whole", 0, 0), std::nullopt);
+}
+
+TEST(QuestionLog, of_a_picture_knows_all_that_led_to_it_and_of_a_tile_its_own)
+{
+    const QuestionLog log = log_of({.questions = true});
+    EXPECT_EQ(log.questions_of("whole", 1, 3), (QuestionSpan{0, 4}));
+    EXPECT_EQ(log.questions_of("whole", 3, 4), (QuestionSpan{3, 1}));
+    EXPECT_EQ(log.questions_of("tiles", 5 * 2 + 3, 20), (QuestionSpan{3, 1}));
+    EXPECT_EQ(log.question_of("tiles", 5 * 2 + 3, 20), 3U);
+    EXPECT_EQ(log.questions_of("tiles", 5 * 3 + 3, 20), (QuestionSpan{1, 3}));
+    EXPECT_EQ(log.question_of("tiles", 5 * 3 + 3, 20), std::nullopt);
+    EXPECT_EQ(log.questions_of("tiles", 5 * 2 + 4, 20), (QuestionSpan{0, 4})) << "beside the tiles";
+    EXPECT_EQ(log.questions_of("no such value", 0, 1), QuestionSpan{});
+}
+
+TEST(QuestionLog, knows_what_numbers_that_are_none_mean)
+{
+    Questions questions({.questions = true});
+    Recorder out(questions);
+    (void)ask<sample::choose>(out, true, sample::Rule::nonzero, 2);
+    out.finish();
+    const QuestionLog log = read_questions(out.tensors());
+    EXPECT_EQ(log.kinds.at(0).features, (std::vector<std::string>{"0", "1", "2"}));
+    EXPECT_EQ(log.kinds.at(0).words,
+              (std::vector<std::vector<std::string>>{{"false", "true"}, {"even_odd", "nonzero"}, {}}));
 }
 
 TEST(QuestionLog, holds_the_numbers_and_what_could_be_asked_instead)

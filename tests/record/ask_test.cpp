@@ -34,6 +34,7 @@ float sum(std::span<const float> numbers, Side side)
     for (const float number : numbers) result += number;
     return result;
 }
+bool is_odd(bool odd) { return odd; }
 void append_twice(float value, std::vector<float>& to) { to.insert(to.end(), 2, value); }
 
 using Step = std::function<void(Counter&)>;
@@ -119,11 +120,13 @@ TEST(Ask, names_the_numbers_in_a_question)
     const auto tensors = asked(first_two, [](Recorder& out) {
         (void)ask<meet>(out, Ray{}, Ball{{1, 2, 3}, 4});
         (void)ask<sum>(out, std::array{5.0F, -7.0F}, Side::back);
+        (void)ask<is_odd>(out, true);
     });
     EXPECT_EQ(text(tensors, "?functions"),
               "umbral::sample::meet\t0.origin.x\t0.origin.y\t0.origin.z\t0.direction.x\t0.direction.y\t0.direction.z\t"
               "0.t_min\t0.t_max\t1.centre.x\t1.centre.y\t1.centre.z\t1.radius\n"
-              "umbral::sample::sum\t0.size()\tthe least number in 0\tthe largest number in 0\t1\n");
+              "umbral::sample::sum\t0.size()\tthe least number in 0\tthe largest number in 0\t1|front|back\n"
+              "umbral::sample::is_odd\t0|false|true\n");
     EXPECT_EQ(numbers<double>(tensors, "?features 1"), (std::vector<double>{1, 2, -7, 5, 1}));
 }
 
@@ -143,7 +146,7 @@ TEST(Ask, can_ask_another_question_in_place_of_the_drivers)
     EXPECT_EQ(answer({meet, "0.direction", "negated", ""}), std::pair(-1.0F, 98.0F));
     EXPECT_EQ(answer({meet, "0.direction", "", "1.centre"}), std::pair(-1.0F, 98.0F));
     EXPECT_EQ(answer({"umbral::sample::sum", "0", "without its last element", ""}), std::pair(4.0F, 105.0F));
-    EXPECT_EQ(answer({"umbral::sample::sum", "1", "taken as the first value of its type", ""}), std::pair(4.0F, -2.0F));
+    EXPECT_EQ(answer({"umbral::sample::sum", "1", "taken as front", ""}), std::pair(4.0F, -2.0F));
     EXPECT_EQ(answer({meet, "no such place", "negated", ""}), std::pair(4.0F, 98.0F));
     EXPECT_EQ(answer({"", "umbral::sample::Ball.radius", "doubled", ""}), std::pair(8.0F, 98.0F));
     EXPECT_EQ(answer({"", "umbral::Ray.direction", "negated", ""}), std::pair(-1.0F, 98.0F));
@@ -151,11 +154,17 @@ TEST(Ask, can_ask_another_question_in_place_of_the_drivers)
 
 TEST(Ask, lists_what_could_be_asked_instead)
 {
-    const auto tensors = asked(first_two, [](Recorder& out) { (void)ask<meet>(out, Ray{}, Ball{{1, 2, 3}, 4}); });
+    const auto tensors = asked(first_two, [](Recorder& out) {
+        (void)ask<meet>(out, Ray{}, Ball{{1, 2, 3}, 4});
+        (void)ask<sum>(out, std::array{5.0F}, Side::back);
+        (void)ask<is_odd>(out, true);
+    });
     const std::string others = text(tensors, "?others");
     for (const char* const line :
          {"umbral::sample::meet\t0.direction\tnegated\t\n", "umbral::sample::meet\t0.origin\t\t0.direction\n",
-          "umbral::sample::meet\t0.t_min\t\t1.radius\n", "\t1.radius\tsquared\t\n", "\tumbral::Ray.t_min\tnegated\t\n"})
+          "umbral::sample::meet\t0.t_min\t\t1.radius\n", "\t1.radius\tsquared\t\n", "\tumbral::Ray.t_min\tnegated\t\n",
+          "umbral::sample::sum\t1\ttaken as front\t\n", "umbral::sample::sum\t1\ttaken as back\t\n",
+          "umbral::sample::is_odd\t0\ttaken as true\t\n", "umbral::sample::is_odd\t0\ttaken as false\t\n"})
         EXPECT_NE(others.find(line), std::string::npos) << line << "in\n" << others;
 }
 
@@ -227,36 +236,35 @@ TEST(Ask, links_a_picture_to_the_questions_since_the_last_one)
     EXPECT_EQ(numbers<std::uint32_t>(tensors, "?whole the same once more"), (std::vector<std::uint32_t>{2, 2}));
 }
 
-TEST(Literal, gives_back_exactly_the_value)
+TEST(Ask, links_a_tile_of_a_picture_to_the_last_questions)
 {
-    EXPECT_EQ(literal::of(16777217.0), "16777217");
-    EXPECT_EQ(literal::of(0.1), "0.1");
-    EXPECT_EQ(literal::of(-0.0), "-0.0");
-    EXPECT_EQ(literal::of(1e10F), "1e+10F");
-    EXPECT_EQ(literal::of(std::nextafter(1.0F, 2.0F)), "1.0000001F");
-    EXPECT_EQ(literal::of(-INFINITY), "-INFINITY");
-    EXPECT_EQ(literal::of(NAN), "NAN");
-    EXPECT_EQ(literal::of_integer(std::uint64_t{4294967295}), "4294967295U");
-    EXPECT_EQ(literal::of_text("a\"\\\n\x01"
-                               "7",
-                               literal::in_full),
-              R"("a\"\\\n\0017")");
-    EXPECT_EQ(literal::of_text("1 0\t\r", literal::in_full), R"("1 0\t\r")");
+    const auto tensors = asked(first_two, [](Recorder& out) {
+        for (int i = 0; i < 3; ++i) (void)ask<meet>(out, Ray{}, Ball{});
+        out.tile("cells", 0, 2, 4, 1, 2);
+        out.tile("never recorded", 0, 0, 4, 4);
+        out.buffer("cells", Grid<float>(4, 3));
+    });
+    EXPECT_EQ(numbers<std::uint32_t>(tensors, "?tiles cells"), (std::vector<std::uint32_t>{1, 2, 0, 2, 4, 1, 4}));
+    EXPECT_FALSE(tensors.contains("?tiles never recorded"));
 }
 
-TEST(Literal, writes_types_as_people_do)
+TEST(Recorder, takes_the_names_of_a_tables_numbers_once)
 {
-    const auto code = [](const auto& value) { return literal::of_value(value, true, literal::in_full); };
-    EXPECT_EQ(code(glm::mat2(1, 2, 3, 4)), "glm::mat2{{1, 2}, {3, 4}}");
-    EXPECT_EQ(code(std::vector<glm::uvec3>{{1, 2, 3}}), "std::vector<glm::uvec3>{{1, 2, 3}}");
-    EXPECT_EQ(code(std::vector<std::vector<std::uint32_t>>{{1}, {}}),
-              "std::vector<std::vector<std::uint32_t>>{{1}, {}}");
-    EXPECT_EQ(code(std::vector<Ball>{{{1, 2, 3}, 4}}), "std::vector<Ball>{{{1, 2, 3}, 4}}");
-    EXPECT_EQ(code(std::array{1.0F, 2.0F}), "std::array<float, 2>{1, 2}");
-    EXPECT_EQ(code(std::array{glm::vec2(1, 2), glm::vec2(3, 4)}), "std::array<glm::vec2, 2>{{{1, 2}, {3, 4}}}");
-    EXPECT_EQ(code(static_cast<Side>(7)), "Side{7}");
-    EXPECT_EQ(code(std::string("x")), "\"x\"");
-    EXPECT_EQ(code(true), "true");
+    Recorder out;
+    for (int i = 0; i < 2; ++i) out.columns("state", i == 0 ? "colour/4, width" : "others");
+    EXPECT_EQ(text(out.tensors(), "state.names"), "colour/4, width");
+}
+
+TEST(Recorder, tells_which_rows_are_refusals)
+{
+    Recorder out;
+    out.append("t", 1.0F);
+    out.refused("t", "expected a number,\ngot a comma");
+    out.append("t", 0.0F);
+    for (int i = 0; i < 1000; ++i) out.refused("u", std::string(1000, 'x'));
+    out.finish();
+    EXPECT_EQ(text(out.tensors(), "t.refusals"), "1\texpected a number, got a comma\n");
+    EXPECT_LE(text(out.tensors(), "u.refusals").size(), refusals::most_bytes);
 }
 
 }

@@ -23,12 +23,14 @@ PolygonMesh read(Recorder& out, const std::string& file, const std::string& rema
     return read_ply(std::as_bytes(std::span(file)));
 }
 
-/// What is refused is recorded as missing.
-PolygonMesh read_or_nothing(Recorder& out, const std::string& file, const std::string& remark = "")
+/// What is refused is recorded as missing, and the next row of each of the tables as a refusal.
+PolygonMesh read_or_nothing(Recorder& out, const std::string& file, std::initializer_list<const char*> tables,
+                            const std::string& remark = "")
 {
     try {
         return read(out, file, remark);
-    } catch (const std::exception&) {
+    } catch (const std::exception& refusal) {
+        for (const char* const table : tables) out.refused(table, refusal.what());
         return {};
     }
 }
@@ -63,7 +65,9 @@ void record_bits(Recorder& out, const PolygonMesh& mesh, std::size_t count)
 /// What came of a file that holds `expected`.
 void record_read(Recorder& out, const std::string& file, const PolygonMesh& expected)
 {
-    const PolygonMesh mesh = read_or_nothing(out, file);
+    const bool has_places = !expected.positions.empty();
+    const PolygonMesh mesh =
+        has_places ? read_or_nothing(out, file, {"positions", "faces"}) : read_or_nothing(out, file, {"faces"});
     for (std::size_t i = 0; i < expected.positions.size(); ++i)
         out.append("positions", i < mesh.positions.size() ? mesh.positions[i] : glm::vec3(std::nanf("")));
     record_faces(out, mesh.faces, expected);
@@ -150,7 +154,7 @@ void record_decimals(Recorder& out)
         for (const char* word : words) {
             const std::string header = std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty ") + type +
                                        " x\nproperty float y\nproperty float z\nend_header\n";
-            PolygonMesh mesh = read_or_nothing(out, header + word + " 0 1\n");
+            PolygonMesh mesh = read_or_nothing(out, header + word + " 0 1\n", {"bits"});
             // A zero that came of what is too small may have either sign.
             if (std::string_view(word) == "-1e-400" && !mesh.positions.empty() && mesh.positions[0].x == 0)
                 mesh.positions[0].x = 0;
@@ -254,7 +258,7 @@ void record_in_locale(Random& random, Recorder& out)
         const CommaLocale locale;
         return work();
     };
-    record_bits(out, in_locale([&] { return read_or_nothing(out, file, remark); }), 2);
+    record_bits(out, in_locale([&] { return read_or_nothing(out, file, {"bits"}, remark); }), 2);
     ask_in_words(out, [&] {
         return remark + "write_ply(" + literal::of_value(mesh, true, literal::Style{}) + ", PlyFormat::ascii)";
     });
@@ -286,7 +290,7 @@ const Driver driver = {
          for (std::size_t i = 0; i < 3; ++i) {
              Dialect dialect;
              dialect.format = formats[i];
-             got.push_back(read_or_nothing(out, written_in(dialect, models[i], c.random)));
+             got.push_back(read_or_nothing(out, written_in(dialect, models[i], c.random), {}));
          }
          out.image("models", picture_of(got));
      }},

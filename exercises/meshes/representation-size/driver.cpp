@@ -14,6 +14,7 @@ using namespace meshes;
 // All 64 bits: how many times 2^32, and what is left over.
 void record(Recorder& out, const char* name, std::uint64_t value)
 {
+    out.columns(name, "whole 2^32, and");
     out.append(name, glm::dvec2(static_cast<double>(value >> 32U), static_cast<double>(value & 0xFFFFFFFFU)));
 }
 

@@ -113,8 +113,10 @@ std::vector<Fragment> random_fragments(Random& random, const Levels& levels, int
     return fragments;
 }
 
-void put(const Grid<float>& result, Grid<float>& into, int column, int row)
+/// One tile of the buffer that is recorded as "depths", which the last `questions` calls led to.
+void put(Recorder& out, const Grid<float>& result, Grid<float>& into, int column, int row, unsigned questions = 1)
 {
+    out.tile("depths", column * tile, row * tile, tile, tile, questions);
     const Grid<float> from = of_size(result, tile, tile);
     for (int y = 0; y < tile; ++y)
         for (int x = 0; x < tile; ++x) into.at(column * tile + x, row * tile + y) = from.at(x, y);
@@ -134,7 +136,7 @@ void record_tests(Random& random, Recorder& out, int fragments_each)
             Grid<float> depths = random_depths(random, out, levels);
             std::vector<Fragment> fragments = random_fragments(random, levels, fragments_each);
             ask<test_depth>(out, state, fragments, depths);
-            put(depths, after, column, static_cast<int>(row));
+            put(out, depths, after, column, static_cast<int>(row));
             fragments.resize(std::min<std::size_t>(fragments.size(), static_cast<std::size_t>(fragments_each)));
             const auto scenario = static_cast<float>(row * functions + static_cast<std::size_t>(column));
             for (const auto& [pixel, depth, weights] : fragments)
@@ -176,7 +178,7 @@ void record_drawing(Random& random, Recorder& out)
                 ask<draw_fragments>(out, all[row], model, colors, random_fragments(random, levels, 20), layer);
             }
             record_colors(out, "colours", 2 * row + static_cast<std::size_t>(column), layer);
-            put(layer.depths, after, column, static_cast<int>(row));
+            put(out, layer.depths, after, column, static_cast<int>(row), 3);
         }
     out.buffer("depths", after);
 }
@@ -200,7 +202,7 @@ void record_merging(Random& random, Recorder& out)
             Layer target = layer();
             ask<merge_layers>(out, state, source, target);
             record_colors(out, "colours", row * functions + static_cast<std::size_t>(column), target);
-            put(target.depths, after, column, static_cast<int>(row));
+            put(out, target.depths, after, column, static_cast<int>(row));
         }
     out.buffer("depths", after);
 }

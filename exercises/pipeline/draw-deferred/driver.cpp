@@ -95,6 +95,10 @@ void record_state(Recorder& out)
                          state_of(GL_LINE_WIDTH),
                          state_of(GL_STENCIL_WRITEMASK),
                          static_cast<float>(glGetError())};
+    out.columns("state",
+                "GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, "
+                "attribute 0 enabled, attribute 1 enabled, GL_CURRENT_PROGRAM, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, "
+                "GL_SCISSOR_TEST, GL_ACTIVE_TEXTURE, GL_LINE_WIDTH, GL_STENCIL_WRITEMASK, glGetError");
     out.append("state", std::span<const float>(row));
 }
 

@@ -112,6 +112,12 @@ void record_state(Recorder& out, const Piece& piece, const Image& picture)
     const glm::vec2 towards(std::cos(half), std::sin(half));
     append_pixel(row, picture, 0.5F * piece.radius * std::cos(half) * towards);
     append_pixel(row, picture, piece.radius * std::cos(half) * towards);
+    out.columns("state",
+                "GL_CURRENT_COLOR/4, GL_POLYGON_MODE front, GL_POLYGON_MODE back, GL_ARRAY_BUFFER_BINDING, "
+                "GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_DEPTH_TEST, "
+                "GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_LINE_WIDTH, "
+                "GL_SHADE_MODEL, GL_MATRIX_MODE, GL_ATTRIB_STACK_DEPTH, GL_CLIENT_ATTRIB_STACK_DEPTH, glGetError, "
+                "pixel in the first triangle/3, pixel in the first edge/3");
     out.append("state", std::span<const float>(row));
 }
 

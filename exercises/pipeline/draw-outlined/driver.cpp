@@ -96,6 +96,10 @@ void record_state(Recorder& out, const Image& picture)
                          static_cast<float>(seen.r),
                          static_cast<float>(seen.g),
                          static_cast<float>(seen.b)};
+    out.columns("state",
+                "GL_POLYGON_MODE front, GL_POLYGON_MODE back, attribute 0 enabled, GL_VERTEX_ARRAY_BINDING, "
+                "GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_DEPTH_TEST, GL_DEPTH_FUNC, "
+                "GL_LINE_WIDTH, vertex arrays alive, buffers alive, glGetError, pixel in the middle/3");
     out.append("state", std::span<const float>(row));
 }
 

@@ -149,6 +149,9 @@ void uniforms(Case& c, Recorder& out)
         ask<&ShaderProgram::use>(out, *programs[i]);
         names[i] = in_use();
     }
+    out.columns("returned", "whole, number, vector3, vector4, matrix3, matrix4");
+    out.columns("state", "round or glGetError, program in use");
+    out.columns("values", "whole, number, vector3/3, vector4/4, matrix3/9, matrix4/16");
     for (int round = 0; round < 12; ++round) {
         const std::uint32_t chosen = c.random.below(3);
         const std::uint32_t active = (chosen + 1 + c.random.below(3)) % 4;

@@ -15,6 +15,7 @@ using namespace pipeline;
 void record(Recorder& out, const Box& contents, int width, int height)
 {
     const auto [low, high] = ask<visible_region>(out, contents, width, height);
+    out.columns("region", "low/3, high/3");
     out.append("region", std::span<const float>(std::array{low.x, low.y, low.z, high.x, high.y, high.z}));
 }
 

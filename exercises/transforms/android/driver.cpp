@@ -58,9 +58,9 @@ void record(Recorder& out, const Android& android, const Start& start, const cha
 void record_names(Recorder& out)
 {
     out.text("solids.names",
-             "1 half sphere: middle, axis as x 0 0 y z 0, square of the radius as xx yy zz xy xz yz, colour\n"
-             "2 cylinder: middle, product of the axis with its direction as xx yy zz xy xz yz, square of the radius "
-             "likewise, colour\n"
+             "1 half sphere: middle/3, axis as x 0 0 y z 0/6, square of the radius as xx yy zz xy xz yz/6, colour/3\n"
+             "2 cylinder: middle/3, product of the axis with its direction as xx yy zz xy xz yz/6, square of the "
+             "radius likewise/6, colour/3\n"
              "9 something that is no solid\n");
 }
 
@@ -115,7 +115,8 @@ void record_joints(Recorder& out)
 void record_poses(Recorder& out, Random& random)
 {
     record_names(out);
-    out.text("state.names", "3 afterwards: x axis, y axis, z axis, origin, colour, line width, depth of the stack\n");
+    out.text("state.names",
+             "3 afterwards: x axis/3, y axis/3, z axis/3, origin/3, colour/3, line width, depth of the stack\n");
     const std::unique_ptr<Android> android = ask_new<make_android>(out, "android");
     if (!android) return;
     for (int i = 0; i < 12; ++i) {

@@ -116,8 +116,8 @@ void record_both(Recorder& out, const std::vector<Ends>& all, Random* starts = n
     if (starts == nullptr) return;
     record_names(out, "state");
     out.text("steps.names",
-             "1 translation: x axis, y axis, origin\n2 rotation: x axis, y axis, origin\n"
-             "3 scaling: x axis, y axis, origin\n4 none of these: x axis, y axis, origin\n");
+             "1 translation: x axis/2, y axis/2, origin/2\n2 rotation: x axis/2, y axis/2, origin/2\n"
+             "3 scaling: x axis/2, y axis/2, origin/2\n4 none of these: x axis/2, y axis/2, origin/2\n");
 }
 
 // Along the axes, and between them. Lengths are powers of two and places multiples of 1/4: nothing need be rounded.

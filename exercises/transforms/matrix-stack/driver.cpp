@@ -112,16 +112,6 @@ void record_scales(Recorder& out, Random& random)
     }
 }
 
-/// What is drawn above each other in one picture, `size` cells each.
-std::string code_of(const std::vector<Start>& starts, int size)
-{
-    std::string code;
-    for (std::size_t i = 0; i < starts.size(); ++i)
-        code += (i > 0 ? "\n" : "") + ("// in rows from " + std::to_string(i * static_cast<std::size_t>(size))) +
-                ":\n" + transforms::code_of(starts[i]) + "\ndraw_simple_figure(pipeline);";
-    return code;
-}
-
 // The figure as it is, and in three places that nobody can have expected. Who fills nothing has left no state either.
 void record_simple(Recorder& out, Random& random)
 {
@@ -129,25 +119,21 @@ void record_simple(Recorder& out, Random& random)
     std::vector<Start> starts = {{.color = {0.2F, 0.6F, 0.9F}, .background = {0.1F, 0.1F, 0.2F}}};
     while (starts.size() < 4) starts.push_back(random_start(random));
     Grid<std::uint32_t> all(size, 4 * size);
-    // One question for all cells.
-    ask_in_words(out, [&] { return code_of(starts, size); });
     for (int i = 0; i < 4; ++i) {
-        RecordingPipeline drawn(starts[static_cast<std::size_t>(i)]);
-        draw_simple_figure(drawn);
-        const double reach = i == 0 ? 1.25 : 4;
-        const Grid<std::uint32_t> cells = filled_cells(drawn, size, size, glm::dvec2(-reach), glm::dvec2(reach));
-        std::copy(cells.cells.begin(), cells.cells.end(), all.cells.begin() + i * size * size);
-    }
-    out.buffer("cells", all);
-    for (const Start& start : starts) {
+        const Start& start = starts[static_cast<std::size_t>(i)];
         RecordingPipeline drawn(start);
         introduce(out, drawn, start);
         ask<draw_simple_figure>(out, drawn);
+        const double reach = i == 0 ? 1.25 : 4;
+        const Grid<std::uint32_t> cells = filled_cells(drawn, size, size, glm::dvec2(-reach), glm::dvec2(reach));
+        std::copy(cells.cells.begin(), cells.cells.end(), all.cells.begin() + i * size * size);
+        out.tile("cells", 0, i * size, size, size);
         const auto filled = [](const Call& call) { return call.kind == Call::Kind::triangles && !call.places.empty(); };
         if (std::none_of(drawn.calls().begin(), drawn.calls().end(), filled)) continue;
         const EventRow after = matrix_row(9, drawn.modelview(), drawn.color(), drawn.line_width(), drawn.depth());
         out.append("state", std::span<const float>(after));
     }
+    out.buffer("cells", all);
     record_names(out, "state");
 }
 

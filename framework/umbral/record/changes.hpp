@@ -46,7 +46,11 @@ struct ChangesOf {
 
 template <>
 struct ChangesOf<bool> {
-    static constexpr std::array all{change<bool>("inverted", [](bool& b) { b = !b; })};
+    static constexpr std::array all{
+        change<bool>("inverted", [](bool& b) { b = !b; }),
+        change<bool>("taken as true", [](bool& b) { b = true; }),
+        change<bool>("taken as false", [](bool& b) { b = false; }),
+    };
 };
 
 template <class Number>
@@ -78,14 +82,31 @@ requires(std::is_integral_v<Number> && !std::is_same_v<Number, bool>) struct Cha
     };
 };
 
+/// "taken as even_odd": lives as long as the program.
+template <class Enum, int Value>
+inline constexpr auto taken_as = [] {
+    constexpr std::string_view begin = "taken as ";
+    constexpr std::string_view name = reflect::last_name(reflect::value_name<static_cast<Enum>(Value)>());
+    std::array<char, begin.size() + name.size()> text{};
+    std::copy(begin.begin(), begin.end(), text.begin());
+    std::copy(name.begin(), name.end(), text.begin() + begin.size());
+    return text;
+}();
+
+/// So many enumerators are asked in place of others; of longer lists the first.
+inline constexpr int most_asked_enumerators = 6;
+
 template <class Enum>
 requires std::is_enum_v<Enum>
 struct ChangesOf<Enum> {
-    static constexpr std::array all{
-        change<Enum>("taken as the first value of its type", [](Enum& e) { e = Enum{}; }),
-        change<Enum>("taken as the second value of its type", [](Enum& e) { e = static_cast<Enum>(1); }),
-        change<Enum>("taken as the third value of its type", [](Enum& e) { e = static_cast<Enum>(2); }),
-    };
+    static constexpr int count = std::min(reflect::enumerators<Enum>, most_asked_enumerators);
+    static constexpr auto all = []<int... Value>(std::integer_sequence<int, Value...>)
+    {
+        return std::array<Change, sizeof...(Value)>{
+            change<Enum>(std::string_view(taken_as<Enum, Value>.data(), taken_as<Enum, Value>.size()),
+                         [](Enum& e) { e = static_cast<Enum>(Value); })...};
+    }
+    (std::make_integer_sequence<int, count>{});
 };
 
 template <class Vector>

@@ -15,6 +15,9 @@ struct Features {
     std::vector<std::string> names{};
     std::vector<double> values{};
 
+    /// Between a name and the words for 0, 1, … of a number that stands for one of them: "1.rule|even_odd|nonzero".
+    static constexpr char before_word = '|';
+
     /// `name` is called only where names are wanted.
     template <class Name>
     void add(double value, const Name& name)
@@ -29,6 +32,25 @@ inline constexpr std::size_t most_numbers_of_list = 2000;
 
 inline constexpr std::string_view component_names[] = {"x", "y", "z", "w"};
 
+namespace detail {
+
+/// "|even_odd|nonzero": the enumerators, from 0 on.
+template <class Enum>
+std::string words_of()
+{
+    std::string words;
+    [&]<int... Value>(std::integer_sequence<int, Value...>)
+    {
+        ((words.append(1, Features::before_word)
+              .append(reflect::last_name(reflect::value_name<static_cast<Enum>(Value)>()))),
+         ...);
+    }
+    (std::make_integer_sequence<int, reflect::enumerators<Enum>>{});
+    return words;
+}
+
+}
+
 /// Adds the numbers in `value`, which stands at `place`. Lists give their lengths, their least and their largest
 /// number.
 template <class Value>
@@ -36,7 +58,11 @@ void add_features(const Place& place, const Value& value, Features& features)
 {
     namespace of = literal::detail;
     const auto with = [&](const char* end) { return [&place, end] { return place.text() + end; }; };
-    if constexpr (std::is_arithmetic_v<Value> || std::is_enum_v<Value>) {
+    if constexpr (std::is_same_v<Value, bool>) {
+        features.add(value ? 1 : 0, with("|false|true"));
+    } else if constexpr (std::is_enum_v<Value>) {
+        features.add(static_cast<double>(value), [&] { return place.text() + detail::words_of<Value>(); });
+    } else if constexpr (std::is_arithmetic_v<Value>) {
         features.add(static_cast<double>(value), [&] { return place.text(); });
     } else if constexpr (of::is_vector<Value>) {
         for (glm::length_t i = 0; i < Value::length(); ++i)

@@ -32,6 +32,32 @@ void replace_all(std::string& text, std::string_view from, std::string_view to)
         text.replace(place, from.size(), to);
 }
 
+/// Lines of plain letters, short enough to be read: a shader, a script, a file made by hand.
+bool is_written_in_lines(std::string_view text)
+{
+    constexpr std::size_t widest = 200;
+    std::size_t width = 0;
+    for (const char letter : text) {
+        width = letter == '\n' ? 0 : width + 1;
+        if (width > widest || (letter != '\n' && (letter < 0x20 || letter >= 0x7F))) return false;
+    }
+    return text.find('\n') < text.size() - 1 && text.find(")\"") == std::string_view::npos;
+}
+
+std::string raw_text(std::string_view text, std::size_t most_lines)
+{
+    std::size_t end = 0;
+    for (std::size_t line = 0; line < most_lines && end < text.size(); ++line)
+        end = std::min(text.find('\n', end), text.size() - 1) + 1;
+    std::string result = "R\"(" + std::string(text.substr(0, end)) + ")\"";
+    if (end < text.size()) {
+        const auto more = std::count(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), '\n') +
+                          (text.ends_with('\n') ? 0 : 1);
+        result += " … " + std::to_string(more) + " more lines";
+    }
+    return result;
+}
+
 /// What types are called by those who use them.
 constexpr std::pair<std::string_view, std::string_view> usual_names[] = {
     {", glm::packed_highp", ""},
@@ -74,10 +100,11 @@ std::string of_integer(std::uint64_t value)
 
 std::string of_text(std::string_view text, const Style& style)
 {
+    if (is_written_in_lines(text)) return raw_text(text, style.most_lines);
     constexpr std::string_view digits = "01234567";
     std::string result = "\"";
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (i == style.most_letters) return result + "\" … " + std::to_string(text.size() - i) + " more letters";
+        if (i >= style.most_letters) return result + "\" … " + std::to_string(text.size() - i) + " more letters";
         const auto letter = static_cast<unsigned char>(text[i]);
         if (letter == '"' || letter == '\\')
             result += {'\\', static_cast<char>(letter)};

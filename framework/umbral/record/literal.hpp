@@ -21,9 +21,11 @@ namespace umbral::literal {
 /// How long lists are written: in full, or their first elements and how many there are.
 struct Style {
     std::size_t most_elements = 12;
-    std::size_t most_letters = 60;  ///< of texts
+    std::size_t most_letters = 60;  ///< of texts in one line
+    std::size_t most_lines = 40;    ///< of texts in several: shaders, files
 };
-inline constexpr Style in_full{static_cast<std::size_t>(-1), static_cast<std::size_t>(-1)};
+inline constexpr std::size_t unlimited = static_cast<std::size_t>(-1);
+inline constexpr Style in_full{unlimited, unlimited, unlimited};
 
 /// "8", "0.1F", "-0.0F", "INFINITY"; of a double "0.1".
 [[nodiscard]] std::string of(float value);
@@ -31,7 +33,8 @@ inline constexpr Style in_full{static_cast<std::size_t>(-1), static_cast<std::si
 /// "8", "4294967295U".
 [[nodiscard]] std::string of_integer(std::int64_t value);
 [[nodiscard]] std::string of_integer(std::uint64_t value);
-/// In quotes, with escapes; cut behind style.most_letters.
+/// In quotes, with escapes; cut behind style.most_letters. What people write in several lines, a shader say, stands as
+/// it is, R"(…)", cut behind style.most_lines.
 [[nodiscard]] std::string of_text(std::string_view text, const Style& style);
 /// "Ray" of "umbral::raytracing::Ray", "glm::vec3" of GLM's long name, "std::vector<glm::vec3>".
 [[nodiscard]] std::string short_type(std::string_view type);
@@ -79,13 +82,11 @@ concept List = std::ranges::contiguous_range<Type> && std::ranges::sized_range<T
 template <class Type>
 concept Text = std::is_convertible_v<const Type&, std::string_view>;
 
-inline constexpr int most_enumerators = 16;
-
 /// The enumerator's name, "Culling::back"; empty for a value without one.
 template <class Enum, int Value = 0>
 std::string enumerator(Enum value)
 {
-    if constexpr (Value == most_enumerators) {
+    if constexpr (Value == reflect::most_enumerators) {
         return "";
     } else {
         if (static_cast<int>(value) != Value) return enumerator<Enum, Value + 1>(value);

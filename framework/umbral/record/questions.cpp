@@ -123,6 +123,13 @@ void Questions::link_whole(std::string_view value)
     wholes_[std::string(value)] = {whole_from_, whole_to_ - whole_from_};
 }
 
+void Questions::link_tile(std::string_view value, int x, int y, int width, int height, std::uint32_t questions)
+{
+    const auto number = [](int n) { return static_cast<std::uint32_t>(n); };
+    const std::uint32_t count = std::min(questions, count_);
+    tiles_[std::string(value)].push_back({count_ - count, count, number(x), number(y), number(width), number(height)});
+}
+
 void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
 {
     const auto add = [&](const std::string& name, Tensor tensor) {
@@ -133,6 +140,16 @@ void Questions::write(std::map<std::string, Tensor, std::less<>>& tensors) const
     for (const auto& [value, span] : wholes_) {
         const std::uint32_t numbers[] = {span.first, span.second};
         add(std::string(question_names::whole) + value, table<std::uint32_t>(Element::uint32, numbers, 2));
+    }
+    for (const auto& [value, tiles] : tiles_) {
+        const auto picture = tensors.find(value);
+        if (picture == tensors.end()) continue;
+        std::vector<std::uint32_t> rows;
+        for (const auto& tile : tiles) {
+            rows.insert(rows.end(), tile.begin(), tile.end());
+            rows.push_back(picture->second.columns);
+        }
+        add(std::string(question_names::tiles) + value, table<std::uint32_t>(Element::uint32, rows, 7));
     }
     std::string functions;
     for (std::size_t i = 0; i < functions_.size(); ++i) {

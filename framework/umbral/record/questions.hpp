@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -31,7 +32,9 @@ struct Inquiry {
 namespace question_names {
 inline constexpr std::string_view rows = "?rows ";    ///< + value: a question for each row, counted from 1; 0: none
 inline constexpr std::string_view whole = "?whole ";  ///< + value: first question and how many led to a picture
-inline constexpr std::string_view code = "?code";     ///< lines "number<TAB>code"
+/// + value: rows "first question, how many, x, y, width, height, columns of the picture" of rectangles
+inline constexpr std::string_view tiles = "?tiles ";
+inline constexpr std::string_view code = "?code";            ///< lines "number<TAB>code"
 inline constexpr std::string_view functions = "?functions";  ///< lines "function<TAB>feature<TAB>…"
 inline constexpr std::string_view features = "?features ";   ///< + line of ?functions: rows "question, features …"
 inline constexpr std::string_view others = "?others";        ///< lines "function<TAB>place<TAB>change<TAB>other place"
@@ -82,6 +85,9 @@ public:
     void link_row(std::string_view value);
     void link_whole(std::string_view value);
 
+    /// The last questions led to this rectangle of the picture `value`, which is recorded later.
+    void link_tile(std::string_view value, int x, int y, int width, int height, std::uint32_t questions);
+
     /// Adds what was taken down to a recording's tensors.
     void write(std::map<std::string, Tensor, std::less<>>& tensors) const;
 
@@ -109,6 +115,7 @@ private:
     std::map<const void*, Object> objects_;
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> rows_;
     std::map<std::string, std::pair<std::uint32_t, std::uint32_t>, std::less<>> wholes_;
+    std::map<std::string, std::vector<std::array<std::uint32_t, 6>>, std::less<>> tiles_;
 };
 
 }

@@ -86,6 +86,24 @@ void Recorder::append(std::string_view name, std::span<const float> values)
     for (const float value : values) add_bytes(tensor, value);
 }
 
+void Recorder::columns(std::string_view name, std::string_view names)
+{
+    const std::string key = std::string(name) + ".names";
+    if (!tensors_.contains(key)) text(key, names);
+}
+
+void Recorder::refused(std::string_view name, std::string_view why)
+{
+    constexpr std::size_t most_letters = 200;
+    const auto found = tensors_.find(name);
+    const std::uint32_t row = found == tensors_.end() ? 0 : found->second.rows;
+    std::string& lines = refusals_[std::string(name)];
+    if (lines.size() + most_letters > refusals::most_bytes) return;
+    lines += std::to_string(row) + '\t';
+    for (const char letter : why.substr(0, most_letters)) lines += letter == '\n' || letter == '\t' ? ' ' : letter;
+    lines += '\n';
+}
+
 void Recorder::text(std::string_view name, std::string_view text)
 {
     whole(name, Element::uint8, 1, static_cast<int>(text.size()), 1, text.data());
@@ -104,6 +122,7 @@ void Recorder::whole(std::string_view name, Element element, int width, int heig
 
 void Recorder::finish()
 {
+    for (const auto& [name, lines] : refusals_) text(name + std::string(refusals::suffix), lines);
     if (questions_ != nullptr) questions_->write(tensors_);
     if (progress_ != nullptr) progress_->write(tensors_);
 }
@@ -123,6 +142,11 @@ void Recorder::buffer(std::string_view name, const Grid<std::uint32_t>& cells)
 void Recorder::buffer(std::string_view name, const Grid<float>& cells)
 {
     whole(name, Element::float32, cells.width, cells.height, 1, cells.cells.data());
+}
+
+void Recorder::tile(std::string_view name, int x, int y, int width, int height, unsigned questions)
+{
+    if (questions_ != nullptr) questions_->link_tile(name, x, y, width, height, questions);
 }
 
 }

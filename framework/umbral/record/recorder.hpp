@@ -15,6 +15,12 @@ namespace umbral {
 
 class Questions;
 
+/// How refusals are recorded: a text "<value>.refusals".
+namespace refusals {
+inline constexpr std::string_view suffix = ".refusals";
+inline constexpr std::size_t most_bytes = 8192;
+}
+
 /// Takes down what a driver observes: raw outputs under names, never a verdict of its own.
 ///
 /// What was recorded proves nothing, since the student's code shares the address space: the grader computes from it
@@ -46,6 +52,15 @@ public:
     /// A row of as many numbers as the table's first one, at least one: a fragment or an event, say.
     void append(std::string_view name, std::span<const float> row);
 
+    /// Says what the numbers in the rows of the table `name` are called, in their order, for reports: "red, width";
+    /// "colour/4" stands for four numbers of one name. As often as it is convenient: the first time counts. Without it
+    /// rows of two to four numbers are x, y, z, w, and others have no names.
+    void columns(std::string_view name, std::string_view names);
+
+    /// The next row of the table `name` stands for no answer: the unit refused what it was asked, and said `why`. What
+    /// is recorded there is the author's choice (NaN, say); reports show the refusal.
+    void refused(std::string_view name, std::string_view why);
+
     /// Records a text, byte by byte, under a name not used before: a trace of calls, say, one a line.
     void text(std::string_view name, std::string_view text);
 
@@ -54,6 +69,9 @@ public:
     void image(std::string_view name, const Grid<glm::vec3>& picture);
     void buffer(std::string_view name, const Grid<std::uint32_t>& cells);
     void buffer(std::string_view name, const Grid<float>& cells);
+    /// A rectangle of the picture or buffer `name`, which is recorded later, is the answer to the last question, or to
+    /// the last few: where a picture is put together of tiles, each with questions of its own.
+    void tile(std::string_view name, int x, int y, int width, int height, unsigned questions = 1);
 
     [[nodiscard]] const Tensors& tensors() const noexcept { return tensors_; }
     /// Where questions are taken down (ask.hpp); null where nobody wants to know them.
@@ -65,7 +83,7 @@ public:
     }
     /// Ends the case before a question that must not be asked, and has no empty answer.
     void end_case() const { progress_->end(); }
-    /// Adds what was taken down of questions to the tensors: called once, at the end.
+    /// Adds refusals, and what was taken down of questions, to the tensors: called once, at the end.
     void finish();
 
 private:
@@ -74,6 +92,7 @@ private:
                const void* data);
 
     Tensors tensors_;
+    std::map<std::string, std::string, std::less<>> refusals_;  ///< of tables, lines "row<TAB>why"
     Questions* questions_ = nullptr;
     Progress* progress_ = nullptr;
 };

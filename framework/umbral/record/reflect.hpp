@@ -51,6 +51,19 @@ template <auto Value>
     return name.substr(0, name.find_first_of("( "));
 }
 
+inline constexpr int most_enumerators = 16;
+
+/// How many values from 0 on, without a gap, have a name in an enumeration; most_enumerators of more.
+template <class Enum, int Value = 0>
+inline constexpr int enumerators = [] {
+    if constexpr (Value == most_enumerators)
+        return Value;
+    else if constexpr (value_name<static_cast<Enum>(Value)>().find(')') != std::string_view::npos)
+        return Value;
+    else
+        return enumerators<Enum, Value + 1>;
+}();
+
 /// Is it a struct of public members without constructors of its own?
 template <class Type>
 inline constexpr bool is_plain_struct =

@@ -37,37 +37,12 @@ bool same_event(const Tolerance& tolerance, std::span<const double> a, std::span
     return true;
 }
 
-/// Writes events with their names; numbers that no expected event of that code uses are left out where they are 0.
-class EventWriter {
-public:
-    EventWriter(const TensorView& expected, std::string_view names) : names_(event_names(names))
-    {
-        for (std::size_t i = 0; i < expected.cells(); ++i)
-            used_[expected.cell(i)[0]] = std::max(used_[expected.cell(i)[0]], significant(expected.cell(i)));
-    }
-
-    [[nodiscard]] std::string operator()(std::span<const double> event, int digits = usual_digits) const
-    {
-        if (!std::isfinite(event[0])) return "an event whose code is no number";
-        const auto name = names_.find(event[0]);
-        const auto used = used_.find(event[0]);
-        const std::size_t size = std::max(significant(event), used == used_.end() ? 1 : used->second);
-        std::string text = name != names_.end() ? name->second : fmt::format("event of code {}", number_text(event[0]));
-        for (std::size_t i = 1; i < size; ++i) text += (i == 1 ? " (" : ", ") + number_text(event[i], digits);
-        return size > 1 ? text + ")" : text;
-    }
-
-private:
-    static std::size_t significant(std::span<const double> event)
-    {
-        std::size_t size = event.size();
-        while (size > 1 && event[size - 1] == 0) --size;
-        return size;
-    }
-
-    std::map<double, std::string> names_;
-    std::map<double, std::size_t> used_;
-};
+std::size_t significant(std::span<const double> event)
+{
+    std::size_t size = event.size();
+    while (size > 1 && event[size - 1] == 0) --size;
+    return size;
+}
 
 /// The first place where the sequences part: positions, and how many of each side stand there unmatched.
 struct Gap {
@@ -128,7 +103,7 @@ std::string in_words(const Parting& parting, const std::string& came, const std:
         if (gap.lost == 0 && gap.yours > 0 && same_event(tolerance, event, yours.cell(gap.yours - 1)))
             return came + " came once more";
         if (const auto place = later(parting, event, expected, gap.expected, expected_matched))
-            return fmt::format("{} came too early: it is expected as event {}{}", came, *place + 1,
+            return fmt::format("{} came too early: it is expected in row {}{}", came, *place,
                                gap.lost > 0 ? ", after " + wanted : std::string());
         if (gap.lost == 0) {
             for (std::size_t i = 0; i < expected.cells(); ++i)
@@ -138,7 +113,7 @@ std::string in_words(const Parting& parting, const std::string& came, const std:
     }
     const std::string instead = fmt::format("expected {}, {} came{}", wanted, came, gap.surplus > 0 ? " instead" : "");
     if (const auto place = later(parting, expected.cell(gap.expected), yours, gap.yours, yours_matched))
-        return fmt::format("{}; it came too late, as event {} of yours", instead, *place + 1);
+        return fmt::format("{}; it came too late, in row {} of yours", instead, *place);
     return instead;
 }
 
@@ -156,6 +131,40 @@ std::map<double, std::string> event_names(std::string_view lines)
         if (error == std::errc() && used + 1 < line.size() && line[used] == ' ') names[code] = line.substr(used + 1);
     }
     return names;
+}
+
+EventWriter::EventWriter(const TensorView& expected, std::string_view names)
+{
+    for (auto& [code, name] : event_names(names)) {
+        const std::size_t colon = name.find(": ");
+        Kind& kind = kinds_[code] = {name, {}};
+        if (colon == std::string::npos || expected.components() == 0) continue;
+        kind.columns = column_groups(std::string_view(name).substr(colon + 2), expected.components() - 1);
+        if (!kind.columns.empty()) kind.name.resize(colon);
+    }
+    for (std::size_t i = 0; i < expected.cells(); ++i)
+        used_[expected.cell(i)[0]] = std::max(used_[expected.cell(i)[0]], significant(expected.cell(i)));
+}
+
+std::string EventWriter::operator()(std::span<const double> event, int digits) const
+{
+    if (!std::isfinite(event[0])) return "an event whose code is no number";
+    const auto kind = kinds_.find(event[0]);
+    std::string text =
+        kind != kinds_.end() ? kind->second.name : fmt::format("event of code {}", number_text(event[0]));
+    std::size_t count = 0;
+    const auto separator = [&] { return count++ == 0 ? " (" : ", "; };
+    if (kind != kinds_.end() && !kind->second.columns.empty()) {
+        for (const ColumnGroup& group : kind->second.columns) {
+            text += separator() + group.name;
+            for (std::size_t i = 0; i < group.size; ++i) text += " " + number_text(event[1 + group.first + i], digits);
+        }
+    } else {
+        const auto used = used_.find(event[0]);
+        const std::size_t size = std::max(significant(event), used == used_.end() ? 1 : used->second);
+        for (std::size_t i = 1; i < size; ++i) text += separator() + number_text(event[i], digits);
+    }
+    return count > 0 ? text + ")" : text;
 }
 
 Alignment align_events(const Check& check, const TensorView& a, const TensorView& b)
@@ -195,9 +204,9 @@ Judgement judge_events(const Check& check, const Tensor& student, const Tensor& 
                          gap->lost > 0 ? write(expected.cell(gap->expected), digits) : "nothing");
     });
     judgement.first_difference =
-        Difference{fmt::format("event {} of {}", gap->expected + 1, expected.cells()), came, wanted,
+        Difference{fmt::format("row {} of {} events", gap->expected, expected.cells()), came, wanted,
                    gap->expected < expected.cells() ? std::optional(gap->expected) : std::nullopt};
-    judgement.message = fmt::format("event {}: ", gap->expected + 1);
+    judgement.message = fmt::format("row {}: ", gap->expected);
     judgement.message += in_words({check.tolerance, yours, expected, alignment, *gap}, came, wanted);
     judgement.message +=
         fmt::format(" ({} of {} expected events are right, {}{} of yours {} too much)", matched, expected.cells(),

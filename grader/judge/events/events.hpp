@@ -1,19 +1,40 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "judge/evidence/evidence.hpp"
 #include "judge/explain/explain.hpp"
 #include "judge/rows/alignment.hpp"
+#include "judge/rows/columns.hpp"
 #include "judge/rows/tensor_view.hpp"
 #include "model/exercise.hpp"
 
 namespace umbral::grader {
 
-/// Names of event codes from lines such as "3 zoom"; other lines are passed over.
+/// Names of event codes, or of other things that are counted, from lines such as "3 zoom"; other lines are passed over.
 [[nodiscard]] std::map<double, std::string> event_names(std::string_view lines);
+
+/// Writes events with their names, and their numbers with theirs: "zoom (centre 2 0.5, factor 3)" where the line of
+/// that code is "3 zoom: centre/2, factor". Numbers without a name are left out if there are names; where there are
+/// none, those at the end that are 0 and that no expected event of that code uses.
+class EventWriter {
+public:
+    EventWriter(const TensorView& expected, std::string_view names);
+
+    [[nodiscard]] std::string operator()(std::span<const double> event, int digits = usual_digits) const;
+
+private:
+    struct Kind {
+        std::string name;
+        std::vector<ColumnGroup> columns;
+    };
+
+    std::map<double, Kind> kinds_;
+    std::map<double, std::size_t> used_;
+};
 
 /// Wrong as a mistake is: sequences that differ by at most a twentieth of what parts them from the expected one.
 [[nodiscard]] Resemblance same_events(const FailingCheck& failing, const Tensor& mistake);

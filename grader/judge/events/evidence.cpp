@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "judge/events/events.hpp"
@@ -8,21 +6,11 @@
 namespace umbral::grader {
 namespace {
 
-/// "zoom (2, 0.5)": the code's name, or the code, then the numbers.
-std::vector<std::string> event_lines(const TensorView& view, const std::map<double, std::string>& names, bool& cut)
+std::vector<std::string> event_lines(const TensorView& view, const EventWriter& write, bool& cut)
 {
+    cut = cut || view.cells() > most_compared_lines;
     std::vector<std::string> lines;
-    for (std::size_t i = 0; i < view.cells(); ++i) {
-        if (lines.size() == most_compared_lines) {
-            cut = true;
-            break;
-        }
-        const auto event = view.cell(i);
-        const auto name = names.find(event[0]);
-        std::string text = name != names.end() ? name->second : fmt::format("event {}", number_text(event[0]));
-        for (std::size_t k = 1; k < event.size(); ++k) text += (k == 1 ? " (" : ", ") + number_text(event[k]);
-        lines.push_back(event.size() > 1 ? text + ")" : text);
-    }
+    for (std::size_t i = 0; i < std::min(view.cells(), most_compared_lines); ++i) lines.push_back(write(view.cell(i)));
     return lines;
 }
 
@@ -34,9 +22,9 @@ Evidence events_evidence(const Check& check, const Observation& observation, boo
     bool cut = false;
     const TensorView yours(*observation.yours);
     const TensorView expected(*observation.expected);
-    const auto names = event_names(text_of(observation.names));
-    Sides sides{event_lines(yours, names, cut), event_lines(expected, names, cut), {}};
     if (yours.cells() > 0 && yours.components() != expected.components()) return {};
+    const EventWriter write(expected, text_of(observation.names));
+    Sides sides{event_lines(yours, write, cut), event_lines(expected, write, cut), {}, 0};
     sides.alignment = align_events(check, yours, expected);
     std::erase_if(sides.alignment.matches, [&](const auto& match) {
         return match.first >= sides.yours.size() || match.second >= sides.expected.size();

@@ -63,6 +63,7 @@ struct RowPair {
 struct RowsEvidence {
     int side = 0;                       ///< 3 or 4: rows are matrices; 0: they are not
     std::vector<std::string> headings;  ///< of the components, where they have names
+    std::size_t equal_columns = 0;      ///< of many named components, those that are left out: equal in all rows shown
     std::vector<RowPair> first;         ///< the first wrong rows
     std::vector<RowPair> worst;         ///< the worst of the others
     std::size_t rows = 0;               ///< that count
@@ -71,11 +72,11 @@ struct RowsEvidence {
 
 enum class LineKind : std::uint8_t { same, changed, missing, extra, omitted };
 
-/// Two lines beside each other. Line numbers begin at 1; 0: none on that side.
+/// Two lines beside each other, with their numbers; nothing where there is none on that side.
 struct LinePair {
     LineKind kind = LineKind::same;
-    std::size_t yours_number = 0;
-    std::size_t expected_number = 0;
+    std::optional<std::size_t> yours_number{};
+    std::optional<std::size_t> expected_number{};
     std::string yours;
     std::string expected;
     std::size_t omitted = 0;  ///< equal lines left out here

@@ -19,6 +19,7 @@ struct Sides {
     std::vector<std::string> yours;
     std::vector<std::string> expected;
     Alignment alignment;
+    std::size_t first_number = 1;  ///< lines of texts are counted from 1, rows of tables from 0
 };
 inline constexpr std::size_t most_compared_lines = 4000;  ///< of each side
 

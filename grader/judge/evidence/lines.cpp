@@ -12,7 +12,7 @@ constexpr std::size_t context = 2;       // equal lines kept beside a difference
 
 LinePair same_lines(const Sides& sides, std::size_t a, std::size_t b)
 {
-    return {LineKind::same, a + 1, b + 1, sides.yours[a], sides.expected[b], 0};
+    return {LineKind::same, sides.first_number + a, sides.first_number + b, sides.yours[a], sides.expected[b], 0};
 }
 
 /// What lies between two matches: lines of both sides pair up in their order, the rest is missing or extra.
@@ -24,8 +24,8 @@ void add_gap(const Sides& sides, std::size_t a, std::size_t a_end, std::size_t b
         LinePair line;
         line.kind = both ? LineKind::changed : a < a_end ? LineKind::extra : LineKind::missing;
         ++(both ? result.changed : a < a_end ? result.extra : result.missing);
-        if (a < a_end) line.yours = sides.yours[a], line.yours_number = ++a;
-        if (b < b_end) line.expected = sides.expected[b], line.expected_number = ++b;
+        if (a < a_end) line.yours = sides.yours[a], line.yours_number = sides.first_number + a++;
+        if (b < b_end) line.expected = sides.expected[b], line.expected_number = sides.first_number + b++;
         result.lines.push_back(std::move(line));
     }
 }

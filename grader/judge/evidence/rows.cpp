@@ -5,6 +5,7 @@
 
 #include "judge/evidence/kinds.hpp"
 #include "judge/explain/resemblances.hpp"
+#include "judge/rows/columns.hpp"
 #include "judge/rows/rows.hpp"
 #include "judge/rows/tolerance.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_rows = 6;
 constexpr std::size_t most_matrices = 1;
+constexpr std::size_t most_columns = 8;
 
 struct Candidate {
     std::size_t row = 0;
@@ -92,6 +94,35 @@ private:
     const RowKind& kind_;
 };
 
+/// Of so many components with names, those that differ in no shown row are left out.
+void leave_out_equal_columns(RowsEvidence& rows)
+{
+    if (rows.headings.size() <= most_columns) return;
+    std::vector<bool> differs(rows.headings.size(), false);
+    const auto each_row = [&](const auto& use) {
+        for (std::vector<RowPair>* const list : {&rows.first, &rows.worst})
+            for (RowPair& row : *list)
+                if (row.yours.size() == differs.size() && row.expected.size() == differs.size()) use(row);
+    };
+    each_row([&](const RowPair& row) {
+        for (std::size_t i = 0; i < differs.size(); ++i) differs[i] = differs[i] || row.differs[i];
+    });
+    if (std::ranges::none_of(differs, [](bool d) { return d; })) return;
+    const auto thin_out = [&](auto& values) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < differs.size(); ++i)
+            if (differs[i]) values[kept++] = values[i];
+        values.resize(kept);
+    };
+    each_row([&](RowPair& row) {
+        thin_out(row.yours);
+        thin_out(row.expected);
+        thin_out(row.differs);
+    });
+    thin_out(rows.headings);
+    rows.equal_columns = differs.size() - rows.headings.size();
+}
+
 }
 
 Evidence rows_evidence(const Check& check, const Observation& observation, bool right)
@@ -104,6 +135,7 @@ Evidence rows_evidence(const Check& check, const Observation& observation, bool 
     const RowWriter write(check, yours, expected, kind);
 
     RowsEvidence result;
+    if (!matrices) result.headings = column_names(text_of(observation.names), expected.components());
     if (matrices) result.side = expected.components() == 9 ? 3 : expected.components() == 16 ? 4 : 0;
     std::vector<Candidate> wrong;
     const std::vector<RowState> states =
@@ -120,6 +152,7 @@ Evidence rows_evidence(const Check& check, const Observation& observation, bool 
     std::stable_sort(wrong.begin(), wrong.end(),
                      [](const Candidate& a, const Candidate& b) { return a.error > b.error; });
     for (std::size_t i = 0; i < std::min(wrong.size(), most); ++i) result.worst.push_back(write(wrong[i].row));
+    leave_out_equal_columns(result);
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include "judge/explain/resemblances.hpp"
 #include "judge/explain/transforms.hpp"
 #include "judge/judge_record.hpp"
+#include "judge/rows/columns.hpp"
 #include "judge/rows/rows.hpp"
 
 namespace umbral::grader {
@@ -34,7 +35,11 @@ constinit const JudgeRecord numbers_judge{
     .compares = "numbers row by row",
     .needs_tolerance = true,
     .pairs = true,
-    .judge = [](const Question& q) { return judge_rows(q.check, q.student, q.expected, q.margin, numbers); },
+    .judge =
+        [](const Question& q) {
+            return judge_rows(q.check, q.student, q.expected, q.margin, numbers,
+                              column_names(text_of(q.names), q.expected.components));
+        },
     .resemblance = same_rows,
     .rows = number_rows,
     .transforms = number_transforms,

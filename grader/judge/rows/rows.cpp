@@ -4,22 +4,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+#include <tuple>
 
 namespace umbral::grader {
 namespace {
 
+constexpr std::size_t most_shown_whole = 4;  ///< numbers of a row that are read as one: a vector
+
 struct Row {
     bool right = true;
-    bool comparable = false;    ///< both sides have a value
-    double error = 0;           ///< the worst of its components; infinite if not finite
-    std::size_t component = 0;  ///< the first wrong one
+    bool comparable = false;  ///< both sides have a value
+    double error = 0;         ///< the worst of its components; infinite if not finite
 };
 
 [[noreturn]] void fault(const Check& check, const std::string& what)
 {
     throw std::invalid_argument("check '" + check.name + "': " + what);
+}
+
+/// The components of a row that are wrong; none where either side has no value.
+std::vector<std::size_t> wrong_components(const Check& check, const TensorView& student, const TensorView& expected,
+                                          std::size_t row, const RowKind& kind)
+{
+    std::vector<std::size_t> wrong;
+    if (!student.present(row) || !expected.present(row)) return wrong;
+    const auto target = expected.cell(row);
+    for (std::size_t i = 0; i < target.size(); ++i)
+        if (!deviation(check.tolerance, student.cell(row)[i], target[i], kind.scale(target, i)).right)
+            wrong.push_back(i);
+    return wrong;
 }
 
 Row compare_row(const Check& check, const TensorView& student, const TensorView& expected, std::size_t index,
@@ -36,10 +50,7 @@ Row compare_row(const Check& check, const TensorView& student, const TensorView&
         fault(check, fmt::format("the expected {} {} is not finite, so nothing can match it", kind.one, index));
     for (std::size_t i = 0; i < target.size(); ++i) {
         const Deviation found = deviation(check.tolerance, student.cell(index)[i], target[i], kind.scale(target, i));
-        if (!found.right && row.right) {
-            row.right = false;
-            row.component = i;
-        }
+        row.right = row.right && found.right;
         if (!found.right || found.within) row.error = std::max(row.error, found.error);
     }
     return row;
@@ -76,12 +87,27 @@ void add_quantiles(std::vector<double> errors, std::map<std::string, double>& me
 
 }
 
-std::pair<std::string, std::string> show_both(const RowKind& kind, const TensorView& student,
-                                              const TensorView& expected, std::size_t row, std::size_t index)
+Difference row_difference(const RowPairs& pairs, std::size_t row, std::string place)
 {
-    return telling_apart([&](int digits) {
-        return std::pair(kind.show(student, row, index, digits), kind.show(expected, row, index, digits));
+    const auto& [check, student, expected, kind, columns] = pairs;
+    const std::size_t components = expected.components();
+    const std::vector<std::size_t> wrong = wrong_components(check, student, expected, row, kind);
+    const std::size_t first = wrong.empty() ? 0 : wrong.front();
+    if (place.empty()) place = kind.where(row, components, first);
+    Difference result{std::move(place), "", "", row};
+    const bool named = columns.size() == components && !wrong.empty() && !columns[first].empty();
+    const bool alone = named && components > most_shown_whole;
+    if (alone && wrong.size() > 1)
+        result.where +=
+            fmt::format(", {} and {} other{} of it", columns[first], wrong.size() - 1, wrong.size() == 2 ? "" : "s");
+    else if (named && wrong.size() == 1)
+        result.where += ", " + columns[first];
+    std::tie(result.yours, result.expected) = telling_apart([&](int digits) {
+        return alone ? std::pair(number_text(student.cell(row)[first], digits),
+                                 number_text(expected.cell(row)[first], digits))
+                     : std::pair(kind.show(student, row, first, digits), kind.show(expected, row, first, digits));
     });
+    return result;
 }
 
 std::vector<RowState> row_states(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor,
@@ -98,7 +124,7 @@ std::vector<RowState> row_states(const Check& check, const Tensor& student_tenso
 }
 
 Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Tensor& expected_tensor,
-                     const Tensor* margin, const RowKind& kind)
+                     const Tensor* margin, const RowKind& kind, const std::vector<std::string>& columns)
 {
     if (!has_bound(check.tolerance)) fault(check, "a tolerance is needed: absolute, relative or ulps");
     const TensorView student(student_tensor);
@@ -116,7 +142,6 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     std::vector<double> errors;
     std::optional<std::size_t> first_wrong;
     std::optional<std::size_t> worst_wrong;
-    Row first;
     Row worst;
     for (std::size_t start = 0; start < expected.cells(); start += group) {
         bool unit_right = true;
@@ -130,7 +155,7 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
             unit_right = false;
             ++wrong;
             if (!row.comparable) ++(expected.present(i) ? missing : extra);
-            if (!first_wrong) first_wrong = i, first = row;
+            if (!first_wrong) first_wrong = i;
             if (!worst_wrong || row.error > worst.error) worst_wrong = i, worst = row;
         }
         ++units;
@@ -156,19 +181,17 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     add_quantiles(std::move(errors), result.metrics);
     if (!first_wrong) return result;
 
-    const std::size_t columns = expected.components();
-    const auto [yours, right] = show_both(kind, student, expected, *first_wrong, first.component);
-    result.first_difference = Difference{kind.where(*first_wrong, columns, first.component), yours, right, first_wrong};
+    const RowPairs pairs{check, student, expected, kind, columns};
+    result.first_difference = row_difference(pairs, *first_wrong);
+    const Difference shown = row_difference(pairs, *worst_wrong);
     const std::string distance = worst.comparable && std::isfinite(worst.error)
                                      ? " (" + error_text(unit_of(check.tolerance), worst.error) + ")"
                                      : "";
     const std::string of = rows == 1 ? fmt::format("The only {} is wrong: ", kind.one)
                                      : fmt::format("{} of {} {} {} wrong; the worst is ", wrong, rows, kind.many,
                                                    wrong == 1 ? "is" : "are");
-    const auto [worst_yours, worst_right] = show_both(kind, student, expected, *worst_wrong, worst.component);
-    result.message =
-        fmt::format("{}{}: yours {}, expected {}{}", of, kind.where(*worst_wrong, columns, worst.component),
-                    worst_yours, worst_right, distance);
+    result.headline = of + shown.where;
+    result.message = fmt::format("{}: yours {}, expected {}{}", result.headline, shown.yours, shown.expected, distance);
     return result;
 }
 

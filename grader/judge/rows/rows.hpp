@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "judge/judge.hpp"
 #include "judge/rows/tensor_view.hpp"
@@ -20,10 +21,19 @@ struct RowKind {
     std::string (*show)(const TensorView& view, std::size_t row, std::size_t index, int digits);
 };
 
-/// What both sides have in a row, `index` being the component of interest, in as many digits as tell them apart.
-[[nodiscard]] std::pair<std::string, std::string> show_both(const RowKind& kind, const TensorView& student,
-                                                            const TensorView& expected, std::size_t row,
-                                                            std::size_t index);
+/// Two tables that are compared row by row. `columns` are names of the rows' numbers (columns.hpp), or nothing.
+struct RowPairs {
+    const Check& check;
+    const TensorView& student;
+    const TensorView& expected;
+    const RowKind& kind;
+    const std::vector<std::string>& columns;
+};
+
+/// What both sides have in a row, in as many digits as tell them apart, and where: "row 3, y". Of a row of more than
+/// four numbers that have names, the first wrong one is shown, and how many others are wrong is said. `place`: what
+/// the row is called instead of "row 3".
+[[nodiscard]] Difference row_difference(const RowPairs& pairs, std::size_t row, std::string place = {});
 
 enum class RowState : std::uint8_t { left_out, right, wrong };
 
@@ -43,6 +53,7 @@ enum class RowState : std::uint8_t { left_out, right, wrong };
 /// gives the unit (an ulp of an expected 0 says nothing). Throws std::invalid_argument on what only the grader's side
 /// can have caused.
 [[nodiscard]] Judgement judge_rows(const Check& check, const Tensor& student, const Tensor& expected,
-                                   const Tensor* margin, const RowKind& kind);
+                                   const Tensor* margin, const RowKind& kind,
+                                   const std::vector<std::string>& columns = {});
 
 }

@@ -53,6 +53,14 @@ Markup question(const CheckResult& check)
                   check.first_difference->where, check.first_difference->question);
 }
 
+/// Where lists and files in the question stand with all their elements.
+Markup question_in_full(const CheckResult& check)
+{
+    const auto found = check.artefacts.find("question");
+    if (found == check.artefacts.end()) return {};
+    return markup("<p class=\"note\">The first question in full: <code>{}</code></p>\n", found->second);
+}
+
 Markup simplest(const CheckResult& check)
 {
     if (!check.simplest) return {};
@@ -81,12 +89,11 @@ struct Show {
     Markup operator()(const CostEvidence& evidence) const { return cost_evidence(evidence); }
 };
 
-/// What stands before "yours … expected …" where the evidence shows both anyway.
-std::string_view short_message(const CheckResult& check, const CheckDetail& detail)
+/// The evidence shows the values.
+std::string_view shown_message(const CheckResult& check, const CheckDetail& detail)
 {
-    const std::string_view message = check.message;
-    return std::holds_alternative<RowsEvidence>(detail.evidence) ? message.substr(0, message.find(": yours "))
-                                                                 : message;
+    const bool shows_values = std::holds_alternative<RowsEvidence>(detail.evidence);
+    return shows_values && !check.headline.empty() ? check.headline : check.message;
 }
 
 }
@@ -107,12 +114,13 @@ Markup check_article(const CheckResult& check, const CheckDetail& detail, const 
         result += markup(" <span class=\"points\">{}, {}<span class=\"of\"> / {} points</span></span>", words,
                          points_text(check.score), points_text(check.max_score));
     result += "</p></header>\n";
-    if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", short_message(check, detail));
+    if (!check.message.empty()) result += markup("<p class=\"message\">{}</p>\n", shown_message(check, detail));
     if (!check.common.empty()) result += markup("<p class=\"common\">{}</p>\n", sentence(check.common));
     result += simplest(check);
     if (std::holds_alternative<std::monostate>(detail.evidence)) result += first_difference(check);
     if (!std::holds_alternative<RowsEvidence>(detail.evidence)) result += question(check);
     result += std::visit(Show{anchor}, detail.evidence);
+    result += question_in_full(check);
     if (judge_of(check).look != Look::none)
         result += metrics(check);
     else

@@ -19,10 +19,10 @@ Kind kind_of(LineKind kind)
     }
 }
 
-Markup side(const char* kind, std::size_t number, const std::string& text)
+Markup side(const char* kind, std::optional<std::size_t> number, const std::string& text)
 {
-    if (number == 0) return markup("<td class=\"line\"></td><td class=\"{} none\"></td>", kind);
-    return markup("<td class=\"line\">{}</td><td class=\"{}\"><code>{}</code></td>", number, kind, text);
+    if (!number) return markup("<td class=\"line\"></td><td class=\"{} none\"></td>", kind);
+    return markup("<td class=\"line\">{}</td><td class=\"{}\"><code>{}</code></td>", *number, kind, text);
 }
 
 Markup row(const LinePair& line)

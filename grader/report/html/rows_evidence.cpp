@@ -107,9 +107,13 @@ Markup rows_evidence(const RowsEvidence& evidence)
         return result;
     }
     const bool all = evidence.worst.empty() && evidence.first.size() == evidence.wrong;
-    return markup("<div class=\"tables\">{}{}</div>\n",
-                  table_of(evidence.first, evidence, all ? "Every wrong row" : first),
-                  table_of(evidence.worst, evidence, worst));
+    Markup result = markup("<div class=\"tables\">{}{}</div>\n",
+                           table_of(evidence.first, evidence, all ? "Every wrong row" : first),
+                           table_of(evidence.worst, evidence, worst));
+    if (evidence.equal_columns > 0)
+        result += markup("<p class=\"note\">{} more numbers of each row are equal in all of these.</p>\n",
+                         evidence.equal_columns);
+    return result;
 }
 
 }

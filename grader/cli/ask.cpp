@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <memory>
+
+#include "batch/ask_question.hpp"
+#include "build/builder.hpp"
+#include "cli/application.hpp"
+#include "cli/checkout.hpp"
+#include "cli/commands.hpp"
+#include "cli/paths.hpp"
+#include "collect/sources.hpp"
+#include "judge/rows/tensor_view.hpp"
+#include "judge/rows/tolerance.hpp"
+#include "report/paint.hpp"
+
+namespace umbral::grader {
+namespace {
+
+struct Options {
+    std::string unit;
+    std::string question;
+    std::string file;
+    std::string folder = ".";
+};
+
+constexpr std::size_t most_differences = 12;
+
+/// "y: 1 and 2 (3.2 ulp)": a number that differs.
+std::string number_line(const std::string& name, double mine, double right)
+{
+    const auto [a, b] =
+        telling_apart([&](int digits) { return std::pair(number_text(mine, digits), number_text(right, digits)); });
+    const bool measured = std::isfinite(mine) && std::isfinite(right);
+    const std::string distance =
+        measured ? fmt::format(" ({})", error_text(Unit::ulps, std::abs(mine - right) / float_ulp(right))) : "";
+    return fmt::format("{}{}{} and {}{}", name, name.empty() ? "" : ": ", a, b, distance);
+}
+
+/// In which of its numbers one answer differs from another, and by how much.
+std::vector<std::string> differences(const Answer& mine, const Answer& right)
+{
+    std::vector<std::string> lines;
+    const bool alike = mine.given && right.given && mine.names == right.names;
+    for (std::size_t i = 0; alike && i < right.numbers.size(); ++i) {
+        const double a = mine.numbers[i];
+        const double b = right.numbers[i];
+        if (a != b && !(std::isnan(a) && std::isnan(b))) lines.push_back(number_line(right.names[i], a, b));
+    }
+    if (lines.size() > most_differences) {
+        const std::size_t more = lines.size() - most_differences;
+        lines.resize(most_differences);
+        lines.push_back(fmt::format("and {} more", more));
+    }
+    return lines;
+}
+
+void print_difference(const Paint& paint, const std::string& what, const Answer& mine, const Answer& right)
+{
+    if (mine.given == right.given && mine.text == right.text) {
+        fmt::print("{} are equal.\n", what);
+        return;
+    }
+    const std::vector<std::string> lines = differences(mine, right);
+    fmt::print("{} differ{}\n", what, lines.empty() ? "." : ":");
+    for (const std::string& line : lines) fmt::print("  {}\n", paint.safe(line));
+}
+
+void print_answer(const Paint& paint, const char* whose, Tone tone, const Answer& answer)
+{
+    fmt::print("{}{}\n", paint(Tone::quiet, fmt::format("{:<11}", whose)), paint(tone, paint.safe(answer.text)));
+}
+
+void ask(Application& application, const Options& options)
+{
+    const Exercise exercise = application.chosen({options.unit}).front();
+    if (const std::string why = not_askable(exercise); !why.empty())
+        throw UsageError(fmt::format("{} cannot be asked: {}; umbral debug runs a case of it", exercise.id, why));
+    if (options.question.empty() == options.file.empty())
+        throw UsageError("expected a question, in quotes, or --file with one");
+    const std::string question =
+        options.file.empty() ? options.question : as_given([&] { return read_text(options.file); });
+    expect_folder(options.folder, "a workspace");
+    const Handed handed =
+        collect(read_submission(options.folder, {&exercise, 1}, archive_tools(application.tools)), exercise);
+    if (!handed.refused.empty()) throw UsageError(fmt::format("not read in {}: {}", options.folder, handed.refused));
+    if (!handed.missing.empty())
+        throw UsageError(fmt::format("not found in {}: {}", options.folder, fmt::join(handed.missing, ", ")));
+    have_built(application, {&exercise, 1});
+    const Built built = build(application.tools, exercise, handed.files);
+    if (built.verdict != Verdict::ok) throw UsageError(fmt::format("{}:\n{}", in_words(built.verdict), built.message));
+    Worker worker(application.tools);
+    const AskedQuestion asked = ask_question(worker, exercise, built, question);
+    if (!asked.refused.empty()) throw UsageError("this is no question:\n" + asked.refused);
+    const Paint paint(application.style);
+    print_answer(paint, "yours", Tone::yours, asked.yours);
+    print_answer(paint, "reference", Tone::expected, asked.reference);
+    if (asked.oracle) print_answer(paint, "oracle", Tone::expected, *asked.oracle);
+    fmt::print("\n");
+    print_difference(paint, "Yours and the reference's", asked.yours, asked.reference);
+    if (asked.oracle) print_difference(paint, "Yours and the oracle's", asked.yours, *asked.oracle);
+}
+
+}
+
+void add_ask(Command parser, Application& application)
+{
+    auto options = std::make_shared<Options>();
+    const Command command =
+        parser.command("ask", "Asks your file, the reference and the oracle one question that a report shows");
+    command.option("UNIT", options->unit, "Which unit").required();
+    command.option("QUESTION", options->question, "A call with its arguments, in quotes, as a report shows it");
+    command.option("--file", options->file, "A file with the question");
+    command.option("--dir", options->folder, "The workspace").with_default();
+    command.runs([&application, options] { ask(application, *options); });
+}
+
+}

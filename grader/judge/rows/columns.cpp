@@ -1,0 +1,64 @@
+#include "judge/rows/columns.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace umbral::grader {
+namespace {
+
+constexpr std::string_view letters = "xyzw";
+constexpr std::string_view nameless = "-";
+constexpr std::size_t most_in_group = 64;
+
+std::string_view trimmed(std::string_view text)
+{
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\n')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.remove_suffix(1);
+    return text;
+}
+
+/// "colour/4" as its name and how many it names.
+ColumnGroup group_of(std::string_view item, std::size_t first)
+{
+    const std::size_t slash = item.rfind('/');
+    if (slash == std::string_view::npos) return {std::string(item), first, 1};
+    std::size_t size = 0;
+    const auto [end, error] = std::from_chars(item.data() + slash + 1, item.data() + item.size(), size);
+    const bool is_number = error == std::errc() && end == item.data() + item.size();
+    if (!is_number || size == 0 || size > most_in_group) return {std::string(item), first, 1};
+    return {std::string(item.substr(0, slash)), first, size};
+}
+
+}
+
+std::vector<ColumnGroup> column_groups(std::string_view text, std::size_t components)
+{
+    std::vector<ColumnGroup> groups;
+    std::size_t next = 0;
+    while (!trimmed(text).empty()) {
+        const std::string_view item = text.substr(0, text.find(','));
+        text.remove_prefix(std::min(item.size() + 1, text.size()));
+        groups.push_back(group_of(trimmed(item), next));
+        next += groups.back().size;
+    }
+    if (next != components) return {};
+    std::erase_if(groups, [](const ColumnGroup& group) { return group.name == nameless; });
+    return groups;
+}
+
+std::vector<std::string> column_names(std::string_view text, std::size_t components)
+{
+    std::vector<std::string> names(components);
+    const std::vector<ColumnGroup> groups = column_groups(text, components);
+    for (const ColumnGroup& group : groups)
+        for (std::size_t i = 0; i < group.size; ++i)
+            names[group.first + i] = group.size == 1                ? group.name
+                                     : group.size <= letters.size() ? group.name + "." + letters[i]
+                                                                    : group.name + "[" + std::to_string(i) + "]";
+    if (!groups.empty()) return names;
+    if (components < 2 || components > letters.size()) return {};
+    for (std::size_t i = 0; i < components; ++i) names[i] = letters[i];
+    return names;
+}
+
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbral::grader {
+
+/// Numbers of a row that have a name together: "colour", from 3 on, 4 of them.
+struct ColumnGroup {
+    std::string name;
+    std::size_t first = 0;
+    std::size_t size = 1;
+};
+
+/// The groups in "width, colour/4, -/2": those called "-" have no name and are left out. Nothing if the text says
+/// otherwise than that, or does not name exactly `components` numbers.
+[[nodiscard]] std::vector<ColumnGroup> column_groups(std::string_view text, std::size_t components);
+
+/// What each number of a row is called: "width", "colour.x", "matrix[5]". Without a text that fits, rows of two to four
+/// numbers are x, y, z, w, and others have no names: then there are none.
+[[nodiscard]] std::vector<std::string> column_names(std::string_view text, std::size_t components);
+
+}
