@@ -5,6 +5,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <umbral/meshes/ply.hpp>
 #include <umbral/meshes/ply_types.hpp>
@@ -36,27 +37,40 @@ struct Header {
     double vertices = 0;  ///< how many
 };
 
+/// Whether a decimal that no float or double comes near is too small, and not too large: where its first digit other
+/// than 0 stands, counted from the point that its exponent moves. No exponent is too long for this.
+bool is_tiny(std::string_view word)
+{
+    const std::size_t e = std::min(word.find_first_of("eE"), word.size());
+    const auto first = static_cast<double>(word.find_first_of("123456789"));
+    const auto point = static_cast<double>(std::min(word.find('.'), e));
+    double exponent = 0;
+    for (const char c : word.substr(e))
+        if (c >= '0' && c <= '9') exponent = 10 * exponent + (c - '0');
+    return point - first + (word.substr(e).find('-') == std::string_view::npos ? exponent : -exponent) < 0;
+}
+
 /// The nearest number of the type, if the whole word is one.
 template <class Number>
 std::optional<double> parsed(std::string_view word)
 {
-    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+    if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
     Number number{};
     const char* const last = word.data() + word.size();
     const auto [end, error] = std::from_chars(word.data(), last, number);
     if (end != last || error == std::errc::invalid_argument) return std::nullopt;
     if (error == std::errc()) return static_cast<double>(number);
-    long double wide = 1;  // out of range: what is too small becomes zero
-    if (std::is_floating_point_v<Number>) std::from_chars(word.data(), last, wide);
-    return std::abs(wide) < 1 ? std::optional<double>(static_cast<Number>(wide)) : std::nullopt;
+    return std::is_floating_point_v<Number> && is_tiny(word) ? std::optional(0.0) : std::nullopt;
 }
 
+/// Whether a whole number fits its type.
 bool is_in_range(double value, PlyType type)
 {
-    const int bits = 8 << (static_cast<int>(type) / 2);
-    if (type >= PlyType::float32) return true;
-    return static_cast<int>(type) % 2 == 0 ? std::abs(value + 0.5) < std::ldexp(1.0, bits - 1)
-                                           : value >= 0 && value < std::ldexp(1.0, bits);
+    return with_ply_type(type, [value](auto zero) {
+        using Number = decltype(zero);
+        return std::is_floating_point_v<Number> || (value >= double{std::numeric_limits<Number>::lowest()} &&
+                                                    value <= double{std::numeric_limits<Number>::max()});
+    });
 }
 
 /// Whether bytes must change their order.
@@ -97,7 +111,7 @@ public:
     }
     void end_element()
     {
-        if (!binary_ && !word().empty()) refuse(PlyProblem::line_length, "fewer numbers", line_);
+        if (!word().empty()) refuse(PlyProblem::line_length, "fewer numbers", line_);
     }
 
     /// The next number: a double holds the values of all types exactly.
@@ -189,8 +203,8 @@ Header read_header(File& file)
         keyword = file.word();
         if (keyword == "comment" || keyword == "obj_info") continue;
         if (keyword == "format") {
-            const auto place = std::find(format_names, format_names + 3, file.word()) - format_names;
-            require(place < 3 && file.word() == "1.0" && !header.format,
+            const auto place = std::ranges::find(format_names, file.word()) - format_names;
+            require(place < std::ssize(format_names) && file.word() == "1.0" && !header.format,
                     "once 'format ascii 1.0', or binary_little_endian, or binary_big_endian");
             header.format = static_cast<PlyFormat>(place);
         } else if (keyword == "element") {
@@ -221,21 +235,22 @@ Header read_header(File& file)
     return header;
 }
 
-void read_list(File& file, const Property& property, double vertices, PolygonMesh& mesh)
+/// `face` is room that all faces share until their length is known.
+void read_list(File& file, const Property& property, double vertices, std::vector<std::uint32_t>& face,
+               PolygonMesh& mesh)
 {
     // The list grows as its numbers come: the length may be a lie.
     const double length = file.number(*property.length_type);
     if (length < 0) file.refuse(PlyProblem::number, "a list of length 0 or more");
-    std::vector<std::uint32_t> face;
+    face.clear();
     for (double i = 0; i < length; ++i) {
         const double value = file.number(property.type);
         if (property.role != Role::corners) continue;
         if (!(value >= 0 && value < std::min(vertices, 0x1p32)) || value != std::floor(value))
             file.refuse(PlyProblem::index, "a vertex, counted from 0", std::to_string(value));
-        if (i == 0) face.reserve(static_cast<std::size_t>(std::min(length, 8.0)));
         face.push_back(static_cast<std::uint32_t>(value));
     }
-    if (property.role == Role::corners) mesh.faces.push_back(std::move(face));
+    if (property.role == Role::corners) mesh.faces.push_back(face);
 }
 
 }
@@ -245,6 +260,7 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
     File file({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     const Header header = read_header(file);
     PolygonMesh mesh;
+    std::vector<std::uint32_t> face;
     for (const Element& element : header.elements) {
         // Without properties an element takes no room, whatever its count. The others end with the file at the latest.
         const double count = element.properties.empty() ? 0 : element.count;
@@ -253,7 +269,7 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
             file.begin_element();
             for (const Property& property : element.properties) {
                 if (property.length_type)
-                    read_list(file, property, header.vertices, mesh);
+                    read_list(file, property, header.vertices, face, mesh);
                 else
                     by_role[static_cast<std::size_t>(property.role)] = static_cast<float>(file.number(property.type));
             }

@@ -8,6 +8,7 @@
 #include "malformed.hpp"
 #include "models.hpp"
 #include "reading_text.hpp"
+#include "well_formed.hpp"
 
 namespace umbral {
 namespace {
@@ -53,12 +54,12 @@ void record_faces(Recorder& out, const std::vector<std::vector<std::uint32_t>>& 
     }
 }
 
-/// The bits of x, y, z, x, …: what was lost shows in any of them, and NaN can be told from infinity.
+/// The bits of x, y, z, x, …: what was lost shows in any of them, and NaN can be told from infinity. Any NaN will do.
 void record_bits(Recorder& out, const PolygonMesh& mesh, std::size_t count)
 {
     std::vector<std::uint32_t> bits;
     for (std::size_t i = 0; i < std::min(count, mesh.positions.size()); ++i)
-        for (int axis = 0; axis < 3; ++axis) bits.push_back(std::bit_cast<std::uint32_t>(mesh.positions[i][axis]));
+        for (int axis = 0; axis < 3; ++axis) bits.push_back(bits_of(mesh.positions[i][axis]));
     append_rows(out, "bits", bits, 3 * count, [](std::uint32_t row) { return row; });
 }
 
@@ -107,8 +108,11 @@ void record_known(Recorder& out)
                 "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
                 "z\nend_header\n1 2 3\n-4 5.5 6e-3\n",
                 cloud);
-    record_read(
-        out, "ply\nformat ascii 1.0\nelement vertex 0\nproperty int x\nproperty int y\nproperty int z\nend_header", {});
+    record_read(out,
+                "ply\nformat ascii 1.0\nelement vertex 2\nproperty int x\nproperty short y\nproperty uchar "
+                "z\nend_header\n16777217 -1 0\n+16777219 -32768 255\n",
+                {{{16777216, -1, 0}, {16777220, -32768, 255}}, {}});
+    for (const std::string& file : odd_files()) record_read(out, file, four_corners);
 }
 
 void record_dialects(std::initializer_list<PlyFormat> kinds, Random& random, Recorder& out)
@@ -146,9 +150,14 @@ void record_decimals(Recorder& out)
                                  "-1e-400",
                                  "3.4028235e38",
                                  "inf",
-                                 "-inf",
                                  "0.000000000000000000000000000000000000000000001",
                                  "100000000000000000000000000000000000000e-38",
+                                 "0.01e-5000",
+                                 "1e-99999999999999999999",
+                                 "-inf",
+                                 "+inf",
+                                 "nan",
+                                 "-nan",
                                  "8.589973e9"};
     for (const char* type : {"float", "double"}) {
         for (const char* word : words) {
@@ -156,35 +165,46 @@ void record_decimals(Recorder& out)
                                        " x\nproperty float y\nproperty float z\nend_header\n";
             PolygonMesh mesh = read_or_nothing(out, header + word + " 0 1\n", {"bits"});
             // A zero that came of what is too small may have either sign.
-            if (std::string_view(word) == "-1e-400" && !mesh.positions.empty() && mesh.positions[0].x == 0)
+            if (std::string_view(word) != "-0" && !mesh.positions.empty() && mesh.positions[0].x == 0)
                 mesh.positions[0].x = 0;
             record_bits(out, mesh, 1);
         }
     }
 }
 
-/// 0 for a file that was read, the problem for one that was refused, 99 for another exception.
-std::uint32_t outcome(Recorder& out, const std::string& file, std::size_t* place = nullptr)
+struct Outcome {
+    std::uint32_t problem = 0;  ///< 0 for a file that was read, 99 for an exception that is no PlyError
+    std::uint32_t place = missing;
+    std::string text{};
+};
+
+Outcome outcome(Recorder& out, const std::string& file)
 {
     try {
         (void)read(out, file);
-        return 0;
+        return {};
     } catch (const PlyError& error) {
-        if (place != nullptr) *place = error.place();
-        return static_cast<std::uint32_t>(error.problem());
+        return {static_cast<std::uint32_t>(error.problem()),
+                static_cast<std::uint32_t>(std::min<std::size_t>(error.place(), missing)), error.what()};
     } catch (const std::exception&) {
-        return 99;
+        return {99};
     }
 }
 
 /// Each bad file is paired with a good one, so that refusing everything earns nothing.
 void record_problems(Recorder& out, const std::vector<Malformed>& files)
 {
-    for (const Malformed& bad : files) {
-        std::size_t place = missing;
-        out.append("problems", outcome(out, good_ascii));
-        out.append("problems", outcome(out, bad.file, &place));
-        if (bad.has_place) out.append("places", static_cast<std::uint32_t>(std::min<std::size_t>(place, missing)));
+    std::vector<std::string> good = odd_files();
+    for (const std::string& file : empty_files()) good.push_back(file);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const Malformed& bad = files[i];
+        out.append("problems", outcome(out, good[i % good.size()]).problem);
+        const auto [problem, place, text] = outcome(out, bad.file);
+        out.append("problems", problem);
+        if (bad.has_place) out.append("places", place);
+        if (bad.word.empty()) continue;
+        const auto tells = [&](const std::string& word) { return text.find(word) != std::string::npos; };
+        out.append("texts", tells(bad.word) && tells(std::to_string(place)) ? place : missing);
     }
 }
 
@@ -197,7 +217,8 @@ void record_written(Recorder& out, const PolygonMesh& mesh, PlyFormat format)
     for (std::size_t i = 0; format == PlyFormat::ascii && i < 3 * mesh.positions.size(); ++i) {
         // Large whole numbers have two right ways: as few digits as a float needs, or their own.
         const float value = std::abs(mesh.positions[i / 3][static_cast<int>(i % 3)]);
-        if (value < 0x1p24F || value > 1e15F) out.append("digits", i < file.digits.size() ? file.digits[i] : missing);
+        if (value < 0x1p24F || (value > 1e15F && std::isfinite(value)))
+            out.append("digits", i < file.digits.size() ? file.digits[i] : missing);
     }
     record_faces(out, file.faces, mesh);
 }
@@ -217,17 +238,23 @@ void record_writing(Random& random, Recorder& out)
         const float y = random.uniform(-1, 1);
         large.positions.emplace_back(x, y, static_cast<float>(random.below(2000)) / 100.0F);
     }
-    PolygonMesh small{{{0, -0.0F, 1e-45F}, {0.1F, 1e10F, 3.4028235e38F}, {16777216, 1.0F / 3, -1e-10F}},
-                      {{0, 1, 2}, {2, 1, 0, 1}}};
+    const float infinity = std::numeric_limits<float>::infinity();
+    const PolygonMesh small{{{0, -0.0F, 1e-45F},
+                             {0.1F, 1e10F, 3.4028235e38F},
+                             {16777216, 1.0F / 3, -1e-10F},
+                             {infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}},
+                            {{0, 1, 2}, {2, 1, 0, 1}}};
     for (const PlyFormat format : formats) {
         record_written(out, {}, format);
         record_written(out, small, format);
         record_written(out, large, format);
     }
-    // A face of 300 corners does not fit a list whose length is one byte.
-    large.faces.emplace_back();
-    for (std::uint32_t i = 0; i < 300; ++i) large.faces.back().push_back(299 - i);
-    for (const PlyFormat format : formats) record_written(out, large, format);
+    // A face of 256 corners does not fit a list whose length is one byte.
+    for (const std::uint32_t corners : {255U, 256U, 300U}) {
+        large.faces = {{7, 8, 9}, {}};
+        for (std::uint32_t i = 0; i < corners; ++i) large.faces.back().push_back(299 - i);
+        for (const PlyFormat format : formats) record_written(out, large, format);
+    }
 }
 
 /// A decimal comma, and dots between thousands, as in many countries.

@@ -7,30 +7,17 @@
 #include <vector>
 
 #include "dialect.hpp"
+#include "well_formed.hpp"
 
 /// Files that must be refused, each made from a good one by one change.
 namespace umbral::meshes {
 
-inline const std::string good_ascii =
-    "ply\nformat ascii 1.0\ncomment four corners\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
-    "z\n"
-    "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
-    "0 0 0.5\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n";
-
-/// A file, and whether the place of its fault is defined.
+/// A file, whether the place of its fault is defined, and the word that cannot be used, if there is one.
 struct Malformed {
     std::string file;
     bool has_place = true;
+    std::string word{};
 };
-
-/// The text with a piece of it replaced; the first such piece after `after`.
-inline std::string changed(const std::string& text, const std::string& piece, const std::string& by,
-                           const std::string& after = "")
-{
-    const std::size_t from = text.find(piece, text.find(after));
-    if (from == std::string::npos) throw std::logic_error("changed: there is no '" + piece + "'");
-    return std::string(text).replace(from, piece.size(), by);
-}
 
 inline std::vector<Malformed> bad_headers()
 {
@@ -40,6 +27,7 @@ inline std::vector<Malformed> bad_headers()
             {"\n" + good_ascii},
             with("ply\n", "PLY\n"),
             with("ply\n", "plyx\n"),
+            with("ply\n", "ply 1\n"),
             with("format ascii 1.0", "format text 1.0"),
             with("format ascii 1.0", "format ascii 2.0"),
             with("element vertex", "format ascii 1.0\nelement vertex"),
@@ -49,8 +37,11 @@ inline std::vector<Malformed> bad_headers()
             with("vertex 4", "vertex -4"),
             with("vertex 4", "vertex 4.0"),
             with("vertex 4", "vertex 99999999999999999999"),
+            with("vertex 4", "vertex 9223372036854775808"),
+            with("vertex 4", "vertex 4 4"),
             with("element face", "element vertex"),
             with("element face", "elephant face"),
+            with("element face", "faces\nelement face"),
             with("comment four", "property float x\ncomment four"),
             with("float y", "real y"),
             with("float y", "float"),
@@ -72,28 +63,57 @@ inline std::vector<Malformed> bad_data()
     const auto with = [](const char* piece, const char* by) {
         return Malformed{changed(good_ascii, piece, by, "end_header")};
     };
-    return {{changed(good_ascii, "3 0 1 2\n3 0 2 3\n", ""), false},
-            {changed(good_ascii, "3 0 2 3\n", ""), false},
-            {changed(good_ascii, "face 2", "face 1")},
-            {good_ascii + "\n\n7\n"},
-            with("1 0 0", "1 0 zero"),
-            with("1 0 0", "1 0,5 0"),
-            with("1 0 0", "1 0.5.5 0"),
-            with("1 0 0", "1 0x1 0"),
-            with("1 0 0", "1 1e50 0"),
-            with("1 0 0", "1 0"),
-            with("1 0 0", "1 0 0 0"),
-            with("3 0 2 3", "4 0 2 3"),
-            with("3 0 2 3", "2 0 2 3"),
-            with("3 0 2 3", "3 0 2.0 3"),
-            with("3 0 2 3", "300 0 2 3"),
-            with("3 0 2 3", "-3 0 2 3"),
-            with("3 0 2 3", "3 0 2 4"),
-            with("3 0 2 3", "3 0 -1 3"),
-            {changed(changed(good_ascii, "uchar int", "uchar float"), "3 0 2 3", "3 0 1.5 3")},
-            {changed(changed(good_ascii, "uchar int", "char int"), "3 0 2 3", "-1")},
-            {changed(good_ascii, "vertex 4", "vertex 3")},
-            {changed(good_ascii, "vertex 4", "vertex 5")}};
+    const auto with_word = [&](const char* piece, const char* before, const char* number, const char* behind = "") {
+        return Malformed{with(piece, (std::string(before) + number + behind).c_str()).file, true, number};
+    };
+    const auto of_type = [](const char* type, const char* number) {
+        return Malformed{changed(changed(good_ascii, "float y", std::string(type) + " y"), "1 0 0",
+                                 std::string("1 ") + number + " 0", "end_header")};
+    };
+    std::vector<Malformed> files = {{changed(good_ascii, "3 0 1 2\n3 0 2 3\n", ""), false},
+                                    {changed(good_ascii, "3 0 2 3\n", ""), false},
+                                    {changed(good_ascii, "face 2", "face 1")},
+                                    {good_ascii + "\n\n7\n"},
+                                    with_word("1 0 0", "1 0 ", "zero"),
+                                    with_word("0 0 1", "", "0,5", " 0 1"),
+                                    with_word("0 1 0", "0 ", "0.5.5", " 0"),
+                                    with_word("0 0 0.5", "", "0x1", " 0 0.5"),
+                                    with_word("0 0 0.5", "0 0 ", "1e50"),
+                                    with("1 0 0", "1 -1e50 0"),
+                                    with("1 0 0", "1 100000000000000000000000000000000000000000000000000e-1 0"),
+                                    with("1 0 0", "1 + 0"),
+                                    with("1 0 0", "1 +-1 0"),
+                                    with("1 0 0", "1 0"),
+                                    with("1 0 0", "1 0 0 0"),
+                                    of_type("double", "1e400"),
+                                    of_type("double", "1e5000"),
+                                    of_type("int", "99999999999999999999"),
+                                    of_type("int", "-99999999999999999999"),
+                                    with("3 0 2 3", "4 0 2 3"),
+                                    with("3 0 2 3", "2 0 2 3"),
+                                    with_word("3 0 2 3", "3 0 ", "2.0", " 3"),
+                                    with_word("3 0 1 2", "", "300", " 0 2 3"),
+                                    with("3 0 2 3", "-3 0 2 3"),
+                                    with_word("3 0 2 3", "3 0 2 ", "47"),
+                                    with("3 0 2 3", "3 0 2 4"),
+                                    with("3 0 2 3", "3 0 -1 3"),
+                                    {changed(changed(good_ascii, "uchar int", "uchar float"), "3 0 2 3", "3 0 1.5 3")},
+                                    {changed(changed(good_ascii, "uchar int", "char int"), "3 0 2 3", "-1")},
+                                    {changed(good_ascii, "vertex 4", "vertex 3")},
+                                    {changed(good_ascii, "vertex 4", "vertex 5")}};
+    for (int type = 0; type < 6; ++type)
+        for (const bool highest : {false, true})
+            files.push_back(
+                {with_number(static_cast<PlyType>(type), limit_of(static_cast<PlyType>(type), highest, 1))});
+    // Faces first: whether their corners are vertices is told by the count alone, of which no digit may be lost.
+    for (const char* const type : {"int", "uint", "double"}) {
+        const std::string claims = std::string("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar ") + type +
+                                   " vertex_index\nelement vertex 16777217\nproperty float x\nproperty float "
+                                   "y\nproperty float z\nend_header\n3 0 1 16777217\n";
+        files.push_back({claims});
+        files.push_back({changed(claims, "vertex 16777217", "vertex 16777218"), false});
+    }
+    return files;
 }
 
 /// The good mesh in binary, with one value of its data changed: `offset` is counted from the end of the header.
@@ -105,8 +125,7 @@ inline Malformed poked(PlyFormat format, PlyType length_type, PlyType corner_typ
     dialect.length_type = length_type;
     dialect.corner_type = corner_type;
     Random unused(1);
-    std::string file =
-        written_in(dialect, {{{0, 0, 0.5F}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}}, unused);
+    std::string file = written_in(dialect, four_corners, unused);
     return {file.replace(file.find("end_header\n") + 11 + offset, bytes.size(), bytes)};
 }
 

@@ -62,7 +62,7 @@ void record_many(Random& random, Recorder& out)
     // Very many copies, of which some are looked at: where errors that add up are largest, and at the quarters of the
     // turn.
     for (const std::uint32_t copies : {1001U, 10'001U, 65'537U}) {
-        const TexturedMesh surface = ask<revolve>(out, Profile{{1, 0}, {2, 1}}, copies);
+        const TexturedMesh surface = ask<revolve>(out, Profile{{1, 0}, {3.9F, 1}}, copies);
         Places places;
         for (std::uint32_t k = 0; k < 200; ++k)
             places.push_back(2 * std::size_t{copies - 1} * k / 200 + random.below(2 * (copies / 256)));

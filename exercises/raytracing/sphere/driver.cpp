@@ -98,26 +98,37 @@ std::vector<BallShot> tangent(Random& random)
     return shots;
 }
 
-// A point at an end of the interval does not count. All numbers are small integers times a power of two, so that every
-// formula finds the roots exactly: `near` and `far` are 2 and 4 lengths of the direction.
+// A point at an end of the interval does not count; where the interval begins behind the origin, points there do. All
+// numbers are small integers times a power of two, so that every formula finds the roots exactly: they are one length
+// of the direction before and behind the one that the ray begins at.
 std::vector<BallShot> at_the_ends(Random& random)
 {
     constexpr float endless = std::numeric_limits<float>::infinity();
     std::vector<BallShot> shots;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 80; ++i) {
         const float radius = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
         const glm::vec3 centre = radius * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
+        const auto axis = random.below(3);
         glm::vec3 direction(0);
-        direction[random.below(3)] = random.below(2) == 0 ? radius : -radius;
+        direction[axis] = random.below(2) == 0 ? radius : -radius;
         const Sphere ball{centre, radius};
-        const auto in = [&](float t_min, float t_max) {
-            return BallShot{Ray{centre - 3.0F * direction, direction, t_min, t_max}, ball};
+        const auto from = [&](float middle, float t_min, float t_max) {
+            return BallShot{Ray{centre - middle * direction, direction, t_min, t_max}, ball};
         };
-        switch (i % 4) {
+        const auto in = [&](float t_min, float t_max) { return from(3, t_min, t_max); };
+        BallShot touching = from(0, -1, endless);
+        touching.ray.origin[(axis + 1) % 3] += radius;
+        BallShot touching_at_the_end = touching;
+        touching_at_the_end.ray.t_min = 0;
+        switch (i % 8) {
             case 0: add_pair(shots, in(2, endless), in(4, endless), random); break;
             case 1: add_pair(shots, in(3, 5), in(3, 4), random); break;
             case 2: add_pair(shots, in(0, 2.125F), in(0, 2), random); break;
-            default: add_pair(shots, in(2, 4.125F), in(2, 4), random);
+            case 3: add_pair(shots, in(2, 4.125F), in(2, 4), random); break;
+            case 4: add_pair(shots, from(-3, -5, endless), from(-3, -2, endless), random); break;
+            case 5: add_pair(shots, from(-3, -4, 0), from(-3, -4, -2), random); break;
+            case 6: add_pair(shots, from(0, -endless, endless), from(0, -1, 1), random); break;
+            default: add_pair(shots, touching, touching_at_the_end, random);
         }
     }
     return shots;

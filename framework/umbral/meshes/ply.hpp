@@ -26,7 +26,8 @@ enum class PlyProblem {
     index = 8,  ///< a corner of a face is no vertex: negative, not whole, or not less than the number of vertices
 };
 
-/// What `read_ply` throws. The text says what was expected, what came, and where.
+/// What `read_ply` throws. The text says what was expected, what came, and where: of a number in ASCII data that cannot
+/// be used, it holds that number and `place()` in digits.
 class PlyError : public std::runtime_error {
 public:
     PlyError(PlyProblem problem, std::size_t place, const std::string& text)
@@ -71,7 +72,7 @@ private:
 /// nothing else but std::bad_alloc. Course: "formato PLY".
 [[nodiscard]] PolygonMesh read_ply(std::span<const std::byte> file);
 
-/// The mesh as a PLY file: `vertex` with float x, y, z, and `face` with a list vertex_indices.
+/// The mesh as a PLY file: `vertex` with float x, y, z, then `face` with a list vertex_indices, and nothing else.
 ///
 /// `read_ply` gives back the same mesh, bit for bit (a NaN comes back as some NaN), also faces of more than 255
 /// corners. In ASCII each coordinate has no more digits than such a decimal needs, in whatever notation: "0.1", not

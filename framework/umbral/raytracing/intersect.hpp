@@ -15,7 +15,8 @@ struct Sphere {
 
 /// Distance along the ray to the first point of the sphere, if there is one.
 ///
-/// `ray.direction` need not be unit; the distance t is counted in its lengths, and lies in (t_min, t_max).
+/// `ray.direction` need not be unit; the distance t is counted in its lengths, and lies in (t_min, t_max). It is
+/// negative behind the origin, if t_min admits that.
 /// Rays without a direction, or with NaN in them, hit nothing.
 /// Guarantee of the reference, from up to 1e6 radii away: hit or miss is right whenever the ray passes the silhouette
 /// by more than two ulp of its origin's distance from the centre (widest miss measured: 1.2); t is within 24 ulp

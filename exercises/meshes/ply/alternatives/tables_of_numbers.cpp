@@ -12,9 +12,9 @@
 namespace umbral::meshes {
 namespace {
 
-[[noreturn]] void refuse(PlyProblem problem, std::size_t place)
+[[noreturn]] void refuse(PlyProblem problem, std::size_t place, const std::string& word = "")
 {
-    throw PlyError(problem, place, "refused at " + std::to_string(place));
+    throw PlyError(problem, place, "refused '" + word + "' at " + std::to_string(place));
 }
 
 struct Property {
@@ -161,7 +161,7 @@ struct Reader {
             }
             if (next == words.size()) refuse(PlyProblem::line_length, line);
             const auto value = parsed(words[next++], type);
-            if (!value) refuse(PlyProblem::number, line);
+            if (!value) refuse(PlyProblem::number, line, words[next - 1]);
             return *value;
         };
         glm::vec3 position(0);
@@ -184,7 +184,7 @@ struct Reader {
                 const double value = number(property.type);
                 if (!corners) continue;
                 if (!(value >= 0) || value >= static_cast<double>(vertices) || value != std::trunc(value))
-                    refuse(PlyProblem::index, place);
+                    refuse(PlyProblem::index, place, std::to_string(value));
                 mesh.faces.back().push_back(static_cast<std::uint32_t>(value));
             }
         }
@@ -234,7 +234,7 @@ std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
         "ply\nformat " + name + " 1.0\ncomment by a student\nelement vertex " + std::to_string(mesh.positions.size());
     file += "\nproperty float32 x\nproperty float32 y\nproperty float32 z\nelement face " +
             std::to_string(mesh.faces.size());
-    file += "\nproperty list int32 uint32 vertex_index\nend_header\n";
+    file += "\nproperty list int32 uint32 vertex_indices\nend_header\n";
     const auto put = [&](std::uint32_t bits) {
         for (int i = 0; i < 4; ++i)
             file += static_cast<char>(bits >> (format == PlyFormat::little_endian ? 8 * i : 24 - 8 * i));

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <umbral/meshes/ply_types.hpp>
+#include <vector>
+
+/// Files that must be read: one that is as usual as can be, and others that are right all the same.
+namespace umbral::meshes {
+
+inline const std::string good_ascii =
+    "ply\nformat ascii 1.0\ncomment four corners\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0.5\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n";
+
+/// What stands in it.
+inline const PolygonMesh four_corners{{{0, 0, 0.5F}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+
+/// The text with a piece of it replaced; the first such piece after `after`.
+inline std::string changed(const std::string& text, const std::string& piece, const std::string& by,
+                           const std::string& after = "")
+{
+    const std::size_t from = text.find(piece, text.find(after));
+    if (from == std::string::npos) throw std::logic_error("changed: there is no '" + piece + "'");
+    return std::string(text).replace(from, piece.size(), by);
+}
+
+/// The lowest and the highest number of an integer type, moved outwards by so many.
+inline std::string limit_of(PlyType type, bool highest, int outwards = 0)
+{
+    return with_ply_type(type, [&](auto zero) {
+        using Number = decltype(zero);
+        if constexpr (std::is_floating_point_v<Number>) throw std::logic_error("limit_of: expected an integer type");
+        return std::to_string(highest ? static_cast<long long>(std::numeric_limits<Number>::max()) + outwards
+                                      : static_cast<long long>(std::numeric_limits<Number>::lowest()) - outwards);
+    });
+}
+
+/// The good file with one number more, of that type, before its vertices.
+inline std::string with_number(PlyType type, const std::string& number)
+{
+    const std::string name(ply_type_names[static_cast<int>(type)]);
+    return changed(changed(good_ascii, "element vertex", "element limit 1\nproperty " + name + " is\nelement vertex"),
+                   "end_header\n", "end_header\n" + number + "\n");
+}
+
+/// They all hold `four_corners`.
+inline std::vector<std::string> odd_files()
+{
+    const auto with = [](const char* piece, const char* by) { return changed(good_ascii, piece, by); };
+    const auto with_faces = [](const char* properties, const char* first, const char* second) {
+        return changed(changed(changed(good_ascii, "property list uchar int vertex_indices", properties), "3 0 1 2",
+                               first, "end_header"),
+                       "3 0 2 3", second, "end_header");
+    };
+    std::vector<std::string> files = {
+        good_ascii.substr(0, good_ascii.size() - 1),
+        changed(with("format ascii 1.0\n", ""), "end_header", "format ascii 1.0\nend_header"),
+        with("format", "comment before the format\nformat"), with("element vertex 4", "\telement\t vertex  4\t"),
+        changed(good_ascii, "3 0 2 3", "\t3\t0  2 3 \t", "end_header"),
+        changed(good_ascii, "3 0 2 3", "\n  \n+3 +0 2 3", "end_header"),
+        with("element face", "obj_info\nelement nothing 0\nproperty float comment\nelement face"),
+        // A number of that name is no list, and of two lists the first counts.
+        with_faces("property int vertex_index\nproperty list uchar int vertex_indices", "9 3 0 1 2", "9 3 0 2 3"),
+        with_faces("property list uchar int vertex_indices\nproperty list uchar int vertex_index", "3 0 1 2 2 9 9",
+                   "3 0 2 3 1 -9"),
+        with_faces("property list uchar int vertex_index\nproperty list uchar int vertex_indices", "3 0 1 2 2 9 9",
+                   "3 0 2 3 1 -9"),
+        with_faces("property list int double vertex_index", "3 0 1.0 2", "3 0.0 20e-1 3")};
+    for (int type = 0; type < 6; ++type)
+        for (const bool highest : {false, true})
+            files.push_back(with_number(static_cast<PlyType>(type), limit_of(static_cast<PlyType>(type), highest)));
+    return files;
+}
+
+/// Files without anything in them.
+inline std::vector<std::string> empty_files()
+{
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 0\nproperty int x\nproperty int y\nproperty int z\nend_header";
+    return {header, header + "\n", header + "\n\n \t\n"};
+}
+
+}
