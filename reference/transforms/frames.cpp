@@ -29,7 +29,8 @@ glm::mat4 coordinates(const glm::dmat3& rows, const glm::dvec3& x, const glm::dv
             glm::vec4(inverse * origin, 1)};
 }
 
-int sign(double number) { return number > 0 ? 1 : number < 0 ? -1 : 0; }
+/// Of a number that is not 0.
+int sign(double number) { return number > 0 ? 1 : -1; }
 
 /// The sign of the exact sum: each term goes through all parts, and what a sum rounds off stays behind as a part. The
 /// last that is not 0 decides.

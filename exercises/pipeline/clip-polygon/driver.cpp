@@ -137,8 +137,13 @@ std::vector<Task> borders()
         {{{1, 1}, {infinity, 1}, {4, 5}}, square},
         {{{1, 1}, {7, 2}, {3, -infinity}}, square},
         {{{1, 1}, {7, 2}, {3, 5}}, {{0, 0}, {infinity, 0}, {0, 8}}},
+        {{{1, 1}, {7, 2}, {3, 5}}, {{0, 0}, {infinity, 7}, {0, 8}}},
+        {{{1, 1}, {nan, 1}, {7, 5}, {1, 6}}, square},         // without the nonsense a triangle would be left
         {{{2, 3}, {8, 3}, {10, 5}, {8, 7}, {2, 6}}, square},  // corners on the side, and beyond it between them
         {{{-2, 8}, {4, 3}, {10, 8}}, square},                 // a side along the upper border, and beyond it
+        // A corner so little beyond the side that the two new ones are the same floats: three corners are left.
+        {{{8 + 0x1p-20F, 6}, {3, 6.75F}, {3, 5}}, square},
+        {{{3, 5}, {8 + 0x1p-20F, 6}, {3, 6.75F}}, square},
     };
 }
 

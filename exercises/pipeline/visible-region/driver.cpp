@@ -160,7 +160,7 @@ constexpr const char* resizing = R"(
 )";
 
 // The second window begins with nothing of the first; what is shown changes between events. The third one is handed to
-// another viewer.
+// another viewer. The last two are there at the same time, and may be one pixel wide or high.
 void two_windows(Case&, Recorder& out)
 {
     out.text("commands.names", names);
@@ -175,6 +175,13 @@ void two_windows(Case&, Recorder& out)
     play(script, {1, 1}, first, &second);
     append_rows(out, script, {1, 1}, first, 1);
     append_rows(out, script, {1, 1}, second, 2);
+    LoggedViewer left({cube, tile});
+    LoggedViewer right({{{0, 0, 0}, {5, 1, 1}}, cube});
+    const input::EventScript narrow =
+        input::parse_script("0.1 resize 1 300\n0.2 resize 420 1\n0.3 resize 200 300\n0.4 resize 1 1\n");
+    play_beside(narrow, left, right);
+    append_rows(out, narrow, {1, 1}, left, 1);
+    append_rows(out, narrow, {1, 1}, right, 2);
 }
 
 void random_windows(Case& c, Recorder& out)

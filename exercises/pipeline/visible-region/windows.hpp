@@ -58,6 +58,29 @@ inline void play(const input::EventScript& script, glm::dvec2 content_scale, Log
     }
 }
 
+/// Plays a script to the first of two windows that are there at the same time, of 640 x 480 and 300 x 200. Before each
+/// of its events the program gives the second one another size, which comes as an event of its own.
+inline void play_beside(const input::EventScript& script, LoggedViewer& viewer, LoggedViewer& other)
+{
+    const input::Headless session(script, {});
+    glfwInit();
+    const auto open = [](int width, int height, LoggedViewer& shows) {
+        GLFWwindow* window = glfwCreateWindow(width, height, "Umbral", nullptr, nullptr);
+        glfwSetWindowUserPointer(window, static_cast<Viewer*>(&shows));
+        keep_proportions(window);
+        return window;
+    };
+    open(640, 480, viewer);
+    GLFWwindow* const second = open(300, 200, other);
+    for (std::size_t event = 0; !session.script_is_over(); ++event) {
+        viewer.event = other.event = event / 2 + 1;
+        viewer.next();
+        other.next();
+        if (event % 2 == 0) glfwSetWindowSize(second, 300, static_cast<int>(event) + 1);
+        glfwWaitEvents();
+    }
+}
+
 /// A polygon to fill, in the coordinates of what is shown.
 struct Patch {
     std::vector<glm::dvec2> corners;

@@ -75,7 +75,8 @@ void record_null(Random& random, Recorder& out)
             const glm::vec3 direction = is_null ? null : given;
             if (i % 6 == 0) out.append("matrix", ask<reflection_in_line>(out, centre, direction));
             if (i % 6 == 1) out.append("matrix", ask<reflection_in_plane>(out, centre, direction));
-            if (i % 6 == 2) out.append("matrix", ask<alignment>(out, direction, other));
+            if (i % 12 == 2) out.append("matrix", ask<alignment>(out, direction, other));
+            if (i % 12 == 8) out.append("matrix", ask<alignment>(out, other, direction));
             if (i % 6 == 3) out.append("matrix", ask<placed_along>(out, centre, direction));
             if (i % 6 == 5) out.append("matrix", ask<scaling_along>(out, centre, direction, 2));
             if (i % 6 == 4) out.append("matrix", ask<rotation_about_point>(out, centre, {direction, 1}));

@@ -18,8 +18,8 @@ Frame cartesian(const glm::vec3& origin, Random& random)
     return {glm::vec3(m[0]), glm::vec3(m[1]), glm::vec3(m[2]), origin};
 }
 
-/// Any lengths from 0.5 to 2, angles far from 0: a Cartesian frame whose vectors are scaled and lean by less than half
-/// of it.
+/// Any lengths from 0.5 to 2, angles far from 0, either hand: a Cartesian frame whose vectors are scaled and lean by
+/// less than half of it.
 Frame oblique(const glm::vec3& origin, Random& random)
 {
     Frame frame = cartesian(origin, random);
@@ -27,6 +27,7 @@ Frame oblique(const glm::vec3& origin, Random& random)
         const glm::vec3 lean = 0.25F * random.in_cube();
         *axis = random.uniform(0.5F, 2) * (*axis + lean);
     }
+    if (random.below(2) == 1) frame.z = -frame.z;
     return frame;
 }
 
@@ -94,7 +95,9 @@ void record_kinds(Random& random, Recorder& out)
         const bool mirrored = random.below(2) == 1;
         const Frame skew = oblique(origin, random);
         if (i % 5 == 0) frame = skew;
-        if (i % 5 == 1) frame.x *= 1.5F, frame.z *= 0.01F;
+        // Small ones too: a volume of 1e-14 is not 0.
+        const float size = i % 2 == 0 ? 1.0F : 1e-4F;
+        if (i % 5 == 1) frame.x *= 1.5F * size, frame.y *= size, frame.z *= 0.01F * size;
         if (i % 5 == 2 && i % 2 == 0) frame.z = glm::vec3(0);
         if (i % 5 == 2 && i % 2 == 1) frame.x.y = frame.y.y = frame.z.y = 0;
         if (mirrored) frame.y = -frame.y;
@@ -104,8 +107,8 @@ void record_kinds(Random& random, Recorder& out)
     }
 }
 
-// Half and twice the thresholds of 1e-4, in pairs, in random order: cosines of 0.5e-4 and 2e-4, also of long vectors,
-// and lengths that are as far from 1.
+// Half and twice the thresholds of 1e-4, in pairs, in random order: cosines of 0.5e-4 and 2e-4, also where one of the
+// two vectors is long or short, and lengths that are as far from 1.
 void record_thresholds(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
@@ -116,12 +119,14 @@ void record_thresholds(Random& random, Recorder& out)
             Frame other = frame;
             const float off = sign * (beyond ? 2e-4F : 0.5e-4F);
             glm::vec3& axis = i % 3 == 0 ? other.x : i % 3 == 1 ? other.y : other.z;
-            const glm::vec3& next = i % 3 == 0 ? frame.y : i % 3 == 1 ? frame.z : frame.x;
+            glm::vec3& next = i % 3 == 0 ? other.y : i % 3 == 1 ? other.z : other.x;
             if (i % 2 == 0)
                 axis *= 1.0F + off;
             else
                 axis += off * next;
-            if (i % 4 == 3) axis *= 8.0F;
+            if (i % 8 == 3) axis *= 8.0F;
+            if (i % 8 == 5) next *= 8.0F;
+            if (i % 8 == 7) next *= 0.125F;
             out.append("kind", static_cast<std::int32_t>(ask<classify_frame>(out, other)));
         }
     }
@@ -135,7 +140,18 @@ float full_number(Random& random)
     return random.below(2) == 0 ? size : -size;
 }
 
-// z = x + y, exactly, so that the frame is degenerate; and the same a unit in the last place above or below.
+/// Components j and k of x and y become such that x_j y_k - x_k y_j is 2^-46, the least that there is.
+void make_nearly_parallel(Frame& frame, int j, int k)
+{
+    const float size = std::abs(frame.x[j]);
+    frame.x[j] = size;
+    frame.x[k] = size - 0x1p-23F;
+    frame.y[j] = size + 0x1p-23F;
+    frame.y[k] = size;
+}
+
+// z = x + y, exactly, so that the frame is degenerate; and the same a unit in the last place above or below, which
+// changes the volume by 2^-69 where x and y are nearly parallel. As small and as large as floats are, and in between.
 void record_coplanar(Random& random, Recorder& out)
 {
     for (int i = 0; i < 120; ++i) {
@@ -144,22 +160,31 @@ void record_coplanar(Random& random, Recorder& out)
             frame.x[k] = full_number(random);
             frame.y[k] = full_number(random);
         }
+        const int off = i / 8 % 3;
+        if (i % 8 > 3) make_nearly_parallel(frame, (off + 1) % 3, (off + 2) % 3);
         frame.z = frame.x + frame.y;
-        if (i % 2 != 0) frame.z[i / 4 % 3] += i % 4 == 1 ? 0x1p-23F : -0x1p-23F;
+        if (i % 2 != 0) frame.z[off] += i % 4 == 1 ? 0x1p-23F : -0x1p-23F;
         // Powers of two round nothing.
         for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z})
-            *axis *= i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p-100F : 0x1p100F;
+            *axis *= i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p-103F : 0x1p126F;
         out.append("sign", ask<orientation>(out, frame));
     }
 }
 
-// y leans onto x until they are 1e-2 … 1e-6 apart.
+// y leans onto x until they are 1e-2 … 1e-6 apart; and vectors of 1e-14 and 1e14, whose volume is no float.
 void record_ill_conditioned(Random& random, Recorder& out)
 {
     for (const float apart : {1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
         for (int i = 0; i < 12; ++i) {
             Frame frame = cartesian(random.in_cube(), random);
             frame.y = frame.x + apart * frame.y;
+            out.append("inverse", ask<inverse_of_frame>(out, frame));
+        }
+    }
+    for (const float size : {1e-14F, 1e14F}) {
+        for (int i = 0; i < 6; ++i) {
+            Frame frame = oblique(random.in_cube(), random);
+            for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis *= size;
             out.append("inverse", ask<inverse_of_frame>(out, frame));
         }
     }

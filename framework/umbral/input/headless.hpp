@@ -6,7 +6,8 @@
 #include <vector>
 
 /// GLFW without a screen: libumbral-glfw exports every function of GLFW's header, and plays an event script to one
-/// virtual window.
+/// virtual window: the one that was made first. A program may have a second one, which shows whether it tells them
+/// apart; only what the program itself does to that one becomes an event there.
 ///
 /// Functions that make sense without a screen behave as GLFW 3.3's documentation says: callbacks run only inside
 /// glfwPollEvents and glfwWaitEvents…, setters return the callback before, errors have GLFW's codes. The others end the

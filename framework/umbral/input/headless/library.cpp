@@ -19,7 +19,7 @@ void glfwTerminate()
     State& now = state();
     if (!now.initialised) return;
     not_from_a_callback("glfwTerminate");
-    now.window.reset();
+    now.windows.clear();
     now.current = nullptr;
     now.pending.clear();
     now.monitor_callback = nullptr;

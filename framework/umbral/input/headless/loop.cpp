@@ -24,9 +24,10 @@ bool something_waits()
     return !state().pending.empty() || (!script_is_over() && state().script[state().next_event].time <= state().now);
 }
 
+/// The user's events go to the window that was made first.
 void deliver_to_window(const Event& event)
 {
-    if (state().window) deliver(*state().window, event);
+    if (!state().windows.empty()) deliver(*state().windows.front(), event);
 }
 
 /// Everything that is due, in order. What callbacks cause themselves comes with the next call, as it does with a window
@@ -37,9 +38,9 @@ void deliver_due()
     const Delivering delivering;
     now.woken = false;
     for (std::size_t count = now.pending.size(); count > 0; --count) {
-        const Event event = now.pending.front();
+        const OwnEvent own = now.pending.front();
         now.pending.pop_front();
-        deliver_to_window(event);
+        deliver(*own.window, own.event);
     }
     while (!script_is_over() && now.script[now.next_event].time <= now.now)
         deliver_to_window(now.script[now.next_event++].event);

@@ -1,5 +1,7 @@
 #include "state.hpp"
 
+#include <algorithm>
+
 #include <cmath>
 
 namespace umbral::input::headless {
@@ -27,11 +29,16 @@ void report(int code, const std::string& text)
 
 void give_up(const std::string& text) { throw StudentError(StudentError::Kind::interface_mismatch, text); }
 
+bool exists(const GLFWwindow* window)
+{
+    return std::ranges::any_of(state().windows, [&](const auto& one) { return one.get() == window; });
+}
+
 GLFWwindow& window_of(GLFWwindow* handle, const char* function)
 {
     if (handle == nullptr)
         give_up(std::string(function) + ": the window is NULL; pass the GLFWwindow* that your function was given");
-    if (handle != state().window.get())
+    if (!exists(handle))
         give_up(std::string(function) + ": this is not a window that exists (it was destroyed, or never created)");
     return *handle;
 }

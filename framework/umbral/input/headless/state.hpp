@@ -9,6 +9,7 @@
 #include <string>
 #include <umbral/core/student_error.hpp>
 #include <umbral/input/headless.hpp>
+#include <vector>
 
 /// What the virtual window is at this moment. Private to libumbral-glfw, which exports none of it.
 struct GLFWwindow {
@@ -50,6 +51,12 @@ namespace umbral::input::headless {
 /// In keys and buttons, beside GLFW_RELEASE and GLFW_PRESS: released, but "sticky" until it is asked for.
 inline constexpr int stuck = 3;
 
+/// What the program itself caused to a window, as by glfwSetWindowSize: delivered with the next poll.
+struct OwnEvent {
+    GLFWwindow* window;
+    Event event;
+};
+
 /// Everything behind GLFW's functions.
 struct State {
     bool session = false;
@@ -59,14 +66,14 @@ struct State {
     std::size_t next_event = 0;
     HeadlessSettings settings;
     Usage usage;
-    std::deque<Event> pending;  ///< what the program itself caused, as by glfwSetWindowSize
-    bool woken = false;         ///< by glfwPostEmptyEvent
+    std::deque<OwnEvent> pending;
+    bool woken = false;  ///< by glfwPostEmptyEvent
     bool asked_to_close = false;
     std::size_t polls_after_closing = 0;
-    double now = 0;          ///< seconds of the script
-    double time_offset = 0;  ///< what glfwSetTime added
-    std::unique_ptr<GLFWwindow> window;
-    GLFWwindow* current = nullptr;  ///< of glfwMakeContextCurrent
+    double now = 0;                                    ///< seconds of the script
+    double time_offset = 0;                            ///< what glfwSetTime added
+    std::vector<std::unique_ptr<GLFWwindow>> windows;  ///< in the order in which they were made
+    GLFWwindow* current = nullptr;                     ///< of glfwMakeContextCurrent
     int swap_interval = 0;
     std::map<int, int> hints;
     std::string clipboard;
@@ -89,7 +96,10 @@ void report(int code, const std::string& text);
 /// Ends the case: the program uses GLFW as its documentation forbids, or as no script can serve.
 [[noreturn]] void give_up(const std::string& text);
 
-/// The program's window. Where GLFW would crash (a null or a foreign pointer), a StudentError says so.
+/// Is this one of the program's windows?
+[[nodiscard]] bool exists(const GLFWwindow* window);
+
+/// One of the program's windows. Where GLFW would crash (a null or a foreign pointer), a StudentError says so.
 GLFWwindow& window_of(GLFWwindow* handle, const char* function);
 
 /// Throws a StudentError if a callback is running: GLFW's documentation says "must not be called from a callback" of

@@ -6,6 +6,8 @@
 namespace umbral::input::headless {
 namespace {
 
+constexpr std::size_t most_windows = 2;
+
 /// Attributes that a program may change while the window lives.
 constexpr std::array changeable = {GLFW_DECORATED, GLFW_RESIZABLE, GLFW_FLOATING, GLFW_AUTO_ICONIFY,
                                    GLFW_FOCUS_ON_SHOW};
@@ -38,7 +40,7 @@ void give(Number* x, Number* y, const Pair& pair)
     if (y != nullptr) *y = static_cast<Number>(pair.y);
 }
 
-void soon(const Event& event) { state().pending.push_back(event); }
+void soon(GLFWwindow* window, const Event& event) { state().pending.push_back({window, event}); }
 
 }
 
@@ -116,12 +118,11 @@ GLFWwindow* glfwCreateWindow(int width, int height, const char* title, GLFWmonit
         return nullptr;
     }
     State& now = state();
-    if (now.window)
+    if (now.windows.size() == most_windows)
         give_up(
-            "glfwCreateWindow: headless GLFW has one window, and it exists already; destroy it before you make "
+            "glfwCreateWindow: headless GLFW has two windows, and both exist already; destroy one before you make "
             "another");
-    now.window = new_window(now.hints, {width, height}, title == nullptr ? "" : title);
-    return now.window.get();
+    return now.windows.emplace_back(new_window(now.hints, {width, height}, title == nullptr ? "" : title)).get();
 }
 
 void glfwDestroyWindow(GLFWwindow* handle)
@@ -130,8 +131,8 @@ void glfwDestroyWindow(GLFWwindow* handle)
     not_from_a_callback("glfwDestroyWindow");
     (void)window_of(handle, "glfwDestroyWindow");
     if (state().current == handle) state().current = nullptr;
-    state().window.reset();
-    state().pending.clear();
+    std::erase_if(state().pending, [&](const OwnEvent& own) { return own.window == handle; });
+    std::erase_if(state().windows, [&](const auto& window) { return window.get() == handle; });
 }
 
 int glfwWindowShouldClose(GLFWwindow* handle)
@@ -168,7 +169,7 @@ void glfwSetWindowSize(GLFWwindow* handle, int width, int height)
 {
     if (!ready()) return;
     (void)window_of(handle, "glfwSetWindowSize");
-    if (width >= 0 && height >= 0) soon(Resize{{width, height}});
+    if (width >= 0 && height >= 0) soon(handle, Resize{{width, height}});
 }
 
 void glfwGetFramebufferSize(GLFWwindow* handle, int* width, int* height)
@@ -201,14 +202,14 @@ void glfwIconifyWindow(GLFWwindow* handle)
 {
     if (!ready()) return;
     (void)window_of(handle, "glfwIconifyWindow");
-    soon(Iconify{true});
+    soon(handle, Iconify{true});
 }
 
 void glfwRestoreWindow(GLFWwindow* handle)
 {
     if (!ready()) return;
     (void)window_of(handle, "glfwRestoreWindow");
-    soon(Iconify{false});
+    soon(handle, Iconify{false});
 }
 
 void glfwShowWindow(GLFWwindow* handle)
@@ -225,7 +226,7 @@ void glfwFocusWindow(GLFWwindow* handle)
 {
     if (!ready()) return;
     (void)window_of(handle, "glfwFocusWindow");
-    soon(Focus{true});
+    soon(handle, Focus{true});
 }
 
 GLFWmonitor* glfwGetWindowMonitor(GLFWwindow* handle)
