@@ -1,7 +1,6 @@
 // Based on: C. Ureña. Informática Gráfica, tema 1, problems 1.8 to 1.10. 2021; the Gram matrix's cofactors as the
 // metric of areas: J. A. Schouten. Tensor Analysis for Physicists. 1951.
 
-#include <algorithm>
 #include <cmath>
 #include <umbral/transforms/gram_matrix.hpp>
 
@@ -36,7 +35,7 @@ float dot_from_gram(const glm::mat3& gram, const glm::vec3& a, const glm::vec3& 
 float area_from_gram(const glm::mat3& gram, const glm::vec3& a, const glm::vec3& b)
 {
     const glm::dvec3 minors = crossed(glm::dvec3(a), glm::dvec3(b));
-    return static_cast<float>(std::sqrt(std::max(0.0, dot(minors, cofactors(glm::dmat3(gram)) * minors))));
+    return static_cast<float>(std::sqrt(dot(minors, cofactors(glm::dmat3(gram)) * minors)));
 }
 
 // The minors are the coordinates of the cross product in the basis of e1 × e2, e2 × e0, e0 × e1, whose own coordinates

@@ -136,6 +136,23 @@ void record_nearly_parallel(Random& random, Recorder& out)
     }
 }
 
+// Bases that are squashed to a twentieth or a thirtieth along one direction, and areas in planes that hold it: their
+// Gram matrices have eigenvalues several hundred times others.
+void record_squashed(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const glm::mat3 turned = cartesian(random);
+        const glm::vec3 along = random.unit_vector();
+        const float rest = random.uniform(0.033F, 0.05F);
+        const glm::mat3 squash = glm::mat3(1) - (1 - rest) * glm::outerProduct(along, along);
+        const glm::mat3 basis = squash * turned;
+        const glm::vec3 a = random.uniform(0.5F, 2) * (glm::transpose(turned) * along);
+        const glm::vec3 b = some_vector(random);
+        out.append("area", ask<area_from_gram>(out, gram_of(basis), a, b));
+        out.append("cross", ask<cross_in_basis>(out, basis, a, b));
+    }
+}
+
 // Bases of micrometres and of thousands of kilometres: areas that are floats, of squares that are not.
 void record_all_units(Random& random, Recorder& out)
 {
@@ -158,6 +175,7 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"exact", [](Case& c, Recorder& out) { record_exact(c.random, out); }},
     {"nearly parallel", [](Case& c, Recorder& out) { record_nearly_parallel(c.random, out); }},
+    {"squashed", [](Case& c, Recorder& out) { record_squashed(c.random, out); }},
     {"all units", [](Case& c, Recorder& out) { record_all_units(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { out.image("paper", draw_slanted_paper(out)); }},
 };

@@ -19,13 +19,13 @@ namespace umbral::transforms {
 [[nodiscard]] float dot_from_gram(const glm::mat3& gram, const glm::vec3& a, const glm::vec3& b);
 
 /// The area of the parallelogram of two vectors given by coordinates, |a × b|, from the dot products of the basis
-/// alone; 0 if they are parallel. Within an ulp, however small their angle is, for bases whose Gram matrix has no
-/// eigenvalue a thousand times another.
+/// alone; 0 if they are parallel. Off by at most 2e-7 of itself, however small their angle is, for bases whose Gram
+/// matrix has no eigenvalue a thousand times another.
 [[nodiscard]] float area_from_gram(const glm::mat3& gram, const glm::vec3& a, const glm::vec3& b);
 
 /// The coordinates, in the same basis, of the cross product of two vectors given by coordinates. The cross product
 /// itself goes by the right-hand rule of the world, also where the basis is left-handed. In a Cartesian frame it is the
-/// usual formula. Each component is off by at most an ulp of the longest one, for such bases as above. Course: problem
+/// usual formula. Each component is off by at most 2e-7 of the longest one, for such bases as above. Course: problem
 /// 1.9.
 [[nodiscard]] glm::vec3 cross_in_basis(const glm::mat3& basis, const glm::vec3& a, const glm::vec3& b);
 
