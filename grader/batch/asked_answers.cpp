@@ -18,6 +18,8 @@ constexpr std::size_t most_answers = 4000;
 /// "row 0, column 3" of a matrix, which lies column by column as GLM has it; else what the driver calls them.
 std::vector<std::string> names_of_columns(const Check& check, const Tensor* names, std::size_t components)
 {
+    // Names of events and fragments are others.
+    if (judge_of(check).free_rows) return {};
     const std::size_t side = components == 16 ? 4 : 3;
     if (&rows_of(check) != &matrix_rows() || side * side != components) return column_names(text_of(names), components);
     std::vector<std::string> entries;

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "batch/ask_question.hpp"
 #include "batch/case_results.hpp"
 #include "batch/known_solutions.hpp"
 #include "batch/packaged_unit.hpp"
+#include "batch/run_roots.hpp"
 #include "batch/seeds.hpp"
 #include "batch/unit_key.hpp"
 #include "build/build_cache.hpp"
@@ -26,24 +26,6 @@ constexpr std::size_t most_remembered = std::size_t{384} << 20U;
 std::string key_of(const Exercise& exercise, const std::string& who, const std::string& case_name, std::uint64_t seed)
 {
     return fmt::format("{}\n{}\n{}\n{}", exercise.id, who, case_name, seed);
-}
-
-/// Where things lie on this machine, which is nobody's business who reads what a run printed or threw.
-std::vector<std::string> roots_of(const Toolchain& tools)
-{
-    std::vector<std::string> roots;
-    const auto add = [&](const std::filesystem::path& folder) {
-        if (folder.is_absolute()) roots.push_back(folder.lexically_normal().string());
-    };
-    for (const auto& folder :
-         {tools.exercises, tools.reference, tools.units, tools.programs, tools.framework, tools.cache}) {
-        add(folder);
-        // The project's sources, its build, the user's cache.
-        add(folder.parent_path());
-    }
-    add(tools.student_header.parent_path());
-    if (const char* const home = std::getenv("HOME")) add(home);
-    return roots;
 }
 
 /// Keeping is for speed alone: a cache that cannot be written costs nobody a result.
@@ -65,7 +47,7 @@ std::size_t most_cells(const Check& check, std::size_t expected)
 }
 
 Worker::Worker(Toolchain tools, std::string gl_backend)
-    : tools_(std::move(tools)), gl_backend_(std::move(gl_backend)), roots_(roots_of(tools_))
+    : tools_(std::move(tools)), gl_backend_(std::move(gl_backend)), roots_(run_roots(tools_))
 {
 }
 

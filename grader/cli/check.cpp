@@ -11,6 +11,7 @@
 
 #include "batch/check_submission.hpp"
 #include "cli/application.hpp"
+#include "cli/check_file.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
 #include "cli/paths.hpp"
@@ -32,6 +33,7 @@ struct Options {
     std::size_t jobs = default_jobs();
     std::string html;
     unsigned attempt = 0;
+    std::string file;
 };
 
 /// The units to check: those named, or those that the workspace holds.
@@ -132,6 +134,13 @@ std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const f
 void check(Application& application, const Options& options)
 {
     expect_folder(options.folder, "a workspace");
+    if (!options.file.empty()) {
+        if (options.units.size() != 1 || options.watch || options.json || !options.html.empty())
+            throw UsageError("--file goes with one UNIT, and without --watch, --json and --html");
+        application.exit_status =
+            check_file(application, application.chosen(options.units).front(), options.folder, options.file);
+        return;
+    }
     expect_writable(options.html);
     const std::vector<Exercise> exercises = units_to_check(application, options);
     have_built(application, exercises);
@@ -148,6 +157,9 @@ void add_check(Command parser, Application& application)
     const Command command = parser.command("check", "Checks your units against the reference, here and offline");
     command.option("UNIT", options->units, "Only these units, as raytracing/sphere or sphere");
     command.option("--dir", options->folder, "The workspace").with_default();
+    command.option("--file", options->file,
+                   "Instead of the checks: what your code and the reference make of this file, for a unit that reads "
+                   "files");
     command.option("--attempt", options->attempt, "Another number gives other random inputs").with_default();
     command.flag("--json", options->json, "As JSON (docs/schemas/report.schema.json)");
     command.option("--html", options->html,

@@ -7,6 +7,7 @@
 #include "dialect.hpp"
 #include "malformed.hpp"
 #include "models.hpp"
+#include "own_file.hpp"
 #include "reading_text.hpp"
 #include "well_formed.hpp"
 
@@ -310,6 +311,7 @@ const Driver driver = {
     {"counts that lie", [](Case&, Recorder& out) { record_problems(out, lying_counts()); }},
     {"writing", [](Case& c, Recorder& out) { record_writing(c.random, out); }},
     {"locale", [](Case& c, Recorder& out) { record_in_locale(c.random, out); }},
+    {"own file", [](Case& c, Recorder& out) { record_own_file(c, out); }},
     {"picture",
      [](Case& c, Recorder& out) {
          const PolygonMesh models[] = {football(), twisted_ring(), knot()};

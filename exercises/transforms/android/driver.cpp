@@ -5,7 +5,7 @@
 #include <umbral/transforms/android.hpp>
 
 #include "parade.hpp"
-#include "solid_rows.hpp"
+#include "../solid_rows.hpp"
 
 namespace umbral {
 namespace {

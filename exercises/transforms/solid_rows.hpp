@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "../drawn_events.hpp"
+#include "drawn_events.hpp"
 
 /// Solids of revolution that were drawn, as rows that depend neither on the order of drawing nor on how each was turned
 /// about its own axis.

@@ -1,0 +1,183 @@
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+#include "slanted_paper.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+glm::mat3 cartesian(Random& random)
+{
+    const AxisAngle turn = random_turn(random);
+    return glm::mat3(glm::rotate(glm::mat4(1), turn.angle, turn.axis));
+}
+
+/// Vectors of lengths 0.5 to 2, each leaning by less than half of it; left-handed half of the time.
+glm::mat3 oblique(Random& random)
+{
+    glm::mat3 basis = cartesian(random);
+    for (int i = 0; i < 3; ++i) {
+        const glm::vec3 lean = 0.25F * random.in_cube();
+        basis[i] = random.uniform(0.5F, 2) * (basis[i] + lean);
+    }
+    if (random.below(2) == 1) std::swap(basis[0], basis[1]);
+    return basis;
+}
+
+glm::vec3 some_vector(Random& random) { return random.uniform(0.5F, 4) * random.unit_vector(); }
+
+// Judged here is what is made of the Gram matrix, whoever made it: so it is computed by the driver.
+glm::mat3 gram_of(const glm::mat3& basis) { return glm::mat3(glm::transpose(glm::dmat3(basis)) * glm::dmat3(basis)); }
+
+void record(Recorder& out, const glm::mat3& basis, const glm::vec3& a, const glm::vec3& b)
+{
+    out.append("gram", ask<gram_matrix>(out, basis));
+    out.append("dot", ask<dot_from_gram>(out, gram_of(basis), a, b));
+    out.append("area", ask<area_from_gram>(out, gram_of(basis), a, b));
+    out.append("cross", ask<cross_in_basis>(out, basis, a, b));
+}
+
+// Bases and vectors whose products a hand can work out.
+void record_known(Recorder& out)
+{
+    const glm::mat3 bases[] = {glm::mat3(1),
+                               {{2, 0, 0}, {0, 3, 0}, {0, 0, 1}},
+                               {{1, 0, 0}, {1, 1, 0}, {0, 0, 1}},
+                               {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+                               {{1, 0, 0}, {1, 2, 0}, {0, 1, -1}}};
+    const glm::vec3 vectors[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, 2}, {-1, 0, 3}};
+    for (const glm::mat3& basis : bases)
+        for (std::size_t i = 0; i < std::size(vectors); ++i)
+            record(out, basis, vectors[i], vectors[(i + 1) % std::size(vectors)]);
+    const glm::ivec3 whole[][3] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                   {{1, 2, 3}, {0, 1, 4}, {5, 6, 0}},
+                                   {{2, -1, 0}, {3, 3, -2}, {1, 0, 7}}};
+    for (const auto& [a, b, c] : whole) out.append("volume", static_cast<double>(ask<triple_product>(out, a, b, c)));
+}
+
+// Cartesian frames, each with its image in a mirror, in random order: problems 1.8 and 1.9. Dot products are the same
+// in both; the coordinates of cross products are opposite.
+void record_both_hands(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const glm::mat3 right = cartesian(random);
+        glm::mat3 left = right;
+        left[i % 3] = -left[i % 3];
+        const glm::vec3 a = some_vector(random);
+        const glm::vec3 b = some_vector(random);
+        const bool left_first = random.below(2) == 1;
+        for (const bool is_left : {left_first, !left_first}) {
+            const glm::mat3& basis = is_left ? left : right;
+            out.append("dot", ask<dot_from_gram>(out, gram_of(basis), a, b));
+            out.append("cross", ask<cross_in_basis>(out, basis, a, b));
+        }
+    }
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const glm::mat3 basis = oblique(random);
+        const glm::vec3 a = some_vector(random);
+        record(out, basis, a, some_vector(random));
+    }
+}
+
+/// From -2^19 to 2^19, with all digits: differences of two stay within the interface's range.
+glm::ivec3 large_whole(Random& random)
+{
+    const auto component = [&] { return static_cast<int>(random.below((1U << 20U) + 1)) - (1 << 19); };
+    const int x = component();
+    const int y = component();
+    return {x, y, component()};
+}
+
+// Pairs of a vector in the plane of a and b, that is a, b or a - b, and one beside it: a step beside, or anywhere; in
+// random order. The last six digits are recorded by themselves: a sum of 60 bits is no double.
+void record_exact(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const glm::ivec3 a = large_whole(random);
+        const glm::ivec3 b = large_whole(random);
+        const glm::ivec3 in_plane = i % 3 == 0 ? a : i % 3 == 1 ? b : a - b;
+        glm::ivec3 beside = large_whole(random);
+        if (i % 2 == 0) {
+            beside = in_plane;
+            beside[i / 2 % 3] += beside[i / 2 % 3] > 0 ? -1 : 1;
+        }
+        const bool beside_first = random.below(2) == 1;
+        for (const bool is_beside : {beside_first, !beside_first}) {
+            const glm::ivec3& c = is_beside ? beside : in_plane;
+            const std::int64_t volume =
+                i % 4 < 2 ? ask<triple_product>(out, a, b, c) : ask<triple_product>(out, c, a, b);
+            out.append("volume", static_cast<double>(volume));
+            out.append("digits", static_cast<std::int32_t>(volume % 1'000'000));
+        }
+    }
+}
+
+// Angles of 0.1 down to 1e-6 radians, in oblique bases.
+void record_nearly_parallel(Random& random, Recorder& out)
+{
+    for (const float apart : {1e-1F, 1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
+        for (int i = 0; i < 15; ++i) {
+            const glm::mat3 basis = oblique(random);
+            const glm::vec3 a = some_vector(random);
+            const glm::vec3 b = random.uniform(0.5F, 2) * a + apart * random.unit_vector();
+            out.append("area", ask<area_from_gram>(out, gram_of(basis), a, b));
+            out.append("cross", ask<cross_in_basis>(out, basis, a, b));
+        }
+    }
+}
+
+// Bases that are squashed to a twentieth or a thirtieth along one direction, and areas in planes that hold it: their
+// Gram matrices have eigenvalues several hundred times others.
+void record_squashed(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const glm::mat3 turned = cartesian(random);
+        const glm::vec3 along = random.unit_vector();
+        const float rest = random.uniform(0.033F, 0.05F);
+        const glm::mat3 squash = glm::mat3(1) - (1 - rest) * glm::outerProduct(along, along);
+        const glm::mat3 basis = squash * turned;
+        const glm::vec3 a = random.uniform(0.5F, 2) * (glm::transpose(turned) * along);
+        const glm::vec3 b = some_vector(random);
+        out.append("area", ask<area_from_gram>(out, gram_of(basis), a, b));
+        out.append("cross", ask<cross_in_basis>(out, basis, a, b));
+    }
+}
+
+// Bases of micrometres and of thousands of kilometres: areas that are floats, of squares that are not.
+void record_all_units(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const float unit = std::pow(10.0F, random.uniform(-7, 7));
+        const glm::mat3 basis = unit * oblique(random);
+        const float length = std::pow(10.0F, random.uniform(-6, 6));
+        const glm::vec3 a = length * some_vector(random);
+        const glm::vec3 b = length * some_vector(random);
+        out.append("area", ask<area_from_gram>(out, gram_of(basis), a, b));
+        out.append("cross", ask<cross_in_basis>(out, basis, a, b));
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"both hands", [](Case& c, Recorder& out) { record_both_hands(c.random, out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"exact", [](Case& c, Recorder& out) { record_exact(c.random, out); }},
+    {"nearly parallel", [](Case& c, Recorder& out) { record_nearly_parallel(c.random, out); }},
+    {"squashed", [](Case& c, Recorder& out) { record_squashed(c.random, out); }},
+    {"all units", [](Case& c, Recorder& out) { record_all_units(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("paper", draw_slanted_paper(out)); }},
+};
+
+}

@@ -1,0 +1,306 @@
+#include <array>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../solid_rows.hpp"
+#include "motion.hpp"
+#include "parts.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+glm::mat4 move(float x, float y, float z = 0) { return glm::translate(glm::mat4(1), {x, y, z}); }
+glm::mat4 scale(float x, float y, float z = 1) { return glm::scale(glm::mat4(1), {x, y, z}); }
+glm::mat4 turn(float angle, const glm::vec3& axis) { return glm::rotate(glm::mat4(1), angle, axis); }
+
+void record_names(Recorder& out)
+{
+    out.text("drawn.names",
+             "1 an object: its number, x axis, y axis, z axis, origin\n"
+             "2 afterwards: depth of the stack, x axis, y axis, z axis, origin\n");
+}
+
+/// Code 1, or 2 afterwards; a number; and the upper three rows of a matrix, column by column.
+void append_matrix(Recorder& out, float code, float number, const glm::dmat4& m)
+{
+    std::array<float, 14> row{code, number};
+    for (int column = 0; column < 4; ++column)
+        for (int k = 0; k < 3; ++k)
+            row[static_cast<std::size_t>(2 + 3 * column + k)] = static_cast<float>(m[column][k]);
+    out.append("drawn", std::span<const float>(row));
+}
+
+/// The numbered objects that came out, and how the pipeline stands afterwards.
+void record_drawn(Recorder& out, const RecordingPipeline& drawn)
+{
+    for (const Call& call : drawn.calls())
+        if (call.kind == Call::Kind::primitive) append_matrix(out, 1, call.color.x, call.modelview);
+    append_matrix(out, 2, static_cast<float>(drawn.depth()), drawn.modelview());
+}
+
+void draw(Recorder& out, const GraphNode& node, const Start& start = {.depth = 1})
+{
+    RecordingPipeline drawn(start);
+    introduce(out, drawn, start);
+    try {
+        ask<&GraphNode::draw>(out, node, drawn);
+    } catch (const Torn&) {
+    }
+    record_drawn(out, drawn);
+}
+
+std::size_t add(Recorder& out, GraphNode& node, const glm::mat4& matrix)
+{
+    const std::size_t index = ask<&GraphNode::add_transformation>(out, node, matrix);
+    out.append("index", static_cast<std::uint32_t>(index));
+    return index;
+}
+
+void add(Recorder& out, GraphNode& node, const std::shared_ptr<const Drawable>& object)
+{
+    out.append("index", static_cast<std::uint32_t>(ask<&GraphNode::add_object>(out, node, object)));
+}
+
+// Order, scope, sharing, an empty node, a transformation that nothing follows; and a node that grows after it was
+// shared.
+void record_node(Recorder& out)
+{
+    record_names(out);
+    const std::shared_ptr<GraphNode> inner = ask_new<make_graph_node>(out, "inner");
+    const std::shared_ptr<GraphNode> outer = ask_new<make_graph_node>(out, "outer");
+    const std::shared_ptr<GraphNode> empty = ask_new<make_graph_node>(out, "empty");
+    if (!inner || !outer || !empty) return;
+    draw(out, *inner);
+    add(out, *inner, numbered(1));
+    add(out, *inner, move(1, 2));
+    add(out, *inner, numbered(2));
+    add(out, *inner, empty);
+    add(out, *inner, scale(3, 3));
+    add(out, *outer, scale(2, 5));
+    add(out, *outer, inner);
+    add(out, *outer, numbered(3));
+    add(out, *outer, move(10, 20, 30));
+    add(out, *outer, inner);
+    draw(out, *inner);
+    draw(out, *outer, {.modelview = move(0, 0, 7), .depth = 2});
+    add(out, *inner, numbered(4));
+    draw(out, *outer);
+    draw(out, *empty);
+}
+
+// A part that throws, two nodes deep.
+void record_torn(Recorder& out)
+{
+    record_names(out);
+    const std::shared_ptr<GraphNode> inner = ask_new<make_graph_node>(out, "inner");
+    const std::shared_ptr<GraphNode> outer = ask_new<make_graph_node>(out, "outer");
+    if (!inner || !outer) return;
+    for (GraphNode* const node : {inner.get(), outer.get()}) {
+        ask<&GraphNode::add_object>(out, *node, numbered(1));
+        ask<&GraphNode::add_transformation>(out, *node, move(1, 2, 3));
+    }
+    ask<&GraphNode::add_object>(out, *inner, painted([](Pipeline&) { throw Torn(); }));
+    ask<&GraphNode::add_object>(out, *outer, inner);
+    draw(out, *inner, {.depth = 2});
+    draw(out, *outer, {.modelview = scale(2, 2), .depth = 3});
+}
+
+// Pointers to the same matrices while the node grows tenfold, and matrices that are written to afterwards. A pointer is
+// recorded as the number of the different ones that came before it.
+void record_pointers(Recorder& out, Random& random)
+{
+    record_names(out);
+    const std::shared_ptr<GraphNode> node = ask_new<make_graph_node>(out, "node");
+    if (!node) return;
+    std::vector<const glm::mat4*> seen;
+    const auto append_pointer = [&](const glm::mat4* pointer) {
+        const auto found = std::find(seen.begin(), seen.end(), pointer);
+        out.append("pointer", pointer == nullptr ? -1 : static_cast<std::int32_t>(found - seen.begin()));
+        if (found == seen.end()) seen.push_back(pointer);
+    };
+    std::vector<std::size_t> indices;
+    const std::shared_ptr<const Drawable> object = numbered(1);
+    const auto grow = [&] {
+        indices.push_back(ask<&GraphNode::add_transformation>(out, *node, move(random.uniform(-1, 1), 1)));
+        ask<&GraphNode::add_object>(out, *node, object);
+    };
+    constexpr std::size_t watched = 12;
+    while (indices.size() < 400) {
+        for (int i = 0; i < 40; ++i) grow();
+        for (std::size_t i = 0; i < watched; ++i) append_pointer(ask<&GraphNode::matrix_at>(out, *node, indices[i]));
+    }
+    for (int i = 0; i < 40; ++i) {
+        const std::size_t index = indices[random.below(static_cast<std::uint32_t>(indices.size()))];
+        glm::mat4* const pointer = ask<&GraphNode::matrix_at>(out, *node, index);
+        out.append("matrix", pointer == nullptr ? glm::mat4(0) : *pointer);
+        const float by = random.uniform(-3, 3);
+        if (pointer != nullptr) *pointer = move(by, 0, 1);
+        const glm::mat4* const again = ask<&GraphNode::matrix_at>(out, *node, index);
+        out.append("matrix", again == nullptr ? glm::mat4(0) : *again);
+    }
+    draw(out, *node);
+}
+
+/// 0: a pointer, 1: null, 2: std::out_of_range, 3: std::invalid_argument, 4: something else.
+std::int32_t came_of_matrix_at(Recorder& out, GraphNode& node, std::size_t index)
+{
+    try {
+        return ask<&GraphNode::matrix_at>(out, node, index) == nullptr ? 1 : 0;
+    } catch (const std::out_of_range&) {
+        return 2;
+    } catch (const std::invalid_argument&) {
+        return 3;
+    } catch (...) {
+        return 4;
+    }
+}
+
+std::int32_t came_of_adding(Recorder& out, GraphNode& node, const std::shared_ptr<const Drawable>& object)
+{
+    try {
+        ask<&GraphNode::add_object>(out, node, object);
+        return 0;
+    } catch (const std::invalid_argument&) {
+        return 3;
+    } catch (...) {
+        return 4;
+    }
+}
+
+// In pairs: what is in order, and what is not.
+void record_refused(Recorder& out, Random& random)
+{
+    const std::shared_ptr<GraphNode> node = ask_new<make_graph_node>(out, "node");
+    if (!node) return;
+    std::size_t size = 0;
+    for (int i = 0; i < 20; ++i) {
+        const std::size_t transformation = ask<&GraphNode::add_transformation>(out, *node, move(1, 1));
+        const std::size_t object = transformation + 1;
+        const bool bad_first = random.below(2) == 1;
+        const std::size_t beyond = object + 1 + (i % 3 == 0 ? 0 : random.below(1'000'000));
+        for (const bool is_bad : {bad_first, !bad_first})
+            out.append("refused", came_of_adding(out, *node, is_bad ? nullptr : numbered(1)));
+        for (const bool is_bad : {bad_first, !bad_first})
+            out.append("refused", came_of_matrix_at(out, *node, is_bad ? object : transformation));
+        for (const bool is_bad : {!bad_first, bad_first})
+            out.append("refused", came_of_matrix_at(out, *node, is_bad ? beyond : transformation));
+        size = beyond;
+    }
+    out.append("refused", came_of_matrix_at(out, *node, size));
+    out.append("refused", came_of_matrix_at(out, *node, 0));
+}
+
+/// False, with nothing recorded, if there is no facade to draw.
+bool draw(Recorder& out, const FacadeGraph& facade, const Start& start = {.depth = 1})
+{
+    if (!facade.root || facade.rotation == nullptr || facade.stretch == nullptr) return false;
+    draw(out, *facade.root, start);
+    return true;
+}
+
+void record_facade(Recorder& out)
+{
+    record_names(out);
+    for (const auto& [height, angle] : {std::pair{1.5F, 0.0F}, {3.0F, 0.0F}, {1.5F, 1.5F}, {0.75F, -0.25F}}) {
+        const FacadeGraph facade = ask<make_facade>(out, numbered_facade(), height, angle);
+        draw(out, facade);
+    }
+}
+
+// Two facades, whose parameters are set again and again, by the setters and through the pointers.
+void record_facade_moves(Recorder& out, Random& random)
+{
+    record_names(out);
+    const FacadeGraph facades[] = {ask<make_facade>(out, numbered_facade(), 1.5F, 0.0F),
+                                   ask<make_facade>(out, numbered_facade(), 2.0F, 0.5F)};
+    for (int i = 0; i < 24; ++i) {
+        const FacadeGraph& facade = facades[random.below(2)];
+        const float height = random.uniform(0.5F, 4);
+        const float angle = random.uniform(-3, 3);
+        if (!facade.root || facade.rotation == nullptr || facade.stretch == nullptr) return;
+        if (i % 4 != 1) ask<set_facade_height>(out, facade, height);
+        if (i % 4 != 2) ask<set_facade_angle>(out, facade, angle);
+        if (i % 4 == 3) *facade.rotation = turn(angle, {0, 0, 1}) * scale(2, 2);
+        if (i % 8 == 7) *facade.stretch = scale(0.5F, height);
+        for (const FacadeGraph& each : facades) draw(out, each, random_start(random));
+    }
+}
+
+/// An android's solids in an order of their own, and if it has a name the order in which they came.
+void record_solids(Recorder& out, const AndroidGraph& android, const Start& start, const char* order = nullptr)
+{
+    RecordingPipeline drawn(start);
+    introduce(out, drawn, start);
+    ask<&GraphNode::draw>(out, *android.root, drawn);
+    for (const DrawnSolid& solid : sorted_solids(drawn, start)) {
+        out.append("solids", std::span<const float>(solid.row));
+        if (order != nullptr) out.append(order, solid.place);
+    }
+}
+
+void record_solid_names(Recorder& out)
+{
+    out.text("solids.names",
+             "1 half sphere: middle, axis as x 0 0 y z 0, square of the radius as xx yy zz xy xz yz, colour\n"
+             "2 cylinder: middle, product of the axis with its direction as xx yy zz xy xz yz, square of the radius "
+             "likewise, colour\n");
+}
+
+bool is_complete(const AndroidGraph& android)
+{
+    return android.root && android.left_arm != nullptr && android.right_arm != nullptr && android.head != nullptr &&
+           android.limb != nullptr;
+}
+
+const Start standing{.color = {0.2F, 0.7F, 0.3F}};
+
+void record_android(Recorder& out)
+{
+    record_solid_names(out);
+    const AndroidGraph android = ask<make_android_graph>(out, android_parts());
+    if (!is_complete(android)) return;
+    record_solids(out, android, standing, "order");
+}
+
+// One matrix at a time, then all of them, of two androids; what else moves with it?
+void record_android_moves(Recorder& out, Random& random)
+{
+    record_solid_names(out);
+    const AndroidGraph one = ask<make_android_graph>(out, android_parts());
+    const AndroidGraph other = ask<make_android_graph>(out, android_parts());
+    if (!is_complete(one) || !is_complete(other)) return;
+    glm::mat4* const matrices[] = {one.left_arm, one.right_arm, one.head, one.limb};
+    const auto motion = [&](int i) {
+        const float angle = random.uniform(0.3F, 1.5F);
+        if (i == 3) return scale(1, random.uniform(0.6F, 1.4F), 1);
+        return turn(angle, i == 2 ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
+    };
+    for (int i = 0; i < 4; ++i) {
+        *matrices[i] = motion(i);
+        record_solids(out, one, standing);
+        *matrices[i] = glm::mat4(1);
+    }
+    for (int round = 0; round < 8; ++round) {
+        for (int i = 0; i < 4; ++i) *matrices[i] = motion(i);
+        record_solids(out, one, standing);
+        record_solids(out, other, standing);
+    }
+}
+
+}
+
+const Driver driver = {
+    {"node", [](Case&, Recorder& out) { record_node(out); }},
+    {"torn", [](Case&, Recorder& out) { record_torn(out); }},
+    {"pointers", [](Case& c, Recorder& out) { record_pointers(out, c.random); }},
+    {"refused", [](Case& c, Recorder& out) { record_refused(out, c.random); }},
+    {"facade", [](Case&, Recorder& out) { record_facade(out); }},
+    {"facade moves", [](Case& c, Recorder& out) { record_facade_moves(out, c.random); }},
+    {"android", [](Case&, Recorder& out) { record_android(out); }},
+    {"android moves", [](Case& c, Recorder& out) { record_android_moves(out, c.random); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_motion(out)); }},
+};
+
+}
