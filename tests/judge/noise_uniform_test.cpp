@@ -8,6 +8,7 @@
 #include "judge/noise/noise.hpp"
 #include "judge/statistics/error_budget.hpp"
 #include "noisy.hpp"
+#include "support/all_tests.hpp"
 
 // That p-values of correct work are uniform where that is claimed, and never too small anywhere: this bounds the rate
 // of false alarms, which counting failures of a few thousand pictures could not.
@@ -56,7 +57,7 @@ TEST(NoiseUniform, p_values_of_tiles_of_floats_are_uniform)
                 static_cast<unsigned long long>(seed));
     for (const Model& model : models)
         for (const int samples : {1, 4, 16, 64}) {
-            const int tiles = samples == 64 ? 1500 : 4000;
+            const int tiles = samples_for_tests(samples == 64 ? 1500 : 4000);
             std::vector<double> p;
             for (int i = 0; i < tiles; ++i) p.push_back(tile_p(random, model.noise, samples, model.noise, samples));
             const double distance = distance_from_uniform(p);
@@ -78,7 +79,7 @@ TEST(NoiseUniform, other_estimators_of_the_same_light_are_not_accused)
     // more.
     SCOPED_TRACE(seed);
     Random random(seed + 1);
-    constexpr int tiles = 40000;
+    const int tiles = samples_for_tests(40000);
     std::printf("seed %llu, %d tiles each: P(p <= x) / x of the bound that judges a tile\n",
                 static_cast<unsigned long long>(seed + 1), tiles);
     for (const int samples : {1, 2, 4, 16}) {
@@ -181,7 +182,7 @@ TEST(NoiseUniform, probabilities_of_pictures_are_never_too_small)
 {
     SCOPED_TRACE(seed);
     Random random(seed + 3);
-    constexpr int pairs = 4000;
+    const int pairs = samples_for_tests(4000);
     std::printf("seed %llu, %d pairs of pictures each: P(probability <= x) / x\n",
                 static_cast<unsigned long long>(seed + 3), pairs);
     Check check = check_of(JudgeKind{"noise"});

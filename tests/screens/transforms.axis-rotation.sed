@@ -1,0 +1,2 @@
+# The sine has the wrong sign.
+s/std::sin(/-std::sin(/
