@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 
@@ -19,10 +21,12 @@ namespace {
 constexpr std::size_t most_cells = 5'000;
 constexpr std::size_t most_cases = 12;
 
-/// A failing check, and what each mistake recorded for it: null if its run ended otherwise.
+/// A failing check, and what each mistake recorded for it.
 struct MistakenCheck {
     const FailingCheck* check = nullptr;
-    std::vector<std::optional<Tensor>> by_mistake;
+    std::vector<std::optional<Tensor>> by_mistake{};       ///< nothing if its run ended otherwise
+    std::vector<std::size_t> wrong{};                      ///< cells in which the student deviates
+    std::vector<std::vector<std::uint64_t>> as_mistake{};  ///< for each mistake a bit for each of them: as it does
 };
 
 bool same_shape(const Tensor& a, const Tensor& b)
@@ -41,6 +45,43 @@ double distance(const TensorView& a, const TensorView& b, std::size_t cell)
         most = std::isnan(apart) ? INFINITY : std::max(most, apart);
     }
     return most;
+}
+
+/// Near enough to be the same number, computed otherwise.
+bool alike(const TensorView& a, const TensorView& b, std::size_t cell)
+{
+    constexpr double rounding = 1e-3;
+    double size = 0;
+    for (const double number : a.cell(cell)) size = std::max(size, std::abs(number));
+    return distance(a, b, cell) <= rounding * size;
+}
+
+/// Takes down which of the student's wrong cells each mistake gives as well.
+void compare(MistakenCheck& mistaken)
+{
+    const Tensor& student = *mistaken.check->student;
+    const TensorView yours(student);
+    const TensorView right(*mistaken.check->expected);
+    const bool comparable = same_shape(student, *mistaken.check->expected);
+    for (std::size_t cell = 0; comparable && cell < yours.cells(); ++cell)
+        if (!(distance(yours, right, cell) == 0)) mistaken.wrong.push_back(cell);
+    for (const std::optional<Tensor>& its : mistaken.by_mistake) {
+        std::vector<std::uint64_t>& bits = mistaken.as_mistake.emplace_back((mistaken.wrong.size() + 63) / 64);
+        if (!its || !same_shape(student, *its)) continue;
+        const TensorView view(*its);
+        for (std::size_t i = 0; i < mistaken.wrong.size(); ++i)
+            if (alike(yours, view, mistaken.wrong[i])) bits[i / 64] |= std::uint64_t{1} << (i % 64);
+    }
+}
+
+/// Can the two together be the reason? A cheap look before all is weighed.
+bool may_be(const MistakenCheck& mistaken, std::size_t a, std::size_t b)
+{
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < mistaken.as_mistake[a].size(); ++i)
+        covered += static_cast<std::size_t>(std::popcount(mistaken.as_mistake[a][i] | mistaken.as_mistake[b][i]));
+    // Cells that are wrong by less than the check minds count here too.
+    return 2 * covered >= mistaken.wrong.size();
 }
 
 /// Cell by cell the one of two results that is nearer to the student's. Where shapes differ, the one of its shape.
@@ -71,13 +112,15 @@ std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exerc
             continue;
         for (const FailingCheck& check : group.checks) {
             if (check.student == nullptr || !judge_of(*check.check).plain_values || check.check->hard) continue;
-            MistakenCheck mistaken{&check, {}};
+            if (!well_formed(*check.student) || check.expected == nullptr || !well_formed(*check.expected)) continue;
+            MistakenCheck mistaken{&check};
             for (const KnownSolution& mistake : mistakes) {
                 const RunOutcome& run =
                     worker.run_mistake(exercise, mistake.name, mistake.sources, group.name, group.result->seed);
                 const Tensor* tensor = run.verdict == Verdict::ok ? observed(*check.check, run) : nullptr;
                 mistaken.by_mistake.push_back(tensor == nullptr ? std::nullopt : std::optional(*tensor));
             }
+            compare(mistaken);
             all.push_back(std::move(mistaken));
         }
     }
@@ -124,6 +167,7 @@ std::vector<Explanation> by_two_mistakes(Worker& worker, const Exercise& exercis
     std::vector<Explanation> found;
     for (std::size_t a = 0; a < mistakes.size(); ++a)
         for (std::size_t b = a + 1; b < mistakes.size(); ++b) {
+            if (!std::ranges::all_of(all, [&](const MistakenCheck& one) { return may_be(one, a, b); })) continue;
             const std::optional<Tally> tally = weigh_pair(all, a, b);
             if (!tally || confidence(*tally) < thresholds::very_sure) continue;
             if (!found.empty()) return {};
