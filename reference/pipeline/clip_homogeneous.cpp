@@ -66,12 +66,8 @@ Polygon clipped(const Polygon& polygon, const Plane& plane)
     return result;
 }
 
-// Rounding to float may lead out of the volume again, across an older plane: each coordinate is put back.
-ClipVertex rounded(const Corner& corner)
-{
-    const glm::vec4 position(corner.position);
-    return {{glm::clamp(glm::vec3(position), -position.w, position.w), position.w}, corner.weights};
-}
+// Rounding never leads out of the volume: it keeps the order of |x| and w, here and in the sums of a crossing.
+ClipVertex rounded(const Corner& corner) { return {glm::vec4(corner.position), glm::vec3(corner.weights)}; }
 
 // Nothing is left where fewer than three different corners are, or one that cannot be divided by w.
 void append(const Polygon& polygon, std::vector<ClipVertex>& result)

@@ -104,6 +104,10 @@ std::vector<ClipTriangle> limits()
         {glm::vec4(2, 2, 2, 2), {2, -2, 2, 2}, {-2, 2, 2, 2}},              // three corners of the volume
         {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, 0, 1}, {nan, 0, 0, 1}},        // nonsense
         {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, 0, 1}, {0, 0, 0, infinity}},
+        {glm::vec4(0, 0, 0, infinity), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},
+        {glm::vec4(0.5F, 0, 0, 1), {0, 0, 0, infinity}, {0, 0.5F, 0, 1}},
+        {glm::vec4(nan, 0, 0, 1), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},
+        {glm::vec4(0.5F, 0, 0, 1), {0, 0.5F, -infinity, 1}, {0, 0.5F, 0, 1}},
         {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 0.5F, 0, 1}},             // a corner in the eye
         {glm::vec4(0, 0, 0, 0), {0.5F, 0, 0, 1}, {0, 3, 0, 1}},                // … and a side to cut
         {glm::vec4(0.25F, 0, 0, 1), {-0.5F, 0.5F, 0.5F, 1}, {0, 2, 0, 1}},     // without the eye: something
@@ -114,6 +118,9 @@ std::vector<ClipTriangle> limits()
         {glm::vec4(-1.875F, 1.8125F, 0.0625F, 1),
          {0, -1.875F, 1.8125F, 1},
          {1.8125F, 0.03125F, -1.875F, 1}},  // as many corners as there can be
+        // A corner so little beyond the side that the two new ones are the same floats: three corners are left.
+        {glm::vec4(1 + 0x1p-23F, 0.75F, 0, 1), {-0.5F, 0.875F, 0, 1}, {-0.5F, 0.625F, 0, 1}},
+        {glm::vec4(-0.5F, 0.625F, 0, 1), {1 + 0x1p-23F, 0.75F, 0, 1}, {-0.5F, 0.875F, 0, 1}},
     };
 }
 
@@ -150,8 +157,37 @@ std::vector<ClipTriangle> behind(Random& random, int count)
     return triangles;
 }
 
+/// Round the edge of the volume where two planes meet: three corners of what is left are new, one of them on the edge.
+/// Its other numbers are far from 1 and -1.
+ClipTriangle round_an_edge(Random& random, int axis)
+{
+    const float side = random.below(2) == 0 ? 1 : -1;
+    const float other_side = random.below(2) == 0 ? 1 : -1;
+    const int other = (axis + 1) % 3;
+    ClipTriangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float w = std::exp2(random.uniform(-1, 2));
+        triangle[k][axis] = side * w * (k == 1 ? random.uniform(2, 4) : random.uniform(0.1F, 0.3F));
+        triangle[k][other] = other_side * w * (k == 2 ? random.uniform(2, 4) : random.uniform(0.1F, 0.3F));
+        triangle[k][(axis + 2) % 3] = w * random.uniform(-0.5F, 0.5F);
+        triangle[k].w = w;
+    }
+    return triangle;
+}
+
+/// Two corners before the camera and one behind it, so that one side passes the eye at a distance of 1e-6 to 1e-7: x
+/// and w of the new corner are small differences. It crosses the plane x = w or x = -w.
+ClipTriangle past_the_eye(Random& random)
+{
+    const float side = random.below(2) == 0 ? 1 : -1;
+    const float size = random.uniform(0.5F, 1);
+    const float past = size * (1 - std::exp2(random.uniform(-23, -20)));
+    const float y = random.uniform(0.1F, 0.2F);
+    return {glm::vec4(-side * size, 0, 0, size), {side * size, 0, 0, -past}, {0, y, random.uniform(0.1F, 0.2F), 1}};
+}
+
 // Triangles that cross one plane only. Along its axis each corner is recorded after the division: what was cut is at 1
-// or -1, not beside it.
+// or -1, not beside it. Then some that cross two: along both axes.
 void record_on_planes(Random& random, Recorder& out)
 {
     for (std::size_t i = 0; i < 200; ++i) {
@@ -163,6 +199,21 @@ void record_on_planes(Random& random, Recorder& out)
         const std::vector<ClipVertex> polygon = by_position(clipped(out, triangle));
         for (std::size_t k = 0; k < polygon.size(); ++k)
             append(out, "along", i, k, std::array{polygon[k].position[axis] / polygon[k].position.w});
+    }
+    for (std::size_t i = 200; i < 500; ++i) {
+        const bool near_the_eye = i % 3 != 0;
+        const int axis = near_the_eye ? 0 : static_cast<int>(i / 3 % 3);
+        const std::vector<ClipVertex> polygon =
+            by_position(clipped(out, near_the_eye ? past_the_eye(random) : round_an_edge(random, axis)));
+        // On a plane or beside it; beside it other numbers may round otherwise.
+        const auto along = [](const ClipVertex& vertex, int one) {
+            const float ratio = vertex.position[one] / vertex.position.w;
+            return std::abs(ratio) > 0.999F ? ratio : 0.0F;
+        };
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            append(out, "along", 2 * i, k, std::array{along(polygon[k], axis)});
+            if (!near_the_eye) append(out, "along", 2 * i + 1, k, std::array{along(polygon[k], (axis + 1) % 3)});
+        }
     }
 }
 

@@ -14,10 +14,11 @@ namespace umbral::pipeline {
 
 using ClipTriangle = std::array<glm::vec4, 3>;
 
-/// What the unit appends for a triangle. The vector holds something before: a unit that overwrites it loses a corner.
+/// What the unit appends for a triangle. The vector holds its first corner before, as that of a neighbour: a unit that
+/// overwrites it loses a corner, and so does one that takes it for its own.
 inline std::vector<ClipVertex> clipped(Recorder& out, const ClipTriangle& triangle)
 {
-    std::vector<ClipVertex> polygon(1);
+    std::vector<ClipVertex> polygon = {{triangle[0], {0, 0, 0}}};
     ask<clip_triangle>(out, triangle, polygon);
     if (!polygon.empty()) polygon.erase(polygon.begin());
     return polygon;

@@ -82,11 +82,33 @@ std::vector<Call> nets(Random& random, PolygonMode mode, int count)
     });
 }
 
+/// A viewport that is larger than the picture and begins left of it and above it: rows 13 to 18 of it are shown.
+Call above_and_beside_the_picture()
+{
+    Call call = on_paper({{-0.5F, -0.875F, 0}, {0, -0.875F, 0}, {-0.25F, -0.375F, 0}});
+    call.width = call.height = 12;
+    call.state.viewport = {-4, -6, 20, 20, 0, 1};
+    return call;
+}
+
+/// A line from (9001, 10419) to (11102, 11587), in 1/256 pixel: at the centre of column 37 it lies 1/256 of 1/2101
+/// pixel above row 42, less than a float can tell.
+Call past_whole_rows()
+{
+    const auto ndc = [](float x, float y) { return glm::vec3(x / 8192 - 1, 1 - y / 8192, 0); };
+    Call call = on_paper({ndc(9001, 10419), ndc(11102, 11587), ndc(9216, 10752)});
+    call.width = call.height = 64;
+    call.state.viewport = {0, 0, 64, 64, 0, 1};
+    call.state.mode = PolygonMode::line;
+    return call;
+}
+
 // In a viewport of 8 x 8 pixels within a picture of 12 x 12: corners in halves of a pixel, from border to border. So
-// ends of lines lie on centres, and sides and points on the viewport's own borders. Every third call is culled.
+// ends of lines lie on centres, and sides and points on the viewport's own borders. Every third call is culled. Two
+// calls have other viewports.
 std::vector<Call> borders(Random& random)
 {
-    const auto on_half_pixels = [](const std::vector<glm::vec3>& places, int i) {
+    const auto in_viewport = [](const std::vector<glm::vec3>& places, int i) {
         std::vector<glm::vec3> ndc;
         for (const glm::vec3& place : places) ndc.emplace_back(place.x / 4 - 1, 1 - place.y / 4, place.z);
         Call call = on_paper(ndc);
@@ -97,11 +119,14 @@ std::vector<Call> borders(Random& random)
         call.state.culling = i % 3 != 2 ? Culling::none : i % 2 == 0 ? Culling::back : Culling::front;
         return call;
     };
-    std::vector<Call> calls = {on_half_pixels({{1.5F, 1.5F, 0}, {5.5F, 1.5F, 0}, {5.5F, 5.5F, 0}}, 0),
-                               on_half_pixels({{6.5F, 3.5F, 0}, {0.5F, 0.5F, 0}, {2.5F, 7.5F, 0}}, 1),
-                               on_half_pixels({{8, 1, 0}, {8, 7, 0}, {3, 4, 0}}, 0),
-                               on_half_pixels({{1, 8, 0}, {7, 8, 0}, {4, 3, 0}}, 1),
-                               on_half_pixels({{8, 1, 0}, {3, 8, 0}, {0, 0, 0}}, 3)};
+    std::vector<Call> calls = {
+        in_viewport({{1.5F, 1.5F, 0}, {5.5F, 1.5F, 0}, {5.5F, 5.5F, 0}}, 0),
+        in_viewport({{6.5F, 3.5F, 0}, {0.5F, 0.5F, 0}, {2.5F, 7.5F, 0}}, 1),
+        in_viewport({{8, 1, 0}, {8, 7, 0}, {3, 4, 0}}, 0), in_viewport({{1, 8, 0}, {7, 8, 0}, {4, 3, 0}}, 1),
+        in_viewport({{8, 1, 0}, {3, 8, 0}, {0, 0, 0}}, 3),
+        // Triangles of half a pixel show a face too: lines, once either face is culled.
+        in_viewport({{3, 3, 0}, {3.5F, 4, 0}, {4, 3, 0}}, 2), in_viewport({{3, 3, 0}, {4, 3, 0}, {3.5F, 4, 0}}, 5),
+        above_and_beside_the_picture(), past_whole_rows()};
     for (int i = 0; i < 24; ++i) {
         std::vector<glm::vec3> places(6);
         for (glm::vec3& place : places) {
@@ -109,7 +134,7 @@ std::vector<Call> borders(Random& random)
             place.y = 0.5F * static_cast<float>(random.below(17));
             place.z = random.uniform(-0.9F, 0.9F);
         }
-        calls.push_back(on_half_pixels(places, i));
+        calls.push_back(in_viewport(places, i));
     }
     return calls;
 }
