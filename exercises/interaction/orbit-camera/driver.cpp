@@ -61,9 +61,10 @@ std::vector<CameraEvent> wheel()
 // The same drags in windows of other sizes; one that is minimised keeps the last good size.
 std::vector<CameraEvent> windows()
 {
-    return {drag(100, 50), resize(640, 800), drag(100, 50),    resize(1600, 200), drag(20, 10), resize(0, 0),
-            drag(20, 10),  resize(300, 0),   drag(20, 10),     resize(0, 77),     drag(20, 10), resize(-5, -5),
-            drag(5, -5),   resize(333, 555), drag(-60, -12.5), reset(),           drag(30, 30)};
+    return {drag(100, 50), resize(640, 800), drag(100, 50),     resize(1600, 200), drag(20, 10), resize(0, 0),
+            drag(20, 10),  resize(300, 0),   drag(20, 10),      resize(0, 77),     drag(20, 10), resize(-5, -5),
+            drag(5, -5),   resize(333, 555), drag(-60, -12.5),  reset(),           drag(30, 30), resize(1, 250),
+            drag(10, 5),   resize(640, 1),   drag(0.25, 0.125), resize(640, 480),  drag(30, -20)};
 }
 
 std::vector<CameraEvent> nonsense()
@@ -91,22 +92,30 @@ void record_two(Recorder& out, Random& random)
     }
 }
 
-// A million turns in the same direction, 200,000 drags of 0 to 10 turns, while the wheel goes to and fro.
+// A million turns in the same direction, 200,000 drags of 0 to 10 turns, while pitch and distance go to and fro without
+// coming to their limits, which would take what was lost on the way with them.
 void record_long_session(Recorder& out, Random& random)
 {
     const OrbitCameraSettings settings{.target = {0.5, -0.25, 1}, .distance = 3, .yaw = 0.3};
     const std::unique_ptr<OrbitCamera> camera = make_orbit_camera(settings);
     if (!camera) return;
+    double height = 0;  // where the pointer is, in pixels, and the wheel, in steps
+    double wheel = 0;
     for (int i = 1; i <= 200'000; ++i) {
         const double right = 4800 + random_pixels(random, 4800);
-        camera->drag(right, random_pixels(random, 60));
-        camera->scroll(i % 2 == 0 ? 2.5 : -2.5);
+        const double up = random_pixels(random, 120) - height;
+        const double steps = random_pixels(random, 8) - wheel;
+        camera->drag(right, up);
+        camera->scroll(steps);
+        height += up;
+        wheel += steps;
         if (i % 1000 != 0) continue;
         ask_in_words(out, [&] {
             return "const auto camera = make_orbit_camera(" + literal::of_value(settings, true, literal::Style{}) +
                    ");\n// " + std::to_string(i) +
-                   " times: camera->drag(right, up), right from 0 to 9600, up from -60 to 60,\n"
-                   "// and then camera->scroll(-2.5) or camera->scroll(2.5), in turns\ncamera->view()";
+                   " times: camera->drag(right, up), right from 0 to 9600, all of them up and down\n"
+                   "// within 120 pixels of the first place, and then camera->scroll(steps), within 8 steps of "
+                   "it\ncamera->view()";
         });
         out.append("view", camera->view());
     }
@@ -117,6 +126,7 @@ void record_far_targets(Recorder& out, Random& random)
 {
     for (int i = 0; i < 40; ++i) {
         OrbitCameraSettings settings = random_settings(random);
+        settings.yaw *= 50;
         settings.target = glm::dvec3(std::pow(10.0F, random.uniform(4, 6)) * random.unit_vector());
         const std::vector<CameraEvent> events = random_session(random, 6);
         record(out, settings, events);

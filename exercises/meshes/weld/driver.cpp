@@ -57,6 +57,7 @@ private:
 void record_known(Recorder& out)
 {
     MeshLog log(out);
+    log.add("nothing", {});
     log.add("two triangles", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}});
     log.add("a triangle twice", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}});
     log.add("triangles whose corners coincide", {{2, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}});
@@ -88,7 +89,7 @@ void record_special(Case& c, Recorder& out)
 void record_isolated(Random& random, Recorder& out)
 {
     for (const IndexedMesh& mesh :
-         {cube(), shuffled(torus(5, 4), random), with_lonely_vertices(hills(4, 3, random), 3)}) {
+         {IndexedMesh{}, cube(), shuffled(torus(5, 4), random), with_lonely_vertices(hills(4, 3, random), 3)}) {
         const Soup soup = ask<isolated_triangles>(out, mesh);
         for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i)
             out.append("corners", i < soup.size() ? soup[i] : glm::vec3(0));

@@ -56,7 +56,8 @@ inline Soup soup_of_close_places(Random& random)
     return soup;
 }
 
-/// A sheet some of whose corners are not numbers, or are infinite.
+/// A sheet some of whose corners are not numbers, or are infinite; and triangles all of whose corners are the same but
+/// not in one place, since one coordinate is NaN.
 inline Soup soup_of_broken_corners(Random& random)
 {
     Soup soup = soup_of(shuffled(hills(5, 4, random), random));
@@ -67,6 +68,11 @@ inline Soup soup_of_broken_corners(Random& random)
     const glm::vec3 far(std::numeric_limits<float>::infinity(), 1, -std::numeric_limits<float>::infinity());
     for (int i = 0; i < 8; ++i) soup[random.below(static_cast<std::uint32_t>(soup.size()))] = far;
     soup.insert(soup.end(), 3, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::vec3 corner = soup[random.below(30)];
+        corner[axis] = std::numeric_limits<float>::quiet_NaN();
+        soup.insert(soup.end(), 3, corner);
+    }
     return soup;
 }
 

@@ -55,7 +55,8 @@ std::vector<Placement> far_eyes(Random& random)
     return cameras;
 }
 
-// Angles down to the threshold of 1e-6 and beyond it, where a world axis takes the place of `up`.
+// Angles down to the threshold of 1e-6 and beyond it, where a world axis takes the place of `up`; of long and short
+// ones, multiplied by powers of two, which change no direction.
 std::vector<Placement> almost_parallel(Random& random)
 {
     std::vector<Placement> cameras;
@@ -64,6 +65,7 @@ std::vector<Placement> almost_parallel(Random& random)
             const Placement camera = random_placement(random);
             if (!has_clear_smallest(camera.eye - camera.target)) continue;
             cameras.push_back(with_up_near_view(camera, sine, count % 2 == 1, random));
+            cameras.back().up *= std::ldexp(1.0F, static_cast<int>(random.below(61)) - 30);
             ++count;
         }
     }

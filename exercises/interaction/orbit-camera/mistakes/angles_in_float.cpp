@@ -1,5 +1,5 @@
 // mistake: adds up angles and distance in float
-// credit: 85..94
+// credit: 72..86
 // hint: After a hundred thousand drags the rounding of each float addition adds up to degrees. Keep angles and distance
 // in double, and take off whole turns.
 #include <cmath>
