@@ -17,12 +17,12 @@ inline glm::dvec3 course_wave(const glm::dvec3& p)
     return {4 * p.x - 1, 2 * p.y + (2 + std::cos((8 * p.x - 2) * std::numbers::pi)) / 4, p.z};
 }
 
-/// A cell of the picture's grid as eight pairs: its corners, on two levels.
+/// A cell of the picture's grid as twelve pairs: its corners and the middles between them along x, on two levels.
 inline std::vector<PointPair> cell_pairs(glm::dvec2 low, double side)
 {
     std::vector<PointPair> pairs;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 p(low.x + side * (i & 1), low.y + side * (i >> 1 & 1), i >> 2);
+    for (int i = 0; i < 12; ++i) {
+        const glm::dvec3 p(low.x + 0.5 * side * (i % 3), low.y + side * (i / 3 % 2), side * (i / 6));
         pairs.push_back({glm::vec3(p), glm::vec3(course_wave(p))});
     }
     return pairs;
@@ -47,7 +47,7 @@ inline Image draw_wave(Recorder& out)
                 const glm::vec4 q = *map * glm::vec4(low.x + side * x, low.y + side * y, 0, 1);
                 return glm::dvec2(q.x, q.y);
             };
-            const glm::vec3 color = ask<is_affine>(out, pairs, 0.004F) ? ink::green : ink::orange;
+            const glm::vec3 color = ask<is_affine>(out, pairs, 0.04F) ? ink::green : ink::orange;
             const std::vector<glm::dvec2> flag = {corner(0.1, 0.1), corner(0.9, 0.1), corner(0.9, 0.9),
                                                   corner(0.1, 0.9)};
             drawing.area(flag, color, 0.35 + 0.5 * j / rows);
