@@ -72,8 +72,9 @@ FileValue compared(const std::string& name, const Tensor& yours, const Tensor& e
     const TensorView other(expected);
     if (one.cells() == 1 && other.cells() == 1) {
         const auto is_count = [](const TensorView& view) {
+            if (view.components() != 1 || !view.present(0)) return false;
             const double number = view.cell(0).front();
-            return view.components() == 1 && number >= 0 && number < 0x1p53 && number == std::floor(number);
+            return number >= 0 && number < 0x1p53 && number == std::floor(number);
         };
         if (is_count(one) && is_count(other)) {
             value.yours = count_text(one.cell(0).front());

@@ -4,8 +4,8 @@
 #include <umbral/record/driver.hpp>
 #include <umbral/transforms/android.hpp>
 
-#include "parade.hpp"
 #include "../solid_rows.hpp"
+#include "parade.hpp"
 
 namespace umbral {
 namespace {

@@ -2,7 +2,7 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../solid_rows.hpp"
+#include "android_graphs.hpp"
 #include "motion.hpp"
 #include "parts.hpp"
 
@@ -225,67 +225,6 @@ void record_facade_moves(Recorder& out, Random& random)
         if (i % 4 == 3) *facade.rotation = turn(angle, {0, 0, 1}) * scale(2, 2);
         if (i % 8 == 7) *facade.stretch = scale(0.5F, height);
         for (const FacadeGraph& each : facades) draw(out, each, random_start(random));
-    }
-}
-
-/// An android's solids in an order of their own, and if it has a name the order in which they came.
-void record_solids(Recorder& out, const AndroidGraph& android, const Start& start, const char* order = nullptr)
-{
-    RecordingPipeline drawn(start);
-    introduce(out, drawn, start);
-    ask<&GraphNode::draw>(out, *android.root, drawn);
-    for (const DrawnSolid& solid : sorted_solids(drawn, start)) {
-        out.append("solids", std::span<const float>(solid.row));
-        if (order != nullptr) out.append(order, solid.place);
-    }
-}
-
-void record_solid_names(Recorder& out)
-{
-    out.text("solids.names",
-             "1 half sphere: middle, axis as x 0 0 y z 0, square of the radius as xx yy zz xy xz yz, colour\n"
-             "2 cylinder: middle, product of the axis with its direction as xx yy zz xy xz yz, square of the radius "
-             "likewise, colour\n");
-}
-
-bool is_complete(const AndroidGraph& android)
-{
-    return android.root && android.left_arm != nullptr && android.right_arm != nullptr && android.head != nullptr &&
-           android.limb != nullptr;
-}
-
-const Start standing{.color = {0.2F, 0.7F, 0.3F}};
-
-void record_android(Recorder& out)
-{
-    record_solid_names(out);
-    const AndroidGraph android = ask<make_android_graph>(out, android_parts());
-    if (!is_complete(android)) return;
-    record_solids(out, android, standing, "order");
-}
-
-// One matrix at a time, then all of them, of two androids; what else moves with it?
-void record_android_moves(Recorder& out, Random& random)
-{
-    record_solid_names(out);
-    const AndroidGraph one = ask<make_android_graph>(out, android_parts());
-    const AndroidGraph other = ask<make_android_graph>(out, android_parts());
-    if (!is_complete(one) || !is_complete(other)) return;
-    glm::mat4* const matrices[] = {one.left_arm, one.right_arm, one.head, one.limb};
-    const auto motion = [&](int i) {
-        const float angle = random.uniform(0.3F, 1.5F);
-        if (i == 3) return scale(1, random.uniform(0.6F, 1.4F), 1);
-        return turn(angle, i == 2 ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
-    };
-    for (int i = 0; i < 4; ++i) {
-        *matrices[i] = motion(i);
-        record_solids(out, one, standing);
-        *matrices[i] = glm::mat4(1);
-    }
-    for (int round = 0; round < 8; ++round) {
-        for (int i = 0; i < 4; ++i) *matrices[i] = motion(i);
-        record_solids(out, one, standing);
-        record_solids(out, other, standing);
     }
 }
 

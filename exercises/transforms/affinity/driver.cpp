@@ -1,0 +1,248 @@
+#include <glm/gtc/matrix_transform.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+#include "bent_maps.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace transforms;
+
+using Pairs = std::vector<PointPair>;
+
+/// A turn, a stretch of 0.5 to 2, a shear and a move.
+glm::dmat4 some_affine_map(Random& random)
+{
+    const AxisAngle turn = random_turn(random);
+    glm::dmat4 map = glm::rotate(glm::dmat4(1), double{turn.angle}, glm::dvec3(turn.axis));
+    for (int column = 0; column < 3; ++column) {
+        const glm::dvec3 lean = 0.25 * glm::dvec3(random.in_cube());
+        map[column] = random.uniform_double() * map[column] + 0.5 * map[column] + glm::dvec4(lean, 0);
+    }
+    map[3] = glm::dvec4(4.0 * glm::dvec3(random.in_cube()), 1);
+    return map;
+}
+
+/// Corners of a tetrahedron that leans, and `more` points about it.
+std::vector<glm::vec3> some_points(Random& random, std::size_t more)
+{
+    const glm::vec3 first = random.in_cube();
+    std::vector<glm::vec3> points{first};
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::vec3 edge = 0.3F * random.in_cube();
+        edge[axis] += random.below(2) == 0 ? 1.0F : -1.0F;
+        points.push_back(first + edge);
+    }
+    for (std::size_t i = 0; i < more; ++i) points.push_back(first + random.in_cube());
+    return points;
+}
+
+Pairs pairs_of(const std::vector<glm::vec3>& points, const glm::dmat4& map)
+{
+    Pairs pairs;
+    for (const glm::vec3& point : points) pairs.push_back({point, glm::vec3(map * glm::dvec4(point, 1))});
+    return pairs;
+}
+
+/// What is not found is the null matrix.
+void record_matrix(Recorder& out, const Pairs& pairs)
+{
+    out.append("matrix", ask<affine_from_points>(out, pairs).value_or(glm::mat4(0)));
+}
+
+// Maps of the unit points and of others that a hand can find, and the defects of small parallelograms.
+void record_known(Recorder& out)
+{
+    const std::vector<glm::vec3> unit = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const std::vector<glm::vec3> other = {{1, 1, 0}, {2, 1, 0}, {1, 3, 0}, {1, 1, -1}};
+    const glm::dmat4 maps[] = {glm::dmat4(1),
+                               glm::translate(glm::dmat4(1), {3, -2, 5}),
+                               {{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {1, 2, 3, 1}},
+                               {{2, 0, 0, 0}, {1, 1, 0, 0}, {0, 0, -1, 0}, {0, 0, 4, 1}},
+                               {{1, 2, 3, 0}, {0, 1, 4, 0}, {5, 6, 0, 0}, {-1, 0, 1, 1}}};
+    for (const glm::dmat4& map : maps) {
+        record_matrix(out, pairs_of(unit, map));
+        record_matrix(out, pairs_of(other, map));
+    }
+    const std::array<glm::vec3, 4> images[] = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}},
+                                               {{{1, 2, 3}, {4, 2, 3}, {1, 0, 5}, {4, 0, 6}}},
+                                               {{{2, 0, 1}, {0, 1, 0}, {5, 5, 5}, {1, -1, 2}}}};
+    for (const auto& corners : images) out.append("defect", ask<parallelogram_defect>(out, corners));
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 80; ++i) {
+        record_matrix(out, pairs_of(some_points(random, 0), some_affine_map(random)));
+        std::array<glm::vec3, 4> corners;
+        for (glm::vec3& corner : corners) corner = 4.0F * random.in_cube();
+        out.append("defect", ask<parallelogram_defect>(out, corners));
+    }
+}
+
+/// Pairs whose images are off by up to `noise`.
+Pairs noisy(Pairs pairs, float noise, Random& random)
+{
+    for (PointPair& pair : pairs) pair.image += noise * random.in_cube();
+    return pairs;
+}
+
+// Five to twelve points whose images are off by up to a tenth: which map misses them least?
+void record_many(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const std::vector<glm::vec3> points = some_points(random, 1 + random.below(8));
+        record_matrix(out, noisy(pairs_of(points, some_affine_map(random)), 0.1F, random));
+    }
+}
+
+// Whole numbers in a plane, or less than four points, paired with points in space; all of them times a power of two, so
+// that nothing rounds.
+void record_planes(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const float unit = std::ldexp(1.0F, static_cast<int>(random.below(40)) - 20);
+        const auto whole = [&] { return static_cast<float>(random.below(17)) - 8; };
+        const float a = whole();
+        const float b = whole();
+        std::vector<glm::vec3> flat = {{0, 0, 0}, {3, 0, 3 * a}, {0, 2, 2 * b}};
+        const std::size_t count = i % 8 == 0 ? 3 : 4 + random.below(4);
+        while (flat.size() < count) {
+            const float x = whole();
+            const float y = whole();
+            flat.emplace_back(x, y, a * x + b * y);
+        }
+        std::vector<glm::vec3> solid = flat;
+        while (solid.size() < 4) solid.emplace_back(1, 1, 0);
+        solid.back().z = a * solid.back().x + b * solid.back().y + 4;
+        const bool flat_first = random.below(2) == 1;
+        const glm::dmat4 map = some_affine_map(random);
+        for (const bool is_flat : {flat_first, !flat_first}) {
+            std::vector<glm::vec3> points = is_flat ? flat : solid;
+            for (glm::vec3& point : points) point = unit * (point + glm::vec3(16, -7, 5));
+            out.append("found", ask<affine_from_points>(out, pairs_of(points, map)).has_value() ? 1 : 0);
+        }
+    }
+}
+
+/// How far the nearest affine map misses at most where one image lies a step off an affine map's: it follows that
+/// image, and leaves the others. In [0, 1].
+double missed_after_step(const Pairs& pairs, std::size_t moved)
+{
+    const auto count = static_cast<double>(pairs.size());
+    glm::dvec3 mean(0);
+    for (const PointPair& pair : pairs) mean += glm::dvec3(pair.point) / count;
+    glm::dmat3 squares(0);
+    for (const PointPair& pair : pairs)
+        squares += glm::outerProduct(glm::dvec3(pair.point) - mean, glm::dvec3(pair.point) - mean);
+    const glm::dvec3 pull = glm::inverse(squares) * (glm::dvec3(pairs[moved].point) - mean);
+    double most = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const double follows = 1 / count + glm::dot(glm::dvec3(pairs[i].point) - mean, pull);
+        most = std::max(most, std::abs((i == moved ? 1.0 : 0.0) - follows));
+    }
+    return most;
+}
+
+// Pairs of maps that bend by half of what is allowed and by twice as much: one image of nine moves away from the
+// others. Images of all sizes.
+void record_affinity(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 50; ++i) {
+        const float size = std::pow(10.0F, random.uniform(-4, 4));
+        const float tolerance = std::pow(10.0F, random.uniform(-3, -1.3F));
+        const Pairs pairs = pairs_of(some_points(random, 5), some_affine_map(random));
+        glm::vec3 low = pairs.front().image;
+        glm::vec3 high = low;
+        for (const PointPair& pair : pairs) {
+            low = glm::min(low, pair.image);
+            high = glm::max(high, pair.image);
+        }
+        const glm::vec3 sides = high - low;
+        const float extent = std::max({sides.x, sides.y, sides.z});
+        const std::size_t moved = random.below(9);
+        const int axis = static_cast<int>(random.below(3));
+        const bool bent_first = random.below(2) == 1;
+        for (const bool is_bent : {bent_first, !bent_first}) {
+            Pairs bent = pairs;
+            const auto missed = static_cast<float>(missed_after_step(pairs, moved));
+            bent[moved].image[axis] += (is_bent ? 2.0F : 0.5F) * tolerance * extent / missed;
+            for (PointPair& pair : bent) pair.image *= size;
+            out.append("affine", ask<is_affine>(out, bent, tolerance) ? 1 : 0);
+        }
+    }
+}
+
+// The course's example where the cosine comes out alike for all points, in pairs with places where it does not.
+void record_wave(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 20; ++i) {
+        const bool alike_first = random.below(2) == 1;
+        for (const bool is_alike : {alike_first, !alike_first}) {
+            Pairs pairs;
+            for (int k = 0; k < 9; ++k) {
+                const double column = 0.25 * (k % 3) + (is_alike ? 0 : 0.11 * (k % 3 == 1 ? 1 : 0));
+                const glm::dvec3 p(column, random.uniform_double(), k / 3 + random.uniform_double());
+                pairs.push_back({glm::vec3(p), glm::vec3(course_wave(glm::dvec3(glm::vec3(p))))});
+            }
+            out.append("affine", ask<is_affine>(out, pairs, 0.01F) ? 1 : 0);
+        }
+    }
+}
+
+// Points in a layer that is 1e-2 to 1e-6 of its width, turned anyhow: four, and more whose images are noisy.
+void record_nearly_flat(Random& random, Recorder& out)
+{
+    for (const float thin : {1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F}) {
+        for (int i = 0; i < 12; ++i) {
+            const AxisAngle turn = random_turn(random);
+            const glm::mat3 turned(glm::rotate(glm::mat4(1), turn.angle, turn.axis));
+            std::vector<glm::vec3> points = some_points(random, i % 2 == 0 ? 0 : 5);
+            for (glm::vec3& point : points) point = turned * (point * glm::vec3(1, 1, thin));
+            record_matrix(out,
+                          noisy(pairs_of(points, some_affine_map(random)), i % 2 == 0 ? 0.0F : 0.1F * thin, random));
+        }
+    }
+}
+
+void record_all_sizes(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const float size = std::pow(10.0F, random.uniform(-6, 6));
+        std::vector<glm::vec3> points = some_points(random, i % 2 == 0 ? 0 : 4);
+        for (glm::vec3& point : points) point *= size;
+        record_matrix(out, pairs_of(points, some_affine_map(random)));
+    }
+}
+
+// A few steps wide, and as far from the origin as a country is wide in metres.
+void record_far(Random& random, Recorder& out)
+{
+    for (const float far : {1e3F, 1e4F, 1e5F, 1e6F}) {
+        for (int i = 0; i < 10; ++i) {
+            const glm::vec3 here = far * random.unit_vector();
+            std::vector<glm::vec3> points = some_points(random, i % 2 == 0 ? 0 : 4);
+            for (glm::vec3& point : points) point = here + 4.0F * point;
+            record_matrix(out, pairs_of(points, some_affine_map(random)));
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"many", [](Case& c, Recorder& out) { record_many(c.random, out); }},
+    {"planes", [](Case& c, Recorder& out) { record_planes(c.random, out); }},
+    {"affinity", [](Case& c, Recorder& out) { record_affinity(c.random, out); }},
+    {"wave", [](Case& c, Recorder& out) { record_wave(c.random, out); }},
+    {"nearly flat", [](Case& c, Recorder& out) { record_nearly_flat(c.random, out); }},
+    {"all sizes", [](Case& c, Recorder& out) { record_all_sizes(c.random, out); }},
+    {"far away", [](Case& c, Recorder& out) { record_far(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("wave", draw_wave(out)); }},
+};
+
+}
