@@ -31,7 +31,7 @@ using namespace {0};
 void answer(Case&, Recorder& out)
 {{
     const auto result = __extension__({{
-#include "{1}"
+{1}
     ;}});
     out.text("answer", literal::of_value(result, true, literal::in_full));
     Features features;
@@ -53,7 +53,7 @@ void answer(Case&, Recorder& out)
 const Driver driver = {{{{"{2}", answer}}}};
 }}
 )",
-                       topic, file_name, asked_case);
+                       topic, fmt::format("#include \"{}\"", file_name), asked_case);
 }
 
 /// "origin.x" of "0.origin.x", which is how a question's only argument is called; without the words of enumerators.
