@@ -13,11 +13,11 @@
 namespace umbral::grader {
 namespace {
 
-constexpr const char* file_name = "question.cpp";
+constexpr const char* file_name = "question";                ///< as diagnostics call it
 constexpr std::size_t most_answer = std::size_t{64} << 10U;  ///< letters
 
-/// The driver's text. The question stands in lines of its own, so that diagnostics count them.
-std::string driver_text(const Exercise& exercise, const std::string& question)
+/// The driver's text. The question is a file of its own, so that diagnostics count and show its lines.
+std::string driver_text(const Exercise& exercise)
 {
     std::string topic = exercise.topic;
     std::ranges::replace(topic, '-', '_');
@@ -31,9 +31,7 @@ using namespace {0};
 void answer(Case&, Recorder& out)
 {{
     const auto result = __extension__({{
-#line 1 "{1}"
-{2}
-#line 1 "below the question"
+{1}
     ;}});
     out.text("answer", literal::of_value(result, true, literal::in_full));
     Features features;
@@ -52,10 +50,10 @@ void answer(Case&, Recorder& out)
     out.text("names", names);
 }}
 }}
-const Driver driver = {{{{"{3}", answer}}}};
+const Driver driver = {{{{"{2}", answer}}}};
 }}
 )",
-                       topic, file_name, question, asked_case);
+                       topic, fmt::format("#include \"{}\"", file_name), asked_case);
 }
 
 /// "origin.x" of "0.origin.x", which is how a question's only argument is called; without the words of enumerators.
@@ -98,8 +96,8 @@ AskedQuestion ask_question(Worker& worker, const Exercise& exercise, const Built
 {
     AskedQuestion asked;
     const ScratchFolder work(worker.tools().cache);
-    const Compilation driver =
-        compile_driver(worker.tools(), exercise, file_name, driver_text(exercise, question), work.path());
+    const Compilation driver = compile_driver(
+        worker.tools(), exercise, {{"driver.cpp", driver_text(exercise)}, {file_name, question + "\n"}}, work.path());
     if (!driver.library) {
         asked.refused = driver.diagnostics;
         return asked;

@@ -86,10 +86,10 @@ bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const
     for (const auto& [question, code] : read_questions(written.recording.tensors).code) {
         const auto found = rows.find(question);
         if (found == rows.end()) continue;
-        Difference wrong = row_difference({check, view, right, kind, columns}, found->second, "simpler inputs");
-        wrong.cell.reset();
-        wrong.question = code;
-        simplest.offer(wrong, length_of(log, question, code));
+        const RowPairs pairs{check, view, right, kind, columns};
+        const auto [where, mine, reference, cell, none, others] = row_difference(pairs, found->second);
+        simplest.offer({wrong_columns(pairs, found->second), mine, reference, std::nullopt, code},
+                       length_of(log, question, code));
     }
     return true;
 }

@@ -213,12 +213,11 @@ Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sour
     return library_of(tools, exercise, files, work, "student.so", std::move(task));
 }
 
-Compilation compile_driver(const Toolchain& tools, const Exercise& exercise, const std::string& name,
-                           const std::string& text, const fs::path& work)
+Compilation compile_driver(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
 {
     Exercise uncounted = exercise;
     uncounted.counts_work = false;
-    return library_of(tools, uncounted, {{name, text}}, work, "driver.so", {"-Wl,-Bsymbolic"});
+    return library_of(tools, uncounted, files, work, "driver.so", {"-Wl,-Bsymbolic"});
 }
 
 }

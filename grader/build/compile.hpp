@@ -35,11 +35,10 @@ enum class UnusedCode { kept, left_out };
 [[nodiscard]] Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files,
                                   const std::filesystem::path& work, UnusedCode unused = UnusedCode::kept);
 
-/// Makes `work/driver.so` of the one file `text`, called `name` in diagnostics, as `compile` makes a student's library:
-/// in the same confinement, with the same flags. It may export anything, and finds the unit's functions where it is
-/// loaded. Throws as `compile` does.
-[[nodiscard]] Compilation compile_driver(const Toolchain& tools, const Exercise& exercise, const std::string& name,
-                                         const std::string& text, const std::filesystem::path& work);
+/// Makes `work/driver.so` of the files as `compile` makes a student's library: in the same confinement, with the same
+/// flags. It may export anything, and finds the unit's functions where it is loaded. Throws as `compile` does.
+[[nodiscard]] Compilation compile_driver(const Toolchain& tools, const Exercise& exercise, const Sources& files,
+                                         const std::filesystem::path& work);
 
 /// The first errors of g++ output, with their notes and source lines, at most `lines` lines.
 [[nodiscard]] std::string first_errors(std::string_view output, std::size_t lines);

@@ -37,7 +37,8 @@ struct CheckResult {
     std::map<std::string, double> metrics;  ///< finite numbers only
     std::optional<Difference> first_difference;
     std::string common{};  ///< "wrong wherever …": what all questions with wrong answers share; empty if nothing does
-    std::optional<Difference> simplest{};  ///< a wrong value with a question that is simpler than the first one's
+    std::optional<Difference> simplest{};  ///< a wrong value with a question that is simpler than the first one's;
+                                           ///< `where` says which of its numbers, or nothing
     std::string
         sketch{};  ///< lines of ASCII: what the first bad place looks like; empty where there is nothing to draw
     std::map<std::string, std::string> artefacts;  ///< "triptych" to a path below the report; not in class.json

@@ -92,6 +92,7 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
     }
     if (check.simplest) {
         block.labelled("simplest", code_lines(check.simplest->question, block.room(), paint));
+        if (!check.simplest->where.empty()) block.sentence("", check.simplest->where);
         block.labelled("", side_by_side(*check.simplest, block.room(), paint));
     }
     if (!check.common.empty()) block.sentence("pattern", check.common);

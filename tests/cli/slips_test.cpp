@@ -171,13 +171,6 @@ const char* const impossible[] = {
     "reset sphere --dir $F",
     "reset sphere --dir ''",  //
     "ask",
-    "ask zzz 'intersect()'",
-    "ask sphere --dir $W",
-    "ask sphere 'intersect()' --dir $D",
-    "ask sphere 'intersect()' --dir $D/no",
-    "ask sphere 'intersect()' --file $F --dir $W",
-    "ask sphere --file $D/no --dir $W",
-    "ask lighting/shaders 'main()' --dir $W",  //
     "debug",
     "debug zzz",
     "debug sphere zzz --dir $W",

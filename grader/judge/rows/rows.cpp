@@ -87,21 +87,26 @@ void add_quantiles(std::vector<double> errors, std::map<std::string, double>& me
 
 }
 
-Difference row_difference(const RowPairs& pairs, std::size_t row, std::string place)
+std::string wrong_columns(const RowPairs& pairs, std::size_t row)
+{
+    const auto& [check, student, expected, kind, columns] = pairs;
+    const std::vector<std::size_t> wrong = wrong_components(check, student, expected, row, kind);
+    if (wrong.empty() || columns.size() != expected.components()) return "";
+    const std::string& first = columns[wrong.front()];
+    if (wrong.size() == 1) return first;
+    if (first.empty() || expected.components() <= most_shown_whole) return "";
+    return fmt::format("{} and {} other{} of it", first, wrong.size() - 1, wrong.size() == 2 ? "" : "s");
+}
+
+Difference row_difference(const RowPairs& pairs, std::size_t row)
 {
     const auto& [check, student, expected, kind, columns] = pairs;
     const std::size_t components = expected.components();
     const std::vector<std::size_t> wrong = wrong_components(check, student, expected, row, kind);
     const std::size_t first = wrong.empty() ? 0 : wrong.front();
-    if (place.empty()) place = kind.where(row, components, first);
-    Difference result{std::move(place), "", "", row};
-    const bool named = columns.size() == components && !wrong.empty() && !columns[first].empty();
-    const bool alone = named && components > most_shown_whole;
-    if (alone && wrong.size() > 1)
-        result.where +=
-            fmt::format(", {} and {} other{} of it", columns[first], wrong.size() - 1, wrong.size() == 2 ? "" : "s");
-    else if (named && wrong.size() == 1)
-        result.where += ", " + columns[first];
+    const std::string names = wrong_columns(pairs, row);
+    Difference result{kind.where(row, components, first) + (names.empty() ? "" : ", " + names), "", "", row};
+    const bool alone = !names.empty() && components > most_shown_whole;
     std::tie(result.yours, result.expected) = telling_apart([&](int digits) {
         return alone ? std::pair(number_text(student.cell(row)[first], digits),
                                  number_text(expected.cell(row)[first], digits))

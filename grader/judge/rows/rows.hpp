@@ -30,10 +30,13 @@ struct RowPairs {
     const std::vector<std::string>& columns;
 };
 
+/// Which of a row's numbers are wrong, by name: "y", "GL_LINE_WIDTH and 2 others of it". Empty where they have no
+/// names, or where several are wrong of a row that is read as one, of up to four.
+[[nodiscard]] std::string wrong_columns(const RowPairs& pairs, std::size_t row);
+
 /// What both sides have in a row, in as many digits as tell them apart, and where: "row 3, y". Of a row of more than
-/// four numbers that have names, the first wrong one is shown, and how many others are wrong is said. `place`: what
-/// the row is called instead of "row 3".
-[[nodiscard]] Difference row_difference(const RowPairs& pairs, std::size_t row, std::string place = {});
+/// four numbers that have names, the first wrong one alone.
+[[nodiscard]] Difference row_difference(const RowPairs& pairs, std::size_t row);
 
 enum class RowState : std::uint8_t { left_out, right, wrong };
 

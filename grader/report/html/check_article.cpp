@@ -64,11 +64,13 @@ Markup question_in_full(const CheckResult& check)
 Markup simplest(const CheckResult& check)
 {
     if (!check.simplest) return {};
+    const Markup where =
+        check.simplest->where.empty() ? Markup() : markup("<div><dt>at</dt><dd>{}</dd></div>", check.simplest->where);
     return markup(
         "<div class=\"simplest\"><h4>The simplest question with a wrong answer</h4>\n<pre><code>{}</code></pre>\n<dl "
-        "class=\"first\"><div class=\"of-yours\"><dt>yours</dt><dd>{}</dd></div><div "
+        "class=\"first\">{}<div class=\"of-yours\"><dt>yours</dt><dd>{}</dd></div><div "
         "class=\"of-reference\"><dt>expected</dt><dd>{}</dd></div></dl></div>\n",
-        check.simplest->question, check.simplest->yours, check.simplest->expected);
+        check.simplest->question, where, check.simplest->yours, check.simplest->expected);
 }
 
 /// With a capital letter and a full stop.

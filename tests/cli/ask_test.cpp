@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "program.hpp"
+#include "support/temporary_folder.hpp"
+
+// Questions of one's own, with the real program.
+namespace umbral::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* question = "'intersect(Ray{{8, -3, 4}, {-1, 0, 0}}, Sphere{{0, 0, 0}, 13})'";
+
+/// A workspace whose sphere.cpp is this one.
+Printed ask(const TemporaryFolder& folder, const fs::path& sphere, const std::string& arguments)
+{
+    fs::create_directories(folder / "raytracing/sphere");
+    fs::copy_file(sphere, folder / "raytracing/sphere/sphere.cpp", fs::copy_options::overwrite_existing);
+    return umbral("ask sphere --dir '" + folder.path().string() + "' " + arguments);
+}
+
+const fs::path reference = fs::path(UMBRAL_SOURCE) / "reference/raytracing/sphere.cpp";
+
+TEST(Ask, shows_what_everybody_answers_and_where_they_differ)
+{
+    const TemporaryFolder folder;
+    const Printed equal = ask(folder, reference, question);
+    EXPECT_EQ(equal.status, 0) << equal.text;
+    for (const char* const part :
+         {"yours      20", "reference  20", "oracle     20", "Yours and the oracle's are equal."})
+        EXPECT_NE(equal.text.find(part), std::string::npos) << part << " in\n" << equal.text;
+
+    const std::string text = read(reference);
+    folder.write("wrong.cpp", std::string(text).replace(text.find("return t;"), 9, "return 2 * t;"));
+    folder.write("question.txt", "intersect(Ray{{8, -3, 4}, {-1, 0, 0}},\n    Sphere{{0, 0, 0}, 13})\n");
+    const Printed wrong = ask(folder, folder / "wrong.cpp", "--file '" + (folder / "question.txt").string() + "'");
+    EXPECT_EQ(wrong.status, 0) << wrong.text;
+    for (const char* const part : {"yours      40", "Yours and the reference's differ:", "40 and 20 ("})
+        EXPECT_NE(wrong.text.find(part), std::string::npos) << part << " in\n" << wrong.text;
+}
+
+TEST(Ask, refuses_what_is_no_question_with_the_reason)
+{
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& arguments, const char* reason) {
+        const Printed printed = ask(folder, reference, arguments);
+        EXPECT_EQ(printed.status, 2) << printed.text;
+        EXPECT_NE(printed.text.find(reason), std::string::npos) << reason << " in\n" << printed.text;
+    };
+    refused("", "expected a question");
+    refused(std::string(question) + " --file question.txt", "expected a question");
+    refused("--file no-such-file.txt", "no-such-file.txt");
+    refused("'intersect(nothing)'", "question:1:");
+    EXPECT_EQ(umbral("ask lighting/shaders 'main()'").status, 2);
+    EXPECT_EQ(umbral("ask zzz 'main()'").status, 2);
+}
+
+}
+}
