@@ -1,0 +1,201 @@
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <umbral/projections/frustum.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../island.hpp"
+#include "../volumes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+void record(Recorder& out, const ViewVolume& volume)
+{
+    out.append("matrix", ask<frustum_matrix>(out, volume));
+    const FrustumFactors factors = ask<frustum_factors>(out, volume);
+    out.append("shear", factors.shear);
+    out.append("scaling", factors.scaling);
+    out.append("normalization", factors.normalization);
+}
+
+// A row says whether there is an answer, and which.
+void record_point(Recorder& out, const glm::mat4& projection, const glm::vec3& point)
+{
+    const std::optional<glm::vec3> seen = ask<project_point>(out, projection, point);
+    out.append("points", seen ? glm::vec4(1, *seen) : glm::vec4(0));
+}
+
+// Windows of side 2 at the near plane, one that is not symmetric, and the one of the course's cube of side 2.
+void record_known(Recorder& out)
+{
+    const ViewVolume volumes[] = {
+        {-1, 1, -1, 1, 1, 3}, {0, 4, -1, 1, 2, 6}, {-1, 1, -1, 1, 3, 5}, {2, 6, -5, -1, 4, 8}};
+    for (const ViewVolume& volume : volumes) record(out, volume);
+}
+
+// The matrix is not the student's, so that a wrong one does not hide a wrong division.
+void record_known_points(Recorder& out)
+{
+    const glm::mat4 perspective = glm::frustum(-1.0F, 1.0F, -1.0F, 1.0F, 1.0F, 3.0F);
+    for (const glm::vec3& point : {glm::vec3(0, 0, -1),
+                                   {0, 0, -3},
+                                   {1, 1, -1},
+                                   {3, -3, -3},
+                                   {1, -0.5F, -2},
+                                   {4, 0, -2},
+                                   {0, 1, -0.5F},
+                                   {0, 0, -12}})
+        record_point(out, perspective, point);
+    const glm::mat4 flat = glm::ortho(-2.0F, 2.0F, -1.0F, 1.0F, 1.0F, 9.0F);
+    for (const glm::vec3& point : {glm::vec3(1, 0.5F, -5), {-2, 1, -9}, {1, 1, 7}}) record_point(out, flat, point);
+}
+
+glm::mat4 given_matrix(const ViewVolume& v)
+{
+    return glm::frustum(v.left, v.right, v.bottom, v.top, v.near_plane, v.far_plane);
+}
+
+// A point of the frustum, or beside it.
+glm::vec3 point_before_the_eye(const ViewVolume& v, Random& random)
+{
+    const float distance = v.near_plane * std::pow(v.far_plane / v.near_plane, random.uniform(-0.2F, 1.2F));
+    const float x = glm::mix(v.left, v.right, random.uniform(-0.5F, 1.5F));
+    const float y = glm::mix(v.bottom, v.top, random.uniform(-0.5F, 1.5F));
+    return {x * distance / v.near_plane, y * distance / v.near_plane, -distance};
+}
+
+// A point before the eye, and one behind it or in its plane, in random order.
+void record_behind(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const ViewVolume volume = random_frustum(random);
+        const glm::mat4 projection = given_matrix(volume);
+        const glm::vec3 before = point_before_the_eye(volume, random);
+        glm::vec3 behind = -before;
+        if (i % 4 == 1) behind.z = 0;
+        if (i % 4 == 2) behind = glm::vec3(0);
+        if (i % 4 == 3) behind = glm::vec3(before.x, before.y, 1e-6F);
+        const bool first = random.below(2) == 1;
+        for (const bool is_behind : {first, !first}) record_point(out, projection, is_behind ? behind : before);
+    }
+}
+
+// Near and far exchanged comes with the others: depths in the opposite order.
+void record_mirrored(Random& random, Recorder& out)
+{
+    for (unsigned i = 0; i < 70; ++i) record(out, with_sides_exchanged(random_frustum(random), 1 + i % 7));
+}
+
+void record_infinite(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 30; ++i) {
+        ViewVolume volume = random_frustum(random);
+        volume.far_plane = infinity;
+        record(out, volume);
+    }
+}
+
+// A frustum, and something that is none, in random order.
+void record_refused(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 28; ++i) {
+        const ViewVolume good = random_frustum(random);
+        ViewVolume bad = good;
+        switch (i % 7) {
+            case 0: bad.right = bad.left; break;
+            case 1: bad.top = bad.bottom; break;
+            case 2: bad.far_plane = bad.near_plane; break;
+            case 3: bad.near_plane = 0; break;
+            case 4: bad.near_plane = -bad.near_plane; break;
+            case 5: bad.far_plane = 0; break;
+            default: bad.far_plane = -bad.far_plane;
+        }
+        const bool first = random.below(2) == 1;
+        for (const bool is_bad : {first, !first}) {
+            const ViewVolume& asked = is_bad ? bad : good;
+            out.append("refused", refusal([&] { return ask<frustum_matrix>(out, asked); }));
+            out.append("factors refused", refusal([&] { return ask<frustum_factors>(out, asked); }));
+        }
+    }
+}
+
+// The far plane 10^5 to 10^7 times as far as the near one; nearly as far as a float can be; or right behind.
+void record_ratios(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        ViewVolume volume = random_frustum(random);
+        volume.far_plane = volume.near_plane * std::pow(10.0F, random.uniform(5, 7));
+        if (i % 3 == 0) volume.far_plane = std::numeric_limits<float>::max() * random.uniform(0.9F, 1);
+        if (i % 3 == 1) volume.far_plane = volume.near_plane * (1 + std::pow(10.0F, random.uniform(-5, -2)));
+        record(out, volume);
+    }
+}
+
+// A window of a thousandth to a hundred-thousandth of its distance from the axis: a tile of a picture much larger.
+void record_narrow(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        ViewVolume volume = random_frustum(random);
+        const float aside = random.uniform(2, 5) * volume.near_plane;
+        volume.left = (i % 2 == 0 ? -1.0F : 1.0F) * aside;
+        volume.right = volume.left + aside * std::pow(10.0F, random.uniform(-5, -3));
+        record_point(out, given_matrix(volume), point_before_the_eye(volume, random));
+    }
+}
+
+// A wall of six monitors, each with a frustum of its own: together they are a window into one world.
+void draw_wall(Recorder& out)
+{
+    constexpr glm::ivec2 size(384, 256);
+    constexpr int columns = 3;
+    constexpr int rows = 2;
+    constexpr int frame = 6;  // of a monitor, in pixels of the picture drawn at twice its size
+    constexpr glm::vec3 sky(0.56F, 0.75F, 0.91F);
+    const Stage stage(size.x, size.y, {0.07F, 0.07F, 0.09F});
+    const Island island;
+    const glm::mat4 view = glm::lookAt(glm::vec3(4.6F, 3.9F, 8.2F), glm::vec3(0.1F, 0.75F, 0), glm::vec3(0, 1, 0));
+
+    // The wall in the plane z = -0.5 of the eye, which is not before its middle.
+    const glm::vec2 low(-0.33F, -0.265F);
+    const glm::vec2 per_pixel(0.62F / static_cast<float>(2 * size.x));
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const glm::ivec2 corner = glm::ivec2(column, row) * 2 * size / glm::ivec2(columns, rows) + frame;
+            const glm::ivec2 extent = 2 * size / glm::ivec2(columns, rows) - 2 * frame;
+            const glm::vec2 from = low + per_pixel * glm::vec2(corner);
+            const glm::vec2 to = from + per_pixel * glm::vec2(extent);
+            begin_panel(corner, extent, sky);
+            look_through(stage, view, ask<frustum_matrix>(out, {from.x, to.x, from.y, to.y, 0.5F, 40}));
+            island.draw_at_sea(stage, sky);
+        }
+    out.image("colours", stage.picture());
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known points", [](Case&, Recorder& out) { record_known_points(out); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 100; ++i) {
+             const ViewVolume volume = random_frustum(c.random);
+             record(out, volume);
+             record_point(out, given_matrix(volume), point_before_the_eye(volume, c.random));
+         }
+     }},
+    {"mirrored", [](Case& c, Recorder& out) { record_mirrored(c.random, out); }},
+    {"behind", [](Case& c, Recorder& out) { record_behind(c.random, out); }},
+    {"infinite", [](Case& c, Recorder& out) { record_infinite(c.random, out); }},
+    {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
+    {"ratios", [](Case& c, Recorder& out) { record_ratios(c.random, out); }},
+    {"narrow", [](Case& c, Recorder& out) { record_narrow(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { draw_wall(out); }},
+};
+
+}

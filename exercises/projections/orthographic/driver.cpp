@@ -1,0 +1,106 @@
+#include <umbral/projections/orthographic.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../island.hpp"
+#include "../volumes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+void record(Recorder& out, const ViewVolume& box)
+{
+    out.append("matrix", ask<orthographic_matrix>(out, box));
+    out.append("inverse", ask<inverse_orthographic_matrix>(out, box));
+}
+
+// The cube itself, boxes with one size each that a hand can follow, and that of the course's slide; the last one is the
+// course's base camera, which leaves z as it is.
+void record_known(Recorder& out)
+{
+    const ViewVolume boxes[] = {{-1, 1, -1, 1, -1, 1},   {-2, 2, -2, 2, -2, 2}, {0, 4, 0, 2, 1, 9},
+                                {-4, 4, -3, 3, 1.5F, 9}, {2, 6, -5, -1, 0, 10}, {-1, 1, -0.75F, 0.75F, 1, -1}};
+    for (const ViewVolume& box : boxes) record(out, box);
+}
+
+void record_mirrored(Random& random, Recorder& out)
+{
+    for (unsigned i = 0; i < 70; ++i) record(out, with_sides_exchanged(random_box(random), 1 + i % 7));
+}
+
+// A box with a size and one without, in random order: one pair of opposite sides is equal.
+void record_flat(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 24; ++i) {
+        const ViewVolume box = random_box(random);
+        ViewVolume flat = box;
+        if (i % 3 == 0) flat.right = flat.left;
+        if (i % 3 == 1) flat.bottom = flat.top;
+        if (i % 3 == 2) flat.far_plane = flat.near_plane;
+        const bool first = random.below(2) == 1;
+        for (const bool is_flat : {first, !first}) {
+            const ViewVolume& asked = is_flat ? flat : box;
+            out.append("refused", refusal([&] { return ask<orthographic_matrix>(out, asked); }));
+            out.append("inverse refused", refusal([&] { return ask<inverse_orthographic_matrix>(out, asked); }));
+        }
+    }
+}
+
+// Sides of any size between 1e-15 and 1e15, another one for each axis: the determinant of the matrix is no float.
+ViewVolume box_of_any_size(Random& random)
+{
+    ViewVolume box = random_box(random);
+    const auto resize = [&](float& a, float& b) {
+        const float factor = std::pow(10.0F, random.uniform(-15, 15));
+        a *= factor;
+        b *= factor;
+    };
+    resize(box.left, box.right);
+    resize(box.bottom, box.top);
+    resize(box.near_plane, box.far_plane);
+    return box;
+}
+
+// Near the largest float, where a sum or a difference of two sides is no float any more.
+ViewVolume box_of_the_largest_size(Random& random)
+{
+    const auto large = [&] { return random.uniform(2e38F, 3.3e38F); };
+    const float left = large();
+    const float right = 0.75F * left;
+    return random.below(2) == 0 ? ViewVolume{-large(), large(), left, right, 1, large()}
+                                : ViewVolume{left, right, -large(), large(), -large(), large()};
+}
+
+void draw_picture(Recorder& out)
+{
+    const Stage stage(320, 240, {0.60F, 0.76F, 0.90F});
+    const glm::mat4 view = glm::lookAt(glm::vec3(20, 16.33F, 20), glm::vec3(0), glm::vec3(0, 1, 0));
+    look_through(stage, view, ask<orthographic_matrix>(out, {-6.7F, 6.7F, -4.6F, 5.45F, 15, 50}));
+    Island().draw(stage);
+    out.image("colours", stage.picture());
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 100; ++i) record(out, random_box(c.random));
+     }},
+    {"mirrored", [](Case& c, Recorder& out) { record_mirrored(c.random, out); }},
+    {"flat", [](Case& c, Recorder& out) { record_flat(c.random, out); }},
+    {"any size",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 100; ++i) record(out, box_of_any_size(c.random));
+     }},
+    {"largest",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 40; ++i) record(out, box_of_the_largest_size(c.random));
+     }},
+    {"picture", [](Case&, Recorder& out) { draw_picture(out); }},
+};
+
+}

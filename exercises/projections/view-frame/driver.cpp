@@ -1,0 +1,175 @@
+#include <kit/scene.hpp>
+#include <umbral/projections/view_frame.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../support.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+// Axes and origin as columns; zeros if there is no frame.
+void record_frame(Recorder& out, const ViewParameters& view)
+{
+    const std::optional<ViewFrame> frame = ask<view_frame>(out, view);
+    out.append("frame", frame ? glm::mat4(glm::vec4(frame->x, 0), glm::vec4(frame->y, 0), glm::vec4(frame->z, 0),
+                                          glm::vec4(frame->origin, 1))
+                              : glm::mat4(0));
+}
+
+struct Direction {
+    float azimuth_degrees;
+    float elevation_degrees;
+    float roll_degrees;
+};
+
+ViewParameters record_view(Recorder& out, const glm::vec3& target, float distance, const Direction& from)
+{
+    const ViewParameters view =
+        ask<view_from>(out, target, distance, from.azimuth_degrees, from.elevation_degrees, from.roll_degrees);
+    out.append("target", view.target);
+    out.append("normal", view.normal);
+    out.append("up", view.up);
+    return view;
+}
+
+// Along the axes, and the view of problem 3.1.
+void record_known_frames(Recorder& out)
+{
+    const ViewParameters views[] = {
+        {{0, 0, 0}, {0, 1, 0}, {0, 0, 5}},  {{1, 2, 3}, {0, 1, 0}, {3, 0, 0}},
+        {{1, 0, 0}, {0, 0, -1}, {0, 4, 0}}, {{0, 1, 0}, {0, 2, 0}, {0, 3, 4}},
+        {{0, 0, 2}, {3, 4, 0}, {0, 0, 1}},  {{0, 0.5F, 0}, {0, 1, 0}, {2.1213203F, 0, 2.1213203F}}};
+    for (const ViewParameters& view : views) record_frame(out, view);
+}
+
+// Problems 3.1 and 3.2, then one angle at a time.
+void record_known_views(Recorder& out)
+{
+    record_view(out, {0, 0.5F, 0}, 3, {45, 0, 0});
+    record_view(out, {0, 0.5F, 0}, 3, {45, 0, 45});
+    for (const Direction& from : {Direction{0, 0, 0},
+                                  {90, 0, 0},
+                                  {180, 0, 0},
+                                  {0, 30, 0},
+                                  {0, -90, 0},
+                                  {0, 90, 0},
+                                  {90, 90, 0},
+                                  {0, 0, 90},
+                                  {0, 0, -30},
+                                  {90, 60, 180}})
+        record_view(out, {1, 2, 3}, 2, from);
+}
+
+ViewParameters random_view(Random& random)
+{
+    const Placement camera = random_placement(random);
+    return {camera.target, camera.up, camera.eye - camera.target};
+}
+
+Direction random_direction(Random& random, float largest)
+{
+    const float azimuth = random.uniform(-largest, largest);
+    const float elevation = random.uniform(-largest, largest);
+    return {azimuth, elevation, random.uniform(-largest, largest)};
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        record_frame(out, random_view(random));
+        const glm::vec3 target = 5.0F * random.in_cube();
+        const float distance = random.uniform(0.5F, 10);
+        record_view(out, target, distance, random_direction(random, 180));
+    }
+}
+
+// Only directions count for the axes.
+void record_lengths(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 100; ++i) {
+        ViewParameters view = random_view(random);
+        view.up *= std::pow(10.0F, random.uniform(-15, 15));
+        if (i % 2 == 1) view.normal *= std::pow(10.0F, random.uniform(-12, 12));
+        record_frame(out, view);
+    }
+}
+
+// A view with a frame and one without, in random order.
+void record_none(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const ViewParameters good = random_view(random);
+        ViewParameters bad = good;
+        switch (i % 4) {
+            case 0: bad.up = glm::vec3(0); break;
+            case 1: bad.normal = glm::vec3(0); break;
+            case 2: bad.up = (i % 8 == 2 ? -0.5F : 4.0F) * bad.normal; break;
+            default:
+                const Placement parallel =
+                    with_up_near_view({bad.normal, glm::vec3(0), bad.up}, 3e-7, i % 8 == 3, random);
+                bad.up = parallel.up;
+        }
+        const bool first = random.below(2) == 1;
+        for (const bool is_bad : {first, !first})
+            out.append("found", ask<view_frame>(out, is_bad ? bad : good) ? 1.0F : 0.0F);
+    }
+}
+
+void record_almost_parallel(Random& random, Recorder& out)
+{
+    for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 2e-6})
+        for (int i = 0; i < 40; ++i) {
+            const Placement camera = with_up_near_view(random_placement(random), sine, i % 2 == 1, random);
+            record_frame(out, {camera.target, camera.up, camera.eye - camera.target});
+        }
+}
+
+glm::mat4 view_matrix_of(const std::optional<ViewFrame>& frame)
+{
+    if (!frame) return glm::mat4(0);
+    const glm::mat3 rows = glm::transpose(glm::mat3(frame->x, frame->y, frame->z));
+    glm::mat4 view(rows);
+    view[3] = glm::vec4(-rows * frame->origin, 1);
+    return view;
+}
+
+// The views of problems 3.1 and 3.2, and one from above.
+void draw_views(Recorder& out)
+{
+    constexpr int side = 256;
+    constexpr int gap = 8;
+    const Direction directions[] = {{45, 0, 0}, {45, 0, 45}, {30, 90, 0}};
+    Image picture(3 * side + 2 * gap, side, pixel_of(srgb_decoded(ink::night)));
+    int left = 0;
+    for (const Direction& from : directions) {
+        const float distance = from.elevation_degrees > 0 ? 5.2F : 3.0F;
+        const ViewParameters view = ask<view_from>(out, glm::vec3(0, 0.5F, 0), distance, from.azimuth_degrees,
+                                                   from.elevation_degrees, from.roll_degrees);
+        const Image panel = draw_scene(view_matrix_of(ask<view_frame>(out, view)));
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) picture.at(left + x, y) = panel.at(x, y);
+        left += side + gap;
+    }
+    out.image("colours", picture);
+}
+
+}
+
+const Driver driver = {
+    {"known frames", [](Case&, Recorder& out) { record_known_frames(out); }},
+    {"known views", [](Case&, Recorder& out) { record_known_views(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"lengths", [](Case& c, Recorder& out) { record_lengths(c.random, out); }},
+    {"none", [](Case& c, Recorder& out) { record_none(c.random, out); }},
+    {"almost parallel", [](Case& c, Recorder& out) { record_almost_parallel(c.random, out); }},
+    {"many turns",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 100; ++i) record_view(out, {0, 0, 0}, 1, random_direction(c.random, 1e6F));
+     }},
+    {"picture", [](Case&, Recorder& out) { draw_views(out); }},
+};
+
+}

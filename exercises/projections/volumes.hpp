@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <stdexcept>
+#include <umbral/core/random.hpp>
+#include <umbral/projections/view_volume.hpp>
+#include <utility>
+
+/// What the drivers of units about view volumes share.
+namespace umbral::projections {
+
+/// A box with sides of 0.2 to 20, its middle within 10 of the origin in each axis; near_plane < far_plane.
+inline ViewVolume random_box(Random& random)
+{
+    glm::vec3 low(0);
+    glm::vec3 high(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const float middle = random.uniform(-10, 10);
+        const float half = random.uniform(0.1F, 10);
+        low[axis] = middle - half;
+        high[axis] = middle + half;
+    }
+    return {low.x, high.x, low.y, high.y, low.z, high.z};
+}
+
+/// A frustum whose near window has sides of 0.2 to 4 times its distance, its middle up to that far off the axis; the
+/// near plane at 0.1 to 5, the far one 1.5 to 1000 times as far.
+inline ViewVolume random_frustum(Random& random)
+{
+    const float near_plane = random.uniform(0.1F, 5);
+    const glm::vec2 half(random.uniform(0.1F, 2), random.uniform(0.1F, 2));
+    const glm::vec2 middle(random.uniform(-1, 1), random.uniform(-1, 1));
+    const glm::vec2 low = near_plane * (middle - half);
+    const glm::vec2 high = near_plane * (middle + half);
+    const float far_plane = near_plane * 1.5F * std::pow(667.0F, random.uniform());
+    return {low.x, high.x, low.y, high.y, near_plane, far_plane};
+}
+
+/// The same volume with pairs of opposite sides exchanged: bit 0 of `which` for left and right, bit 1 for bottom and
+/// top, bit 2 for near and far.
+inline ViewVolume with_sides_exchanged(ViewVolume volume, unsigned which)
+{
+    if ((which & 1U) != 0) std::swap(volume.left, volume.right);
+    if ((which & 2U) != 0) std::swap(volume.bottom, volume.top);
+    if ((which & 4U) != 0) std::swap(volume.near_plane, volume.far_plane);
+    return volume;
+}
+
+/// 0 if the call gives an answer, 1 if it refuses as the interfaces say, 2 if in another way.
+template <class Call>
+float refusal(Call call)
+{
+    try {
+        (void)call();
+    } catch (const std::invalid_argument&) {
+        return 1;
+    } catch (...) {
+        return 2;
+    }
+    return 0;
+}
+
+}
