@@ -1,0 +1,215 @@
+#include <kit/color.hpp>
+#include <limits>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "shadows.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace lighting;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+void record_pixel(Recorder& out, const glm::vec3& light) { out.append("pixels", glm::vec3(ask<to_pixel>(out, light))); }
+
+void record_mean(Recorder& out, const std::vector<glm::u8vec3>& pixels)
+{
+    out.append("means", glm::vec3(ask<mean_pixel>(out, pixels)));
+}
+
+// Numbers that a student can check with a pocket calculator.
+void by_hand(Recorder& out)
+{
+    constexpr glm::vec3 red(1, 0, 0);
+    constexpr glm::vec3 green(0, 1, 0);
+    constexpr glm::vec3 blue(0, 0, 1);
+    const std::vector<Lamp> mixes[] = {{{red, 1}, {green, 1}},       {{green, 1}, {blue, 1}},
+                                       {{red, 1}, {blue, 1}},        {{red, 1}, {green, 1}, {blue, 1}},
+                                       {{red, 0.5F}, {blue, 0.25F}}, {{{0.5F, 0.25F, 1}, 2}, {{1, 0.5F, 0.25F}, 4}},
+                                       {{red, 0}, {green, 3}}};
+    for (const std::vector<Lamp>& lamps : mixes) out.append("sums", ask<add_lights>(out, lamps));
+    for (const float light : {0.0F, 0.001F, 0.002F, 0.01F, 0.18F, 0.2F, 0.5F, 0.8F, 1.0F})
+        out.append("encoded", ask<encode_srgb>(out, light));
+    for (const float value : {0.0F, 0.01F, 0.03F, 0.1F, 0.25F, 0.5F, 0.75F, 0.9F, 1.0F})
+        out.append("decoded", ask<decode_srgb>(out, value));
+    for (const glm::vec3& light :
+         {glm::vec3(0, 0.5F, 1), {0.18F, 0.18F, 0.18F}, {0.002F, 0.02F, 0.2F}, {0.9F, 0, 0.1F}})
+        record_pixel(out, light);
+    const std::vector<glm::u8vec3> sets[] = {{{0, 0, 0}, {255, 255, 255}},
+                                             {{255, 0, 0}, {0, 255, 0}},
+                                             {{10, 100, 200}},
+                                             {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {255, 128, 64}}};
+    for (const std::vector<glm::u8vec3>& pixels : sets) record_mean(out, pixels);
+}
+
+// All codes, and back again. The channels run against each other.
+void all_codes(Recorder& out)
+{
+    for (int code = 0; code < 256; ++code) {
+        const glm::u8vec3 pixel(code, 255 - code, (code * 7) % 256);
+        out.append("light", ask<to_light>(out, pixel));
+    }
+    for (int code = 0; code < 256; ++code) {
+        const glm::vec3 light = to_light(glm::u8vec3(code, 255 - code, (code * 7) % 256));
+        out.append("back", glm::vec3(ask<to_pixel>(out, light)));
+    }
+}
+
+std::vector<Lamp> random_lamps(Random& random, std::uint32_t count)
+{
+    std::vector<Lamp> lamps(count);
+    for (Lamp& lamp : lamps) {
+        lamp.color = 0.5F + 0.5F * random.in_cube();
+        lamp.amount = random.uniform(0, 3);
+    }
+    return lamps;
+}
+
+// Light whose code lies at least 0.1 away from the border to the next one, so that no rounding decides.
+float clear_light(Random& random)
+{
+    const double code = random.below(255) + random.uniform_double() * 0.8 - 0.4;
+    return static_cast<float>(srgb_decoded(std::abs(code) / 255));
+}
+
+glm::vec3 clear_color(Random& random)
+{
+    const float red = clear_light(random);
+    const float green = clear_light(random);
+    return {red, green, clear_light(random)};
+}
+
+glm::u8vec3 random_pixel(Random& random)
+{
+    const std::uint32_t bits = random.bits();
+    return {bits >> 24U, bits >> 16U & 255U, bits >> 8U & 255U};
+}
+
+void at_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        out.append("sums", ask<add_lights>(out, random_lamps(random, 2 + random.below(5))));
+        // Half of them dark, where the line is.
+        const float size = i % 2 == 0 ? 1.0F : 0.02F;
+        out.append("encoded", ask<encode_srgb>(out, random.uniform(0, size)));
+        out.append("decoded", ask<decode_srgb>(out, random.uniform(0, 5 * std::min(size, 0.2F))));
+        record_pixel(out, clear_color(random));
+        std::vector<glm::u8vec3> pixels(2 + random.below(4));
+        for (glm::u8vec3& pixel : pixels) pixel = random_pixel(random);
+        record_mean(out, pixels);
+    }
+}
+
+// Each channel may be dark or too bright on its own.
+void out_of_range(Random& random, Recorder& out)
+{
+    for (const float light : {-1e-6F, -0.25F, -5.0F, -infinity, 1.000001F, 1.5F, 40.0F, 1e30F, infinity}) {
+        out.append("encoded", ask<encode_srgb>(out, light));
+        out.append("decoded", ask<decode_srgb>(out, light));
+        for (int channel = 0; channel < 3; ++channel) {
+            glm::vec3 color = clear_color(random);
+            color[channel] = light;
+            record_pixel(out, color);
+        }
+    }
+}
+
+void not_numbers(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 12; ++i) {
+        const bool first = random.below(2) == 0;
+        for (const bool strange : {first, !first}) {
+            out.append("encoded", ask<encode_srgb>(out, strange ? not_a_number : random.uniform(0.1F, 0.9F)));
+            out.append("decoded", ask<decode_srgb>(out, strange ? not_a_number : random.uniform(0.1F, 0.9F)));
+            glm::vec3 light = clear_color(random);
+            if (strange) light[i % 3] = not_a_number;
+            record_pixel(out, light);
+        }
+    }
+}
+
+// No lamp, no pixel, and in pairs with them a few.
+void nothing(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 8; ++i) {
+        const bool first = random.below(2) == 0;
+        for (const bool empty : {first, !first}) {
+            const std::vector<Lamp> lamps = random_lamps(random, 3);
+            out.append("sums", ask<add_lights>(out, empty ? std::vector<Lamp>() : lamps));
+            const std::vector<glm::u8vec3> alike(2, random_pixel(random));
+            record_mean(out, empty ? std::vector<glm::u8vec3>() : alike);
+        }
+    }
+}
+
+// Light that no screen shows: it must not be cut off before the end.
+void bright(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        std::vector<Lamp> lamps = random_lamps(random, 3);
+        for (Lamp& lamp : lamps) lamp.color *= std::pow(10.0F, random.uniform(0, 4));
+        out.append("sums", ask<add_lights>(out, lamps));
+    }
+}
+
+// One bright lamp first, and very many dim ones, each of them less than the last digit of the sum in float.
+void many_lamps(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 8; ++i) {
+        std::vector<Lamp> lamps = random_lamps(random, 3000);
+        for (Lamp& lamp : lamps) lamp.amount *= 1e-4F;
+        lamps.front() = {glm::vec3(8000) + 500.0F * random.in_cube(), 1};
+        out.append("sums", ask<add_lights>(out, lamps));
+    }
+}
+
+// The floats on both sides of the border between each two codes, and of the ends of the line.
+void beside_borders(Recorder& out)
+{
+    for (int code = 0; code < 255; ++code) {
+        const auto border = static_cast<float>(srgb_decoded((code + 0.5) / 255));
+        record_pixel(out, {std::nextafter(border, 0.0F), border, std::nextafter(border, 1.0F)});
+    }
+}
+
+void to_the_last_digit(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        const float light = std::exp2(random.uniform(-8, 0));
+        out.append("encoded", ask<encode_srgb>(out, light));
+        out.append("decoded", ask<decode_srgb>(out, random.uniform(0.05F, 1)));
+    }
+}
+
+// Twice the light of every lamp, and lamps in another order with other light.
+void record_laws(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 20; ++i) {
+        std::vector<Lamp> lamps = random_lamps(random, 4);
+        out.append("once", ask<add_lights>(out, lamps));
+        for (Lamp& lamp : lamps) lamp.amount *= 2;
+        out.append("twice", ask<add_lights>(out, lamps));
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"codes", [](Case&, Recorder& out) { all_codes(out); }},
+    {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
+    {"out of range", [](Case& c, Recorder& out) { out_of_range(c.random, out); }},
+    {"not numbers", [](Case& c, Recorder& out) { not_numbers(c.random, out); }},
+    {"nothing", [](Case& c, Recorder& out) { nothing(c.random, out); }},
+    {"bright", [](Case& c, Recorder& out) { bright(c.random, out); }},
+    {"laws", [](Case& c, Recorder& out) { record_laws(c.random, out); }},
+    {"many lamps", [](Case& c, Recorder& out) { many_lamps(c.random, out); }},
+    {"beside borders", [](Case&, Recorder& out) { beside_borders(out); }},
+    {"to the last digit", [](Case& c, Recorder& out) { to_the_last_digit(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("shadows", colored_shadows(320, 240)); }},
+};
+
+}

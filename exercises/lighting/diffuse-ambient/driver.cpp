@@ -1,0 +1,196 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../random.hpp"
+#include "orrery.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace lighting;
+
+const Material painted{{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}};
+
+// One question about the light at a place.
+struct Question {
+    SurfacePoint at;
+    Material material;
+    std::vector<Light> lights;
+    glm::vec3 global_ambient{0};
+};
+
+void record(Recorder& out, const Question& q, std::string_view name = "light")
+{
+    out.append(name, ask<matt_reflection>(out, q.at, q.material, q.lights, q.global_ambient));
+}
+
+void by_hand(Recorder& out)
+{
+    const std::pair<Light, glm::vec3> pairs[] = {{{{0, 0, 5, 1}}, {0, 0, 1}},  {{{4, 5, 2, 1}}, {1, 1, 2}},
+                                                 {{{3, 0, 4, 0}}, {7, -2, 1}}, {{{0, -2, 0, 0}}, {5, 5, 5}},
+                                                 {{{0, 0, 0, 1}}, {2, 2, 1}},  {{{-1, 4, 9, 1}}, {1, 7, 3}},
+                                                 {{{2, 6, 3, 0}}, {1, 1, 1}}};
+    for (const auto& [light, point] : pairs) out.append("towards", ask<direction_to_light>(out, light, point));
+
+    const SurfacePoint up{{0, 0, 1}, {0, 0, 1}};
+    const Light sun{{0, 0.6F, 0.8F, 0}, {1, 0.5F, 2}};
+    const Light lamp{{4, 0, 4, 1}, {0.5F, 1, 0.25F}};
+    const std::vector<Light> sets[] = {{}, {sun}, {lamp}, {sun, lamp}, {{{0, 0, -1, 0}, {1, 1, 1}}}};
+    for (const std::vector<Light>& lights : sets) {
+        record(out, {up, painted, lights, glm::vec3(0.2F)});
+        record(out, {up, {{}, {}, {1, 0.5F, 0.25F}}, lights, glm::vec3(0.2F)});
+    }
+}
+
+Question random_question(Random& random, std::uint32_t count)
+{
+    Question q{{3.0F * random.in_cube(), random.unit_vector()}, random_material(random), {}, random_color(random)};
+    for (std::uint32_t i = 0; i < count; ++i) q.lights.push_back(random_light(random, q.at, 0.05F));
+    return q;
+}
+
+// Lights on the side of the normal, so that each of them counts.
+void at_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const Question q = random_question(random, 1 + random.below(3));
+        record(out, q);
+        out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
+    }
+}
+
+// One light in front and one behind, in random order.
+void behind(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        Question q = random_question(random, 2);
+        SurfacePoint other_side = q.at;
+        other_side.normal = -other_side.normal;
+        q.lights[random.below(2)] = random_light(random, other_side, 0.05F);
+        record(out, q);
+    }
+}
+
+// Normals that are not unit, and lights from near to far: neither changes the light.
+void lengths(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        Question q = random_question(random, 1);
+        if (i % 2 == 0) {
+            q.at.normal *= std::exp2(random.uniform(-4, 4));
+        } else {
+            const glm::vec3 direction = q.at.normal + 0.5F * random.unit_vector();
+            q.lights[0] = light_towards(q.at, direction, i % 4 == 1, std::exp2(random.uniform(-5, 5)));
+        }
+        record(out, q);
+        out.append("towards", ask<direction_to_light>(out, q.lights[0], q.at.position));
+    }
+}
+
+// A light at the point, a direction or a normal that is null; in pairs with the same thing in order.
+void degenerate(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 18; ++i) {
+        const Question usual = random_question(random, 2);
+        Question q = usual;
+        if (i % 3 == 0) q.lights[0].position = glm::vec4(q.at.position, 1);
+        if (i % 3 == 1) q.lights[0].position = glm::vec4(0);
+        if (i % 3 == 2) q.at.normal = glm::vec3(0);
+        const bool first = random.below(2) == 0;
+        for (const bool strange : {first, !first}) {
+            const Question& asked = strange ? q : usual;
+            record(out, asked);
+            const Light& light = strange && i % 3 == 2 ? Light{glm::vec4(0, 0, 0, 0)} : asked.lights[0];
+            out.append("towards", ask<direction_to_light>(out, light, asked.at.position));
+        }
+    }
+}
+
+// Radiance has no upper bound.
+void bright(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 30; ++i) {
+        Question q = random_question(random, 2);
+        for (Light& light : q.lights) light.color *= std::pow(10.0F, random.uniform(0, 4));
+        q.material.emission *= 20.0F;
+        record(out, q);
+    }
+}
+
+// Light that grazes the surface: the cosine is the small difference of large products. Nothing else is there.
+void grazing(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        Question q = random_question(random, 0);
+        q.at.position *= 30.0F;
+        q.material = {{}, {}, random_color(random)};
+        const glm::vec3 n = normalize(q.at.normal);
+        const glm::vec3 aside = normalize(cross(n, random.unit_vector()));
+        const float cosine = std::pow(10.0F, random.uniform(-5, -2));
+        q.lights = {light_towards(q.at, aside + cosine * n, i % 2 == 0, random.uniform(20, 200))};
+        record(out, q);
+    }
+}
+
+// Squares of these lengths are no floats.
+void tiny_and_huge(Random& random, Recorder& out)
+{
+    for (const float size : {1e-37F, 1e-30F, 1e-22F, 1e22F, 1e30F, 1e37F})
+        for (int i = 0; i < 10; ++i) {
+            Question q = random_question(random, 0);
+            const glm::vec3 direction = q.at.normal + 0.5F * random.unit_vector();
+            q.at.position = size * random.in_cube();
+            if (i % 3 == 0) q.at.normal *= size;
+            q.lights = {light_towards(q.at, direction, i % 2 == 0, size)};
+            record(out, q);
+            out.append("towards", ask<direction_to_light>(out, q.lights[0], q.at.position));
+        }
+    // Floats whose length is none.
+    for (int i = 0; i < 12; ++i) {
+        Question q = random_question(random, 0);
+        glm::vec3 corner(0);
+        for (int k = 0; k < 3; ++k) corner[k] = random.uniform(2e38F, 3.3e38F) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        q.at.normal = normalize(corner / 1e38F) + 0.5F * random.unit_vector();
+        q.lights = {{glm::vec4(corner, static_cast<float>(i % 2)), glm::vec3(1)}};
+        record(out, q);
+        out.append("towards", ask<direction_to_light>(out, q.lights[0], q.at.position));
+    }
+}
+
+// Twice the light; and all of it turned, first the surface alone and then the lights with it.
+void record_laws(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 30; ++i) {
+        Question q = random_question(random, 2);
+        q.material.emission = glm::vec3(0);
+        record(out, q, "once");
+        Question twice = q;
+        twice.global_ambient *= 2.0F;
+        for (Light& light : twice.lights) light.color *= 2.0F;
+        record(out, twice, "twice");
+        const float angle = random.uniform(0.5F, 2.5F);
+        const glm::mat4 turn = glm::rotate(glm::mat4(1), angle, random.unit_vector());
+        Question turned = q;
+        turned.at = {glm::vec3(turn * glm::vec4(q.at.position, 1)), glm::mat3(turn) * q.at.normal};
+        record(out, turned, "turned alone");
+        for (Light& light : turned.lights) light.position = turn * light.position;
+        record(out, turned, "turned together");
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
+    {"behind", [](Case& c, Recorder& out) { behind(c.random, out); }},
+    {"lengths", [](Case& c, Recorder& out) { lengths(c.random, out); }},
+    {"degenerate", [](Case& c, Recorder& out) { degenerate(c.random, out); }},
+    {"bright", [](Case& c, Recorder& out) { bright(c.random, out); }},
+    {"laws", [](Case& c, Recorder& out) { record_laws(c.random, out); }},
+    {"grazing", [](Case& c, Recorder& out) { grazing(c.random, out); }},
+    {"tiny and huge", [](Case& c, Recorder& out) { tiny_and_huge(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("orrery", orrery(400, 260)); }},
+};
+
+}
