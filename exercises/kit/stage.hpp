@@ -182,10 +182,10 @@ public:
 
     [[nodiscard]] Image picture() const { return frame_.picture(); }
 
-private:
     /// Towards the light.
     static glm::vec3 sun() { return glm::normalize(glm::vec3(-0.72F, 1.15F, 0.65F)); }
 
+private:
     DoubleFrame frame_;
     gl::Program program_;
 };

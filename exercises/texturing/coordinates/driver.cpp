@@ -1,0 +1,230 @@
+#include <limits>
+#include <stdexcept>
+#include <umbral/record/driver.hpp>
+
+#include "scene.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace texturing;
+
+using Corners = std::array<glm::vec3, 3>;
+
+constexpr float pi = 3.14159265F;
+
+void record_sphere(Recorder& out, const std::vector<glm::vec3>& points)
+{
+    for (const glm::vec3& point : points) out.append("sphere", ask<spherical_coordinates>(out, point));
+}
+
+void record_triangles(Recorder& out, const std::vector<Corners>& triangles)
+{
+    for (const Corners& corners : triangles)
+        for (const glm::vec2& at : ask<spherical_triangle>(out, corners)) out.append("corners", at);
+}
+
+// A plane through a point, with any two perpendicular unit axes.
+TexturePlane random_plane(Random& random, float reach)
+{
+    const glm::vec3 u_axis = random.unit_vector();
+    const glm::vec3 other = std::abs(u_axis.x) < 0.6F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 side = normalize(cross(u_axis, other));
+    const float angle = random.uniform(0, 2 * pi);
+    const glm::vec3 v_axis = std::cos(angle) * side + std::sin(angle) * cross(u_axis, side);
+    return {reach * random.in_cube(), u_axis, v_axis};
+}
+
+glm::vec3 at_angles(float longitude, float latitude)
+{
+    return {std::cos(latitude) * std::cos(longitude), std::sin(latitude), std::cos(latitude) * std::sin(longitude)};
+}
+
+// In any direction, at least a degree off the seam and the axis.
+glm::vec3 random_point(Random& random)
+{
+    const float longitude = random.uniform(-3.12F, 3.12F);
+    return random.uniform(0.2F, 5) * at_angles(longitude, random.uniform(-1.55F, 1.55F));
+}
+
+void by_hand(Recorder& out)
+{
+    const TexturePlane front{};
+    const TexturePlane moved{{1, 2, 3}, {0, 0.6F, 0.8F}, {1, 0, 0}};
+    for (const TexturePlane& plane : {front, moved})
+        for (const glm::vec3& point : {glm::vec3(0.25F, 0.5F, 7), {-3, 1, 0}, {1, 2, 3}, {2, 7, 13}})
+            out.append("plane", ask<planar_coordinates>(out, point, plane));
+    record_sphere(
+        out, {{1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 0}, {0, -2, 2}, {3, 0, 3}, {-1, 0, 1}, {-1, 0, -1}, {0, 3, -3}});
+    for (const glm::vec3& point : {glm::vec3(2, 1, 0), {0, 1.5F, 2}, {0, 4, -1}, {-1, 2.5F, 1}, {1, -1, 1}, {3, 6, -3}})
+        out.append("cylinder", ask<cylindrical_coordinates>(out, point, 1, 4));
+}
+
+void random_points(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 400; ++i) {
+        const TexturePlane plane = random_plane(random, 3);
+        out.append("plane", ask<planar_coordinates>(out, 3.0F * random.in_cube(), plane));
+    }
+    for (int i = 0; i < 400; ++i) record_sphere(out, {random_point(random)});
+    for (int i = 0; i < 400; ++i) {
+        const float y_min = random.uniform(-4, 2);
+        const float height = random.uniform(0.5F, 4) * (i % 8 == 0 ? -1.0F : 1.0F);
+        glm::vec3 point = random_point(random);
+        point.y = y_min + random.uniform(-0.5F, 1.5F) * height;
+        out.append("cylinder", ask<cylindrical_coordinates>(out, point, y_min, y_min + height));
+    }
+}
+
+// How many there are, then each pair, as long as there are as many as there should be.
+void record_grid(Recorder& out, int columns, int rows)
+{
+    const std::vector<glm::vec2> grid = ask<parametric_coordinates>(out, columns, rows);
+    out.append("sizes", static_cast<std::int32_t>(grid.size()));
+    const std::size_t size = static_cast<std::size_t>(columns + 1) * static_cast<std::size_t>(rows + 1);
+    for (std::size_t i = 0; i < size; ++i)
+        out.append("table", i < grid.size() ? grid[i] : glm::vec2(std::numeric_limits<float>::quiet_NaN()));
+}
+
+// 0 if there is an answer, 1 if the grid is refused as the interface says, 2 if in another way.
+float refused(Recorder& out, int columns, int rows)
+{
+    try {
+        (void)ask<parametric_coordinates>(out, columns, rows);
+    } catch (const std::invalid_argument&) {
+        return 1;
+    } catch (...) {
+        return 2;
+    }
+    return 0;
+}
+
+void grids(Random& random, Recorder& out)
+{
+    for (const glm::ivec2 size : {glm::ivec2(4, 2), {1, 1}, {1, 3}, {5, 1}, {49, 3}, {3, 49}}) {
+        record_grid(out, size.x, size.y);
+    }
+    record_grid(out, 2 + static_cast<int>(random.below(12)), 2 + static_cast<int>(random.below(12)));
+    for (const glm::ivec2 size : {glm::ivec2(0, 3), {3, 0}, {0, 0}, {-2, 4}, {4, -1}, {-1, -1}}) {
+        const bool good_first = random.below(2) == 0;
+        for (const bool good : {good_first, !good_first})
+            out.append("refused", good ? refused(out, 3, 2) : refused(out, size.x, size.y));
+    }
+}
+
+// Corners round a longitude, less than 0.45 turns apart, in random order.
+Corners triangle_at(Random& random, float longitude)
+{
+    const float span = random.uniform(0.02F, 0.45F) * 2 * pi;
+    float along[3] = {-0.5F, 0.5F, random.uniform(-0.4F, 0.4F)};
+    std::swap(along[2], along[random.below(3)]);
+    std::swap(along[1], along[random.below(2)]);
+    Corners corners{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float size = random.uniform(0.5F, 2);
+        corners[i] = size * at_angles(longitude + span * along[i], random.uniform(-1.5F, 1.5F));
+    }
+    return corners;
+}
+
+float zero_of_any_sign(Random& random) { return random.below(2) == 0 ? 0.0F : -0.0F; }
+
+glm::vec3 pole(Random& random)
+{
+    const float height = random.uniform(0.5F, 2) * (random.below(2) == 0 ? 1.0F : -1.0F);
+    const float x = zero_of_any_sign(random);
+    return {x, height, zero_of_any_sign(random)};
+}
+
+// Far from the seam, across it, and with a corner exactly on it.
+void seam(Random& random, Recorder& out)
+{
+    std::vector<Corners> triangles;
+    for (int i = 0; i < 120; ++i) {
+        triangles.push_back(triangle_at(random, random.uniform(-1.6F, 1.6F)));
+        const float longitude = pi + random.uniform(-0.4F, 0.4F);
+        triangles.push_back(triangle_at(random, longitude));
+        if (i % 4 == 0) {
+            Corners touching = triangle_at(random, random.below(2) == 0 ? 1.65F : -1.65F);
+            touching[random.below(3)] = {-random.uniform(0.5F, 2), random.uniform(-1, 1), zero_of_any_sign(random)};
+            triangles.push_back(touching);
+        }
+    }
+    record_triangles(out, triangles);
+}
+
+// One corner on the axis, in the triangle's middle or at its end; two; all.
+void poles(Random& random, Recorder& out)
+{
+    std::vector<Corners> triangles;
+    for (int i = 0; i < 80; ++i) {
+        Corners corners = triangle_at(random, random.uniform(-pi, pi));
+        const std::uint32_t first = random.below(3);
+        corners[first] = pole(random);
+        if (i % 10 == 0) corners[(first + 1) % 3] = pole(random);
+        triangles.push_back(corners);
+    }
+    for (int i = 0; i < 2; ++i) triangles.push_back({pole(random), pole(random), pole(random)});
+    record_triangles(out, triangles);
+}
+
+// Where atan2 has two answers or none, with each sign of zero; a cylinder without height.
+void edges(Recorder& out)
+{
+    std::vector<glm::vec3> points;
+    for (const float zero : {0.0F, -0.0F}) {
+        for (const float other : {0.0F, -0.0F})
+            for (const float y : {1.0F, -3.0F, 0.0F, -0.0F}) points.emplace_back(zero, y, other);
+        for (const float y : {0.0F, 1.0F, -1.0F}) {
+            points.emplace_back(-1, y, zero);
+            points.emplace_back(2, y, zero);
+            points.emplace_back(zero, y, 3);
+        }
+    }
+    record_sphere(out, points);
+    for (const glm::vec3& point : points) out.append("cylinder", ask<cylindrical_coordinates>(out, point, -1, 3));
+    for (const float y : {2.0F, 1.0F, 3.0F}) out.append("cylinder", ask<cylindrical_coordinates>(out, {1, y, 1}, 2, 2));
+}
+
+// Point and plane far from the origin, and near each other: products of large numbers cancel.
+void far_plane(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 300; ++i) {
+        TexturePlane plane = random_plane(random, 1e5F);
+        const glm::vec3 point = plane.origin + random.in_cube();
+        out.append("plane", ask<planar_coordinates>(out, point, plane));
+    }
+}
+
+// Sizes whose squares overflow or vanish in float, and latitudes where arc sine and arc cosine lose half the digits.
+void extreme(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 point = random_point(random) * std::pow(10.0F, random.uniform(25, 37));
+        const glm::vec3 speck = random_point(random) * std::pow(10.0F, random.uniform(-36, -25));
+        const float off = std::pow(10.0F, random.uniform(-4, -1.7F));
+        const float longitude = random.uniform(-3.12F, 3.12F);
+        const glm::vec3 near_pole(off * std::cos(longitude), random.below(2) == 0 ? 1 : -1, off * std::sin(longitude));
+        record_sphere(out, {point, speck, near_pole});
+        const float low = random.uniform(-3.3e38F, -2e38F);
+        const float high = random.uniform(2e38F, 3.3e38F);
+        const glm::vec3 tall(point.x, 3e38F * random.uniform(-1, 1), point.z);
+        out.append("cylinder", ask<cylindrical_coordinates>(out, tall, low, high));
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { random_points(c.random, out); }},
+    {"grids", [](Case& c, Recorder& out) { grids(c.random, out); }},
+    {"seam", [](Case& c, Recorder& out) { seam(c.random, out); }},
+    {"poles", [](Case& c, Recorder& out) { poles(c.random, out); }},
+    {"edges", [](Case&, Recorder& out) { edges(out); }},
+    {"far", [](Case& c, Recorder& out) { far_plane(c.random, out); }},
+    {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out)); }},
+};
+
+}

@@ -1,0 +1,3 @@
+#include <umbral/texturing/coordinates.hpp>
+
+extern "C" void* unit_entry() { return reinterpret_cast<void*>(&umbral::texturing::spherical_coordinates); }
