@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "batch/ask_question.hpp"
@@ -79,6 +80,8 @@ void ask(Application& application, const Options& options)
         throw UsageError(fmt::format("{} cannot be asked: {}; umbral debug runs a case of it", exercise.id, why));
     if (options.question.empty() == options.file.empty())
         throw UsageError("expected a question, in quotes, or --file with one");
+    if (!options.file.empty() && !std::filesystem::is_regular_file(options.file))
+        throw UsageError(fmt::format("expected a file with a question, found none called {}", options.file));
     const std::string question =
         options.file.empty() ? options.question : as_given([&] { return read_text(options.file); });
     expect_folder(options.folder, "a workspace");
