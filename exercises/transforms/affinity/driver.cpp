@@ -98,8 +98,8 @@ void record_many(Random& random, Recorder& out)
     }
 }
 
-// Whole numbers in a plane, one point four times, or less than four points, also none, paired with points in space; all
-// of them times a power of two, so that nothing rounds.
+// Whole numbers in a plane, a layer of 1e-11 of its width, one point four times, or less than four points, also none;
+// paired with points in space. All of them are multiplied by a power of two, so that nothing rounds.
 void record_planes(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
@@ -122,8 +122,12 @@ void record_planes(Random& random, Recorder& out)
         const bool flat_first = random.below(2) == 1;
         const glm::dmat4 map = some_affine_map(random);
         for (const bool is_flat : {flat_first, !flat_first}) {
-            std::vector<glm::vec3> points = is_flat ? flat : solid;
-            for (glm::vec3& point : points) point = unit * (point + glm::vec3(16, -7, 5));
+            std::vector<glm::vec3> points = is_flat && i % 8 != 2 ? flat : solid;
+            glm::vec3 thickness(1);
+            if (i % 8 == 2 && is_flat) thickness[i / 8 % 3] = 0x1p-36F;
+            // What is thin lies where its thickness is not rounded away.
+            const glm::vec3 shift = i % 8 == 2 ? glm::vec3(0) : glm::vec3(16, -7, 5);
+            for (glm::vec3& point : points) point = unit * (thickness * point + shift);
             out.append("found", ask<affine_from_points>(out, pairs_of(points, map)).has_value() ? 1 : 0);
         }
     }
