@@ -38,8 +38,6 @@ double dot(const Column& a, const Column& b)
     return sum;
 }
 
-double length(const Column& a) { return std::sqrt(dot(a, a)); }
-
 /// Takes away from `column` its part along `unit`, which is returned.
 double take_part(Column& column, const Column& unit)
 {
@@ -52,29 +50,24 @@ double take_part(Column& column, const Column& unit)
 /// lie in a plane.
 std::optional<glm::dmat3> nearest_linear_map(Columns points, Columns images)
 {
+    const double extent = std::sqrt(dot(points[0], points[0]) + dot(points[1], points[1]) + dot(points[2], points[2]));
     double triangle[3][3] = {};
     double parts[3][3] = {};  // of each coordinate of the images along each unit vector
-    std::array<std::size_t, 3> order{0, 1, 2};
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto longest = std::max_element(order.begin() + k, order.end(), [&](std::size_t a, std::size_t b) {
-            return dot(points[a], points[a]) < dot(points[b], points[b]);
-        });
-        std::swap(order[k], *longest);
-        for (std::size_t i = 0; i < k; ++i) std::swap(triangle[i][k], triangle[i][longest - order.begin()]);
-        Column& unit = points[order[k]];
-        triangle[k][k] = length(unit);
-        if (triangle[k][k] <= thinnest * triangle[0][0]) return std::nullopt;
+        Column& unit = points[k];
+        // What is left of a column is at least as long as the layer is thick.
+        triangle[k][k] = std::sqrt(dot(unit, unit));
+        if (triangle[k][k] <= thinnest * extent) return std::nullopt;
         for (double& number : unit) number /= triangle[k][k];
-        for (std::size_t j = k + 1; j < 3; ++j) triangle[k][j] = take_part(points[order[j]], unit);
+        for (std::size_t j = k + 1; j < 3; ++j) triangle[k][j] = take_part(points[j], unit);
         for (std::size_t axis = 0; axis < 3; ++axis) parts[axis][k] = take_part(images[axis], unit);
     }
     glm::dmat3 map;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t k = 3; k-- > 0;) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int k = 2; k >= 0; --k) {
             double rest = parts[axis][k];
-            for (std::size_t j = k + 1; j < 3; ++j)
-                rest -= triangle[k][j] * map[static_cast<int>(order[j])][static_cast<int>(axis)];
-            map[static_cast<int>(order[k])][static_cast<int>(axis)] = rest / triangle[k][k];
+            for (int j = k + 1; j < 3; ++j) rest -= triangle[k][j] * map[j][axis];
+            map[k][axis] = rest / triangle[k][k];
         }
     }
     return map;

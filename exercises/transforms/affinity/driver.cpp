@@ -98,12 +98,12 @@ void record_many(Random& random, Recorder& out)
     }
 }
 
-// Whole numbers in a plane, or less than four points, paired with points in space; all of them times a power of two, so
-// that nothing rounds.
+// Whole numbers in a plane, a layer of 1e-11 of its width, one point four times, or less than four points, also none;
+// paired with points in space. All of them are multiplied by a power of two, so that nothing rounds.
 void record_planes(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
-        const float unit = std::ldexp(1.0F, static_cast<int>(random.below(40)) - 20);
+        const float unit = std::ldexp(1.0F, static_cast<int>(random.below(80)) - 40);
         const auto whole = [&] { return static_cast<float>(random.below(17)) - 8; };
         const float a = whole();
         const float b = whole();
@@ -117,11 +117,17 @@ void record_planes(Random& random, Recorder& out)
         std::vector<glm::vec3> solid = flat;
         while (solid.size() < 4) solid.emplace_back(1, 1, 0);
         solid.back().z = a * solid.back().x + b * solid.back().y + 4;
+        if (i % 8 == 1) flat.assign(4, flat.front());
+        if (i == 0) flat.clear();
         const bool flat_first = random.below(2) == 1;
         const glm::dmat4 map = some_affine_map(random);
         for (const bool is_flat : {flat_first, !flat_first}) {
-            std::vector<glm::vec3> points = is_flat ? flat : solid;
-            for (glm::vec3& point : points) point = unit * (point + glm::vec3(16, -7, 5));
+            std::vector<glm::vec3> points = is_flat && i % 8 != 2 ? flat : solid;
+            glm::vec3 thickness(1);
+            if (i % 8 == 2 && is_flat) thickness[i / 8 % 3] = 0x1p-36F;
+            // What is thin lies where its thickness is not rounded away.
+            const glm::vec3 shift = i % 8 == 2 ? glm::vec3(0) : glm::vec3(16, -7, 5);
+            for (glm::vec3& point : points) point = unit * (thickness * point + shift);
             out.append("found", ask<affine_from_points>(out, pairs_of(points, map)).has_value() ? 1 : 0);
         }
     }
@@ -172,6 +178,24 @@ void record_affinity(Random& random, Recorder& out)
             for (PointPair& pair : bent) pair.image *= size;
             out.append("affine", ask<is_affine>(out, bent, tolerance) ? 1 : 0);
         }
+    }
+}
+
+// Pairs of points in a plane, for which there is no map, and points in space, all of which go to one place: a map that
+// is affine, though its images have no extent.
+void record_without_extent(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 10; ++i) {
+        Pairs solid;
+        Pairs flat;
+        for (int k = 0; k < 8; ++k) {
+            const glm::vec3 corner(k & 1, k >> 1 & 1, k >> 2);
+            solid.push_back({corner, {0.5F, -2, 1}});
+            flat.push_back({{corner.x, corner.y, corner.x + corner.y}, corner});
+        }
+        const bool flat_first = random.below(2) == 1;
+        for (const bool is_flat : {flat_first, !flat_first})
+            out.append("affine", ask<is_affine>(out, is_flat ? flat : solid, 0.01F) ? 1 : 0);
     }
 }
 
@@ -237,7 +261,11 @@ const Driver driver = {
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"many", [](Case& c, Recorder& out) { record_many(c.random, out); }},
     {"planes", [](Case& c, Recorder& out) { record_planes(c.random, out); }},
-    {"affinity", [](Case& c, Recorder& out) { record_affinity(c.random, out); }},
+    {"affinity",
+     [](Case& c, Recorder& out) {
+         record_affinity(c.random, out);
+         record_without_extent(c.random, out);
+     }},
     {"wave", [](Case& c, Recorder& out) { record_wave(c.random, out); }},
     {"nearly flat", [](Case& c, Recorder& out) { record_nearly_flat(c.random, out); }},
     {"all sizes", [](Case& c, Recorder& out) { record_all_sizes(c.random, out); }},
