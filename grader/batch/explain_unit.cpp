@@ -88,7 +88,7 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
     if (!explained && std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
         for (Explanation& other : by_other_questions(worker, exercise, groups)) all.push_back(std::move(other));
     std::vector<Explanation> best = ranked(std::move(all));
-    if (!best.empty() && best.front().fit >= 1) return best;
+    if (!best.empty() && best.front().confidence >= thresholds::very_sure) return best;
     std::vector<Explanation> two = by_two_mistakes(worker, exercise, groups, mistakes);
     return two.empty() ? best : two;
 }
