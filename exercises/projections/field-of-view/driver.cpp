@@ -1,0 +1,139 @@
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <umbral/projections/perspective.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../island.hpp"
+#include "../volumes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+
+void record(Recorder& out, const Lens& lens)
+{
+    out.append("matrix", ask<perspective_matrix>(out, lens));
+    out.append("reversed", ask<reversed_perspective_matrix>(out, lens));
+}
+
+void record_angle(Recorder& out, float fovx_degrees, float aspect)
+{
+    out.append("fovy", ask<vertical_field_of_view>(out, fovx_degrees, aspect));
+}
+
+// A right angle; one whose half has the tangent 1/2; a picture that is higher than wide; the course's orbital camera
+// for a picture of 16 : 9.
+void record_known(Recorder& out)
+{
+    const Lens lenses[] = {
+        {90, 1, 1, 3}, {90, 2, 1, 5}, {53.130102F, 1, 2, 6}, {90, 0.5F, 0.5F, 2}, {60, 16.0F / 9, 0.05F, 1000.05F}};
+    for (const Lens& lens : lenses) record(out, lens);
+    for (const auto& [fovx, aspect] : {std::pair(90.0F, 1.0F), {60, 1}, {90, 2}, {90, 0.5F}, {73.73980F, 1.5F}})
+        record_angle(out, fovx, aspect);
+}
+
+Lens random_lens(Random& random)
+{
+    const float near_plane = std::pow(10.0F, random.uniform(-2, 1));
+    return {random.uniform(10, 150), random.uniform(0.4F, 3), near_plane,
+            near_plane * std::pow(10.0F, random.uniform(0.2F, 5))};
+}
+
+void record_infinite(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        Lens lens = random_lens(random);
+        lens.far_plane = infinity;
+        record(out, lens);
+    }
+}
+
+// A lens, and something that is none, in random order.
+void record_refused(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 36; ++i) {
+        const Lens good = random_lens(random);
+        Lens bad = good;
+        const float angles[] = {0, 180, -40, 270, no_number};
+        const float aspects[] = {0, -1.5F, no_number};
+        if (i % 12 < 5) bad.fovy_degrees = angles[i % 12];
+        if (i % 12 >= 5 && i % 12 < 8) bad.aspect = aspects[i % 12 - 5];
+        if (i % 12 == 8) bad.near_plane = 0;
+        if (i % 12 == 9) bad.near_plane = -1;
+        if (i % 12 == 10) bad.far_plane = bad.near_plane;
+        if (i % 12 == 11) bad.far_plane = 0.5F * bad.near_plane;
+        const bool first = random.below(2) == 1;
+        for (const bool is_bad : {first, !first}) {
+            const Lens& asked = is_bad ? bad : good;
+            out.append("refused", refusal([&] { return ask<perspective_matrix>(out, asked); }));
+            out.append("reversed refused", refusal([&] { return ask<reversed_perspective_matrix>(out, asked); }));
+            if (i % 12 < 8)
+                out.append("angle refused",
+                           refusal([&] { return ask<vertical_field_of_view>(out, asked.fovy_degrees, asked.aspect); }));
+        }
+    }
+}
+
+// Angles as close as 10^-4 of a degree to 180, and as small; and far planes right behind near ones.
+void record_extremes(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 100; ++i) {
+        const float rest = std::pow(10.0F, random.uniform(-4, -0.5F));
+        Lens lens = random_lens(random);
+        lens.fovy_degrees = i % 4 == 3 ? rest : 180 - rest;
+        record(out, lens);
+        record_angle(out, lens.fovy_degrees, std::pow(10.0F, random.uniform(1, 5)));
+        lens.far_plane = lens.near_plane * (1 + std::pow(10.0F, random.uniform(-5, -2)));
+        out.append("matrix", ask<perspective_matrix>(out, lens));
+    }
+}
+
+// The same lighthouse as large in three pictures: from far away with a long lens, and from nearby with a wide one.
+void draw_vertigo(Recorder& out)
+{
+    constexpr glm::ivec2 size(420, 240);
+    constexpr int panels = 3;
+    constexpr int gap = 8;
+    const Stage stage(size.x, size.y, {0.07F, 0.07F, 0.09F});
+    const Island island;
+    constexpr glm::vec3 sky(0.58F, 0.76F, 0.91F);
+    const glm::vec3 lighthouse(-2.5F, 1.45F, 2.5F);
+    const glm::vec3 from = glm::normalize(glm::vec3(-0.62F, 0.16F, 1));
+    const glm::ivec2 extent(2 * size.x / panels - gap, 2 * size.y);
+    int panel = 0;
+    for (const float fovy_degrees : {14.0F, 42.0F, 96.0F}) {
+        begin_panel({panel * (2 * size.x + gap) / panels, 0}, extent, sky);
+        const float distance = 1.5F / std::tan(glm::radians(fovy_degrees) / 2);
+        const glm::mat4 view = glm::lookAt(lighthouse + distance * from, lighthouse, glm::vec3(0, 1, 0));
+        const float aspect = static_cast<float>(extent.x) / static_cast<float>(extent.y);
+        look_through(stage, view, ask<perspective_matrix>(out, {fovy_degrees, aspect, 0.2F, 60}));
+        island.draw_at_sea(stage, sky);
+        ++panel;
+    }
+    out.image("colours", stage.picture());
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 100; ++i) {
+             record(out, random_lens(c.random));
+             const float fovx_degrees = c.random.uniform(10, 150);
+             record_angle(out, fovx_degrees, c.random.uniform(0.4F, 3));
+         }
+     }},
+    {"infinite", [](Case& c, Recorder& out) { record_infinite(c.random, out); }},
+    {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
+    {"extremes", [](Case& c, Recorder& out) { record_extremes(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { draw_vertigo(out); }},
+};
+
+}

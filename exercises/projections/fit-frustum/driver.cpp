@@ -1,0 +1,162 @@
+#include <glm/gtc/matrix_transform.hpp>
+#include <umbral/projections/fit.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../volumes.hpp"
+#include "gallery.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+// Each number is a row of its own: in a row of several the largest would hide the errors of the others.
+void record(Recorder& out, const ViewVolume& volume)
+{
+    for (const float side : {volume.left, volume.right, volume.bottom, volume.top}) out.append("window", side);
+    for (const float plane : {volume.near_plane, volume.far_plane}) out.append("planes", plane);
+}
+
+void record(Recorder& out, const PlacedVolume& placed)
+{
+    record(out, placed.volume);
+    out.append("eye", placed.eye);
+}
+
+constexpr PictureSize square{512, 512};
+
+// Problem 3.5: the eye at side + 2.
+void record_cubes(Recorder& out)
+{
+    for (const float side : {2.0F, 1.0F, 4.0F, 0.5F, 10.0F}) record(out, ask<fit_cube>(out, side, side + 2, square));
+    record(out, ask<fit_cube>(out, 2.0F, 20.0F, square));
+}
+
+// Problem 3.6 with both readings of its distance, and radius and distance of right-angled triangles.
+void record_spheres(Recorder& out)
+{
+    for (const auto& [radius, distance] : {std::pair(3.0F, 5.0F), {5, 13}, {1, 3}, {3, 8}, {2, 6}, {1, 100}})
+        record(out, ask<fit_sphere>(out, radius, distance, square));
+}
+
+// Problem 3.7.
+void record_pictures(Recorder& out)
+{
+    for (const PictureSize& picture : {PictureSize{1280, 720},
+                                       {720, 1280},
+                                       {300, 100},
+                                       {100, 300},
+                                       {1, 2},
+                                       {641, 640},
+                                       {640, 641},
+                                       {7, 7},
+                                       {2, 1}}) {
+        record(out, ask<fit_cube>(out, 2.0F, 4.0F, picture));
+        record(out, ask<fit_sphere>(out, 3.0F, 5.0F, picture));
+    }
+}
+
+// Problem 3.8.
+void record_angles(Recorder& out)
+{
+    for (const float fovy_degrees : {10.0F, 40.0F, 60.0F, 90.0F, 120.0F})
+        record(out, ask<fit_cube_to_fovy>(out, glm::vec3(1, 2, 3), 2.0F, fovy_degrees, square));
+    record(out, ask<fit_cube_to_fovy>(out, glm::vec3(-1, 0, -5), 4.0F, 90.0F, PictureSize{300, 100}));
+    record(out, ask<fit_cube_to_fovy>(out, glm::vec3(-1, 0, -5), 4.0F, 90.0F, PictureSize{100, 300}));
+}
+
+PictureSize random_picture(Random& random)
+{
+    const int width = 1 + static_cast<int>(random.below(2000));
+    return {width, 1 + static_cast<int>(random.below(2000))};
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 100; ++i) {
+        const float size = std::pow(10.0F, random.uniform(-2, 2));
+        const float distance = size * (1 + std::pow(10.0F, random.uniform(-1, 1)));
+        const PictureSize picture = random_picture(random);
+        record(out, ask<fit_cube>(out, size, distance, picture));
+        record(out, ask<fit_sphere>(out, size, distance, picture));
+        const float fovy_degrees = random.uniform(10, 150);
+        record(out, ask<fit_cube_to_fovy>(out, 10.0F * random.in_cube(), size, fovy_degrees, picture));
+    }
+}
+
+// Something that fits, and something that does not, in random order: a picture without pixels, a body without a size,
+// an eye within it, no angle.
+void record_refused(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 32; ++i) {
+        const int fault = i % 8;
+        const float size = random.uniform(0.5F, 3);
+        const float distance = size * random.uniform(1.1F, 5);
+        const bool first = random.below(2) == 1;
+        for (const bool is_bad : {first, !first}) {
+            const auto bad = [&](int which) { return is_bad && fault == which; };
+            const int none = i < 16 ? 0 : -100;
+            const PictureSize picture{bad(0) ? none : 200, bad(1) ? none : 100};
+            const float asked = bad(2) ? 0 : (bad(3) ? -size : size);
+            if (fault <= 4)
+                out.append("cube refused", refusal([&] {
+                               return ask<fit_cube>(out, asked, bad(4) ? 0.5F * size : distance, picture);
+                           }));
+            if (fault <= 3 || fault == 5)
+                out.append("sphere refused",
+                           refusal([&] { return ask<fit_sphere>(out, asked, bad(5) ? size : distance, picture); }));
+            if (fault <= 3 || fault >= 6)
+                out.append("angle refused", refusal([&] {
+                               return ask<fit_cube_to_fovy>(out, glm::vec3(1), asked,
+                                                            bad(6) ? 180.0F : (bad(7) ? 0.0F : 50.0F), picture);
+                           }));
+        }
+    }
+}
+
+// Eyes 10^-1 to 10^-6 of a radius above the surface, of spheres as small and as large as floats have them.
+void record_close(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 100; ++i) {
+        const float radius = std::pow(10.0F, random.uniform(-25, 25));
+        const float above = std::pow(10.0F, random.uniform(-6, i % 4 == 0 ? 6.0F : -1.0F));
+        record(out, ask<fit_sphere>(out, radius, radius * (1 + above), random_picture(random)));
+    }
+}
+
+void record_extreme_angles(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const float rest = std::pow(10.0F, random.uniform(-4, -0.5F));
+        record(out,
+               ask<fit_cube_to_fovy>(out, glm::vec3(0), 2.0F, i % 3 == 0 ? rest : 180 - rest, random_picture(random)));
+    }
+}
+
+// A cube and a sphere in pictures of three shapes. Whatever is too large is cut, whatever is too small has a margin.
+void draw_gallery(Recorder& out)
+{
+    const Gallery gallery;
+    gallery.draw_cube(0, 4, ask<fit_cube>(out, 2.0F, 4.0F, gallery.panel_size(0)));
+    gallery.draw_ball(1, 2.6F, ask<fit_sphere>(out, 1.0F, 2.6F, gallery.panel_size(1)));
+    const PlacedVolume placed = ask<fit_cube_to_fovy>(out, glm::vec3(0), 2.0F, 75.0F, gallery.panel_size(2));
+    gallery.draw_cube(2, placed.eye.z, placed.volume);
+    out.image("colours", gallery.picture());
+}
+
+}
+
+const Driver driver = {
+    {"cube", [](Case&, Recorder& out) { record_cubes(out); }},
+    {"sphere", [](Case&, Recorder& out) { record_spheres(out); }},
+    {"pictures", [](Case&, Recorder& out) { record_pictures(out); }},
+    {"angle", [](Case&, Recorder& out) { record_angles(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
+    {"close", [](Case& c, Recorder& out) { record_close(c.random, out); }},
+    {"extreme angles", [](Case& c, Recorder& out) { record_extreme_angles(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { draw_gallery(out); }},
+};
+
+}

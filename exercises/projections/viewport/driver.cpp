@@ -1,0 +1,142 @@
+#include <cmath>
+#include <limits>
+#include <umbral/core/random.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "flowers.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+void record_pixel(Recorder& out, const Viewport& viewport, const glm::vec2& ndc)
+{
+    const std::optional<glm::ivec2> pixel = ask<pixel_at>(out, viewport, ndc);
+    out.append("pixel", pixel ? glm::vec3(1, *pixel) : glm::vec3(0));
+}
+
+// A whole window, one of odd size that lies in it, a range of depths, and one that is reversed.
+void record_known(Recorder& out)
+{
+    const Viewport viewports[] = {
+        {0, 0, 640, 480}, {10, 20, 101, 55}, {0, 0, 2, 2}, {5, 6, 8, 4, 0.25F, 0.75F}, {-4, -2, 8, 4, 1, 0}};
+    for (const Viewport& viewport : viewports) {
+        out.append("matrix", ask<viewport_matrix>(out, viewport));
+        const glm::vec3 low(viewport.left, viewport.bottom, viewport.near_depth);
+        const glm::vec3 size(viewport.width, viewport.height, viewport.far_depth - viewport.near_depth);
+        for (const glm::vec3& share : {glm::vec3(0), glm::vec3(0.5F), glm::vec3(1), {0.25F, 0.75F, 1}})
+            out.append("back", ask<ndc_from_window>(out, viewport, low + share * size));
+    }
+}
+
+// Pixels of a window of 8 x 4 pixels, whose borders are floats, and of one that lies elsewhere.
+void record_known_pixels(Recorder& out)
+{
+    const Viewport small{0, 0, 8, 4};
+    for (const glm::vec2& ndc : {glm::vec2(-1, -1),
+                                 {-0.9F, -0.9F},
+                                 {0, 0},
+                                 {-0.01F, 0.01F},
+                                 {0.99F, 0.99F},
+                                 {0.24F, 0.51F},
+                                 {0.25F, 0.5F},
+                                 {-0.75F, -0.5F},
+                                 {-0.8F, 0.3F}})
+        record_pixel(out, small, ndc);
+    const Viewport moved{100, -7, 5, 3};
+    for (const glm::vec2& ndc : {glm::vec2(-1, -1), {0, 0}, {0.9F, 0.9F}, {-0.5F, 0.4F}, {0.3F, -0.4F}})
+        record_pixel(out, moved, ndc);
+    for (const Viewport& viewport : {small, moved})
+        for (const glm::ivec2& place : {glm::ivec2(0, 0), {1, 2}, {4, 2}, {7, 3}, {-1, 0}, {3, 9}})
+            out.append("centre", ask<pixel_centre>(out, viewport, glm::ivec2(viewport.left, viewport.bottom) + place));
+}
+
+int random_between(int low, int high, Random& random)
+{
+    return low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low + 1)));
+}
+
+Viewport random_viewport(Random& random)
+{
+    const int left = random_between(-50, 500, random);
+    const int bottom = random_between(-50, 500, random);
+    const int width = random_between(20, 900, random);
+    const int height = random_between(20, 900, random);
+    const float near_depth = random.uniform(0, 0.45F);
+    const float far_depth = random.uniform(0.55F, 1);
+    return random.below(4) == 0 ? Viewport{left, bottom, width, height, far_depth, near_depth}
+                                : Viewport{left, bottom, width, height, near_depth, far_depth};
+}
+
+// The inner 80 % of a pixel of the viewport, counted from its corner: no rounding leads out of it.
+glm::vec2 place_in(const Viewport& viewport, const glm::ivec2& pixel, Random& random)
+{
+    const glm::vec2 aside(0.4F * random.uniform(-1, 1), 0.4F * random.uniform(-1, 1));
+    const glm::dvec2 share =
+        (glm::dvec2(pixel) + 0.5 + glm::dvec2(aside)) / glm::dvec2(viewport.width, viewport.height);
+    return glm::vec2(2.0 * share - 1.0);
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const Viewport viewport = random_viewport(random);
+        out.append("matrix", ask<viewport_matrix>(out, viewport));
+        const float x = random.uniform(-0.2F, 1.2F);
+        const float y = random.uniform(-0.2F, 1.2F);
+        const glm::vec2 place =
+            glm::vec2(viewport.left, viewport.bottom) + glm::vec2(x, y) * glm::vec2(viewport.width, viewport.height);
+        out.append("back", ask<ndc_from_window>(out, viewport, glm::vec3(place, random.uniform())));
+        const int column = random_between(0, viewport.width - 1, random);
+        const glm::ivec2 pixel(column, random_between(0, viewport.height - 1, random));
+        record_pixel(out, viewport, place_in(viewport, pixel, random));
+        out.append("centre", ask<pixel_centre>(out, viewport, pixel + glm::ivec2(viewport.left, viewport.bottom)));
+    }
+}
+
+// A point of the viewport, and one outside or on its right or upper border, in random order.
+void record_outside(Random& random, Recorder& out)
+{
+    constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+    for (int i = 0; i < 48; ++i) {
+        const Viewport viewport = random_viewport(random);
+        const int column = random_between(0, viewport.width - 1, random);
+        const glm::ivec2 pixel(column, random_between(0, viewport.height - 1, random));
+        const glm::vec2 inside = place_in(viewport, pixel, random);
+        glm::vec2 outside = inside;
+        const float beyond[] = {
+            1, 1.0F + random.uniform(0.01F, 2), -1.0F - random.uniform(0.01F, 2), -1.0000001F, 1e30F, no_number};
+        outside[i % 2] = beyond[i / 2 % 6];
+        const bool first = random.below(2) == 1;
+        for (const bool is_outside : {first, !first}) record_pixel(out, viewport, is_outside ? outside : inside);
+    }
+}
+
+// The floats on both sides of a border between pixels, and the last one before 1.
+void record_beside_borders(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 300; ++i) {
+        const Viewport viewport{random_between(0, 1000, random), 0, random_between(500, 8000, random), 1};
+        const int border = random_between(1, viewport.width - 1, random);
+        auto x = static_cast<float>((2.0 * border - viewport.width) / viewport.width);
+        if (i % 3 == 0) x = std::nextafter(x, -2.0F);
+        if (i % 3 == 1) x = std::nextafter(x, 2.0F);
+        if (i % 10 == 9) x = std::nextafter(1.0F, 0.0F);
+        if (std::abs(x) < 1e-4F) x = 0.3F;
+        record_pixel(out, viewport, {x, 0});
+    }
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known pixels", [](Case&, Recorder& out) { record_known_pixels(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"outside", [](Case& c, Recorder& out) { record_outside(c.random, out); }},
+    {"beside borders", [](Case& c, Recorder& out) { record_beside_borders(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_flowers(out)); }},
+};
+
+}
