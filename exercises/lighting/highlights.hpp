@@ -1,0 +1,95 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "random.hpp"
+
+/// Questions about highlights, which Phong's model and Blinn's share.
+namespace umbral::lighting {
+
+/// What a highlight depends on.
+struct Glance {
+    glm::vec3 normal{0, 0, 1};
+    glm::vec3 l{0, 0, 1};
+    glm::vec3 v{0, 0, 1};
+    float e = 1;
+};
+
+/// A unit vector whose cosine with the unit vector `axis` is `cosine`.
+inline glm::vec3 round_about(Random& random, const glm::vec3& axis, float cosine)
+{
+    const glm::vec3 aside = normalize(cross(axis, random.unit_vector()));
+    return cosine * axis + std::sqrt(std::max(0.0F, 1 - cosine * cosine)) * aside;
+}
+
+/// A highlight that is not all dark: the viewer stands up to `spread` / √e off the mirrored direction, in radians. The
+/// light is in front of the surface, with a cosine of 0.1 to 0.95.
+inline Glance random_glance(Random& random, float lowest_e, float highest_e, float spread = 1.5F)
+{
+    Glance glance;
+    glance.normal = random.unit_vector();
+    glance.l = round_about(random, glance.normal, random.uniform(0.1F, 0.95F));
+    glance.e = lowest_e * std::pow(highest_e / lowest_e, random.uniform());
+    const glm::vec3 r = 2 * dot(glance.normal, glance.l) * glance.normal - glance.l;
+    glance.v = round_about(random, normalize(r), std::cos(random.uniform(0, spread) / std::sqrt(glance.e)));
+    return glance;
+}
+
+/// Light from behind the surface; the viewer stands where the formula would see a highlight all the same.
+inline Glance glance_from_behind(Random& random)
+{
+    Glance glance = random_glance(random, 1, 40, 0.8F);
+    glance.l = round_about(random, glance.normal, -random.uniform(0.1F, 0.6F));
+    const glm::vec3 r = 2 * dot(glance.normal, glance.l) * glance.normal - glance.l;
+    glance.v = round_about(random, normalize(r), 0.97F);
+    return glance;
+}
+
+/// Values that follow without a calculator: exponents 0, cosines of 0 and below, and light that grazes exactly.
+inline std::vector<Glance> glances_by_hand()
+{
+    constexpr glm::vec3 up(0, 0, 1);
+    constexpr glm::vec3 l(0, 0.6F, 0.8F);
+    std::vector<Glance> all;
+    for (const float e : {0.0F, 1.0F, 2.0F, 5.0F}) {
+        all.push_back({up, up, up, e});
+        all.push_back({up, l, {0, -0.6F, 0.8F}, e});
+        all.push_back({up, l, up, e});
+        all.push_back({up, l, l, e});
+        all.push_back({up, l, {1, 0, 0}, e});
+        all.push_back({up, l, {0, 0.6F, -0.8F}, e});
+        // Viewers behind the surface: neither r·v nor n·h is above 0.
+        all.push_back({up, {0, 0.8F, 0.6F}, {0, 0.6F, -0.8F}, e});
+        all.push_back({up, {0.8F, 0, 0.6F}, {0.6F, 0, -0.8F}, e});
+        all.push_back({up, {1, 0, 0}, {-1, 0, 0}, e});
+        all.push_back({up, {1, 0, 0}, up, e});
+        all.push_back({up, {0, 0.6F, -0.8F}, {0, -0.6F, 0.8F}, e});
+    }
+    return all;
+}
+
+/// A question about all the light that a surface sends to the eye.
+struct Shine {
+    SurfacePoint at;
+    Material material;
+    std::vector<Light> lights;
+    glm::vec3 global_ambient{0};
+    glm::vec3 eye{0};
+};
+
+/// Up to three lights in front of the surface; the eye is where it sees one of their highlights.
+inline Shine random_shine(Random& random)
+{
+    Shine shine{{3.0F * random.in_cube(), random.unit_vector()}, random_material(random), {}, random_color(random)};
+    const std::uint32_t count = 1 + random.below(3);
+    for (std::uint32_t i = 0; i < count; ++i) shine.lights.push_back(random_light(random, shine.at, 0.1F));
+    const Light& light = shine.lights[random.below(count)];
+    const glm::vec3 l = normalize(glm::vec3(light.position) - light.position.w * shine.at.position);
+    const glm::vec3 r = 2 * dot(shine.at.normal, l) * shine.at.normal - l;
+    const glm::vec3 v = round_about(random, normalize(r), random.uniform(0.9F, 1));
+    shine.eye = shine.at.position + random.uniform(1, 6) * v;
+    return shine;
+}
+
+}

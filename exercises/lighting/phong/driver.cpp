@@ -1,0 +1,150 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../highlights.hpp"
+#include "rack.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace lighting;
+
+void record(Recorder& out, const Glance& g, std::string_view name = "highlight")
+{
+    out.append(name, ask<phong_highlight>(out, g.normal, g.l, g.v, g.e));
+}
+
+void record(Recorder& out, const Shine& s)
+{
+    out.append("light", ask<phong_reflection>(out, s.at, s.material, s.lights, s.global_ambient, s.eye));
+}
+
+void by_hand(Recorder& out)
+{
+    const std::pair<glm::vec3, glm::vec3> mirrors[] = {
+        {{0, 0, 1}, {0, 0, 1}}, {{0, 0.6F, 0.8F}, {0, 0, 1}}, {{1, 2, 3}, {0, 1, 0}},  {{1, 0, 0}, {0, 0, 1}},
+        {{1, 0, 0}, {1, 1, 0}}, {{3, 4, 0}, {0, 0, 7}},       {{2, -1, 5}, {1, 2, 2}}, {{0, 3, -4}, {0, 0, 1}}};
+    for (const auto& [l, normal] : mirrors) out.append("mirrored", ask<mirrored_direction>(out, l, normal));
+    for (const Glance& glance : glances_by_hand()) record(out, glance);
+
+    const Material material{{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}, {0.5F, 1, 0.25F}, 2};
+    const Light sun{{0, 0.6F, 0.8F, 0}, {1, 0.5F, 2}};
+    const Light lamp{{4, 0, 4, 1}, {0.5F, 1, 0.25F}};
+    const std::vector<Light> sets[] = {{}, {sun}, {lamp}, {sun, lamp}, {lamp, sun}};
+    for (const std::vector<Light>& lights : sets)
+        for (const glm::vec3& eye : {glm::vec3(0, -3, 5), {0, 0, 3}, {-4, 0, 4}})
+            record(out, Shine{{{0, 0, 1}, {0, 0, 1}}, material, lights, glm::vec3(0.2F), eye});
+}
+
+void at_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const glm::vec3 l = random.uniform(0.5F, 3) * random.unit_vector();
+        out.append("mirrored", ask<mirrored_direction>(out, l, random.unit_vector()));
+        record(out, random_glance(random, 1, 40));
+        record(out, random_shine(random));
+    }
+}
+
+// Pairs of light from behind and from the front.
+void behind(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const bool first = random.below(2) == 0;
+        for (const bool from_behind : {first, !first})
+            record(out, from_behind ? glance_from_behind(random) : random_glance(random, 1, 40, 0.8F));
+    }
+}
+
+// The three vectors have any length, one after the other.
+void lengths(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        Glance glance = random_glance(random, 1, 40);
+        glm::vec3& one = i % 3 == 0 ? glance.normal : i % 3 == 1 ? glance.l : glance.v;
+        one *= std::exp2(random.uniform(-4, 4));
+        record(out, glance);
+        out.append("mirrored", ask<mirrored_direction>(out, glance.l, glance.normal));
+    }
+}
+
+// Pairs of a question with a null vector and the same one without.
+void degenerate(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 24; ++i) {
+        const Glance usual = random_glance(random, 1, 40, 0.8F);
+        Glance null = usual;
+        (i % 3 == 0 ? null.normal : i % 3 == 1 ? null.l : null.v) = glm::vec3(0);
+        if (i % 4 == 0) null.e = 0;
+        const bool first = random.below(2) == 0;
+        for (const bool is_null : {first, !first}) {
+            const Glance& asked = is_null ? null : usual;
+            record(out, asked);
+            out.append("mirrored", ask<mirrored_direction>(out, usual.l, is_null ? glm::vec3(0) : usual.normal));
+        }
+    }
+}
+
+void bright(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 30; ++i) {
+        Shine shine = random_shine(random);
+        for (Light& light : shine.lights) light.color *= std::pow(10.0F, random.uniform(0, 4));
+        record(out, shine);
+    }
+}
+
+// Light and viewer exchanged; and another viewer.
+void record_laws(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        Glance glance = random_glance(random, 1, 20, 0.7F);
+        // The viewer in front of the surface, too: only then are the two alike.
+        glance.l = round_about(random, glance.normal, random.uniform(0.8F, 0.95F));
+        glance.v = round_about(random, glance.normal, random.uniform(0.8F, 0.95F));
+        record(out, glance, "straight");
+        std::swap(glance.l, glance.v);
+        record(out, glance, "exchanged");
+        glance.v = round_about(random, glance.normal, random.uniform(0.8F, 0.95F));
+        record(out, glance, "another");
+    }
+}
+
+// Highlights of a few degrees: the power makes much of what was rounded before.
+void sharp(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        Glance glance = random_glance(random, 200, 10'000);
+        glance.l *= random.uniform(0.5F, 4);
+        glance.v *= random.uniform(0.5F, 4);
+        record(out, glance);
+    }
+}
+
+// Light in the surface's plane, but for the last digits of its floats: they decide whether it is in front.
+void terminator(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        Glance glance = random_glance(random, 1, 1);
+        glance.l = random.uniform(0.5F, 2) * round_about(random, glance.normal, 0);
+        glance.v = -glance.l;
+        record(out, glance);
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
+    {"behind", [](Case& c, Recorder& out) { behind(c.random, out); }},
+    {"lengths", [](Case& c, Recorder& out) { lengths(c.random, out); }},
+    {"degenerate", [](Case& c, Recorder& out) { degenerate(c.random, out); }},
+    {"bright", [](Case& c, Recorder& out) { bright(c.random, out); }},
+    {"laws", [](Case& c, Recorder& out) { record_laws(c.random, out); }},
+    {"sharp", [](Case& c, Recorder& out) { sharp(c.random, out); }},
+    {"terminator", [](Case& c, Recorder& out) { terminator(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("rack", rack(320, 208)); }},
+};
+
+}
