@@ -1,0 +1,174 @@
+#include <umbral/record/driver.hpp>
+
+#include "scene.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace texturing;
+
+struct FlatTriangle {
+    std::array<glm::vec3, 3> positions;
+    std::array<glm::vec2, 3> coordinates;
+};
+
+void record_tangents(Recorder& out, const FlatTriangle& triangle)
+{
+    const Tangents tangents = ask<triangle_tangents>(out, triangle.positions, triangle.coordinates);
+    out.append("tangents", tangents.u);
+    out.append("tangents", tangents.v);
+}
+
+void record_normal(Recorder& out, const glm::vec3& n, const Tangents& tangents, glm::vec2 slope)
+{
+    out.append("normals", ask<bumped_normal>(out, n, tangents, slope));
+}
+
+// Reds are heights; the other channels say something else.
+Grid<glm::vec4> heights_of(int width, int height, const std::vector<float>& heights)
+{
+    Grid<glm::vec4> texture(width, height, glm::vec4(0, 7, -3, 1));
+    for (std::size_t i = 0; i < texture.cells.size(); ++i) texture.cells[i].r = heights[i];
+    return texture;
+}
+
+void by_hand(Recorder& out)
+{
+    const Grid<glm::vec4> field = heights_of(4, 2, {0, 1, 3, 0, 2, 0, 1, 4});
+    for (const glm::vec2 uv :
+         {glm::vec2(0.375F, 0.25F), {0.375F, 0.75F}, {0.125F, 0.25F}, {0.875F, 0.75F}, {0.5F, 0.25F}, {0.625F, 0.5F}})
+        for (const float k : {1.0F, -0.5F}) out.append("slopes", ask<slopes>(out, field, uv, k));
+
+    record_tangents(out, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0}, {1, 0}, {0, 1}}}});
+    record_tangents(out, {{{{1, 2, 3}, {3, 2, 3}, {1, 2, 0}}}, {{{0, 0}, {0.5F, 0}, {0, 0.25F}}}});
+    record_tangents(out, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{1, 0}, {0, 0}, {1, 1}}}});
+    record_tangents(out, {{{{0, 0, 0}, {2, 0, 1}, {0, 3, 0}}}, {{{0, 0}, {1, 1}, {0, 2}}}});
+
+    const Tangents flat{{1, 0, 0}, {0, 1, 0}};
+    const Tangents skew{{2, 0, 0}, {1, 1, 0}};
+    const Tangents mirrored{{-1, 0, 0}, {0, 1, 0}};
+    for (const Tangents& tangents : {flat, skew, mirrored})
+        for (const glm::vec2 slope : {glm::vec2(0, 0), {1, 0}, {0, 1}, {-2, 2}, {0.5F, -1}})
+            record_normal(out, {0, 0, 1}, tangents, slope);
+}
+
+void random_slopes(Random& random, Recorder& out)
+{
+    const Grid<glm::vec4> fields[] = {random_texture(random, 8, 8), random_texture(random, 16, 4),
+                                      random_texture(random, 5, 9), random_texture(random, 1, 3),
+                                      random_texture(random, 2, 1)};
+    for (int i = 0; i < 300; ++i) {
+        const Grid<glm::vec4>& field = fields[random.below(5)];
+        const float u = random.uniform(-1, 2);
+        const glm::vec2 uv(u, random.uniform(-1, 2));
+        out.append("slopes", ask<slopes>(out, field, uv, random.uniform(-0.2F, 0.2F)));
+    }
+}
+
+// At least half a unit of area in the texture, and corners anywhere.
+FlatTriangle random_triangle(Random& random)
+{
+    FlatTriangle triangle;
+    for (glm::vec3& position : triangle.positions) position = 2.0F * random.in_cube();
+    const float angle = random.uniform(0, 6.28F);
+    const float opening = random.uniform(0.6F, 2.5F) * (random.below(2) == 0 ? 1.0F : -1.0F);
+    const float u = random.uniform(-2, 2);
+    triangle.coordinates[0] = {u, random.uniform(-2, 2)};
+    for (std::size_t i = 1; i < 3; ++i) {
+        const float turned = angle + (i == 2 ? opening : 0);
+        triangle.coordinates[i] =
+            triangle.coordinates[0] + random.uniform(1, 2) * glm::vec2(std::cos(turned), std::sin(turned));
+    }
+    return triangle;
+}
+
+// Corners on a line, or in one place: in the texture. In space they lie anywhere.
+void degenerate(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        FlatTriangle triangle = random_triangle(random);
+        if (i % 4 != 0) {
+            const auto steps = static_cast<float>(random.below(4));
+            triangle.coordinates = {
+                glm::vec2(1, -1), {1.5F, -0.75F}, glm::vec2(1, -1) + steps * glm::vec2(0.5F, 0.25F)};
+        }
+        record_tangents(out, triangle);
+    }
+}
+
+// A normal, and tangents in the surface: of lengths up to `stretch` times each other, at 30 degrees or more.
+struct Frame {
+    glm::vec3 n;
+    Tangents tangents;
+};
+
+Frame random_frame(Random& random, float stretch)
+{
+    Frame frame;
+    frame.n = random.unit_vector();
+    const glm::vec3 other = std::abs(frame.n.x) < 0.6F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 side = normalize(cross(frame.n, other));
+    const glm::vec3 front = cross(frame.n, side);
+    const float angle = random.uniform(0, 6.28F);
+    const float between = random.uniform(0.55F, 2.6F);
+    const auto at = [&](float turned, float length) {
+        return length * (std::cos(turned) * side + std::sin(turned) * front);
+    };
+    frame.tangents.u = at(angle, std::pow(stretch, random.uniform(-1, 1)));
+    frame.tangents.v = at(angle + between, std::pow(stretch, random.uniform(-1, 1)));
+    return frame;
+}
+
+void random_normals(Random& random, Recorder& out, float stretch, bool mirrored)
+{
+    for (int i = 0; i < 200; ++i) {
+        Frame frame = random_frame(random, stretch);
+        if (mirrored && random.below(4) != 0) (random.below(2) == 0 ? frame.tangents.u : frame.tangents.v) *= -1.0F;
+        const float along_u = random.uniform(-1.5F, 1.5F) * length(frame.tangents.u);
+        record_normal(out, frame.n, frame.tangents, {along_u, random.uniform(-1.5F, 1.5F) * length(frame.tangents.v)});
+    }
+}
+
+// No tangents, parallel ones, or only one: the normal stays.
+void without_tangents(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const Frame frame = random_frame(random, 2);
+        const glm::vec2 slope(random.uniform(0.5F, 2), -0.75F);
+        const glm::vec3 t(1, 2, -4);
+        const Tangents several[] = {{{0, 0, 0}, {0, 0, 0}}, {t, 2.0F * t}, {t, {0, 0, 0}}, {{0, 0, 0}, t}, {t, -t}};
+        record_normal(out, frame.n, i % 6 == 5 ? frame.tangents : several[i % 6], slope);
+    }
+}
+
+// Triangles of molecules and of planets: products of tangents overflow or vanish in float.
+void extreme(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        Frame frame = random_frame(random, 2);
+        const float size = std::pow(10.0F, i % 2 == 0 ? random.uniform(21, 30) : random.uniform(-30, -22));
+        const glm::vec2 slope(random.uniform(-1, 1), random.uniform(-1, 1));
+        frame.tangents.u *= size;
+        frame.tangents.v *= size;
+        record_normal(out, frame.n, frame.tangents, size * slope);
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"fields", [](Case& c, Recorder& out) { random_slopes(c.random, out); }},
+    {"triangles",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 200; ++i) record_tangents(out, random_triangle(c.random));
+     }},
+    {"degenerate", [](Case& c, Recorder& out) { degenerate(c.random, out); }},
+    {"skew", [](Case& c, Recorder& out) { random_normals(c.random, out, 10, false); }},
+    {"mirrored", [](Case& c, Recorder& out) { random_normals(c.random, out, 3, true); }},
+    {"no tangents", [](Case& c, Recorder& out) { without_tangents(c.random, out); }},
+    {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out, 400, 300)); }},
+};
+
+}

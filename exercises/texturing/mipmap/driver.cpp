@@ -1,0 +1,163 @@
+#include <limits>
+#include <stdexcept>
+#include <umbral/record/driver.hpp>
+
+#include "scene.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace texturing;
+
+// How many levels there are and how large each is, then their texels, level by level and row by row: as many as there
+// should be.
+void record_mipmap(Recorder& out, const Grid<glm::vec4>& texture)
+{
+    const Mipmap mipmap = ask<build_mipmap>(out, texture);
+    out.append("sizes", glm::vec2(mipmap.size(), 0));
+    std::size_t level = 0;
+    for (int size = texture.width; size >= 1; size /= 2, ++level) {
+        const bool exists = level < mipmap.size() && mipmap[level].width == size && mipmap[level].height == size &&
+                            mipmap[level].cells.size() == static_cast<std::size_t>(size * size);
+        out.append("sizes",
+                   level < mipmap.size() ? glm::vec2(mipmap[level].width, mipmap[level].height) : glm::vec2(-1));
+        for (int i = 0; i < size * size; ++i)
+            out.append("texels", exists ? mipmap[level].cells[static_cast<std::size_t>(i)]
+                                        : glm::vec4(std::numeric_limits<float>::quiet_NaN()));
+    }
+}
+
+// Greys in quarters, whose means are exact; (r, g, b, a) differ.
+Grid<glm::vec4> small_texture(int size)
+{
+    Grid<glm::vec4> texture(size, size);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) texture.at(x, y) = glm::vec4(x, y, (x * y) % 3, (x + 2 * y) % 4) / 4.0F;
+    return texture;
+}
+
+// Four levels, each of one grey, so that a blend tells which levels it took and with what weight.
+Mipmap grey_levels()
+{
+    Mipmap mipmap;
+    float grey = 0;
+    for (const int size : {8, 4, 2, 1}) mipmap.emplace_back(size, size, glm::vec4(grey++ / 2));
+    return mipmap;
+}
+
+Mipmap random_mipmap(Random& random, int size)
+{
+    Mipmap mipmap;
+    for (; size >= 1; size /= 2) mipmap.push_back(random_texture(random, size, size));
+    return mipmap;
+}
+
+void by_hand(Recorder& out)
+{
+    for (const int size : {1, 2, 4}) record_mipmap(out, small_texture(size));
+    for (const float distance : {1.0F, 2.0F, 4.0F, 3.0F, 6.0F, 0.5F, 64.0F, 2.5F})
+        out.append("distances", ask<level_at_distance>(out, distance, 2));
+    const glm::vec2 steps[][2] = {{{0.125F, 0}, {0, 0.125F}}, {{0.25F, 0}, {0, 0.125F}},  {{0, 0.25F}, {0.5F, 0}},
+                                  {{0.75F, 1}, {0, 0}},       {{0.0625F, 0}, {0, 0.03F}}, {{0, 0}, {0, 0}},
+                                  {{-0.5F, 0}, {0, 0.25F}},   {{0, 0}, {-0.3F, -0.4F}}};
+    for (const auto& [by_x, by_y] : steps)
+        for (const glm::ivec2 size : {glm::ivec2(8, 8), {16, 4}})
+            out.append("steps", ask<level_of_step>(out, by_x, by_y, size));
+    const Mipmap greys = grey_levels();
+    for (const float level : {0.0F, 1.0F, 2.0F, 3.0F, 0.5F, 1.25F, 2.75F})
+        out.append("blends", ask<trilinear>(out, greys, {0.3F, 0.6F}, level));
+}
+
+void textures(Random& random, Recorder& out)
+{
+    for (const int size : {2, 8, 16, 32}) record_mipmap(out, random_texture(random, size, size));
+}
+
+// 0 if there is an answer, 1 if the texture is refused as the interface says, 2 if in another way.
+float refused(Recorder& out, const Grid<glm::vec4>& texture)
+{
+    try {
+        (void)ask<build_mipmap>(out, texture);
+    } catch (const std::invalid_argument&) {
+        return 1;
+    } catch (...) {
+        return 2;
+    }
+    return 0;
+}
+
+void refusals(Random& random, Recorder& out)
+{
+    for (const glm::ivec2 size : {glm::ivec2(3, 3), {4, 2}, {1, 2}, {6, 6}, {0, 0}, {12, 12}, {8, 7}}) {
+        const int good = 1 << random.below(4);
+        const bool good_first = random.below(2) == 0;
+        for (const bool is_good : {good_first, !good_first})
+            out.append("refused",
+                       refused(out, is_good ? Grid<glm::vec4>(good, good) : Grid<glm::vec4>(size.x, size.y)));
+    }
+}
+
+glm::vec2 random_step(Random& random, float low, float high)
+{
+    const float angle = random.uniform(0, 6.28F);
+    return std::exp2(random.uniform(low, high)) * glm::vec2(std::cos(angle), std::sin(angle));
+}
+
+void levels(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 300; ++i) {
+        const float near = random.uniform(0.2F, 8);
+        out.append("distances", ask<level_at_distance>(out, near * std::exp2(random.uniform(-3, 9)), near));
+        const glm::ivec2 size(1 << (3 + random.below(7)), 1 << (3 + random.below(7)));
+        const glm::vec2 by_x = random_step(random, -11, -1);
+        out.append("steps", ask<level_of_step>(out, by_x, random_step(random, -11, -1), size));
+    }
+}
+
+// Places up to two turns outside, levels between, on, below and above those that there are.
+void blends(Random& random, Recorder& out)
+{
+    const Mipmap mipmaps[] = {random_mipmap(random, 16), random_mipmap(random, 4), random_mipmap(random, 1)};
+    for (int i = 0; i < 400; ++i) {
+        const Mipmap& mipmap = mipmaps[i % 8 == 0 ? 2 : random.below(2)];
+        const float u = random.uniform(-2, 2);
+        const glm::vec2 uv(u, random.uniform(-2, 2));
+        out.append("between", ask<trilinear>(out, mipmap, uv, random.uniform(0.05F, 3.95F)));
+    }
+    for (int i = 0; i < 200; ++i) {
+        const Mipmap& mipmap = mipmaps[random.below(3)];
+        const float u = random.uniform(-2, 2);
+        const glm::vec2 uv(u, random.uniform(-2, 2));
+        const float last = static_cast<float>(mipmap.size() - 1);
+        const float past[] = {-random.uniform(0, 3), last + random.uniform(0, 3), last, 0, -1e6F, 1e9F};
+        out.append("ends", ask<trilinear>(out, mipmap, uv, past[random.below(6)]));
+    }
+}
+
+// Quotients and squares that overflow or vanish in float.
+void extreme(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        const float far = std::exp2(random.uniform(70, 126));
+        const float near = std::exp2(random.uniform(-126, -70));
+        out.append("distances",
+                   i % 4 == 0 ? ask<level_at_distance>(out, near, far) : ask<level_at_distance>(out, far, near));
+        const bool tiny = i % 4 == 0;
+        const glm::vec2 by_x = random_step(random, tiny ? -120.0F : 60.0F, tiny ? -70.0F : 110.0F);
+        out.append("steps", ask<level_of_step>(out, by_x, random_step(random, -10, 60), {1024, 16}));
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"textures", [](Case& c, Recorder& out) { textures(c.random, out); }},
+    {"refused", [](Case& c, Recorder& out) { refusals(c.random, out); }},
+    {"levels", [](Case& c, Recorder& out) { levels(c.random, out); }},
+    {"blends", [](Case& c, Recorder& out) { blends(c.random, out); }},
+    {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out, 480, 300)); }},
+};
+
+}
