@@ -5,7 +5,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <umbral/meshes/ply.hpp>
 #include <umbral/meshes/ply_types.hpp>
@@ -50,7 +49,7 @@ bool is_tiny(std::string_view word)
     return point - first + (word.substr(e).find('-') == std::string_view::npos ? exponent : -exponent) < 0;
 }
 
-/// The nearest number of the type, if the whole word is one.
+/// The nearest number of the type, if the whole word is one that it has room for.
 template <class Number>
 std::optional<double> parsed(std::string_view word)
 {
@@ -63,16 +62,6 @@ std::optional<double> parsed(std::string_view word)
     return std::is_floating_point_v<Number> && is_tiny(word) ? std::optional(0.0) : std::nullopt;
 }
 
-/// Whether a whole number fits its type.
-bool is_in_range(double value, PlyType type)
-{
-    return with_ply_type(type, [value](auto zero) {
-        using Number = decltype(zero);
-        return std::is_floating_point_v<Number> || (value >= double{std::numeric_limits<Number>::lowest()} &&
-                                                    value <= double{std::numeric_limits<Number>::max()});
-    });
-}
-
 /// Whether bytes must change their order.
 bool is_foreign(PlyFormat format)
 {
@@ -83,9 +72,7 @@ bool is_foreign(PlyFormat format)
 class File {
 public:
     explicit File(std::string_view text) : text_(text) {}
-
     [[nodiscard]] std::string_view line() const { return line_; }
-
     bool next_line()
     {
         if (next_ == text_.size()) return false;
@@ -143,10 +130,8 @@ private:
     {
         const std::string_view text = word();
         if (text.empty()) refuse(PlyProblem::line_length, "more numbers", line_);
-        const auto number = type == PlyType::float32   ? parsed<float>(text)
-                            : type == PlyType::float64 ? parsed<double>(text)
-                                                       : parsed<std::int64_t>(text);
-        if (!number || !is_in_range(*number, type)) refuse(PlyProblem::number, "a number of the property's type", text);
+        const auto number = with_ply_type(type, [text](auto zero) { return parsed<decltype(zero)>(text); });
+        if (!number) refuse(PlyProblem::number, "a number of the property's type", text);
         return *number;
     }
 
@@ -283,8 +268,7 @@ PolygonMesh read_ply(std::span<const std::byte> bytes)
 
 std::string write_ply(const PolygonMesh& mesh, PlyFormat format)
 {
-    const bool is_short =
-        std::all_of(mesh.faces.begin(), mesh.faces.end(), [](const auto& face) { return face.size() < 256; });
+    const bool is_short = std::ranges::all_of(mesh.faces, [](const auto& face) { return face.size() < 256; });
     std::string file = "ply\nformat " + std::string(format_names[static_cast<int>(format)]) + " 1.0\n";
     file += "element vertex " + std::to_string(mesh.positions.size()) +
             "\nproperty float x\nproperty float y\nproperty float z\n";

@@ -1,8 +1,9 @@
-#include <locale>
+#include <sstream>
 #include <umbral/meshes/ply.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "comma_locale.hpp"
 #include "decode.hpp"
 #include "dialect.hpp"
 #include "malformed.hpp"
@@ -131,43 +132,20 @@ void record_dialects(std::initializer_list<PlyFormat> kinds, Random& random, Rec
 /// all.
 void record_decimals(Recorder& out)
 {
-    const char* const words[] = {"1.00000005960464477540",
-                                 "1.00000005960464477538",
-                                 "1.00000017881393432618",
-                                 "16777217.0000000001",
-                                 "0.1",
-                                 "0.30000001192092896",
-                                 "+1.5",
-                                 "-.5",
-                                 "5.",
-                                 "1E3",
-                                 "1e+3",
-                                 "-0",
-                                 "1e-40",
-                                 "1.17549435e-38",
-                                 "1.4e-45",
-                                 "7.1e-46",
-                                 "1e-60",
-                                 "-1e-400",
-                                 "3.4028235e38",
-                                 "inf",
-                                 "0.000000000000000000000000000000000000000000001",
-                                 "100000000000000000000000000000000000000e-38",
-                                 "0.01e-5000",
-                                 "1e-99999999999999999999",
-                                 "-inf",
-                                 "+inf",
-                                 "nan",
-                                 "-nan",
-                                 "8.589973e9"};
+    const std::string all =
+        "1.00000005960464477540 1.00000005960464477538 1.00000017881393432618 16777217.0000000001 0.1 "
+        "0.30000001192092896 +1.5 -.5 5. 1E3 1e+3 -0 1e-40 1.17549435e-38 1.4e-45 7.1e-46 1e-60 -1e-400 "
+        "3.4028235e38 inf 0.000000000000000000000000000000000000000000001 "
+        "100000000000000000000000000000000000000e-38 0.01e-5000 1e-99999999999999999999 -inf +inf nan "
+        "-nan 8.589973e9";
     for (const char* type : {"float", "double"}) {
-        for (const char* word : words) {
+        std::istringstream words(all);
+        for (std::string word; words >> word;) {
             const std::string header = std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty ") + type +
                                        " x\nproperty float y\nproperty float z\nend_header\n";
             PolygonMesh mesh = read_or_nothing(out, header + word + " 0 1\n", {"bits"});
             // A zero that came of what is too small may have either sign.
-            if (std::string_view(word) != "-0" && !mesh.positions.empty() && mesh.positions[0].x == 0)
-                mesh.positions[0].x = 0;
+            if (word != "-0" && !mesh.positions.empty() && mesh.positions[0].x == 0) mesh.positions[0].x = 0;
             record_bits(out, mesh, 1);
         }
     }
@@ -257,25 +235,6 @@ void record_writing(Random& random, Recorder& out)
         for (const PlyFormat format : formats) record_written(out, large, format);
     }
 }
-
-/// A decimal comma, and dots between thousands, as in many countries.
-class CommaPunctuation : public std::numpunct<char> {
-    char do_decimal_point() const override { return ','; }
-    char do_thousands_sep() const override { return '.'; }
-    std::string do_grouping() const override { return "\3"; }
-};
-
-/// While it lives, that is the program's locale.
-class CommaLocale {
-public:
-    CommaLocale() : before_(std::locale::global(std::locale(std::locale::classic(), new CommaPunctuation))) {}
-    CommaLocale(const CommaLocale&) = delete;
-    CommaLocale& operator=(const CommaLocale&) = delete;
-    ~CommaLocale() { std::locale::global(before_); }
-
-private:
-    std::locale before_;
-};
 
 void record_in_locale(Random& random, Recorder& out)
 {

@@ -61,7 +61,8 @@ vec3 block()
     float rim = max(abs(p.x), abs(p.y));
     vec3 color = mix(body, wood, inside(rim - 0.78, pixel));
     float letter = min(segment(p, vec2(-0.25, -0.5), vec2(-0.25, 0.5)),
-                       min(segment(p, vec2(-0.25, 0.5), vec2(0.36, 0.5)), segment(p, vec2(-0.25, 0.02), vec2(0.2, 0.02))));
+                       min(segment(p, vec2(-0.25, 0.5), vec2(0.36, 0.5)),
+                           segment(p, vec2(-0.25, 0.02), vec2(0.2, 0.02))));
     color = mix(color, pips, inside(letter - 0.125, pixel));
     return color * (1.0 - 0.3 * smoothstep(0.94, 1.0, rim));
 }

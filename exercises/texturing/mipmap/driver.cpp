@@ -86,7 +86,7 @@ float refused(Recorder& out, const Grid<glm::vec4>& texture)
     return 0;
 }
 
-void refusals(Random& random, Recorder& out)
+void record_refusals(Random& random, Recorder& out)
 {
     for (const glm::ivec2 size : {glm::ivec2(3, 3), {4, 2}, {1, 2}, {6, 6}, {0, 0}, {12, 12}, {8, 7}}) {
         const int good = 1 << random.below(4);
@@ -153,7 +153,7 @@ void extreme(Random& random, Recorder& out)
 const Driver driver = {
     {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
     {"textures", [](Case& c, Recorder& out) { textures(c.random, out); }},
-    {"refused", [](Case& c, Recorder& out) { refusals(c.random, out); }},
+    {"refused", [](Case& c, Recorder& out) { record_refusals(c.random, out); }},
     {"levels", [](Case& c, Recorder& out) { levels(c.random, out); }},
     {"blends", [](Case& c, Recorder& out) { blends(c.random, out); }},
     {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},

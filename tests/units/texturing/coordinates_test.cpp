@@ -104,8 +104,8 @@ TEST(Coordinates, turning_moves_u)
     }
 }
 
-// The plane's point with coordinates (u, v) is origin + u u_axis + v v_axis, wherever it is moved along the normal. Axes
-// of floats are unit and perpendicular to 4e-7 only, over distances of up to 5.
+// The plane's point with coordinates (u, v) is origin + u u_axis + v v_axis, wherever it is moved along the normal.
+// Axes of floats are unit and perpendicular to 4e-7 only, over distances of up to 5.
 TEST(Coordinates, planar_leads_back_to_the_plane)
 {
     constexpr std::uint64_t seed = 20304;
