@@ -91,13 +91,13 @@ void record_lengths(Random& random, Recorder& out)
 {
     for (int i = 0; i < 100; ++i) {
         ViewParameters view = random_view(random);
-        view.up *= std::pow(10.0F, random.uniform(-15, 15));
-        if (i % 2 == 1) view.normal *= std::pow(10.0F, random.uniform(-12, 12));
+        view.up *= std::pow(10.0F, random.uniform(-30, 30));
+        if (i % 2 == 1) view.normal *= std::pow(10.0F, random.uniform(-25, 25));
         record_frame(out, view);
     }
 }
 
-// A view with a frame and one without, in random order.
+// A view with a frame and one without, in random order; of usual lengths, and of short ones.
 void record_none(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
@@ -112,9 +112,12 @@ void record_none(Random& random, Recorder& out)
                     with_up_near_view({bad.normal, glm::vec3(0), bad.up}, 3e-7, i % 8 == 3, random);
                 bad.up = parallel.up;
         }
+        const float scale = i / 4 % 2 == 0 ? 1.0F : 1e-25F;
         const bool first = random.below(2) == 1;
-        for (const bool is_bad : {first, !first})
-            out.append("found", ask<view_frame>(out, is_bad ? bad : good) ? 1.0F : 0.0F);
+        for (const bool is_bad : {first, !first}) {
+            const auto& [target, up, normal] = is_bad ? bad : good;
+            out.append("found", ask<view_frame>(out, {target, scale * up, scale * normal}) ? 1.0F : 0.0F);
+        }
     }
 }
 
