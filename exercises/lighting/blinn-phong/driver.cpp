@@ -1,0 +1,190 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../highlights.hpp"
+#include "harbour.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace lighting;
+
+// Three rows, one for each coordinate; absent if there is no half vector.
+void record_half(Recorder& out, const glm::vec3& l, const glm::vec3& v)
+{
+    const std::optional<glm::vec3> h = ask<half_vector>(out, l, v);
+    for (int i = 0; i < 3; ++i) out.append("half", h ? std::optional<float>((*h)[i]) : std::nullopt);
+}
+
+void record(Recorder& out, const Glance& g, std::string_view name = "highlight")
+{
+    out.append(name, ask<blinn_highlight>(out, g.normal, g.l, g.v, g.e));
+}
+
+void record(Recorder& out, const Shine& s)
+{
+    out.append("light", ask<blinn_phong_reflection>(out, s.at, s.material, s.lights, s.global_ambient, s.eye));
+}
+
+void by_hand(Recorder& out)
+{
+    const std::pair<glm::vec3, glm::vec3> pairs[] = {{{0, 0, 1}, {0, 0, 1}},   {{0, 0.6F, 0.8F}, {0, -0.6F, 0.8F}},
+                                                     {{1, 0, 0}, {0, 1, 0}},   {{0, 3, 0}, {0, 0, 0.25F}},
+                                                     {{2, 1, 2}, {-2, -1, 2}}, {{0, 0.6F, 0.8F}, {0, 0, 1}},
+                                                     {{1, 2, 2}, {-1, 2, 2}},  {{8, 0, 0}, {-0.6F, 0.8F, 0}}};
+    for (const auto& [l, v] : pairs) record_half(out, l, v);
+    for (const Glance& glance : glances_by_hand()) record(out, glance);
+
+    const Material material{{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}, {0.5F, 1, 0.25F}, 4};
+    const Light sun{{0, 0.6F, 0.8F, 0}, {1, 0.5F, 2}};
+    const Light lamp{{4, 0, 4, 1}, {0.5F, 1, 0.25F}};
+    const std::vector<Light> sets[] = {{}, {sun}, {lamp}, {sun, lamp}, {lamp, sun}};
+    for (const std::vector<Light>& lights : sets)
+        for (const glm::vec3& eye : {glm::vec3(0, -3, 5), {0, 0, 3}, {-4, 0, 4}})
+            record(out, Shine{{{0, 0, 1}, {0, 0, 1}}, material, lights, glm::vec3(0.2F), eye});
+}
+
+void at_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const glm::vec3 l = random.unit_vector();
+        record_half(out, l, round_about(random, l, random.uniform(-0.9F, 1)));
+        record(out, random_glance(random, 1, 40));
+        record(out, random_shine(random));
+    }
+}
+
+// Pairs of a highlight and of none: the light behind the surface, though the half vector lies in front of it; or the
+// light in front, and the viewer so far behind that the half vector is, too.
+void behind(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const bool first = random.below(2) == 0;
+        for (const bool from_behind : {first, !first}) {
+            Glance glance = random_glance(random, 1, 40, 0.8F);
+            if (from_behind) {
+                const float side = i % 2 == 0 ? 1.0F : -1.0F;
+                glance.l = round_about(random, glance.normal, -side * random.uniform(0.05F, 0.4F));
+                glance.v = round_about(random, glance.normal, side * 0.95F);
+            }
+            record(out, glance);
+        }
+    }
+}
+
+// The three vectors have any length, one after the other.
+void lengths(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        Glance glance = random_glance(random, 1, 40);
+        glm::vec3& one = i % 3 == 0 ? glance.normal : i % 3 == 1 ? glance.l : glance.v;
+        one *= std::exp2(random.uniform(-4, 4));
+        record(out, glance);
+        if (i % 3 != 0) record_half(out, glance.l, glance.v);
+    }
+}
+
+// Pairs of a question without a half vector, or with a null normal, and a usual one. Opposite vectors need not be
+// equally long.
+void degenerate(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 32; ++i) {
+        const Glance usual = random_glance(random, 1, 40, 0.8F);
+        Glance none = usual;
+        if (i % 4 == 0) none.normal = glm::vec3(0);
+        if (i % 4 == 1) none.l = glm::vec3(0);
+        if (i % 4 == 2) none.v = glm::vec3(0);
+        if (i % 4 == 3) none.v = -none.l * (i % 8 == 3 ? 1.0F : 4.0F);
+        if (i % 4 == 0 || i % 8 > 4) none.e = 0;
+        const bool first = random.below(2) == 0;
+        for (const bool is_none : {first, !first}) {
+            const Glance& asked = is_none ? none : usual;
+            record(out, asked);
+            const std::optional<glm::vec3> h =
+                ask<half_vector>(out, asked.l, is_none && i % 4 == 0 ? -asked.l : asked.v);
+            out.append("half", h ? std::optional<float>(h->x) : std::nullopt);
+        }
+    }
+}
+
+void bright(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 30; ++i) {
+        Shine shine = random_shine(random);
+        for (Light& light : shine.lights) light.color *= std::pow(10.0F, random.uniform(0, 4));
+        record(out, shine);
+    }
+}
+
+// Light and viewer exchanged; and another viewer.
+void record_laws(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        Glance glance = random_glance(random, 1, 20, 0.7F);
+        // The viewer in front of the surface, too: only then are the two alike.
+        glance.l = round_about(random, glance.normal, random.uniform(0.6F, 0.9F));
+        glance.v = round_about(random, glance.normal, random.uniform(0.6F, 0.9F));
+        record(out, glance, "straight");
+        std::swap(glance.l, glance.v);
+        record(out, glance, "exchanged");
+        glance.v = round_about(random, glance.normal, random.uniform(0.6F, 0.9F));
+        record(out, glance, "another");
+    }
+}
+
+// Light and viewer opposite each other but for a small angle: hardly a digit of their sum is left in float.
+void nearly_opposite(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 120; ++i) {
+        const glm::vec3 l = random.unit_vector();
+        const float angle = std::pow(10.0F, random.uniform(-6.5F, -2));
+        const glm::vec3 v = angle * normalize(cross(l, random.unit_vector())) - l;
+        record_half(out, random.uniform(0.5F, 4) * l, v);
+    }
+}
+
+// Squares of these lengths are no floats.
+void tiny_and_huge(Random& random, Recorder& out)
+{
+    for (const float size : {1e-38F, 1e-30F, 1e-22F, 1e22F, 1e30F, 3e38F}) {
+        const glm::vec3 both = size * random.unit_vector();
+        record_half(out, both, both);
+        for (int i = 0; i < 6; ++i) {
+            const glm::vec3 l = random.unit_vector();
+            const glm::vec3 v = round_about(random, l, random.uniform(-0.8F, 0.9F));
+            record_half(out, i % 2 == 0 ? size * l : l, i % 3 == 0 ? v : size * v);
+        }
+    }
+}
+
+// Highlights of a few degrees: the power makes much of what was rounded before.
+void sharp(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        Glance glance = random_glance(random, 200, 10'000);
+        // Some are so short that float holds none of their products.
+        const float size = i % 8 == 0 ? 1e-30F : 1.0F;
+        glance.normal *= size;
+        glance.l *= size * random.uniform(0.5F, 4);
+        glance.v *= random.uniform(0.5F, 4);
+        record(out, glance);
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
+    {"behind", [](Case& c, Recorder& out) { behind(c.random, out); }},
+    {"lengths", [](Case& c, Recorder& out) { lengths(c.random, out); }},
+    {"degenerate", [](Case& c, Recorder& out) { degenerate(c.random, out); }},
+    {"bright", [](Case& c, Recorder& out) { bright(c.random, out); }},
+    {"laws", [](Case& c, Recorder& out) { record_laws(c.random, out); }},
+    {"nearly opposite", [](Case& c, Recorder& out) { nearly_opposite(c.random, out); }},
+    {"tiny and huge", [](Case& c, Recorder& out) { tiny_and_huge(c.random, out); }},
+    {"sharp", [](Case& c, Recorder& out) { sharp(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("harbour", harbour(320, 208)); }},
+};
+
+}
