@@ -96,6 +96,9 @@ void record_fighting(Random& random, Recorder& out)
         for (const int bits : {16, 24})
             for (const double gap : {1e-6, 1e-3, 0.1, 1.0, 10.0})
                 append(out, "begin", ask<fighting_distance>(out, {n, f}, bits, gap));
+    // Exactly at the border: the whole range is one step. And between the border and the far plane.
+    append(out, "begin", ask<fighting_distance>(out, {1, 2}, 1, 1));
+    append(out, "begin", ask<fighting_distance>(out, {1, 1000}, 10, 500));
     for (int i = 0; i < 100; ++i) {
         const Camera camera = random_camera(random);
         const double gap = camera.range.near_plane * std::exp2(random.uniform(-14, 6));
@@ -114,6 +117,7 @@ void record_extremes(Random& random, Recorder& out)
         out.append("far", ask<window_depth>(out, {n, f, true}, std::isinf(f) ? -n / beside : -f * (1 - beside)));
         const std::uint32_t steps = random.below(1000);
         out.append("eye", ask<eye_depth>(out, {n, f}, 4294967294U - steps, 32));
+        out.append("eye", ask<eye_depth>(out, {n, f}, random.below(4294967295U), 32));
         append(out, "begin",
                ask<fighting_distance>(out, {n, infinity}, 16, n * std::pow(10, 5 + 4 * random.uniform_double())));
     }

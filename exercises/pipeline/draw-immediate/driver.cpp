@@ -161,7 +161,7 @@ const Driver driver = {
      }},
     {"triangles",
      [](Case&, Recorder& out) {
-         record_picture(out, 128, {{9, true, {0, 0, 0}, 0.9F, 0, {0.2F, 0.6F, 0.5F}, {1, 0.85F, 0.4F}}});
+         record_picture(out, 128, {{11, true, {0, 0, 0}, 0.9F, 0, {0.2F, 0.6F, 0.5F}, {1, 0.85F, 0.4F}}});
      }},
     {"calls", calls},
     {"depth test", depth_test},

@@ -49,12 +49,13 @@ struct Fan {
 };
 
 /// Triangles come `stride` after each other round the centre, each begun at another of its corners; without a common
-/// divisor with `corners`, each comes once.
+/// divisor with `corners`, each comes once. Of ten and more the last two are left out, so that the place between shows
+/// what is drawn beside these triangles.
 inline Fan fan(int corners, int stride)
 {
     Fan result{polygon(corners), {}};
     result.positions.emplace_back(0, 0);
-    for (int i = 0; i < corners; ++i) {
+    for (int i = 0; i < (corners < 10 ? corners : corners - 2); ++i) {
         const int k = i * stride % corners;
         const std::array<int, 3> triangle = {k, (k + 1) % corners, corners};
         for (int corner = 0; corner < 3; ++corner)

@@ -73,32 +73,44 @@ void frames(Recorder& out, Piece::Way way)
     });
 }
 
-// What is seen belongs to the row: who draws nothing leaves all state alone.
-void record_state(Recorder& out, const Image& picture)
+std::array<float, 3> bindings()
+{
+    return {state_of(GL_VERTEX_ARRAY_BINDING), state_of(GL_ARRAY_BUFFER_BINDING),
+            state_of(GL_ELEMENT_ARRAY_BUFFER_BINDING)};
+}
+
+// What is seen belongs to the row: who draws nothing leaves all state alone. So do the bindings that making the drawing
+// left. A drawing of nothing may have made objects or not.
+void record_state(Recorder& out, const Image& picture, const std::array<float, 3>& once_made, bool has_objects)
 {
     std::array<GLint, 2> mode{};
     glGetIntegerv(GL_POLYGON_MODE, mode.data());
     GLint enabled = 0;
     glGetVertexAttribiv(0, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
     const glm::u8vec4 seen = picture.at(picture.width / 2 + 2, picture.height / 2 + 3);
+    const std::array<float, 3> now = bindings();
     const std::array row{static_cast<float>(mode[0]),
                          static_cast<float>(mode[1]),
                          static_cast<float>(enabled),
-                         state_of(GL_VERTEX_ARRAY_BINDING),
-                         state_of(GL_ARRAY_BUFFER_BINDING),
-                         state_of(GL_ELEMENT_ARRAY_BUFFER_BINDING),
+                         now[0],
+                         now[1],
+                         now[2],
+                         once_made[0],
+                         once_made[1],
+                         once_made[2],
                          state_of(GL_DEPTH_TEST),
                          state_of(GL_DEPTH_FUNC),
                          state_of(GL_LINE_WIDTH),
-                         living(glIsVertexArray),
-                         living(glIsBuffer),
+                         has_objects ? living(glIsVertexArray) : 0,
+                         has_objects ? living(glIsBuffer) : 0,
                          static_cast<float>(glGetError()),
                          static_cast<float>(seen.r),
                          static_cast<float>(seen.g),
                          static_cast<float>(seen.b)};
     out.columns("state",
                 "GL_POLYGON_MODE front, GL_POLYGON_MODE back, attribute 0 enabled, GL_VERTEX_ARRAY_BINDING, "
-                "GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_DEPTH_TEST, GL_DEPTH_FUNC, "
+                "GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, vertex array bound once made, "
+                "array buffer bound once made, element buffer bound once made, GL_DEPTH_TEST, GL_DEPTH_FUNC, "
                 "GL_LINE_WIDTH, vertex arrays alive, buffers alive, glGetError, pixel in the middle/3");
     out.append("state", std::span<const float>(row));
 }
@@ -111,7 +123,7 @@ void state(Case& c, Recorder& out)
         piece.way = static_cast<Piece::Way>(round % 3);
         piece.centre = glm::vec2(0);
         piece.radius = 0.8F;
-        piece.corners = round > 8 ? 0 : piece.corners;
+        piece.corners = round < 3 ? 0 : piece.corners;
         glLineWidth(static_cast<float>(1 + c.random.below(6)));
         c.random.below(2) == 0 ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
         stage.clear();
@@ -120,8 +132,9 @@ void state(Case& c, Recorder& out)
             draw(out, piece);
         else
             drawing = drawing_of(out, piece);
+        const std::array<float, 3> once_made = bindings();
         if (drawing) ask<&OutlinedDrawing::draw>(out, *drawing, piece.fill, piece.edges);
-        record_state(out, stage.picture());
+        record_state(out, stage.picture(), once_made, piece.corners > 0);
     }
 }
 

@@ -29,6 +29,7 @@ std::vector<Triangle> by_hand()
         triangle({0.5F, 0}, {0.5F, 8}, {1.5F, 4}),                // a left side on centres
         triangle({7.5F, 0}, {7.5F, 8}, {6.5F, 4}),                // a right one, which takes none
         triangle({0, 7.5F}, {8, 7.5F}, {4, 5.5F}),                // a bottom one, neither
+        triangle({0.5F, 0.5F}, {0.5F + 1.0F / 256, 0.5F}, {0.5F, 0.5F + 1.0F / 256}),  // the least that there is
     };
 }
 
@@ -70,7 +71,7 @@ std::vector<Triangle> nothing(Random& random)
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     std::vector<Triangle> triangles;
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 15; ++i) {
         triangles.push_back(triangle({1, 1}, {7, 1.5F}, {2, 7}));
         Triangle none = triangle({1, 1}, {7, 1}, {1, 7});
         switch (i) {
@@ -87,6 +88,9 @@ std::vector<Triangle> nothing(Random& random)
                 none[1].position = {3.5F, 3.5F}, none[2].position = {6.5F, 6.5F}, none[0].position = {0.5F, 0.5F};
                 break;
             case 10: none[0].position = none[1].position = none[2].position = {2.5F, 2.5F}; break;
+            case 11: none[0].position.x = -16385; break;
+            case 12: none[1].position.y = 16385; break;
+            case 13: none[2].position.y = -16385; break;
             default: none = triangle({-9, -9}, {-1, -9}, {-9, -1});
         }
         triangles.push_back(none);
@@ -108,6 +112,10 @@ void guard_band(Random& random, Recorder& out)
     std::vector<std::array<glm::vec2, 3>> corners;
     for (int i = 0; i < 40; ++i) corners.push_back(huge_triangle(random, 40, 24, false));
     for (int i = 0; i < 160; ++i) corners.push_back(huge_triangle(random, 40, 24, true));
+    // Corners exactly on its border, which belongs to it.
+    for (const glm::vec2 corner : {glm::vec2(16384, 3), {-16384, 5}, {7, 16384}, {9, -16384}})
+        corners.push_back(
+            {corner, glm::vec2(2, 2), corner.x < 10 && corner.x > -10 ? glm::vec2(30, 2) : glm::vec2(2, 20)});
     record(out, with_attributes(random, corners), 40, 24, false);
 }
 

@@ -74,6 +74,7 @@ void record_nothing(Random& random, Recorder& out)
                               {{0, 1, 0}, -infinity},
                               {{infinity, 0, 0}, 1},
                               {{0, not_a_number, 1}, 0.5F},
+                              {{0, 1, not_a_number}, 0.5F},
                               {{infinity, 1, infinity}, 2}};
     for (const AxisAngle& turn : idle) {
         const AxisAngle other = random_turn(random);

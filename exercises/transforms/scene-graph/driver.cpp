@@ -105,6 +105,8 @@ void record_limits(Recorder& out, Random& random)
             good = bad = doubling(levels, {object(1)});
             good_limit = std::size_t{1} << (levels - 1);
             bad_limit = good_limit - 1;
+            // 2^64 objects, one more than fits in a number of 64 bits.
+            if (what == 4) bad = doubling(65, {object(1)}), bad_limit = plenty;
         }
         const bool good_first = random.below(2) == 0;
         for (const bool is_good : {good_first, !good_first})

@@ -16,8 +16,8 @@ namespace umbral::pipeline {
 // glVertexAttrib3f(1, ...) sets: all vertices get it while no array feeds the attribute. Colours are red, green, blue
 // in [0, 1]; places are in clip coordinates, with z = 0.
 
-/// Sends a convex polygon, anticlockwise, vertex by vertex: one pair of glBegin and glEnd fills it, another draws its
-/// edges.
+/// Sends a convex polygon, anticlockwise, vertex by vertex, a glVertex for each: one pair of glBegin and glEnd fills
+/// it, another draws its edges.
 ///
 /// No object of OpenGL, no array and no draw call from tables. No corners at all draw nothing. Course: "glBegin,
 /// glVertex, glEnd", visualizarGL_MI_BVE.
