@@ -1,0 +1,106 @@
+#include <limits>
+#include <umbral/projections/oblique.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../island.hpp"
+#include "../volumes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+void record(Recorder& out, const ViewVolume& box, const Lean& lean)
+{
+    out.append("shear", ask<oblique_shear>(out, lean));
+    out.append("matrix", ask<oblique_matrix>(out, box, lean));
+    out.append("direction", ask<projector_direction>(out, lean));
+}
+
+void record_angle(Recorder& out, float alpha_degrees)
+{
+    out.append("foreshortening", ask<foreshortening_of>(out, alpha_degrees));
+}
+
+// Cavalier and cabinet to the right, upwards and between; no lean at all; the opposite direction.
+void record_known(Recorder& out)
+{
+    const ViewVolume boxes[] = {{-1, 1, -1, 1, -1, 1}, {0, 4, 0, 2, 1, 9}};
+    for (const ViewVolume& box : boxes)
+        for (const Lean& lean :
+             {Lean{0, 1}, {90, 1}, {45, 1}, {30, 0.5F}, {45, 0.5F}, {60, 0}, {0, -0.5F}, {180, 0.75F}, {-90, 2}})
+            record(out, box, lean);
+    for (const float alpha : {45.0F, 63.434949F, 90.0F, 60.0F, 30.0F, 26.565051F}) record_angle(out, alpha);
+}
+
+Lean random_lean(Random& random)
+{
+    const float angle = random.uniform(-360, 360);
+    return {angle, random.uniform(-1.5F, 1.5F)};
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const Lean lean = random_lean(random);
+        record(out, with_sides_exchanged(random_box(random), random.below(8)), lean);
+        record_angle(out, random.uniform(5, 89));
+    }
+}
+
+// An angle, and what is none, in random order.
+void record_refused(Random& random, Recorder& out)
+{
+    for (const float wrong : {0.0F, -45.0F, 90.001F, 135.0F, 180.0F, std::numeric_limits<float>::quiet_NaN()})
+        for (int i = 0; i < 4; ++i) {
+            const float right = i == 0 ? 90 : random.uniform(1, 89);
+            const bool first = random.below(2) == 1;
+            for (const bool is_wrong : {first, !first})
+                out.append("refused", refusal([&] { return ask<foreshortening_of>(out, is_wrong ? wrong : right); }));
+        }
+}
+
+// Rays almost perpendicular to the view plane, and almost in it.
+void record_extremes(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 100; ++i) {
+        const float rest = std::pow(10.0F, random.uniform(-4, 0));
+        record_angle(out, i % 4 == 0 ? rest : 90 - rest);
+    }
+}
+
+// The island from straight before, in cabinet and in cavalier projection.
+void draw_islands(Recorder& out)
+{
+    constexpr glm::ivec2 size(480, 200);
+    constexpr glm::vec3 sky(0.60F, 0.76F, 0.90F);
+    constexpr int panels = 3;
+    constexpr int gap = 8;
+    const Stage stage(size.x, size.y, {0.07F, 0.07F, 0.09F});
+    const Island island;
+    const glm::ivec2 extent((2 * size.x - (panels - 1) * gap) / panels, 2 * size.y);
+    const float half_width = 7.8F;
+    const float half_height = half_width * static_cast<float>(extent.y) / static_cast<float>(extent.x);
+    int panel = 0;
+    for (const float foreshortening : {0.0F, 0.5F, 1.0F}) {
+        begin_panel({panel * (extent.x + gap), 0}, extent, sky);
+        const ViewVolume box{-half_width, half_width, 0.3F - half_height, 0.3F + half_height, -8, 8};
+        look_through(stage, glm::mat4(1), ask<oblique_matrix>(out, box, Lean{50, foreshortening}));
+        island.draw(stage);
+        ++panel;
+    }
+    out.image("colours", stage.picture());
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
+    {"extremes", [](Case& c, Recorder& out) { record_extremes(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { draw_islands(out); }},
+};
+
+}
