@@ -1,0 +1,141 @@
+#include <umbral/record/driver.hpp>
+
+#include "scene.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace texturing;
+
+void record_box(Recorder& out, const glm::vec3& direction)
+{
+    const BoxPlace place = ask<box_place>(out, direction);
+    out.append("box", glm::vec3(static_cast<int>(place.face), place.uv));
+}
+
+void record_directions(Recorder& out, BoxFace face, glm::vec2 uv)
+{
+    out.append("directions", ask<box_direction>(out, BoxPlace{face, uv}));
+    out.append("directions", ask<panorama_direction>(out, uv));
+    out.append("directions", ask<sphere_direction>(out, uv));
+}
+
+void by_hand(Recorder& out)
+{
+    for (const glm::vec3& to_eye : {glm::vec3(0, 0, 1), {1, 0, 1}, {-3, 2, 0}, {0, -1, 0}, {2, 1, -2}})
+        for (const glm::vec3& normal : {glm::vec3(0, 0, 1), {0, 1, 0}, {0.6F, 0, 0.8F}})
+            out.append("mirror", ask<mirrored_direction>(out, to_eye, normal));
+    for (const float sign : {1.0F, -1.0F})
+        for (const glm::vec3& direction : {glm::vec3(4, 2, 1), {1, 4, 2}, {2, -1, 4}, {4, -1, -3}, {-1, 2, 4}})
+            record_box(out, sign * direction);
+    for (const glm::vec3& direction :
+         {glm::vec3(0, 0, -1), {1, 0, 0}, {-2, 0, 0}, {1, 0, -1}, {0, 1, -1}, {0, -3, 3}, {-1, 0, 1}}) {
+        if (direction.z <= 0 || direction.x != 0) out.append("panorama", ask<panorama_place>(out, direction));
+    }
+    for (const glm::vec3& direction :
+         {glm::vec3(0, 0, 1), {1, 0, 0}, {0, -2, 0}, {3, 0, 4}, {0, 3, -4}, {-1, 0, 0}, {0, 1, 1}})
+        out.append("sphere", ask<sphere_place>(out, direction));
+    for (int face = 0; face < 6; ++face)
+        for (const glm::vec2 uv : {glm::vec2(0.5F, 0.5F), {0.75F, 0.5F}, {0.5F, 0.25F}, {0.2F, 0.9F}})
+            record_directions(out, static_cast<BoxFace>(face), uv);
+}
+
+// Directions whose largest coordinate is larger than the others by a thousandth at least, so that no rounding chooses.
+glm::vec3 towards_a_face(Random& random)
+{
+    glm::vec3 direction(random.uniform(-0.999F, 0.999F), random.uniform(-0.999F, 0.999F), 0);
+    direction.z = random.below(2) == 0 ? 1.0F : -1.0F;
+    const std::uint32_t shift = random.below(3);
+    if (shift == 1) direction = {direction.z, direction.x, direction.y};
+    if (shift == 2) direction = {direction.y, direction.z, direction.x};
+    return direction;
+}
+
+// At least a degree off the way back and the axis.
+glm::vec3 off_the_seam(Random& random)
+{
+    const float longitude = random.uniform(-3.12F, 3.12F);
+    const float latitude = random.uniform(-1.55F, 1.55F);
+    return {std::sin(longitude) * std::cos(latitude), std::sin(latitude), -std::cos(longitude) * std::cos(latitude)};
+}
+
+void random_directions(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 to_eye = random.uniform(0.1F, 4) * random.unit_vector();
+        out.append("mirror", ask<mirrored_direction>(out, to_eye, random.unit_vector()));
+        record_box(out, random.uniform(0.2F, 5) * towards_a_face(random));
+        out.append("panorama", ask<panorama_place>(out, random.uniform(0.2F, 5) * off_the_seam(random)));
+        out.append("sphere", ask<sphere_place>(out, random.uniform(0.2F, 5) * random.unit_vector()));
+        const auto face = static_cast<BoxFace>(random.below(6));
+        const float u = random.uniform();
+        record_directions(out, face, {u, random.uniform()});
+    }
+}
+
+// Edges and corners of the box, from both sides of zero.
+void ties(Random& random, Recorder& out)
+{
+    for (const float x : {-1.0F, 1.0F})
+        for (const float y : {-1.0F, 1.0F}) {
+            const float third = random.uniform(-0.9F, 0.9F);
+            for (const glm::vec3& direction :
+                 {glm::vec3(x, y, third), {x, third, y}, {third, x, y}, {x, y, x}, {x, y, -x}})
+                record_box(out, direction);
+        }
+}
+
+void edges(Recorder& out)
+{
+    for (const float zero : {0.0F, -0.0F})
+        for (const float other : {0.0F, -0.0F}) {
+            for (const glm::vec3& direction : {glm::vec3(zero, other, 1),
+                                               {zero, 1, 1},
+                                               {zero, -2, 1},
+                                               {zero, 1, other},
+                                               {zero, -1, other},
+                                               {zero, other, -1},
+                                               {1, zero, other}})
+                out.append("panorama", ask<panorama_place>(out, direction));
+            for (const glm::vec3& direction :
+                 {glm::vec3(zero, other, -1), {zero, other, -3}, {zero, other, 2}, {1, zero, other}, {zero, 1, other}})
+                out.append("sphere", ask<sphere_place>(out, direction));
+        }
+    for (const glm::vec2 uv : {glm::vec2(0, 0),
+                               {1, 0},
+                               {1, 0.5F},
+                               {0, 0.5F},
+                               {0.5F, 1},
+                               {0.05F, 0.1F},
+                               {0.99F, 0.8F},
+                               {0.9F, 0.5F},
+                               {0.5F, 0.3F},
+                               {0.3F, 0.6F}})
+        out.append("directions", ask<sphere_direction>(out, uv));
+    for (const float u : {-0.75F, 1.25F, 2.5F, -1.0F})
+        out.append("directions", ask<panorama_direction>(out, {u, 0.375F}));
+}
+
+// Squares that overflow or vanish in float.
+void extreme(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        const float size = std::pow(10.0F, i % 2 == 0 ? random.uniform(22, 37) : random.uniform(-36, -24));
+        out.append("panorama", ask<panorama_place>(out, size * off_the_seam(random)));
+        out.append("sphere", ask<sphere_place>(out, size * random.unit_vector()));
+        record_box(out, (i % 2 == 0 ? 3.2e38F : size) * towards_a_face(random));
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { random_directions(c.random, out); }},
+    {"ties", [](Case& c, Recorder& out) { ties(c.random, out); }},
+    {"edges", [](Case&, Recorder& out) { edges(out); }},
+    {"extreme", [](Case& c, Recorder& out) { extreme(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("colours", picture(out, 440, 290)); }},
+};
+
+}
