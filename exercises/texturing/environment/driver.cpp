@@ -33,7 +33,7 @@ void by_hand(Recorder& out)
         if (direction.z <= 0 || direction.x != 0) out.append("panorama", ask<panorama_place>(out, direction));
     }
     for (const glm::vec3& direction :
-         {glm::vec3(0, 0, 1), {1, 0, 0}, {0, -2, 0}, {3, 0, 4}, {0, 3, -4}, {-1, 0, 0}, {0, 1, 1}})
+         {glm::vec3(0, 0, 1), {1, 0, 0}, {0, -2, 0}, {3, 0, 4}, {0, 3, -4}, {-4, 0, -3}, {-1, 0, 0}, {0, 1, 1}})
         out.append("sphere", ask<sphere_place>(out, direction));
     for (int face = 0; face < 6; ++face)
         for (const glm::vec2 uv : {glm::vec2(0.5F, 0.5F), {0.75F, 0.5F}, {0.5F, 0.25F}, {0.2F, 0.9F}})
