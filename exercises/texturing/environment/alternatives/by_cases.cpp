@@ -1,4 +1,4 @@
-// alternative: in float but for the rim of the ball, scaled by the largest coordinate; the box by cases; half angles on the ball
+// alternative: in float but for the rim of the ball; scaled by the largest coordinate; the box by cases
 #include <algorithm>
 #include <cmath>
 #include <umbral/texturing/environment.hpp>
