@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <span>
 
-#include <algorithm>
-
 #include "build/compiler_files.hpp"
 #include "installation.hpp"
 #include "run/confine.hpp"
