@@ -115,7 +115,7 @@ TEST(NearMisses, are_told_the_nearest_name)
           NearMiss{"validate raytracing/spere", "did you mean `raytracing/sphere`?"},
           NearMiss{"validate raytracng", "did you mean `raytracing`?"},
           NearMiss{"validate raytracing", "is a topic, not a unit; its units: raytracing/sphere"},
-          NearMiss{"validate raytracng/sphere", "`raytracing/sphere`"}, NearMiss{"hint matrix", "`view-matrix`"},
+          NearMiss{"validate raytracng/sphere", "`raytracing/sphere`"}, NearMiss{"hint matrix", "`normal-matrix`"},
           NearMiss{"chekc", "did you mean `check`?"}, NearMiss{"gradee", "did you mean `grade`?"}}) {
         const Printed printed = umbral(one.arguments);
         EXPECT_EQ(printed.status, 2) << one.arguments;
