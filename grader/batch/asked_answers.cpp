@@ -1,13 +1,12 @@
 #include "batch/asked_answers.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
 #include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
 #include "judge/rows/columns.hpp"
+#include "judge/rows/rows.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -15,16 +14,15 @@ namespace {
 /// Of one check; more say nothing new.
 constexpr std::size_t most_answers = 4000;
 
-/// "row 0, column 3" of a matrix, which lies column by column as GLM has it; else what the driver calls them.
+/// What the driver calls them, or the places in a matrix.
 std::vector<std::string> names_of_columns(const Check& check, const Tensor* names, std::size_t components)
 {
     // Names of events and fragments are others.
     if (judge_of(check).free_rows) return {};
-    const std::size_t side = components == 16 ? 4 : 3;
-    if (&rows_of(check) != &matrix_rows() || side * side != components) return column_names(text_of(names), components);
+    const bool square = components == 9 || components == 16;
+    if (&rows_of(check) != &matrix_rows() || !square) return column_names(text_of(names), components);
     std::vector<std::string> entries;
-    for (std::size_t i = 0; i < components; ++i)
-        entries.push_back(fmt::format("(row {}, column {})", i % side, i / side));
+    for (std::size_t i = 0; i < components; ++i) entries.push_back(matrix_entry(components, i));
     return entries;
 }
 
@@ -50,15 +48,19 @@ void add_rows(const AskedCheck& asked, const QuestionLog& log, const Tensor& stu
     }
 }
 
-/// The rows of a table that each question led to.
-using RowsOfQuestions = std::map<std::uint32_t, std::vector<std::size_t>>;
+/// The rows of two tables that one question led to.
+struct RowsOfQuestion {
+    std::vector<std::size_t> yours{};
+    std::vector<std::size_t> expected{};
+};
 
-RowsOfQuestions rows_of_questions(const QuestionLog& log, const std::string& value, std::size_t rows)
+using RowsOfQuestions = std::map<std::uint32_t, RowsOfQuestion>;
+
+void add_rows_of(const QuestionLog& log, const std::string& value, std::size_t rows,
+                 std::vector<std::size_t> RowsOfQuestion::*whose, RowsOfQuestions& found)
 {
-    RowsOfQuestions found;
     for (std::size_t row = 0; row < rows; ++row)
-        if (const auto question = log.question_of(value, row, rows)) found[*question].push_back(row);
-    return found;
+        if (const auto question = log.question_of(value, row, rows)) (found[*question].*whose).push_back(row);
 }
 
 /// Some rows of a table, as a table.
@@ -82,34 +84,28 @@ bool is_right(const Check& check, const Tensor& yours, const Tensor& right, cons
 }
 
 /// All rows of a question together. The student's run says itself which of its rows are whose: it runs again for that.
-void add_groups(Worker& worker, const AskedCheck& asked, const QuestionLog& log, const Expected& expected,
-                std::uint64_t seed, AskedAnswers& answers)
+void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected& expected, std::uint64_t seed,
+                AskedAnswers& answers)
 {
     const std::string& value = asked.check.value;
-    const RunOutcome told = worker.run_told(asked.exercise, asked.built, asked.check.case_name, seed);
+    const RunOutcome& told = asked.runs.told(seed);
     const Tensor* student = observed(asked.check, told);
     if (told.verdict != Verdict::ok || student == nullptr || student->columns > 1 || expected.value->columns > 1)
         return;
     const Tensor& right = *expected.value;
     if (!well_formed(*student) || !well_formed(right) || row_shape_error(*student, right)) return;
-    const RowsOfQuestions expected_rows = rows_of_questions(log, value, right.rows);
-    const RowsOfQuestions yours = rows_of_questions(read_questions(told.recording.tensors), value, student->rows);
-    RowsOfQuestions all = expected_rows;
-    for (const auto& [question, rows] : yours) all.try_emplace(question);
+    RowsOfQuestions all;
+    add_rows_of(log, value, right.rows, &RowsOfQuestion::expected, all);
+    add_rows_of(read_questions(told.recording.tensors), value, student->rows, &RowsOfQuestion::yours, all);
     Check check = asked.check;
     check.pairs = false;
-    const auto rows_in = [](const RowsOfQuestions& rows, std::uint32_t question) {
-        const auto found = rows.find(question);
-        return found == rows.end() ? std::vector<std::size_t>() : found->second;
-    };
+    const bool has_margin = expected.margin != nullptr && expected.margin->rows == right.rows &&
+                            expected.margin->columns == 1 && well_formed(*expected.margin);
     for (const auto& [question, rows] : all) {
         if (answers.all.size() == most_answers) break;
-        const Tensor one =
-            student->rows == 0 ? rows_of_table(right, {}) : rows_of_table(*student, rows_in(yours, question));
-        const Tensor other = rows_of_table(right, rows);
-        const bool has_margin = expected.margin != nullptr && expected.margin->rows == right.rows &&
-                                expected.margin->columns == 1 && well_formed(*expected.margin);
-        const Tensor margin = has_margin ? rows_of_table(*expected.margin, rows) : Tensor();
+        const Tensor one = student->rows == 0 ? rows_of_table(right, {}) : rows_of_table(*student, rows.yours);
+        const Tensor other = rows_of_table(right, rows.expected);
+        const Tensor margin = has_margin ? rows_of_table(*expected.margin, rows.expected) : Tensor();
         answers.all.push_back(
             {question,
              std::nullopt,
@@ -132,14 +128,13 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     if (expected.value == nullptr) return answers;
     answers.components = expected.value->components;
     answers.columns = names_of_columns(check, expected.names, answers.components);
-    const RunOutcome again = seen ? RunOutcome() : worker.run(asked.exercise, asked.built, check.case_name, seed);
-    const RunOutcome& student = seen ? asked.result.student : again;
+    const RunOutcome& student = asked.runs.plain(seed);
     if (student.verdict != Verdict::ok) return answers;
     const Tensor* yours = observed(check, student);
     if (has_single_rows(check, yours, expected.value))
         add_rows(asked, log, *yours, expected, answers);
     else
-        add_groups(worker, asked, log, expected, seed, answers);
+        add_groups(asked, log, expected, seed, answers);
     return answers;
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "batch/case_results.hpp"
+#include "batch/case_runs.hpp"
 #include "batch/worker.hpp"
-#include "build/submission.hpp"
 #include "question/answer_patterns.hpp"
 #include "question/log.hpp"
 
@@ -17,7 +17,7 @@ namespace umbral::grader {
 struct AskedCheck {
     const Exercise& exercise;
     const Check& check;
-    const Built& built;
+    CaseRuns& runs;  ///< of the check's case
     const CaseResult& result;
     const QuestionLog& log;
     const std::string& headers;  ///< the text of the unit's interface headers, where its parameters have names

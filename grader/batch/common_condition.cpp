@@ -15,12 +15,18 @@ constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where 
 constexpr const char* right_answer = "the right answer";
 constexpr const char* has_answer = "there being a right answer";
 
-/// Answers whose questions are of one kind: what is known of each, and which are wrong.
+/// Answers whose questions are of one kind, and what is known of each.
 struct Sample {
     QuestionTable table;
     AnswerTable answers;  ///< in the same order
-    std::vector<bool> wrong;
 };
+
+std::vector<bool> which_wrong(const Sample& sample)
+{
+    std::vector<bool> wrong;
+    for (const AnswerPair& one : sample.answers.answers) wrong.push_back(one.wrong);
+    return wrong;
+}
 
 /// What is known of the right answer too.
 void add_answer(const AskedAnswers& answers, const AskedAnswer& one, std::vector<double>& numbers)
@@ -56,10 +62,7 @@ Sample sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
     if (most == by_kind.end()) return result;
     const auto& [kind, some] = *most;
     result.answers = {answers.components, answers.columns, {}};
-    for (const AskedAnswer* const one : some) {
-        result.answers.answers.push_back(one->answer);
-        result.wrong.push_back(one->answer.wrong);
-    }
+    for (const AskedAnswer* const one : some) result.answers.answers.push_back(one->answer);
     if (kind == nullptr) return result;
     const std::vector<std::string> parameters = parameter_names(asked.headers, kind->function);
     for (const std::string& place : kind->features) result.table.names.push_back(in_words(place, parameters));
@@ -82,11 +85,29 @@ bool has_both(const std::vector<bool>& wrong, std::size_t least)
     return count >= least && wrong.size() - count >= least;
 }
 
-/// Where what was seen is confirmed.
-std::array<std::uint64_t, 2> fresh_seeds(const AskedCheck& asked)
-{
-    return {asked.result.seed ^ 0x9E3779B97F4A7C15U, asked.result.seed ^ 0xD1B54A32D192ED03U};
-}
+/// The answers that were graded, and those to fresh inputs, where what was seen is confirmed; each found out once, when
+/// first asked for.
+class Samples {
+public:
+    Samples(Worker& worker, const AskedCheck& asked) : worker_(worker), asked_(asked) {}
+
+    const Sample& seen() { return at(0); }
+    const Sample& fresh() { return at(1); }
+    const Sample& fresher() { return at(2); }
+
+private:
+    const Sample& at(std::size_t place)
+    {
+        constexpr std::array<std::uint64_t, 3> changes{0, 0x9E3779B97F4A7C15U, 0xD1B54A32D192ED03U};
+        std::optional<Sample>& one = samples_.at(place);
+        if (!one) one = sample(worker_, asked_, asked_.result.seed ^ changes.at(place));
+        return *one;
+    }
+
+    Worker& worker_;
+    const AskedCheck& asked_;
+    std::array<std::optional<Sample>, 3> samples_;
+};
 
 /// "the right answer is nothing" is what people say.
 void replace(std::string& text, const std::string& from, const std::string& to)
@@ -105,56 +126,65 @@ std::string in_plain_words(const Condition& condition)
     return text;
 }
 
-}
-
-std::optional<Condition> find_common_condition(Worker& worker, const AskedCheck& asked)
+/// The simplest condition that parts wrong answers from right ones, if it does so on fresh inputs too, or if there can
+/// be no others.
+std::optional<Condition> common_condition(Samples& samples)
 {
-    const Sample seen = sample(worker, asked, asked.result.seed);
+    const Sample& seen = samples.seen();
     if (seen.table.numbers.empty()) return std::nullopt;
-    std::optional<Condition> condition = simplest_condition(facts_of(seen.table), seen.wrong);
+    const std::vector<bool> wrong = which_wrong(seen);
+    std::optional<Condition> condition = simplest_condition(facts_of(seen.table), wrong);
     if (!condition) return std::nullopt;
-    const Sample fresh = sample(worker, asked, fresh_seeds(asked).front());
+    const Sample& fresh = samples.fresh();
     if (fresh.table.names != seen.table.names) return std::nullopt;
     const bool same = fresh.table.numbers == seen.table.numbers;
-    const bool holds = same ? has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
+    const bool holds = same ? has_both(wrong, least_of_fixed) && condition->right_where == 0 &&
                                   condition->wrong_where == condition->wrong
-                            : parts(*condition, facts_of(fresh.table), fresh.wrong);
+                            : parts(*condition, facts_of(fresh.table), which_wrong(fresh));
     return holds ? condition : std::nullopt;
 }
 
-std::string find_common_answer(Worker& worker, const AskedCheck& asked)
+/// What all wrong answers share, if it is so with fresh inputs twice.
+std::string common_answer(Samples& samples)
 {
-    std::vector<std::string> patterns = answer_patterns(sample(worker, asked, asked.result.seed).answers);
-    for (const std::uint64_t seed : fresh_seeds(asked)) {
+    std::vector<std::string> patterns = answer_patterns(samples.seen().answers);
+    for (const auto confirm : {&Samples::fresh, &Samples::fresher}) {
         if (patterns.empty()) return "";
-        const std::vector<std::string> again = answer_patterns(sample(worker, asked, seed).answers);
+        const std::vector<std::string> again = answer_patterns((samples.*confirm)().answers);
         std::erase_if(patterns, [&](const std::string& one) { return std::ranges::find(again, one) == again.end(); });
     }
     return patterns.empty() ? "" : patterns.front();
 }
 
-std::string in_common(Worker& worker, const AskedCheck& asked)
+}
+
+InCommon find_in_common(Worker& worker, const AskedCheck& asked)
 {
-    const std::optional<Condition> condition = find_common_condition(worker, asked);
-    const std::string answer = find_common_answer(worker, asked);
-    std::string text = condition ? in_plain_words(*condition) : "";
-    if (!answer.empty()) text += fmt::format("{}every wrong answer {}", text.empty() ? "" : "; ", answer);
+    Samples samples(worker, asked);
+    return {common_condition(samples), common_answer(samples)};
+}
+
+std::string sentence_of(const InCommon& common)
+{
+    std::string text = common.condition ? in_plain_words(*common.condition) : "";
+    if (!common.answer.empty()) text += fmt::format("{}every wrong answer {}", text.empty() ? "" : "; ", common.answer);
     return text;
 }
 
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const Condition& condition, std::uint64_t seed)
 {
     const Sample fresh = sample(worker, asked, seed);
-    if (fresh.table.numbers.empty() || !has_both(fresh.wrong, 1)) return std::nullopt;
-    return parts(condition, facts_of(fresh.table), fresh.wrong);
+    const std::vector<bool> wrong = which_wrong(fresh);
+    if (fresh.table.numbers.empty() || !has_both(wrong, 1)) return std::nullopt;
+    return parts(condition, facts_of(fresh.table), wrong);
 }
 
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std::string& pattern, std::uint64_t seed)
 {
     const Sample fresh = sample(worker, asked, seed);
     const std::vector<std::string> found = answer_patterns(fresh.answers);
-    if (found.empty() && std::ranges::count(fresh.wrong, true) < static_cast<std::ptrdiff_t>(least_wrong))
-        return std::nullopt;
+    const auto wrong = std::ranges::count_if(fresh.answers.answers, &AnswerPair::wrong);
+    if (found.empty() && wrong < static_cast<std::ptrdiff_t>(least_wrong)) return std::nullopt;
     return std::ranges::find(found, pattern) != found.end();
 }
 

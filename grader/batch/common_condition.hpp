@@ -8,17 +8,21 @@
 
 namespace umbral::grader {
 
-/// The simplest condition that parts wrong answers from right ones, if it does so on fresh inputs too, or if there can
-/// be no others. Nothing of hidden cases, whose student's code is not run again.
-[[nodiscard]] std::optional<Condition> find_common_condition(Worker& worker, const AskedCheck& asked);
+/// What the wrong answers of a check have in common.
+struct InCommon {
+    /// The simplest condition that parts wrong answers from right ones.
+    std::optional<Condition> condition{};
+    /// What all wrong answers share, as words such as "is always 0" (question/answer_patterns.hpp); may be empty.
+    std::string answer{};
+};
 
-/// What all wrong answers share, as words such as "is always 0" (question/answer_patterns.hpp), if it is so with fresh
-/// inputs too. Empty if nothing is, and of hidden cases.
-[[nodiscard]] std::string find_common_answer(Worker& worker, const AskedCheck& asked);
+/// Holds only what is so on fresh inputs too, or where there can be no others. Nothing of hidden cases, whose student's
+/// code is not run again.
+[[nodiscard]] InCommon find_in_common(Worker& worker, const AskedCheck& asked);
 
-/// Both in words: "wrong wherever ray.t_min is positive (50 of 50), right everywhere else (350 of 350); every wrong
-/// answer is always 0". Empty if there is neither.
-[[nodiscard]] std::string in_common(Worker& worker, const AskedCheck& asked);
+/// "wrong wherever ray.t_min is positive (50 of 50), right everywhere else (350 of 350); every wrong answer is always
+/// 0". Empty if there is neither.
+[[nodiscard]] std::string sentence_of(const InCommon& common);
 
 /// Does the condition part wrong answers from right ones with the inputs of this seed too? Nothing if that cannot be
 /// said, as where none or all are wrong there.

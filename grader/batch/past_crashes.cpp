@@ -102,10 +102,7 @@ std::string question_of_end(Worker& worker, const Exercise& exercise, const std:
     // Where the driver goes another way after other answers, the reference was asked something else at that place.
     const QuestionKind* kind = worker.questions(exercise, case_name, one.seed).kind_of(question);
     if (!recording.function.empty() && (kind == nullptr || !kind->function.starts_with(recording.function))) return "";
-    const RunOutcome told = worker.inquire(exercise, Answers::reference, case_name, one.seed, {.wanted = {question}});
-    const QuestionLog log = read_questions(told.recording.tensors);
-    const auto found = log.code.find(question);
-    return found == log.code.end() ? "" : found->second;
+    return worker.code_of(exercise, case_name, one.seed, {question})[question];
 }
 
 std::optional<AnswersPastCrashes> answers_past_crashes(const Check& check, const CaseResult& one,

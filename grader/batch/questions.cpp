@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "batch/common_condition.hpp"
 #include "batch/other_questions.hpp"
@@ -67,10 +69,10 @@ public:
                   std::string case_name)
         : worker_(worker),
           exercise_(exercise),
-          built_(built),
           one_(one),
           case_(std::move(case_name)),
-          log_(worker.questions(exercise, case_, one.seed))
+          log_(worker.questions(exercise, case_, one.seed)),
+          runs_(worker, exercise, built, case_, one)
     {
     }
 
@@ -95,22 +97,19 @@ public:
                 result.first_difference->cell.reset();
         }
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
-        result.common = in_common(worker_, {exercise_, check, built_, one_, log_, headers});
+        result.common = sentence_of(find_in_common(worker_, {exercise_, check, runs_, one_, log_, headers}));
     }
 
     /// Asks for the code of all that is shown.
     void write()
     {
-        Inquiry inquiry;
-        for (const Shown& one : shown_) std::ranges::copy(shown_of(one.questions), std::back_inserter(inquiry.wanted));
-        std::ranges::sort(inquiry.wanted);
-        const auto repeated = std::ranges::unique(inquiry.wanted);
-        inquiry.wanted.erase(repeated.begin(), repeated.end());
-        if (inquiry.wanted.empty()) return;
-        const RunOutcome told = worker_.inquire(exercise_, Answers::reference, case_, one_.seed, inquiry);
-        if (told.verdict != Verdict::ok) return;
-        const QuestionLog log = read_questions(told.recording.tensors);
-        for (const Shown& one : shown_) *one.code = together(one.questions, log.code);
+        std::set<std::uint32_t> wanted;
+        for (const Shown& one : shown_)
+            for (const std::uint32_t question : shown_of(one.questions)) wanted.insert(question);
+        if (wanted.empty()) return;
+        const std::map<std::uint32_t, std::string> code =
+            worker_.code_of(exercise_, case_, one_.seed, {wanted.begin(), wanted.end()});
+        for (const Shown& one : shown_) *one.code = together(one.questions, code);
     }
 
 private:
@@ -124,10 +123,10 @@ private:
 
     Worker& worker_;
     const Exercise& exercise_;
-    const Built& built_;
     const CaseResult& one_;
     std::string case_;
     const QuestionLog& log_;
+    CaseRuns runs_;
     std::vector<Shown> shown_;
 };
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "build/builder.hpp"
 #include "build/toolchain.hpp"
@@ -71,6 +72,12 @@ public:
     /// The reference's questions in one case, without their code; remembered as other trusted runs are, but on no disk.
     [[nodiscard]] const QuestionLog& questions(const Exercise& exercise, const std::string& case_name,
                                                std::uint64_t seed);
+
+    /// Some of these questions as code that can be pasted into a program; those that the run did not come to are not
+    /// there. Nothing is kept.
+    [[nodiscard]] std::map<std::uint32_t, std::string> code_of(const Exercise& exercise, const std::string& case_name,
+                                                               std::uint64_t seed,
+                                                               std::vector<std::uint32_t> questions);
 
     /// Runs one case with a student's build, and has it say as well which of its rows each question led to.
     [[nodiscard]] RunOutcome run_told(const Exercise& exercise, const Built& built, const std::string& case_name,

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "batch/ask_question.hpp"
-#include "build/builder.hpp"
 #include "cli/application.hpp"
+#include "cli/built_work.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
 #include "cli/paths.hpp"
@@ -84,17 +84,9 @@ void ask(Application& application, const Options& options)
         throw UsageError(fmt::format("expected a file with a question, found none called {}", options.file));
     const std::string question =
         options.file.empty() ? options.question : as_given([&] { return read_text(options.file); });
-    expect_folder(options.folder, "a workspace");
-    const Handed handed =
-        collect(read_submission(options.folder, {&exercise, 1}, archive_tools(application.tools)), exercise);
-    if (!handed.refused.empty()) throw UsageError(fmt::format("not read in {}: {}", options.folder, handed.refused));
-    if (!handed.missing.empty())
-        throw UsageError(fmt::format("not found in {}: {}", options.folder, fmt::join(handed.missing, ", ")));
-    have_built(application, {&exercise, 1});
-    const Built built = build(application.tools, exercise, handed.files);
-    if (built.verdict != Verdict::ok) throw UsageError(fmt::format("{}:\n{}", in_words(built.verdict), built.message));
+    const BuiltWork work = built_work(application, exercise, options.folder);
     Worker worker(application.tools);
-    const AskedQuestion asked = ask_question(worker, exercise, built, question);
+    const AskedQuestion asked = ask_question(worker, exercise, work.built, question);
     if (!asked.refused.empty()) throw UsageError("this is no question:\n" + asked.refused);
     const Paint paint(application.style);
     print_answer(paint, "yours", Tone::yours, asked.yours);

@@ -7,8 +7,8 @@
 
 #include "batch/case_results.hpp"
 #include "batch/grade_unit.hpp"
-#include "build/builder.hpp"
 #include "cli/application.hpp"
+#include "cli/built_work.hpp"
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
 #include "cli/paths.hpp"
@@ -57,11 +57,8 @@ AskedRow question_of_row(const Application& application, const Exercise& exercis
                 : fmt::format("what led to single rows of {} is not known; without --row the whole case "
                               "runs",
                               check->name));
-    const QuestionLog told = read_questions(
-        worker.inquire(exercise, Answers::reference, case_name, seed, {.wanted = {*question}}).recording.tensors);
-    const auto code = told.code.find(*question);
     const QuestionKind* kind = log.kind_of(*question);
-    return {*question, code == told.code.end() ? std::string() : code->second,
+    return {*question, worker.code_of(exercise, case_name, seed, {*question})[*question],
             kind == nullptr ? std::string() : kind->function.substr(kind->function.rfind(':') + 1)};
 }
 
@@ -72,19 +69,11 @@ void debug(const Application& application, const Options& options)
     const std::string chosen = options.case_name.empty() ? cases.front() : options.case_name;
     if (std::find(cases.begin(), cases.end(), chosen) == cases.end())
         throw UsageError(fmt::format("{} has no case '{}'; it has: {}", exercise.id, chosen, fmt::join(cases, ", ")));
-    expect_folder(options.folder, "a workspace");
-    const Handed handed =
-        collect(read_submission(options.folder, {&exercise, 1}, archive_tools(application.tools)), exercise);
-    if (!handed.refused.empty()) throw UsageError(fmt::format("not read in {}: {}", options.folder, handed.refused));
-    if (!handed.missing.empty())
-        throw UsageError(fmt::format("not found in {}: {}", options.folder, fmt::join(handed.missing, ", ")));
-    have_built(application, {&exercise, 1});
-    const Built built = build(application.tools, exercise, handed.files);
-    if (built.verdict != Verdict::ok) throw UsageError(fmt::format("{}:\n{}", in_words(built.verdict), built.message));
+    const BuiltWork work = built_work(application, exercise, options.folder);
 
     // The inputs that `umbral check` gives these files.
     SeedPlan seeds;
-    seeds.work = work_digest(handed.files);
+    seeds.work = work_digest(work.files);
     const std::uint64_t seed = seeds.seed_of(exercise, chosen);
     const std::uint64_t stream = stream_of(exercise, chosen, seed);
     const fs::path own = fs::path(options.folder) / exercise.id;
@@ -109,7 +98,7 @@ void debug(const Application& application, const Options& options)
     }
     words.push_back((application.tools.programs / (exercise.gl ? "umbral-debug-gl" : "umbral-debug")).string());
     for (const std::string& word :
-         {(unit_folder(application.tools, exercise.id) / "driver.so").string(), built.library.string(), chosen,
+         {(unit_folder(application.tools, exercise.id) / "driver.so").string(), work.built.library.string(), chosen,
           std::to_string(stream), fs::absolute(sources).string()})
         words.push_back(word);
     if (asked) {

@@ -1,32 +1,18 @@
 #include <gtest/gtest.h>
 
-#include "batch/grade_unit.hpp"
-#include "batch/known_solutions.hpp"
-#include "support/workbench.hpp"
+#include "spoilt_reference.hpp"
 
 // One edge case that crashes does not cost what has nothing to do with it.
 namespace umbral::grader::test {
 namespace {
 
-class PastCrashes : public testing::Test {
+class PastCrashes : public SpoiltReference {
 protected:
-    Workbench bench;
-    Exercise sphere = bench.exercise("raytracing/sphere");
-    Worker worker{bench.tools()};
-
     /// The reference, which does this where `condition` holds.
     UnitResult grade(const std::string& condition, const std::string& statement)
     {
-        Sources sources = reference_sources(bench.tools().reference, sphere);
-        std::string& text = sources.begin()->second;
         const std::string begin = "const float a = dot(";
-        text.insert(text.find(begin), "if (" + condition + ") " + statement + "\n    ");
-        return grade_unit(worker, sphere, {sources, {}, ""}, {});
-    }
-
-    static const CheckResult& check(const UnitResult& result, const std::string& name)
-    {
-        return *std::ranges::find(result.checks, name, &CheckResult::name);
+        return SpoiltReference::grade(begin, "if (" + condition + ") " + statement + "\n    " + begin);
     }
 };
 

@@ -1,36 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "batch/grade_unit.hpp"
-#include "batch/known_solutions.hpp"
 #include "report/hidden.hpp"
-#include "support/workbench.hpp"
+#include "spoilt_reference.hpp"
 
 // What is said of bugs that are in no list of mistakes.
 namespace umbral::grader::test {
 namespace {
 
-class Questions : public testing::Test {
-protected:
-    Workbench bench;
-    Exercise sphere = bench.exercise("raytracing/sphere");
-    Worker worker{bench.tools()};
-
-    /// The reference with one text in place of another, which it must hold.
-    UnitResult grade(const std::string& from, const std::string& to)
-    {
-        Sources sources = reference_sources(bench.tools().reference, sphere);
-        std::string& text = sources.begin()->second;
-        const std::size_t place = text.find(from);
-        EXPECT_NE(place, std::string::npos) << from;
-        text.replace(place, from.size(), to);
-        return grade_unit(worker, sphere, {sources, {}, ""}, {});
-    }
-
-    static const CheckResult& check(const UnitResult& result, const std::string& name)
-    {
-        return *std::ranges::find(result.checks, name, &CheckResult::name);
-    }
-};
+class Questions : public SpoiltReference {};
 
 TEST_F(Questions, an_interval_that_begins_at_0_is_told_by_where_it_goes_wrong_and_by_what_it_answers)
 {

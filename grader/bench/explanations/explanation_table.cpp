@@ -6,6 +6,7 @@
 
 #include "bench/explanations/explanations.hpp"
 #include "bench/held_out.hpp"
+#include "bench/percent.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -36,10 +37,7 @@ struct Tally {
         const auto found = by_outcome.find(said);
         return found == by_outcome.end() ? 0 : found->second;
     }
-    [[nodiscard]] double percent(std::size_t count) const
-    {
-        return all == 0 ? 0 : 100.0 * static_cast<double>(count) / static_cast<double>(all);
-    }
+    [[nodiscard]] double share(std::size_t count) const { return percent(count, all); }
     [[nodiscard]] std::size_t right() const { return of(Said::right) + of(Said::right_among); }
 };
 
@@ -61,14 +59,14 @@ std::string lines_for(const std::vector<ExplainedWork>& work, const char* headin
         const Tally found = tally(work, [kind = kind](const ExplainedWork& one) { return one.kind == kind; });
         text += fmt::format("{:<28}{:>7}", name, found.all);
         for (const auto& [said, word] : outcomes) text += fmt::format("{:>13}", found.of(said));
-        text += has_reason(kind) ? fmt::format("   right {:.1f} %\n", found.percent(found.right()))
-                                 : fmt::format("   wrong {:.2f} %\n", found.percent(found.of(Said::wrong)));
+        text += has_reason(kind) ? fmt::format("   right {:.1f} %\n", found.share(found.right()))
+                                 : fmt::format("   wrong {:.2f} %\n", found.share(found.of(Said::wrong)));
     }
     const Tally none = tally(work, [](const ExplainedWork& one) {
         return one.kind == WorkKind::left_out || one.kind == WorkKind::disturbed;
     });
     return text + fmt::format("{:<28}{:>7}   wrong {} of {}: {:.2f} %\n\n", "all that matches none", none.all,
-                              none.of(Said::wrong), none.all, none.percent(none.of(Said::wrong)));
+                              none.of(Said::wrong), none.all, none.share(none.of(Said::wrong)));
 }
 
 }
@@ -91,7 +89,7 @@ bool meets_targets(const std::vector<ExplainedWork>& work, bool held_out_only)
     };
     const Tally own = among([](WorkKind kind) { return kind == WorkKind::mistake; });
     const Tally none = among([](WorkKind kind) { return kind == WorkKind::left_out || kind == WorkKind::disturbed; });
-    return own.percent(own.right()) >= 95 && none.percent(none.of(Said::wrong)) < 1;
+    return own.share(own.right()) >= 95 && none.share(none.of(Said::wrong)) < 1;
 }
 
 std::string explanation_table(const std::vector<ExplainedWork>& work)

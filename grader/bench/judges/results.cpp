@@ -9,6 +9,7 @@
 #include "bench/best_time.hpp"
 #include "bench/held_out.hpp"
 #include "bench/judges/picture_operators.hpp"
+#include "bench/percent.hpp"
 #include "judge/image/rule.hpp"
 #include "judge/rules.hpp"
 
@@ -26,9 +27,9 @@ std::vector<MeasuredPair> select(const JudgeBench& bench, bool noise)
     return chosen;
 }
 
-std::string percent(std::size_t part, std::size_t whole)
+std::string in_brackets(std::size_t part, std::size_t whole)
 {
-    return whole == 0 ? "" : fmt::format(" ({:.1f} %)", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+    return whole == 0 ? "" : fmt::format(" ({:.1f} %)", percent(part, whole));
 }
 
 std::string rules_table(const std::vector<MeasuredPair>& pairs)
@@ -36,9 +37,10 @@ std::string rules_table(const std::vector<MeasuredPair>& pairs)
     std::string text = "| rule | threshold | bugs caught | false alarms |\n|---|---|---|---|\n";
     for (const RuleResult& result : compare_rules(pairs)) {
         const auto& info = *std::ranges::find(picture_rules, result.rule, &PictureRuleInfo::rule);
-        text += fmt::format("| {} | {:.3g} {} ({}) | {} of {}{} | {} of {}{} |\n", info.name, result.threshold,
-                            info.unit, result.origin, result.caught, result.bugs, percent(result.caught, result.bugs),
-                            result.alarms, result.harmless, percent(result.alarms, result.harmless));
+        text +=
+            fmt::format("| {} | {:.3g} {} ({}) | {} of {}{} | {} of {}{} |\n", info.name, result.threshold, info.unit,
+                        result.origin, result.caught, result.bugs, in_brackets(result.caught, result.bugs),
+                        result.alarms, result.harmless, in_brackets(result.alarms, result.harmless));
     }
     return text;
 }

@@ -98,12 +98,14 @@ private:
     void try_common(const Check& check, UnforeseenBug& bug)
     {
         const CaseResult one = run(check, seen_inputs);
-        const AskedCheck asked{exercise_, check, built_, one, worker_.questions(exercise_, check.case_name, one.seed),
+        CaseRuns runs(worker_, exercise_, built_, check.case_name, one);
+        const AskedCheck asked{exercise_, check, runs, one, worker_.questions(exercise_, check.case_name, one.seed),
                                headers_};
-        if (const auto condition = find_common_condition(worker_, asked))
-            bug.said.push_back(tried(asked, *condition, ToldSentence::Kind::condition, condition->words));
-        if (const std::string answer = find_common_answer(worker_, asked); !answer.empty())
-            bug.said.push_back(tried(asked, answer, ToldSentence::Kind::answer, answer));
+        const InCommon common = find_in_common(worker_, asked);
+        if (common.condition)
+            bug.said.push_back(tried(asked, *common.condition, ToldSentence::Kind::condition, common.condition->words));
+        if (!common.answer.empty())
+            bug.said.push_back(tried(asked, common.answer, ToldSentence::Kind::answer, common.answer));
     }
 
     template <class Pattern>

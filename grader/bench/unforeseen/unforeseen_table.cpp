@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bench/held_out.hpp"
+#include "bench/percent.hpp"
 #include "bench/unforeseen/unforeseen.hpp"
 
 namespace umbral::grader {
@@ -52,11 +53,6 @@ Counts counted(const std::vector<UnforeseenBug>& bugs, Meant meant)
         counts.untried += says(bug, Truth::untried) ? 1 : 0;
     }
     return counts;
-}
-
-double percent(std::size_t part, std::size_t all)
-{
-    return all == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(all);
 }
 
 std::string line(const char* name, const Counts& counts)

@@ -30,9 +30,7 @@ Scale column_scale(std::span<const double> expected, std::size_t index)
 
 std::string entry_text(std::size_t matrix, std::size_t components, std::size_t index)
 {
-    const std::size_t side = side_of(components);
-    return "matrix " + std::to_string(matrix) + ", entry (row " + std::to_string(index % side) + ", column " +
-           std::to_string(index / side) + ")";
+    return "matrix " + std::to_string(matrix) + ", entry " + matrix_entry(components, index);
 }
 
 // The entry, then the whole matrix by rows: "5 in [1 0 0 5; 0 1 0 0; 0 0 1 0; 0 0 0 1]".
@@ -53,6 +51,12 @@ constexpr RowKind matrices{"matrix", "matrices", column_scale, entry_text, matri
 }
 
 const RowKind& matrix_rows() { return matrices; }
+
+std::string matrix_entry(std::size_t components, std::size_t index)
+{
+    const std::size_t side = side_of(components);
+    return "(row " + std::to_string(index % side) + ", column " + std::to_string(index / side) + ")";
+}
 
 namespace {
 

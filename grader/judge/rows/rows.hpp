@@ -48,6 +48,9 @@ enum class RowState : std::uint8_t { left_out, right, wrong };
 [[nodiscard]] const RowKind& number_rows();
 [[nodiscard]] const RowKind& matrix_rows();
 
+/// "(row 1, column 3)": an entry of a matrix of 9 or 16 numbers, column after column as GLM has them.
+[[nodiscard]] std::string matrix_entry(std::size_t components, std::size_t index);
+
 /// Judges row by row: a component is right if any given bound holds, a row if all its components are and its presence
 /// agrees.
 ///

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "batch/grade_unit.hpp"
+#include "batch/known_solutions.hpp"
+#include "support/workbench.hpp"
+
+namespace umbral::grader::test {
+
+/// Grades the reference of raytracing/sphere with a bug in it.
+class SpoiltReference : public testing::Test {
+protected:
+    /// With one text in place of another, which it must hold.
+    UnitResult grade(const std::string& from, const std::string& to)
+    {
+        Sources sources = reference_sources(bench.tools().reference, sphere);
+        std::string& text = sources.begin()->second;
+        const std::size_t place = text.find(from);
+        EXPECT_NE(place, std::string::npos) << from;
+        text.replace(place, from.size(), to);
+        return grade_unit(worker, sphere, {sources, {}, ""}, {});
+    }
+
+    static const CheckResult& check(const UnitResult& result, const std::string& name)
+    {
+        return *std::ranges::find(result.checks, name, &CheckResult::name);
+    }
+
+    Workbench bench;
+    Exercise sphere = bench.exercise("raytracing/sphere");
+    Worker worker{bench.tools()};
+};
+
+}
