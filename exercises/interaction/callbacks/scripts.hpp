@@ -147,6 +147,8 @@ inline constexpr const char* windows = R"(
 0.6 resize 1024 500
 0.7 resize 1024 0
 0.8 resize 501 333
+0.9 resize 1 333
+1.0 resize 640 1
 )";
 
 /// One gesture of each kind: which callbacks are there?

@@ -52,6 +52,8 @@ void record_known(Recorder& out)
         any.add<edge_table>(sample.name, sample.mesh);
         if (is_closed(sample)) closed.add<edge_table_of_closed>(sample.name, sample.mesh);
     }
+    any.add<edge_table>("nothing", {});
+    closed.add<edge_table_of_closed>("nothing", {});
     any.finish();
     closed.finish();
 }

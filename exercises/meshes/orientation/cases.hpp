@@ -85,6 +85,9 @@ inline std::vector<IndexedMesh> suspects(Random& random)
     return meshes;
 }
 
+/// A closed piece without any volume: a triangle and its back.
+inline IndexedMesh flat_body() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}; }
+
 /// Bodies one within the other, beside each other, and open sheets among them; about half of the pieces look the wrong
 /// way.
 inline IndexedMesh crowd(Random& random)
@@ -102,8 +105,17 @@ inline IndexedMesh crowd(Random& random)
         add(plate_with_holes(2), place + glm::vec3(0, 4, 0), 1);
         add(flat_sheet(3, 2), place - glm::vec3(0, 3, 0), 1);
         add(tube(5, 2), place - glm::vec3(0, 6, 0), 1);
+        add(flat_body(), place + glm::vec3(0, 8, 0), 1);
     }
     return shuffled(mesh, random);
+}
+
+/// A body multiplied by a power of two, so that its volume is no float: too small for one, or too large.
+inline IndexedMesh scaled_body(const IndexedMesh& body, int exponent, Random& random)
+{
+    const IndexedMesh mesh =
+        mapped(body, [&](const glm::vec3& position) { return std::ldexp(1.0F, exponent) * position; });
+    return random.below(2) == 0 ? turned_over(mesh) : mesh;
 }
 
 /// A body of 10 units across, this far from the origin, where its vertices have places of their own: multiples of

@@ -42,7 +42,7 @@ void record_coherent(Recorder& out, const IndexedMesh& mesh)
 {
     const auto triangles = ask<coherent_triangles>(out, mesh);
     out.append("possible", triangles ? 1.0F : 0.0F);
-    if (triangles) out.append("sizes", static_cast<float>(triangles->size()));
+    out.append("triangles", glm::vec3(triangles ? static_cast<float>(triangles->size()) : -1));
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const bool has_row = triangles && i < triangles->size();
         out.append("triangles", has_row ? glm::vec3(canonical((*triangles)[i])) : glm::vec3(-1));
@@ -87,7 +87,9 @@ void record_windings(Random& random, Recorder& out)
 
 void record_outward(Recorder& out, const IndexedMesh& mesh)
 {
-    record_triangles(out, "triangles", ask<outward_triangles>(out, mesh), mesh.triangles.size());
+    const std::vector<glm::uvec3> triangles = ask<outward_triangles>(out, mesh);
+    out.append("triangles", glm::vec3(static_cast<float>(triangles.size())));
+    record_triangles(out, "triangles", triangles, mesh.triangles.size());
 }
 
 void record_far(Random& random, Recorder& out)
@@ -95,6 +97,9 @@ void record_far(Random& random, Recorder& out)
     for (const auto& [distance, step] : {std::pair(1e4, -10), {1e5, -7}, {1e6, -4}, {1e7, 0}})
         for (const IndexedMesh& body : {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()})
             for (int i = 0; i < 4; ++i) record_outward(out, shuffled(far_body(body, distance, step, random), random));
+    for (const int exponent : {-60, 60})
+        for (const IndexedMesh& body : {ball(8, 5), torus(7, 5), plate_with_holes(1), tetrahedron()})
+            for (int i = 0; i < 2; ++i) record_outward(out, shuffled(scaled_body(body, exponent, random), random));
 }
 
 void record_work(Random& random, Recorder& out)
