@@ -147,6 +147,18 @@ bool was_starved(const RunOutcome& run, const Limits& limits)
     return run.verdict == Verdict::timeout && run.cpu_seconds < 0.5 * limits.wall_seconds;
 }
 
+/// Looks for what is said beside the grade. The grade stands, whatever goes wrong with that.
+template <class Look>
+void beside_the_grade(UnitResult& result, const Look& look)
+{
+    try {
+        look();
+    } catch (const std::exception& fault) {
+        result.message += fmt::format("{}what else there is to say could not be found out, by a fault of Umbral's: {}",
+                                      result.message.empty() ? "" : "\n", fault.what());
+    }
+}
+
 /// `detail`, unless it is null, is given evidence.
 UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built& built, const GradeOptions& options,
                           html::UnitDetail* detail)
@@ -185,14 +197,16 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
                      });
     result.message = troubles(cases);
     result.output = printed_text(exercise, cases);
-    if (options.explain && result.verdict != Verdict::ok)
-        result.explanations = explain_unit(worker, exercise, result, cases);
+    const bool explains = options.explain && result.verdict != Verdict::ok;
+    if (explains)
+        beside_the_grade(result, [&] { result.explanations = explain_unit(worker, exercise, result, cases); });
     if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, options, result);
     if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);
-    if (options.explain && options.questions && result.verdict != Verdict::ok)
-        add_questions(worker, exercise, built, cases, result, detail);
-    if (options.explain && options.questions && result.verdict != Verdict::ok && !options.artefacts.empty())
-        save_long_questions(worker, exercise, cases, options, result);
+    if (explains && options.questions)
+        beside_the_grade(result, [&] {
+            add_questions(worker, exercise, built, cases, result, detail);
+            if (!options.artefacts.empty()) save_long_questions(worker, exercise, cases, options, result);
+        });
     return result;
 }
 

@@ -46,7 +46,7 @@ TEST_F(PastCrashes, exceptions_are_no_different)
 
 TEST_F(PastCrashes, an_endless_loop_costs_what_comes_after_it)
 {
-    sphere.limits.wall_seconds = 1;
+    exercise.limits.wall_seconds = 1;
     const UnitResult result = grade("ray.t_min == 2 && ray.t_max == 4", "for (volatile int i = 0; i == 0;) {}");
     const CheckResult& ends = check(result, "ends/t");
     EXPECT_GT(ends.score, 0);

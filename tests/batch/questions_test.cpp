@@ -9,6 +9,11 @@ namespace {
 
 class Questions : public SpoiltReference {};
 
+class QuestionsOfPhong : public SpoiltReference {
+protected:
+    QuestionsOfPhong() : SpoiltReference("lighting/phong") {}
+};
+
 TEST_F(Questions, an_interval_that_begins_at_0_is_told_by_where_it_goes_wrong_and_by_what_it_answers)
 {
     const UnitResult result = grade("if (ray.t_min < t &&", "if (0 < t &&");
@@ -63,8 +68,8 @@ TEST_F(Questions, of_hidden_checks_reach_instructors_only)
 
 TEST_F(Questions, two_known_mistakes_at_once_are_both_told)
 {
-    const std::filesystem::path file = sphere.folder / "alternatives" / "double_precision.cpp";
-    Sources sources{{sphere.files.front(), read_text(file)}};
+    const std::filesystem::path file = exercise.folder / "alternatives" / "double_precision.cpp";
+    Sources sources{{exercise.files.front(), read_text(file)}};
     const auto replace = [&](const std::string& from, const std::string& to) {
         std::string& text = sources.begin()->second;
         ASSERT_NE(text.find(from), std::string::npos) << from;
@@ -72,7 +77,7 @@ TEST_F(Questions, two_known_mistakes_at_once_are_both_told)
     };
     replace("t < ray.t_max", "t <= ray.t_max");
     replace("(discriminant < 0)", "(discriminant <= 0)");
-    const UnitResult result = grade_unit(worker, sphere, {sources, {}, ""}, {});
+    const UnitResult result = grade_unit(worker, exercise, {sources, {}, ""}, {});
     ASSERT_FALSE(result.explanations.empty());
     EXPECT_EQ(result.explanations.front().name, "mistakes: counts_t_max and drops_tangent");
 }
@@ -80,9 +85,19 @@ TEST_F(Questions, two_known_mistakes_at_once_are_both_told)
 TEST_F(Questions, right_work_is_asked_nothing)
 {
     const UnitResult result =
-        grade_unit(worker, sphere, {reference_sources(bench.tools().reference, sphere), {}, ""}, {});
+        grade_unit(worker, exercise, {reference_sources(bench.tools().reference, exercise), {}, ""}, {});
     for (const CheckResult& one : result.checks)
         EXPECT_TRUE(one.common.empty() && !one.simplest && !one.first_difference) << one.name;
+}
+
+// Its generators, drawing from few bits, draw null normals, of which the oracle makes no number.
+TEST_F(QuestionsOfPhong, inputs_without_a_right_answer_are_no_fault_of_the_grader)
+{
+    const UnitResult result = grade("std::pow(std::clamp(cosine, 0.0, 1.0), double{e})",
+                                    "std::pow(std::clamp(static_cast<float>(cosine), 0.0F, 1.0F), e)");
+    EXPECT_EQ(result.verdict, Verdict::partial) << result.message;
+    EXPECT_EQ(result.message, "");
+    EXPECT_LT(check(result, "sharp/highlight").score, check(result, "sharp/highlight").max_score);
 }
 
 }

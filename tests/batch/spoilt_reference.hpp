@@ -8,18 +8,20 @@
 
 namespace umbral::grader::test {
 
-/// Grades the reference of raytracing/sphere with a bug in it.
+/// Grades the reference of a unit, raytracing/sphere if none is named, with a bug in it.
 class SpoiltReference : public testing::Test {
 protected:
+    explicit SpoiltReference(const std::string& unit = "raytracing/sphere") : exercise(bench.exercise(unit)) {}
+
     /// With one text in place of another, which it must hold.
     UnitResult grade(const std::string& from, const std::string& to)
     {
-        Sources sources = reference_sources(bench.tools().reference, sphere);
+        Sources sources = reference_sources(bench.tools().reference, exercise);
         std::string& text = sources.begin()->second;
         const std::size_t place = text.find(from);
         EXPECT_NE(place, std::string::npos) << from;
         text.replace(place, from.size(), to);
-        return grade_unit(worker, sphere, {sources, {}, ""}, {});
+        return grade_unit(worker, exercise, {sources, {}, ""}, {});
     }
 
     static const CheckResult& check(const UnitResult& result, const std::string& name)
@@ -28,7 +30,7 @@ protected:
     }
 
     Workbench bench;
-    Exercise sphere = bench.exercise("raytracing/sphere");
+    Exercise exercise;
     Worker worker{bench.tools()};
 };
 

@@ -52,6 +52,13 @@ TEST(ExplainImages, one_error_one_explanation)
     EXPECT_EQ(first(image, each_colour(right, [](double v) { return v - 0.1; }), right), "too dark by a constant");
 }
 
+TEST(ExplainImages, differences_of_a_level_or_two_are_no_change_of_light)
+{
+    EXPECT_EQ(first(image, each_colour(balls(), [](double v) { return v - 1.0 / 255; }), balls()), "none");
+    EXPECT_EQ(first(image, each_colour(balls(), [](double v) { return 0.985 * v; }), balls()), "none");
+    EXPECT_EQ(first(image, each_colour(balls(), [](double v) { return std::pow(v, 1.03); }), balls()), "none");
+}
+
 TEST(ExplainImages, the_shift_is_told)
 {
     for (const auto& [dx, dy] : {std::pair{1, 0}, {0, -1}, {3, 2}, {-8, 8}}) {

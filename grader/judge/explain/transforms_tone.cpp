@@ -16,6 +16,8 @@ namespace {
 
 using Result = std::optional<Tensor>;
 constexpr double one_level = 1.0 / 255;
+/// How far a value may lie from what a tone makes of the expected one, by rounding on both sides.
+constexpr double rounding = 1.5 * one_level;
 
 struct Range {
     double low = 0;
@@ -42,8 +44,7 @@ Tensor recognise(const Check& check, const Tensor& student, const Tensor& expect
     const std::size_t light = colours(expected);
     return map_cells(student, expected, [&](std::span<double> pixel, std::span<const double> target) {
         for (std::size_t c = 0; c < light; ++c)
-            if (std::abs(range.normal(pixel[c]) - std::clamp(tone(range.normal(target[c])), 0.0, 1.0)) <=
-                1.5 * one_level)
+            if (std::abs(range.normal(pixel[c]) - std::clamp(tone(range.normal(target[c])), 0.0, 1.0)) <= rounding)
                 pixel[c] = target[c];
     });
 }
@@ -65,9 +66,13 @@ std::vector<ValuePair> free_values(const Check& check, const Tensor& student, co
     return pairs;
 }
 
-// One number fits any picture of one colour: it means something from four levels on.
-bool varied(const std::vector<ValuePair>& pairs)
+// One number fits any picture of one colour: it means something from four levels on. And where most differences are as
+// small as what is taken for rounding, any tone near none fits them.
+bool telling(const std::vector<ValuePair>& pairs)
 {
+    const auto large = std::ranges::count_if(
+        pairs, [](const ValuePair& pair) { return std::abs(pair.student - pair.expected) > 2 * rounding; });
+    if (2 * large < std::ssize(pairs)) return false;
     std::set<int> levels;
     for (const ValuePair& pair : pairs) levels.insert(static_cast<int>(std::lround(pair.expected * 255)));
     return levels.size() >= 4;
@@ -78,7 +83,7 @@ double invert(double v) { return 1 - v; }
 template <double (*tone)(double)>
 Result by_tone(const Check& check, const Tensor& student, const Tensor& expected)
 {
-    if (!has_colours(check) || !varied(free_values(check, student, expected))) return std::nullopt;
+    if (!has_colours(check) || !telling(free_values(check, student, expected))) return std::nullopt;
     return recognise(check, student, expected, tone);
 }
 
@@ -87,7 +92,7 @@ std::optional<double> light_factor(const Check& check, const Tensor& student, co
 {
     if (!has_colours(check)) return std::nullopt;
     const auto pairs = free_values(check, student, expected);
-    if (!varied(pairs)) return std::nullopt;
+    if (!telling(pairs)) return std::nullopt;
     double products = 0;
     double squares = 0;
     for (const ValuePair& pair : pairs) {
@@ -118,7 +123,7 @@ std::optional<double> light_offset(const Check& check, const Tensor& student, co
 {
     if (!has_colours(check)) return std::nullopt;
     const auto pairs = free_values(check, student, expected);
-    if (!varied(pairs)) return std::nullopt;
+    if (!telling(pairs)) return std::nullopt;
     std::vector<double> differences;
     for (const ValuePair& pair : pairs) differences.push_back(pair.student - pair.expected);
     return median(std::move(differences));
