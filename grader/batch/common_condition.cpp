@@ -18,7 +18,7 @@ constexpr const char* has_answer = "there being a right answer";
 /// Answers whose questions are of one kind, and what is known of each.
 struct Sample {
     QuestionTable table;
-    AnswerTable answers;  ///< in the same order
+    AnswerTable answers;  ///< in the same order, with what is told of the questions
 };
 
 std::vector<bool> which_wrong(const Sample& sample)
@@ -61,7 +61,7 @@ Sample sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
     const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) { return one.second.size(); });
     if (most == by_kind.end()) return result;
     const auto& [kind, some] = *most;
-    result.answers = {answers.components, answers.columns, {}};
+    result.answers = {answers.components, answers.columns, {}, {}};
     for (const AskedAnswer* const one : some) result.answers.answers.push_back(one->answer);
     if (kind == nullptr) return result;
     const std::vector<std::string> parameters = parameter_names(asked.headers, kind->function);
@@ -76,6 +76,7 @@ Sample sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
         add_answer(answers, *one, numbers);
         result.table.numbers.push_back(std::move(numbers));
     }
+    result.answers.facts = facts_of(result.table);
     return result;
 }
 
@@ -133,14 +134,14 @@ std::optional<Condition> common_condition(Samples& samples)
     const Sample& seen = samples.seen();
     if (seen.table.numbers.empty()) return std::nullopt;
     const std::vector<bool> wrong = which_wrong(seen);
-    std::optional<Condition> condition = simplest_condition(facts_of(seen.table), wrong);
+    std::optional<Condition> condition = simplest_condition(seen.answers.facts, wrong);
     if (!condition) return std::nullopt;
     const Sample& fresh = samples.fresh();
     if (fresh.table.names != seen.table.names) return std::nullopt;
     const bool same = fresh.table.numbers == seen.table.numbers;
     const bool holds = same ? has_both(wrong, least_of_fixed) && condition->right_where == 0 &&
                                   condition->wrong_where == condition->wrong
-                            : parts(*condition, facts_of(fresh.table), which_wrong(fresh));
+                            : parts(*condition, fresh.answers.facts, which_wrong(fresh));
     return holds ? condition : std::nullopt;
 }
 
@@ -176,7 +177,7 @@ std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const Cond
     const Sample fresh = sample(worker, asked, seed);
     const std::vector<bool> wrong = which_wrong(fresh);
     if (fresh.table.numbers.empty() || !has_both(wrong, 1)) return std::nullopt;
-    return parts(condition, facts_of(fresh.table), wrong);
+    return parts(condition, fresh.answers.facts, wrong);
 }
 
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std::string& pattern, std::uint64_t seed)

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
+
+#include "question/answer_relations.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -124,7 +127,7 @@ std::vector<std::size_t> wrong_components(const Pairs& wrong, std::size_t compon
     return found;
 }
 
-/// What turns each right number into the wrong one beside it, if it is the same everywhere: "plus 1".
+/// What turns each right number into the wrong one beside it, if it is the same everywhere: "the right one plus 1".
 std::optional<std::string> constant_change(const Pairs& wrong, std::size_t components, std::size_t component)
 {
     std::optional<double> offset;
@@ -158,22 +161,92 @@ std::optional<std::string> constant_change(const Pairs& wrong, std::size_t compo
     return fmt::format("{:.6g} times the right one", *factor);
 }
 
+/// Where each answer is one row: which question it answers.
+std::vector<std::size_t> questions_of(const AnswerTable& table, const Pairs& wrong)
+{
+    std::vector<std::size_t> questions;
+    for (const AnswerPair* one : wrong)
+        if (one->yours.size() == table.components)
+            questions.push_back(static_cast<std::size_t>(one - table.answers.data()));
+    if (questions.size() != wrong.size()) questions.clear();
+    return questions;
+}
+
+/// What each wrong number in this place of a row is: "the right one plus 1".
+std::optional<std::string> change_of(const AnswerTable& table, const Pairs& wrong, std::size_t component)
+{
+    if (auto change = constant_change(wrong, table.components, component)) return change;
+    WrongNumbers numbers{{}, {}, questions_of(table, wrong)};
+    if (numbers.questions.empty()) return std::nullopt;
+    for (const AnswerPair* one : wrong) {
+        numbers.yours.push_back(one->yours[component]);
+        numbers.right.push_back(one->expected[component]);
+    }
+    return relation_of(numbers, table.facts);
+}
+
+/// So many numbers of each row, from this one on, as vectors; none where an answer is not one row.
+WrongVectors vectors_in(const AnswerTable& table, const Pairs& wrong, std::size_t first, std::size_t count)
+{
+    WrongVectors vectors{count, {}, {}, {}, questions_of(table, wrong)};
+    if (vectors.questions.empty()) return vectors;
+    for (const AnswerPair* one : wrong) {
+        vectors.yours.push_back(std::span(one->yours).subspan(first, count));
+        vectors.right.push_back(std::span(one->expected).subspan(first, count));
+    }
+    return vectors;
+}
+
+/// What each of the wrong columns of square matrices is, if that can be said of all of them.
+void add_matrix_columns(const AnswerTable& table, const Pairs& wrong, const std::vector<std::size_t>& which,
+                        std::vector<std::string>& found)
+{
+    const std::size_t side = table.components == 16 ? 4 : 3;
+    if (side * side != table.components) return;
+    std::set<std::size_t> columns;
+    for (const std::size_t i : which) columns.insert(i / side);
+    const bool affine = side == 4 && std::ranges::none_of(which, [](std::size_t i) { return i % 4 == 3; });
+    std::vector<std::string> parts;
+    for (const std::size_t column : columns) {
+        const auto relation = relation_of(vectors_in(table, wrong, column * side, affine ? 3 : side), table.facts);
+        if (!relation) return;
+        parts.push_back(fmt::format("column {} {}", column, *relation));
+    }
+    found.push_back("is right but for some columns: " + fmt::format("{}", fmt::join(parts, ", ")));
+}
+
+/// State that a call leaves behind for the next.
+void add_question_before(const AnswerTable& table, const Pairs& wrong, std::vector<std::string>& found)
+{
+    std::set<std::vector<double>> different;
+    for (const AnswerPair* one : wrong) {
+        if (one == table.answers.data() || !alike(one->yours, (one - 1)->expected)) return;
+        different.insert(one->yours);
+    }
+    if (different.size() >= least_wrong) found.emplace_back("is the right one to the question before");
+}
+
 void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<std::string>& found)
 {
     const std::vector<std::size_t> which = wrong_components(wrong, table.components);
     if (which.empty()) return;
     if (table.components == 1) {
-        if (const auto change = constant_change(wrong, 1, 0)) found.push_back("is " + *change);
+        if (const auto change = change_of(table, wrong, 0)) found.push_back("is " + *change);
         return;
     }
+    if (which.size() > 1 && table.components <= 4) {
+        WrongVectors vectors = vectors_in(table, wrong, 0, table.components);
+        if (table.columns.size() == table.components) vectors.names = table.columns;
+        if (auto relation = relation_of(vectors, table.facts)) found.push_back(std::move(*relation));
+    }
+    if (which.size() > 1) add_matrix_columns(table, wrong, which, found);
     if (which.size() > most_named || 2 * which.size() > table.components) return;
     std::vector<std::string> names;
     for (const std::size_t i : which)
         names.push_back(i < table.columns.size() ? table.columns[i] : fmt::format("number {}", i));
     std::string text = fmt::format("differs in {} only", fmt::join(names, " and "));
     if (which.size() == 1)
-        if (const auto change = constant_change(wrong, table.components, which.front()))
-            text += fmt::format(", which is {}", *change);
+        if (const auto change = change_of(table, wrong, which.front())) text += fmt::format(", which is {}", *change);
     found.push_back(std::move(text));
 }
 
@@ -189,7 +262,10 @@ std::vector<std::string> answer_patterns(const AnswerTable& table)
     if (const std::string text = presence(wrong); !text.empty()) return {text};
     add_constant(wrong, found);
     add_lists(wrong, table.components, found);
-    if (can_be_compared(wrong)) add_components(table, wrong, found);
+    if (can_be_compared(wrong)) {
+        add_question_before(table, wrong, found);
+        add_components(table, wrong, found);
+    }
     return found;
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "question/facts.hpp"
+
 namespace umbral::grader {
 
 /// A student's answer beside the right one: rows of numbers, one after the other; none where nothing was found.
@@ -18,13 +20,15 @@ struct AnswerTable {
     std::size_t components = 1;          ///< numbers in a row
     std::vector<std::string> columns{};  ///< what they are called; empty if there is only one
     std::vector<AnswerPair> answers{};
+    std::vector<Fact> facts{};  ///< what is told of the questions, in the same order; may be empty
 };
 
 /// Of fewer wrong answers anything may be true by chance.
 inline constexpr std::size_t least_wrong = 4;
 
 /// What all wrong answers share, each in words that hold for answers to other questions too: "differs in y
-/// only", "is always 0", "lacks the last row". The most telling first; none of fewer than least_wrong.
+/// only", "is always 0", "lacks the last row", "is ray.origin", "is the right one to the question before". The most
+/// telling first; none of fewer than least_wrong.
 [[nodiscard]] std::vector<std::string> answer_patterns(const AnswerTable& table);
 
 }

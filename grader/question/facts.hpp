@@ -19,7 +19,7 @@ struct Fact {
     bool component = false;                  ///< one of a vector's: of less interest than the vector
     bool answer = false;                     ///< of the right answer, and not of the question
     bool first = false;                      ///< said before all others that part alike
-    std::vector<double> values;              ///< for each question
+    std::vector<double> values{};            ///< for each question
     std::vector<std::string> value_names{};  ///< what 0, 1, … mean: {"false", "true"}; none of a number that is one
 };
 

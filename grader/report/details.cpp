@@ -95,10 +95,18 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
         if (!check.simplest->where.empty()) block.sentence("", check.simplest->where);
         block.labelled("", side_by_side(*check.simplest, block.room(), paint));
     }
-    if (!check.common.empty()) block.sentence("pattern", check.common);
     block.labelled("there", wrap(paint.safe_lines(check.sketch), block.room()));
     for (const auto& [kind, path] : check.artefacts)
         block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
+}
+
+/// What wrong answers have in common: of the check that is shown, or of the first other that has something to tell.
+void add_pattern(Block& block, const std::vector<const CheckResult*>& failing)
+{
+    const auto found = std::ranges::find_if(failing, [](const CheckResult* check) { return !check->common.empty(); });
+    if (found == failing.end()) return;
+    const std::string where = *found == failing.front() ? "" : fmt::format("in {}: ", (*found)->name);
+    block.sentence("pattern", where + (*found)->common);
 }
 
 void add_reasons(Block& block, const UnitResult& unit)
@@ -207,6 +215,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
     if (ran && shown != nullptr) add_first_failing(block, *shown, paint);
     if (shown == nullptr && hidden_fails)
         block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
+    if (ran) add_pattern(block, failing);
     add_reasons(block, unit);
     if (ran) add_others(block, unit, failing);
     if (!unit.output.empty()) {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <umbral/core/random.hpp>
+#include <utility>
 
 namespace umbral::grader::test {
 namespace {
@@ -14,7 +16,7 @@ using Row = std::vector<double>;
 template <class Wrong>
 AnswerTable table(std::size_t components, Wrong wrong, std::size_t rows = 1)
 {
-    AnswerTable made{components, {}, {}};
+    AnswerTable made{components, {}, {}, {}};
     if (components > 1) made.columns = {"x", "y", "z"};
     for (int i = 0; i < 12; ++i) {
         Row right;
@@ -77,6 +79,119 @@ TEST(AnswerPatterns, say_nothing_of_few_wrong_answers)
     AnswerTable made = table(1, [](Row) { return Row{0}; });
     made.answers.resize(2 * (least_wrong - 1));
     EXPECT_EQ(first(made), "");
+}
+
+/// Questions of one number t and one vector v, with their right answers, and wrong ones made of both.
+template <class Wrong>
+AnswerTable asked_table(std::size_t components, Wrong wrong)
+{
+    AnswerTable made{components, {}, {}, {}};
+    if (components == 3) made.columns = {"x", "y", "z"};
+    for (const char* const name : {"t", "v.x", "v.y", "v.z"}) made.facts.push_back({name, Fact::Kind::number});
+    made.facts.push_back({"the length of v", Fact::Kind::length});
+    Random random(7);
+    for (std::size_t i = 0; i < 20; ++i) {
+        const double t = 1 + static_cast<double>(random.uniform());
+        const Row v{random.uniform(), random.uniform(), random.uniform()};
+        const Row values{t, v[0], v[1], v[2], std::hypot(v[0], v[1], v[2])};
+        for (std::size_t k = 0; k < values.size(); ++k) made.facts[k].values.push_back(values[k]);
+        Row right;
+        for (std::size_t c = 0; c < components; ++c) right.push_back(random.uniform(-1, 1));
+        const bool is_wrong = i % 3 != 0;
+        made.answers.push_back({is_wrong ? wrong(t, v, right) : right, right, is_wrong});
+    }
+    return made;
+}
+
+TEST(AnswerPatterns, say_what_wrong_answers_have_to_do_with_their_questions)
+{
+    const auto number = [](auto wrong) {
+        return first(asked_table(1, [&](double t, const Row& v, const Row& right) {
+            return Row{wrong(t, std::hypot(v[0], v[1], v[2]), right[0])};
+        }));
+    };
+    EXPECT_EQ(number([](double t, double, double) { return t; }), "is t");
+    EXPECT_EQ(number([](double t, double, double right) { return right + t; }), "is the right one plus t");
+    EXPECT_EQ(number([](double t, double, double right) { return right - t; }), "is the right one minus t");
+    EXPECT_EQ(number([](double, double length, double right) { return right * length; }),
+              "is the right one times the length of v");
+    EXPECT_EQ(number([](double, double length, double right) { return right / length; }),
+              "is the right one divided by the length of v");
+    EXPECT_EQ(number([](double, double, double right) { return 0.5 * right + 3; }),
+              "is 0.5 times the right one plus 3");
+    EXPECT_EQ(number([](double t, double, double right) { return t * t * right + 1; }), "");
+    EXPECT_EQ(first(asked_table(3,
+                                [](double t, const Row&, const Row& right) {
+                                    return Row{right[0], right[1], right[2] + t};
+                                })),
+              "differs in z only, which is the right one plus t");
+}
+
+TEST(AnswerPatterns, say_what_wrong_vectors_are)
+{
+    const auto vector = [](auto wrong) { return first(asked_table(3, wrong)); };
+    EXPECT_EQ(vector([](double, const Row& v, const Row&) { return v; }), "is v");
+    EXPECT_EQ(vector([](double, const Row& v, const Row&) {
+                  return Row{-v[0], -v[1], -v[2]};
+              }),
+              "is v with the opposite sign");
+    EXPECT_EQ(vector([](double, const Row& v, const Row& right) {
+                  const double length = std::hypot(v[0], v[1], v[2]);
+                  return Row{length * right[0], length * right[1], length * right[2]};
+              }),
+              "is the right one times the length of v");
+    EXPECT_EQ(vector([](double, const Row&, const Row& right) {
+                  const double factor = 1 + right[0] * right[0];
+                  return Row{factor * right[0], factor * right[1], factor * right[2]};
+              }),
+              "has the right direction, but not the right length");
+    EXPECT_EQ(vector([](double, const Row&, const Row& right) {
+                  return Row{3 * right[0], 3 * right[1], 3 * right[2]};
+              }),
+              "is 3 times the right one");
+    EXPECT_EQ(vector([](double, const Row&, const Row& right) {
+                  return Row{right[1], -right[0], right[2]};
+              }),
+              "is (y, -x, z) of the right one");
+}
+
+TEST(AnswerPatterns, say_which_columns_of_a_matrix_are_wrong)
+{
+    const auto scaled = [](double, const Row& v, Row right) {
+        const double length = std::hypot(v[0], v[1], v[2]);
+        for (std::size_t i = 3; i < 6; ++i) right[i] *= length;
+        return right;
+    };
+    EXPECT_EQ(first(asked_table(9, scaled)),
+              "is right but for some columns: column 1 is the right one times the length of v");
+}
+
+TEST(AnswerPatterns, say_that_an_answer_comes_one_question_late)
+{
+    Row last;
+    const auto late = [&](double, const Row&, const Row& right) { return std::exchange(last, right); };
+    AnswerTable made = asked_table(3, [](double, const Row&, const Row& right) { return right; });
+    for (AnswerPair& one : made.answers) {
+        one.yours = late(0, {}, one.expected);
+        one.wrong = true;
+    }
+    made.answers.front().yours = made.answers.front().expected;
+    made.answers.front().wrong = false;
+    EXPECT_EQ(first(made), "is the right one to the question before");
+}
+
+// Answers by chance have nothing to do with anything.
+TEST(AnswerPatterns, say_nothing_of_numbers_by_chance)
+{
+    Random random(11);
+    for (int i = 0; i < 300; ++i)
+        for (const std::size_t components : {std::size_t{1}, std::size_t{3}, std::size_t{9}}) {
+            const auto chance = [&](double, const Row&, Row right) {
+                for (double& x : right) x = random.uniform(-2, 2);
+                return right;
+            };
+            EXPECT_EQ(first(asked_table(components, chance)), "");
+        }
 }
 
 TEST(AnswerPatterns, say_nothing_of_random_answers)

@@ -137,7 +137,13 @@ bool all_finite(std::span<const double> values)
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-std::string number_text(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+std::string number_text(double value, int digits)
+{
+    // What is no number has no sign, and only where nothing else tells two values apart it matters that 0 has one.
+    if (std::isnan(value)) return "nan";
+    if (value == 0 && digits < most_digits) return "0";
+    return fmt::format("{:.{}g}", value, digits);
+}
 
 std::string count_text(double count)
 {

@@ -59,8 +59,9 @@ private:
 
 [[nodiscard]] bool all_finite(std::span<const double> values);
 
-/// "3.25", "1.6e+06", "nan": in six significant digits unless said otherwise.
+/// "3.25", "1.6e+06", "nan": in six significant digits unless said otherwise. In the most digits, 0 keeps its sign.
 inline constexpr int usual_digits = 6;
+inline constexpr int most_digits = 17;  ///< of a double
 [[nodiscard]] std::string number_text(double value, int digits = usual_digits);
 
 /// Two texts in as few digits, six or more, as tell them apart: `write(digits)` gives both. So two values that differ
@@ -68,7 +69,6 @@ inline constexpr int usual_digits = 6;
 template <class Write>
 [[nodiscard]] auto telling_apart(const Write& write)
 {
-    constexpr int most_digits = 17;  // of a double
     for (int digits = usual_digits; digits <= most_digits; ++digits)
         if (auto both = write(digits); both.first != both.second) return both;
     return write(usual_digits);

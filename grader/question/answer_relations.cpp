@@ -1,0 +1,228 @@
+#include "question/answer_relations.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <set>
+
+namespace umbral::grader {
+namespace {
+
+/// Of the size of what is compared: less is rounding.
+constexpr double rounding = 1e-5;
+/// Of fewer different numbers anything is true by chance.
+constexpr std::size_t least_different = 4;
+
+bool alike(double a, double b) { return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b)); }
+
+bool all_alike(std::span<const double> a, std::span<const double> b) { return std::ranges::equal(a, b, alike); }
+
+bool vary(std::span<const double> values)
+{
+    return std::set<double>(values.begin(), values.end()).size() >= least_different;
+}
+
+/// What is told of these questions. Nothing that is told of right answers: those are compared themselves.
+std::vector<double> values_at(const Fact& fact, std::span<const std::size_t> questions)
+{
+    std::vector<double> values;
+    for (const std::size_t question : questions) values.push_back(fact.values.at(question));
+    return values;
+}
+
+/// The words of the first number told of the questions that has these values, and that says something.
+std::optional<std::string> told_as(std::span<const double> values, std::span<const std::size_t> questions,
+                                   const std::vector<Fact>& facts)
+{
+    if (!vary(values)) return std::nullopt;
+    for (const Fact& fact : facts)
+        if (!fact.answer && fact.kind != Fact::Kind::parallel && all_alike(values_at(fact, questions), values))
+            return fact.words;
+    return std::nullopt;
+}
+
+template <class Make>
+std::vector<double> made_of(std::span<const double> a, std::span<const double> b, Make make)
+{
+    std::vector<double> made(a.size());
+    std::ranges::transform(a, b, made.begin(), make);
+    return made;
+}
+
+/// "2 times", "minus"
+std::string in_words(double number) { return fmt::format("{:.6g}", number); }
+
+/// Right ones whose factor and offset are the same for all.
+std::optional<std::string> linear(std::span<const double> yours, std::span<const double> right)
+{
+    if (!vary(right)) return std::nullopt;
+    const auto [low, high] = std::ranges::minmax_element(right);
+    const auto at = [&](auto place) { return yours[static_cast<std::size_t>(place - right.begin())]; };
+    const double factor = (at(high) - at(low)) / (*high - *low);
+    const double offset = at(high) - factor * *high;
+    const double size = std::max(std::abs(*low), std::abs(*high)) * std::max(1.0, std::abs(factor)) + std::abs(offset);
+    for (std::size_t i = 0; i < right.size(); ++i)
+        if (std::abs(factor * right[i] + offset - yours[i]) > rounding * size) return std::nullopt;
+    if (alike(factor, 1) || std::abs(factor) < 100 * rounding || std::abs(offset) < 100 * rounding * size)
+        return std::nullopt;
+    return fmt::format("{} times the right one {} {}", in_words(factor), offset > 0 ? "plus" : "minus",
+                       in_words(std::abs(offset)));
+}
+
+/// "times the length of normal", "divided by ray.t_max": how each of these factors follows from its question.
+std::optional<std::string> as_factor(std::span<const double> factors, std::span<const std::size_t> questions,
+                                     const std::vector<Fact>& facts)
+{
+    if (std::ranges::any_of(factors, [](double x) { return x == 0 || !std::isfinite(x); })) return std::nullopt;
+    if (const auto words = told_as(factors, questions, facts)) return "times " + *words;
+    std::vector<double> inverse;
+    for (const double factor : factors) inverse.push_back(1 / factor);
+    if (const auto words = told_as(inverse, questions, facts)) return "divided by " + *words;
+    return std::nullopt;
+}
+
+/// The first numbers of vectors of so many components among the facts, and what such a vector is called.
+std::vector<std::pair<std::size_t, std::string>> vectors_among(const std::vector<Fact>& facts, std::size_t components)
+{
+    constexpr std::string_view letters = "xyzw";
+    std::vector<std::pair<std::size_t, std::string>> found;
+    for (std::size_t i = 0; i + components <= facts.size() && components <= letters.size(); ++i) {
+        if (facts[i].answer || !facts[i].words.ends_with(".x")) continue;
+        const std::string base = facts[i].words.substr(0, facts[i].words.size() - 2);
+        bool whole = true;
+        for (std::size_t c = 0; c < components; ++c)
+            whole = whole && facts[i + c].words == fmt::format("{}.{}", base, letters[c]);
+        if (whole) found.emplace_back(i, base);
+    }
+    return found;
+}
+
+double length_of(std::span<const double> v)
+{
+    return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
+}
+
+/// Is each component of `a` that of `b`, but for the rounding of vectors of their size?
+bool alike_vectors(std::span<const double> a, std::span<const double> b)
+{
+    const double size = std::max(length_of(a), length_of(b));
+    return std::ranges::equal(a, b, [size](double x, double y) { return std::abs(x - y) <= rounding * size; });
+}
+
+/// A vector that stands in the question, or its opposite.
+std::optional<std::string> argument(const WrongVectors& vectors, const std::vector<Fact>& facts)
+{
+    for (const auto& [first, name] : vectors_among(facts, vectors.components)) {
+        bool same = true;
+        bool opposite = true;
+        std::set<std::vector<double>> different;
+        for (std::size_t i = 0; i < vectors.yours.size(); ++i) {
+            std::vector<double> value;
+            for (std::size_t c = 0; c < vectors.components; ++c)
+                value.push_back(facts[first + c].values.at(vectors.questions[i]));
+            same = same && alike_vectors(vectors.yours[i], value);
+            std::vector<double> other(value.size());
+            std::ranges::transform(value, other.begin(), std::negate{});
+            opposite = opposite && alike_vectors(vectors.yours[i], other);
+            different.insert(value);
+        }
+        if (different.size() < least_different || (!same && !opposite)) continue;
+        return same ? "is " + name : fmt::format("is {} with the opposite sign", name);
+    }
+    return std::nullopt;
+}
+
+/// How many times the right vector each of these is; nothing if one is no multiple of it.
+std::optional<std::vector<double>> factors_of(const WrongVectors& vectors)
+{
+    std::vector<double> factors;
+    for (std::size_t i = 0; i < vectors.yours.size(); ++i) {
+        const auto yours = vectors.yours[i];
+        const auto right = vectors.right[i];
+        const double square = std::inner_product(right.begin(), right.end(), right.begin(), 0.0);
+        const double factor = std::inner_product(right.begin(), right.end(), yours.begin(), 0.0) / square;
+        if (!(square > 0) || factor == 0) return std::nullopt;
+        std::vector<double> multiple;
+        for (const double x : right) multiple.push_back(factor * x);
+        if (!alike_vectors(yours, multiple)) return std::nullopt;
+        factors.push_back(factor);
+    }
+    return factors;
+}
+
+std::optional<std::string> multiple(const WrongVectors& vectors, const std::vector<Fact>& facts)
+{
+    const auto factors = factors_of(vectors);
+    // Along one axis anything is a multiple.
+    const bool oblique = std::ranges::count_if(vectors.right, [](std::span<const double> right) {
+                             return std::ranges::count_if(right, [](double x) { return x != 0; }) > 1;
+                         }) >= static_cast<std::ptrdiff_t>(least_different);
+    if (!factors || !oblique) return std::nullopt;
+    const auto same = [&](double factor) { return alike(factor, factors->front()); };
+    if (std::ranges::all_of(*factors, same))
+        return alike(factors->front(), -1) ? "is the right one with the opposite sign"
+                                           : fmt::format("is {} times the right one", in_words(factors->front()));
+    if (const auto words = as_factor(*factors, vectors.questions, facts)) return "is the right one " + *words;
+    if (std::ranges::all_of(*factors, [](double factor) { return factor > 0; }))
+        return "has the right direction, but not the right length";
+    return std::nullopt;
+}
+
+/// The same numbers in other places, or with other signs.
+std::optional<std::string> rearranged(const WrongVectors& vectors)
+{
+    if (vectors.names.size() != vectors.components) return std::nullopt;
+    std::vector<std::string> names;
+    bool in_place = true;
+    for (std::size_t to = 0; to < vectors.components; ++to) {
+        const auto holds = [&](std::size_t from, double sign) {
+            for (std::size_t i = 0; i < vectors.yours.size(); ++i)
+                if (std::abs(vectors.yours[i][to] - sign * vectors.right[i][from]) >
+                    rounding * length_of(vectors.right[i]))
+                    return false;
+            std::set<double> values;
+            for (const auto right : vectors.right) values.insert(right[from]);
+            return values.size() >= least_different || from == to;
+        };
+        // Its own place first.
+        std::vector<std::size_t> order{to};
+        for (std::size_t from = 0; from < vectors.components; ++from)
+            if (from != to) order.push_back(from);
+        const auto from = std::ranges::find_if(order, [&](std::size_t i) { return holds(i, 1) || holds(i, -1); });
+        if (from == order.end()) return std::nullopt;
+        const bool plus = holds(*from, 1);
+        in_place = in_place && *from == to && plus;
+        names.push_back((plus ? "" : "-") + vectors.names.at(*from));
+    }
+    if (in_place) return std::nullopt;
+    return fmt::format("is ({}) of the right one", fmt::join(names, ", "));
+}
+
+}
+
+std::optional<std::string> relation_of(const WrongNumbers& numbers, const std::vector<Fact>& facts)
+{
+    if (numbers.yours.empty()) return std::nullopt;
+    if (auto words = told_as(numbers.yours, numbers.questions, facts)) return words;
+    const std::vector<double> more = made_of(numbers.yours, numbers.right, std::minus{});
+    if (const auto words = told_as(more, numbers.questions, facts)) return "the right one plus " + *words;
+    const std::vector<double> less = made_of(numbers.right, numbers.yours, std::minus{});
+    if (const auto words = told_as(less, numbers.questions, facts)) return "the right one minus " + *words;
+    if (const auto words = as_factor(made_of(numbers.yours, numbers.right, std::divides{}), numbers.questions, facts))
+        return "the right one " + *words;
+    return linear(numbers.yours, numbers.right);
+}
+
+std::optional<std::string> relation_of(const WrongVectors& vectors, const std::vector<Fact>& facts)
+{
+    if (vectors.yours.empty()) return std::nullopt;
+    if (auto words = argument(vectors, facts)) return words;
+    if (auto words = multiple(vectors, facts)) return words;
+    return rearranged(vectors);
+}
+
+}
