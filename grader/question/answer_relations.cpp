@@ -17,7 +17,12 @@ constexpr double rounding = 1e-5;
 /// Of fewer different numbers anything is true by chance.
 constexpr std::size_t least_different = 4;
 
-bool alike(double a, double b) { return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b)); }
+/// False where one is not finite: to infinity, all are near.
+bool alike(double a, double b)
+{
+    const double size = std::max(std::abs(a), std::abs(b));
+    return std::isfinite(size) && std::abs(a - b) <= rounding * size;
+}
 
 bool all_alike(std::span<const double> a, std::span<const double> b) { return std::ranges::equal(a, b, alike); }
 
@@ -110,7 +115,8 @@ double length_of(std::span<const double> v)
 bool alike_vectors(std::span<const double> a, std::span<const double> b)
 {
     const double size = std::max(length_of(a), length_of(b));
-    return std::ranges::equal(a, b, [size](double x, double y) { return std::abs(x - y) <= rounding * size; });
+    return std::isfinite(size) &&
+           std::ranges::equal(a, b, [size](double x, double y) { return std::abs(x - y) <= rounding * size; });
 }
 
 /// A vector that stands in the question, or its opposite.

@@ -180,6 +180,13 @@ TEST(AnswerPatterns, say_that_an_answer_comes_one_question_late)
     EXPECT_EQ(first(made), "is the right one to the question before");
 }
 
+TEST(AnswerPatterns, say_nothing_of_questions_about_infinity)
+{
+    AnswerTable made = asked_table(1, [](double t, const Row&, const Row& right) { return Row{right[0] * t * t}; });
+    for (double& t : made.facts.front().values) t = INFINITY;
+    EXPECT_EQ(first(made), "");
+}
+
 // Answers by chance have nothing to do with anything.
 TEST(AnswerPatterns, say_nothing_of_numbers_by_chance)
 {
