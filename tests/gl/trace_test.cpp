@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <umbral/gl/draw_watch.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/gl/trace.hpp>
@@ -11,6 +12,39 @@ namespace umbral::gl {
 namespace {
 
 using Traces = GlTest;
+
+TEST_F(Traces, a_watch_sees_the_state_that_each_draw_meets)
+{
+    const GLuint list = glGenLists(1);
+    std::vector<float> sizes;
+    const auto look = [&] {
+        GLfloat size = 0;
+        glGetFloatv(GL_POINT_SIZE, &size);
+        sizes.push_back(size);
+    };
+    {
+        const DrawWatch watch(look);
+        EXPECT_THROW(DrawWatch{look}, std::logic_error);
+        glPointSize(2);
+        glBegin(GL_POINTS);
+        glVertex2f(0, 0);
+        glArrayElement(0);
+        glEnd();
+        glNewList(list, GL_COMPILE);
+        glBegin(GL_POINTS);
+        glEnd();
+        glEndList();
+        glPointSize(3);
+        glCallList(list);
+        begin_trace();
+        glPointSize(4);
+        glDrawArrays(GL_POINTS, 0, 0);
+        EXPECT_EQ(end_trace().calls.size(), 2U) << "what a watch asks is not traced";
+    }
+    glDrawArrays(GL_POINTS, 0, 0);
+    EXPECT_EQ(sizes, (std::vector<float>{2, 3, 4}));
+    glDeleteLists(list, 1);
+}
 
 TEST_F(Traces, see_calls_between_the_marks_only)
 {

@@ -52,6 +52,16 @@ TEST(HeadlessLoop, polls_and_frames_take_time)
     EXPECT_EQ(glfwGetTimerValue(), 312'500'000U) << "the raw timer is not set";
 }
 
+TEST(HeadlessLoop, whoever_wants_to_is_called_at_each_frame)
+{
+    std::vector<double> frames;
+    Session session("0.25 scroll 0 1", {.on_frame = [&] { frames.push_back(glfwGetTime()); }});
+    glfwSwapBuffers(session.window);
+    glfwWaitEvents();
+    glfwSwapBuffers(session.window);
+    EXPECT_EQ(frames, (std::vector<double>{0, 0.25}));
+}
+
 TEST(HeadlessLoop, wait_returns_at_once_when_woken)
 {
     Session session("5 scroll 0 1");

@@ -115,7 +115,7 @@ const Driver driver = {
          record_whole(out, {{0, 0}, {1, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}}, 6);
          record_whole(out, {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 3}, {1, 2}}, 8);
          record_whole(out, {{1, 0}, {2, 0}, {1, 0}}, 5);
-         record_whole(out, pawn(), 7);
+         record_whole(out, profiles::pawn(), 7);
          out.text("triangles.names", names_of_triangles);
      }},
     {"seam",

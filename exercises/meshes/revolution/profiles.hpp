@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <kit/profiles.hpp>
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <vector>
@@ -10,7 +11,7 @@
 /// Profiles to turn: of known things, of any shape, long ones, and bad ones.
 namespace umbral::meshes {
 
-using Profile = std::vector<glm::vec2>;
+using profiles::Profile;
 
 /// A ball from pole to pole.
 inline Profile semicircle(int points)
@@ -48,30 +49,6 @@ inline Profile long_profile(std::uint32_t points, Random& random)
     for (std::uint32_t j = 0; j < points; ++j) {
         const float up = static_cast<float>(j) * height;
         profile.emplace_back(3 + std::sin(0.05F * up), up + 0.3F * height * random.uniform());
-    }
-    return profile;
-}
-
-/// A pawn, from its foot up; points that stand twice are creases.
-inline Profile pawn()
-{
-    Profile profile{{0, 0}, {0.62F, 0}, {0.62F, 0}, {0.62F, 0.12F}, {0.62F, 0.12F}};
-    const auto curve = [&](glm::vec2 a, glm::vec2 b, glm::vec2 c, int steps) {
-        for (int k = 1; k <= steps; ++k) {
-            const float u = static_cast<float>(k) / static_cast<float>(steps);
-            profile.push_back((1 - u) * (1 - u) * a + 2 * u * (1 - u) * b + u * u * c);
-        }
-    };
-    curve({0.62F, 0.12F}, {0.60F, 0.34F}, {0.36F, 0.38F}, 8);
-    profile.push_back(profile.back());
-    curve({0.36F, 0.38F}, {0.16F, 0.70F}, {0.17F, 1.12F}, 12);
-    profile.push_back(profile.back());
-    curve({0.17F, 1.12F}, {0.36F, 1.14F}, {0.36F, 1.20F}, 5);
-    curve({0.36F, 1.20F}, {0.36F, 1.26F}, {0.15F, 1.27F}, 5);
-    profile.push_back(profile.back());
-    for (int k = 1; k <= 16; ++k) {
-        const double angle = -1.09 + (1.5707963267948966 + 1.09) * k / 16;
-        profile.emplace_back(k == 16 ? 0.0 : 0.34 * std::cos(angle), 1.56 + 0.34 * std::sin(angle));
     }
     return profile;
 }

@@ -74,7 +74,7 @@ inline Image picture(Recorder& out)
     constexpr int width = 200;
     constexpr int height = 260;
     const Stage stage(3 * width, height, ink::night, patterns);
-    const Profile profiles[] = {pawn(), vase(), semicircle(25)};
+    const Profile profiles[] = {profiles::pawn(), vase(), semicircle(25)};
     const float middles[] = {0.95F, 0.82F, 0};
     stage.set({.gloss = 0.35F});
     stage.program().set("two_sided", 1);

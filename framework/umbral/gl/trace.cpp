@@ -1,6 +1,7 @@
 #include <stdexcept>
 #include <umbral/gl/client_memory.hpp>
 #include <umbral/gl/display_lists.hpp>
+#include <umbral/gl/draw_watch.hpp>
 #include <umbral/gl/effects.hpp>
 #include <umbral/gl/forward.hpp>
 #include <umbral/gl/shared_buffers.hpp>
@@ -18,6 +19,11 @@ bool tracing = false;
 Trace running;
 SharedBuffers shared;
 DisplayLists lists;
+std::function<void()> look;  // of the watch; empty without one
+bool looking = false;        // it runs at this moment
+bool between_begin_and_end = false;
+
+void update_watching() { watching = tracing || lists.recording() || look; }
 
 /// What the table of rules says of the function in a slot, looked up once.
 struct Known {
@@ -78,18 +84,33 @@ std::uint64_t bytes_of(const TracedCall& call, const FunctionRule* rule, const C
     return upload_size(call.name, from_the_beginning);
 }
 
+/// Lets the watch look, if this call begins to draw.
+void look_before(std::string_view name, const FunctionRule* rule)
+{
+    const bool begins = name == "glBegin";
+    const bool draws = begins || (rule != nullptr && rule->effect == Effect::draws);
+    if (draws && !between_begin_and_end && !lists.only_recording()) {
+        looking = true;
+        look();
+        looking = false;
+    }
+    if (begins || name == "glEnd") between_begin_and_end = begins;
+}
+
 }
 
 void trace_call(std::size_t slot, const CallArguments& arguments)
 {
+    if (looking) return;
     const std::string_view name = entry_names[slot];
     const auto& [looked_up, always_seen, held_by_lists, rule] = known(slot);
     const std::uint64_t moved = always_seen ? shared.moved_by(name, arguments) : 0;
     if (rule != nullptr && rule->effect == Effect::lists) {
         lists.note(name, arguments);
-        watching = tracing || lists.recording();
+        update_watching();
     }
-    if (!watching) return;
+    if (look) look_before(name, rule);
+    if (!tracing && !lists.recording()) return;
     TracedCall call{name, {arguments.numbers.begin(), arguments.numbers.end()}, 0};
     if (tracing) call.bytes = moved + bytes_of(call, rule, arguments);
     const std::vector<unsigned> called = lists.called_by(name, arguments);
@@ -112,8 +133,22 @@ Trace end_trace()
 {
     if (!tracing) throw std::logic_error("gl::end_trace: no trace is running; call gl::begin_trace first");
     tracing = false;
-    watching = lists.recording();
+    update_watching();
     return std::exchange(running, {});
+}
+
+DrawWatch::DrawWatch(std::function<void()> function)
+{
+    if (look) throw std::logic_error("gl::DrawWatch: there is one already");
+    look = std::move(function);
+    between_begin_and_end = false;
+    update_watching();
+}
+
+DrawWatch::~DrawWatch()
+{
+    look = nullptr;
+    update_watching();
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <umbral/input/events.hpp>
 #include <umbral/input/glfw.hpp>
 #include <vector>
@@ -24,6 +25,7 @@ struct HeadlessSettings {
     double frame_seconds = 1.0 / 64;   ///< what one glfwSwapBuffers takes, if the swap interval is not 0
     double patience_seconds = 1;       ///< how long after its last event the user asks a polling program to close
     std::size_t polls_after_closing = 1000;  ///< how often a program may poll after that before it counts as stuck
+    std::function<void()> on_frame{};        ///< called in each glfwSwapBuffers, where a screen would show the frame
 };
 
 /// How a program used the window: what the event loop is judged by.

@@ -50,6 +50,7 @@ void glfwSwapBuffers(GLFWwindow* handle)
         return report(GLFW_NO_WINDOW_CONTEXT,
                       "Cannot swap buffers of a window that has no OpenGL or OpenGL ES context");
     now.usage.frames.push_back(now.now);
+    if (now.settings.on_frame) now.settings.on_frame();
     if (now.swap_interval != 0) now.now += now.settings.frame_seconds;
 }
 }

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <umbral/gl/framebuffer.hpp>
+
+#include "plain.hpp"
+#include "texels.hpp"
+
+/// Cases of rubric lines 4 and 5: textures and materials.
+namespace umbral::texturing {
+
+// Rubric 4: textures.
+
+inline void show_texture(Recorder& out, const char* name, glm::ivec2 corner, Texture& texture, int height)
+{
+    glViewport(corner.x, height - corner.y - texture.picture.height, texture.picture.width, texture.picture.height);
+    ask<activate_texture>(out, texture);
+    draw_rectangle();
+    out.tile(name, corner.x, corner.y, texture.picture.width, texture.picture.height);
+}
+
+/// Each texel is one pixel. The textures are activated in turn, and one of them again in the end.
+inline void record_textures(Recorder& out, Random& random, bool generates)
+{
+    constexpr int height = 64;
+    constexpr std::array<glm::ivec2, 4> sizes = {{{37, 23}, {64, 64}, {30, 41}, {1, 1}}};
+    const gl::Framebuffer target(144, height);
+    target.clear();
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    std::vector<Texture> textures;
+    for (const glm::ivec2 size : sizes) textures.push_back({.picture = random_picture(random, size.x, size.y)});
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        // Turned by a quarter, and shifted by whole texels: over the edge, where the texture begins again.
+        textures[i].generates = generates && i != 2;
+        const glm::vec2 size(sizes[i]);
+        const float shift = std::floor(0.4F * size.x) / size.x;
+        textures[i].s_plane = {0.5F, 0, 7, 1.5F - shift};
+        textures[i].t_plane = {0, i == 1 ? -0.5F : 0.5F, 0, -0.5F};
+    }
+    int left = 0;
+    for (Texture& texture : textures) {
+        show_texture(out, "texels", {left, 0}, texture, height);
+        left += texture.picture.width + 1;
+    }
+    show_texture(out, "texels", {0, 40}, textures[0], height);
+    out.image("texels", target.read_pixels());
+}
+
+inline void record_names(Recorder& out, Random& random)
+{
+    std::array<Texture, 3> textures;
+    for (Texture& texture : textures) texture.picture = random_picture(random, 20, 12);
+    constexpr std::array<std::size_t, 7> order = {0, 1, 0, 2, 2, 1, 0};
+    const float before = living_texels();
+    out.columns("made", "texels in OpenGL, uploads later than the first of this texture");
+    std::array<bool, 3> made{};
+    for (const std::size_t i : order) {
+        gl::begin_trace();
+        ask<activate_texture>(out, textures[i]);
+        const std::uint64_t uploads = texture_uploads(gl::end_trace());
+        const float later = made[i] ? static_cast<float>(uploads) : 0;
+        made[i] = true;
+        out.append("made", glm::vec2(living_texels() - before, later));
+    }
+}
+
+// Rubric 5: materials.
+
+inline void record_material(Recorder& out, const char* name, const Material& material, const Texture* label,
+                            const Texture* wood)
+{
+    std::vector<float> row;
+    for (const glm::vec4& color : {material.ambient, material.diffuse, material.specular})
+        row.insert(row.end(), {color.r, color.g, color.b, color.a});
+    row.push_back(material.exponent);
+    row.push_back(material.texture == nullptr ? 0.0F
+                  : material.texture == label ? 1.0F
+                  : material.texture == wood  ? 2.0F
+                                              : 3.0F);
+    out.columns(name, "M_A/4, M_D/4, M_S/4, e, texture (0 none; 1 label; 2 wood)");
+    out.append(name, std::span<const float>(row));
+}
+
+inline void materials(Case&, Recorder& out)
+{
+    Texture label;
+    Texture wood;
+    const Materials all = ask<make_materials>(out, label, wood);
+    for (const Material* material : {&all.label, &all.metal, &all.wood, &all.white, &all.black})
+        record_material(out, "numbers", *material, &label, &wood);
+}
+
+inline void activated_materials(Case& c, Recorder& out)
+{
+    std::array<Texture, 2> textures;
+    for (Texture& texture : textures) texture.picture = random_picture(c.random, 8, 8);
+    textures[1].generates = true;
+    const auto random_color = [&] {
+        const float red = c.random.uniform();
+        const float green = c.random.uniform();
+        return glm::vec4(red, green, c.random.uniform(), 1);
+    };
+    out.columns("state",
+                "GL_LIGHTING, GL_TEXTURE_2D, GL_AMBIENT/4, GL_DIFFUSE/4, GL_SPECULAR/4, GL_EMISSION/4, GL_SHININESS");
+    for (int round = 0; round < 12; ++round) {
+        Material material{random_color(), random_color(), random_color(), std::floor(128 * c.random.uniform()),
+                          nullptr};
+        const std::uint32_t which = c.random.below(4);
+        if (which < 2) material.texture = &textures[which];
+        if (round % 3 == 0) glDisable(GL_LIGHTING);
+        if (which >= 2 && round % 2 == 0) glEnable(GL_TEXTURE_2D);
+        ask<activate_material>(out, material);
+        std::vector<float> row;
+        for (const GLenum name : {GL_LIGHTING, GL_TEXTURE_2D})
+            row.push_back(glIsEnabled(name) == GL_TRUE ? 1.0F : 0.0F);
+        for (const GLenum part : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION}) {
+            std::array<GLfloat, 4> color{};
+            glGetMaterialfv(GL_FRONT, part, color.data());
+            row.insert(row.end(), color.begin(), color.end());
+        }
+        glGetMaterialfv(GL_FRONT, GL_SHININESS, &row.emplace_back());
+        out.append("state", std::span<const float>(row));
+    }
+}
+
+}

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <umbral/gl/opengl.hpp>
+#include <umbral/input/glfw.hpp>
+#include <umbral/texturing/lab4_program.hpp>
+#include <vector>
+
+/// What labs 1 to 3 bring: an object of coloured boxes, and a camera that the arrow keys move round it.
+namespace umbral::texturing {
+
+/// A box without lighting: each side has a colour of its own.
+inline void draw_box(const glm::vec3& color)
+{
+    constexpr std::array<float, 3> shades = {0.75F, 1, 0.55F};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-1.0F, 1.0F}) {
+            const glm::vec3 shade = color * shades[static_cast<std::size_t>(axis)] * (side < 0 ? 0.8F : 1.0F);
+            glColor3fv(value_ptr(shade));
+            glBegin(GL_QUADS);
+            for (const glm::vec2 corner : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+                glm::vec3 place(0);
+                place[axis] = side;
+                place[(axis + 1) % 3] = side * corner.x;
+                place[(axis + 2) % 3] = corner.y;
+                glVertex3fv(value_ptr(place));
+            }
+            glEnd();
+        }
+}
+
+class ColouredBoxes : public EarlierLabs {
+public:
+    /// A key as it came: its number, what was done to it, and the modifiers.
+    using KeyRow = std::array<int, 3>;
+
+    void draw() override
+    {
+        ++draws;
+        glClearColor(0.93F, 0.93F, 0.90F, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glEnable(GL_DEPTH_TEST);
+        std::array<GLint, 4> viewport{};
+        glGetIntegerv(GL_VIEWPORT, viewport.data());
+        glMatrixMode(GL_PROJECTION);
+        const glm::mat4 lens = projection(static_cast<float>(viewport[2]) / static_cast<float>(viewport[3]));
+        glLoadMatrixf(value_ptr(lens));
+        glMatrixMode(GL_MODELVIEW);
+        glm::mat4 place = translate(view(), {0, 0.3F, 0});
+        for (int storey = 0; storey < 5; ++storey) {
+            const float size = 0.62F - 0.09F * static_cast<float>(storey);
+            glLoadMatrixf(value_ptr(scale(place, {size, 0.2F, size})));
+            draw_box({0.25F + 0.15F * static_cast<float>(storey), 0.35F, 0.85F - 0.15F * static_cast<float>(storey)});
+            place = rotate(translate(place, {0, 0.42F, 0}), 0.5F, {0, 1, 0});
+        }
+        glDisable(GL_DEPTH_TEST);
+    }
+
+    void key(int key, int action, int mods) override
+    {
+        keys.push_back({key, action, mods});
+        if (action == GLFW_RELEASE) return;
+        if (key == GLFW_KEY_LEFT) longitude_ -= 0.2F;
+        if (key == GLFW_KEY_RIGHT) longitude_ += 0.2F;
+        if (key == GLFW_KEY_UP) latitude_ += 0.1F;
+        if (key == GLFW_KEY_DOWN) latitude_ -= 0.1F;
+    }
+
+    [[nodiscard]] glm::mat4 view() const override
+    {
+        glm::mat4 view = translate(glm::mat4(1), {0, 0, -7.1F});
+        view = rotate(rotate(view, latitude_, {1, 0, 0}), -longitude_, {0, 1, 0});
+        return translate(view, {0.1F, -0.8F, -0.2F});
+    }
+
+    [[nodiscard]] glm::mat4 projection(float aspect) const override
+    {
+        return glm::perspective(glm::radians(24.0F), aspect, 1.0F, 20.0F);
+    }
+
+    std::vector<KeyRow> keys;  ///< that came here
+    int draws = 0;
+
+private:
+    float longitude_ = 0.12F;
+    float latitude_ = 0.36F;
+};
+
+}

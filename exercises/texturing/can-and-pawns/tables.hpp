@@ -1,0 +1,110 @@
+#pragma once
+
+#include <kit/canonical.hpp>
+#include <umbral/record/cost.hpp>
+
+#include "plain.hpp"
+
+/// Cases of rubric lines 1 and 3: tables of numbers.
+namespace umbral::texturing {
+
+// Rubric 1: tables of normals.
+
+inline void record_normals(Recorder& out, const meshes::IndexedMesh& mesh)
+{
+    const NormalTables tables = ask<normals_of>(out, mesh);
+    record_rows(out, "faces", tables.faces, mesh.triangles.size());
+    record_rows(out, "vertices", tables.vertices, mesh.positions.size());
+}
+
+inline void normals(Case&, Recorder& out)
+{
+    record_normals(out, tetrahedron());
+    record_normals(out, cube());
+    meshes::IndexedMesh turned = cube();
+    for (glm::uvec3& triangle : turned.triangles) triangle = {triangle.y, triangle.z, triangle.x};
+    record_normals(out, turned);
+    record_normals(out, {{{0, 0, 0}, {2, 0, 0}, {2, 0, -3}, {0, 0, -3}, {0, 4, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}});
+}
+
+inline void random_normals(Case& c, Recorder& out)
+{
+    for (int i = 0; i < 6; ++i) record_normals(out, patch(c.random, 4 + i, 0.5F * static_cast<float>(1 + i * i)));
+}
+
+inline void odd_normals(Case&, Recorder& out)
+{
+    record_normals(out, with_degenerate_ones());
+    record_normals(out, {});
+    meshes::IndexedMesh small = cube();
+    meshes::IndexedMesh large = cube();
+    for (glm::vec3& place : small.positions) place *= 1e-6F;
+    for (glm::vec3& place : large.positions) place *= 1e6F;
+    record_normals(out, small);
+    record_normals(out, large);
+}
+
+inline void cost_of_normals(Case& c, Recorder& out)
+{
+    for (const int size : {16, 32, 64}) {
+        const meshes::IndexedMesh mesh = patch(c.random, size);
+        record_cost(out, "normals", mesh.triangles.size(), [&] { (void)ask<normals_of>(out, mesh); });
+    }
+}
+
+inline constexpr const char* names_of_triangles = "-1 how many: vertices, coordinates, -\n1 triangle\n";
+
+// Rubric 3: coordinates of surfaces of revolution.
+
+inline void record_surface(Recorder& out, const profiles::Profile& profile, std::uint32_t copies)
+{
+    const Revolved surface = ask<revolve>(out, profile, copies);
+    const std::size_t count = profile.size() * copies;
+    record_rows(out, "places", surface.mesh.positions, count);
+    record_rows(out, "coordinates", surface.coordinates, count);
+    std::vector<glm::uvec3> triangles;
+    for (const glm::uvec3& t : surface.mesh.triangles) {
+        const auto point = [&](std::uint32_t vertex) { return profile[vertex % profile.size()]; };
+        const auto on_axis = [&](std::uint32_t a, std::uint32_t b) { return point(a) == point(b) && point(a).x == 0; };
+        // Those without area may be there or not.
+        const bool along = point(t.x) == point(t.y) && point(t.y) == point(t.z);
+        if (!along && !on_axis(t.x, t.y) && !on_axis(t.y, t.z) && !on_axis(t.z, t.x)) triangles.push_back(t);
+    }
+    out.append("triangles", std::vector<float>{-1, static_cast<float>(surface.mesh.positions.size()),
+                                               static_cast<float>(surface.coordinates.size()), 0});
+    record_indices(out, "triangles", 1, triangles, 2 * count);
+}
+
+inline profiles::Profile random_profile(Random& random, std::uint32_t points)
+{
+    profiles::Profile profile{{random.uniform(0.5F, 2), 0}};
+    while (profile.size() < points) {
+        const float right = random.uniform(-1, 1);
+        const float up = random.uniform(0.05F, 1.5F);
+        const bool twice = random.below(6) == 0;
+        profile.push_back(twice ? profile.back()
+                                : glm::vec2(std::abs(profile.back().x + right) + 0.1F, profile.back().y + up));
+    }
+    profile.emplace_back(random.below(2) == 0 ? 0.0F : 1.0F, profile.back().y + 0.5F);
+    return profile;
+}
+
+inline void known_surfaces(Case&, Recorder& out)
+{
+    out.text("triangles.names", names_of_triangles);
+    record_surface(out, {{2, 0}, {2, 3}, {1, 3}}, 5);
+    record_surface(out, {{1, 0}, {1, 1}, {1, 4}, {4, 8}}, 4);
+    record_surface(out, {{0, -1}, {1, -1}, {1, 1}, {0, 1}}, 9);
+    record_surface(out, profiles::can_top(), 7);
+}
+
+inline void random_surfaces(Case& c, Recorder& out)
+{
+    out.text("triangles.names", names_of_triangles);
+    for (int i = 0; i < 8; ++i) {
+        const std::uint32_t copies = 4 + c.random.below(12);
+        record_surface(out, random_profile(c.random, 2 + c.random.below(8)), copies);
+    }
+}
+
+}
