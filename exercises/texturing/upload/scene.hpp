@@ -85,10 +85,10 @@ inline Grid<glm::u8vec3> world_map(int width, int height)
         const float land = glm::smoothstep(0.545F, 0.56F, rise);
         glm::vec3 color =
             mix(glm::vec3(0.02F, 0.14F, 0.28F), glm::vec3(0.10F, 0.34F, 0.42F), glm::smoothstep(0.4F, 0.55F, rise));
-        color = mix(
-            color,
-            mix(glm::vec3(0.62F, 0.52F, 0.26F), glm::vec3(0.30F, 0.20F, 0.10F), glm::smoothstep(0.56F, 0.8F, rise)),
-            land);
+        color =
+            mix(color,
+                mix(glm::vec3(0.62F, 0.52F, 0.26F), glm::vec3(0.30F, 0.20F, 0.10F), glm::smoothstep(0.56F, 0.8F, rise)),
+                land);
         const glm::vec2 cell = glm::abs(glm::fract(at * glm::vec2(12, 6)) - 0.5F);
         if (std::max(cell.x, cell.y) > 0.475F) color = mix(color, glm::vec3(0.85F, 0.70F, 0.40F), 0.55F);
         return glm::dvec3(color);
@@ -210,8 +210,10 @@ inline std::vector<Furnishing> room()
         {1, 1}, 3, 0.45F, 1));
     Furnishing stand = turned(
         {1.5F, 0, -1.35F},
-        [](float v) { return glm::vec2(0.30F - 0.25F * std::pow(v, 0.35F) + 0.12F * v * v, 0.30F * v); }, {1, 1}, 4,
-        0.3F, 2);
+        [](float v) {
+            return glm::vec2(0.30F - 0.25F * std::pow(std::max(v, 0.0F), 0.35F) + 0.12F * v * v, 0.30F * v);
+        },
+        {1, 1}, 4, 0.3F, 2);
     stand.tint = {0.30F, 0.17F, 0.08F};
     pieces.push_back(stand);
     return pieces;
@@ -236,7 +238,7 @@ inline Image gallery(Recorder& out, int width, int height)
                                            0.1F, 30.0F) *
                               glm::lookAt(eye, {0, 1.12F, -2}, {0, 1, 0}));
     program.set("eye", eye);
-    program.set("sun", glm::normalize(glm::vec3(-0.55F, 0.85F, 0.75F)));
+    program.set("sun", glm::normalize(glm::vec3(-0.9F, 0.85F, 0.5F)));
     const std::array<glm::vec4, 3> balls = {
         glm::vec4(-1.55F, 0.55F, -1.5F, 0.47F), {1.5F, 0.7F, -1.35F, 0.46F}, {1.5F, 0.05F, -1.35F, 0.24F}};
     program.set("balls", std::span<const glm::vec4>(balls));
