@@ -1,5 +1,5 @@
-// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Compatibility Profile). 2017,
-// section 12.1.3 (generating texture coordinates).
+// Based on: M. Segal, K. Akeley. The OpenGL Graphics System: A Specification (Version 4.5, Compatibility Profile).
+// 2017, section 12.1.3 (generating texture coordinates).
 
 #include <umbral/gl/opengl.hpp>
 #include <umbral/texturing/generation.hpp>
