@@ -152,6 +152,19 @@ TEST_F(Upload, nothing_is_called_before_the_first_activation_and_little_after_it
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
+// The statement's table: the five pictures of the museum.
+TEST_F(Upload, the_museum_uploads_each_picture_once)
+{
+    std::vector<std::unique_ptr<Texture>> textures;
+    for (const glm::ivec2 size : {glm::ivec2(150, 150), {66, 66}, {285, 179}, {361, 181}, {1, 1}})
+        textures.push_back(make_texture(Grid<glm::u8vec3>(size.x, size.y), {}, true));
+    gl::begin_trace();
+    for (int frame = 0; frame < 100; ++frame)
+        for (std::size_t i = 0; i < textures.size(); ++i) textures[i]->activate(static_cast<int>(i));
+    EXPECT_EQ(gl::end_trace().uploaded_bytes, 429639U);
+    EXPECT_EQ(living_textures(), 5);
+}
+
 TEST_F(Upload, other_units_and_the_active_one_stay_as_they_were)
 {
     const Decoys decoys;
