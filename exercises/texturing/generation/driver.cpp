@@ -1,0 +1,156 @@
+#include <span>
+#include <umbral/gl/framebuffer.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "measure.hpp"
+#include "scene.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace texturing;
+
+constexpr std::array all_generations = {Generation::off, Generation::object, Generation::eye};
+
+// The course's own planes, and some that a hand can work out.
+void planes(Case& c, Recorder& out)
+{
+    const auto record = [&](const char* name, const glm::vec3& origin, const glm::vec3& axis) {
+        out.append(name, ask<plane_along>(out, origin, axis));
+    };
+    record("by hand", {0, 0, 0}, {1, 0, 0});
+    record("by hand", {0, 0, 0}, {0, 1, 0});
+    record("by hand", {2, 5, -1}, {0, 0, 4});
+    record("by hand", {1, 2, 3}, {0.5F, -0.25F, 1});
+    record("by hand", {-3, 0, 2}, {0, 0, 0});
+    record("by hand", {4, -8, 16}, {-2, 0.5F, 0.125F});
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec3 origin = 4.0F * random_plane(c.random);
+        record("random", origin, random_plane(c.random));
+    }
+}
+
+/// Whatever the matrices are when the unit is called.
+void choose_state(Random& random)
+{
+    glMatrixMode(GL_TEXTURE);
+    glLoadIdentity();
+    glMatrixMode(GL_MODELVIEW);
+    glLoadMatrixf(value_ptr(random_modelview(random)));
+    constexpr std::array modes = {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE};
+    glMatrixMode(static_cast<GLenum>(modes[random.below(3)]));
+}
+
+void set(Recorder& out, const Generator& generator) { ask<set_generator>(out, generator); }
+
+// Each generator is set once, under one matrix, and used for several vertices under others.
+void fixed(Case& c, Recorder& out, const char* name, int rounds)
+{
+    const gl::Framebuffer target(8, 8);
+    const FixedProbe probe;
+    for (int round = 0; round < rounds; ++round) {
+        const Generation generation = round < 2 ? Generation::off : all_generations[c.random.below(3)];
+        const Generator generator = random_generator(c.random, generation);
+        choose_state(c.random);
+        set(out, generator);
+        for (int i = 0; i < 4; ++i) out.append(name, probe.read(random_vertex(c.random)));
+    }
+}
+
+// From one mode to the same one or another, in every order; planes of the one not used are kept by OpenGL.
+void sequence(Case& c, Recorder& out)
+{
+    const gl::Framebuffer target(8, 8);
+    const FixedProbe probe;
+    for (const Generation first : all_generations)
+        for (const Generation second : all_generations)
+            for (const Generation third : all_generations)
+                for (const Generation generation : {first, second, third}) {
+                    const Generator generator = random_generator(c.random, generation);
+                    choose_state(c.random);
+                    set(out, generator);
+                    out.append("st", probe.read(random_vertex(c.random)));
+                }
+}
+
+void shader(Case& c, Recorder& out, const char* name, int rounds)
+{
+    const ShaderProbe probe(ask<generator_vertex_shader>(out));
+    for (int round = 0; round < rounds; ++round)
+        for (const Generation generation : all_generations) {
+            const Generator generator = random_generator(c.random, generation);
+            const Vertex vertex = random_vertex(c.random);
+            const glm::vec2 color(c.random.uniform(), vertex.tex_coord.y);
+            out.append(name, probe.read(vertex, generator, color));
+        }
+}
+
+float integer(GLenum name)
+{
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return static_cast<float>(value);
+}
+
+/// What the unit must leave alone, and the four switches.
+void record_state(Recorder& out)
+{
+    std::vector<float> row;
+    for (const GLenum name :
+         {GL_MATRIX_MODE, GL_MODELVIEW_STACK_DEPTH, GL_PROJECTION_STACK_DEPTH, GL_TEXTURE_STACK_DEPTH,
+          GL_ATTRIB_STACK_DEPTH, GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q, GL_TEXTURE_2D,
+          GL_LIGHTING, GL_ACTIVE_TEXTURE, GL_CURRENT_PROGRAM})
+        row.push_back(integer(name));
+    row.push_back(static_cast<float>(glGetError()));
+    for (const GLenum name : {GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX}) {
+        std::array<GLfloat, 16> matrix{};
+        glGetFloatv(name, matrix.data());
+        row.insert(row.end(), matrix.begin(), matrix.end());
+    }
+    out.columns("left",
+                "GL_MATRIX_MODE, GL_MODELVIEW_STACK_DEPTH, GL_PROJECTION_STACK_DEPTH, GL_TEXTURE_STACK_DEPTH, "
+                "GL_ATTRIB_STACK_DEPTH, GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q, "
+                "GL_TEXTURE_2D, GL_LIGHTING, GL_ACTIVE_TEXTURE, GL_CURRENT_PROGRAM, glGetError, "
+                "GL_MODELVIEW_MATRIX/16, GL_PROJECTION_MATRIX/16, GL_TEXTURE_MATRIX/16");
+    out.append("left", std::span<const float>(row));
+}
+
+void state(Case& c, Recorder& out)
+{
+    for (int round = 0; round < 24; ++round) {
+        const Generation generation = all_generations[static_cast<std::size_t>(round) % 3];
+        const Generator generator = random_generator(c.random, generation);
+        for (const GLenum mode : {GL_PROJECTION, GL_TEXTURE}) {
+            glMatrixMode(mode);
+            glLoadMatrixf(value_ptr(random_modelview(c.random)));
+        }
+        glMatrixMode(GL_MODELVIEW);
+        glLoadMatrixf(value_ptr(random_modelview(c.random)));
+        constexpr std::array modes = {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE};
+        glMatrixMode(static_cast<GLenum>(modes[c.random.below(3)]));
+        c.random.below(2) == 0 ? glEnable(GL_TEXTURE_2D) : glDisable(GL_TEXTURE_2D);
+        glActiveTexture(GL_TEXTURE0 + c.random.below(4));
+        set(out, generator);
+        record_state(out);
+    }
+    glActiveTexture(GL_TEXTURE0);
+}
+
+}
+
+const Driver driver = {
+    {"board", [](Case&, Recorder& out) { out.image("picture", board(out, 480, 360)); }},
+    {"planes", planes},
+    {"fixed", [](Case& c, Recorder& out) { fixed(c, out, "st", 60); }},
+    {"sequence", sequence},
+    {"shader", [](Case& c, Recorder& out) { shader(c, out, "values", 60); }},
+    {"state", state},
+    {"random",
+     [](Case& c, Recorder& out) {
+         fixed(c, out, "fixed", 30);
+         shader(c, out, "shader", 30);
+     }},
+};
+
+}
