@@ -1,0 +1,188 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "baubles.hpp"
+#include "lit_sphere.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace lighting;
+
+// The point and 1; zeros if there is none.
+void append(Recorder& out, std::string_view name, const std::optional<glm::vec3>& point)
+{
+    out.append(name, point ? glm::vec4(*point, 1) : glm::vec4(0));
+}
+
+void record_seen(Recorder& out, const LitSphere& q)
+{
+    append(out, "brightest seen", ask<brightest_seen>(out, q.sphere, q.light, q.eye));
+}
+
+void record_specular(Recorder& out, const LitSphere& q, std::string_view name = "specular")
+{
+    append(out, name, ask<brightest_specular>(out, q.sphere, q.light, q.eye));
+}
+
+void record(Recorder& out, const LitSphere& q)
+{
+    out.append("diffuse", ask<brightest_diffuse>(out, q.sphere, q.light));
+    record_seen(out, q);
+    record_specular(out, q);
+}
+
+void record_is_seen(Recorder& out, const Sphere& sphere, const glm::vec3& point, const glm::vec3& eye)
+{
+    out.append("is seen", ask<is_seen>(out, sphere, point, eye) ? 1 : 0);
+}
+
+// Problem 3.9; the same with other sizes, equally far places, directions, and all on one line.
+void by_hand(Recorder& out)
+{
+    const Light lamp{{0, 2, 0, 1}};
+    const LitSphere questions[] = {{{{0, 0, 0}, 1}, lamp, {2, 0, 0}},
+                                   {{{0, 0, 0}, 1}, lamp, {0, 0, -2}},
+                                   {{{1, 2, 3}, 2}, {{1, 6, 3, 1}}, {5, 2, 3}},
+                                   {{{0, 0, 0}, 1}, {{0, 0, 4, 0}}, {0, 0, 9}},
+                                   {{{0, 0, 0}, 1}, {{0, 5, 0, 1}}, {0, 3, 0}},
+                                   {{{0, 0, 0}, 1}, {{0, 5, 0, 1}}, {0, -3, 0}},
+                                   {{{0, 0, 0}, 1}, {{-1, 0, 0, 0}}, {4, 0, 0}},
+                                   {{{0, 0, 0}, 5}, {{15, 20, 0, 1}}, {-15, 20, 0}},
+                                   {{{2, 0, 0}, 0.5F}, {{0, 0, 3, 0}}, {2, 0.8F, 0.6F}},
+                                   {{{0, 0, 0}, 1}, {{1, 2, 0, 1}}, {-1, 2, 0}}};
+    for (const LitSphere& q : questions) record(out, q);
+    const Sphere unit;
+    for (const glm::vec3& point : {glm::vec3(0, 1, 0), {1, 0, 0}, {-1, 0, 0}, {0.6F, 0.8F, 0}, {0.28F, 0.96F, 0}})
+        record_is_seen(out, unit, point, {2, 0, 0});
+    for (const glm::vec3& point : {glm::vec3(7, 1, 3), {1, 7, 3}, {4, 5, -2}, {5, 4, 5}})
+        record_is_seen(out, {{2, 3, 4}, 5}, point, {12, 9, 3});
+}
+
+void at_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 120; ++i) {
+        const LitSphere q = random_lit_sphere(random, random.uniform(0.05F, 0.9F));
+        record(out, q);
+        // A point that is seen and one that is not, in random order.
+        const bool first = random.below(2) == 0;
+        for (const bool seen : {first, !first}) {
+            const float horizon = q.sphere.radius / length(q.eye - q.sphere.centre);
+            const float cosine = seen ? random.uniform(horizon + 0.02F, 1) : random.uniform(-1, horizon - 0.02F);
+            const glm::vec3 n = round_about(random, normalize(q.eye - q.sphere.centre), cosine);
+            record_is_seen(out, q.sphere, q.sphere.centre + q.sphere.radius * n, q.eye);
+        }
+    }
+}
+
+// Pairs: light and eye see a part of the sphere in common, or, a few degrees further apart, they do not.
+void record_blocked(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const bool first = random.below(2) == 0;
+        for (const bool blocked : {first, !first}) {
+            const float share = blocked ? random.uniform(1.05F, 1.3F) : random.uniform(0.6F, 0.95F);
+            const LitSphere q = random_lit_sphere(random, share);
+            record_seen(out, q);
+            record_specular(out, q);
+        }
+    }
+}
+
+// Directions of light of any length: the place of the sphere does not matter to them.
+void record_directions(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        LitSphere q = random_lit_sphere(random, random.uniform(0.1F, 0.9F), 0);
+        q.light.position *= std::pow(10.0F, random.uniform(-3, 3));
+        record(out, q);
+    }
+}
+
+// Points of the horizon, and the same ones with the eye a little higher or lower; whole numbers, so that n·v is exact.
+void record_horizon(Random& random, Recorder& out)
+{
+    const glm::vec3 triples[] = {{3, 4, 0}, {0, 4, -3}, {-4, 0, 3}, {0, 5, 0}, {-3, 0, -4}, {5, 0, 0}};
+    for (int i = 0; i < 60; ++i) {
+        const glm::vec3 n = triples[i % 6];
+        const glm::vec3 centre(random.below(9), random.below(9), random.below(9));
+        const glm::vec3 tangent = n.y == 0 ? glm::vec3(0, 1, 0) : glm::vec3(n.y, -n.x, 0);
+        const glm::vec3 eye = centre + n + (2.0F + static_cast<float>(random.below(5))) * tangent;
+        const bool first = random.below(2) == 0;
+        for (const bool seen : {first, !first})
+            record_is_seen(out, {centre, 5}, centre + n, seen ? eye + n / 64.0F : i % 2 == 0 ? eye : eye - n / 64.0F);
+    }
+}
+
+// Light and eye exchange their places; and the eye moves elsewhere.
+void record_laws(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const LitSphere q = random_lit_sphere(random, random.uniform(0.3F, 0.8F), 1);
+        record_specular(out, q, "straight");
+        LitSphere exchanged = q;
+        exchanged.light.position = glm::vec4(q.eye, 1);
+        exchanged.eye = glm::vec3(q.light.position);
+        record_specular(out, exchanged, "exchanged");
+        exchanged.eye = q.sphere.centre + 3 * q.sphere.radius * normalize(q.eye - q.sphere.centre + random.in_cube());
+        record_specular(out, exchanged, "another");
+    }
+}
+
+// Light or eye, or both, just above the surface: small steps along it turn l and v far.
+void record_close(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 120; ++i) {
+        const float near = 1 + std::pow(10.0F, random.uniform(-2.9F, -1));
+        const float other = i % 3 == 0 ? random.uniform(2, 5) : 1 + std::pow(10.0F, random.uniform(-2.9F, -1));
+        const LitSphere q =
+            lit_sphere(random, {}, random.uniform(0.1F, 0.9F), i % 2 == 0 ? near : other, i % 2 == 0 ? other : near);
+        record_seen(out, q);
+        record_specular(out, q);
+    }
+}
+
+// A great way off, one of them or both.
+void record_far(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 80; ++i) {
+        const float far = std::pow(10.0F, random.uniform(2, 6));
+        const float other = i % 3 == 0 ? random.uniform(1.5F, 5) : std::pow(10.0F, random.uniform(2, 6));
+        const LitSphere q =
+            lit_sphere(random, {}, random.uniform(0.1F, 0.98F), i % 2 == 0 ? far : other, i % 2 == 0 ? other : far);
+        record(out, q);
+    }
+}
+
+// The way from the eye to the light all but touches the sphere, on this side or the other.
+void record_edge(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const bool first = random.below(2) == 0;
+        for (const bool blocked : {first, !first}) {
+            const float off = std::pow(10.0F, random.uniform(-5.5F, -3));
+            const float light_radii = i % 4 == 0 ? 0 : random.uniform(1.05F, 6);
+            const LitSphere q =
+                lit_sphere(random, {}, blocked ? 1 + off : 1 - off, light_radii, random.uniform(1.05F, 6));
+            record_seen(out, q);
+            record_specular(out, q);
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
+    {"blocked", [](Case& c, Recorder& out) { record_blocked(c.random, out); }},
+    {"directions", [](Case& c, Recorder& out) { record_directions(c.random, out); }},
+    {"horizon", [](Case& c, Recorder& out) { record_horizon(c.random, out); }},
+    {"laws", [](Case& c, Recorder& out) { record_laws(c.random, out); }},
+    {"close", [](Case& c, Recorder& out) { record_close(c.random, out); }},
+    {"far", [](Case& c, Recorder& out) { record_far(c.random, out); }},
+    {"edge", [](Case& c, Recorder& out) { record_edge(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("baubles", baubles(400, 260)); }},
+};
+
+}
