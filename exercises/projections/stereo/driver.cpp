@@ -1,0 +1,316 @@
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <umbral/projections/stereo.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../island.hpp"
+#include "../volumes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+
+void record_pair(Recorder& out, const std::string& name, const StereoPair& pair)
+{
+    out.append(name + " left view", pair.left.view);
+    out.append(name + " left projection", pair.left.projection);
+    out.append(name + " right view", pair.right.view);
+    out.append(name + " right projection", pair.right.projection);
+}
+
+void record(Recorder& out, const StereoScreen& screen)
+{
+    record_pair(out, "off-axis", ask<off_axis_pair>(out, screen));
+    record_pair(out, "toe-in", ask<toe_in_pair>(out, screen));
+}
+
+void record_parallax(Recorder& out, const StereoScreen& screen, float distance)
+{
+    out.append("parallax", ask<parallax>(out, screen, distance));
+}
+
+// A row says whether there is a distance; one that is infinite counts as a distance of its own kind.
+void record_distance(Recorder& out, const StereoScreen& screen, float parallax)
+{
+    const std::optional<float> distance = ask<distance_of_parallax>(out, screen, parallax);
+    if (!distance)
+        out.append("distance", glm::vec2(0));
+    else if (*distance == infinity)
+        out.append("distance", glm::vec2(2, 0));
+    else
+        out.append("distance", glm::vec2(1, *distance));
+}
+
+// A row says whether there is an answer, and which.
+void record_disparity(Recorder& out, const StereoPair& pair, const glm::vec3& point)
+{
+    const std::optional<glm::vec2> seen = ask<disparity>(out, pair, point);
+    out.append("disparity", seen ? glm::vec3(1, *seen) : glm::vec3(0));
+}
+
+// Whole numbers, from 3-4-5 triangles; eyes far apart, so that the two pictures are clearly different. Another screen
+// is not square, and the near plane lies behind it.
+constexpr StereoScreen triangle = {4, 2, 4, 6, 1, 3};
+constexpr StereoScreen known_screens[] = {
+    triangle, {2, 2, 2, 1, 0.5F, 4.5F}, {10, 4, 12, 10, 15, 45}, {8, 6, 8, 12, 2, infinity}};
+
+void record_known(Recorder& out)
+{
+    for (const StereoScreen& screen : known_screens) record(out, screen);
+}
+
+// On the screen, twice as far, half as far, at infinity; and what none of the lines of sight can have.
+void record_known_parallax(Recorder& out)
+{
+    const StereoScreen screen{4, 3, 2, 0.5F, 0.1F, 100};
+    for (const float distance : {2.0F, 4.0F, 1.0F, infinity, 8.0F, 0.25F, 16.0F})
+        record_parallax(out, screen, distance);
+    for (const float parallax : {0.0F, 0.25F, -0.5F, 0.5F, 0.375F, -3.5F, 0.75F, infinity})
+        record_distance(out, screen, parallax);
+}
+
+/// A screen from a telephone to a cinema, seen by eyes of 1 to 20 % of its width.
+StereoScreen random_screen(Random& random)
+{
+    const float width = std::pow(10.0F, random.uniform(-1, 1));
+    const float height = width * random.uniform(0.4F, 2);
+    const float distance = width * random.uniform(0.5F, 4);
+    const float separation = width * random.uniform(0.01F, 0.2F);
+    const float near_plane = distance * random.uniform(0.05F, 1.5F);
+    return {width, height, distance, separation, near_plane, near_plane * std::pow(10.0F, random.uniform(0.2F, 4))};
+}
+
+/// A pair of cameras as somebody has set them up: turned inwards and against each other, one a little higher. Not the
+/// student's, so that a wrong pair does not hide a wrong disparity.
+StereoPair given_pair(const StereoScreen& s, Random& random)
+{
+    const auto eye = [&](float x) {
+        const glm::vec3 target(0.1F * s.distance * random.in_cube() - glm::vec3(0, 0, s.distance));
+        const glm::vec3 up(random.uniform(-0.1F, 0.1F), 1, 0);
+        const float aside = random.uniform(-0.2F, 0.2F);
+        return EyeMatrices{glm::lookAt(glm::vec3(x, 0, 0), target, up),
+                           glm::frustum(aside - 0.5F, aside + 0.5F, -0.4F, 0.4F, 1.0F, 1000.0F)};
+    };
+    const EyeMatrices left = eye(-s.eye_separation / 2);
+    return {left, eye(s.eye_separation / 2)};
+}
+
+/// A point that both eyes have before them.
+glm::vec3 point_before(const StereoScreen& s, Random& random)
+{
+    const float depth = s.distance * random.uniform(0.5F, 10);
+    return depth * glm::vec3(random.uniform(-0.5F, 0.5F), random.uniform(-0.5F, 0.5F), -1);
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const StereoScreen screen = random_screen(random);
+        record(out, screen);
+        record_parallax(out, screen, screen.distance * random.uniform(0.1F, 10));
+        record_distance(out, screen, screen.eye_separation * random.uniform(-8, 0.9F));
+        const StereoPair pair = given_pair(screen, random);
+        record_disparity(out, pair, point_before(screen, random));
+    }
+}
+
+// Whole numbers again: the course's parallaxes, seen in normalised device coordinates.
+void record_known_disparity(Recorder& out)
+{
+    const glm::mat4 projection = glm::frustum(-1.0F, 1.0F, -0.5F, 0.5F, 1.0F, 9.0F);
+    glm::mat4 left(1);
+    left[3].x = 1;
+    glm::mat4 right(1);
+    right[3].x = -1;
+    right[3].y = 0.5F;
+    for (const glm::vec3& point :
+         {glm::vec3(0, 0, -2), {0, 0, -4}, {3, 1, -2}, {-2, 5, -8}, {0, 0, -64}, {1, 1, -0.5F}})
+        record_disparity(out, {{left, projection}, {right, projection}}, point);
+    // Exactly in the plane of one eye, and before the other, which stands a unit further back or forward.
+    right[3].z = -1;
+    record_disparity(out, {{left, projection}, {right, projection}}, {1, 2, 0});
+    right[3].z = 1;
+    record_disparity(out, {{left, projection}, {right, projection}}, {1, 2, -1});
+}
+
+// A point before both eyes, and one behind one eye or both, in random order. The eyes look towards each other, so that
+// what lies far aside is before one only.
+void record_behind(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const StereoScreen screen = random_screen(random);
+        const auto eye = [&](float side) {
+            return EyeMatrices{glm::lookAt(glm::vec3(side * screen.distance, 0, 0), glm::vec3(0, 0, -screen.distance),
+                                           glm::vec3(0, 1, 0)),
+                               glm::frustum(-1.0F, 1.0F, -1.0F, 1.0F, 1.0F, 50.0F)};
+        };
+        const StereoPair pair{eye(-1), eye(1)};
+        const glm::vec3 before = point_before(screen, random) - glm::vec3(0, 0, screen.distance);
+        const float beyond = screen.distance * random.uniform(3, 9);
+        glm::vec3 behind(i % 4 < 2 ? beyond : -beyond, before.y, -0.5F * screen.distance);
+        if (i % 4 == 3) behind = glm::vec3(before.x, before.y, 2 * beyond);
+        const bool first = random.below(2) == 1;
+        for (const bool is_behind : {first, !first}) record_disparity(out, pair, is_behind ? behind : before);
+    }
+}
+
+void record_infinite(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 30; ++i) {
+        StereoScreen screen = random_screen(random);
+        screen.far_plane = infinity;
+        record(out, screen);
+        record_parallax(out, screen, i % 2 == 0 ? infinity : screen.distance * random.uniform(0.5F, 9));
+        const bool first = random.below(2) == 1;
+        const float larger = screen.eye_separation * random.uniform(1.001F, 3);
+        const float smaller = screen.eye_separation * random.uniform(-2, 0.999F);
+        for (const bool none : {first, !first})
+            record_distance(out, screen, none ? larger : i % 3 == 0 ? screen.eye_separation : smaller);
+    }
+}
+
+// A screen, and what is none, in random order.
+void record_refused(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 56; ++i) {
+        const StereoScreen good = random_screen(random);
+        StereoScreen bad = good;
+        const float wrong[] = {0, -1, no_number};
+        float* const numbers[] = {&bad.width, &bad.height, &bad.distance, &bad.eye_separation, &bad.near_plane};
+        if (i % 14 < 10) *numbers[i % 5] = wrong[(i % 14) / 5 + (i % 2)];
+        if (i % 14 == 10) bad.far_plane = bad.near_plane;
+        if (i % 14 == 11) bad.far_plane = 0.5F * bad.near_plane;
+        if (i % 14 == 12) bad.far_plane = -bad.far_plane;
+        if (i % 14 == 13) bad.far_plane = no_number;
+        const float wrong_distances[] = {0, -good.distance, -infinity, no_number};
+        const bool first = random.below(2) == 1;
+        for (const bool is_bad : {first, !first}) {
+            const StereoScreen& asked = is_bad ? bad : good;
+            const float distance = is_bad ? wrong_distances[i % 4] : good.distance * (i % 3 == 0 ? infinity : 2);
+            out.append("off-axis refused", refusal([&] { return ask<off_axis_pair>(out, asked); }));
+            out.append("toe-in refused", refusal([&] { return ask<toe_in_pair>(out, asked); }));
+            out.append("parallax refused", refusal([&] { return ask<parallax>(out, good, distance); }));
+        }
+    }
+}
+
+// Points a hair before or behind the screen; and eyes so close together that both see nearly the same.
+void record_near_the_screen(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        const StereoScreen screen = random_screen(random);
+        const float aside = (i % 2 == 0 ? 1.0F : -1.0F) * std::pow(10.0F, random.uniform(-6, -3));
+        record_parallax(out, screen, screen.distance * (1 + aside));
+    }
+    for (int i = 0; i < 200; ++i) {
+        const StereoScreen screen = random_screen(random);
+        const glm::mat4 projection = glm::frustum(-0.5F, 0.5F, -0.4F, 0.4F, 1.0F, 100.0F);
+        glm::mat4 left(1);
+        left[3].x = screen.width * std::pow(10.0F, random.uniform(-5, -3));
+        glm::mat4 right(1);
+        right[3].x = -left[3].x;
+        const StereoPair pair{{left, projection}, {right, projection}};
+        const std::optional<glm::vec2> seen = ask<disparity>(out, pair, point_before(screen, random));
+        out.append("disparity", seen.value_or(glm::vec2(no_number)));
+    }
+}
+
+constexpr AnaglyphColors all_colors[] = {AnaglyphColors::full, AnaglyphColors::half, AnaglyphColors::gray};
+
+/// The pixels of the anaglyph, row by row; rows of nothing if its size is another one.
+void record_anaglyph(Recorder& out, const Image& left, const Image& right)
+{
+    const std::string names[] = {"full", "half", "gray"};
+    for (const AnaglyphColors colors : all_colors) {
+        const Image picture = ask<anaglyph>(out, left, right, colors);
+        const bool fits =
+            picture.width == left.width && picture.height == left.height && picture.cells.size() == left.cells.size();
+        for (std::size_t i = 0; i < left.cells.size(); ++i)
+            out.append(names[static_cast<std::size_t>(colors)],
+                       fits ? glm::vec4(picture.cells[i]) : glm::vec4(no_number));
+    }
+}
+
+// Pure colours, greys, and all of them against all others.
+void record_known_pixels(Recorder& out)
+{
+    const glm::u8vec4 paints[] = {{255, 0, 0, 255},     {0, 255, 0, 255}, {0, 0, 255, 255},    {255, 255, 255, 255},
+                                  {128, 128, 128, 255}, {0, 0, 0, 255},   {200, 100, 50, 255}, {20, 120, 220, 255}};
+    Image left(8, 8);
+    Image right(8, 8);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            left.at(x, y) = paints[x];
+            right.at(x, y) = paints[y];
+        }
+    record_anaglyph(out, left, right);
+}
+
+Image random_image(int width, int height, Random& random)
+{
+    Image image(width, height);
+    const auto code = [&] { return static_cast<std::uint8_t>(random.below(256)); };
+    for (glm::u8vec4& pixel : image.cells)
+        for (int channel = 0; channel < 4; ++channel) pixel[channel] = code();
+    return image;
+}
+
+// Sizes that are no square, one without a pixel, and alpha that must not come through.
+void record_random_pixels(Random& random, Recorder& out)
+{
+    for (const glm::ivec2& size : {glm::ivec2(37, 5), {1, 90}, {0, 3}, {24, 20}}) {
+        const Image left = random_image(size.x, size.y, random);
+        record_anaglyph(out, left, random_image(size.x, size.y, random));
+    }
+    for (int i = 0; i < 12; ++i) {
+        const Image left = random_image(6, 4, random);
+        const bool first = random.below(2) == 1;
+        for (const bool differs : {first, !first}) {
+            const Image right = random_image(differs && i % 3 != 0 ? 4 : 6, differs && i % 3 != 1 ? 6 : 4, random);
+            out.append("refused", refusal([&] { return ask<anaglyph>(out, left, right, all_colors[i % 3]); }));
+        }
+    }
+}
+
+// The island as a model that stands in the screen: the lighthouse comes out of it, the sea reaches far behind.
+void draw_anaglyph(Recorder& out)
+{
+    constexpr glm::ivec2 size(480, 300);
+    constexpr glm::vec3 sky(0.70F, 0.80F, 0.88F);
+    const Island island;
+    const glm::mat4 head = glm::lookAt(glm::vec3(-3.9F, 3.9F, 9.3F), glm::vec3(0.1F, 0.75F, 0), glm::vec3(0, 1, 0));
+    const StereoScreen screen{10.4F, 6.5F, 9, 0.6F, 2, 80};
+    const StereoPair pair = ask<off_axis_pair>(out, screen);
+    const auto seen_by = [&](const EyeMatrices& eye) {
+        const Stage stage(size.x, size.y, sky);
+        look_through(stage, eye.view * head, eye.projection);
+        island.draw_at_sea(stage, sky);
+        return stage.picture();
+    };
+    const Image left = seen_by(pair.left);
+    const Image right = seen_by(pair.right);
+    out.image("anaglyph", ask<anaglyph>(out, left, right, AnaglyphColors::half));
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known parallax", [](Case&, Recorder& out) { record_known_parallax(out); }},
+    {"known disparity", [](Case&, Recorder& out) { record_known_disparity(out); }},
+    {"known pixels", [](Case&, Recorder& out) { record_known_pixels(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"random pixels", [](Case& c, Recorder& out) { record_random_pixels(c.random, out); }},
+    {"behind", [](Case& c, Recorder& out) { record_behind(c.random, out); }},
+    {"infinite", [](Case& c, Recorder& out) { record_infinite(c.random, out); }},
+    {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
+    {"near the screen", [](Case& c, Recorder& out) { record_near_the_screen(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { draw_anaglyph(out); }},
+};
+
+}
