@@ -1,0 +1,314 @@
+#include <limits>
+#include <umbral/projections/camera.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../island.hpp"
+#include "../volumes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+
+/// A pipeline that takes down what it is told.
+class RecordingTarget final : public MatrixTarget {
+public:
+    void set_view(const glm::mat4& view) override
+    {
+        view_ = view;
+        calls_.x += 1;
+    }
+    void set_projection(const glm::mat4& projection) override
+    {
+        projection_ = projection;
+        calls_.y += 1;
+    }
+
+    [[nodiscard]] const glm::mat4& view() const { return view_; }
+    [[nodiscard]] const glm::mat4& projection() const { return projection_; }
+    [[nodiscard]] const glm::vec2& calls() const { return calls_; }
+
+private:
+    glm::mat4 view_{0};
+    glm::mat4 projection_{0};
+    glm::vec2 calls_{0};
+};
+
+/// What a new target is told.
+RecordingTarget activated(Recorder& out, Camera& camera)
+{
+    RecordingTarget target;
+    if (Questions* const questions = out.questions())
+        questions->set_object(&target, "target", "RecordingTarget target;");
+    ask<&Camera::activate>(out, camera, target);
+    return target;
+}
+
+void record(Recorder& out, Camera& camera)
+{
+    const RecordingTarget target = activated(out, camera);
+    out.append("view", target.view());
+    out.append("projection", target.projection());
+}
+
+using Size = glm::ivec2;
+
+// Square at first, wide, high, the sizes of a minimised window; and each activated twice, in targets of their own.
+constexpr Size sizes[] = {{640, 480}, {300, 300}, {100, 400}, {0, 0}, {1920, 1080}, {0, 77},  {640, 0},
+                          {-5, 100},  {1, 4},     {7, 3},     {3, 7}, {320, -240},  {-8, -8}, {2, 1}};
+
+template <class AnyCamera>
+void record_viewports(Recorder& out, AnyCamera& camera)
+{
+    record(out, camera);
+    for (const Size& size : sizes) {
+        ask<&Camera::set_viewport>(out, camera, size.x, size.y);
+        record(out, camera);
+    }
+    record(out, camera);
+}
+
+void record_base(Recorder& out)
+{
+    const std::unique_ptr<Camera> camera = ask_new<make_camera>(out, "camera");
+    if (camera) record_viewports(out, *camera);
+}
+
+/// Where an orbital camera stands.
+struct Orbit {
+    float a_degrees;
+    float b_degrees;
+    float distance;
+};
+
+std::unique_ptr<OrbitalCamera> made(Recorder& out, const char* name, const Orbit& orbit)
+{
+    return ask_new<make_orbital_camera>(out, name, orbit.a_degrees, orbit.b_degrees, orbit.distance);
+}
+
+// On the axes, at the poles and beyond them; and one that shows which turn comes first.
+void record_known(Recorder& out)
+{
+    for (const Orbit& orbit : {Orbit{0, 0, 5},
+                               {90, 0, 2},
+                               {180, 0, 1},
+                               {-90, 0, 0.5F},
+                               {0, 30, 4},
+                               {0, 90, 3},
+                               {90, 90, 3},
+                               {0, -90, 2},
+                               {30, 150, 2},
+                               {0, 180, 6},
+                               {90, 30, 4},
+                               {30, 60, 8}}) {
+        const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", orbit);
+        if (camera) record(out, *camera);
+    }
+}
+
+void record_orbital_viewports(Recorder& out)
+{
+    const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", {30, 20, 3});
+    if (camera) record_viewports(out, *camera);
+}
+
+/// What one may do to an orbital camera.
+void change(Recorder& out, OrbitalCamera& camera, std::uint32_t kind, const Orbit& orbit, const Size& size)
+{
+    if (kind == 0) ask<&OrbitalCamera::set_angles>(out, camera, orbit.a_degrees, orbit.b_degrees);
+    if (kind == 1) ask<&OrbitalCamera::set_distance>(out, camera, orbit.distance);
+    if (kind == 2) ask<&Camera::set_viewport>(out, camera, size.x, size.y);
+}
+
+// After each change, after two of them, and after none.
+void record_changes(Recorder& out)
+{
+    const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", {0, 0, 5});
+    if (!camera) return;
+    record(out, *camera);
+    const std::uint32_t kinds[] = {0, 1, 2, 3, 1, 0, 2, 1, 0};
+    for (std::uint32_t i = 0; i < 9; ++i) {
+        const auto step = static_cast<float>(i);
+        change(out, *camera, kinds[i], {15 * step, 10 * step - 30, 1 + 0.5F * step},
+               {100 + 50 * static_cast<int>(i), 200});
+        if (i != 4 && i != 6) record(out, *camera);
+    }
+}
+
+Orbit random_orbit(Random& random)
+{
+    const float a = random.uniform(-360, 360);
+    const float b = random.uniform(-180, 180);
+    return {a, b, std::pow(10.0F, random.uniform(-1, 2))};
+}
+
+Size random_size(Random& random)
+{
+    const int width = 1 + static_cast<int>(random.below(2000));
+    return {width, 1 + static_cast<int>(random.below(2000))};
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 20; ++i) {
+        const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", random_orbit(random));
+        for (int step = 0; step < 6; ++step) {
+            const std::uint32_t kind = random.below(3);
+            const Orbit orbit = random_orbit(random);
+            const Size size = random_size(random);
+            if (!camera) continue;
+            change(out, *camera, kind, orbit, size);
+            record(out, *camera);
+        }
+    }
+}
+
+// Two orbital cameras and a base camera, changed in turns; what one is told must not reach the others.
+void record_several(Random& random, Recorder& out)
+{
+    const std::unique_ptr<OrbitalCamera> first = made(out, "first", random_orbit(random));
+    const std::unique_ptr<Camera> base = ask_new<make_camera>(out, "base");
+    const std::unique_ptr<OrbitalCamera> second = made(out, "second", random_orbit(random));
+    for (int step = 0; step < 12; ++step) {
+        const bool is_first = random.below(2) == 1;
+        const std::uint32_t kind = random.below(3);
+        const Orbit orbit = random_orbit(random);
+        const Size size = random_size(random);
+        const Size other = random_size(random);
+        if (!first || !second || !base) continue;
+        change(out, is_first ? *first : *second, kind, orbit, size);
+        if (step % 3 == 0) ask<&Camera::set_viewport>(out, *base, other.x, other.y);
+        record(out, *first);
+        record(out, *base);
+        record(out, *second);
+    }
+}
+
+// One target for several activations, with or without a change in between: it is told each time.
+void record_calls(Random& random, Recorder& out)
+{
+    out.columns("calls", "set_view, set_projection");
+    for (int i = 0; i < 24; ++i) {
+        const Orbit orbit = random_orbit(random);
+        const Size size = random_size(random);
+        const std::unique_ptr<OrbitalCamera> orbital = made(out, "orbital", orbit);
+        const std::unique_ptr<Camera> base = ask_new<make_camera>(out, "base");
+        if (!orbital || !base) continue;
+        RecordingTarget target;
+        if (Questions* const questions = out.questions())
+            questions->set_object(&target, "target", "RecordingTarget target;");
+        Camera& camera = i % 2 == 0 ? *base : *orbital;
+        for (int k = 0; k < (i * 5) % 7; ++k) {
+            if (k % 3 == 2) ask<&Camera::set_viewport>(out, camera, size.x, size.y);
+            ask<&Camera::activate>(out, camera, target);
+        }
+        out.append("calls", target.calls());
+    }
+}
+
+// What is refused and what is not, in random order; and after each attempt, what the camera still is.
+void record_refused(Random& random, Recorder& out)
+{
+    const float wrong[] = {0, -1, no_number, infinity, -infinity};
+    const Orbit start = random_orbit(random);
+    const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", start);
+    for (int i = 0; i < 15; ++i) {
+        const Orbit good = random_orbit(random);
+        const float distance = wrong[i % 5];
+        const float angle = wrong[2 + i % 3];
+        const bool first = random.below(2) == 1;
+        if (!camera) continue;
+        for (const bool is_bad : {first, !first}) {
+            out.append("distance refused", refusal([&] {
+                           ask<&OrbitalCamera::set_distance>(out, *camera, is_bad ? distance : good.distance);
+                           return 0;
+                       }));
+            record(out, *camera);
+            out.append("angles refused", refusal([&] {
+                           ask<&OrbitalCamera::set_angles>(out, *camera, is_bad && i % 2 == 0 ? angle : good.a_degrees,
+                                                           is_bad && i % 2 == 1 ? angle : good.b_degrees);
+                           return 0;
+                       }));
+            record(out, *camera);
+            Orbit asked = good;
+            if (is_bad && i % 3 == 0) asked.a_degrees = angle;
+            if (is_bad && i % 3 == 1) asked.b_degrees = angle;
+            if (is_bad && i % 3 == 2) asked.distance = distance;
+            out.append("factory refused", refusal([&] { return made(out, "refused", asked); }));
+        }
+    }
+}
+
+// Angles of up to ten million degrees, whole turns and all.
+void record_many_turns(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const float size = std::pow(10.0F, random.uniform(3, 7));
+        const float a = size * random.uniform(-1, 1);
+        const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", {a, size * random.uniform(-1, 1), 2});
+        if (camera) out.append("view", activated(out, *camera).view());
+    }
+}
+
+// A control room: five cameras, each with a window of its own shape; the last one is the base camera, before a model.
+void draw_windows(Recorder& out)
+{
+    constexpr glm::ivec2 size(480, 320);
+    constexpr glm::vec3 sky(0.58F, 0.76F, 0.91F);
+    const Stage stage(size.x, size.y, {0.05F, 0.05F, 0.07F});
+    const Island island;
+    const auto begin = [&](Camera& camera, const glm::ivec2& corner, const glm::ivec2& extent) {
+        begin_panel(2 * corner, 2 * extent, sky);
+        ask<&Camera::set_viewport>(out, camera, extent.x, extent.y);
+        return activated(out, camera);
+    };
+    struct Window {
+        Orbit orbit;
+        glm::ivec2 corner;
+        glm::ivec2 extent;
+    };
+    // The island's middle is a little above the origin.
+    const glm::mat4 lowered = glm::translate(glm::mat4(1), {0, -0.9F, 0});
+    const Window windows[] = {{{-28, 16, 7.4F}, {4, 132}, {344, 184}},
+                              {{140, 34, 12.5F}, {352, 132}, {124, 184}},
+                              {{0, 89, 9.5F}, {4, 4}, {124, 124}},
+                              {{-62, 6, 4.4F}, {132, 4}, {216, 124}}};
+    for (const Window& window : windows) {
+        const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", window.orbit);
+        if (!camera) continue;
+        const RecordingTarget target = begin(*camera, window.corner, window.extent);
+        look_through(stage, target.view() * lowered, target.projection());
+        island.draw_at_sea(stage, sky);
+    }
+    const std::unique_ptr<Camera> base = ask_new<make_camera>(out, "base");
+    if (base) {
+        const RecordingTarget target = begin(*base, {352, 4}, {124, 124});
+        const glm::mat4 model = glm::rotate(glm::mat4(1), 0.6F, glm::vec3(1, 0, 0)) *
+                                glm::rotate(glm::mat4(1), 0.7F, glm::vec3(0, 1, 0)) *
+                                glm::scale(glm::mat4(1), glm::vec3(0.155F)) * lowered;
+        look_through(stage, target.view() * model, target.projection());
+        island.draw(stage);
+    }
+    out.image("colours", stage.picture());
+}
+
+}
+
+const Driver driver = {
+    {"base", [](Case&, Recorder& out) { record_base(out); }},
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"viewports", [](Case&, Recorder& out) { record_orbital_viewports(out); }},
+    {"changes", [](Case&, Recorder& out) { record_changes(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"several", [](Case& c, Recorder& out) { record_several(c.random, out); }},
+    {"calls", [](Case& c, Recorder& out) { record_calls(c.random, out); }},
+    {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
+    {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { draw_windows(out); }},
+};
+
+}

@@ -1,0 +1,314 @@
+#include <algorithm>
+#include <limits>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../volumes.hpp"
+#include "panorama.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace projections;
+
+constexpr float pi = std::numbers::pi_v<float>;
+constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+
+// A row says whether there is an answer, and which.
+glm::vec4 row_of(const std::optional<CurvedPoint>& seen)
+{
+    return seen ? glm::vec4(1, seen->place, seen->distance) : glm::vec4(0);
+}
+
+void record(Recorder& out, const glm::vec3& point)
+{
+    out.append("sphere", row_of(ask<spherical_projection>(out, point)));
+    out.append("cylinder", row_of(ask<cylindrical_projection>(out, point)));
+}
+
+// Lengths that are whole; the axes, the plane of the eye, straight behind with both zeros, and the eye itself.
+void record_known(Recorder& out)
+{
+    for (const glm::vec3& point : {glm::vec3(0, 0, -5),
+                                   {3, 4, -12},
+                                   {-2, 1, -2},
+                                   {4, 2, 4},
+                                   {-4, -2, 4},
+                                   {6, 0, 0},
+                                   {-3, 4, 0},
+                                   {0, 2, -0.0F},
+                                   {0, -7, 0},
+                                   {0, 0, 3},
+                                   {-0.0F, 1, 2},
+                                   {-0.0F, 1, 0.5F},
+                                   {0, 0, 0},
+                                   {1, -1, -1},
+                                   {0, 3, -4},
+                                   {2, 3, 6}})
+        record(out, point);
+}
+
+/// A point within 10 of the eye, in any direction.
+glm::vec3 random_point(Random& random)
+{
+    const glm::vec3 direction = random.unit_vector();
+    return random.uniform(0.1F, 10) * direction;
+}
+
+// A point that appears, and one that does not, in random order.
+void record_behind(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 30; ++i) {
+        glm::vec3 before = random_point(random);
+        before.z = -std::abs(before.z) - 0.01F;
+        glm::vec3 behind = before * glm::vec3(1, 1, -1);
+        if (i % 3 == 1) before.z = 0;
+        if (i % 5 == 4) behind = glm::vec3(0);
+        const bool first = random.below(2) == 1;
+        const float along = random.uniform(-9, 9);
+        for (const bool is_behind : {first, !first}) {
+            out.append("sphere", row_of(ask<spherical_projection>(out, is_behind ? behind : before)));
+            const glm::vec3 axis(0, along, 0);
+            out.append("cylinder", row_of(ask<cylindrical_projection>(out, is_behind ? axis : before)));
+        }
+    }
+}
+
+// Coordinates from 1e-35 to 1e37, whose squares are no floats; and points right beside the axis.
+void record_sizes(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const float size = std::pow(10.0F, random.uniform(-34, 36));
+        glm::vec3 point = size * random_point(random);
+        if (i % 3 == 0) point *= glm::vec3(1e-3F, 1, 1e-3F);
+        point.z = -std::abs(point.z);
+        for (const bool on_sphere : {true, false}) {
+            const std::optional<CurvedPoint> seen =
+                on_sphere ? ask<spherical_projection>(out, point) : ask<cylindrical_projection>(out, point);
+            const CurvedPoint answer = seen.value_or(CurvedPoint{glm::vec2(no_number), no_number});
+            const std::string name = on_sphere ? "sphere" : "cylinder";
+            out.append(name + " x", answer.place.x);
+            out.append(name + " y", answer.place.y);
+            out.append("distance", answer.distance);
+        }
+    }
+}
+
+void record_angle(Recorder& out, const glm::vec3& a, const glm::vec3& b)
+{
+    out.append("angle", ask<visual_angle>(out, a, b));
+}
+
+void record_known_angles(Recorder& out)
+{
+    const glm::vec3 ahead(0, 0, -1);
+    for (const glm::vec3& other :
+         {glm::vec3(1, 0, 0), {0, 0, -7}, {0, 0, 2}, {1, 0, -1}, {0, -3, -3}, {0, 0, 0}, {-1, 0, 1}})
+        record_angle(out, ahead, other);
+    record_angle(out, {0, 0, 0}, {1, 2, 3});
+    record_angle(out, {2, 0, 0}, {1, 1.7320508F, 0});
+}
+
+// Two directions that differ by 1e-6 to 1e-3, or are as nearly opposite; of all sizes.
+void record_small_angles(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const glm::vec3 a = random.unit_vector();
+        const glm::vec3 aside = std::pow(10.0F, random.uniform(-6, -3)) * random.unit_vector();
+        const float size = std::pow(10.0F, random.uniform(-30, 30));
+        record_angle(out, size * a, (i % 3 == 0 ? -1.0F : 1.0F) * (a + aside));
+    }
+}
+
+using Triangle = std::array<glm::vec3, 3>;
+
+bool is_less(const glm::vec3& a, const glm::vec3& b)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (a[axis] != b[axis]) return a[axis] < b[axis];
+    return false;
+}
+
+/// Triangles that begin at their least corner, the least triangles first. Corners here are whole multiples of 2^-12,
+/// so every middle is exact, and there is no other order.
+std::vector<Triangle> sorted(const std::vector<glm::vec3>& corners)
+{
+    std::vector<Triangle> triangles;
+    for (std::size_t i = 0; i + 3 <= corners.size(); i += 3) {
+        Triangle next{corners[i], corners[i + 1], corners[i + 2]};
+        std::rotate(next.begin(), std::min_element(next.begin(), next.end(), is_less), next.end());
+        triangles.push_back(next);
+    }
+    std::sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), is_less);
+    });
+    return triangles;
+}
+
+/// How many triangles there are, and eight of them, taken evenly from the sorted list.
+void record_cut(Recorder& out, const std::vector<glm::vec3>& corners, float largest_angle)
+{
+    const std::vector<glm::vec3> cut = ask<tessellated>(out, corners, largest_angle);
+    out.append("count", static_cast<float>(cut.size()));
+    const std::vector<Triangle> triangles = sorted(cut);
+    for (std::size_t i = 0; i < 8; ++i) {
+        Triangle row;
+        row.fill(glm::vec3(-1000));  // stands for no triangle
+        if (!triangles.empty()) row = triangles[i * triangles.size() / 8];
+        std::array<float, 9> numbers{};
+        for (std::size_t k = 0; k < 9; ++k) numbers[k] = row[k / 3][static_cast<int>(k % 3)];
+        out.append("triangles", std::span<const float>(numbers));
+    }
+}
+
+// One that is fine as it is; one that is cut once, and twice; two of which only one would need it; the eye within, at a
+// corner, and on an edge; one edge only that is too wide, each in its turn; none at all.
+void record_known_cuts(Recorder& out)
+{
+    const std::vector<glm::vec3> wall = {{-1, 0, -2}, {1, 0, -2}, {0, 2, -2}};
+    for (const float angle : {3.0F, 1.0F, 0.75F, 0.5F, 0.25F}) record_cut(out, wall, angle);
+    record_cut(out, {{-1, 0, -2}, {1, 0, -2}, {0, 2, -2}, {0, 0, -64}, {1, 0, -64}, {0, 1, -64}}, 0.75F);
+    record_cut(out, {{-4, -1, 4}, {4, -1, 4}, {0, -1, -6}}, 0.5F);
+    record_cut(out, {{0, 0, 0}, {4, 0, -4}, {0, 4, -4}}, 0.3F);
+    record_cut(out, {{-4, 0, 0}, {4, 0, 0}, {0, 4, -4}}, 4);
+    for (const std::vector<glm::vec3>& flat : {std::vector<glm::vec3>{{1, 0, -2}, {0, 0.25F, -2}, {-1, 0, -2}},
+                                               {{0, 0.25F, -2}, {-1, 0, -2}, {1, 0, -2}},
+                                               {{-1, 0, -2}, {1, 0, -2}, {0, 0.25F, -2}}})
+        record_cut(out, flat, 0.75F);
+    record_cut(out, {}, 0.5F);
+}
+
+/// Triangles within 16 of the eye, their coordinates whole multiples of 1/8.
+std::vector<glm::vec3> random_triangles(std::size_t count, Random& random)
+{
+    std::vector<glm::vec3> corners(3 * count);
+    const auto coordinate = [&] { return static_cast<float>(random.below(257)) / 8 - 16; };
+    for (glm::vec3& corner : corners)
+        for (int axis = 0; axis < 3; ++axis) corner[axis] = coordinate();
+    return corners;
+}
+
+// Far away, where rounding takes for nothing what an edge is seen under.
+void record_far_cuts(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 15; ++i) {
+        std::vector<glm::vec3> corners = random_triangles(2, random);
+        for (glm::vec3& corner : corners) corner = 0.125F * corner + glm::vec3(0, 0, -2048);
+        record_cut(out, corners, std::pow(10.0F, random.uniform(-4.2F, -3.2F)));
+    }
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        record(out, random_point(random));
+        const glm::vec3 a = random_point(random);
+        record_angle(out, a, random_point(random));
+    }
+    for (int i = 0; i < 20; ++i) {
+        const std::vector<glm::vec3> corners = random_triangles(1 + random.below(3), random);
+        record_cut(out, corners, random.uniform(0.3F, 2));
+    }
+}
+
+void record_seam(Recorder& out, const std::array<float, 3>& angles)
+{
+    const std::array<float, 3> moved = ask<without_seam>(out, angles);
+    out.append("angles", glm::vec3(moved[0], moved[1], moved[2]));
+}
+
+// Nowhere near the seam, across it in both directions, and begun at each of the corners.
+void record_known_seams(Recorder& out)
+{
+    for (const std::array<float, 3>& angles : {std::array{0.0F, 1.0F, -1.0F},
+                                               {3.0F, -3.0F, 2.5F},
+                                               {-3.0F, 3.0F, -2.5F},
+                                               {2.5F, 3.0F, -3.0F},
+                                               {-3.0F, -3.0F, 3.0F},
+                                               {3.0F, 3.1F, 2.9F},
+                                               {pi, -pi, 3.0F},
+                                               {1.5F, -1.5F, 0.0F},
+                                               {0.5F, 3.0F, -3.0F}})
+        record_seam(out, angles);
+}
+
+void record_random_seams(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 200; ++i) {
+        const auto angle = [&] { return random.uniform(-pi, pi); };
+        const float first = angle();
+        const float second = angle();
+        record_seam(out, {first, second, angle()});
+    }
+}
+
+void record_refused(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 24; ++i) {
+        const std::vector<glm::vec3> good = random_triangles(2, random);
+        std::vector<glm::vec3> bad = good;
+        bad.resize(i % 2 == 0 ? 4 : 5);
+        const float wrong[] = {0, -1, no_number};
+        const bool first = random.below(2) == 1;
+        for (const bool is_bad : {first, !first}) {
+            const bool by_count = i % 4 == 0;
+            out.append("refused", refusal([&] {
+                           return ask<tessellated>(out, is_bad && by_count ? bad : good,
+                                                   is_bad && !by_count ? wrong[i % 3] : 1.0F);
+                       }));
+        }
+    }
+}
+
+// The hall all around the eye, rolled out, and below it in a fisheye lens: ahead, upwards, and down at a crate.
+void draw_views(Recorder& out)
+{
+    constexpr glm::ivec2 size(480, 326);
+    constexpr int disc = 158;
+    constexpr int strip = 164;
+    const DoubleFrame frame(size.x, size.y, {0.05F, 0.05F, 0.07F});
+    glEnable(GL_DEPTH_TEST);
+    const gl::Program program({"hall.vert", hall_vertex_shader},
+                              lit_fragment_shader("hall.frag", hall_fragment_shader));
+    const std::vector<HallPart> hall = built_hall();
+    const glm::vec3 eye(0.9F, 1.65F, 1.2F);
+
+    ask_in_words(out,
+                 [] { return "// every corner of the hall: tessellated(corners, 0.2), then cylindrical_projection"; });
+    const float reach = pi * static_cast<float>(strip) / static_cast<float>(size.x);
+    glViewport(0, 2 * (size.y - strip), 2 * size.x, 2 * strip);
+    program.set("is_disc", 0);
+    draw_hall(program, hall, hall_view(eye, {-0.6F, 1.65F, -4}), [&](auto& vertices, auto corners, const auto& world) {
+        add_to_panorama(vertices, corners, world, reach);
+    });
+
+    ask_in_words(out, [] { return "// the same in three directions, with spherical_projection"; });
+    program.set("is_disc", 1);
+    int column = 0;
+    for (const glm::vec3& target : {glm::vec3(-5, 1.9F, -1.5F), {0.9F, 9, 1.2F}, {1.6F, 0.4F, -2}}) {
+        glViewport(2 * column * (size.x - disc) / 2, 0, 2 * disc, 2 * disc);
+        draw_hall(program, hall, hall_view(eye, target),
+                  [&](auto& vertices, auto corners, const auto& world) { add_to_disc(vertices, corners, world); });
+        ++column;
+    }
+    out.image("colours", frame.picture());
+}
+
+}
+
+const Driver driver = {
+    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known angles", [](Case&, Recorder& out) { record_known_angles(out); }},
+    {"known cuts", [](Case&, Recorder& out) { record_known_cuts(out); }},
+    {"known seams", [](Case&, Recorder& out) { record_known_seams(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"random seams", [](Case& c, Recorder& out) { record_random_seams(c.random, out); }},
+    {"behind", [](Case& c, Recorder& out) { record_behind(c.random, out); }},
+    {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
+    {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
+    {"small angles", [](Case& c, Recorder& out) { record_small_angles(c.random, out); }},
+    {"far cuts", [](Case& c, Recorder& out) { record_far_cuts(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { draw_views(out); }},
+};
+
+}
