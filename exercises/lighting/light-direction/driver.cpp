@@ -61,6 +61,9 @@ void by_hand(Recorder& out)
     record_angles(out, {-0.0F, 0, 2});
     record_angles(out, {0, -0.0F, -2});
     record_angles(out, {-1e-30F, 0, 1});
+    // Next to the longitude 0, on either side.
+    record_angles(out, {0.01F, 0, 1});
+    record_angles(out, {-0.01F, 0.01F, 1});
 }
 
 // Longitudes a degree off the place where 360 becomes 0, latitudes up to 80 degrees.
@@ -100,6 +103,8 @@ void keys_by_hand(Recorder& out)
     record_keys(out, {-30, 0}, 45, "xaaaacczzzzzxxxx");
     record_keys(out, {725, 90}, 180, "azxxczzaac");
     record_keys(out, {0, -90}, 90, "zacAaC");
+    record_keys(out, {500, 89.75F}, 0.5F, "xcaAzc");
+    record_keys(out, {-0.5F, 0}, 0.5F, "xxxccccx");
     // Neighbours of the keys, in the alphabet and on the keyboard, are no keys.
     record_keys(out, {120, 45}, 10, "bByYwWsSqQdDvV10 \n[{xZ");
 }
@@ -107,7 +112,7 @@ void keys_by_hand(Recorder& out)
 void random_keys(Random& random, Recorder& out)
 {
     for (int i = 0; i < 12; ++i) {
-        const auto longitude = static_cast<float>(random.below(720)) - 360;
+        const auto longitude = static_cast<float>(random.below(2000)) - 1000;
         const auto latitude = static_cast<float>(random.below(181)) - 90;
         const float step = 0.5F * static_cast<float>(1 + random.below(60));
         record_keys(out, {longitude, latitude}, step, random_session(random, 40));
