@@ -105,7 +105,7 @@ void at_random(Random& random, Recorder& out)
 
 // Squares before and behind each other, in either order, and targets that are not empty: nothing that is hidden may
 // show, and light is asked for what passes the depth test at its turn only.
-void record_hidden(Random& random, Recorder& out)
+void record_occlusion(Random& random, Recorder& out)
 {
     for (std::size_t i = 0; i < 12; ++i) {
         const StagedMesh near = square(6, 14, random.uniform(0.2F, 0.4F), 0.5F);
@@ -147,7 +147,7 @@ void record_degenerate(Random& random, Recorder& out)
 const Driver driver = {
     {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
-    {"hidden", [](Case& c, Recorder& out) { record_hidden(c.random, out); }},
+    {"occlusion", [](Case& c, Recorder& out) { record_occlusion(c.random, out); }},
     {"degenerate", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { out.image("knot", knot(400, 260)); }},
 };

@@ -136,6 +136,37 @@ TEST(ShadingMethods, normals_are_unit_for_random_triangles)
     }
 }
 
+// The header's guarantees, against long double.
+TEST(ShadingMethods, normals_are_as_exact_as_promised)
+{
+    using Vector = glm::vec<3, long double>;
+    constexpr std::uint64_t seed = 20702;
+    Random random(seed);
+    int compared = 0;
+    for (int i = 0; i < 300; ++i) {
+        const StagedMesh mesh = random_mesh(random, size, 3, 1);
+        const glm::uvec3& t = mesh.triangles[0];
+        const StagedVertex* const corners[] = {&mesh.vertices[t.x], &mesh.vertices[t.y], &mesh.vertices[t.z]};
+        std::vector<pipeline::Fragment> fragments;
+        rasterize_triangle({corners[0]->window, corners[1]->window, corners[2]->window}, size, size, fragments);
+        const Vector a(corners[0]->at.position);
+        const Vector exact = normalize(cross(Vector(corners[1]->at.position) - a, Vector(corners[2]->at.position) - a));
+        const Drawn flat = drawn(draw_flat, mesh, normal);
+        const Drawn phong = drawn(draw_phong, mesh, normal);
+        for (const pipeline::Fragment& fragment : fragments) {
+            Vector sum(0);
+            for (int k = 0; k < 3; ++k)
+                sum += static_cast<long double>(fragment.weights[k]) * Vector(corners[k]->at.normal);
+            const glm::ivec2& p = fragment.pixel;
+            ASSERT_LE(length(Vector(flat.layer.colors.at(p.x, p.y)) - exact), 1e-7L) << "seed " << seed;
+            if (length(sum) < 1e-3L) continue;
+            ++compared;
+            ASSERT_LE(length(Vector(phong.layer.colors.at(p.x, p.y)) - normalize(sum)), 1e-7L) << "seed " << seed;
+        }
+    }
+    EXPECT_GT(compared, 2000);
+}
+
 TEST(ShadingMethods, null_vectors_stay_null)
 {
     StagedMesh mesh = square(2, 18, 0.5F, 1);
