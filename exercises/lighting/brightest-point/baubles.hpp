@@ -44,22 +44,38 @@ inline void add_star(Grid<glm::vec3>& picture, const glm::vec2& place, const glm
         }
 }
 
-/// The night behind the baubles, with the blurred lights of a tree.
-inline glm::vec3 blurred_lights(const glm::vec2& at)
+/// A light of the tree, out of focus: a disc.
+struct BlurredLight {
+    glm::vec2 place;
+    float radius;
+    glm::vec3 color;
+};
+
+inline std::vector<BlurredLight> blurred_lights()
 {
-    glm::vec3 light = glm::mix(glm::vec3(0.010F, 0.014F, 0.030F), glm::vec3(0.030F, 0.012F, 0.020F),
-                               glm::clamp(0.5F + 0.25F * at.y, 0.0F, 1.0F));
-    for (int i = 0; i < 46; ++i) {
+    constexpr std::array<glm::vec3, 3> colors = {
+        {{0.10F, 0.045F, 0.012F}, {0.016F, 0.030F, 0.075F}, {0.075F, 0.014F, 0.020F}}};
+    std::vector<BlurredLight> all;
+    for (std::size_t i = 0; i < 46; ++i) {
         const auto k = static_cast<float>(i);
         const auto hashed = [&](float seed) { return glm::fract(43758.547F * std::sin(seed + 12.9898F * k)); };
         const glm::vec2 place(10.8F * hashed(1) - 5.4F, 7.0F * hashed(2) - 3.5F);
-        const float radius = 0.10F + 0.26F * hashed(3);
-        const glm::vec3 color = i % 3 == 0   ? glm::vec3(0.10F, 0.045F, 0.012F)
-                                : i % 3 == 1 ? glm::vec3(0.016F, 0.030F, 0.075F)
-                                             : glm::vec3(0.075F, 0.014F, 0.020F);
-        light += color * (1 - glm::smoothstep(0.86F * radius, radius, length(at - place)));
+        all.push_back({place, 0.10F + 0.26F * hashed(3), colors[i % 3]});
     }
-    return light;
+    return all;
+}
+
+/// The night behind the baubles, with those lights.
+inline glm::vec3 night(const std::vector<BlurredLight>& lights, const glm::vec2& at)
+{
+    glm::vec3 sum = glm::mix(glm::vec3(0.010F, 0.014F, 0.030F), glm::vec3(0.030F, 0.012F, 0.020F),
+                             glm::clamp(0.5F + 0.25F * at.y, 0.0F, 1.0F));
+    for (const BlurredLight& light : lights) {
+        const glm::vec2 to = at - light.place;
+        if (dot(to, to) < light.radius * light.radius)
+            sum += light.color * (1 - glm::smoothstep(0.86F * light.radius, light.radius, length(to)));
+    }
+    return sum;
 }
 
 inline Image baubles(int width, int height)
@@ -70,6 +86,7 @@ inline Image baubles(int width, int height)
                                          {{6.5F, 2.0F, 4.0F, 1}, {0.22F, 0.32F, 0.62F}},
                                          {{1.0F, -6.0F, 2.0F, 1}, {0.30F, 0.10F, 0.09F}}}};
     const std::vector<Bauble> all = hung_baubles();
+    const std::vector<BlurredLight> blurred = blurred_lights();
     struct Leaf {
         glm::vec3 normal{0};
         float inside = 2;  // of cosines: gold from here
@@ -93,7 +110,7 @@ inline Image baubles(int width, int height)
         for (int x = 0; x < picture.width; ++x) {
             const glm::vec2 at = (glm::vec2(x, y) + 0.5F - centre) / pixels;
             const glm::vec3 ray = normalize(glm::vec3(at.x, -at.y, -1));
-            glm::vec3 light = blurred_lights(12.0F * glm::vec2(at.x, -at.y));
+            glm::vec3 light = night(blurred, 12.0F * glm::vec2(at.x, -at.y));
             float nearest = std::numeric_limits<float>::infinity();
             owner.at(x, y) = -1;
             for (std::size_t i = 0; i < all.size(); ++i) {
@@ -122,7 +139,7 @@ inline Image baubles(int width, int height)
                     light += lamp.color * color * std::max(0.0F, dot(n, normalize(glm::vec3(lamp.position) - place)));
                 const glm::vec3 mirrored = ray + 2 * facing * n;
                 const float fresnel = 0.06F + 0.94F * std::pow(1 - std::max(0.0F, facing), 5.0F);
-                light += fresnel * 4.0F * blurred_lights(5.0F * glm::vec2(mirrored.x, mirrored.y));
+                light += fresnel * 4.0F * night(blurred, 5.0F * glm::vec2(mirrored.x, mirrored.y));
             }
             picture.at(x, y) = light;
         }

@@ -1,0 +1,155 @@
+#include <string>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "knot.hpp"
+#include "scenes.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace lighting;
+
+constexpr int size = 20;
+
+using Model = glm::vec3 (*)(const SurfacePoint&);
+
+// Illumination models that show what they are asked.
+glm::vec3 its_place(const SurfacePoint& at) { return at.position; }
+glm::vec3 its_normal(const SurfacePoint& at) { return at.normal; }
+// Sharp, and up to 50: not linear in place or normal.
+glm::vec3 its_highlight(const SurfacePoint& at)
+{
+    const float cosine = std::max(0.0F, dot(at.normal, glm::vec3(0.48F, 0.6F, 0.64F)));
+    return {50 * cosine * cosine * cosine * cosine, cosine, at.position.x * cosine};
+}
+
+// A scene and what is in the target before.
+struct Scene {
+    StagedMesh mesh;
+    pipeline::Layer target = empty_layer(size, size);
+};
+
+// Draws, and records the light of the pixels that changed, as fragments of that scene's number, and their depth. How
+// often light was asked for.
+template <auto draw>
+int record(Recorder& out, std::string_view name, const Scene& scene, Model model, std::size_t number)
+{
+    pipeline::Layer layer = scene.target;
+    int asked = 0;
+    const Illumination illumination = [&](const SurfacePoint& at) {
+        ++asked;
+        return model(at);
+    };
+    ask_in_words(out, [&] {
+        return "a draw by the method \"" + std::string(name) + "\" of " + std::to_string(scene.mesh.triangles.size()) +
+               " triangles with " + std::to_string(scene.mesh.vertices.size()) + " vertices";
+    });
+    draw(scene.mesh.vertices, scene.mesh.triangles, illumination, layer);
+    if (layer.colors.cells.size() != size * size || layer.depths.cells.size() != size * size) return asked;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const glm::vec3 light = layer.colors.at(x, y);
+            if (light == scene.target.colors.at(x, y) && layer.depths.at(x, y) == scene.target.depths.at(x, y))
+                continue;
+            const float row[] = {
+                static_cast<float>(number), static_cast<float>(x), static_cast<float>(y), light.x, light.y, light.z};
+            out.append(name, row);
+            const float depth[] = {row[0], row[1], row[2], layer.depths.at(x, y)};
+            out.append(std::string(name) + " depths", depth);
+        }
+    return asked;
+}
+
+// One scene by all three methods, with all three models.
+void record_all(Recorder& out, const Scene& scene, std::size_t number)
+{
+    const Model models[] = {its_place, its_normal, its_highlight};
+    for (std::size_t i = 0; i < 3; ++i) {
+        record<draw_flat>(out, "flat", scene, models[i], 3 * number + i);
+        record<draw_gouraud>(out, "gouraud", scene, models[i], 3 * number + i);
+        record<draw_phong>(out, "phong", scene, models[i], 3 * number + i);
+    }
+}
+
+// Joins two meshes; the second one is drawn later.
+StagedMesh joined(StagedMesh first, const StagedMesh& second)
+{
+    const auto offset = static_cast<std::uint32_t>(first.vertices.size());
+    first.vertices.insert(first.vertices.end(), second.vertices.begin(), second.vertices.end());
+    for (const glm::uvec3& triangle : second.triangles) first.triangles.push_back(triangle + offset);
+    return first;
+}
+
+void by_hand(Recorder& out)
+{
+    const StagedMesh tilted = square(2, 18, 0.5F, 0.75F, 0.25F);
+    StagedMesh turned = square(4, 16, 0.5F, 0.3F);
+    for (glm::uvec3& triangle : turned.triangles) std::swap(triangle[0], triangle[1]);
+    const Scene scenes[] = {{square(4, 16, 0.5F, 0)}, {square(3, 17, 0.25F, 2)}, {tilted}, {turned}};
+    for (std::size_t i = 0; i < std::size(scenes); ++i) {
+        record_all(out, scenes[i], i);
+        // How often each method asks, where all is drawn.
+        out.columns("evaluations", "flat, gouraud, phong");
+        const int flat = record<draw_flat>(out, "flat", scenes[i], its_place, 100 + i);
+        const int gouraud = record<draw_gouraud>(out, "gouraud", scenes[i], its_place, 100 + i);
+        const int phong = record<draw_phong>(out, "phong", scenes[i], its_place, 100 + i);
+        out.append("evaluations", glm::vec3(flat, gouraud, phong));
+    }
+}
+
+void at_random(Random& random, Recorder& out)
+{
+    for (std::size_t i = 0; i < 6; ++i) record_all(out, {random_mesh(random, size, 9, 12)}, i);
+}
+
+// Squares before and behind each other, in either order, and targets that are not empty: nothing that is hidden may
+// show, and light is asked for what passes the depth test at its turn only.
+void record_occlusion(Random& random, Recorder& out)
+{
+    for (std::size_t i = 0; i < 12; ++i) {
+        const StagedMesh near = square(6, 14, random.uniform(0.2F, 0.4F), 0.5F);
+        const StagedMesh far = square(2, 12, random.uniform(0.5F, 0.7F), 1);
+        Scene scene{i % 2 == 0 ? joined(near, far) : joined(far, near)};
+        if (i % 3 == 1)  // the left part of the target hides all, its middle the far one
+            for (int y = 0; y < size; ++y)
+                for (int x = 0; x < 11; ++x) scene.target.depths.at(x, y) = x < 8 ? 0.1F : 0.45F;
+        if (i % 3 == 2)  // as deep as the near one: "less" is what passes
+            for (int y = 0; y < 10; ++y)
+                for (int x = 0; x < size; ++x) scene.target.depths.at(x, y) = near.vertices[0].window.depth;
+        record<draw_flat>(out, "flat", scene, its_place, i);
+        record<draw_gouraud>(out, "gouraud", scene, its_place, i);
+        out.append("phong evaluations", record<draw_phong>(out, "phong", scene, its_place, i));
+    }
+}
+
+// Triangles too small for the products of floats, or of no area in the world; normals that are null.
+void record_degenerate(Random& random, Recorder& out)
+{
+    for (std::size_t i = 0; i < 8; ++i) {
+        StagedMesh mesh = square(2, 18, 0.5F, random.uniform(0.2F, 1));
+        for (StagedVertex& vertex : mesh.vertices) {
+            if (i < 3) vertex.at.position *= std::pow(10.0F, -20.0F - 3.5F * static_cast<float>(i));
+            if (i == 3) vertex.at.position = glm::vec3(0.5F);
+            if (i == 4) vertex.at.position.y = 2 * vertex.at.position.x;
+            if (i >= 5) vertex.at.normal = glm::vec3(0);
+        }
+        // Of the last two scenes one vertex has a normal.
+        if (i >= 6) mesh.vertices[i - 6].at.normal = random.unit_vector();
+        const auto with_light = [](const SurfacePoint& at) { return at.normal + 2.0F; };
+        record<draw_flat>(out, "flat", {mesh}, with_light, i);
+        record<draw_phong>(out, "phong", {mesh}, with_light, i);
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
+    {"occlusion", [](Case& c, Recorder& out) { record_occlusion(c.random, out); }},
+    {"degenerate", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("knot", knot(400, 260)); }},
+};
+
+}

@@ -1,0 +1,189 @@
+#include <string>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "keys.hpp"
+#include "moons.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace lighting;
+
+glm::vec2 pair_of(const LightAngles& angles) { return {angles.longitude_degrees, angles.latitude_degrees}; }
+
+void record_direction(Recorder& out, const LightAngles& angles)
+{
+    out.append("direction", ask<light_direction>(out, angles));
+}
+
+void record_angles(Recorder& out, const glm::vec3& direction)
+{
+    out.columns("angles", "longitude, latitude");
+    out.append("angles", pair_of(ask<light_angles>(out, direction)));
+}
+
+void record_in_frames(Recorder& out, const LightAngles& angles, const glm::mat4& view)
+{
+    for (const LightFrame frame : {LightFrame::world, LightFrame::camera}) {
+        out.append("in camera", ask<direction_in_camera>(out, angles, frame, view));
+        out.append("in world", ask<direction_in_world>(out, angles, frame, view));
+    }
+}
+
+void record_key(Recorder& out, LightControl& control, char key)
+{
+    out.append("turned", ask<&LightControl::press>(out, control, key) ? 1 : 0);
+    out.columns("angles", "longitude, latitude");
+    out.append("angles", pair_of(ask<&LightControl::angles>(out, control)));
+}
+
+void record_keys(Recorder& out, const LightAngles& initial, float step, const std::string& keys)
+{
+    const std::unique_ptr<LightControl> control = ask_new<make_light_control>(out, "control", initial, step);
+    if (!control) return;
+    out.columns("angles", "longitude, latitude");
+    out.append("angles", pair_of(ask<&LightControl::angles>(out, *control)));
+    for (const char key : keys) record_key(out, *control, key);
+}
+
+void by_hand(Recorder& out)
+{
+    for (const LightAngles& angles : {LightAngles{0, 0}, {90, 0}, {180, 0}, {270, 0}, {0, 90}, {0, -90}, {77, 90}})
+        record_direction(out, angles);
+    for (const LightAngles& angles : {LightAngles{30, 0}, {0, 30}, {90, 60}, {-90, -30}, {45, 45}, {360, 30}, {450, 0}})
+        record_direction(out, angles);
+    const glm::vec3 directions[] = {{0, 0, 1},  {1, 0, 0},  {0, 0, -1}, {-1, 0, 0}, {0, 1, 0},   {0, -1, 0},
+                                    {1, 0, 1},  {-1, 0, 1}, {0, 2, 2},  {0, -3, 3}, {-2, 0, -2}, {0, 0, 0},
+                                    {0, 0, 25}, {0, 7, -7}, {-4, 0, 0}, {0, -5, 0}};
+    for (const glm::vec3& direction : directions) record_angles(out, direction);
+    record_angles(out, {-0.0F, 3, -0.0F});
+    record_angles(out, {-0.0F, 0, 2});
+    record_angles(out, {0, -0.0F, -2});
+    record_angles(out, {-1e-30F, 0, 1});
+    // Next to the longitude 0, on either side.
+    record_angles(out, {0.01F, 0, 1});
+    record_angles(out, {-0.01F, 0.01F, 1});
+}
+
+// Longitudes a degree off the place where 360 becomes 0, latitudes up to 80 degrees.
+void at_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 150; ++i) {
+        const float longitude = random.uniform(-720, 720);
+        record_direction(out, {longitude, random.uniform(-90, 90)});
+        const double alpha = glm::radians(random.uniform(1, 359));
+        const double beta = glm::radians(random.uniform(-80, 80));
+        const double size = std::pow(10.0, random.uniform(-3, 3));
+        record_angles(out, glm::vec3(size * std::cos(beta) * std::sin(alpha), size * std::sin(beta),
+                                     size * std::cos(beta) * std::cos(alpha)));
+    }
+}
+
+void record_frames(Random& random, Recorder& out)
+{
+    // A camera on the positive x axis that looks at the origin: what is +x in the world is behind it.
+    const glm::mat4 from_the_right(glm::vec4(0, 0, 1, 0), glm::vec4(0, 1, 0, 0), glm::vec4(-1, 0, 0, 0),
+                                   glm::vec4(0, 0, -5, 1));
+    for (const LightAngles& angles : {LightAngles{0, 0}, {90, 0}, {0, 90}, {180, -30}})
+        record_in_frames(out, angles, from_the_right);
+    for (int i = 0; i < 60; ++i) {
+        const float longitude = random.uniform(-360, 360);
+        const LightAngles angles{longitude, random.uniform(-90, 90)};
+        record_in_frames(out, angles, random_view(random));
+    }
+}
+
+// Steps of whole and of half degrees: exact in float. The latitude meets its limits, the longitude goes round.
+void keys_by_hand(Recorder& out)
+{
+    record_keys(out, {0, 0}, 5, "xXaAzZcCC");
+    record_keys(out, {350, 85}, 5, "xxxaaazaZx");
+    record_keys(out, {10, -80}, 7.5F, "cczZzacAx");
+    record_keys(out, {-30, 0}, 45, "xaaaacczzzzzxxxx");
+    record_keys(out, {725, 90}, 180, "azxxczzaac");
+    record_keys(out, {0, -90}, 90, "zacAaC");
+    record_keys(out, {500, 89.75F}, 0.5F, "xcaAzc");
+    record_keys(out, {-0.5F, 0}, 0.5F, "xxxccccx");
+    // Neighbours of the keys, in the alphabet and on the keyboard, are no keys.
+    record_keys(out, {120, 45}, 10, "bByYwWsSqQdDvV10 \n[{xZ");
+}
+
+void random_keys(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 12; ++i) {
+        const auto longitude = static_cast<float>(random.below(2000)) - 1000;
+        const auto latitude = static_cast<float>(random.below(181)) - 90;
+        const float step = 0.5F * static_cast<float>(1 + random.below(60));
+        record_keys(out, {longitude, latitude}, step, random_session(random, 40));
+    }
+}
+
+// Two lights that are turned in turns: what one is told does not reach the other.
+void two_controls(Random& random, Recorder& out)
+{
+    const auto first = ask_new<make_light_control>(out, "first", LightAngles{10, 20}, 5.0F);
+    const auto second = ask_new<make_light_control>(out, "second", LightAngles{200, -40}, 12.5F);
+    if (!first || !second) return;
+    for (const char key : random_session(random, 60)) {
+        record_key(out, random.below(2) == 0 ? *first : *second, key);
+        for (const LightControl* control : {first.get(), second.get()})
+            out.append("angles", pair_of(ask<&LightControl::angles>(out, *control)));
+    }
+}
+
+// Next to the poles: y / |d| is 1 there but for the last digits.
+void record_poles(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 120; ++i) {
+        const double off = std::pow(10.0, random.uniform(-6, -1));
+        const double alpha = glm::radians(random.uniform(1, 359));
+        record_angles(out, glm::vec3(off * std::sin(alpha), i % 2 == 0 ? 1 : -1, off * std::cos(alpha)));
+    }
+    // Squares of these lengths are no floats.
+    for (const float size : {1e-38F, 1e-30F, 1e-23F, 1e20F, 1e30F, 1e38F})
+        for (int i = 0; i < 5; ++i) record_angles(out, size * random.unit_vector());
+}
+
+// Many turns: the angle in radians has no digits left in float.
+void many_turns(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 120; ++i) {
+        const float turns = std::pow(10.0F, random.uniform(3.5F, 7)) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        record_direction(out, {turns, random.uniform(-89, 89)});
+    }
+}
+
+// A step that is no float, twenty thousand times. The longitude may be next to 0 and 360, so the direction is asked.
+void many_keys(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 6; ++i) {
+        const float step = random.uniform(0.05F, 0.3F);
+        const LightAngles initial{random.uniform(0, 360), 0};
+        const auto control = ask_new<make_light_control>(out, "control", initial, step);
+        if (!control) return;
+        const bool is_x = random.below(2) == 0;
+        for (int k = 0; k < 20'000; ++k) {
+            control->press(is_x ? 'x' : 'C');
+            if (k % 2 == 0) control->press((k / 400) % 2 == 0 ? 'a' : 'Z');
+            if (k % 1000 == 999) out.append("direction", ask<light_direction>(out, control->angles()));
+        }
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
+    {"frames", [](Case& c, Recorder& out) { record_frames(c.random, out); }},
+    {"keys by hand", [](Case&, Recorder& out) { keys_by_hand(out); }},
+    {"random keys", [](Case& c, Recorder& out) { random_keys(c.random, out); }},
+    {"two lights", [](Case& c, Recorder& out) { two_controls(c.random, out); }},
+    {"poles", [](Case& c, Recorder& out) { record_poles(c.random, out); }},
+    {"many turns", [](Case& c, Recorder& out) { many_turns(c.random, out); }},
+    {"many keys", [](Case& c, Recorder& out) { many_keys(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { out.image("moons", moons(400, 260)); }},
+};
+
+}
