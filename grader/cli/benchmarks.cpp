@@ -75,7 +75,7 @@ std::vector<Benchmark> make_benchmarks()
          .measures = "lit scenes drawn by OpenGL's fixed function, by shaders and in software, and why they differ",
          .home = tests,
          .program = "lighting-agreement",
-         .quick = BenchmarkCall{}},
+         .quick = flag},
         {.name = "raster",
          .measures = "the engine's rasteriser against Mesa's llvmpipe, in time",
          .home = sources,

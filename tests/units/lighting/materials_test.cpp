@@ -121,21 +121,45 @@ TEST(Materials, an_object_has_the_first_material_on_the_way_back_to_the_root)
     expect_drawn(graph, random);
 }
 
-// The statement's example.
+// The statement's example: which material each object has, and how often one is activated.
 TEST(Materials, known_answers)
 {
     Random random(1);
-    MaterialGraph graph = graph_by_hand();
-    graph.materials = made(recipes(random, 4));
+    const std::vector<Recipe> all = recipes(random, 3);
+    MaterialGraph graph;
+    graph.materials = made(all);
+    graph.nodes = {{{Kind::object, 'a'},
+                    {Kind::material, 0},
+                    {Kind::object, 'b'},
+                    {Kind::node, 1},
+                    {Kind::object, 'c'},
+                    {Kind::node, 2},
+                    {Kind::material, 1},
+                    {Kind::node, 2}},
+                   {{Kind::object, 'd'}, {Kind::material, 2}, {Kind::object, 'e'}},
+                   {{Kind::object, 'f'}}};
     expect_drawn(graph, random);
     RecordingPipeline pipeline(random);
-    make_gray_material(0.25F, 0.5F, 1, 8, nullptr)->activate(pipeline);
-    EXPECT_EQ(pipeline.now.reflection.ambient, glm::vec3(0.25F));
-    EXPECT_EQ(pipeline.now.reflection.diffuse, glm::vec3(0.5F));
-    EXPECT_EQ(pipeline.now.reflection.specular, glm::vec3(1));
-    EXPECT_EQ(pipeline.now.reflection.emission, glm::vec3(0));
-    EXPECT_EQ(pipeline.now.reflection.shininess, 8);
+    const auto standard = make_gray_material(0.25F, 0.5F, 1, 8, nullptr);
+    standard->activate(pipeline);
+    const Material gray{glm::vec3(0), glm::vec3(0.25F), glm::vec3(0.5F), glm::vec3(1), 8};
+    EXPECT_TRUE(same(pipeline.now.reflection, gray));
     EXPECT_EQ(pipeline.now.texture, 0U);
+    DrawingContext context{pipeline, true, standard.get()};
+    draw_graph(graph, context);
+    EXPECT_EQ(pipeline.reflections_set - 1, 5U);
+    const std::pair<char, Material> expected[] = {{'a', gray},
+                                                  {'b', all[0].reflection},
+                                                  {'d', all[0].reflection},
+                                                  {'e', all[2].reflection},
+                                                  {'c', all[0].reflection},
+                                                  {'f', all[0].reflection},
+                                                  {'f', all[1].reflection}};
+    ASSERT_EQ(pipeline.drawn.size(), std::size(expected));
+    for (std::size_t i = 0; i < std::size(expected); ++i) {
+        EXPECT_EQ(pipeline.drawn[i].object, static_cast<std::uint32_t>(expected[i].first));
+        EXPECT_TRUE(same(pipeline.drawn[i].standing.reflection, expected[i].second)) << expected[i].first;
+    }
 }
 
 TEST(Materials, nothing_is_activated_without_lighting)
