@@ -113,7 +113,15 @@ void life(Case& c, Recorder& out)
     }
 }
 
-// Frames of a scene, from the second one on. What is seen belongs to the row: who binds nothing uploads nothing either.
+void unbind(int unit)
+{
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+// Frames of a scene, from the second one on. Others use the same units in between. What is seen belongs to the row: who
+// binds nothing uploads nothing either.
 void frames(Case& c, Recorder& out)
 {
     const Probe probe;
@@ -124,9 +132,10 @@ void frames(Case& c, Recorder& out)
         activate(out, textures[i], 0);
     }
     out.columns("work", "bytes uploaded, parameters set, texture objects, texel seen/3");
-    for (int frame = 0; frame < 12; ++frame) {
+    for (int frame = 0; frame < 24; ++frame) {
         const Made& texture = textures[c.random.below(3)];
-        const auto unit = static_cast<int>(c.random.below(units));
+        const auto unit = static_cast<int>(c.random.below(3));
+        if (c.random.below(2) == 0) unbind(unit);
         gl::begin_trace();
         activate(out, texture, unit);
         const gl::Trace trace = gl::end_trace();
