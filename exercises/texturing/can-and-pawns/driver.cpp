@@ -55,11 +55,11 @@ void textures_of_program(Case&, Recorder& out)
 void looks_of_program(Case&, Recorder& out)
 {
     const Session session(a_visit, {});
-    out.text("looks.names", "0 moment\n1 thing: M_D/3, M_S/3, e, textured, place/3\n");
+    out.text("looks.names", "0 moment\n1 thing: M_D/3, M_S/3, e, textured, depth test, place/3, projection/2\n");
     for (int i = 1; i <= 13; i += 2) {
         const double time = 0.1 * i + 0.08;
         tell(out, a_visit, time);
-        std::array<float, 12> row{};
+        std::array<float, 15> row{};
         row[1] = static_cast<float>(i);
         out.append("looks", std::span<const float>(row));
         for (const Look& look : session.frame_at(time).looks) {
@@ -131,7 +131,7 @@ constexpr const char* keys_of_light = R"(
 void lights_of_program(Case&, Recorder& out)
 {
     const Session session(keys_of_light, {});
-    out.columns("lights", "directional lights, positional lights, direction/3, place/3");
+    out.columns("lights", "directional lights, positional lights, direction/3, place/3, colour/3, colour/3");
     for (int i = 1; i <= 21; i += 2) {
         const double time = 0.1 * i + 0.08;
         tell(out, keys_of_light, time);

@@ -16,13 +16,13 @@
 /// The program played through a script, and what is seen of its frames.
 namespace umbral::texturing {
 
-/// The material that a draw met, and where the origin of what is drawn lay: diffuse, specular, exponent, is
-/// GL_TEXTURE_2D enabled, eye coordinates.
-using Look = std::array<float, 11>;
+/// The material that a draw met, and where the origin of what is drawn lay: diffuse, specular, exponent, are
+/// GL_TEXTURE_2D and GL_DEPTH_TEST enabled, eye coordinates, the first two numbers of the projection's diagonal.
+using Look = std::array<float, 14>;
 
 /// The lights that the last draw of a frame met: how many are directional, how many positional, the direction of the
-/// first of those (eye coordinates, unit), the place of the first of these.
-using LightsSeen = std::array<float, 8>;
+/// first of those (eye coordinates, unit), the place of the first of these, and the colours of both.
+using LightsSeen = std::array<float, 14>;
 
 /// The texels that exist at level 0, and how often OpenGL was given some after the frame that first did.
 using TexelsSeen = std::array<float, 2>;
@@ -52,7 +52,11 @@ inline Look look_now()
     look[7] = glIsEnabled(GL_TEXTURE_2D) == GL_TRUE ? 1.0F : 0.0F;
     std::array<GLfloat, 16> matrix{};
     glGetFloatv(GL_MODELVIEW_MATRIX, matrix.data());
-    for (std::size_t i = 0; i < 3; ++i) look[8 + i] = rounded(matrix[12 + i]);
+    look[8] = glIsEnabled(GL_DEPTH_TEST) == GL_TRUE ? 1.0F : 0.0F;
+    for (std::size_t i = 0; i < 3; ++i) look[9 + i] = rounded(matrix[12 + i]);
+    glGetFloatv(GL_PROJECTION_MATRIX, matrix.data());
+    look[12] = rounded(matrix[0]);
+    look[13] = rounded(matrix[5]);
     return look;
 }
 
@@ -67,6 +71,9 @@ inline LightsSeen lights_now()
         if (seen[kind]++ > 0) continue;
         const glm::vec3 told = kind == 0 ? normalize(glm::vec3(place)) : glm::vec3(place) / place.w;
         std::copy_n(&told.x, 3, seen.begin() + 2 + 3 * static_cast<std::ptrdiff_t>(kind));
+        std::array<GLfloat, 4> color{};
+        glGetLightfv(light, GL_DIFFUSE, color.data());
+        std::copy_n(color.begin(), 3, seen.begin() + 8 + 3 * static_cast<std::ptrdiff_t>(kind));
     }
     return seen;
 }
