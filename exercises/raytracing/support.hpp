@@ -4,16 +4,15 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <limits>
 #include <optional>
-#include <umbral/core/grid.hpp>
 #include <umbral/core/random.hpp>
-#include <umbral/core/ray.hpp>
 #include <umbral/raytracing/intersect.hpp>
 #include <umbral/record/ask.hpp>
 #include <vector>
 
-/// What the drivers of ray tracing share: rays aimed so that the answer is known, and a small camera.
+#include "rays.hpp"
+
+/// Rays aimed at spheres so that the answer is known.
 namespace umbral::raytracing {
 
 /// One question put to a ray-sphere intersection.
@@ -31,27 +30,11 @@ inline double miss_distance(const BallShot& shot)
     return length(cross(to_origin, direction)) / length(direction);
 }
 
-/// One unit in the last place (float) of a positive number.
-inline double ulp_of(double value)
-{
-    const auto rounded = static_cast<float>(value);
-    return double{std::nextafter(rounded, std::numeric_limits<float>::infinity()) - rounded};
-}
-
 /// How far the ray passes the silhouette, in ulps of its origin's distance from the centre.
 inline double silhouette_margin(const BallShot& shot)
 {
     const double distance = length(glm::dvec3(shot.ray.origin) - glm::dvec3(shot.ball.centre));
     return std::abs(miss_distance(shot) - double{shot.ball.radius}) / ulp_of(distance);
-}
-
-/// A unit vector perpendicular to the unit vector `axis`, uniform in the angle round it.
-inline glm::dvec3 perpendicular_to(const glm::dvec3& axis, Random& random)
-{
-    for (;;) {
-        const glm::dvec3 side = cross(axis, glm::dvec3(random.unit_vector()));
-        if (length(side) > 0.1) return normalize(side);
-    }
 }
 
 /// A ray of unit direction from a random side, its origin `distance` radii from the centre, that passes the centre at
@@ -67,14 +50,6 @@ inline BallShot aimed(const Sphere& ball, double distance, double offset, Random
     const double sine = offset * radius / length(to_origin);
     const glm::dvec3 direction = -std::sqrt(1 - sine * sine) * axis + sine * perpendicular_to(axis, random);
     return {Ray{origin, glm::vec3(direction)}, ball};
-}
-
-/// Adds one ray that hits and one that misses, in random order.
-inline void add_pair(std::vector<BallShot>& shots, const BallShot& hit, const BallShot& miss, Random& random)
-{
-    const bool swapped = random.below(2) == 1;
-    shots.push_back(swapped ? miss : hit);
-    shots.push_back(swapped ? hit : miss);
 }
 
 inline Sphere random_ball(Random& random)
@@ -113,16 +88,6 @@ inline std::vector<BallShot> silhouette_pairs(Random& random, double distance, i
         add_pair(shots, hit, miss, random);
     }
     return shots;
-}
-
-/// The ray of unit direction from `eye` through the centre of pixel (x, y) of a square picture `size` pixels wide that
-/// shows 2 * `half_width` at distance 1 along -z.
-inline Ray pixel_ray(const glm::vec3& eye, float half_width, int size, int x, int y)
-{
-    const auto centred = [&](int pixel) {
-        return half_width * (2 * (static_cast<float>(pixel) + 0.5F) / static_cast<float>(size) - 1);
-    };
-    return Ray{eye, normalize(glm::vec3(centred(x), -centred(y), -1))};
 }
 
 /// The nearest ball along a ray: its place in the list plus one (0 for none), and the outward normal there.

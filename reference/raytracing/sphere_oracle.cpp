@@ -1,24 +1,11 @@
 #include <umbral/raytracing/intersect.hpp>
 
-#include <cmath>
-
-#include "wide.hpp"
+#include "wide_vector.hpp"
 
 // The school formula with 113 bits, rounded to float once.
 // Products of floats are exact here, and so is the discriminant but for its last few of 113 bits.
 
 namespace umbral::raytracing {
-namespace {
-
-struct WideVector {
-    Wide x, y, z;
-};
-
-WideVector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-WideVector operator-(const WideVector& a, const WideVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Wide dot(const WideVector& a, const WideVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-}
 
 std::optional<float> intersect(const Ray& ray, const Sphere& sphere)
 {

@@ -1,3 +1,4 @@
+#include <umbral/core/grid.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -103,7 +104,6 @@ std::vector<BallShot> tangent(Random& random)
 // of the direction before and behind the one that the ray begins at.
 std::vector<BallShot> at_the_ends(Random& random)
 {
-    constexpr float endless = std::numeric_limits<float>::infinity();
     std::vector<BallShot> shots;
     for (int i = 0; i < 80; ++i) {
         const float radius = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
@@ -167,7 +167,6 @@ std::vector<BallShot> from_surface(Random& random)
 // Rays without a direction, or with NaN in them, from outside and inside; each has a twin without fault.
 std::vector<BallShot> no_rays(Random& random)
 {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     std::vector<BallShot> shots;
     for (int i = 0; i < 40; ++i) {
         const Sphere ball = random_ball(random);
@@ -177,9 +176,9 @@ std::vector<BallShot> no_rays(Random& random)
         if (i % 8 < 4)
             none.ray.direction = glm::vec3(0);
         else if (i % 8 < 6)
-            none.ray.direction[axis] = nan;
+            none.ray.direction[axis] = not_a_number;
         else
-            none.ray.origin[axis] = nan;
+            none.ray.origin[axis] = not_a_number;
         add_pair(shots, hit, none, random);
     }
     return shots;

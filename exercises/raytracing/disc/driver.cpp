@@ -1,0 +1,237 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "sequins.hpp"
+#include "shots.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace raytracing;
+
+void record(Recorder& out, const std::vector<DiscShot>& shots)
+{
+    for (const auto& [ray, disc] : shots) out.append("t", ask<intersect_disc>(out, ray, disc));
+}
+
+// Answers that a student can check by hand, the course's first; each has a twin that passes beside the disc.
+std::vector<DiscShot> by_hand()
+{
+    std::vector<DiscShot> shots;
+    const auto add = [&](glm::vec3 origin, glm::vec3 direction, Disc disc, glm::vec3 aside) {
+        shots.push_back({Ray{origin, direction}, disc});
+        shots.push_back({Ray{origin + aside, direction}, disc});
+    };
+    const Disc unit{{0, 0, 0}, {0, 0, 1}, 1};
+    add({0.5F, 0, 3}, {0, 0, -1}, unit, {1, 0, 0});
+    add({0.5F, 0, 3}, {0, 0, -1}, {{0, 0, 0}, {0, 0, 7}, 1}, {0, 1, 0});
+    add({0.5F, 0, 3}, {0, 0, -1}, {{0, 0, 0}, {0, 0, -1}, 1}, {-2, 0, 0});
+    add({0, 0.5F, -3}, {0, 0, 1}, unit, {0.75F, 0.75F, 0});
+    add({0, 0, 4}, {1, 0, -2}, {{2, 0, 0}, {0, 0, 1}, 0.5F}, {-2, 0, 0});
+    add({1, 2, 10}, {0, 0, -1}, {{1, 0, 3}, {0, 0, 2}, 3}, {2.5F, 0, 0});
+    add({-7, 1, 1}, {1, 0, 0}, {{0, 0, 0}, {1, 0, 0}, 2}, {0, 2, 0});
+    add({2, 9, 2}, {0, -1, 0}, {{2, -1, 2}, {0, 1, 0}, 0.25F}, {0.25F, 0, 0.25F});
+    add({4, 0, 0}, {-1, 0, 0}, {{0, 0, 0}, {1, 1, 0}, 3}, {0, 4, 0});
+    add({0, 5, 0}, {0, -1, 0}, {{0, 1, 1}, {0, 1, 2}, 4}, {0, 0, -4});
+    add({3, 0, 4}, {0, 0, -1}, {{0, 0, 0}, {0, 0, 1}, 3.25F}, {0.5F, 0, 0});
+    add({0, 3, 2}, {0, 0, -2}, {{0, 0, -2}, {0, 0, 1}, 4}, {3, 0, 0});
+    return shots;
+}
+
+// Rays along an axis onto discs across it, with small integers times a power of two: all that decides is exact.
+DiscShot exact_shot(Random& random, glm::vec2 place, float height, float radius)
+{
+    const float scale = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+    const glm::vec3 centre = scale * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
+    const int along = static_cast<int>(random.below(3));
+    glm::vec3 normal(0);
+    normal[along] = random.below(2) == 0 ? 2 : -1;
+    glm::vec3 origin(0);
+    origin[along] = random.below(2) == 0 ? height : -height;
+    glm::vec3 direction(0);
+    direction[along] = origin[along] > 0 ? -scale : scale;
+    origin[(along + 1) % 3] = place.x;
+    origin[(along + 2) % 3] = place.y;
+    return {Ray{centre + scale * origin, direction}, {centre, normal, radius * scale}};
+}
+
+// The rim does not belong to the disc: rays through its points 5² = 3² + 4² miss, and those a little nearer hit.
+std::vector<DiscShot> at_the_rim(Random& random)
+{
+    const glm::vec2 places[] = {{3, 4}, {-4, 3}, {5, 0}, {0, -5}, {-3, -4}, {4, -3}};
+    std::vector<DiscShot> shots;
+    for (int i = 0; i < 60; ++i) {
+        const glm::vec2 place = places[i % 6];
+        const DiscShot miss = exact_shot(random, place, 3, 5);
+        DiscShot hit = miss;
+        hit.disc.radius *= 1.015625F;
+        add_pair(shots, hit, miss, random);
+    }
+    return shots;
+}
+
+// Where the interval (t_min, t_max) decides: the disc lies behind, before t_min, or beyond t_max.
+std::vector<DiscShot> behind_and_before(Random& random)
+{
+    std::vector<DiscShot> shots;
+    for (int i = 0; i < 180; ++i) {
+        const Disc disc = random_disc(random);
+        const float distance = random.uniform(2, 6);
+        const DiscShot hit = aimed(disc, offset_inside(0.9, random), random.uniform(0.2F, 1), distance, random);
+        const float t = distance * disc.radius;
+        DiscShot kept = hit;
+        DiscShot miss = hit;
+        switch (i % 3) {
+            case 0: miss.ray.direction = -miss.ray.direction; break;
+            case 1:
+                miss.ray.t_min = 1.01F * t;
+                kept.ray.t_min = 0.99F * t;
+                break;
+            default: miss.ray.t_max = 0.99F * t; kept.ray.t_max = 1.01F * t;
+        }
+        add_pair(shots, kept, miss, random);
+    }
+    return shots;
+}
+
+// A point at an end of the interval does not count; where the interval begins behind the origin, points there do. The
+// disc is met at 3 or at -3 lengths of the direction, exactly, or at 0: a ray that begins on it.
+std::vector<DiscShot> at_the_ends(Random& random)
+{
+    std::vector<DiscShot> shots;
+    for (int i = 0; i < 80; ++i) {
+        const DiscShot ahead = exact_shot(random, {1, i % 4}, 3, 4);
+        const auto in = [&](float t_min, float t_max) {
+            DiscShot shot = ahead;
+            shot.ray.t_min = t_min;
+            shot.ray.t_max = t_max;
+            return shot;
+        };
+        const auto turned = [&](float t_min, float t_max) {
+            DiscShot shot = in(t_min, t_max);
+            shot.ray.direction = -shot.ray.direction;
+            return shot;
+        };
+        DiscShot begins_there = exact_shot(random, {1, i % 4}, 0, 4);
+        DiscShot from_before = begins_there;
+        from_before.ray.t_min = -1;
+        switch (i % 5) {
+            case 0: add_pair(shots, in(2, endless), in(3, endless), random); break;
+            case 1: add_pair(shots, in(0, 3.125F), in(0, 3), random); break;
+            case 2: add_pair(shots, turned(-4, endless), turned(-3, endless), random); break;
+            case 3: add_pair(shots, turned(-endless, -2), turned(-endless, -3), random); break;
+            default: add_pair(shots, from_before, begins_there, random);
+        }
+    }
+    return shots;
+}
+
+// Rays parallel to the disc, beside it and in its plane; the twin leans towards the disc by an eighth.
+std::vector<DiscShot> parallel(Random& random)
+{
+    std::vector<DiscShot> shots;
+    for (int i = 0; i < 60; ++i) {
+        const DiscShot upright = exact_shot(random, {1, 0}, 1, 4);
+        const glm::vec3 down = upright.ray.direction;
+        glm::vec3 aside(0);
+        for (int axis = 0; axis < 3; ++axis)
+            if (down[axis] != 0) aside[(axis + 1 + i % 2) % 3] = i % 4 < 2 ? length(down) : -length(down);
+        DiscShot hit = upright;
+        hit.ray.origin -= 2.0F * aside;
+        hit.ray.direction = aside + 0.125F * down;
+        hit.ray.origin += 0.875F * down;
+        DiscShot miss = hit;
+        miss.ray.direction = aside;
+        if (i % 3 > 0) miss.ray.origin += 0.125F * down;  // into the plane, on the way through the disc
+        if (i % 3 > 1) miss.ray.t_min = -endless;
+        add_pair(shots, hit, miss, random);
+    }
+    return shots;
+}
+
+// Rays and discs without a direction, or with NaN in them; each has a twin without fault.
+std::vector<DiscShot> no_rays(Random& random)
+{
+    std::vector<DiscShot> shots;
+    for (int i = 0; i < 40; ++i) {
+        const DiscShot hit = aimed(random_disc(random), 0.5, 0.5, 3, random);
+        DiscShot none = hit;
+        const auto axis = random.below(3);
+        switch (i % 5) {
+            case 0: none.ray.direction = glm::vec3(0); break;
+            case 1: none.disc.normal = glm::vec3(0); break;
+            case 2: none.ray.direction[axis] = not_a_number; break;
+            case 3: none.ray.origin[axis] = not_a_number; break;
+            default: none.ray.t_min = not_a_number;
+        }
+        add_pair(shots, hit, none, random);
+    }
+    return shots;
+}
+
+// The same lines and planes with directions and normals of all lengths: t counts in those of the direction. Every
+// fourth pair has both short, and every fourth both long.
+std::vector<DiscShot> lengths(Random& random)
+{
+    std::vector<DiscShot> shots = random_pairs(random, 200);
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        const std::size_t kind = i / 2 % 4;
+        shots[i].ray.direction *= std::pow(10.0F, kind % 2 == 0 ? random.uniform(-6, -3) : random.uniform(3, 6));
+        shots[i].disc.normal *= std::pow(10.0F, kind < 2 ? random.uniform(-6, -3) : random.uniform(3, 6));
+    }
+    return shots;
+}
+
+// The same figures from 1e-4 to 1e6 in size.
+std::vector<DiscShot> scales(Random& random)
+{
+    std::vector<DiscShot> shots = random_pairs(random, 200);
+    for (std::size_t i = 0; i < shots.size(); i += 2) {
+        const float scale = std::exp2(std::floor(random.uniform(-13, 20)));
+        for (DiscShot* shot : {&shots[i], &shots[i + 1]}) {
+            shot->ray.origin *= scale;
+            shot->disc.centre *= scale;
+            shot->disc.radius *= scale;
+        }
+    }
+    return shots;
+}
+
+void record_remote(Random& random, Recorder& out)
+{
+    for (const float away : {1e4F, 1e5F, 1e6F}) record(out, remote_pairs(random, away, 100));
+}
+
+void record_picture(Recorder& out)
+{
+    constexpr int width = 288;
+    constexpr int height = 224;
+    const Camera camera{{0, 2.3F, 6.4F}, {0, 0.8F, 0}, 0.285F};
+    const std::vector<Disc> discs = sequin_ball();
+    const auto asked = [&](const Ray& ray, const Disc& disc) { return ask<intersect_disc>(out, ray, disc); };
+    Grid<std::uint32_t> ids(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            ids.at(x, y) = nearest(asked, camera_ray(camera, width, height, glm::vec2(x, y) + 0.5F), discs).id;
+    out.buffer("ids", ids);
+    out.image("sequins", ray_traced(width, height, camera, [&](const Ray& ray) { return sequin_light(ray, discs); }));
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
+    {"random", [](Case& c, Recorder& out) { record(out, random_pairs(c.random, 1000)); }},
+    {"behind and before", [](Case& c, Recorder& out) { record(out, behind_and_before(c.random)); }},
+    {"rim", [](Case& c, Recorder& out) { record(out, at_the_rim(c.random)); }},
+    {"ends", [](Case& c, Recorder& out) { record(out, at_the_ends(c.random)); }},
+    {"parallel", [](Case& c, Recorder& out) { record(out, parallel(c.random)); }},
+    {"no ray", [](Case& c, Recorder& out) { record(out, no_rays(c.random)); }},
+    {"lengths", [](Case& c, Recorder& out) { record(out, lengths(c.random)); }},
+    {"scales", [](Case& c, Recorder& out) { record(out, scales(c.random)); }},
+    {"far away", [](Case& c, Recorder& out) { record_remote(c.random, out); }},
+    {"grazing", [](Case& c, Recorder& out) { record(out, grazing_pairs(c.random, 300)); }},
+    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+};
+
+}

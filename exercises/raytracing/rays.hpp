@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <limits>
+#include <umbral/core/random.hpp>
+#include <umbral/core/ray.hpp>
+#include <vector>
+
+/// Rays for the drivers of ray tracing, whatever surface they are aimed at.
+namespace umbral::raytracing {
+
+inline constexpr float endless = std::numeric_limits<float>::infinity();
+inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+/// One unit in the last place (float) of a positive number.
+inline double ulp_of(double value)
+{
+    const auto rounded = static_cast<float>(value);
+    return double{std::nextafter(rounded, std::numeric_limits<float>::infinity()) - rounded};
+}
+
+/// A unit vector perpendicular to the unit vector `axis`, uniform in the angle round it.
+inline glm::dvec3 perpendicular_to(const glm::dvec3& axis, Random& random)
+{
+    for (;;) {
+        const glm::dvec3 side = cross(axis, glm::dvec3(random.unit_vector()));
+        if (length(side) > 0.1) return normalize(side);
+    }
+}
+
+/// The ray of unit direction that arrives at `target` from `distance` along the unit vector `from`, but for the
+/// rounding of its origin and direction.
+inline Ray aimed_at(const glm::dvec3& target, const glm::dvec3& from, double distance)
+{
+    const glm::vec3 origin(target + distance * from);
+    return Ray{origin, glm::vec3(normalize(target - glm::dvec3(origin)))};
+}
+
+/// Adds a question that must hit and one that must miss, in random order.
+template <class Shot>
+void add_pair(std::vector<Shot>& shots, const Shot& hit, const Shot& miss, Random& random)
+{
+    const bool swapped = random.below(2) == 1;
+    shots.push_back(swapped ? miss : hit);
+    shots.push_back(swapped ? hit : miss);
+}
+
+/// The ray of unit direction from `eye` through the centre of pixel (x, y) of a square picture `size` pixels wide that
+/// shows 2 * `half_width` at distance 1 along -z.
+inline Ray pixel_ray(const glm::vec3& eye, float half_width, int size, int x, int y)
+{
+    const auto centred = [&](int pixel) {
+        return half_width * (2 * (static_cast<float>(pixel) + 0.5F) / static_cast<float>(size) - 1);
+    };
+    return Ray{eye, normalize(glm::vec3(centred(x), -centred(y), -1))};
+}
+
+}

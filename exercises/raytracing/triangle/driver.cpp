@@ -1,0 +1,206 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "planet.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace raytracing;
+
+void record_all(Recorder& out, const std::vector<TriangleShot>& shots)
+{
+    for (const auto& [ray, triangle] : shots) {
+        const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, ray, triangle);
+        out.append("t", hit ? std::optional(hit->t) : std::nullopt);
+        out.append("a", hit ? std::optional(hit->a) : std::nullopt);
+        out.append("b", hit ? std::optional(hit->b) : std::nullopt);
+    }
+}
+
+void record(Recorder& out, const std::vector<TriangleShot>& shots)
+{
+    for (const auto& [ray, triangle] : shots) {
+        const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, ray, triangle);
+        out.append("t", hit ? std::optional(hit->t) : std::nullopt);
+    }
+}
+
+// Answers that a student can check by hand, the course's first; each has a twin that passes beside the triangle.
+std::vector<TriangleShot> by_hand()
+{
+    std::vector<TriangleShot> shots;
+    const auto add = [&](glm::vec3 origin, glm::vec3 direction, Triangle triangle, glm::vec3 aside) {
+        shots.push_back({Ray{origin, direction}, triangle});
+        shots.push_back({Ray{origin + aside, direction}, triangle});
+    };
+    const Triangle unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    add({0.25F, 0.25F, 5}, {0, 0, -1}, unit, {0.35F, 0.35F, 0});
+    add({0.5F, 0.125F, 5}, {0, 0, -2}, unit, {-0.75F, 0, 0});
+    add({0.25F, 0.5F, -3}, {0, 0, 1}, unit, {0, -0.75F, 0});
+    add({0.125F, 0.75F, 2}, {0, 0, -0.5F}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {0.25F, 0.125F, 0});
+    add({3, 1, 2}, {-1, 0, 0}, {{1, 0, 0}, {1, 4, 0}, {1, 0, 8}}, {0, 2, 4});
+    add({1, 9, 2}, {0, -1, 0}, {{0, 1, 0}, {4, 1, 0}, {0, 1, 4}}, {2, 0, 0.5F});
+    add({0, 0, 4}, {1, 0, -2}, {{1, -1, 0}, {3, -1, 0}, {1, 3, 0}}, {0, 2, 0});
+    add({1, 1, 10}, {0, 0, -1}, {{0, 0, 0}, {4, 0, 2}, {0, 4, 0}}, {-2, 0, 0});
+    add({-2, 1, 3}, {1, 0, -1}, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {4, 2, 0});
+    add({0, 0, 0}, {1, 1, 1}, {{3, 0, 0}, {0, 3, 0}, {0, 0, 6}}, {4, 0, 0});
+    return shots;
+}
+
+/// A ray along an axis through the place (a, b), in quarters, of a triangle across it with legs that are powers of two:
+/// all numbers are exact in every formula. It meets it at `height` lengths of its direction.
+TriangleShot exact_shot(Random& random, glm::vec2 quarters, float height)
+{
+    const float scale = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+    const glm::vec3 corner = scale * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
+    const int along = static_cast<int>(random.below(3));
+    glm::vec3 x(0);
+    glm::vec3 y(0);
+    glm::vec3 direction(0);
+    x[(along + 1) % 3] = random.below(2) == 0 ? 4 * scale : -4 * scale;
+    y[(along + 2) % 3] = random.below(2) == 0 ? 4 * scale : -4 * scale;
+    direction[along] = random.below(2) == 0 ? scale : -scale;
+    if (random.below(2) == 0) std::swap(x, y);
+    const glm::vec3 place = corner + 0.25F * (quarters.x * x + quarters.y * y);
+    return {Ray{place - height * direction, direction}, {corner, corner + x, corner + y}};
+}
+
+// Edges and corners belong to the triangle; the twin passes a quarter beside it.
+std::vector<TriangleShot> at_the_edges(Random& random)
+{
+    const glm::vec2 on[] = {{0, 2}, {1, 0}, {1, 3}, {0, 0}, {4, 0}, {0, 4}, {3, 1}, {0, 1}, {2, 0}};
+    const glm::vec2 beside[] = {{-1, 2}, {1, -1}, {2, 3}, {-1, -1}, {5, 0}, {0, 5}, {3, 2}, {-1, 1}, {2, -1}};
+    std::vector<TriangleShot> shots;
+    for (int i = 0; i < 90; ++i) {
+        const TriangleShot hit = exact_shot(random, on[i % 9], 3);
+        add_pair(shots, hit, exact_shot(random, beside[i % 9], 3), random);
+    }
+    return shots;
+}
+
+// Where the interval (t_min, t_max) decides: the triangle lies behind, before t_min, or beyond t_max. A point at an end
+// of it does not count; where it begins behind the origin, points there do.
+std::vector<TriangleShot> intervals(Random& random)
+{
+    std::vector<TriangleShot> shots;
+    for (int i = 0; i < 140; ++i) {
+        const TriangleShot ahead = exact_shot(random, {1, 1 + i % 2}, 3);
+        const TriangleShot behind = exact_shot(random, {1, 1 + i % 2}, -3);
+        const TriangleShot there = exact_shot(random, {1, 1 + i % 2}, 0);
+        const auto in = [](TriangleShot shot, float t_min, float t_max) {
+            shot.ray.t_min = t_min;
+            shot.ray.t_max = t_max;
+            return shot;
+        };
+        switch (i % 7) {
+            case 0: add_pair(shots, ahead, behind, random); break;
+            case 1: add_pair(shots, in(ahead, 2.75F, endless), in(ahead, 3.25F, endless), random); break;
+            case 2: add_pair(shots, in(ahead, 0, 3.25F), in(ahead, 0, 2.75F), random); break;
+            case 3: add_pair(shots, in(ahead, 2, endless), in(ahead, 3, endless), random); break;
+            case 4: add_pair(shots, in(ahead, 0, 4), in(ahead, 0, 3), random); break;
+            case 5: add_pair(shots, in(behind, -endless, -2), in(behind, -3, -2), random); break;
+            default: add_pair(shots, in(there, -1, 1), there, random);
+        }
+    }
+    return shots;
+}
+
+// Rays parallel to the triangle and in its plane, triangles without area, rays without a direction and with NaN in
+// them.
+std::vector<TriangleShot> nothing_to_hit(Random& random)
+{
+    std::vector<TriangleShot> shots;
+    for (int i = 0; i < 70; ++i) {
+        const TriangleShot hit = exact_shot(random, {1, 1}, 3);
+        TriangleShot none = hit;
+        const glm::vec3 edge = hit.triangle.v1 - hit.triangle.v0;
+        const auto axis = random.below(3);
+        switch (i % 7) {
+            case 0: none.ray.direction = edge; break;
+            case 1: none.ray = {hit.triangle.v0 + 0.25F * (hit.triangle.v2 - hit.triangle.v0) - edge, edge}; break;
+            case 2: none.triangle.v2 = hit.triangle.v0 + 2.0F * edge; break;
+            case 3: none.triangle.v2 = none.triangle.v1; break;
+            case 4: none.ray.direction = glm::vec3(0); break;
+            case 5: none.ray.direction[axis] = not_a_number; break;
+            default: none.ray.origin[axis] = not_a_number;
+        }
+        add_pair(shots, hit, none, random);
+    }
+    return shots;
+}
+
+// The same lines with directions of all lengths, and the same figures in all sizes.
+std::vector<TriangleShot> sizes(Random& random)
+{
+    std::vector<TriangleShot> shots = random_pairs(random, 300, 0.2, 1, 0.01);
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        auto& [ray, triangle] = shots[i];
+        const std::size_t kind = i / 2 % 3;
+        if (kind < 2) ray.direction *= std::pow(10.0F, random.uniform(-6, 6));
+        if (kind == 0) continue;
+        const float scale = std::exp2(std::floor(i % 4 < 2 ? random.uniform(-16, -12) : random.uniform(12, 20)));
+        ray.origin *= scale;
+        for (glm::vec3* corner : {&triangle.v0, &triangle.v1, &triangle.v2}) *corner *= scale;
+    }
+    return shots;
+}
+
+// Rays from inside a closed mesh, at its corners and its edges' points; every second one begins outside and leaves.
+// What is recorded is the first triangle's distance.
+void record_mesh(Random& random, Recorder& out)
+{
+    const std::vector<Triangle> mesh = bumpy_ball();
+    for (int i = 0; i < 240; ++i) {
+        const Triangle& triangle = mesh[random.below(static_cast<std::uint32_t>(mesh.size()))];
+        const double along = i % 3 == 0 ? 0 : random.uniform_double();
+        const glm::dvec3 target = glm::mix(glm::dvec3(triangle.v0), glm::dvec3(triangle.v1), along);
+        const glm::vec3 origin = 0.4F * random.in_cube();
+        const Ray inside{origin, glm::vec3(normalize(target - glm::dvec3(origin)))};
+        const Ray leaves{glm::vec3(3.0 * normalize(target)), inside.direction};
+        const bool first = random.below(2) == 0;
+        for (const bool hits : {first, !first}) {
+            Ray ray = hits ? inside : leaves;
+            std::optional<float> t;
+            for (const Triangle& other : mesh) {
+                // The driver's own test of a ball round the triangle spares most questions.
+                const glm::vec3 centre = (other.v0 + other.v1 + other.v2) / 3.0F;
+                if (length(cross(centre - ray.origin, ray.direction)) > 0.35F) continue;
+                const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, ray, other);
+                if (hit && hit->t < ray.t_max) ray.t_max = *(t = hit->t);
+            }
+            out.append("t", t);
+        }
+    }
+}
+
+void record_picture(Recorder& out)
+{
+    constexpr int size = 240;
+    const std::vector<Triangle> triangles = bumpy_ball();
+    const auto asked = [&](const Ray& ray, const Triangle& t) { return ask<intersect_triangle>(out, ray, t); };
+    Grid<std::uint32_t> ids(size / 2, size / 2);
+    for (int y = 0; y < ids.height; ++y)
+        for (int x = 0; x < ids.width; ++x)
+            ids.at(x, y) =
+                nearest(asked, camera_ray(planet_camera, ids.width, ids.height, glm::vec2(x, y) + 0.5F), triangles).id;
+    out.buffer("ids", ids);
+    out.image("planet",
+              ray_traced(size, size, planet_camera, [&](const Ray& ray) { return planet_light(ray, triangles); }));
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record_all(out, by_hand()); }},
+    {"random", [](Case& c, Recorder& out) { record_all(out, random_pairs(c.random, 800, 0.2, 1, 0.01)); }},
+    {"edges", [](Case& c, Recorder& out) { record(out, at_the_edges(c.random)); }},
+    {"intervals", [](Case& c, Recorder& out) { record(out, intervals(c.random)); }},
+    {"nothing", [](Case& c, Recorder& out) { record(out, nothing_to_hit(c.random)); }},
+    {"sizes", [](Case& c, Recorder& out) { record(out, sizes(c.random)); }},
+    {"mesh", [](Case& c, Recorder& out) { record_mesh(c.random, out); }},
+    {"grazing", [](Case& c, Recorder& out) { record_all(out, random_pairs(c.random, 300, 1e-4, 1e-2, 0.1)); }},
+    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+};
+
+}
