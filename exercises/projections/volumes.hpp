@@ -55,7 +55,7 @@ inline ViewVolume with_sides_exchanged(ViewVolume volume, unsigned which)
 template <class Call>
 void record_refusal(Recorder& out, std::string_view name, Call call)
 {
-    out.columns(name, "answered (0) or refused (1) or threw another exception (2)");
+    out.columns(name, "0 answer / 1 refusal / 2 other exception");
     float came_of_it = 0;
     try {
         (void)call();
