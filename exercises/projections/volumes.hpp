@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <limits>
 #include <stdexcept>
+#include <string_view>
 #include <umbral/core/random.hpp>
 #include <umbral/projections/view_volume.hpp>
+#include <umbral/record/recorder.hpp>
 #include <utility>
 
 /// What the drivers of units about view volumes share.
@@ -47,18 +50,25 @@ inline ViewVolume with_sides_exchanged(ViewVolume volume, unsigned which)
     return volume;
 }
 
-/// 0 if the call gives an answer, 1 if it refuses as the interfaces say, 2 if in another way.
+/// Records whether a call refuses: 0 if it gives an answer, 1 if it refuses as the interfaces say, 2 if in another way.
+/// What it says of its reason is shown where it should have answered.
 template <class Call>
-float refusal(Call call)
+void record_refusal(Recorder& out, std::string_view name, Call call)
 {
+    out.columns(name, "0 answer / 1 refusal / 2 other exception");
+    float came_of_it = 0;
     try {
         (void)call();
-    } catch (const std::invalid_argument&) {
-        return 1;
+    } catch (const std::invalid_argument& refusal) {
+        out.refused(name, refusal.what());
+        came_of_it = 1;
     } catch (...) {
-        return 2;
+        came_of_it = 2;
     }
-    return 0;
+    out.append(name, came_of_it);
 }
+
+/// The next float beyond: what is nearest to an equal one.
+inline float next_above(float value) { return std::nextafter(value, std::numeric_limits<float>::infinity()); }
 
 }

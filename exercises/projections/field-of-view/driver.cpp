@@ -33,6 +33,10 @@ void record_known(Recorder& out)
     const Lens lenses[] = {
         {90, 1, 1, 3}, {90, 2, 1, 5}, {53.130102F, 1, 2, 6}, {90, 0.5F, 0.5F, 2}, {60, 16.0F / 9, 0.05F, 1000.05F}};
     for (const Lens& lens : lenses) record(out, lens);
+}
+
+void record_known_angles(Recorder& out)
+{
     for (const auto& [fovx, aspect] : {std::pair(90.0F, 1.0F), {60, 1}, {90, 2}, {90, 0.5F}, {73.73980F, 1.5F}})
         record_angle(out, fovx, aspect);
 }
@@ -53,12 +57,13 @@ void record_infinite(Random& random, Recorder& out)
     }
 }
 
-// A lens, and something that is none, in random order.
+// A lens, and something that is none, in random order: every second time a lens that is almost none.
 void record_refused(Random& random, Recorder& out)
 {
     for (int i = 0; i < 36; ++i) {
-        const Lens good = random_lens(random);
+        Lens good = random_lens(random);
         Lens bad = good;
+        Lens close = good;
         const float angles[] = {0, 180, -40, 270, no_number};
         const float aspects[] = {0, -1.5F, no_number};
         if (i % 12 < 5) bad.fovy_degrees = angles[i % 12];
@@ -67,29 +72,49 @@ void record_refused(Random& random, Recorder& out)
         if (i % 12 == 9) bad.near_plane = -1;
         if (i % 12 == 10) bad.far_plane = bad.near_plane;
         if (i % 12 == 11) bad.far_plane = 0.5F * bad.near_plane;
+        if (i % 12 == 0 || i % 12 == 2) close.fovy_degrees = 1e-6F;
+        if (i % 12 == 1 || i % 12 == 3) close.fovy_degrees = std::nextafter(180.0F, 0.0F);
+        if (i % 12 == 5) close.aspect = 1e-6F;
+        if (i % 12 == 6) close.aspect = 1e6F;
+        if (i % 12 == 8) close.near_plane = 1e-30F;
+        if (i % 12 >= 9) close.far_plane = next_above(close.near_plane);
+        if (i / 12 % 2 == 1) good = close;
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const Lens& asked = is_bad ? bad : good;
-            out.append("refused", refusal([&] { return ask<perspective_matrix>(out, asked); }));
-            out.append("reversed refused", refusal([&] { return ask<reversed_perspective_matrix>(out, asked); }));
+            record_refusal(out, "refused", [&] { return ask<perspective_matrix>(out, asked); });
+            record_refusal(out, "reversed refused", [&] { return ask<reversed_perspective_matrix>(out, asked); });
             if (i % 12 < 8)
-                out.append("angle refused",
-                           refusal([&] { return ask<vertical_field_of_view>(out, asked.fovy_degrees, asked.aspect); }));
+                record_refusal(out, "angle refused",
+                               [&] { return ask<vertical_field_of_view>(out, asked.fovy_degrees, asked.aspect); });
         }
     }
 }
 
-// Angles as close as 10^-4 of a degree to 180, and as small; and far planes right behind near ones.
+// As close as 10^-4 of a degree to 180, or as small.
+float extreme_angle(int kind, Random& random)
+{
+    const float rest = std::pow(10.0F, random.uniform(-4, -0.5F));
+    return kind % 4 == 3 ? rest : 180 - rest;
+}
+
+// Extreme angles, and far planes right behind near ones.
 void record_extremes(Random& random, Recorder& out)
 {
     for (int i = 0; i < 100; ++i) {
-        const float rest = std::pow(10.0F, random.uniform(-4, -0.5F));
         Lens lens = random_lens(random);
-        lens.fovy_degrees = i % 4 == 3 ? rest : 180 - rest;
+        lens.fovy_degrees = extreme_angle(i, random);
         record(out, lens);
-        record_angle(out, lens.fovy_degrees, std::pow(10.0F, random.uniform(1, 5)));
         lens.far_plane = lens.near_plane * (1 + std::pow(10.0F, random.uniform(-5, -2)));
         record(out, lens);
+    }
+}
+
+void record_extreme_angles(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 100; ++i) {
+        const float angle = extreme_angle(i, random);
+        record_angle(out, angle, std::pow(10.0F, random.uniform(1, 5)));
     }
 }
 
@@ -122,10 +147,14 @@ void draw_vertigo(Recorder& out)
 
 const Driver driver = {
     {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known angles", [](Case&, Recorder& out) { record_known_angles(out); }},
     {"random",
      [](Case& c, Recorder& out) {
+         for (int i = 0; i < 100; ++i) record(out, random_lens(c.random));
+     }},
+    {"random angles",
+     [](Case& c, Recorder& out) {
          for (int i = 0; i < 100; ++i) {
-             record(out, random_lens(c.random));
              const float fovx_degrees = c.random.uniform(10, 150);
              record_angle(out, fovx_degrees, c.random.uniform(0.4F, 3));
          }
@@ -133,6 +162,7 @@ const Driver driver = {
     {"infinite", [](Case& c, Recorder& out) { record_infinite(c.random, out); }},
     {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
     {"extremes", [](Case& c, Recorder& out) { record_extremes(c.random, out); }},
+    {"extreme angles", [](Case& c, Recorder& out) { record_extreme_angles(c.random, out); }},
     {"picture", [](Case&, Recorder& out) { draw_vertigo(out); }},
 };
 

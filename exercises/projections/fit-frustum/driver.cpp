@@ -100,17 +100,16 @@ void record_refused(Random& random, Recorder& out)
             const PictureSize picture{bad(0) ? none : 200, bad(1) ? none : 100};
             const float asked = bad(2) ? 0 : (bad(3) ? -size : size);
             if (fault <= 4)
-                out.append("cube refused", refusal([&] {
-                               return ask<fit_cube>(out, asked, bad(4) ? 0.5F * size : distance, picture);
-                           }));
+                record_refusal(out, "cube refused",
+                               [&] { return ask<fit_cube>(out, asked, bad(4) ? 0.5F * size : distance, picture); });
             if (fault <= 3 || fault == 5)
-                out.append("sphere refused",
-                           refusal([&] { return ask<fit_sphere>(out, asked, bad(5) ? size : distance, picture); }));
+                record_refusal(out, "sphere refused",
+                               [&] { return ask<fit_sphere>(out, asked, bad(5) ? size : distance, picture); });
             if (fault <= 3 || fault >= 6)
-                out.append("angle refused", refusal([&] {
-                               return ask<fit_cube_to_fovy>(out, glm::vec3(1), asked,
-                                                            bad(6) ? 180.0F : (bad(7) ? 0.0F : 50.0F), picture);
-                           }));
+                record_refusal(out, "angle refused", [&] {
+                    return ask<fit_cube_to_fovy>(out, glm::vec3(1), asked, bad(6) ? 180.0F : (bad(7) ? 0.0F : 50.0F),
+                                                 picture);
+                });
         }
     }
 }

@@ -23,11 +23,12 @@ void record(Recorder& out, const ViewVolume& volume)
     out.append("normalization", factors.normalization);
 }
 
-// A row says whether there is an answer, and which.
 void record_point(Recorder& out, const glm::mat4& projection, const glm::vec3& point)
 {
     const std::optional<glm::vec3> seen = ask<project_point>(out, projection, point);
-    out.append("points", seen ? glm::vec4(1, *seen) : glm::vec4(0));
+    out.append("ndc x", seen ? std::optional(seen->x) : std::nullopt);
+    out.append("ndc y", seen ? std::optional(seen->y) : std::nullopt);
+    out.append("ndc depth", seen ? std::optional(seen->z) : std::nullopt);
 }
 
 // Windows of side 2 at the near plane, one that is not symmetric, and the one of the course's cube of side 2.
@@ -69,17 +70,21 @@ glm::vec3 point_before_the_eye(const ViewVolume& v, Random& random)
     return {x * distance / v.near_plane, y * distance / v.near_plane, -distance};
 }
 
-// A point before the eye, and one behind it or in its plane, in random order.
+// A point before the eye, and one behind it or in its plane, in random order; some are as close to it as floats are.
 void record_behind(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
         const ViewVolume volume = random_frustum(random);
         const glm::mat4 projection = given_matrix(volume);
-        const glm::vec3 before = point_before_the_eye(volume, random);
+        const float close[] = {1e-2F, 1e-3F, 1e-6F, 1e-12F, 1e-30F};
+        glm::vec3 before = point_before_the_eye(volume, random);
         glm::vec3 behind = -before;
         if (i % 4 == 1) behind.z = 0;
         if (i % 4 == 2) behind = glm::vec3(0);
-        if (i % 4 == 3) behind = glm::vec3(before.x, before.y, 1e-6F);
+        if (i % 4 == 3) {
+            before.z = -close[i / 4 % 5];
+            behind = glm::vec3(before.x, before.y, -before.z);
+        }
         const bool first = random.below(2) == 1;
         for (const bool is_behind : {first, !first}) record_point(out, projection, is_behind ? behind : before);
     }
@@ -100,26 +105,43 @@ void record_infinite(Random& random, Recorder& out)
     }
 }
 
-// A frustum, and something that is none, in random order.
+// A frustum, and something that is none, in random order: every second time a frustum that is almost none.
 void record_refused(Random& random, Recorder& out)
 {
     for (int i = 0; i < 28; ++i) {
-        const ViewVolume good = random_frustum(random);
+        ViewVolume good = random_frustum(random);
         ViewVolume bad = good;
+        ViewVolume close = good;
         switch (i % 7) {
-            case 0: bad.right = bad.left; break;
-            case 1: bad.top = bad.bottom; break;
-            case 2: bad.far_plane = bad.near_plane; break;
-            case 3: bad.near_plane = 0; break;
+            case 0:
+                bad.right = bad.left;
+                close.right = next_above(bad.left);
+                break;
+            case 1:
+                bad.top = bad.bottom;
+                close.top = next_above(bad.bottom);
+                break;
+            case 2:
+                bad.far_plane = bad.near_plane;
+                close.far_plane = next_above(bad.near_plane);
+                break;
+            case 3:
+                bad.near_plane = 0;
+                close.near_plane = 1e-30F;
+                break;
             case 4: bad.near_plane = -bad.near_plane; break;
-            case 5: bad.far_plane = 0; break;
+            case 5:
+                bad.far_plane = 0;
+                close.far_plane = 1e-30F;
+                break;
             default: bad.far_plane = -bad.far_plane;
         }
+        if (i / 7 % 2 == 1) good = close;
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const ViewVolume& asked = is_bad ? bad : good;
-            out.append("refused", refusal([&] { return ask<frustum_matrix>(out, asked); }));
-            out.append("factors refused", refusal([&] { return ask<frustum_factors>(out, asked); }));
+            record_refusal(out, "refused", [&] { return ask<frustum_matrix>(out, asked); });
+            record_refusal(out, "factors refused", [&] { return ask<frustum_factors>(out, asked); });
         }
     }
 }
@@ -183,9 +205,12 @@ const Driver driver = {
     {"known points", [](Case&, Recorder& out) { record_known_points(out); }},
     {"random",
      [](Case& c, Recorder& out) {
+         for (int i = 0; i < 100; ++i) record(out, random_frustum(c.random));
+     }},
+    {"random points",
+     [](Case& c, Recorder& out) {
          for (int i = 0; i < 100; ++i) {
              const ViewVolume volume = random_frustum(c.random);
-             record(out, volume);
              record_point(out, given_matrix(volume), point_before_the_eye(volume, c.random));
          }
      }},

@@ -23,10 +23,11 @@ void record_angle(Recorder& out, float alpha_degrees)
     out.append("foreshortening", ask<foreshortening_of>(out, alpha_degrees));
 }
 
-// Cavalier and cabinet to the right, upwards and between; no lean at all; the opposite direction.
+// Cavalier and cabinet to the right, upwards and between; no lean at all; the opposite direction. In the last box
+// bottom and top, near and far are exchanged.
 void record_known(Recorder& out)
 {
-    const ViewVolume boxes[] = {{-1, 1, -1, 1, -1, 1}, {0, 4, 0, 2, 1, 9}};
+    const ViewVolume boxes[] = {{-1, 1, -1, 1, -1, 1}, {0, 4, 0, 2, 1, 9}, {-1, 3, 2, -2, 8, 4}};
     for (const ViewVolume& box : boxes)
         for (const Lean& lean :
              {Lean{0, 1}, {90, 1}, {45, 1}, {30, 0.5F}, {45, 0.5F}, {60, 0}, {0, -0.5F}, {180, 0.75F}, {-90, 2}})
@@ -52,12 +53,13 @@ void record_random(Random& random, Recorder& out)
 // An angle, and what is none, in random order.
 void record_refused(Random& random, Recorder& out)
 {
-    for (const float wrong : {0.0F, -45.0F, 90.001F, 135.0F, 180.0F, std::numeric_limits<float>::quiet_NaN()})
+    for (const float wrong : {0.0F, -45.0F, next_above(90), 135.0F, 180.0F, std::numeric_limits<float>::quiet_NaN()})
         for (int i = 0; i < 4; ++i) {
-            const float right = i == 0 ? 90 : random.uniform(1, 89);
+            const float close[] = {90, std::nextafter(90.0F, 0.0F), 1e-6F, random.uniform(1, 89)};
+            const float right = close[i];
             const bool first = random.below(2) == 1;
             for (const bool is_wrong : {first, !first})
-                out.append("refused", refusal([&] { return ask<foreshortening_of>(out, is_wrong ? wrong : right); }));
+                record_refusal(out, "refused", [&] { return ask<foreshortening_of>(out, is_wrong ? wrong : right); });
         }
 }
 

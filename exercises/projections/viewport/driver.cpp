@@ -13,7 +13,8 @@ using namespace projections;
 void record_pixel(Recorder& out, const Viewport& viewport, const glm::vec2& ndc)
 {
     const std::optional<glm::ivec2> pixel = ask<pixel_at>(out, viewport, ndc);
-    out.append("pixel", pixel ? glm::vec3(1, *pixel) : glm::vec3(0));
+    out.append("pixel column", pixel ? std::optional(static_cast<float>(pixel->x)) : std::nullopt);
+    out.append("pixel row", pixel ? std::optional(static_cast<float>(pixel->y)) : std::nullopt);
 }
 
 // A whole window, one of odd size that lies in it, a range of depths, and one that is reversed.

@@ -31,7 +31,8 @@ struct Viewport {
 ///
 /// Pixel (i, j) is the i-th from the left and the j-th from below, counted from 0, and owns the half-open square i <= x
 /// < i + 1, j <= y < j + 1 of window coordinates: so every point belongs to one pixel, and x = 1 or y = 1 to none of
-/// the viewport. What counts is the exact place, not a rounded one.
+/// the viewport. What counts is the place (ndc + 1) size / 2 as computed in double; in float many places come to lie on
+/// a border.
 [[nodiscard]] std::optional<glm::ivec2> pixel_at(const Viewport& viewport, const glm::vec2& ndc);
 
 /// The normalised device coordinates of the middle of a pixel of the window, which may lie outside the viewport.
