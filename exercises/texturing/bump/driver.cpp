@@ -34,15 +34,26 @@ Grid<glm::vec4> heights_of(int width, int height, const std::vector<float>& heig
 
 void by_hand(Recorder& out)
 {
+    out.columns("slopes", "d_u, d_v");
     const Grid<glm::vec4> field = heights_of(4, 2, {0, 1, 3, 0, 2, 0, 1, 4});
     for (const glm::vec2 uv :
          {glm::vec2(0.375F, 0.25F), {0.375F, 0.75F}, {0.125F, 0.25F}, {0.875F, 0.75F}, {0.5F, 0.25F}, {0.625F, 0.5F}})
         for (const float k : {1.0F, -0.5F}) out.append("slopes", ask<slopes>(out, field, uv, k));
 
+    const Grid<glm::vec4> narrow = heights_of(2, 4, {0, 1, 2, 4, 1, 0, 3, 2});
+    for (const glm::vec2 uv : {glm::vec2(0.25F, 0.375F), {0.75F, 0.625F}, {0.5F, 0.125F}})
+        out.append("slopes", ask<slopes>(out, narrow, uv, 1));
+
     record_tangents(out, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0}, {1, 0}, {0, 1}}}});
     record_tangents(out, {{{{1, 2, 3}, {3, 2, 3}, {1, 2, 0}}}, {{{0, 0}, {0.5F, 0}, {0, 0.25F}}}});
     record_tangents(out, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{1, 0}, {0, 0}, {1, 1}}}});
     record_tangents(out, {{{{0, 0, 0}, {2, 0, 1}, {0, 3, 0}}}, {{{0, 0}, {1, 1}, {0, 2}}}});
+    // A cell of a fine mesh, 1/512 of the texture wide, and one that is mirrored and finer still.
+    constexpr float fine = 1.0F / 512;
+    record_tangents(out, {{{{1, 0, 2}, {1 + fine, 0, 2}, {1, fine, 2}}},
+                          {{{0.5F, 0.25F}, {0.5F + fine, 0.25F}, {0.5F, 0.25F + fine}}}});
+    constexpr float finer = 1.0F / 16384;
+    record_tangents(out, {{{{0, 0, 0}, {0, 0, 2 * finer}, {0, finer, 0}}}, {{{0, 0}, {-finer, 0}, {0, finer}}}});
 
     const Tangents flat{{1, 0, 0}, {0, 1, 0}};
     const Tangents skew{{2, 0, 0}, {1, 1, 0}};
@@ -57,6 +68,7 @@ void random_slopes(Random& random, Recorder& out)
     const Grid<glm::vec4> fields[] = {random_texture(random, 8, 8), random_texture(random, 16, 4),
                                       random_texture(random, 5, 9), random_texture(random, 1, 3),
                                       random_texture(random, 2, 1)};
+    out.columns("slopes", "d_u, d_v");
     for (int i = 0; i < 300; ++i) {
         const Grid<glm::vec4>& field = fields[random.below(5)];
         const float u = random.uniform(-1, 2);
@@ -66,7 +78,7 @@ void random_slopes(Random& random, Recorder& out)
 }
 
 // At least half a unit of area in the texture, and corners anywhere.
-FlatTriangle random_triangle(Random& random)
+FlatTriangle large_triangle(Random& random)
 {
     FlatTriangle triangle;
     for (glm::vec3& position : triangle.positions) position = 2.0F * random.in_cube();
@@ -82,12 +94,38 @@ FlatTriangle random_triangle(Random& random)
     return triangle;
 }
 
-// Corners on a line, or in one place: in the texture. In space they lie anywhere.
+// The same triangle of a finer mesh, whose tangents are as long: moved towards its first corner, with steps in the
+// texture down to 10^-4, or towards the origin by a power of two, exactly.
+FlatTriangle made_smaller(const FlatTriangle& triangle, Random& random)
+{
+    const bool towards_the_origin = random.below(3) == 0;
+    const float size =
+        towards_the_origin ? std::exp2(-static_cast<float>(random.below(48))) : std::pow(10.0F, random.uniform(-4, -1));
+    FlatTriangle smaller = triangle;
+    const glm::vec3 position = towards_the_origin ? glm::vec3(0) : triangle.positions[0];
+    const glm::vec2 at = towards_the_origin ? glm::vec2(0) : triangle.coordinates[0];
+    for (std::size_t i = 0; i < 3; ++i) {
+        smaller.positions[i] = position + size * (triangle.positions[i] - position);
+        smaller.coordinates[i] = at + size * (triangle.coordinates[i] - at);
+    }
+    return smaller;
+}
+
+// Half of them large, half those of finer meshes.
+FlatTriangle random_triangle(Random& random)
+{
+    const FlatTriangle triangle = large_triangle(random);
+    return random.below(2) == 0 ? triangle : made_smaller(triangle, random);
+}
+
+// Corners on a line, or in one place: in the texture. In space they lie anywhere. One of four is small, but sound.
 void degenerate(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
-        FlatTriangle triangle = random_triangle(random);
-        if (i % 4 != 0) {
+        FlatTriangle triangle = large_triangle(random);
+        if (i % 4 == 0) {
+            triangle = made_smaller(triangle, random);
+        } else {
             const auto steps = static_cast<float>(random.below(4));
             triangle.coordinates = {
                 glm::vec2(1, -1), {1.5F, -0.75F}, glm::vec2(1, -1) + steps * glm::vec2(0.5F, 0.25F)};
@@ -129,7 +167,7 @@ void random_normals(Random& random, Recorder& out, float stretch, bool mirrored)
     }
 }
 
-// No tangents, parallel ones, or only one: the normal stays.
+// No tangents, parallel ones, only one, or some whose plane holds n: the normal stays. Every sixth frame is sound.
 void without_tangents(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
@@ -139,9 +177,19 @@ void without_tangents(Random& random, Recorder& out)
         const Tangents several[] = {{{0, 0, 0}, {0, 0, 0}}, {t, 2.0F * t}, {t, {0, 0, 0}}, {{0, 0, 0}, t}, {t, -t}};
         record_normal(out, frame.n, i % 6 == 5 ? frame.tangents : several[i % 6], slope);
     }
+    for (int i = 0; i < 12; ++i) {
+        glm::vec3 n(0);
+        glm::vec3 side(0);
+        n[i % 3] = random.below(2) == 0 ? 1.0F : -1.0F;
+        side[(i + 1) % 3] = random.uniform(0.5F, 2);
+        const glm::vec3 along = random.uniform(0.5F, 2) * n;
+        const Tangents upright = i % 2 == 0 ? Tangents{side, along} : Tangents{along, side};
+        record_normal(out, n, upright, {random.uniform(0.5F, 2), -0.75F});
+    }
 }
 
-// Triangles of molecules and of planets: products of tangents overflow or vanish in float.
+// Triangles of molecules and of planets: products of tangents overflow or vanish in float. And relief that is up to
+// 10^6 times as steep as its tangents are long.
 void extreme(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
@@ -151,6 +199,14 @@ void extreme(Random& random, Recorder& out)
         frame.tangents.u *= size;
         frame.tangents.v *= size;
         record_normal(out, frame.n, frame.tangents, size * slope);
+    }
+    for (int i = 0; i < 60; ++i) {
+        Frame frame = random_frame(random, 2);
+        const float size = std::pow(10.0F, random.uniform(-5.5F, -3));
+        const float slope = random.below(2) == 0 ? 1.0F : -1.0F;
+        frame.tangents.u *= size;
+        frame.tangents.v *= size;
+        record_normal(out, frame.n, frame.tangents, {slope, random.uniform(-1, 1)});
     }
 }
 

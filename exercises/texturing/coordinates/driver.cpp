@@ -20,6 +20,7 @@ void record_sphere(Recorder& out, const std::vector<glm::vec3>& points)
 
 void record_triangles(Recorder& out, const std::vector<Corners>& triangles)
 {
+    out.columns("corners", "u, v");
     for (const Corners& corners : triangles)
         for (const glm::vec2& at : ask<spherical_triangle>(out, corners)) out.append("corners", at);
 }
@@ -47,6 +48,26 @@ glm::vec3 random_point(Random& random)
     return random.uniform(0.2F, 5) * at_angles(longitude, random.uniform(-1.55F, 1.55F));
 }
 
+// Far from the seam, across it, touching it, and with corners on the axis; the same on a ball of a millionth the size,
+// and with a corner close to the axis.
+std::vector<Corners> triangles_by_hand()
+{
+    const std::vector<Corners> large = {
+        {{{1, 0, 0}, {1, 0, 1}, {0, 2, 2}}},    {{{-1, 0, 1}, {-1, 0, -1}, {-1, 1, -1}}},
+        {{{0, 0, -2}, {-3, 0, 3}, {-1, 0, 1}}}, {{{-1, 0, 0}, {-1, 0, -1}, {0, 1, -1}}},
+        {{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}},    {{{-1, 0, 1}, {0, -2, 0}, {-1, 0, -1}}},
+        {{{0, 3, 0}, {0, -1, 0}, {-1, 0, -1}}}, {{{0, 1, 0}, {0, 2, 0}, {0, -1, 0}}}};
+    std::vector<Corners> triangles = large;
+    for (const Corners& corners : large) {
+        constexpr float size = 1.0F / (1 << 20);
+        triangles.push_back({size * corners[0], size * corners[1], size * corners[2]});
+    }
+    constexpr float close = 1.0F / 8192;
+    triangles.push_back({{{close, 0, 0}, {1, 0, 1}, {0, 0, 1}}});
+    triangles.push_back({{{-close, 0, -close}, {-1, 0, 1}, {-1, 0, 0}}});
+    return triangles;
+}
+
 void by_hand(Recorder& out)
 {
     const TexturePlane front{};
@@ -58,6 +79,9 @@ void by_hand(Recorder& out)
         out, {{1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 0}, {0, -2, 2}, {3, 0, 3}, {-1, 0, 1}, {-1, 0, -1}, {0, 3, -3}});
     for (const glm::vec3& point : {glm::vec3(2, 1, 0), {0, 1.5F, 2}, {0, 4, -1}, {-1, 2.5F, 1}, {1, -1, 1}, {3, 6, -3}})
         out.append("cylinder", ask<cylindrical_coordinates>(out, point, 1, 4));
+    for (const glm::vec3& point : {glm::vec3(2, 1, 0), {0, 2.5F, -1}, {1, 5, 1}})
+        out.append("cylinder", ask<cylindrical_coordinates>(out, point, 4, 1));
+    record_triangles(out, triangles_by_hand());
 }
 
 void random_points(Random& random, Recorder& out)
@@ -136,6 +160,15 @@ glm::vec3 pole(Random& random)
     return {x, height, zero_of_any_sign(random)};
 }
 
+// One of three triangles on a much smaller or larger ball: longitudes do not depend on its size.
+void change_balls(Random& random, std::vector<Corners>& triangles)
+{
+    for (Corners& corners : triangles) {
+        const float size = random.below(3) == 0 ? std::pow(10.0F, random.uniform(-12, 6)) : 1.0F;
+        for (glm::vec3& corner : corners) corner *= size;
+    }
+}
+
 // Far from the seam, across it, and with a corner exactly on it.
 void seam(Random& random, Recorder& out)
 {
@@ -150,6 +183,7 @@ void seam(Random& random, Recorder& out)
             triangles.push_back(touching);
         }
     }
+    change_balls(random, triangles);
     record_triangles(out, triangles);
 }
 
@@ -165,6 +199,7 @@ void poles(Random& random, Recorder& out)
         triangles.push_back(corners);
     }
     for (int i = 0; i < 2; ++i) triangles.push_back({pole(random), pole(random), pole(random)});
+    change_balls(random, triangles);
     record_triangles(out, triangles);
 }
 
@@ -206,6 +241,13 @@ void extreme(Random& random, Recorder& out)
         const float longitude = random.uniform(-3.12F, 3.12F);
         const glm::vec3 near_pole(off * std::cos(longitude), random.below(2) == 0 ? 1 : -1, off * std::sin(longitude));
         record_sphere(out, {point, speck, near_pole});
+        Corners corners = triangle_at(random, random.uniform(-pi, pi));
+        const std::uint32_t changed = random.below(3);
+        if (i % 4 == 0)  // close to the axis, but not on it: its own longitude counts
+            corners[changed] *= glm::vec3(off * 1e-3F, 1, off * 1e-3F);
+        const float size = i % 4 < 2 ? 1.0F : std::pow(10.0F, random.uniform(-36, -25));
+        for (glm::vec3& corner : corners) corner *= size;
+        record_triangles(out, {corners});
         const float low = random.uniform(-3.3e38F, -2e38F);
         const float high = random.uniform(2e38F, 3.3e38F);
         const glm::vec3 tall(point.x, 3e38F * random.uniform(-1, 1), point.z);

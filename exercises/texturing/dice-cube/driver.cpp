@@ -8,11 +8,13 @@ namespace {
 
 using namespace texturing;
 
+// How many entries each table has, the tables by their number in the struct, from 1.
 void record_sizes(Recorder& out, const TexturedCube& cube)
 {
-    for (const std::size_t size :
-         {cube.positions.size(), cube.coordinates.size(), cube.normals.size(), cube.triangles.size()})
-        out.append("sizes", static_cast<std::int32_t>(size));
+    out.columns("sizes", "table, entries");
+    const std::size_t sizes[] = {cube.positions.size(), cube.coordinates.size(), cube.normals.size(),
+                                 cube.triangles.size()};
+    for (int i = 0; i < 4; ++i) out.append("sizes", glm::vec2(i + 1, sizes[i]));
 }
 
 // Away from edges and diagonals, so that no rounding decides which triangle it is.
@@ -30,17 +32,24 @@ glm::vec2 random_place(Random& random)
     }
 }
 
+// Calls `observe` for all faces, each by the number that the die shows there, with a random place on it.
+template <class Observe>
+void record_faces(Random& random, const Observe& observe)
+{
+    for (std::size_t face = 0; face < sides.size(); ++face)
+        for (int i = 0; i < 12; ++i) observe(static_cast<float>(face + 1), sides[face], random_place(random));
+}
+
 // In pairs: one place on a side, and one in its plane beside it, where there must be nothing.
 void record_covers(Recorder& out, const std::vector<Triangle>& triangles, Random& random)
 {
-    for (const Side& side : sides)
-        for (int i = 0; i < 12; ++i) {
-            const glm::vec2 on = random_place(random);
-            const glm::vec2 beside = on + (random.below(2) == 0 ? glm::vec2(1, 0) : glm::vec2(0, -1));
-            const bool on_first = random.below(2) == 0;
-            for (const glm::vec2 place : {on_first ? on : beside, on_first ? beside : on})
-                out.append("covers", seen(triangles, side, place).covers);
-        }
+    out.columns("covers", "face, outward triangles, inward triangles");
+    record_faces(random, [&](float face, const Side& side, glm::vec2 on) {
+        const glm::vec2 beside = on + (random.below(2) == 0 ? glm::vec2(1, 0) : glm::vec2(0, -1));
+        const bool on_first = random.below(2) == 0;
+        for (const glm::vec2 place : {on_first ? on : beside, on_first ? beside : on})
+            out.append("covers", glm::vec3(face, seen(triangles, side, place).covers));
+    });
 }
 
 void record_dice(Case& c, Recorder& out)
@@ -49,9 +58,11 @@ void record_dice(Case& c, Recorder& out)
     record_sizes(out, cube);
     const std::vector<Triangle> triangles = triangles_of(cube);
     record_covers(out, triangles, c.random);
-    for (const Side& side : sides)
-        for (int i = 0; i < 12; ++i)
-            out.append("coordinates", seen(triangles, side, random_place(c.random)).coordinates);
+    out.columns("coordinates", "face, u, v");
+    record_faces(c.random, [&](float face, const Side& side, glm::vec2 place) {
+        out.append("coordinates", glm::vec3(face, seen(triangles, side, place).coordinates));
+    });
+    record_sizes(out, ask<dice_cube>(out));
 }
 
 void record_lit(Case& c, Recorder& out)
@@ -59,12 +70,14 @@ void record_lit(Case& c, Recorder& out)
     const TexturedCube cube = ask<lit_dice_cube>(out);
     record_sizes(out, cube);
     const std::vector<Triangle> triangles = triangles_of(cube);
-    for (const Side& side : sides)
-        for (int i = 0; i < 12; ++i) {
-            const Seen at = seen(triangles, side, random_place(c.random));
-            out.append("coordinates", at.coordinates);
-            out.append("normals", at.normal);
-        }
+    out.columns("coordinates", "face, u, v");
+    out.columns("normals", "face, x, y, z");
+    record_faces(c.random, [&](float face, const Side& side, glm::vec2 place) {
+        const Seen at = seen(triangles, side, place);
+        out.append("coordinates", glm::vec3(face, at.coordinates));
+        out.append("normals", glm::vec4(face, at.normal));
+    });
+    record_sizes(out, ask<lit_dice_cube>(out));
 }
 
 void record_replicated(Case& c, Recorder& out)
@@ -73,8 +86,11 @@ void record_replicated(Case& c, Recorder& out)
     record_sizes(out, cube);
     const std::vector<Triangle> triangles = triangles_of(cube);
     record_covers(out, triangles, c.random);
-    for (const Side& side : sides)
-        for (const glm::vec2& at : corners_of(triangles, side)) out.append("corners", at);
+    out.columns("corners", "face, u, v");
+    for (std::size_t face = 0; face < sides.size(); ++face)
+        for (const glm::vec2& at : corners_of(triangles, sides[face]))
+            out.append("corners", glm::vec3(static_cast<float>(face + 1), at));
+    record_sizes(out, ask<replicated_cube>(out));
 }
 
 Image picture(Recorder& out)

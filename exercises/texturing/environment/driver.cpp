@@ -7,10 +7,11 @@ namespace {
 
 using namespace texturing;
 
-void record_box(Recorder& out, const glm::vec3& direction)
+void record_box(Recorder& out, const glm::vec3& direction, std::string_view value = "box")
 {
     const BoxPlace place = ask<box_place>(out, direction);
-    out.append("box", glm::vec3(static_cast<int>(place.face), place.uv));
+    out.columns(value, "face, u, v");
+    out.append(value, glm::vec3(static_cast<int>(place.face), place.uv));
 }
 
 void record_directions(Recorder& out, BoxFace face, glm::vec2 uv)
@@ -36,7 +37,7 @@ void by_hand(Recorder& out)
          {glm::vec3(0, 0, 1), {1, 0, 0}, {0, -2, 0}, {3, 0, 4}, {0, 3, -4}, {-4, 0, -3}, {-1, 0, 0}, {0, 1, 1}})
         out.append("sphere", ask<sphere_place>(out, direction));
     for (int face = 0; face < 6; ++face)
-        for (const glm::vec2 uv : {glm::vec2(0.5F, 0.5F), {0.75F, 0.5F}, {0.5F, 0.25F}, {0.2F, 0.9F}})
+        for (const glm::vec2 uv : {glm::vec2(0.5F, 0.5F), {0.75F, 0.5F}, {0.5F, 0.25F}, {0.25F, 0.875F}})
             record_directions(out, static_cast<BoxFace>(face), uv);
 }
 
@@ -83,7 +84,21 @@ void ties(Random& random, Recorder& out)
                  {glm::vec3(x, y, third), {x, third, y}, {third, x, y}, {x, y, x}, {x, y, -x}})
                 record_box(out, direction);
         }
+    // Close to an edge on either side, from 2^-19 to 2^-8 of the coordinates.
+    for (int i = 0; i < 48; ++i) {
+        const float lead = 1 + std::exp2(-static_cast<float>(8 + random.below(12)));
+        const int axis = i % 3;
+        glm::vec3 direction(0);
+        direction[axis] = random.below(2) == 0 ? 1.0F : -1.0F;
+        direction[(axis + 1) % 3] = random.below(2) == 0 ? 1.0F : -1.0F;
+        direction[(axis + 2) % 3] = random.uniform(-0.9F, 0.9F);
+        direction[(axis + static_cast<int>(random.below(2))) % 3] *= lead;
+        record_box(out, direction, "beside");
+    }
 }
+
+// Beside -z, at an angle of about `off`.
+glm::vec3 almost_back(float off, float turned) { return {off * std::cos(turned), off * std::sin(turned), -1}; }
 
 void edges(Recorder& out)
 {
@@ -101,6 +116,9 @@ void edges(Recorder& out)
                  {glm::vec3(zero, other, -1), {zero, other, -3}, {zero, other, 2}, {1, zero, other}, {zero, 1, other}})
                 out.append("sphere", ask<sphere_place>(out, direction));
         }
+    for (const float off : {1e-4F, 1e-3F, 4e-3F, 0.012F, 0.05F})
+        for (const float turned : {0.0F, 1.2F, 2.9F, 4.0F})
+            out.append("beside", ask<sphere_place>(out, almost_back(off, turned)));
     for (const glm::vec2 uv : {glm::vec2(0, 0),
                                {1, 0},
                                {1, 0.5F},
@@ -123,6 +141,10 @@ void extreme(Random& random, Recorder& out)
         const float size = std::pow(10.0F, i % 2 == 0 ? random.uniform(22, 37) : random.uniform(-36, -24));
         out.append("panorama", ask<panorama_place>(out, size * off_the_seam(random)));
         out.append("sphere", ask<sphere_place>(out, size * random.unit_vector()));
+        if (i % 2 == 0) {
+            const float off = std::pow(10.0F, random.uniform(-7, -3));
+            out.append("sphere", ask<sphere_place>(out, almost_back(off, random.uniform(0, 6.28F))));
+        }
         record_box(out, (i % 2 == 0 ? 3.2e38F : size) * towards_a_face(random));
     }
 }

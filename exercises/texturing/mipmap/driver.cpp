@@ -14,6 +14,8 @@ using namespace texturing;
 void record_mipmap(Recorder& out, const Grid<glm::vec4>& texture)
 {
     const Mipmap mipmap = ask<build_mipmap>(out, texture);
+    out.columns("sizes", "columns (first row: levels), rows (first row: 0)");
+    out.columns("texels", "red, green, blue, alpha");
     out.append("sizes", glm::vec2(mipmap.size(), 0));
     std::size_t level = 0;
     for (int size = texture.width; size >= 1; size /= 2, ++level) {
@@ -45,10 +47,11 @@ Mipmap grey_levels()
     return mipmap;
 }
 
-Mipmap random_mipmap(Random& random, int size)
+// From `size` down to `smallest`: a mipmap need not be complete.
+Mipmap random_mipmap(Random& random, int size, int smallest)
 {
     Mipmap mipmap;
-    for (; size >= 1; size /= 2) mipmap.push_back(random_texture(random, size, size));
+    for (; size >= smallest; size /= 2) mipmap.push_back(random_texture(random, size, size));
     return mipmap;
 }
 
@@ -64,8 +67,16 @@ void by_hand(Recorder& out)
         for (const glm::ivec2 size : {glm::ivec2(8, 8), {16, 4}})
             out.append("steps", ask<level_of_step>(out, by_x, by_y, size));
     const Mipmap greys = grey_levels();
-    for (const float level : {0.0F, 1.0F, 2.0F, 3.0F, 0.5F, 1.25F, 2.75F})
+    for (const float level : {0.0F, 1.0F, 2.0F, 3.0F, 0.5F, 1.25F, 2.75F, -0.5F, -3.0F, 3.25F, 9.0F})
         out.append("blends", ask<trilinear>(out, greys, {0.3F, 0.6F}, level));
+    // Two levels of four: the last one need not have a single texel.
+    const Mipmap two(greys.begin(), greys.begin() + 2);
+    for (const float level : {0.75F, 1.0F, 1.5F, 3.0F})
+        out.append("blends", ask<trilinear>(out, two, {0.3F, 0.6F}, level));
+    // Places outside the unit square, and blends across its border.
+    const Mipmap pattern = {small_texture(4), small_texture(2)};
+    for (const glm::vec2 uv : {glm::vec2(1.375F, -0.375F), {-0.125F, 0.625F}, {0, 1}, {0.5F, 2.75F}})
+        for (const float level : {0.0F, 0.5F, 1.0F}) out.append("blends", ask<trilinear>(out, pattern, uv, level));
 }
 
 void textures(Random& random, Recorder& out)
@@ -117,15 +128,16 @@ void levels(Random& random, Recorder& out)
 // Places up to two turns outside, levels between, on, below and above those that there are.
 void blends(Random& random, Recorder& out)
 {
-    const Mipmap mipmaps[] = {random_mipmap(random, 16), random_mipmap(random, 4), random_mipmap(random, 1)};
+    const Mipmap mipmaps[] = {random_mipmap(random, 16, 1), random_mipmap(random, 4, 1), random_mipmap(random, 1, 1),
+                              random_mipmap(random, 16, 4), random_mipmap(random, 8, 8)};
     for (int i = 0; i < 400; ++i) {
-        const Mipmap& mipmap = mipmaps[i % 8 == 0 ? 2 : random.below(2)];
+        const Mipmap& mipmap = mipmaps[i % 8 == 0 ? 2 + random.below(3) : random.below(2)];
         const float u = random.uniform(-2, 2);
         const glm::vec2 uv(u, random.uniform(-2, 2));
         out.append("between", ask<trilinear>(out, mipmap, uv, random.uniform(0.05F, 3.95F)));
     }
     for (int i = 0; i < 200; ++i) {
-        const Mipmap& mipmap = mipmaps[random.below(3)];
+        const Mipmap& mipmap = mipmaps[random.below(5)];
         const float u = random.uniform(-2, 2);
         const glm::vec2 uv(u, random.uniform(-2, 2));
         const float last = static_cast<float>(mipmap.size() - 1);

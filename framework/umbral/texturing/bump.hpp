@@ -24,13 +24,15 @@ struct Tangents {
 
 /// The tangents of a triangle whose corners have these positions and texture coordinates: position = corner 0 + t_u
 /// (u - u0) + t_v (v - v0) in all of it. Both are 0 if the coordinates of the corners lie on a line, where there are no
-/// tangents. Right to 1e-6 of the larger tangent's length if they do not come near that. Course: slides F10 to F12.
+/// tangents; not so in a triangle that is merely small, as those of fine meshes are. Right to 1e-6 of the larger
+/// tangent's length if the angles of the triangle in the texture are not tiny. Course: slides F10 to F12.
 [[nodiscard]] Tangents triangle_tangents(const std::array<glm::vec3, 3>& positions,
                                          const std::array<glm::vec2, 3>& coordinates);
 
 /// The unit normal of a surface whose points are raised along its unit normal n by heights of these slopes: that of the
 /// tangents t_u + d_u n and t_v + d_v n, **on the side of n**. (Where the texture is mirrored, t_u x t_v points against
-/// n.) It is n itself if t_u x t_v is 0. Right to 4e-7 for tangents of any length and at any angle that is not tiny.
+/// n.) It is n itself if (t_u x t_v) · n is 0: if there are no tangents, or their plane holds n. Right to 4e-7 for
+/// tangents of any length, at any angle that is not tiny, and slopes of up to 10^6 times their length.
 /// Course: slide F13.
 [[nodiscard]] glm::vec3 bumped_normal(const glm::vec3& n, const Tangents& tangents, glm::vec2 slopes);
 

@@ -20,17 +20,17 @@ using Mipmap = std::vector<Grid<glm::vec4>>;
 
 /// The level for a surface at a distance, where `near` > 0 is the distance at which a texel is as large as a pixel: 0
 /// up to there, and 1 more with each doubling, log2(distance / near). Not limited by the number of levels. Finite
-/// positive distances; right to 2e-6, also where the quotient overflows. Course: slides F3, "acceso".
+/// positive distances; right to 1 ulp or 1e-15, also where the quotient overflows. Course: slides F3, "acceso".
 [[nodiscard]] float level_at_distance(float distance, float near);
 
 /// The level for a pixel from the derivatives of (u, v) by the pixel's x and y, for a texture of `size` columns and
 /// rows: the log2 of the longer of the two steps, measured in texels (u times the columns, v times the rows), but at
-/// least 0, also where both steps are 0. Not limited by the number of levels. Finite derivatives; right to 2e-6, also
-/// where squares overflow. This is OpenGL's choice.
+/// least 0, also where both steps are 0. Not limited by the number of levels. Finite derivatives; right to 1 ulp or
+/// 1e-15, also where squares overflow. This is OpenGL's choice.
 [[nodiscard]] float level_of_step(glm::vec2 by_x, glm::vec2 by_y, glm::ivec2 size);
 
 /// The colour at (u, v), repeated, in a mipmap of at least one level: bilinear lookups in the two levels round `level`,
-/// blended by its fraction. Below 0 it is level 0, from the last level on it is the last. Course: slides F3,
+/// blended by its fraction. Below 0 it is level 0, from the list's last level on it is that one. Course: slides F3,
 /// "interpolar entre las dos texturas más adecuadas".
 [[nodiscard]] glm::vec4 trilinear(const Mipmap& mipmap, glm::vec2 uv, float level);
 

@@ -41,7 +41,7 @@ int main(int count, char** arguments)
             long double largest = 0;
             for (int i = 0; i < steps; ++i) {
                 const float angle = random.uniform(0, 6.28F);
-                const float length = std::exp2(exponent + random.uniform()) / columns;
+                const float length = (1 + random.uniform()) * std::exp2(exponent) / columns;
                 const glm::vec2 step = length * glm::vec2(std::cos(angle), std::sin(angle));
                 largest = std::max(largest, std::fabs(level(step) - exact(step)));
             }

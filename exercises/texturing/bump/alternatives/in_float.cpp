@@ -1,4 +1,5 @@
-// alternative: in float, with the tangents brought to a common size, and a 2 x 2 matrix inverted by GLM
+// alternative: in float, with the tangents brought to a common size and their product multiplied out, and a 2 x 2
+// matrix inverted by GLM
 #include <umbral/texturing/bump.hpp>
 
 namespace umbral::texturing {
@@ -31,9 +32,10 @@ glm::vec3 bumped_normal(const glm::vec3& n, const Tangents& tangents, glm::vec2 
     if (size == 0) return n;
     const glm::vec3 t_u = tangents.u / size;
     const glm::vec3 t_v = tangents.v / size;
-    const float side = dot(cross(t_u, t_v), n);
+    const glm::vec3 flat = cross(t_u, t_v);
+    const float side = dot(flat, n);
     if (side == 0) return n;
-    const glm::vec3 normal = normalize(cross(t_u + slopes.x / size * n, t_v + slopes.y / size * n));
+    const glm::vec3 normal = normalize(flat + slopes.x / size * cross(n, t_v) + slopes.y / size * cross(t_u, n));
     return side > 0 ? normal : -normal;
 }
 

@@ -1,5 +1,5 @@
 // mistake: takes the arc sine of y / r, all in float
-// credit: 93..99
+// credit: 90..98
 // hint: Near a pole the arc sine of a number close to 1 has lost half its digits, and squares of large or tiny
 // coordinates overflow or vanish in float. Take atan2 of y and the distance from the axis, in double or by std::hypot.
 #include <cmath>
