@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <kit/shapes.hpp>
 #include <optional>
 #include <umbral/raytracing/triangle.hpp>
