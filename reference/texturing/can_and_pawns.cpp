@@ -82,7 +82,7 @@ private:
     }
 
     LitMesh body_, top_, bottom_, pawn_;
-    Texture label_, wood_;
+    LabTexture label_, wood_;
     Materials materials_;
 };
 
@@ -211,7 +211,7 @@ Revolved revolve(std::span<const glm::vec2> profile, std::uint32_t copies)
     return result;
 }
 
-void activate_texture(Texture& texture)
+void activate_texture(LabTexture& texture)
 {
     glEnable(GL_TEXTURE_2D);
     const bool first_time = texture.name == 0;
@@ -227,7 +227,7 @@ void activate_texture(Texture& texture)
     }
 }
 
-Materials make_materials(Texture& label, Texture& wood)
+Materials make_materials(LabTexture& label, LabTexture& wood)
 {
     const auto grey = [](float value) { return glm::vec4(glm::vec3(value), 1); };
     return {.label = {grey(0.25F), grey(0.80F), grey(0.35F), 40, &label},

@@ -223,22 +223,22 @@ void record_refused(Random& random, Recorder& out)
         const bool first = random.below(2) == 1;
         if (!camera) continue;
         for (const bool is_bad : {first, !first}) {
-            out.append("distance refused", refusal([&] {
-                           ask<&OrbitalCamera::set_distance>(out, *camera, is_bad ? distance : good.distance);
-                           return 0;
-                       }));
+            record_refusal(out, "distance refused", [&] {
+                ask<&OrbitalCamera::set_distance>(out, *camera, is_bad ? distance : good.distance);
+                return 0;
+            });
             record(out, *camera);
-            out.append("angles refused", refusal([&] {
-                           ask<&OrbitalCamera::set_angles>(out, *camera, is_bad && i % 2 == 0 ? angle : good.a_degrees,
-                                                           is_bad && i % 2 == 1 ? angle : good.b_degrees);
-                           return 0;
-                       }));
+            record_refusal(out, "angles refused", [&] {
+                ask<&OrbitalCamera::set_angles>(out, *camera, is_bad && i % 2 == 0 ? angle : good.a_degrees,
+                                                is_bad && i % 2 == 1 ? angle : good.b_degrees);
+                return 0;
+            });
             record(out, *camera);
             Orbit asked = good;
             if (is_bad && i % 3 == 0) asked.a_degrees = angle;
             if (is_bad && i % 3 == 1) asked.b_degrees = angle;
             if (is_bad && i % 3 == 2) asked.distance = distance;
-            out.append("factory refused", refusal([&] { return made(out, "refused", asked); }));
+            record_refusal(out, "factory refused", [&] { return made(out, "refused", asked); });
         }
     }
 }

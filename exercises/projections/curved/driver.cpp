@@ -252,10 +252,10 @@ void record_refused(Random& random, Recorder& out)
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const bool by_count = i % 4 == 0;
-            out.append("refused", refusal([&] {
-                           return ask<tessellated>(out, is_bad && by_count ? bad : good,
-                                                   is_bad && !by_count ? wrong[i % 3] : 1.0F);
-                       }));
+            record_refusal(out, "refused", [&] {
+                return ask<tessellated>(out, is_bad && by_count ? bad : good,
+                                        is_bad && !by_count ? wrong[i % 3] : 1.0F);
+            });
         }
     }
 }

@@ -192,9 +192,9 @@ void record_refused(Random& random, Recorder& out)
         for (const bool is_bad : {first, !first}) {
             const StereoScreen& asked = is_bad ? bad : good;
             const float distance = is_bad ? wrong_distances[i % 4] : good.distance * (i % 3 == 0 ? infinity : 2);
-            out.append("off-axis refused", refusal([&] { return ask<off_axis_pair>(out, asked); }));
-            out.append("toe-in refused", refusal([&] { return ask<toe_in_pair>(out, asked); }));
-            out.append("parallax refused", refusal([&] { return ask<parallax>(out, good, distance); }));
+            record_refusal(out, "off-axis refused", [&] { return ask<off_axis_pair>(out, asked); });
+            record_refusal(out, "toe-in refused", [&] { return ask<toe_in_pair>(out, asked); });
+            record_refusal(out, "parallax refused", [&] { return ask<parallax>(out, good, distance); });
         }
     }
 }
@@ -272,7 +272,7 @@ void record_random_pixels(Random& random, Recorder& out)
         const bool first = random.below(2) == 1;
         for (const bool differs : {first, !first}) {
             const Image right = random_image(differs && i % 3 != 0 ? 4 : 6, differs && i % 3 != 1 ? 6 : 4, random);
-            out.append("refused", refusal([&] { return ask<anaglyph>(out, left, right, all_colors[i % 3]); }));
+            record_refusal(out, "refused", [&] { return ask<anaglyph>(out, left, right, all_colors[i % 3]); });
         }
     }
 }

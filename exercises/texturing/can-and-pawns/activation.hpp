@@ -10,7 +10,7 @@ namespace umbral::texturing {
 
 // Rubric 4: textures.
 
-inline void show_texture(Recorder& out, const char* name, glm::ivec2 corner, Texture& texture, int height)
+inline void show_texture(Recorder& out, const char* name, glm::ivec2 corner, LabTexture& texture, int height)
 {
     glViewport(corner.x, height - corner.y - texture.picture.height, texture.picture.width, texture.picture.height);
     ask<activate_texture>(out, texture);
@@ -26,7 +26,7 @@ inline void record_textures(Recorder& out, Random& random, bool generates)
     const gl::Framebuffer target(144, height);
     target.clear();
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-    std::vector<Texture> textures;
+    std::vector<LabTexture> textures;
     for (const glm::ivec2 size : sizes) textures.push_back({.picture = random_picture(random, size.x, size.y)});
     for (std::size_t i = 0; i < textures.size(); ++i) {
         // Turned by a quarter, and shifted by whole texels: over the edge, where the texture begins again.
@@ -37,7 +37,7 @@ inline void record_textures(Recorder& out, Random& random, bool generates)
         textures[i].t_plane = {0, i == 1 ? -0.5F : 0.5F, 0, -0.5F};
     }
     int left = 0;
-    for (Texture& texture : textures) {
+    for (LabTexture& texture : textures) {
         show_texture(out, "texels", {left, 0}, texture, height);
         left += texture.picture.width + 1;
     }
@@ -47,8 +47,8 @@ inline void record_textures(Recorder& out, Random& random, bool generates)
 
 inline void record_names(Recorder& out, Random& random)
 {
-    std::array<Texture, 3> textures;
-    for (Texture& texture : textures) texture.picture = random_picture(random, 20, 12);
+    std::array<LabTexture, 3> textures;
+    for (LabTexture& texture : textures) texture.picture = random_picture(random, 20, 12);
     constexpr std::array<std::size_t, 7> order = {0, 1, 0, 2, 2, 1, 0};
     const float before = living_texels();
     out.columns("made", "texels in OpenGL, uploads later than the first of this texture");
@@ -65,8 +65,8 @@ inline void record_names(Recorder& out, Random& random)
 
 // Rubric 5: materials.
 
-inline void record_material(Recorder& out, const char* name, const Material& material, const Texture* label,
-                            const Texture* wood)
+inline void record_material(Recorder& out, const char* name, const Material& material, const LabTexture* label,
+                            const LabTexture* wood)
 {
     std::vector<float> row;
     for (const glm::vec4& color : {material.ambient, material.diffuse, material.specular})
@@ -82,8 +82,8 @@ inline void record_material(Recorder& out, const char* name, const Material& mat
 
 inline void materials(Case&, Recorder& out)
 {
-    Texture label;
-    Texture wood;
+    LabTexture label;
+    LabTexture wood;
     const Materials all = ask<make_materials>(out, label, wood);
     for (const Material* material : {&all.label, &all.metal, &all.wood, &all.white, &all.black})
         record_material(out, "numbers", *material, &label, &wood);
@@ -91,8 +91,8 @@ inline void materials(Case&, Recorder& out)
 
 inline void activated_materials(Case& c, Recorder& out)
 {
-    std::array<Texture, 2> textures;
-    for (Texture& texture : textures) texture.picture = random_picture(c.random, 8, 8);
+    std::array<LabTexture, 2> textures;
+    for (LabTexture& texture : textures) texture.picture = random_picture(c.random, 8, 8);
     textures[1].generates = true;
     const auto random_color = [&] {
         const float red = c.random.uniform();

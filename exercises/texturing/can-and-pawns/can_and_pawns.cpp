@@ -26,14 +26,14 @@ Revolved revolve(std::span<const glm::vec2> profile, std::uint32_t copies)
     return not_implemented<Revolved>(profile, copies);
 }
 
-void activate_texture(Texture& texture)
+void activate_texture(LabTexture& texture)
 {
     // TODO: line 4. Enable, bind (the first time: make the name, and give OpenGL the texels), generate or not. Delete
     // the next line.
     (void)not_implemented<int>(texture);
 }
 
-Materials make_materials(Texture& label, Texture& wood)
+Materials make_materials(LabTexture& label, LabTexture& wood)
 {
     // TODO: line 5. The table of the interface. Delete the next line.
     return not_implemented<Materials>(label, wood);

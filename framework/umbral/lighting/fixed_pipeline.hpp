@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <umbral/core/not_implemented.hpp>
 #include <umbral/lighting/light.hpp>
+#include <umbral/lighting/light_frame.hpp>
 #include <vector>
 
 namespace umbral::lighting {
@@ -15,11 +16,8 @@ namespace umbral::lighting {
 // each parameter of each light, the light model, the materials, GL_COLOR_MATERIAL and what it tracks, the shade model,
 // GL_NORMALIZE, the front face, the current colour. Each stack of matrices has place for one more.
 
-/// What a light moves with: its position stands in the world's coordinates, or in the camera's.
-enum class LightFrame : std::uint32_t { world, camera };
-
 struct PlacedLight {
-    Light light;
+    Light light;  ///< in the coordinates of its frame
     LightFrame frame = LightFrame::world;
 };
 

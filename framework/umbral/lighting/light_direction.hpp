@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <umbral/core/not_implemented.hpp>
+#include <umbral/lighting/light_frame.hpp>
 
 /// Directional lights that are given by two angles and turned by keys, as in the fourth lab of the course. Directions
 /// point **towards** the light.
@@ -12,12 +13,6 @@ namespace umbral::lighting {
 struct LightAngles {
     float longitude_degrees = 0;  ///< α, about the y axis: 0 is the direction +z, 90 is +x
     float latitude_degrees = 0;   ///< β, from the plane y = 0 upwards: 90 is +y
-};
-
-/// The frame that the angles are counted in, and with which the light turns.
-enum class LightFrame {
-    world,  ///< like the sun: the light stays where it is in the scene when the camera moves
-    camera  ///< like a miner's lamp: it stays where it is in the picture
 };
 
 /// The unit vector towards the light, (cos β sin α, sin β, cos β cos α), for all finite angles. Guarantee of the

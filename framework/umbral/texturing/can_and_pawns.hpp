@@ -76,7 +76,7 @@ struct Picture {
 };
 
 /// A texture of the lab: its texels in memory, its name in OpenGL, and how its coordinates come about.
-struct Texture {
+struct LabTexture {
     Picture picture;
     unsigned name = 0;       ///< 0 until it is activated for the first time
     bool generates = false;  ///< coordinates are generated; else they come with the vertices
@@ -90,7 +90,7 @@ struct Texture {
 /// the texture generates, and disabled if not. The first time it makes the texture: a new name, and the texels go to
 /// OpenGL, once; later calls upload nothing. t = 0 is the bottom of the picture, t = 1 its top. Outside [0, 1] the
 /// texture repeats. Filters are yours; at a texel's own centre they must give that texel. Course: lab 4, 4.2.5.
-void activate_texture(Texture& texture);
+void activate_texture(LabTexture& texture);
 
 /// A material of the lab. The fourth component is 1: opaque.
 struct Material {
@@ -98,7 +98,7 @@ struct Material {
     glm::vec4 diffuse{0, 0, 0, 1};   ///< M_D
     glm::vec4 specular{0, 0, 0, 1};  ///< M_S
     float exponent = 0;              ///< e, 0 to 128
-    Texture* texture = nullptr;      ///< null: none
+    LabTexture* texture = nullptr;   ///< null: none
 };
 
 /// The scene's materials.
@@ -121,7 +121,7 @@ struct Materials {
 ///     wood   0.28              0.75              0.30              30   `wood`
 ///     white  0.26 0.25 0.24    0.74 0.72 0.68    0                 0    none
 ///     black  0.03              0.04              0.70              60   none
-[[nodiscard]] Materials make_materials(Texture& label, Texture& wood);
+[[nodiscard]] Materials make_materials(LabTexture& label, LabTexture& wood);
 
 /// Rubric 5, activation: enables GL_LIGHTING, sets the material of front faces (back faces may have it too, or not),
 /// and activates the material's texture; without one, textures are disabled. Emission stays 0. Course: lab 4, 4.2.6.

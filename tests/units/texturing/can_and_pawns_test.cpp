@@ -131,7 +131,7 @@ TEST_F(Lab4, textures_hold_the_picture_with_its_bottom_row_first)
 {
     constexpr std::uint64_t seed = 12;
     Random random(seed);
-    Texture texture{.picture = random_picture(random, 7, 5)};
+    LabTexture texture{.picture = random_picture(random, 7, 5)};
     activate_texture(texture);
     std::vector<std::uint8_t> texels(7 * 5 * 3);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -160,7 +160,7 @@ TEST_F(Lab4, a_lambert_sphere_is_lit_as_the_formula_says)
 {
     // One directional light on white: the wanted colour of a pixel is M_A S + M_D S (n·l), by hand.
     const gl::Framebuffer target(64, 64);
-    Texture none;
+    LabTexture none;
     const Material white = make_materials(none, none).white;
     const std::array<Light, 1> light = {{{.color = {0.6F, 0.6F, 0.6F}, .alpha = 0.5F, .beta = 0.4F}}};
     glMatrixMode(GL_PROJECTION);

@@ -91,7 +91,7 @@ Revolved revolve(std::span<const glm::vec2> profile, std::uint32_t copies)
     return out;
 }
 
-void activate_texture(Texture& texture)
+void activate_texture(LabTexture& texture)
 {
     const Picture& picture = texture.picture;
     if (texture.name == 0) {
@@ -114,12 +114,12 @@ void activate_texture(Texture& texture)
     glTexGenfv(GL_T, GL_OBJECT_PLANE, &texture.t_plane.x);
 }
 
-static Material material(float a, float d, float s, float e, Texture* texture)
+static Material material(float a, float d, float s, float e, LabTexture* texture)
 {
     return {{a, a, a, 1}, {d, d, d, 1}, {s, s, s, 1}, e, texture};
 }
 
-Materials make_materials(Texture& label, Texture& wood)
+Materials make_materials(LabTexture& label, LabTexture& wood)
 {
     Materials all;
     all.label = material(0.25F, 0.8F, 0.35F, 40, &label);
@@ -180,7 +180,7 @@ static struct {
     EarlierLabs* earlier;
     bool lab4, made;
     LitMesh body, top, bottom, pawn;
-    Texture label, wood;
+    LabTexture label, wood;
     Materials materials;
     Light lights[2];
 } the;
