@@ -129,13 +129,13 @@ void main()
 {
     float key = 1.0;
     float open = 1.0;
-    for (int i = 0; i < 3; ++i) {
-        if (i == own_ball) continue;
-        vec3 to_ball = balls[i].xyz - place;
+    for (int ball = 0; ball < 3; ++ball) {
+        if (ball == own_ball) continue;
+        vec3 to_ball = balls[ball].xyz - place;
         float along = dot(to_ball, sun);
         float beside = length(to_ball - along * sun);
-        if (along > 0.0) key *= smoothstep(0.80 * balls[i].w, 1.15 * balls[i].w, beside);
-        open *= 1.0 - 0.75 * exp(-3.0 * max(0.0, length(to_ball) - 0.8 * balls[i].w) / balls[i].w);
+        if (along > 0.0) key *= smoothstep(0.80 * balls[ball].w, 1.15 * balls[ball].w, beside);
+        open *= 1.0 - 0.75 * exp(-3.0 * max(0.0, length(to_ball) - 0.8 * balls[ball].w) / balls[ball].w);
     }
     vec3 albedo = tint * srgb_decoded(texture(picture, st).rgb);
     vec3 shade = open * lit(albedo, gloss, normalize(n), normalize(eye - place), sun, key);
