@@ -19,14 +19,26 @@ std::string small(std::string_view word)
     return result;
 }
 
+/// How many letters two names begin with alike, up to the last '/' in that: a topic that was spelt right says nothing
+/// of how much of the unit's name was.
+std::size_t shared_folders(std::string_view word, std::string_view name)
+{
+    std::size_t shared = 0;
+    for (std::size_t i = 0; i < std::min(word.size(), name.size()) && small(word[i]) == small(name[i]); ++i)
+        if (word[i] == '/') shared = i + 1;
+    return shared;
+}
+
 /// Those that lie at most a third of the letters away, the nearest first.
 std::vector<std::string> mistyped(std::string_view word, std::span<const std::string> known)
 {
     std::vector<std::pair<std::size_t, std::string>> found;
-    for (const std::string& name : known)
-        if (const std::size_t distance = edit_distance(word, name);
-            distance <= std::max<std::size_t>(1, word.size() / 3))
-            found.emplace_back(distance, name);
+    for (const std::string& name : known) {
+        const std::string_view written = word.substr(shared_folders(word, name));
+        const std::string_view meant = std::string_view(name).substr(word.size() - written.size());
+        const std::size_t distance = edit_distance(written, meant);
+        if (distance <= std::max<std::size_t>(1, written.size() / 3)) found.emplace_back(distance, name);
+    }
     std::ranges::stable_sort(found, {}, [](const auto& one) { return one.first; });
     std::vector<std::string> names;
     for (const auto& [distance, name] : found) names.push_back(name);

@@ -122,10 +122,42 @@ TEST(Arrows, the_grader_knows_no_answers)
     }
 }
 
+/// Of each topic, the other topics whose units some unit of it uses.
+Layers used_topics()
+{
+    Layers used;
+    const std::regex uses(R"re("uses": \[([^\]]*)\])re");
+    const std::regex topic(R"re("([a-z]+)/)re");
+    for (const fs::path& file : files_below("exercises")) {
+        if (file.filename() != "exercise.json") continue;
+        const std::string own = file.parent_path().parent_path().filename().string();
+        std::string manifest;
+        for (const Line& line : lines_of(file)) manifest += line.text;
+        std::smatch list;
+        if (!std::regex_search(manifest, list, uses)) continue;
+        const std::string units = list[1];
+        for (std::sregex_iterator unit(units.begin(), units.end(), topic); unit != std::sregex_iterator(); ++unit)
+            if ((*unit)[1] != own) used[own].insert((*unit)[1]);
+    }
+    return used;
+}
+
+TEST(Arrows, of_topics_run_one_way)
+{
+    const Layers used = used_topics();
+    EXPECT_FALSE(used.empty());
+    for (const auto& [topic, others] : used)
+        for (const std::string& other : others) {
+            const auto back = used.find(other);
+            EXPECT_TRUE(back == used.end() || !back->second.contains(topic)) << topic << " and " << other;
+        }
+}
+
 TEST(Arrows, of_the_framework)
 {
     const std::set<std::string> below_topics = {"core", "gl", "input", "record"};
     const Layers may_include = {{"core", {}}, {"gl", {"core", "record"}}, {"input", {"core"}}, {"record", {"core"}}};
+    const Layers used = used_topics();
     std::size_t seen = 0;
     for (const Include& include : includes_below("framework/umbral")) {
         if (!include.target.starts_with("umbral/")) {
@@ -138,8 +170,10 @@ TEST(Arrows, of_the_framework)
         // What every student's file sees: interfaces and what they need.
         if (layer == "student.hpp" || layer == target) continue;
         const bool is_topic = !below_topics.contains(layer);
-        // Topics are data and interfaces of their own: they meet in the reference only.
-        EXPECT_TRUE(is_topic ? below_topics.contains(target) : may_include.at(layer).contains(target))
+        // Topics are data and interfaces of their own: they meet in the reference, and where a unit uses others.
+        const auto others = used.find(layer);
+        const bool is_used = others != used.end() && others->second.contains(target);
+        EXPECT_TRUE(is_topic ? below_topics.contains(target) || is_used : may_include.at(layer).contains(target))
             << include.line.where();
     }
     EXPECT_GT(seen, 20U);

@@ -114,7 +114,7 @@ TEST(NearMisses, are_told_the_nearest_name)
          {NearMiss{"validate spher", "did you mean `sphere`?"}, NearMiss{"hint sphree", "did you mean `sphere`?"},
           NearMiss{"validate raytracing/spere", "did you mean `raytracing/sphere`?"},
           NearMiss{"validate raytracng", "did you mean `raytracing`?"},
-          NearMiss{"validate raytracing", "is a topic, not a unit; its units: raytracing/sphere"},
+          NearMiss{"validate raytracing", "is a topic, not a unit; its units: raytracing/"},
           NearMiss{"validate raytracng/sphere", "`raytracing/sphere`"}, NearMiss{"hint matrix", "`normal-matrix`"},
           NearMiss{"chekc", "did you mean `check`?"}, NearMiss{"gradee", "did you mean `grade`?"}}) {
         const Printed printed = umbral(one.arguments);

@@ -4,6 +4,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../volumes.hpp"
+#include "cuts.hpp"
 #include "panorama.hpp"
 
 namespace umbral {
@@ -22,6 +23,7 @@ glm::vec4 row_of(const std::optional<CurvedPoint>& seen)
 
 void record(Recorder& out, const glm::vec3& point)
 {
+    for (const char* const name : {"sphere", "cylinder"}) out.columns(name, "is seen, place/2, distance");
     out.append("sphere", row_of(ask<spherical_projection>(out, point)));
     out.append("cylinder", row_of(ask<cylindrical_projection>(out, point)));
 }
@@ -117,47 +119,6 @@ void record_small_angles(Random& random, Recorder& out)
         const glm::vec3 aside = std::pow(10.0F, random.uniform(-6, -3)) * random.unit_vector();
         const float size = std::pow(10.0F, random.uniform(-30, 30));
         record_angle(out, size * a, (i % 3 == 0 ? -1.0F : 1.0F) * (a + aside));
-    }
-}
-
-using Triangle = std::array<glm::vec3, 3>;
-
-bool is_less(const glm::vec3& a, const glm::vec3& b)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        if (a[axis] != b[axis]) return a[axis] < b[axis];
-    return false;
-}
-
-/// Triangles that begin at their least corner, the least triangles first. Corners here are whole multiples of 2^-12,
-/// so every middle is exact, and there is no other order.
-std::vector<Triangle> sorted(const std::vector<glm::vec3>& corners)
-{
-    std::vector<Triangle> triangles;
-    for (std::size_t i = 0; i + 3 <= corners.size(); i += 3) {
-        Triangle next{corners[i], corners[i + 1], corners[i + 2]};
-        std::rotate(next.begin(), std::min_element(next.begin(), next.end(), is_less), next.end());
-        triangles.push_back(next);
-    }
-    std::sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
-        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), is_less);
-    });
-    return triangles;
-}
-
-/// How many triangles there are, and eight of them, taken evenly from the sorted list.
-void record_cut(Recorder& out, const std::vector<glm::vec3>& corners, float largest_angle)
-{
-    const std::vector<glm::vec3> cut = ask<tessellated>(out, corners, largest_angle);
-    out.append("count", static_cast<float>(cut.size()));
-    const std::vector<Triangle> triangles = sorted(cut);
-    for (std::size_t i = 0; i < 8; ++i) {
-        Triangle row;
-        row.fill(glm::vec3(-1000));  // stands for no triangle
-        if (!triangles.empty()) row = triangles[i * triangles.size() / 8];
-        std::array<float, 9> numbers{};
-        for (std::size_t k = 0; k < 9; ++k) numbers[k] = row[k / 3][static_cast<int>(k % 3)];
-        out.append("triangles", std::span<const float>(numbers));
     }
 }
 

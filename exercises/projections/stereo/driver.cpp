@@ -6,6 +6,7 @@
 
 #include "../island.hpp"
 #include "../volumes.hpp"
+#include "anaglyphs.hpp"
 
 namespace umbral {
 namespace {
@@ -37,6 +38,7 @@ void record_parallax(Recorder& out, const StereoScreen& screen, float distance)
 // A row says whether there is a distance; one that is infinite counts as a distance of its own kind.
 void record_distance(Recorder& out, const StereoScreen& screen, float parallax)
 {
+    out.columns("distance", "is there (2: infinite), distance");
     const std::optional<float> distance = ask<distance_of_parallax>(out, screen, parallax);
     if (!distance)
         out.append("distance", glm::vec2(0));
@@ -49,6 +51,7 @@ void record_distance(Recorder& out, const StereoScreen& screen, float parallax)
 // A row says whether there is an answer, and which.
 void record_disparity(Recorder& out, const StereoPair& pair, const glm::vec3& point)
 {
+    out.columns("disparity", "is seen, disparity/2");
     const std::optional<glm::vec2> seen = ask<disparity>(out, pair, point);
     out.append("disparity", seen ? glm::vec3(1, *seen) : glm::vec3(0));
 }
@@ -217,63 +220,6 @@ void record_near_the_screen(Random& random, Recorder& out)
         const StereoPair pair{{left, projection}, {right, projection}};
         const std::optional<glm::vec2> seen = ask<disparity>(out, pair, point_before(screen, random));
         out.append("disparity", seen.value_or(glm::vec2(no_number)));
-    }
-}
-
-constexpr AnaglyphColors all_colors[] = {AnaglyphColors::full, AnaglyphColors::half, AnaglyphColors::gray};
-
-/// The pixels of the anaglyph, row by row; rows of nothing if its size is another one.
-void record_anaglyph(Recorder& out, const Image& left, const Image& right)
-{
-    const std::string names[] = {"full", "half", "gray"};
-    for (const AnaglyphColors colors : all_colors) {
-        const Image picture = ask<anaglyph>(out, left, right, colors);
-        const bool fits =
-            picture.width == left.width && picture.height == left.height && picture.cells.size() == left.cells.size();
-        for (std::size_t i = 0; i < left.cells.size(); ++i)
-            out.append(names[static_cast<std::size_t>(colors)],
-                       fits ? glm::vec4(picture.cells[i]) : glm::vec4(no_number));
-    }
-}
-
-// Pure colours, greys, and all of them against all others.
-void record_known_pixels(Recorder& out)
-{
-    const glm::u8vec4 paints[] = {{255, 0, 0, 255},     {0, 255, 0, 255}, {0, 0, 255, 255},    {255, 255, 255, 255},
-                                  {128, 128, 128, 255}, {0, 0, 0, 255},   {200, 100, 50, 255}, {20, 120, 220, 255}};
-    Image left(8, 8);
-    Image right(8, 8);
-    for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < 8; ++x) {
-            left.at(x, y) = paints[x];
-            right.at(x, y) = paints[y];
-        }
-    record_anaglyph(out, left, right);
-}
-
-Image random_image(int width, int height, Random& random)
-{
-    Image image(width, height);
-    const auto code = [&] { return static_cast<std::uint8_t>(random.below(256)); };
-    for (glm::u8vec4& pixel : image.cells)
-        for (int channel = 0; channel < 4; ++channel) pixel[channel] = code();
-    return image;
-}
-
-// Sizes that are no square, one without a pixel, and alpha that must not come through.
-void record_random_pixels(Random& random, Recorder& out)
-{
-    for (const glm::ivec2& size : {glm::ivec2(37, 5), {1, 90}, {0, 3}, {24, 20}}) {
-        const Image left = random_image(size.x, size.y, random);
-        record_anaglyph(out, left, random_image(size.x, size.y, random));
-    }
-    for (int i = 0; i < 12; ++i) {
-        const Image left = random_image(6, 4, random);
-        const bool first = random.below(2) == 1;
-        for (const bool differs : {first, !first}) {
-            const Image right = random_image(differs && i % 3 != 0 ? 4 : 6, differs && i % 3 != 1 ? 6 : 4, random);
-            record_refusal(out, "refused", [&] { return ask<anaglyph>(out, left, right, all_colors[i % 3]); });
-        }
     }
 }
 
