@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -58,10 +59,15 @@ void validate(Application& application, const Options& options)
         return true;
     });
     have_built(application, exercises);
+    // Units that may run longest begin first, so that none of them runs alone at the end.
+    std::vector<const Exercise*> order;
+    for (const Exercise& exercise : exercises) order.push_back(&exercise);
+    std::ranges::stable_sort(order, std::ranges::greater{},
+                             [](const Exercise* exercise) { return exercise->limits.wall_seconds; });
     // The slowest units have the most seeds to wait for: seeds are shared out, not units.
     Crew(application.tools, options.jobs)
         .share_out(exercises.size() * options.seeds, [&](Worker& worker, std::size_t index) {
-            validate_unit(worker, exercises[index / options.seeds], static_cast<unsigned>(index % options.seeds),
+            validate_unit(worker, *order[index / options.seeds], static_cast<unsigned>(index % options.seeds),
                           [&](const Finding& finding) {
                               const std::lock_guard lock(mutex);
                               findings.push_back(finding);
