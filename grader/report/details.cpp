@@ -100,11 +100,12 @@ void add_first_failing(Block& block, const CheckResult& check, const Paint& pain
         block.sentence(shorten(paint.safe(kind), label_width - 2, paint.ellipsis()), path);
 }
 
-/// What wrong answers have in common: of the check that is shown, or of the first other that has something to tell.
-void add_pattern(Block& block, const std::vector<const CheckResult*>& failing)
+/// What wrong answers have in common: of the check that is shown, or, where no reason is known, of the first other that
+/// has something to tell.
+void add_pattern(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
 {
     const auto found = std::ranges::find_if(failing, [](const CheckResult* check) { return !check->common.empty(); });
-    if (found == failing.end()) return;
+    if (found == failing.end() || (*found != failing.front() && !main_reasons(unit).empty())) return;
     const std::string where = *found == failing.front() ? "" : fmt::format("in {}: ", (*found)->name);
     block.sentence("pattern", where + (*found)->common);
 }
@@ -215,7 +216,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
     if (ran && shown != nullptr) add_first_failing(block, *shown, paint);
     if (shown == nullptr && hidden_fails)
         block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
-    if (ran) add_pattern(block, failing);
+    if (ran) add_pattern(block, unit, failing);
     add_reasons(block, unit);
     if (ran) add_others(block, unit, failing);
     if (!unit.output.empty()) {
