@@ -67,6 +67,19 @@ TEST(Terminal, an_ambiguous_reason_is_said_to_be_one_of_several)
     EXPECT_FALSE(contains(report, "The third."));
 }
 
+TEST(Terminal, a_pattern_of_another_check_is_shown_where_no_reason_is_known)
+{
+    UnitResult unit = unit_result("projections/view-matrix", Verdict::partial,
+                                  {check_result("axes/m", 0, 4000), check_result("far away/m", 0, 2500)});
+    const auto printed = [&] { return terminal_report(submission_result("ana", {unit}), {}); };
+    unit.checks[1].common = "every wrong answer is l";
+    EXPECT_TRUE(contains(printed(), "in far away/m: every wrong answer is l"));
+    unit.explanations = {{"transposed", "Your matrix is the transpose of the expected one.", 0.95}};
+    EXPECT_FALSE(contains(printed(), "every wrong answer"));
+    unit.checks[0].common = "every wrong answer is v";
+    EXPECT_TRUE(contains(printed(), "pattern   every wrong answer is v"));
+}
+
 TEST(Terminal, a_sketch_stands_line_by_line)
 {
     UnitResult unit = transposed();
