@@ -139,6 +139,8 @@ std::optional<Condition> common_condition(Samples& samples)
     const Sample& fresh = samples.fresh();
     if (fresh.table.names != seen.table.names) return std::nullopt;
     const bool same = fresh.table.numbers == seen.table.numbers;
+    // Where a case always asks the same, nothing can say that the bound is more than a number between them.
+    if (same && condition->fitted) return std::nullopt;
     const bool holds = same ? has_both(wrong, least_of_fixed) && condition->right_where == 0 &&
                                   condition->wrong_where == condition->wrong
                             : parts(*condition, fresh.answers.facts, which_wrong(fresh));

@@ -17,7 +17,8 @@ using Test = std::function<bool(const std::vector<Fact>&, std::size_t)>;
 struct Candidate {
     std::string words;
     Test holds;
-    int cost = 0;  ///< how far-fetched: of several that part alike, the cheapest is said
+    int cost = 0;         ///< how far-fetched: of several that part alike, the cheapest is said
+    bool fitted = false;  ///< as in Condition
 };
 
 Candidate of_one(std::string words, std::size_t fact, int cost, bool (*test)(double))
@@ -126,7 +127,7 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
                    [i, bound, best_below](const std::vector<Fact>& others, std::size_t question) {
                        return (others[i].values[question] < bound) == best_below;
                    },
-                   cost});
+                   cost, bound != 0});
 }
 
 /// Of two facts that measure alike: "the distance between ray.origin and sphere.centre is less than sphere.radius".
@@ -164,7 +165,7 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
 
 Condition measured(const Candidate& candidate, const std::vector<Fact>& facts, const std::vector<bool>& wrong)
 {
-    Condition condition{candidate.words, candidate.holds};
+    Condition condition{candidate.words, candidate.holds, candidate.fitted};
     for (std::size_t i = 0; i < wrong.size(); ++i) {
         const bool holds = candidate.holds(facts, i);
         ++(wrong[i] ? condition.wrong : condition.right);
@@ -226,7 +227,7 @@ void offer_joined(const std::vector<Candidate>& candidates, const std::vector<Fa
                                  [one = a.holds, other = b.holds](const std::vector<Fact>& all, std::size_t question) {
                                      return one(all, question) && other(all, question);
                                  },
-                                 joining + a.cost + b.cost};
+                                 joining + a.cost + b.cost, a.fitted || b.fitted};
             Condition joined = measured(both, facts, wrong);
             // Each must be needed, and together they must hold without exception: two say more by chance than one.
             const std::size_t needed = std::max(least_questions, joined.right / 10);

@@ -75,6 +75,17 @@ TEST(Conditions, find_signs_zeros_and_bounds_in_the_simplest_words)
               "sphere.radius is at least 1");
 }
 
+// Such a bound means something only if it parts other questions too.
+TEST(Conditions, say_whether_a_bound_was_put_between_these_very_questions)
+{
+    const QuestionTable table = rays(2);
+    const auto fitted = [&](const std::vector<bool>& wrong) {
+        return simplest_condition(facts_of(table), wrong)->fitted;
+    };
+    EXPECT_TRUE(fitted(wrong_where(table, [](const auto& row) { return row[7] >= 1; })));
+    EXPECT_FALSE(fitted(wrong_where(table, [](const auto& row) { return row[4] < 0; })));
+}
+
 TEST(Conditions, join_two_where_one_does_not_do)
 {
     const QuestionTable table = rays(3);
