@@ -10,14 +10,13 @@
 #include <set>
 #include <span>
 
+#include "question/alike.hpp"
 #include "question/answer_relations.hpp"
 
 namespace umbral::grader {
 namespace {
 
 constexpr std::size_t most_named = 4;  ///< more numbers of a row than that are no pattern
-/// Of the size of the right answer: less is rounding.
-constexpr double rounding = 1e-5;
 
 using Pairs = std::vector<const AnswerPair*>;
 
@@ -28,9 +27,7 @@ double size_of(std::span<const double> numbers)
     return most;
 }
 
-bool alike(double a, double b, double size) { return std::abs(a - b) <= rounding * size; }
-
-bool alike(std::span<const double> a, std::span<const double> b)
+bool alike_rows(std::span<const double> a, std::span<const double> b)
 {
     const double size = size_of(b);
     return std::ranges::equal(a, b, [size](double x, double y) { return alike(x, y, size); });
@@ -38,7 +35,8 @@ bool alike(std::span<const double> a, std::span<const double> b)
 
 bool all_equal(const Pairs& pairs, const std::vector<double> AnswerPair::*side)
 {
-    return std::ranges::all_of(pairs, [&](const AnswerPair* one) { return alike(one->*side, pairs.front()->*side); });
+    return std::ranges::all_of(pairs,
+                               [&](const AnswerPair* one) { return alike_rows(one->*side, pairs.front()->*side); });
 }
 
 /// "0", "(0, 0, 1)"
@@ -89,16 +87,16 @@ void add_lists(const Pairs& wrong, std::size_t components, std::vector<std::stri
         });
     };
     using Rows = std::span<const double>;
-    if (all([&](Rows yours, Rows right) { return alike(yours, right.first(right.size() - components)); }))
+    if (all([&](Rows yours, Rows right) { return alike_rows(yours, right.first(right.size() - components)); }))
         found.emplace_back("lacks the last row");
-    if (all([&](Rows yours, Rows right) { return alike(yours, right.subspan(components)); }))
+    if (all([&](Rows yours, Rows right) { return alike_rows(yours, right.subspan(components)); }))
         found.emplace_back("lacks the first row");
     if (all([&](Rows yours, Rows right) {
-            return yours.size() == right.size() + components && alike(yours.first(right.size()), right);
+            return yours.size() == right.size() + components && alike_rows(yours.first(right.size()), right);
         }))
         found.emplace_back("has a row too many at its end");
     if (all([&](Rows yours, Rows right) {
-            return yours.size() == right.size() + components && alike(yours.subspan(components), right);
+            return yours.size() == right.size() + components && alike_rows(yours.subspan(components), right);
         }))
         found.emplace_back("has a row too many at its beginning");
     if (all([&](Rows yours, Rows right) {
@@ -107,7 +105,7 @@ void add_lists(const Pairs& wrong, std::size_t components, std::vector<std::stri
             for (std::size_t at = yours.size(); at > 0; at -= components)
                 turned.insert(turned.end(), yours.begin() + static_cast<long>(at - components),
                               yours.begin() + static_cast<long>(at));
-            return alike(turned, right);
+            return alike_rows(turned, right);
         }))
         found.emplace_back("has its rows in the opposite order");
 }
@@ -212,7 +210,7 @@ void add_matrix_columns(const AnswerTable& table, const Pairs& wrong, const std:
         if (!relation) return;
         parts.push_back(fmt::format("column {} {}", column, *relation));
     }
-    found.push_back("is right but for some columns: " + fmt::format("{}", fmt::join(parts, ", ")));
+    found.push_back(fmt::format("is right but for some columns: {}", fmt::join(parts, ", ")));
 }
 
 /// State that a call leaves behind for the next.
@@ -220,7 +218,7 @@ void add_question_before(const AnswerTable& table, const Pairs& wrong, std::vect
 {
     std::set<std::vector<double>> different;
     for (const AnswerPair* one : wrong) {
-        if (one == table.answers.data() || !alike(one->yours, (one - 1)->expected)) return;
+        if (one == table.answers.data() || !alike_rows(one->yours, (one - 1)->expected)) return;
         different.insert(one->yours);
     }
     if (different.size() >= least_wrong) found.emplace_back("is the right one to the question before");

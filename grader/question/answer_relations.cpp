@@ -9,29 +9,25 @@
 #include <numeric>
 #include <set>
 
+#include "judge/rows/tensor_view.hpp"
+#include "question/alike.hpp"
+
 namespace umbral::grader {
 namespace {
 
-/// Of the size of what is compared: less is rounding.
-constexpr double rounding = 1e-5;
 /// Of fewer different numbers anything is true by chance.
 constexpr std::size_t least_different = 4;
 
-/// False where one is not finite: to infinity, all are near.
-bool alike(double a, double b)
-{
-    const double size = std::max(std::abs(a), std::abs(b));
-    return std::isfinite(size) && std::abs(a - b) <= rounding * size;
-}
+bool same(double a, double b) { return alike(a, b, std::max(std::abs(a), std::abs(b))); }
 
-bool all_alike(std::span<const double> a, std::span<const double> b) { return std::ranges::equal(a, b, alike); }
+bool all_same(std::span<const double> a, std::span<const double> b) { return std::ranges::equal(a, b, same); }
 
 bool vary(std::span<const double> values)
 {
     return std::set<double>(values.begin(), values.end()).size() >= least_different;
 }
 
-/// What is told of these questions. Nothing that is told of right answers: those are compared themselves.
+/// What is told of each of these questions.
 std::vector<double> values_at(const Fact& fact, std::span<const std::size_t> questions)
 {
     std::vector<double> values;
@@ -39,13 +35,14 @@ std::vector<double> values_at(const Fact& fact, std::span<const std::size_t> que
     return values;
 }
 
-/// The words of the first number told of the questions that has these values, and that says something.
+/// The words of the first number told of the questions that has these values; not of what is told of right answers,
+/// which are compared themselves.
 std::optional<std::string> told_as(std::span<const double> values, std::span<const std::size_t> questions,
                                    const std::vector<Fact>& facts)
 {
     if (!vary(values)) return std::nullopt;
     for (const Fact& fact : facts)
-        if (!fact.answer && fact.kind != Fact::Kind::parallel && all_alike(values_at(fact, questions), values))
+        if (!fact.answer && fact.kind != Fact::Kind::parallel && all_same(values_at(fact, questions), values))
             return fact.words;
     return std::nullopt;
 }
@@ -58,9 +55,6 @@ std::vector<double> made_of(std::span<const double> a, std::span<const double> b
     return made;
 }
 
-/// "2 times", "minus"
-std::string in_words(double number) { return fmt::format("{:.6g}", number); }
-
 /// Right ones whose factor and offset are the same for all.
 std::optional<std::string> linear(std::span<const double> yours, std::span<const double> right)
 {
@@ -72,10 +66,10 @@ std::optional<std::string> linear(std::span<const double> yours, std::span<const
     const double size = std::max(std::abs(*low), std::abs(*high)) * std::max(1.0, std::abs(factor)) + std::abs(offset);
     for (std::size_t i = 0; i < right.size(); ++i)
         if (std::abs(factor * right[i] + offset - yours[i]) > rounding * size) return std::nullopt;
-    if (alike(factor, 1) || std::abs(factor) < 100 * rounding || std::abs(offset) < 100 * rounding * size)
+    if (same(factor, 1) || std::abs(factor) < 100 * rounding || std::abs(offset) < 100 * rounding * size)
         return std::nullopt;
-    return fmt::format("{} times the right one {} {}", in_words(factor), offset > 0 ? "plus" : "minus",
-                       in_words(std::abs(offset)));
+    return fmt::format("{} times the right one {} {}", number_text(factor), offset > 0 ? "plus" : "minus",
+                       number_text(std::abs(offset)));
 }
 
 /// "times the length of normal", "divided by ray.t_max": how each of these factors follows from its question.
@@ -90,22 +84,6 @@ std::optional<std::string> as_factor(std::span<const double> factors, std::span<
     return std::nullopt;
 }
 
-/// The first numbers of vectors of so many components among the facts, and what such a vector is called.
-std::vector<std::pair<std::size_t, std::string>> vectors_among(const std::vector<Fact>& facts, std::size_t components)
-{
-    constexpr std::string_view letters = "xyzw";
-    std::vector<std::pair<std::size_t, std::string>> found;
-    for (std::size_t i = 0; i + components <= facts.size() && components <= letters.size(); ++i) {
-        if (facts[i].answer || !facts[i].words.ends_with(".x")) continue;
-        const std::string base = facts[i].words.substr(0, facts[i].words.size() - 2);
-        bool whole = true;
-        for (std::size_t c = 0; c < components; ++c)
-            whole = whole && facts[i + c].words == fmt::format("{}.{}", base, letters[c]);
-        if (whole) found.emplace_back(i, base);
-    }
-    return found;
-}
-
 double length_of(std::span<const double> v)
 {
     return std::sqrt(std::inner_product(v.begin(), v.end(), v.begin(), 0.0));
@@ -115,29 +93,31 @@ double length_of(std::span<const double> v)
 bool alike_vectors(std::span<const double> a, std::span<const double> b)
 {
     const double size = std::max(length_of(a), length_of(b));
-    return std::isfinite(size) &&
-           std::ranges::equal(a, b, [size](double x, double y) { return std::abs(x - y) <= rounding * size; });
+    return std::ranges::equal(a, b, [size](double x, double y) { return alike(x, y, size); });
 }
 
 /// A vector that stands in the question, or its opposite.
 std::optional<std::string> argument(const WrongVectors& vectors, const std::vector<Fact>& facts)
 {
-    for (const auto& [first, name] : vectors_among(facts, vectors.components)) {
-        bool same = true;
+    std::vector<std::string> words;
+    for (const Fact& fact : facts) words.push_back(fact.words);
+    for (const auto& [name, first, size] : vectors_in(words)) {
+        if (facts[first].answer || size < vectors.components) continue;
+        bool equal = true;
         bool opposite = true;
         std::set<std::vector<double>> different;
         for (std::size_t i = 0; i < vectors.yours.size(); ++i) {
             std::vector<double> value;
             for (std::size_t c = 0; c < vectors.components; ++c)
                 value.push_back(facts[first + c].values.at(vectors.questions[i]));
-            same = same && alike_vectors(vectors.yours[i], value);
+            equal = equal && alike_vectors(vectors.yours[i], value);
             std::vector<double> other(value.size());
             std::ranges::transform(value, other.begin(), std::negate{});
             opposite = opposite && alike_vectors(vectors.yours[i], other);
             different.insert(value);
         }
-        if (different.size() < least_different || (!same && !opposite)) continue;
-        return same ? "is " + name : fmt::format("is {} with the opposite sign", name);
+        if (different.size() < least_different || (!equal && !opposite)) continue;
+        return equal ? "is " + name : fmt::format("is {} with the opposite sign", name);
     }
     return std::nullopt;
 }
@@ -168,10 +148,10 @@ std::optional<std::string> multiple(const WrongVectors& vectors, const std::vect
                              return std::ranges::count_if(right, [](double x) { return x != 0; }) > 1;
                          }) >= static_cast<std::ptrdiff_t>(least_different);
     if (!factors || !oblique) return std::nullopt;
-    const auto same = [&](double factor) { return alike(factor, factors->front()); };
-    if (std::ranges::all_of(*factors, same))
-        return alike(factors->front(), -1) ? "is the right one with the opposite sign"
-                                           : fmt::format("is {} times the right one", in_words(factors->front()));
+    const auto as_first = [&](double factor) { return same(factor, factors->front()); };
+    if (std::ranges::all_of(*factors, as_first))
+        return same(factors->front(), -1) ? "is the right one with the opposite sign"
+                                          : fmt::format("is {} times the right one", number_text(factors->front()));
     if (const auto words = as_factor(*factors, vectors.questions, facts)) return "is the right one " + *words;
     if (std::ranges::all_of(*factors, [](double factor) { return factor > 0; }))
         return "has the right direction, but not the right length";

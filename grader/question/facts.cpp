@@ -10,29 +10,6 @@ namespace {
 
 constexpr std::size_t most_vectors = 12;  ///< pairs of more would be facts that nobody thinks of
 
-/// The columns of one vector.
-struct VectorColumns {
-    std::string words;
-    std::size_t first = 0;
-    std::size_t size = 0;
-};
-
-std::vector<VectorColumns> vectors_in(const std::vector<std::string>& names)
-{
-    constexpr std::string_view letters = "xyzw";
-    std::vector<VectorColumns> vectors;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string& name = names[i];
-        if (!name.ends_with(".x")) continue;
-        const std::string base = name.substr(0, name.size() - 2);
-        std::size_t size = 1;
-        while (size < letters.size() && i + size < names.size() && names[i + size] == base + "." + letters[size])
-            ++size;
-        if (size > 1) vectors.push_back({base, i, size});
-    }
-    return vectors;
-}
-
 double dot(const std::vector<double>& row, const VectorColumns& a, const VectorColumns& b)
 {
     double sum = 0;
@@ -67,6 +44,22 @@ Fact fact(std::string words, Fact::Kind kind, const QuestionTable& table, const 
     return result;
 }
 
+}
+
+std::vector<VectorColumns> vectors_in(const std::vector<std::string>& names)
+{
+    constexpr std::string_view letters = "xyzw";
+    std::vector<VectorColumns> vectors;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string& name = names[i];
+        if (!name.ends_with(".x")) continue;
+        const std::string base = name.substr(0, name.size() - 2);
+        std::size_t size = 1;
+        while (size < letters.size() && i + size < names.size() && names[i + size] == base + "." + letters[size])
+            ++size;
+        if (size > 1) vectors.push_back({base, i, size});
+    }
+    return vectors;
 }
 
 std::vector<Fact> facts_of(const QuestionTable& table)

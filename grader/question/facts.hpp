@@ -33,6 +33,16 @@ struct QuestionTable {
     std::optional<std::size_t> first{};  ///< the number that is the best reason, of several that part alike
 };
 
+/// Numbers that are a vector together: "ray.origin", from the third on, 3 of them.
+struct VectorColumns {
+    std::string words;
+    std::size_t first = 0;
+    std::size_t size = 0;
+};
+
+/// The vectors among numbers that are called so: "ray.origin.x", "ray.origin.y" …
+[[nodiscard]] std::vector<VectorColumns> vectors_in(const std::vector<std::string>& names);
+
 /// All that is told of the questions: their numbers, the lengths of vectors, distances and products between two.
 [[nodiscard]] std::vector<Fact> facts_of(const QuestionTable& table);
 

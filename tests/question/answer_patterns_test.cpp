@@ -180,6 +180,13 @@ TEST(AnswerPatterns, say_that_an_answer_comes_one_question_late)
     EXPECT_EQ(first(made), "is the right one to the question before");
 }
 
+TEST(AnswerPatterns, say_of_no_numbers_that_they_are_one_infinite_one)
+{
+    AnswerTable made = asked_table(1, [](double t, const Row&, const Row&) { return Row{t * t}; });
+    std::ranges::find_if(made.answers, &AnswerPair::wrong)->yours = {INFINITY};
+    EXPECT_EQ(first(made), "");
+}
+
 TEST(AnswerPatterns, say_nothing_of_questions_about_infinity)
 {
     AnswerTable made = asked_table(1, [](double t, const Row&, const Row& right) { return Row{right[0] * t * t}; });
