@@ -74,8 +74,7 @@ TEST_P(NamesOfTheSystem, are_forbidden_and_named)
     const auto& [name, code] = GetParam();
     const std::string includes =
         "#include <cstdlib>\n#include <dlfcn.h>\n#include <fstream>\n#include <pthread.h>\n#include "
-        "<sys/mman.h>\n#include <sys/socket.h>\n#include "
-        "<unistd.h>\n";
+        "<sys/mman.h>\n#include <sys/socket.h>\n#include <umbral/input/glfw.hpp>\n#include <unistd.h>\n";
     const Built built = bench.build_sphere(sphere_with(includes, std::string("    ") + code));
     EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
     EXPECT_NE(built.message.find(name), std::string::npos) << built.message;

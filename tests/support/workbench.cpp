@@ -54,8 +54,8 @@ fs::path Workbench::compile_sphere(const std::string& text) const
     fs::path library = folder() / (name + ".so");
     std::string command = tools_.compiler;
     for (const std::string& flag : tools_.flags) command += " " + flag;
-    command += " -w -I" + tools_.framework.string() + " -include " + tools_.student_header.string() +
-               " -shared -fuse-ld=mold -Wl,-z,lazy -Wl,--version-script=" +
+    for (const std::string& word : read_first(tools_, exercise("raytracing/sphere"))) command += " " + word;
+    command += " -w -shared -fuse-ld=mold -Wl,-z,lazy -Wl,--version-script=" +
                (unit_folder(tools_, "raytracing/sphere") / "exports.map").string() + " -o " + library.string() + " " +
                source.string();
     if (std::system(command.c_str()) != 0) throw std::runtime_error("does not compile: " + text);
