@@ -2,8 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "batch/pictures.hpp"
 #include "cli/application.hpp"
@@ -49,6 +52,31 @@ std::string checks_in_words(const Exercise& exercise)
     return text;
 }
 
+/// The place of a problem of the course, as its units name it: "problem 2.24" is the 24th of the second part.
+std::optional<std::pair<int, int>> problem_of(const std::string& course)
+{
+    constexpr std::string_view word = "problem ";
+    if (!course.starts_with(word)) return std::nullopt;
+    std::pair<int, int> place;
+    const char* const end = course.data() + course.size();
+    const auto part = std::from_chars(course.data() + word.size(), end, place.first);
+    if (part.ptr == end || *part.ptr != '.') return std::nullopt;
+    if (std::from_chars(part.ptr + 1, end, place.second).ptr != end) return std::nullopt;
+    return place;
+}
+
+void print_problems(const std::vector<Exercise>& exercises)
+{
+    std::map<std::pair<int, int>, std::vector<std::string>> units;
+    for (const Exercise& exercise : exercises)
+        for (const std::string& course : exercise.course)
+            if (const auto problem = problem_of(course))
+                units[*problem].push_back(fmt::format("[{0}](../exercises/{0}/README.md)", exercise.id));
+    fmt::print("\n## The course's problems\n\n| problem | units |\n|---|---|\n");
+    for (const auto& [problem, links] : units)
+        fmt::print("| {}.{} | {} |\n", problem.first, problem.second, fmt::join(links, ", "));
+}
+
 /// docs/units.md: paths are relative to that folder.
 void print_markdown(const std::vector<Exercise>& exercises, const std::string& language)
 {
@@ -66,6 +94,7 @@ void print_markdown(const std::vector<Exercise>& exercises, const std::string& l
         fmt::print("| [{}](../exercises/{}/README.md) | {} | {} | {} |\n", exercise.name, exercise.id,
                    title_in(exercise, language), fmt::join(exercise.course, ", "), checks_in_words(exercise));
     }
+    print_problems(exercises);
 }
 
 void write_catalogue(const Application& application, const std::string& language, const std::string& file)

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "build/student_header.hpp"
+
 namespace umbral::grader::test {
 namespace {
 
