@@ -20,6 +20,7 @@
 #include "model/caps.hpp"
 #include "model/digest.hpp"
 #include "model/faults.hpp"
+#include "model/rubric.hpp"
 #include "text/printable.hpp"
 
 namespace umbral::grader {
@@ -221,6 +222,8 @@ UnitResult guarded(Worker& worker, const Exercise& exercise, const GradeOptions&
     } catch (const std::exception& fault) {
         result = grader_fault(exercise, fault.what());
     }
+    // A fault has no lines: it is in no sum of points.
+    if (result.verdict != Verdict::grader_fault) result.rubric = by_rubric(exercise, result.checks);
     result.seed = case_seed("visible", options.seeds.course, "", exercise.id, "", options.seeds.attempt);
     return result;
 }

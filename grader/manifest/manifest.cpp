@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "judge/judges.hpp"
 #include "manifest/check_fields.hpp"
+#include "manifest/marks.hpp"
 #include "manifest/recorded_values.hpp"
 #include "manifest/units.hpp"
 #include "model/forbidden_families.hpp"
@@ -20,7 +20,6 @@
 namespace umbral::grader {
 namespace {
 
-constexpr double most_points = 1000;
 constexpr std::array suffixes{".cpp", ".hpp", ".glsl", ".vert", ".frag", ".geom", ".comp"};
 
 bool is_one_of(char letter, std::string_view others)
@@ -84,15 +83,6 @@ std::map<std::string, std::string> read_title(const Field& field)
     }
     if (!title.contains("en")) field.member("en").refuse("the title in English");
     return title;
-}
-
-Millipoints read_points(const Field& field)
-{
-    const double thousandths = field.number(0, most_points) * 1000;
-    // 0.001 is no binary fraction: what was written with three places comes within a few roundings of a whole number.
-    if (thousandths < 0.5 || std::abs(thousandths - std::round(thousandths)) > 1e-6)
-        field.refuse("points above 0 with at most 3 decimal places");
-    return std::llround(thousandths);
 }
 
 Limits read_limits(const Field& field, bool gl)
@@ -204,12 +194,13 @@ Check read_check(const Field& field)
     return check;
 }
 
-std::vector<Check> read_checks(const Field& field)
+std::vector<Check> read_checks(const Field& field, std::size_t rubric_lines)
 {
     std::vector<Check> checks;
     std::set<std::string> names;
     for (const Field& item : field.items(1, 256)) {
         checks.push_back(read_check(item));
+        checks.back().rubric_line = read_rubric_line(item.member("rubric"), rubric_lines);
         if (!names.insert(checks.back().name).second)
             item.refuse(fmt::format("a case and value not checked before ('{}' is)", checks.back().name));
     }
@@ -235,7 +226,7 @@ Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
 {
     const Field root(json, where);
     root.allow_only({"format", "version", "id", "files", "points", "uses", "forbid", "gl", "gl_calls", "glfw", "title",
-                     "course", "order", "limits", "checks"});
+                     "course", "order", "limits", "rubric", "checks"});
     if (root.member("format").text(40) != "umbral-exercise") root.member("format").refuse("\"umbral-exercise\"");
     (void)root.member("version").integer(1, 1);
 
@@ -255,7 +246,8 @@ Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
     if (const Field course = root.member("course"); course.given()) exercise.course = course.texts(0, 64, 200);
     if (const Field order = root.member("order"); order.given()) exercise.order = order.number(-1e6, 1e6);
     exercise.limits = read_limits(root.member("limits"), exercise.gl);
-    exercise.checks = read_checks(root.member("checks"));
+    exercise.rubric = read_rubric(root.member("rubric"));
+    exercise.checks = read_checks(root.member("checks"), exercise.rubric.size());
     exercise.counts_work =
         std::ranges::any_of(exercise.checks, [](const Check& check) { return judge_of(check).counts_work; });
 
@@ -263,6 +255,7 @@ Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
     for (const Check& check : exercise.checks) sum += check.points;
     if (sum != exercise.points)
         root.member("points").refuse(fmt::format("the sum of the checks' points, {}", static_cast<double>(sum) / 1000));
+    expect_rubric_of_checks(root.member("rubric"), exercise);
     return exercise;
 }
 

@@ -45,15 +45,22 @@ struct Check {
     bool hidden = false;  ///< its seed is secret, and students' reports show a verdict without values
     bool pairs = false;   ///< rows 2k and 2k+1 count only together
     Tolerance tolerance;
-    double full = 1.0;      ///< the fraction right that earns all points
-    double zero = 0.0;      ///< the fraction right that earns none; raised to the best control's
-    double range_low = 0;   ///< pictures of floats: the value shown black …
-    double range_high = 1;  ///< … and the value shown white
-    std::string why;        ///< where the tolerance comes from
-    std::any own;           ///< what only this judge takes: a plain struct of its folder (parameters_of)
+    double full = 1.0;            ///< the fraction right that earns all points
+    double zero = 0.0;            ///< the fraction right that earns none; raised to the best control's
+    double range_low = 0;         ///< pictures of floats: the value shown black …
+    double range_high = 1;        ///< … and the value shown white
+    std::string why;              ///< where the tolerance comes from
+    std::size_t rubric_line = 0;  ///< of the unit's rubric, from 0 on
+    std::any own;                 ///< what only this judge takes: a plain struct of its folder (parameters_of)
 
     /// What is expected follows from another value of the student's own run.
     std::optional<Relation> relation{};
+};
+
+/// A line of the rubric by which a course marks a unit.
+struct RubricLine {
+    std::string words;  ///< as the course puts them
+    Millipoints points = 0;
 };
 
 /// Limits of one case.
@@ -85,7 +92,8 @@ struct Exercise {
         false;  ///< a check is about how the work grows: all solutions are built so that their basic blocks are counted
     Limits limits;
     std::vector<Check> checks;
-    std::string digest;  ///< SHA-256 of what decides the score: manifest/unit_digest.hpp
+    std::vector<RubricLine> rubric;  ///< empty, or each check belongs to a line and each line's checks sum up to it
+    std::string digest;              ///< SHA-256 of what decides the score: manifest/unit_digest.hpp
 
     /// Is the unit written in C++ (and not in GLSL only)?
     [[nodiscard]] bool is_cpp() const;

@@ -81,6 +81,11 @@ json explanation(const Explanation& value)
     return result;
 }
 
+json rubric_score(const RubricScore& value)
+{
+    return {{"words", text(value.words)}, {"score", value.score}, {"max_score", value.max_score}};
+}
+
 json unit(const UnitResult& value, Detail detail)
 {
     json result{{"id", text(value.id)},
@@ -94,6 +99,7 @@ json unit(const UnitResult& value, Detail detail)
                 {"message", text(value.message)},
                 {"explanation", list(value.explanations, explanation)},
                 {"stdout", text(value.output)}};
+    if (!value.rubric.empty()) result["rubric"] = list(value.rubric, rubric_score);
     if (value.unscored != 0) result["unscored"] = value.unscored;
     // As text: readers that hold numbers in a double would round a 64-bit seed.
     if (detail == Detail::for_report) result["seed"] = std::to_string(value.seed);

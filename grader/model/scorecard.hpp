@@ -57,6 +57,13 @@ struct Explanation {
     bool hidden = false;     ///< only hidden cases lead to it: not for students
 };
 
+/// What the checks of one line of a unit's rubric earned together.
+struct RubricScore {
+    std::string words;
+    Millipoints score = 0;
+    Millipoints max_score = 0;
+};
+
 struct UnitResult {
     std::string id;
     std::string digest;
@@ -66,6 +73,7 @@ struct UnitResult {
     double seconds = 0;            ///< of the student's cases, wall clock
     double reference_seconds = 0;  ///< of the reference's
     std::vector<CheckResult> checks;
+    std::vector<RubricScore> rubric{};      ///< of a unit that has one; empty for a grader fault
     std::string message;                    ///< why there is no better verdict: diagnostics, crash text, refused calls
     std::vector<Explanation> explanations;  ///< best first
     std::string output;                     ///< what the student's code printed, bounded

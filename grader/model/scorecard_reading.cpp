@@ -104,13 +104,19 @@ Explanation explanation(const Field& field)
     return result;
 }
 
+RubricScore rubric_score(const Field& field)
+{
+    field.allow_only({"words", "score", "max_score"});
+    return {text(field.member("words")), points(field.member("score")), points(field.member("max_score"))};
+}
+
 }
 
 UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& where)
 {
     const Field field(json, where);
     field.allow_only({"id", "digest", "verdict", "score", "max_score", "seconds", "reference_seconds", "checks",
-                      "message", "explanation", "stdout", "seed", "unscored"});
+                      "message", "explanation", "stdout", "seed", "unscored", "rubric"});
     UnitResult result;
     result.id = text(field.member("id"));
     result.digest = text(field.member("digest"));
@@ -120,6 +126,8 @@ UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& 
     result.seconds = number_or_nan(field.member("seconds"));
     result.reference_seconds = number_or_nan(field.member("reference_seconds"));
     for (const Field& one : field.member("checks").items(0, most_items)) result.checks.push_back(check(one));
+    if (const Field rubric = field.member("rubric"); rubric.given())
+        for (const Field& one : rubric.items(1, most_items)) result.rubric.push_back(rubric_score(one));
     result.message = text(field.member("message"));
     for (const Field& one : field.member("explanation").items(0, most_items))
         result.explanations.push_back(explanation(one));

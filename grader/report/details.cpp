@@ -131,6 +131,16 @@ std::vector<const CheckResult*> failing_checks(const UnitResult& unit)
     return failing;
 }
 
+/// "1.5 / 2  the line's words", for a unit that is marked by a rubric.
+void add_rubric(Block& block, const UnitResult& unit)
+{
+    for (std::size_t i = 0; i < unit.rubric.size(); ++i) {
+        const RubricScore& line = unit.rubric[i];
+        block.sentence(i == 0 ? "rubric" : "",
+                       fmt::format("{} / {}  {}", points_text(line.score), points_text(line.max_score), line.words));
+    }
+}
+
 void add_others(Block& block, const UnitResult& unit, const std::vector<const CheckResult*>& failing)
 {
     std::string others;
@@ -219,6 +229,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
     if (ran) add_pattern(block, unit, failing);
     add_reasons(block, unit);
     if (ran) add_others(block, unit, failing);
+    add_rubric(block, unit);
     if (!unit.output.empty()) {
         std::vector<std::string> lines = excerpt(unit.output, block.room() - 2, paint);
         for (std::string& line : lines) line = paint(Tone::quiet, paint.symbol("│ ", "| ")) + line;

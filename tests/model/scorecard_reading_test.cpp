@@ -20,6 +20,7 @@ UnitResult everything()
     unit.message = "two\nlines\tand “more”\n";
     unit.output = std::string(1000, 'x') + "\n\n";
     unit.unscored = 4000;
+    unit.rubric = {{"Texturas", 500, 1500}};
     unit.explanations[0].ambiguous = true;
     CheckResult& check = unit.checks[0];
     check.sketch = "#-\n-#\n";
@@ -45,6 +46,10 @@ TEST(UnitResultFromJson, gives_back_every_field)
     EXPECT_EQ(read.message, everything().message);
     EXPECT_EQ(read.seed, everything().seed);
     EXPECT_EQ(read.unscored, 4000);
+    ASSERT_EQ(read.rubric.size(), 1U);
+    EXPECT_EQ(read.rubric[0].words, "Texturas");
+    EXPECT_EQ(read.rubric[0].score, 500);
+    EXPECT_EQ(read.rubric[0].max_score, 1500);
     EXPECT_EQ(read.checks[0].seeds, everything().checks[0].seeds);
     EXPECT_EQ(read.checks[0].sketch, everything().checks[0].sketch);
     EXPECT_EQ(read.checks[0].error, everything().checks[0].error);
@@ -97,7 +102,7 @@ TEST(UnitResultFromJson, refuses_whatever_to_json_does_not_write)
     const json whole = to_json(everything());
     std::vector<json::json_pointer> values;
     find_values(whole, json::json_pointer(), values);
-    const std::vector<std::string> optional{"sketch", "seeds", "ambiguous", "unscored"};
+    const std::vector<std::string> optional{"sketch", "seeds", "ambiguous", "unscored", "rubric"};
     int refused = 0;
     for (const json::json_pointer& place : values) {
         json other = whole;

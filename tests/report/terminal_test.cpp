@@ -54,6 +54,15 @@ TEST(Terminal, says_what_a_student_needs)
     EXPECT_TRUE(contains(report, "1 of 1 unit is not right yet."));
 }
 
+TEST(Terminal, a_rubric_stands_line_by_line)
+{
+    UnitResult unit = transposed();
+    unit.rubric = {{"Materiales", 1500, 2000}, {"Texturas", 2500, 2500}};
+    const std::string text = unit_details(unit, 100, Paint({}));
+    EXPECT_TRUE(contains(text, "1.5 / 2  Materiales")) << text;
+    EXPECT_TRUE(contains(text, "2.5 / 2.5  Texturas")) << text;
+}
+
 TEST(Terminal, an_ambiguous_reason_is_said_to_be_one_of_several)
 {
     UnitResult unit = transposed();

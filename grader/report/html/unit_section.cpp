@@ -104,6 +104,22 @@ Markup in_a_row(const std::vector<const CheckResult*>& checks, const Details& de
                                      caption, rows));
 }
 
+Markup rubric_table(const UnitResult& unit)
+{
+    if (unit.rubric.empty()) return {};
+    Markup rows;
+    for (const RubricScore& line : unit.rubric)
+        rows += markup(
+            "<tr class=\"{}\"><th scope=\"row\">{}</th><td class=\"number\">{}<span class=\"of\"> / "
+            "{}</span></td></tr>\n",
+            line.score < line.max_score ? "bad" : "ok", line.words, points_text(line.score),
+            points_text(line.max_score));
+    return scrolling("Rubric", markup("<table class=\"checks\"><caption>Rubric</caption><thead><tr><th "
+                                      "scope=\"col\">Line</th><th scope=\"col\" "
+                                      "class=\"number\">Points</th></tr></thead>\n<tbody>\n{}</tbody></table>",
+                                      rows));
+}
+
 /// Checks in the order in which they help: failures from exact to vague, hidden failures, what is right.
 struct Sorted {
     std::vector<const CheckResult*> articles;
@@ -146,6 +162,7 @@ Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition ed
         "points</span></span></p></header>\n",
         kind_of(verdict), number, detail.title.empty() ? unit.id : detail.title, unit.id, verdict_chip(verdict),
         points_text(unit.score), points_text(unit.max_score));
+    result += rubric_table(unit);
     result += why(unit);
     result += text_block(heading_of_message(verdict), unit.message, verdict == Verdict::compile_error);
     result += text_block("What the program printed", unit.output, false);
