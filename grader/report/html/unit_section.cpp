@@ -114,7 +114,7 @@ Markup rubric_table(const UnitResult& unit)
             "{}</span></td></tr>\n",
             line.score < line.max_score ? "bad" : "ok", line.words, points_text(line.score),
             points_text(line.max_score));
-    return scrolling("Rubric", markup("<table class=\"checks\"><caption>Rubric</caption><thead><tr><th "
+    return scrolling("Rubric", markup("<table class=\"rubric\"><caption>Rubric</caption><thead><tr><th "
                                       "scope=\"col\">Line</th><th scope=\"col\" "
                                       "class=\"number\">Points</th></tr></thead>\n<tbody>\n{}</tbody></table>",
                                       rows));
