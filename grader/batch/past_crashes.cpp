@@ -11,8 +11,9 @@
 namespace umbral::grader {
 namespace {
 
-/// Each costs a run.
-constexpr std::size_t most_crashes = 8;
+/// Each costs a run: so many questions, and then so many functions.
+constexpr std::size_t most_questions = 8;
+constexpr std::size_t most_functions = 3;
 
 template <class Number>
 void make_wrong(std::span<std::byte> bytes)
@@ -63,6 +64,15 @@ std::vector<std::size_t> told_rows(const Check& check, const RunOutcome& run)
     return rows;
 }
 
+/// What was asked when a run ended, by the reference's run: the student's own may name anything. Empty where that was
+/// asked something else at that place, because the driver goes another way after other answers.
+std::string function_of_end(Worker& worker, const Exercise& exercise, const std::string& case_name, std::uint64_t seed,
+                            const Recording& recording)
+{
+    const QuestionKind* kind = worker.questions(exercise, case_name, seed).kind_of(recording.asked - 1);
+    return kind != nullptr && kind->function.starts_with(recording.function) ? kind->function : "";
+}
+
 bool can_be_passed(const RunOutcome& run)
 {
     return (run.verdict == Verdict::crashed || run.verdict == Verdict::timeout) && run.recording.asked > 0;
@@ -75,15 +85,17 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
 {
     PassedOver passed_over;
     RunOutcome last = one.student;
-    // Each run takes one more away, but whether code crashes may be up to chance.
-    for (std::size_t runs = 0; can_be_passed(last) && runs <= most_crashes; ++runs) {
+    // Each run takes more away, but whether code crashes may be up to chance.
+    for (std::size_t runs = 0; can_be_passed(last) && runs <= most_questions + most_functions; ++runs) {
         const std::uint32_t question = last.recording.asked - 1;
         const bool again = std::ranges::find(passed_over.questions, question) != passed_over.questions.end();
         if (again || question >= passed_over.end || (runs > 0 && last.verdict == Verdict::timeout)) return;
-        if (last.verdict == Verdict::timeout || runs == most_crashes)
-            passed_over.end = question;
-        else
+        const auto function = [&] { return function_of_end(worker, exercise, case_name, one.seed, last.recording); };
+        if (last.verdict != Verdict::timeout && passed_over.questions.size() < most_questions)
             passed_over.questions.push_back(question);
+        else if (last.verdict == Verdict::timeout || passed_over.functions.size() == most_functions ||
+                 !passed_over.functions.emplace(function(), question).second)
+            passed_over.end = question;
         last = worker.run_past(exercise, built, case_name, one.seed, passed_over);
     }
     // Code that is slow everywhere is stopped at one question today and at another tomorrow: only a loop that begins
@@ -99,9 +111,7 @@ std::string question_of_end(Worker& worker, const Exercise& exercise, const std:
     if (one.student.verdict == Verdict::timeout && !one.past) return "";
     const Recording& recording = one.student.recording;
     const std::uint32_t question = recording.asked - 1;
-    // Where the driver goes another way after other answers, the reference was asked something else at that place.
-    const QuestionKind* kind = worker.questions(exercise, case_name, one.seed).kind_of(question);
-    if (!recording.function.empty() && (kind == nullptr || !kind->function.starts_with(recording.function))) return "";
+    if (function_of_end(worker, exercise, case_name, one.seed, recording).empty()) return "";
     return worker.code_of(exercise, case_name, one.seed, {question})[question];
 }
 

@@ -11,8 +11,9 @@
 namespace umbral::grader {
 
 /// Runs a case that crashed or did not end again, without the questions in which it did, and keeps in `one` what that
-/// gives, so that one edge case does not cost what has nothing to do with it. A question that the student's code hangs
-/// in ends the case, and so does the last one of too many. Nothing is kept where the same happens without them.
+/// gives, so that one edge case does not cost what has nothing to do with it. Of a function that crashes too often,
+/// nothing more is asked. A question that the student's code hangs in ends the case. Nothing is kept where the same
+/// happens without them.
 void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& built, const std::string& case_name,
                      CaseResult& one);
 

@@ -63,6 +63,7 @@ std::string job_text(const RunRequest& request)
         {"counted_sizes", request.costs.sizes},
         {"inquiry", to_json(request.inquiry)},
         {"passed_over", request.passed_over.questions},
+        {"passed_over_functions", request.passed_over.functions},
         {"end", request.passed_over.end},
         {"mutant", request.mutant},
         {"memory", static_cast<std::uint64_t>(request.limits.memory_mib) << 20U},

@@ -60,6 +60,21 @@ TEST_F(PastCrashes, code_that_always_crashes_gets_nothing)
     EXPECT_EQ(result.verdict, Verdict::crashed);
 }
 
+class PastCrashesOfOneFunction : public SpoiltReference {
+protected:
+    PastCrashesOfOneFunction() : SpoiltReference("lighting/color") {}
+};
+
+// The case asks two functions in turn, two hundred times.
+TEST_F(PastCrashesOfOneFunction, cost_nothing_of_another)
+{
+    const UnitResult result = grade("float encode_srgb(float light) { return",
+                                    "float encode_srgb(float light) { if (light > 0) throw 1; return");
+    const CheckResult& other = check(result, "to the last digit/decoded");
+    EXPECT_EQ(other.score, other.max_score) << other.message;
+    EXPECT_EQ(check(result, "to the last digit/encoded").score, 0);
+}
+
 TEST_F(PastCrashes, of_hidden_cases_only_the_kind_is_told)
 {
     const UnitResult result = grade("ray.t_min == 0 && ray.origin.x > 5 && ray.origin.y > 5", null_write);

@@ -18,7 +18,9 @@ bool Progress::begin(std::string_view function)
     std::memcpy(function_.data(), function.data(), size);
     function_[size] = 0;
     if (question >= passed_over_.end) end_();
-    passes_over_ = std::ranges::find(passed_over_.questions, question) != passed_over_.questions.end();
+    const auto found = passed_over_.functions.find(function);
+    passes_over_ = std::ranges::find(passed_over_.questions, question) != passed_over_.questions.end() ||
+                   (found != passed_over_.functions.end() && question >= found->second);
     return passes_over_;
 }
 

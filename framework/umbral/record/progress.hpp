@@ -11,10 +11,13 @@
 
 namespace umbral {
 
-/// Questions of a student's run that are not asked again, because an earlier run ended in them.
+/// Questions of a student's run that are not asked again, because an earlier run ended in them. They are counted from
+/// 0; in their place the driver gets an empty answer.
 struct PassedOver {
-    std::vector<std::uint32_t> questions{};  ///< counted from 0; in their place the driver gets an empty answer
-    std::uint32_t end = 0xFFFFFFFFU;         ///< the first one that is never asked: there the case ends
+    std::vector<std::uint32_t> questions{};
+    std::map<std::string, std::uint32_t, std::less<>>
+        functions{};                  ///< that are not asked from a question on, as Progress is told their names
+    std::uint32_t end = 0xFFFFFFFFU;  ///< the first one that is never asked: there the case ends
 };
 
 /// In a recording, before a value's name: the rows of its table that follow from an answer that nobody gave.
