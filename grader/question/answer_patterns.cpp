@@ -242,7 +242,8 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<st
     std::vector<std::string> names;
     for (const std::size_t i : which)
         names.push_back(i < table.columns.size() ? table.columns[i] : fmt::format("number {}", i));
-    std::string text = fmt::format("differs in {} only", fmt::join(names, " and "));
+    std::string text = which.size() == 1 ? fmt::format("differs in {} only", names.front())
+                                         : fmt::format("differs in nothing but {}", fmt::join(names, ", "));
     if (which.size() == 1)
         if (const auto change = change_of(table, wrong, which.front())) text += fmt::format(", which is {}", *change);
     found.push_back(std::move(text));

@@ -10,13 +10,14 @@ namespace {
 
 using namespace projections;
 
-// Axes and origin as columns; zeros if there is no frame.
+// Axes and origin as columns.
 void record_frame(Recorder& out, const ViewParameters& view)
 {
-    const std::optional<ViewFrame> frame = ask<view_frame>(out, view);
-    out.append("frame", frame ? glm::mat4(glm::vec4(frame->x, 0), glm::vec4(frame->y, 0), glm::vec4(frame->z, 0),
-                                          glm::vec4(frame->origin, 1))
-                              : glm::mat4(0));
+    std::optional<glm::mat4> columns;
+    if (const std::optional<ViewFrame> frame = ask<view_frame>(out, view))
+        columns = glm::mat4(glm::vec4(frame->x, 0), glm::vec4(frame->y, 0), glm::vec4(frame->z, 0),
+                            glm::vec4(frame->origin, 1));
+    out.append("frame", columns);
 }
 
 struct Direction {
@@ -59,6 +60,7 @@ void record_known_views(Recorder& out)
                                   {90, 90, 0},
                                   {0, 0, 90},
                                   {0, 0, -30},
+                                  {22.5F, 12.25F, 7.75F},
                                   {90, 60, 180}})
         record_view(out, {1, 2, 3}, 2, from);
 }

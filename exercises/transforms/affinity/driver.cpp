@@ -46,11 +46,7 @@ Pairs pairs_of(const std::vector<glm::vec3>& points, const glm::dmat4& map)
     return pairs;
 }
 
-/// What is not found is the null matrix.
-void record_matrix(Recorder& out, const Pairs& pairs)
-{
-    out.append("matrix", ask<affine_from_points>(out, pairs).value_or(glm::mat4(0)));
-}
+void record_matrix(Recorder& out, const Pairs& pairs) { out.append("matrix", ask<affine_from_points>(out, pairs)); }
 
 // Maps of the unit points and of others that a hand can find, and the defects of small parallelograms.
 void record_known(Recorder& out)
@@ -153,18 +149,21 @@ double missed_after_step(const Pairs& pairs, std::size_t moved)
 }
 
 // Pairs of maps that bend by half of what is allowed and by twice as much: one image of nine moves away from the
-// others. Images of all sizes.
+// others. Images of all sizes, and of other extents in each coordinate.
 void record_affinity(Random& random, Recorder& out)
 {
     for (int i = 0; i < 50; ++i) {
         const float size = std::pow(10.0F, random.uniform(-4, 4));
         const float tolerance = std::pow(10.0F, random.uniform(-3, -1.3F));
         const Pairs pairs = pairs_of(some_points(random, 5), some_affine_map(random));
-        glm::vec3 low = pairs.front().image;
+        glm::vec3 widths(1);
+        widths[static_cast<int>(random.below(3))] = 0.1F;
+        widths[static_cast<int>(random.below(3))] *= 0.2F;
+        glm::vec3 low = widths * pairs.front().image;
         glm::vec3 high = low;
         for (const PointPair& pair : pairs) {
-            low = glm::min(low, pair.image);
-            high = glm::max(high, pair.image);
+            low = glm::min(low, widths * pair.image);
+            high = glm::max(high, widths * pair.image);
         }
         const glm::vec3 sides = high - low;
         const float extent = std::max({sides.x, sides.y, sides.z});
@@ -174,25 +173,27 @@ void record_affinity(Random& random, Recorder& out)
         for (const bool is_bent : {bent_first, !bent_first}) {
             Pairs bent = pairs;
             const auto missed = static_cast<float>(missed_after_step(pairs, moved));
-            bent[moved].image[axis] += (is_bent ? 2.0F : 0.5F) * tolerance * extent / missed;
-            for (PointPair& pair : bent) pair.image *= size;
+            bent[moved].image[axis] += (is_bent ? 2.0F : 0.5F) * tolerance * extent / missed / widths[axis];
+            for (PointPair& pair : bent) pair.image *= size * widths;
             out.append("affine", ask<is_affine>(out, bent, tolerance) ? 1 : 0);
         }
     }
 }
 
-// Pairs of points in a plane, for which there is no map, and points in space, all of which go to one place: a map that
-// is affine, though its images have no extent.
+// Points in a plane, or too few, for which there is no map, in pairs with points in space, all of which go to one
+// place: a map that is affine, though its images have no extent.
 void record_without_extent(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 10; ++i) {
+    for (const std::size_t count : {8U, 4U, 3U, 2U, 1U, 0U, 5U, 4U, 3U, 0U}) {
         Pairs solid;
         Pairs flat;
-        for (int k = 0; k < 8; ++k) {
+        for (const int k : {0, 1, 2, 4, 7, 3, 5, 6}) {
             const glm::vec3 corner(k & 1, k >> 1 & 1, k >> 2);
             solid.push_back({corner, {0.5F, -2, 1}});
             flat.push_back({{corner.x, corner.y, corner.x + corner.y}, corner});
         }
+        solid.resize(std::max<std::size_t>(count, 4));
+        flat.resize(count);
         const bool flat_first = random.below(2) == 1;
         for (const bool is_flat : {flat_first, !flat_first})
             out.append("affine", ask<is_affine>(out, is_flat ? flat : solid, 0.01F) ? 1 : 0);

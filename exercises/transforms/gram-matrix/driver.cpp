@@ -51,9 +51,14 @@ void record_known(Recorder& out)
                                {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
                                {{1, 0, 0}, {1, 2, 0}, {0, 1, -1}}};
     const glm::vec3 vectors[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, 2}, {-1, 0, 3}};
-    for (const glm::mat3& basis : bases)
+    for (const glm::mat3& basis : bases) {
         for (std::size_t i = 0; i < std::size(vectors); ++i)
             record(out, basis, vectors[i], vectors[(i + 1) % std::size(vectors)]);
+        // Parallel ones, and null vectors.
+        record(out, basis, {1, 2, 2}, {-2, -4, -4});
+        record(out, basis, {0, 0, 0}, {1, 2, 2});
+        record(out, basis, {1, 2, 2}, {0, 0, 0});
+    }
     const glm::ivec3 whole[][3] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
                                    {{1, 2, 3}, {0, 1, 4}, {5, 6, 0}},

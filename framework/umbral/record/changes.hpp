@@ -237,7 +237,7 @@ void add_parts(const Place& place, Value& value, std::vector<Part>& parts, std::
     else if constexpr (reflect::is_plain_struct<Value> && std::is_swappable_v<Value>) {
         parts.push_back({place, reflect::type_name<Value>(), owner, of_element, &value, {}, detail::exchange<Value>});
         reflect::for_each_field(value, [&](std::string_view name, auto& field) {
-            add_parts(place / name, field, parts, reflect::type_name<Value>(), of_element);
+            add_parts(place / name, field, parts, name.starts_with('[') ? "" : reflect::type_name<Value>(), of_element);
         });
     }
 }

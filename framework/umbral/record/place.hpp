@@ -24,11 +24,11 @@ struct Place {
         return inner;
     }
 
-    /// "0.origin.x"
+    /// "0.origin.x", "0[2].x"
     [[nodiscard]] std::string text() const
     {
         std::string result = std::to_string(argument);
-        for (std::size_t i = 0; i < depth; ++i) result.append(".").append(names[i]);
+        for (std::size_t i = 0; i < depth; ++i) result.append(names[i].starts_with('[') ? "" : ".").append(names[i]);
         return result;
     }
 };

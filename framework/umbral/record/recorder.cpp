@@ -77,6 +77,13 @@ void Recorder::append(std::string_view name, std::optional<float> value)
     tensor.present.push_back(value.has_value() ? 1 : 0);
 }
 
+void Recorder::append(std::string_view name, const std::optional<glm::mat4>& value)
+{
+    Tensor& tensor = row(name, Element::float32, 16, true);
+    add_bytes(tensor, value.value_or(glm::mat4(0)));
+    tensor.present.push_back(value.has_value() ? 1 : 0);
+}
+
 void Recorder::append(std::string_view name, std::span<const float> values)
 {
     if (values.empty())

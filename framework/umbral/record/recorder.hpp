@@ -48,6 +48,7 @@ public:
     void append(std::string_view name, const glm::mat4& value);
     /// A row that may have no value; that is another observation than any number.
     void append(std::string_view name, std::optional<float> value);
+    void append(std::string_view name, const std::optional<glm::mat4>& value);
 
     /// A row of as many numbers as the table's first one, at least one: a fragment or an event, say.
     void append(std::string_view name, std::span<const float> row);

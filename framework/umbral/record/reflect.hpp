@@ -108,6 +108,8 @@ constexpr std::string_view member_name()
 {
     std::string_view text = argument_text(__PRETTY_FUNCTION__, "Pointer = ");
     while (text.ends_with(')')) text.remove_suffix(1);
+    // Elements of an array are called as they are written, not by the library's name of their list.
+    if (text.ends_with(']')) return text.substr(text.rfind('['));
     return last_name(text);
 }
 
@@ -166,7 +168,7 @@ template <class Struct>
     // NOLINTEND(readability-identifier-length)
 }
 
-/// The name of a plain struct's field: "direction".
+/// The name of a plain struct's field: "direction"; of an array's element: "[2]".
 template <class Struct, std::size_t Index>
 [[nodiscard]] constexpr std::string_view field_name()
 {
