@@ -73,6 +73,17 @@ function(umbral_uses_closure unit path result)
   set(${result} ${all} PARENT_SCOPE)
 endfunction()
 
+# Reading what a driver asks and records with takes a third of the time of compiling it: it is read once for all.
+function(umbral_driver_headers)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/driver-headers.cpp CONTENT
+    "// Holds the precompiled headers of the drivers.\n")
+  add_library(umbral-driver-headers STATIC ${CMAKE_BINARY_DIR}/driver-headers.cpp)
+  target_link_libraries(umbral-driver-headers PRIVATE umbral-framework umbral-warnings)
+  target_precompile_headers(umbral-driver-headers PRIVATE <algorithm> <array> <cmath> <glm/glm.hpp>
+    <glm/gtc/matrix_transform.hpp> <numbers> <optional> <span> <string> <umbral/record/ask.hpp>
+    <umbral/record/driver.hpp> <vector>)
+endfunction()
+
 function(umbral_unit_library target folder name)
   add_library(${target} MODULE ${ARGN})
   set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${folder})
@@ -103,6 +114,7 @@ function(umbral_add_unit unit)
   target_include_directories(driver-${id} PRIVATE ${PROJECT_SOURCE_DIR}/exercises)
   target_link_libraries(driver-${id} PRIVATE umbral-warnings)
   target_link_options(driver-${id} PRIVATE -Wl,-Bsymbolic -s)
+  target_precompile_headers(driver-${id} REUSE_FROM umbral-driver-headers)
   foreach(other IN LISTS used)
     umbral_reference_objects(${other} objects)
     target_link_libraries(driver-${id} PRIVATE ${objects})

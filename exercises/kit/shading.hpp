@@ -37,7 +37,8 @@ vec3 lit(vec3 albedo, float gloss, vec3 n, vec3 to_eye, vec3 to_key, float key)
 /// A fragment shader that may call these; `text` comes without its #version.
 inline gl::ShaderSource lit_fragment_shader(const std::string& name, const std::string& text)
 {
-    return {name, std::string("#version 330 core\n") + shading_glsl + text};
+    std::string whole = "#version 330 core\n";
+    return {name, whole.append(shading_glsl).append(text)};
 }
 
 }
