@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "batch/asked_alone.hpp"
 #include "batch/common_condition.hpp"
 #include "batch/other_questions.hpp"
 #include "batch/simplest_question.hpp"
@@ -69,6 +70,7 @@ public:
                   std::string case_name)
         : worker_(worker),
           exercise_(exercise),
+          built_(built),
           one_(one),
           case_(std::move(case_name)),
           log_(worker.questions(exercise, case_, one.seed)),
@@ -89,15 +91,20 @@ public:
         };
         if (result.first_difference && is_of_several(check, expected->cells(), *result.first_difference))
             result.first_difference->cell.reset();
+        bool alone = false;
         if (result.first_difference && result.first_difference->cell) {
             const std::size_t cell = *result.first_difference->cell;
             show(cell, result.first_difference->question);
+            const QuestionSpan asked = log_.questions_of(check.value, cell, expected->cells());
             // No debugger can stop at several.
-            if (log_.questions_of(check.value, cell, expected->cells()).count > 1)
-                result.first_difference->cell.reset();
+            if (asked.count > 1) result.first_difference->cell.reset();
+            alone = !check.hidden && asked.count == 1 &&
+                    is_right_alone(worker_, exercise_, built_, check, one_, asked.first, cell);
         }
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
-        result.common = sentence_of(find_in_common(worker_, {exercise_, check, runs_, one_, log_, headers}));
+        // What wrong answers share says nothing of the cause then.
+        result.common =
+            alone ? right_alone : sentence_of(find_in_common(worker_, {exercise_, check, runs_, one_, log_, headers}));
     }
 
     /// Asks for the code of all that is shown.
@@ -123,6 +130,7 @@ private:
 
     Worker& worker_;
     const Exercise& exercise_;
+    const Built& built_;
     const CaseResult& one_;
     std::string case_;
     const QuestionLog& log_;

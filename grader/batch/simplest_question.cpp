@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "batch/asked_alone.hpp"
 #include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
 #include "judge/rows/columns.hpp"
@@ -87,7 +88,8 @@ bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const
     const auto columns = column_names(text_of(side.names), right.components());
     for (const auto& [question, code] : read_questions(written.recording.tensors).code) {
         const auto found = rows.find(question);
-        if (found == rows.end()) continue;
+        // Of few bits a vector may be null, and what the driver makes of it no number: no question of the unit's.
+        if (found == rows.end() || code.find("NAN") != std::string::npos) continue;
         const RowPairs pairs{check, view, right, kind, columns};
         const auto [where, mine, reference, cell, none, others] = row_difference(pairs, found->second);
         simplest.offer({wrong_columns(pairs, found->second), mine, reference, std::nullopt, code},
@@ -99,8 +101,10 @@ bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const
 bool can_be_simpler(const Check& check, const CheckResult& result)
 {
     const JudgeRecord& judge = judge_of(check);
-    return result.score < check.points && !check.hidden && !check.relation && !judge.free_rows && judge.plain_values &&
-           judge.look == Look::none && result.first_difference && !result.first_difference->question.empty();
+    // Where the answer depends on the calls before, another question shows nothing.
+    return result.common != right_alone && result.score < check.points && !check.hidden && !check.relation &&
+           !judge.free_rows && judge.plain_values && judge.look == Look::none && result.first_difference &&
+           !result.first_difference->question.empty();
 }
 
 }

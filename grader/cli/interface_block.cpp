@@ -171,13 +171,14 @@ std::vector<std::string> interface_files(const Exercise& exercise)
 std::string shown_of_header(std::string_view text, const std::vector<std::string>& names)
 {
     Lines lines = lines_of(text);
-    std::ptrdiff_t namespaces = 0;
-    std::erase_if(lines, [&](const std::string& line) {
-        const bool opens = line.starts_with("namespace ") && line.ends_with("{");
-        namespaces += opens ? 1 : 0;
-        return opens || line.starts_with("#pragma once") || line.starts_with("#include");
+    std::erase_if(lines, [](const std::string& line) {
+        return line.starts_with("#pragma once") || line.starts_with("#include");
     });
-    for (; namespaces > 0; --namespaces) {
+    // The block's first line names the outer namespace; one within it is part of what must be written.
+    const auto opening = std::ranges::find_if(
+        lines, [](const std::string& line) { return line.starts_with("namespace ") && line.ends_with("{"); });
+    if (opening != lines.end()) {
+        lines.erase(opening);
         const auto closing = std::find(lines.rbegin(), lines.rend(), "}");
         if (closing != lines.rend()) lines.erase(std::next(closing).base());
     }

@@ -77,7 +77,7 @@ Job read_job(int file)
             json.at("cpu_seconds"),
             {json.at("counted_table"), json.at("counted_sizes")},
             inquiry_from_json(json.at("inquiry")),
-            {json.at("passed_over"), json.at("passed_over_functions"), json.at("end")},
+            {json.at("passed_over"), json.at("passed_over_functions"), json.at("end"), json.at("asked_only")},
             json.at("mutant")};
 }
 

@@ -65,6 +65,7 @@ std::string job_text(const RunRequest& request)
         {"passed_over", request.passed_over.questions},
         {"passed_over_functions", request.passed_over.functions},
         {"end", request.passed_over.end},
+        {"asked_only", request.passed_over.only},
         {"mutant", request.mutant},
         {"memory", static_cast<std::uint64_t>(request.limits.memory_mib) << 20U},
         {"cpu_seconds", static_cast<std::uint64_t>(std::ceil(request.limits.wall_seconds)) + 1}};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "batch/asked_alone.hpp"
 #include "report/hidden.hpp"
 #include "spoilt_reference.hpp"
 
@@ -80,6 +81,18 @@ TEST_F(Questions, two_known_mistakes_at_once_are_both_told)
     const UnitResult result = grade_unit(worker, exercise, {sources, {}, ""}, {});
     ASSERT_FALSE(result.explanations.empty());
     EXPECT_EQ(result.explanations.front().name, "mistakes: counts_t_max and drops_tangent");
+}
+
+TEST_F(Questions, what_an_earlier_call_left_behind_is_told)
+{
+    const UnitResult result =
+        grade("const float a = dot(", "static int calls = 0; if (++calls > 1) return 1.0F;\n    const float a = dot(");
+    const auto wrong = std::ranges::find_if(result.checks, [](const CheckResult& one) {
+        return !one.hidden && one.first_difference && !one.first_difference->question.empty();
+    });
+    ASSERT_NE(wrong, result.checks.end());
+    EXPECT_EQ(wrong->common, right_alone);
+    EXPECT_FALSE(wrong->simplest);
 }
 
 TEST_F(Questions, right_work_is_asked_nothing)

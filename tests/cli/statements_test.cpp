@@ -47,6 +47,11 @@ private:
 
 enum class Kind : int { one, two };
 
+/// Of the thing.
+namespace measures {
+inline constexpr int height = 2;
+}
+
 }
 )";
 
@@ -72,6 +77,11 @@ public:
 }
 
 enum class Kind : int { one, two };
+
+/// Of the thing.
+namespace measures {
+inline constexpr int height = 2;
+}
 )");
 }
 

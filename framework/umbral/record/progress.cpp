@@ -19,7 +19,8 @@ bool Progress::begin(std::string_view function)
     function_[size] = 0;
     if (question >= passed_over_.end) end_();
     const auto found = passed_over_.functions.find(function);
-    passes_over_ = std::ranges::find(passed_over_.questions, question) != passed_over_.questions.end() ||
+    passes_over_ = (passed_over_.only != no_question && question != passed_over_.only) ||
+                   std::ranges::find(passed_over_.questions, question) != passed_over_.questions.end() ||
                    (found != passed_over_.functions.end() && question >= found->second);
     return passes_over_;
 }

@@ -11,13 +11,17 @@
 
 namespace umbral {
 
-/// Questions of a student's run that are not asked again, because an earlier run ended in them. They are counted from
-/// 0; in their place the driver gets an empty answer.
+/// A number that no question has.
+inline constexpr std::uint32_t no_question = 0xFFFFFFFFU;
+
+/// Questions of a student's run that are not asked again, because an earlier run ended in them, or to see what another
+/// one gives without them. They are counted from 0; in their place the driver gets an empty answer.
 struct PassedOver {
     std::vector<std::uint32_t> questions{};
     std::map<std::string, std::uint32_t, std::less<>>
-        functions{};                  ///< that are not asked from a question on, as Progress is told their names
-    std::uint32_t end = 0xFFFFFFFFU;  ///< the first one that is never asked: there the case ends
+        functions{};                   ///< that are not asked from a question on, as Progress is told their names
+    std::uint32_t end = no_question;   ///< the first one that is never asked: there the case ends
+    std::uint32_t only = no_question;  ///< if given, all others are passed over
 };
 
 /// In a recording, before a value's name: the rows of its table that follow from an answer that nobody gave.

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "batch/case_results.hpp"
+#include "batch/worker.hpp"
+#include "build/submission.hpp"
+
+namespace umbral::grader {
+
+/// What is said of a check whose first wrong value is right then.
+inline constexpr const char* right_alone =
+    "this call is answered right if no other is made before it: your code keeps something from one call to the next, "
+    "perhaps in a static or a global variable";
+
+/// Is a row of a check, which a student's code gets wrong, right if its question is the only one of the case that is
+/// asked? Questions to objects that earlier ones made cannot be asked so: no. One run of the case.
+[[nodiscard]] bool is_right_alone(Worker& worker, const Exercise& exercise, const Built& built, const Check& check,
+                                  const CaseResult& one, std::uint32_t question, std::size_t row);
+
+}
