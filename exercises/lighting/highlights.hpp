@@ -78,7 +78,8 @@ struct Shine {
     glm::vec3 eye{0};
 };
 
-/// Up to three lights in front of the surface; the eye is where it sees one of their highlights.
+/// Up to three lights in front of the surface, and before them now and then one behind it; the eye is where it sees one
+/// of their highlights.
 inline Shine random_shine(Random& random)
 {
     Shine shine{{3.0F * random.in_cube(), random.unit_vector()}, random_material(random), {}, random_color(random)};
@@ -89,6 +90,21 @@ inline Shine random_shine(Random& random)
     const glm::vec3 r = 2 * dot(shine.at.normal, l) * shine.at.normal - l;
     const glm::vec3 v = round_about(random, normalize(r), random.uniform(0.9F, 1));
     shine.eye = shine.at.position + random.uniform(1, 6) * v;
+    if (random.below(3) == 0) {
+        const SurfacePoint other_side{shine.at.position, -shine.at.normal};
+        shine.lights.insert(shine.lights.begin(), random_light(random, other_side, 0.1F));
+    }
+    return shine;
+}
+
+/// The same where nothing can be seen or lit from: the eye is at the point, or a lamp.
+inline Shine shine_without_direction(Random& random, bool at_eye)
+{
+    Shine shine = random_shine(random);
+    if (at_eye)
+        shine.eye = shine.at.position;
+    else
+        shine.lights.front().position = glm::vec4(shine.at.position, 1);
     return shine;
 }
 

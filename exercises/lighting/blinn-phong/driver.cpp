@@ -104,6 +104,7 @@ void degenerate(Random& random, Recorder& out)
                 ask<half_vector>(out, asked.l, is_none && i % 4 == 0 ? -asked.l : asked.v);
             out.append("half", h ? std::optional<float>(h->x) : std::nullopt);
         }
+        record(out, shine_without_direction(random, i % 2 == 0));
     }
 }
 

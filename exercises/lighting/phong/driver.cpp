@@ -82,6 +82,7 @@ void degenerate(Random& random, Recorder& out)
             record(out, asked);
             out.append("mirrored", ask<mirrored_direction>(out, usual.l, is_null ? glm::vec3(0) : usual.normal));
         }
+        record(out, shine_without_direction(random, i % 2 == 0));
     }
 }
 

@@ -36,12 +36,19 @@ inline bool is_complete(const AndroidGraph& android)
 
 inline Start standing() { return {.color = {0.2F, 0.7F, 0.3F}}; }
 
+// At rest; again while another one moves, and that one.
 inline void record_android(Recorder& out)
 {
     record_solid_names(out);
     const AndroidGraph android = ask<make_android_graph>(out, android_parts());
     if (!is_complete(android)) return;
     record_solids(out, android, standing(), "order");
+    const AndroidGraph other = ask<make_android_graph>(out, android_parts());
+    if (!is_complete(other)) return;
+    *other.limb = glm::scale(glm::mat4(1), {1, 0.5F, 1});
+    *other.left_arm = glm::rotate(glm::mat4(1), -1.25F, glm::vec3(1, 0, 0));
+    record_solids(out, android, standing());
+    record_solids(out, other, standing());
 }
 
 // One matrix at a time, then all of them, of two androids; what else moves with it?

@@ -174,6 +174,7 @@ void record_refused(Recorder& out, Random& random)
 {
     const std::shared_ptr<GraphNode> node = ask_new<make_graph_node>(out, "node");
     if (!node) return;
+    out.columns("refused", "what came of it (0: taken; 1: null; 2: out_of_range; 3: invalid_argument; 4: other)");
     std::size_t size = 0;
     for (int i = 0; i < 20; ++i) {
         const std::size_t transformation = ask<&GraphNode::add_transformation>(out, *node, move(1, 1));

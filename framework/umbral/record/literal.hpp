@@ -78,6 +78,16 @@ inline constexpr bool is_grid<Grid<Cell>> = true;
 template <class Type>
 concept List = std::ranges::contiguous_range<Type> && std::ranges::sized_range<Type>;
 
+/// Pointers of all kinds.
+template <class Type>
+concept MayBeNull = std::is_pointer_v<Type> || requires(const Type& value)
+{
+    typename Type::element_type;
+    {
+        value == nullptr
+        } -> std::convertible_to<bool>;
+};
+
 /// Texts of all kinds.
 template <class Type>
 concept Text = std::is_convertible_v<const Type&, std::string_view>;
@@ -149,6 +159,8 @@ template <class Value>
 std::string of_value(const Value& value, bool typed, const Style& style)
 {
     const auto type = [&] { return typed ? short_type(reflect::type_name<Value>()) : std::string(); };
+    if constexpr (detail::MayBeNull<Value>)
+        if (value == nullptr) return "nullptr";
     if constexpr (std::is_same_v<Value, bool>) {
         return value ? "true" : "false";
     } else if constexpr (std::is_same_v<Value, std::byte>) {
