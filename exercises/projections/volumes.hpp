@@ -2,12 +2,10 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <kit/refusal.hpp>
 #include <limits>
-#include <stdexcept>
-#include <string_view>
 #include <umbral/core/random.hpp>
 #include <umbral/projections/view_volume.hpp>
-#include <umbral/record/recorder.hpp>
 #include <utility>
 
 /// What the drivers of units about view volumes share.
@@ -48,24 +46,6 @@ inline ViewVolume with_sides_exchanged(ViewVolume volume, unsigned which)
     if ((which & 2U) != 0) std::swap(volume.bottom, volume.top);
     if ((which & 4U) != 0) std::swap(volume.near_plane, volume.far_plane);
     return volume;
-}
-
-/// Records whether a call refuses: 0 if it gives an answer, 1 if it refuses as the interfaces say, 2 if in another way.
-/// What it says of its reason is shown where it should have answered.
-template <class Call>
-void record_refusal(Recorder& out, std::string_view name, Call call)
-{
-    out.columns(name, "0 answer / 1 refusal / 2 other exception");
-    float came_of_it = 0;
-    try {
-        (void)call();
-    } catch (const std::invalid_argument& refusal) {
-        out.refused(name, refusal.what());
-        came_of_it = 1;
-    } catch (...) {
-        came_of_it = 2;
-    }
-    out.append(name, came_of_it);
 }
 
 /// The next float beyond: what is nearest to an equal one.

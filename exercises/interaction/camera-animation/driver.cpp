@@ -1,0 +1,189 @@
+#include <array>
+#include <kit/refusal.hpp>
+#include <limits>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "../temple.hpp"
+#include "flights.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace interaction;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
+
+void record_pose(Recorder& out, const CameraFlight& flight, float seconds)
+{
+    const auto [eye, target] = ask<flight_pose>(out, flight, seconds);
+    out.append("observer", eye);
+    out.append("attention point", target);
+}
+
+void record_view(Recorder& out, const CameraFlight& flight, float seconds)
+{
+    out.append("view", ask<flight_view>(out, flight, seconds));
+}
+
+void record(Recorder& out, const CameraFlight& flight, float seconds)
+{
+    record_pose(out, flight, seconds);
+    record_view(out, flight, seconds);
+}
+
+// The course's flight, and others whose poses can be worked out by hand; times in no order.
+void record_worked(Recorder& out)
+{
+    const CameraFlight quarter{{0, 1, 5}, {5, 1, 0}, {0, 0, 0}, {0, 1, 0}, 4};
+    for (const float seconds : {2.0F, 0.0F, 4.0F, 1.0F, 3.0F}) record(out, quarter, seconds);
+    const CameraFlight rising{{2, 0, 2}, {2, 10, 2}, {-2, 1, 5}, {-2, 1, -3}, 10};
+    for (const float seconds : {0.0F, 2.5F, 1.0F, 9.0F}) record(out, rising, seconds);
+    const CameraFlight short_one{{-3, 2, 0}, {1, 4, 8}, {1, 0, 0}, {1, 0, 0}, 0.5F};
+    for (const float seconds : {0.125F, 0.375F, 0.25F}) record(out, short_one, seconds);
+    const CameraFlight standing{{1, 2, 3}, {1, 2, 3}, {4, 2, 3}, {1, 2, 7}, 8};
+    for (const float seconds : {6.0F, 1.0F}) record(out, standing, seconds);
+}
+
+void record_before_and_after(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 20; ++i) {
+        CameraFlight flight = random_flight(random);
+        if (i % 4 == 0) flight.duration = 0;
+        const float beside = random.uniform(0.01F, 2) * (flight.duration + 0.5F);
+        for (const float seconds : {-beside, 0.0F, flight.duration, flight.duration + beside, -0.0F})
+            record(out, flight, seconds);
+        record(out, flight, i % 2 == 0 ? infinity : -infinity);
+    }
+}
+
+void record_random(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 150; ++i) {
+        const CameraFlight flight = random_flight(random);
+        const CameraFlight other = random_flight(random);
+        record(out, flight, flight.duration * random.uniform(-0.2F, 1.2F));
+        record(out, other, other.duration * random.uniform());
+        record(out, flight, flight.duration * random.uniform());
+    }
+}
+
+// Between ends of very different sizes, up to 1e6: what is small must not be lost beside what is large.
+void record_far_poses(Recorder& out, Random& random)
+{
+    const auto place = [&] { return std::pow(10.0F, random.uniform(-3, 6)) * random.in_cube(); };
+    for (int i = 0; i < 200; ++i) {
+        CameraFlight flight{place(), place(), place(), place(), std::pow(10.0F, random.uniform(-3, 5))};
+        if (i % 3 == 0) flight.eye_to = flight.eye_from;
+        record_pose(out, flight, flight.duration * (i % 4 == 0 ? 1 - 0x1p-20F : random.uniform()));
+    }
+}
+
+// A million units from the origin, looking at what is near; and from far to far, past what stands beside the way.
+void record_far_views(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 40; ++i) {
+        const glm::vec3 direction = glm::normalize(random.unit_vector() * glm::vec3(1, 0.3F, 1));
+        CameraFlight passing = random_flight(random, 3);
+        passing.eye_to = passing.eye_from + 2e5F * direction;
+        passing.eye_from -= 2e5F * direction;
+        passing.target_to = passing.target_from;
+        record_view(out, passing, passing.duration * random.uniform(0.49999F, 0.50001F));
+    }
+    for (int i = 0; i < 160; ++i) {
+        CameraFlight flight = random_flight(random);
+        const glm::vec3 place = glm::round(std::pow(10.0F, random.uniform(4.5F, 6)) * random.unit_vector());
+        for (glm::vec3* const end : {&flight.eye_from, &flight.eye_to, &flight.target_from, &flight.target_to})
+            *end += place;
+        record_view(out, flight, flight.duration * random.uniform());
+    }
+}
+
+/// A multiple of 1/8, up to `reach`: halves and quarters of sums of these are exact.
+glm::vec3 on_grid(Random& random, float reach) { return glm::round(8 * reach * random.in_cube()) / 8.0F; }
+
+// Over, or under, what is looked at: for a moment, or all the time.
+void record_straight_above(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 16; ++i) {
+        const glm::vec3 middle = on_grid(random, 4);
+        const glm::vec3 high(0, i % 2 == 0 ? 5 : -3, 0);
+        const glm::vec3 aside = on_grid(random, 3) + glm::vec3(4, 0, 0);
+        const glm::vec3 sideways(aside.x, 0, aside.z);
+        const CameraFlight passing{middle + high - sideways, middle + high + sideways, middle, middle, 8};
+        const CameraFlight rising{middle + high, middle + 3.0F * high, middle - aside, middle - aside, 4};
+        for (const float seconds : {4.0F, 3.0F, 5.0F}) record_view(out, passing, seconds);
+        CameraFlight lifted = rising;
+        lifted.target_from = middle;
+        lifted.target_to = middle + 0.5F * high;
+        for (const float seconds : {0.0F, 1.0F, 3.0F}) record_view(out, lifted, seconds);
+        record_view(out, rising, 2);
+    }
+}
+
+// The observer flies through the attention point, at a half or a quarter of the time, or past it by less than counts.
+void record_through(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 16; ++i) {
+        const bool is_past = i % 4 == 3;
+        const glm::vec3 meeting = is_past ? glm::vec3(0) : on_grid(random, 4);
+        const glm::vec3 eye_step = on_grid(random, 3) + glm::vec3(0, 0, 5);
+        const glm::vec3 target_step = on_grid(random, 1);
+        const float before = i % 2 == 0 ? 2.0F : 1.0F;
+        CameraFlight flight{meeting - before * eye_step, meeting + (4 - before) * eye_step,
+                            meeting - before * target_step, meeting + (4 - before) * target_step, 4};
+        if (is_past) flight.target_from = flight.target_to = 3e-7F * random.unit_vector();
+        for (const float seconds : {before - 0.5F, before, before + 0.5F}) record_view(out, flight, seconds);
+    }
+}
+
+// In random order one that is refused and one that is not.
+void record_refused(Recorder& out, Random& random)
+{
+    constexpr std::array durations{-1.0F, no_number, infinity, -infinity, -1e-30F};
+    for (int i = 0; i < 24; ++i) {
+        const CameraFlight good = random_flight(random);
+        const float seconds = i % 3 == 0 ? infinity : good.duration * random.uniform();
+        CameraFlight bad = good;
+        const bool wrong_time = i % 4 == 3;
+        if (!wrong_time) bad.duration = durations[i % durations.size()];
+        const bool bad_first = random.below(2) == 0;
+        for (const bool is_bad : {bad_first, !bad_first}) {
+            const CameraFlight& flight = is_bad ? bad : good;
+            const float time = is_bad && wrong_time ? no_number : seconds;
+            record_refusal(out, "pose refused", [&] { return ask<flight_pose>(out, flight, time); });
+            record_refusal(out, "view refused", [&] { return ask<flight_view>(out, flight, time); });
+        }
+    }
+}
+
+// Six frames of a flight into the temple.
+void draw_flight(Recorder& out)
+{
+    const Stage stage(480, 320, {0.05F, 0.05F, 0.07F});
+    const Temple temple;
+    const CameraFlight flight{{8.5F, 4.6F, 8}, {-1.8F, 1.9F, 1.3F}, {0, 1.5F, 0}, {0.3F, 1.85F, -0.6F}, 6};
+    for (int frame = 0; frame < 6; ++frame) {
+        const Panel panel{{4 + 238 * (frame % 2), 216 - 106 * (frame / 2)}, {234, 100}};
+        const float seconds = 1.2F * static_cast<float>(frame);
+        draw_temple(stage, temple, panel, ask<flight_view>(out, flight, seconds), 40);
+    }
+    out.image("colours", stage.picture());
+}
+
+}
+
+const Driver driver = {
+    {"worked", [](Case&, Recorder& out) { record_worked(out); }},
+    {"before and after", [](Case& c, Recorder& out) { record_before_and_after(out, c.random); }},
+    {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
+    {"far poses", [](Case& c, Recorder& out) { record_far_poses(out, c.random); }},
+    {"far views", [](Case& c, Recorder& out) { record_far_views(out, c.random); }},
+    {"straight above", [](Case& c, Recorder& out) { record_straight_above(out, c.random); }},
+    {"through the target", [](Case& c, Recorder& out) { record_through(out, c.random); }},
+    {"refused", [](Case& c, Recorder& out) { record_refused(out, c.random); }},
+    {"picture", [](Case&, Recorder& out) { draw_flight(out); }},
+};
+
+}

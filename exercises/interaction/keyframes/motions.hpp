@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <umbral/core/random.hpp>
+#include <umbral/interaction/keyframes.hpp>
+#include <vector>
+
+/// Questions of the keyframes unit, and canonical forms of its answers.
+namespace umbral::interaction {
+
+inline UnitQuaternion about(const glm::dvec3& axis, double angle)
+{
+    return {static_cast<float>(std::cos(0.5 * angle)), glm::vec3(std::sin(0.5 * angle) * glm::normalize(axis))};
+}
+
+inline UnitQuaternion negated(const UnitQuaternion& q) { return {-q.w, -q.v}; }
+
+/// Any orientation, each equally often in direction.
+inline UnitQuaternion random_orientation(Random& random)
+{
+    const glm::dvec3 axis(random.unit_vector());
+    return about(axis, 6.2 * random.uniform_double());
+}
+
+/// One turn after another: the right one acts first.
+inline UnitQuaternion product(const UnitQuaternion& a, const UnitQuaternion& b)
+{
+    return {a.w * b.w - glm::dot(a.v, b.v), a.w * b.v + b.w * a.v + glm::cross(a.v, b.v)};
+}
+
+/// The matrix of an orientation, which both of its quaternions have. One that is not of length 1 scales, too.
+inline glm::mat3 matrix_of(const UnitQuaternion& q)
+{
+    const glm::dvec3 v(q.v);
+    const double w = q.w;
+    const double even = w * w - glm::dot(v, v);
+    glm::dmat3 m(0);
+    for (int column = 0; column < 3; ++column) {
+        glm::dvec3 e(0);
+        e[column] = 1;
+        m[column] = even * e + 2 * glm::dot(v, e) * v + 2 * w * glm::cross(v, e);
+    }
+    return glm::mat3(m);
+}
+
+/// Key frames at random times, now and then two at one time: a cut.
+inline std::vector<KeyFrame> random_frames(Random& random, std::uint32_t count)
+{
+    std::vector<KeyFrame> frames;
+    float seconds = random.uniform(-2, 2);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const glm::vec3 position = 5.0F * random.in_cube();
+        frames.push_back({seconds, position, random_orientation(random)});
+        if (random.below(4) != 0) seconds += random.uniform(0.05F, 2);
+    }
+    return frames;
+}
+
+/// A time that is not at a frame, up to 1 before the first and after the last.
+inline float random_time(Random& random, const std::vector<KeyFrame>& frames)
+{
+    return random.uniform(frames.front().seconds - 1, frames.back().seconds + 1);
+}
+
+/// A ball that is far from rest for four seconds.
+inline BallLaunch random_launch(Random& random)
+{
+    BallLaunch launch;
+    launch.position = glm::dvec3(2.0F * random.in_cube()) + glm::dvec3(0, 4, 0);
+    launch.velocity = glm::dvec3(4.0F * random.in_cube());
+    launch.bounce = 0.85 + 0.1 * random.uniform_double();
+    return launch;
+}
+
+/// Times of pictures in microseconds: k / rate seconds, as near as whole microseconds come.
+inline std::int64_t frame_time(std::int64_t k, std::int64_t rate) { return k * 1'000'000 / rate; }
+
+inline SkeletonPose random_skeleton_pose(Random& random)
+{
+    const UnitQuaternion shoulder = random_orientation(random);
+    return {shoulder, random_orientation(random)};
+}
+
+inline TwoBoneSkeleton random_skeleton(Random& random)
+{
+    TwoBoneSkeleton skeleton;
+    skeleton.shoulder = 3.0F * random.in_cube();
+    skeleton.upper_length = random.uniform(0.5F, 2);
+    skeleton.lower_length = random.uniform(0.5F, 2);
+    return skeleton;
+}
+
+}

@@ -1,0 +1,289 @@
+#include <umbral/record/driver.hpp>
+
+#include "../temple.hpp"
+#include "steps.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace interaction;
+
+constexpr double pi = std::numbers::pi;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void record(Recorder& out, const ThreeModeCamera& camera)
+{
+    out.append("view", ask<&ThreeModeCamera::view>(out, camera));
+    out.append("attention", glm::vec3(ask<&ThreeModeCamera::attention_point>(out, camera)));
+}
+
+/// What there is to see at the beginning and after each step. A factory that gives no camera leaves nothing to record.
+void record(Recorder& out, const ThreeModeSettings& settings, const std::vector<ThreeModeStep>& steps)
+{
+    const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
+    if (!camera) return;
+    record(out, *camera);
+    for (const ThreeModeStep& step : steps) {
+        apply(out, *camera, step);
+        record(out, *camera);
+    }
+}
+
+// Cameras as they are made, with matrices that a student can work out by hand.
+std::vector<ThreeModeSettings> beginnings()
+{
+    return {{},
+            {.azimuth = pi / 2},
+            {.azimuth = pi, .distance = 2},
+            {.azimuth = -pi / 2, .distance = 5},
+            {.elevation = pi / 6, .distance = 4},
+            {.elevation = -pi / 6, .distance = 4},
+            {.attention = {1, 2, 3}, .distance = 7},
+            {.attention = {-4, 0.5, 2}, .azimuth = pi / 4, .elevation = -pi / 4, .distance = 10},
+            {.attention = {0, 1, 0}, .azimuth = 2.5, .elevation = 1.2, .distance = 2.5}};
+}
+
+ThreeModeSettings leaning(CameraMode mode)
+{
+    return {.attention = {1, -2, 0.5}, .azimuth = 0.5, .elevation = 0.3, .distance = 4, .mode = mode};
+}
+
+void record_examine(Recorder& out)
+{
+    record(out, {}, {move_xy(pi / 2, 0), move_xy(-pi, 0), move_xy(0, pi / 6), move_xy(pi / 4, -pi / 3)});
+    record(out, {}, {move_z(1), move_z(-1), move_z(-1), move_z(5), move_z(-10), move_z(0.5), move_z(-0.25)});
+    record(out, leaning(CameraMode::examine),
+           {move_xy(0.25, 0.125), move_z(2), move_xy(-7.5, 0.5), move_z(-3.5), move_xy(40, -1)});
+}
+
+void record_move(Recorder& out)
+{
+    record(out, {.mode = CameraMode::move}, {move_xy(1, 0), move_xy(0, 2), move_z(-3), move_xy(-0.5, -0.25)});
+    record(out, {.azimuth = pi / 2, .mode = CameraMode::move}, {move_xy(2, 0), move_z(1), move_z(-0.5)});
+    record(out, leaning(CameraMode::move), {move_xy(1.5, 0), move_xy(0, -2), move_z(4), move_z(-9), move_xy(-5, 3)});
+}
+
+void record_turn(Recorder& out)
+{
+    record(out, {.mode = CameraMode::turn}, {move_xy(pi / 2, 0), move_xy(0, pi / 6), move_z(-1), move_xy(-pi, 0)});
+    record(out, {.mode = CameraMode::turn}, {move_xy(0.5, 0.2), move_xy(-0.5, -0.2), move_z(0.25), move_z(-4)});
+    record(out, leaning(CameraMode::turn),
+           {move_xy(0.25, 0.125), move_z(2), move_xy(-7.5, 0.5), move_z(-3.5), move_xy(40, -1)});
+}
+
+// From each mode; and a turn about the new attention point, which shows what is kept besides the axes.
+void record_look_toward(Recorder& out, Random& random)
+{
+    record(out, {}, {look_toward({1, 2, -1}), look_toward({5, 0, 3}), look_toward({0, 0, 9}), look_toward({-3, 1, 3})});
+    for (int i = 0; i < 12; ++i) {
+        ThreeModeSettings settings = random_three_mode(random);
+        settings.mode = static_cast<CameraMode>(i % 3);
+        settings.max_distance = 50;
+        const glm::dvec3 first = random_point(random, 6);
+        record(out, settings,
+               {look_toward(first), move_xy(0.5, -0.25), move_z(1), look_toward(random_point(random, 6))});
+    }
+}
+
+void record_modes(Recorder& out)
+{
+    const auto record_mode = [&](const ThreeModeCamera& camera) {
+        out.append("mode", static_cast<std::int32_t>(ask<&ThreeModeCamera::mode>(out, camera)));
+    };
+    for (const CameraMode first : {CameraMode::examine, CameraMode::move, CameraMode::turn}) {
+        const ThreeModeSettings settings = leaning(first);
+        const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
+        if (!camera) return;
+        record_mode(*camera);
+        for (const ThreeModeStep& step :
+             {next_mode(), next_mode(), move_xy(0.1, 0.2), next_mode(), next_mode(), look_toward({7, 8, 9}),
+              next_mode(), move_z(2), next_mode(), look_toward({not_a_number, 0, 0}), look_toward({1, 1, 1})}) {
+            apply(out, *camera, step);
+            record_mode(*camera);
+        }
+    }
+}
+
+/// Where the observer stands at the beginning.
+glm::dvec3 observer_of(const ThreeModeSettings& s)
+{
+    return s.attention + s.distance * glm::dvec3(std::cos(s.elevation) * std::sin(s.azimuth), std::sin(s.elevation),
+                                                 std::cos(s.elevation) * std::cos(s.azimuth));
+}
+
+// Up to a pole and beyond, and what is left and right there; and points straight above and below the observer.
+void record_poles(Recorder& out)
+{
+    const std::vector<ThreeModeStep> over{move_xy(0, 1.2), move_xy(0.4, 3),   move_xy(1, 0),  move_xy(0, 1e6),
+                                          move_z(-0.5),    move_xy(0, -0.2),  move_xy(-2, 0), move_xy(0.3, -9),
+                                          move_z(1),       move_xy(0.5, 0.1), move_xy(0.2, 1)};
+    record(out, leaning(CameraMode::examine), over);
+    record(out, leaning(CameraMode::turn), over);
+    record(out, {.azimuth = 0.7, .elevation = pi / 2, .mode = CameraMode::move}, {move_xy(1, 2), move_z(3)});
+    for (const CameraMode mode : {CameraMode::examine, CameraMode::move, CameraMode::turn}) {
+        const ThreeModeSettings settings = leaning(mode);
+        const glm::dvec3 observer = observer_of(settings);
+        record(out, settings, {look_toward(observer + glm::dvec3(0, 5, 0)), move_xy(0.3, 0), move_xy(0, 0.2)});
+        record(out, settings, {look_toward(observer - glm::dvec3(0, 3, 0)), move_xy(0, -0.5), move_z(1)});
+        record(out, settings, {look_toward(observer + glm::dvec3(-0.02, 4, 0.03)), move_xy(0, 0.5)});
+    }
+}
+
+// Ten thousand steps backwards and forwards.
+void record_limits(Recorder& out)
+{
+    const ThreeModeSettings settings{.attention = {1, 2, 3}, .distance = 4, .min_distance = 0.5, .max_distance = 30};
+    record(out, settings,
+           {move_z(-30), move_z(-1), move_z(10'000), move_z(-2), move_z(-10'000), move_z(20), move_z(7), move_z(1e300),
+            move_z(-5), move_z(-1e300), move_z(1)});
+    const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
+    if (!camera) return;
+    for (int i = 1; i <= 400; ++i) {
+        ask<&ThreeModeCamera::move_z>(out, *camera, i <= 200 ? -1.5 : 1);
+        if (i % 20 == 0) record(out, *camera);
+    }
+}
+
+// Points too near and too far to stand off from, and the observer's own place, which lies in no direction.
+void record_near_and_far(Recorder& out)
+{
+    for (const CameraMode mode : {CameraMode::examine, CameraMode::move, CameraMode::turn}) {
+        ThreeModeSettings settings = leaning(mode);
+        settings.min_distance = 0.5;
+        settings.max_distance = 30;
+        const glm::dvec3 observer = observer_of(settings);
+        for (const glm::dvec3& away :
+             {glm::dvec3(0), {0.25, 0, 0.0625}, {0, 0, 0}, {0.01, -0.02, 0.01}, {100, 50, -70}})
+            record(out, settings, {look_toward(observer + away), move_xy(0.25, 0.5), move_z(1)});
+    }
+}
+
+void record_nonsense(Recorder& out)
+{
+    for (const CameraMode mode : {CameraMode::examine, CameraMode::move, CameraMode::turn})
+        record(out, leaning(mode),
+               {move_xy(0.5, 0.25), move_xy(not_a_number, 1), move_xy(1, not_a_number), move_xy(infinity, 1),
+                move_xy(1, -infinity), move_z(not_a_number), move_z(infinity), move_z(-infinity), move_xy(0, -0.0),
+                look_toward({1, not_a_number, 2}), look_toward({infinity, 0, 0}), look_toward({3, 2, -infinity}),
+                move_z(0), move_xy(-0.25, 0.125), move_z(-1)});
+}
+
+/// Two cameras in turns; what one is told must not reach the other.
+void record_two(Recorder& out, Random& random)
+{
+    const std::unique_ptr<ThreeModeCamera> first =
+        ask_new<make_three_mode_camera>(out, "first", random_three_mode(random));
+    const ThreeModeSettings second_settings = random_three_mode(random);
+    const std::vector<ThreeModeStep> steps = random_steps(random, 60);
+    if (!first) return;
+    ask<&ThreeModeCamera::move_xy>(out, *first, 0.3, 0.2);
+    const std::unique_ptr<ThreeModeCamera> second = ask_new<make_three_mode_camera>(out, "second", second_settings);
+    if (!second) return;
+    for (const ThreeModeStep& step : steps) {
+        apply(out, random.below(2) == 0 ? *first : *second, step);
+        record(out, *first);
+        record(out, *second);
+    }
+}
+
+void record_random(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 8; ++i) {
+        ThreeModeSettings settings = random_three_mode(random);
+        settings.mode = static_cast<CameraMode>(random.below(3));
+        record(out, settings, random_steps(random, 80));
+    }
+}
+
+// A million units from the world's origin; and points so nearly above the camera that only their digits say where.
+void record_far(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 24; ++i) {
+        ThreeModeSettings settings = random_three_mode(random);
+        settings.attention = glm::dvec3(std::pow(10.0F, random.uniform(4, 6)) * random.unit_vector());
+        settings.mode = static_cast<CameraMode>(random.below(3));
+        record(out, settings, random_steps(random, 10, settings.attention));
+    }
+    for (const double sine : {1e-3, 1e-4, 1e-5, 2e-6, 5e-7}) {
+        const ThreeModeSettings settings = random_three_mode(random, 0.5);
+        const double angle = random_length(random, pi);
+        const glm::dvec3 aside(4 * sine * std::sin(angle), random.below(2) == 0 ? 4 : -4, 4 * sine * std::cos(angle));
+        record(out, settings, {look_toward(observer_of(settings) + aside)});
+    }
+}
+
+// A hundred thousand steps, mostly to the same side, in modes that take turns, while elevation and distance go to and
+// fro without coming to their limits, which would take what was lost on the way with them.
+void record_long_session(Recorder& out, Random& random)
+{
+    const ThreeModeSettings settings{.attention = {0.5, -0.25, 1}, .azimuth = 0.3};
+    const std::unique_ptr<ThreeModeCamera> camera = make_three_mode_camera(settings);
+    if (!camera) return;
+    double elevation = 0;
+    double back = 0;
+    for (int i = 1; i <= 100'000; ++i) {
+        const double right = pi * random.uniform_double();
+        const double up = random_length(random, 1.5) - elevation;
+        const double steps = random_length(random, 3) - back;
+        const int mode = (i - 1) / 100 % 3;
+        camera->move_xy(mode == 1 ? 0.1 * (right - pi / 2) : right, up);
+        if (mode != 1) elevation += up;
+        camera->move_z(steps);
+        back += steps;
+        if (i % 100 == 0) camera->next_mode();
+        if (i % 500 != 0) continue;
+        ask_in_words(out, [&] {
+            return "const auto camera = make_three_mode_camera(" + literal::of_value(settings, true, literal::Style{}) +
+                   ");\n// " + std::to_string(i) +
+                   " times: camera->move_xy(right, up), right from 0 to pi, elevation within 1.5; move_z(steps), all "
+                   "of\n// them within 3 of the first place; after each hundred of them "
+                   "camera->next_mode()\ncamera->view()";
+        });
+        out.append("view", camera->view());
+    }
+}
+
+// The temple from outside; from between its columns; and the same observer's head turned.
+void draw_modes(Recorder& out)
+{
+    const Stage stage(480, 320, {0.05F, 0.05F, 0.07F});
+    const Temple temple;
+    const ThreeModeSettings settings{
+        .attention = {0, 1.25, 0}, .azimuth = 0.62, .elevation = 0.32, .distance = 9, .max_distance = 40};
+    const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
+    if (!camera) return;
+    const auto draw = [&](const std::vector<ThreeModeStep>& steps, const Panel& panel, float fovy) {
+        for (const ThreeModeStep& step : steps) apply(out, *camera, step);
+        draw_temple(stage, temple, panel, ask<&ThreeModeCamera::view>(out, *camera), fovy);
+    };
+    draw({move_xy(-0.1, 0.06), move_z(0.25)}, {{4, 4}, {304, 312}}, 46);
+    draw({move_xy(0, -0.26), next_mode(), move_xy(0, 0.15), move_z(-4.7)}, {{312, 162}, {164, 154}}, 62);
+    draw({next_mode(), move_z(-2), move_xy(-1.1, -0.42)}, {{312, 4}, {164, 154}}, 68);
+    out.image("colours", stage.picture());
+}
+
+}
+
+const Driver driver = {
+    {"beginning",
+     [](Case&, Recorder& out) {
+         for (const ThreeModeSettings& settings : beginnings()) record(out, settings, {});
+     }},
+    {"examine", [](Case&, Recorder& out) { record_examine(out); }},
+    {"move", [](Case&, Recorder& out) { record_move(out); }},
+    {"turn", [](Case&, Recorder& out) { record_turn(out); }},
+    {"look toward", [](Case& c, Recorder& out) { record_look_toward(out, c.random); }},
+    {"modes", [](Case&, Recorder& out) { record_modes(out); }},
+    {"poles", [](Case&, Recorder& out) { record_poles(out); }},
+    {"limits", [](Case&, Recorder& out) { record_limits(out); }},
+    {"near and far points", [](Case&, Recorder& out) { record_near_and_far(out); }},
+    {"nonsense", [](Case&, Recorder& out) { record_nonsense(out); }},
+    {"two cameras", [](Case& c, Recorder& out) { record_two(out, c.random); }},
+    {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
+    {"far", [](Case& c, Recorder& out) { record_far(out, c.random); }},
+    {"a hundred thousand steps", [](Case& c, Recorder& out) { record_long_session(out, c.random); }},
+    {"picture", [](Case&, Recorder& out) { draw_modes(out); }},
+};
+
+}

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <umbral/core/random.hpp>
+#include <umbral/interaction/three_mode_camera.hpp>
+#include <umbral/record/ask.hpp>
+#include <vector>
+
+/// What a user does to a three-mode camera, one step after the other.
+namespace umbral::interaction {
+
+struct ThreeModeStep {
+    enum class Kind { move_xy, move_z, look_toward, next_mode };
+    Kind kind = Kind::next_mode;
+    glm::dvec3 a{0};  ///< right and up; backwards; or the point
+};
+
+inline ThreeModeStep move_xy(double right, double up) { return {ThreeModeStep::Kind::move_xy, {right, up, 0}}; }
+inline ThreeModeStep move_z(double steps) { return {ThreeModeStep::Kind::move_z, {steps, 0, 0}}; }
+inline ThreeModeStep look_toward(const glm::dvec3& point) { return {ThreeModeStep::Kind::look_toward, point}; }
+inline ThreeModeStep next_mode() { return {}; }
+
+inline void apply(ThreeModeCamera& camera, const ThreeModeStep& step)
+{
+    switch (step.kind) {
+        case ThreeModeStep::Kind::move_xy: return camera.move_xy(step.a.x, step.a.y);
+        case ThreeModeStep::Kind::move_z: return camera.move_z(step.a.x);
+        case ThreeModeStep::Kind::look_toward: return camera.look_toward(step.a);
+        case ThreeModeStep::Kind::next_mode: return camera.next_mode();
+    }
+}
+
+/// The same as questions (ask.hpp).
+inline void apply(Recorder& out, ThreeModeCamera& camera, const ThreeModeStep& step)
+{
+    const glm::dvec3& a = step.a;
+    switch (step.kind) {
+        case ThreeModeStep::Kind::move_xy: return ask<&ThreeModeCamera::move_xy>(out, camera, a.x, a.y);
+        case ThreeModeStep::Kind::move_z: return ask<&ThreeModeCamera::move_z>(out, camera, a.x);
+        case ThreeModeStep::Kind::look_toward: return ask<&ThreeModeCamera::look_toward>(out, camera, a);
+        case ThreeModeStep::Kind::next_mode: return ask<&ThreeModeCamera::next_mode>(out, camera);
+    }
+}
+
+/// In [-reach, reach).
+inline double random_length(Random& random, double reach) { return reach * (2 * random.uniform_double() - 1); }
+
+inline glm::dvec3 random_point(Random& random, double reach)
+{
+    const double x = random_length(random, reach);
+    const double y = random_length(random, reach);
+    return {x, y, random_length(random, reach)};
+}
+
+/// A camera within `reach` of the origin in each direction, 2 to 6 away from what it looks at.
+inline ThreeModeSettings random_three_mode(Random& random, double reach = 3)
+{
+    ThreeModeSettings settings;
+    settings.attention = random_point(random, reach);
+    settings.azimuth = random_length(random, 3);
+    settings.elevation = random_length(random, 1.2);
+    settings.distance = 2 + 4 * random.uniform_double();
+    settings.min_distance = 0.25 + 0.75 * random.uniform_double();
+    settings.max_distance = 12 + 8 * random.uniform_double();
+    settings.zoom_step = 0.05 + 0.2 * random.uniform_double();
+    return settings;
+}
+
+/// Steps in all modes, within about 10 of `middle`: mostly turns and moves, then steps backwards and forwards, other
+/// modes, points to look at, and nonsense.
+inline std::vector<ThreeModeStep> random_steps(Random& random, int count, const glm::dvec3& middle = glm::dvec3(0))
+{
+    constexpr double nonsense[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+    std::vector<ThreeModeStep> steps;
+    for (int i = 0; i < count; ++i) {
+        const std::uint32_t kind = random.below(20);
+        const double right = random_length(random, 0.7);
+        const double up = random_length(random, 0.5);
+        const double back = random_length(random, 2);
+        const glm::dvec3 point = middle + random_point(random, 4);
+        const double odd = nonsense[random.below(2)];
+        if (kind < 10)
+            steps.push_back(move_xy(right, up));
+        else if (kind < 14)
+            steps.push_back(move_z(back));
+        else if (kind < 17)
+            steps.push_back(next_mode());
+        else if (kind < 19)
+            steps.push_back(look_toward(point));
+        else
+            steps.push_back(i % 2 == 0 ? move_xy(right, odd) : move_z(odd));
+    }
+    return steps;
+}
+
+}

@@ -1,0 +1,3 @@
+#include <umbral/interaction/camera_animation.hpp>
+
+extern "C" void* unit_entry() { return reinterpret_cast<void*>(&umbral::interaction::flight_view); }
