@@ -16,8 +16,10 @@ inline std::vector<ShadowTask> shadows_by_hand()
     return {
         {lamp, shelf, floor},
         {sun, shelf, floor},
-        {7.0F * sun, shelf, floor},                                // a direction has any length
-        {lamp, turned_over(shelf), floor},                         // casters have two sides
+        {0.001F * sun, shelf, floor},
+        {sun, rectangle({3, 0.004F, 3}, {0, 0, 1}, {2, 0, 0}), floor},  // nearly on the floor
+        {7.0F * sun, shelf, floor},                                     // a direction has any length
+        {lamp, turned_over(shelf), floor},                              // casters have two sides
         {lamp, shelf, turned_over(floor)},                         // receivers too: the shadow turns as its receiver
         {sun, rectangle({6, 3, 1}, {0, 0, 3}, {4, 0, 0}), floor},  // partly beside the floor
         {lamp, rectangle({-9, 3, -9}, {0, 0, 40}, {40, 0, 0}), floor},  // larger than all of it
@@ -88,6 +90,7 @@ inline std::vector<MirrorTask> mirrors_by_hand()
         {{0, 1, 1}, {left, corner}, 2},  // the eye in the first one's plane
         {{1, 1, 1}, {left, behind}, 2},  // the second behind the first: the eye alone sees it
         {{1, 1, 1}, {}, 3},
+        {{0.02F, 1, 1}, {left}, 1},                                          // the eye close to the mirror
         {{1, 1, 1}, {{}, left, {{4, 0, 0}, {4, 2, 0}}}, 3},                  // mirrors without area
         {{1, 1, 1}, {left, rectangle({4, 5, 0}, {0, 0, 3}, {0, 2, 0})}, 2},  // too high to be seen in the first
         // Between the mirrored eye and the mirror, turned to that eye: not seen.
