@@ -19,7 +19,7 @@ using FlatPolygon = std::vector<glm::vec3>;
 /// lies between the light and the receiver throws one: casters may reach through the receiver's plane, behind it, past
 /// the light's height, or behind the light. The lamp touches no caster. Nothing comes of a caster in the receiver's
 /// plane or in one plane with the light, of a light in the receiver's plane, nor where caster and shadow have no more
-/// than a side or a corner in common with the receiver. Guarantee of the reference: corners are within one ulp of the
+/// than a side or a corner in common with the receiver. Guarantee of the reference: corners are within four ulp of the
 /// largest coordinate, as long as the shadow's sides and what throws it are at least 1e-3 times as large. Course:
 /// brute-force algorithm for cast shadows.
 [[nodiscard]] FlatPolygon shadow_polygon(const glm::vec4& light, const FlatPolygon& caster,
