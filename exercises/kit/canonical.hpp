@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -33,6 +34,33 @@ inline glm::uvec3 canonical(const glm::uvec3& t)
 
 /// The same edge, begun at its smaller index: it has no sense.
 inline glm::uvec2 canonical(const glm::uvec2& e) { return e.x <= e.y ? e : glm::uvec2(e.y, e.x); }
+
+/// The same polygon, in the plane or in space, begun at another corner: whatever it begins with, it comes out the same.
+/// Polygons may pass a place twice: what follows then decides.
+template <int size>
+std::vector<glm::vec<size, float>> from_extreme(std::vector<glm::vec<size, float>> polygon)
+{
+    const std::size_t count = polygon.size();
+    const auto level = [&](std::size_t corner) {
+        constexpr double weights[] = {0.83, 0.61, 0.47};
+        double sum = 0;
+        for (int i = 0; i < size; ++i) sum += weights[i] * double{polygon[corner % count][i]};
+        return sum;
+    };
+    // Whether what is read from corner i comes first: it is larger in the first level in which they differ.
+    const auto earlier = [&](std::size_t i, std::size_t j) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const double difference = level(i + k) - level(j + k);
+            if (std::abs(difference) > 1e-4) return difference > 0;
+        }
+        return false;
+    };
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < count; ++i)
+        if (earlier(i, first)) first = i;
+    std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(first), polygon.end());
+    return polygon;
+}
 
 /// Records a list of triangles or edges as events of this code, each in its canonical form, sorted if their order is
 /// free. Of a list that is far longer than it should be, only the beginning is looked at.

@@ -1,3 +1,4 @@
+#include <kit/canonical.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
 
@@ -7,30 +8,6 @@ namespace umbral {
 namespace {
 
 using namespace pipeline;
-
-double level(const glm::vec2& p) { return 0.83 * double{p.x} + 0.61 * double{p.y}; }
-
-// Whether the polygon, read from corner i, comes before the one read from corner j: the first level in which they
-// differ is larger.
-bool earlier(const Polygon& polygon, std::size_t i, std::size_t j)
-{
-    const std::size_t count = polygon.size();
-    for (std::size_t k = 0; k < count; ++k) {
-        const double difference = level(polygon[(i + k) % count]) - level(polygon[(j + k) % count]);
-        if (std::abs(difference) > 1e-4) return difference > 0;
-    }
-    return false;
-}
-
-// A polygon is the same whatever corner it begins with. Bridges may pass a place twice: what follows then decides.
-Polygon from_extreme(Polygon polygon)
-{
-    std::size_t first = 0;
-    for (std::size_t i = 1; i < polygon.size(); ++i)
-        if (earlier(polygon, i, first)) first = i;
-    std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(first), polygon.end());
-    return polygon;
-}
 
 struct Task {
     Polygon polygon;

@@ -5,6 +5,7 @@
 #include <kit/double_frame.hpp>
 #include <kit/picture.hpp>
 #include <kit/shapes.hpp>
+#include <kit/single_points.hpp>
 #include <memory>
 #include <string>
 #include <umbral/gl/framebuffer.hpp>
@@ -112,13 +113,6 @@ struct Scene {
     float fovy_degrees = 40;
 };
 
-/// "name = value", as what a shader is given is written in questions.
-template <class Value>
-std::string uniform_line(const char* name, const Value& value)
-{
-    return std::string(name) + " = " + literal::of_value(value, true, {}) + "\n";
-}
-
 inline std::string projector_text(const Projector& projector)
 {
     return uniform_line("projector_view", projector.view) + uniform_line("projector_projection", projector.projection) +
@@ -159,31 +153,16 @@ struct Point {
     glm::mat4 model{1};
 };
 
-/// What an attribute is for all vertices.
-inline void feed(const gl::Program& program, const char* name, const glm::vec3& value)
-{
-    const int location = program.attribute_location(name);
-    if (location >= 0) glVertexAttrib3fv(static_cast<GLuint>(location), &value.x);
-}
-
 /// The colours (0 to 1, encoded) of single points, each drawn as one pixel: no triangle, no interpolation.
 inline std::vector<glm::vec3> colors_of(const std::vector<Point>& points, const gl::Program& program)
 {
     const auto size = static_cast<int>(points.size());
     const gl::Framebuffer frame(size, 1);
     frame.clear({1, 0, 1, 1});
-    glDisable(GL_DEPTH_TEST);
-    GLuint array = 0;
-    glGenVertexArrays(1, &array);
-    glBindVertexArray(array);
-    // Every point goes to the middle of its own pixel, wherever it lies.
-    glm::mat4 to_centre(0);
-    to_centre[3] = {0, 0, 0, 1};
     program.set("view", glm::mat4(1));
-    program.set("projection", to_centre);
-    for (int i = 0; i < size; ++i) {
-        const Point& point = points[static_cast<std::size_t>(i)];
-        glViewport(i, 0, 1, 1);
+    program.set("projection", to_centre());
+    draw_single_points(size, [&](std::size_t i) {
+        const Point& point = points[i];
         program.set("model", point.model);
         set_projector(program, point.projector);
         // Back to the coordinates of the object; normals through the transpose, since the shader's way is the inverse
@@ -191,10 +170,7 @@ inline std::vector<glm::vec3> colors_of(const std::vector<Point>& points, const 
         feed(program, "position", glm::vec3(inverse(point.model) * glm::vec4(point.place, 1)));
         feed(program, "normal", normalize(transpose(glm::mat3(point.model)) * point.normal));
         feed(program, "color", point.color);
-        glDrawArrays(GL_POINTS, 0, 1);
-    }
-    glBindVertexArray(0);
-    glDeleteVertexArrays(1, &array);
+    });
     std::vector<glm::vec3> colors;
     for (const glm::u8vec4& pixel : frame.read_pixels().cells) colors.push_back(glm::vec3(pixel) / 255.0F);
     return colors;

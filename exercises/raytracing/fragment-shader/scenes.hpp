@@ -1,0 +1,156 @@
+#pragma once
+
+#include "stage.hpp"
+
+/// What the cases of raytracing/fragment-shader show.
+namespace umbral::raytracing {
+
+/// Mirror balls and matt ones on a polished floor, towards evening.
+inline BallScene evening()
+{
+    BallScene scene;
+    scene.look = {{0.6F, 1.7F, 6.6F},    {0.15F, 0.95F, 0},     0.34F,
+                  {0.13F, 0.14F, 0.20F}, {0.62F, 0.27F, 0.13F}, {0.05F, 0.10F, 0.30F}};
+    scene.balls = {{{0.1F, 1.15F, -0.6F, 1.15F}, glm::vec3(0.03F), 0.88F},
+                   {{-2.05F, 0.75F, 0.1F, 0.75F}, {0.62F, 0.06F, 0.08F}, 0.18F},
+                   {{2.1F, 0.85F, -0.2F, 0.85F}, {0.72F, 0.42F, 0.05F}, 0.28F},
+                   {{-0.85F, 0.42F, 1.55F, 0.42F}, {0.04F, 0.30F, 0.36F}, 0.22F},
+                   {{1.05F, 0.36F, 1.6F, 0.36F}, glm::vec3(0.02F), 0.85F},
+                   {{0.15F, 0.2F, 2.35F, 0.2F}, {0.75F, 0.72F, 0.65F}, 0.1F},
+                   {{-3.6F, 1.3F, -2.6F, 1.3F}, {0.08F, 0.16F, 0.42F}, 0.35F},
+                   {{3.7F, 0.5F, 1.1F, 0.5F}, {0.30F, 0.42F, 0.10F}, 0.15F}};
+    scene.tiles[0] = {0.62F, 0.56F, 0.48F};
+    scene.tiles[1] = {0.06F, 0.05F, 0.055F};
+    scene.floor_mirror = 0.2F;
+    scene.floor_radius = 14;
+    scene.light_position = {-4.5F, 7, 5.5F};
+    scene.light_color = {1.35F, 1.15F, 0.92F};
+    scene.levels = 6;
+    return scene;
+}
+
+/// Matt balls: light, shadows and tiles only.
+inline BallScene matt()
+{
+    BallScene scene;
+    scene.look = {{-2.2F, 2.6F, 5.2F}, {0, 0.5F, 0}, 0.42F};
+    scene.balls = {{{-0.9F, 0.8F, 0, 0.8F}, {0.8F, 0.3F, 0.2F}, 0},
+                   {{0.9F, 0.5F, 0.6F, 0.5F}, {0.2F, 0.5F, 0.8F}, 0},
+                   {{0.6F, 1.9F, -0.4F, 0.4F}, {0.4F, 0.7F, 0.3F}, 0}};
+    scene.light_position = {2.5F, 4, 2};
+    return scene;
+}
+
+/// Three mirrors that see each other, as deep as the levels allow.
+inline BallScene mirrors(int levels)
+{
+    BallScene scene;
+    scene.look = {{0.4F, 1.4F, 4.6F}, {0, 0.8F, 0}, 0.36F};
+    scene.balls = {{{-0.95F, 0.8F, 0, 0.8F}, {0.25F, 0.05F, 0.02F}, 0.8F},
+                   {{0.85F, 0.8F, 0.2F, 0.8F}, {0.02F, 0.12F, 0.25F}, 0.9F},
+                   {{0, 0.3F, 1.2F, 0.3F}, {0.05F, 0.2F, 0.03F}, 0.7F}};
+    // Below the fourth ball: what is beyond the light throws no shadow.
+    scene.balls.push_back({{0.3F, 3.4F, 0.6F, 0.5F}, {0.3F, 0.25F, 0.1F}, 0.2F});
+    scene.light_position = {0.3F, 2.4F, 1.0F};
+    scene.floor_mirror = 0.3F;
+    scene.levels = levels;
+    return scene;
+}
+
+/// A sponge from which a ball was cut, in low light.
+inline SpongeScene carved()
+{
+    SpongeScene scene;
+    scene.look = {{2.75F, 2.1F, 3.3F},   {0.02F, -0.08F, 0},    0.42F,
+                  {0.20F, 0.23F, 0.32F}, {0.55F, 0.40F, 0.36F}, {0.07F, 0.11F, 0.24F}};
+    scene.depth = 1;
+    scene.ball = {0.95F, 0.9F, 0.85F, 1.15F};
+    scene.sponge_color = {0.80F, 0.74F, 0.66F};
+    scene.ball_color = {0.95F, 0.42F, 0.10F};
+    scene.sun = {0.75F, 0.85F, 0.18F};
+    scene.sun_color = {1.1F, 0.95F, 0.75F};
+    return scene;
+}
+
+/// The cube, drilled as often as `depth` says; the ball is inside it, and seen through the holes.
+inline SpongeScene drilled(int depth)
+{
+    SpongeScene scene;
+    scene.look = {{-1.9F, 2.4F, 3.2F}, {0, 0, 0}, 0.38F};
+    scene.depth = depth;
+    scene.ball = {0.1F, 0, -0.1F, 0.72F};
+    scene.sun = {-0.5F, 0.9F, 0.3F};
+    return scene;
+}
+
+inline glm::vec3 random_color(Random& random, float most)
+{
+    const float red = random.uniform(0, most);
+    const float green = random.uniform(0, most);
+    return {red, green, random.uniform(0, most)};
+}
+
+inline void give_random_light(Random& random, RayLook& look)
+{
+    look.ambient = random_color(random, 0.3F);
+    look.horizon = random_color(random, 0.9F);
+    look.zenith = random_color(random, 0.9F);
+    look.half_height = random.uniform(0.3F, 0.8F);
+}
+
+/// Rays into random scenes, most of them aimed at a ball or the floor; few levels, so that rounding does not grow.
+inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count)
+{
+    std::vector<OneRay<BallScene>> rays;
+    for (int i = 0; i < count; ++i) {
+        OneRay<BallScene> ray;
+        BallScene& scene = ray.scene;
+        give_random_light(random, scene.look);
+        const std::uint32_t balls = random.below(6);
+        for (std::uint32_t k = 0; k < balls; ++k) {
+            const float radius = random.uniform(0.3F, 1);
+            const glm::vec3 place = 1.8F * random.in_cube();
+            const float mirror = random.below(3) == 0 ? 0.0F : random.uniform(0.2F, 0.9F);
+            scene.balls.push_back(
+                {{place.x, radius + std::abs(place.y), place.z, radius}, random_color(random, 0.6F), mirror});
+        }
+        scene.tiles[0] = random_color(random, 0.8F);
+        scene.tiles[1] = random_color(random, 0.3F);
+        scene.floor_mirror = random.below(2) == 0 ? 0.0F : random.uniform(0.1F, 0.5F);
+        scene.floor_radius = random.uniform(2, 9);
+        scene.light_color = random_color(random, 1) + glm::vec3(0.2F);
+        const glm::vec3 lamp = 3.0F * random.in_cube();
+        scene.light_position = {lamp.x, 4 + std::abs(lamp.y), lamp.z};
+        scene.levels = 1 + static_cast<int>(random.below(3));
+        // The eye is farther away than any ball reaches.
+        const float turn = random.uniform(0, 6.28F);
+        scene.look.eye = {5 * std::cos(turn), random.uniform(0.5F, 3), 5 * std::sin(turn)};
+        scene.look.target = glm::vec3(0, 0.7F, 0) + random.in_cube();
+        ray.place = {random.uniform(-1.2F, 1.2F), random.uniform(-1, 1)};
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+inline std::vector<OneRay<SpongeScene>> random_sponge_rays(Random& random, int count)
+{
+    std::vector<OneRay<SpongeScene>> rays;
+    for (int i = 0; i < count; ++i) {
+        OneRay<SpongeScene> ray;
+        SpongeScene& scene = ray.scene;
+        give_random_light(random, scene.look);
+        scene.depth = static_cast<int>(random.below(3));
+        scene.ball = glm::vec4(random.in_cube(), random.uniform(0.3F, 1.1F));
+        scene.sponge_color = random_color(random, 0.8F) + glm::vec3(0.1F);
+        scene.ball_color = random_color(random, 0.8F) + glm::vec3(0.1F);
+        scene.sun = random.unit_vector();
+        scene.sun_color = random_color(random, 1) + glm::vec3(0.2F);
+        scene.look.eye = random.uniform(3, 8) * random.unit_vector();
+        scene.look.target = 0.6F * random.in_cube();
+        ray.place = 0.5F * glm::vec2(random.in_cube());
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+}

@@ -1,0 +1,222 @@
+#pragma once
+
+#include <umbral/core/random.hpp>
+
+#include "stage.hpp"
+
+/// Single points whose place on the map, and whose distance from the border between light and shadow, is known.
+namespace umbral::raytracing {
+
+/// A point of a surface in the world, what it is given, and what the map holds: `here` in its own texel, and
+/// `elsewhere` in all others.
+struct ShadowProbe {
+    MapLight light;
+    glm::vec3 place{0};
+    glm::vec3 normal{0, 1, 0};
+    glm::vec3 color{1};
+    glm::mat4 model{1};
+    glm::ivec2 texel{0};  ///< its texel, from the lower left
+    float here = nothing_seen;
+    float elsewhere = 0;
+};
+
+inline double distance_of(const MapLight& light, const glm::vec3& place)
+{
+    const glm::dvec3 from(light.place);
+    return light.place.w == 0 ? -dot(from, glm::dvec3(place)) : length(from - glm::dvec3(place));
+}
+
+/// Turned, stretched and moved.
+inline glm::mat4 random_placement(Random& random)
+{
+    glm::mat4 matrix = glm::translate(glm::mat4(1), 3.0F * random.in_cube());
+    matrix = glm::rotate(matrix, random.uniform(0, 6.28F), random.unit_vector());
+    return glm::scale(matrix, glm::vec3(1.1F) + 0.6F * random.in_cube());
+}
+
+/// A lamp or a sun, as often; its frustum is neither square nor, half of the time, symmetric.
+inline MapLight random_light(Random& random)
+{
+    const glm::vec3 place = 4.0F * random.in_cube();
+    const glm::vec3 target = place + random.unit_vector();
+    const float wide = random.uniform(0.4F, 2.2F);
+    const float high = random.uniform(0.4F, 2.2F);
+    const float aside = random.below(2) == 0 ? 0.0F : random.uniform(-0.5F, 0.5F);
+    const bool is_sun = random.below(2) == 0;
+    MapLight light = is_sun ? sun_from(random.unit_vector(), place, glm::vec2(1)) : lamp_at(place, target, 60);
+    const float size = is_sun ? 3.0F : 0.05F;
+    const float left = size * wide * (aside - 1);
+    const float right = size * wide * (aside + 1);
+    light.projection = is_sun ? glm::ortho(left, right, -size * high, size * high, 0.1F, 60.0F)
+                              : glm::frustum(left, right, -size * high, size * high, 0.05F, 60.0F);
+    light.color = glm::vec3(0.7F) + 0.3F * random.in_cube();
+    light.ambient = glm::vec3(0.12F) + 0.08F * random.in_cube();
+    const auto columns = static_cast<int>(2 + random.below(20));
+    light.texels = {columns, static_cast<int>(2 + random.below(20))};
+    return light;
+}
+
+/// The point that the light has at `place` of its view plane, both in [-1, 1], that far along its axis.
+inline glm::vec3 at_map_place(const MapLight& light, const glm::vec2& place, float distance)
+{
+    const glm::mat4& p = light.projection;
+    const bool parallel = light.place.w == 0;
+    const float scale = parallel ? 1.0F : distance;
+    const glm::vec2 shift = parallel ? -glm::vec2(p[3]) : glm::vec2(p[2]);
+    const glm::vec3 eye((place.x + shift.x) * scale / p[0][0], (place.y + shift.y) * scale / p[1][1], -distance);
+    return glm::vec3(inverse(light.view) * glm::vec4(eye, 1));
+}
+
+inline glm::dvec3 towards_light(const MapLight& light, const glm::vec3& place)
+{
+    const glm::dvec3 from(light.place);
+    return light.place.w == 0 ? from : normalize(from - glm::dvec3(place));
+}
+
+/// A unit normal whose cosine with the unit vector `axis` is this.
+inline glm::vec3 tilted(const glm::dvec3& axis, double cosine, Random& random)
+{
+    const glm::dvec3 other = std::abs(axis.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 u = normalize(cross(axis, other));
+    const double turn = 6.283185307179586 * random.uniform_double();
+    const glm::dvec3 side = std::cos(turn) * u + std::sin(turn) * cross(axis, u);
+    return glm::vec3(cosine * axis + std::sqrt(1 - cosine * cosine) * side);
+}
+
+/// What is taken off the distance before it is compared, of a surface with this cosine: the statement's formula, by the
+/// corners of the texel in eye coordinates.
+inline double allowance(const ShadowProbe& probe, double distance_along_axis, double cosine)
+{
+    const double depth = probe.light.place.w == 0 ? 1 : distance_along_axis;
+    const glm::dvec2 texel(2 * depth / (double{probe.light.projection[0][0]} * probe.light.texels.x),
+                           2 * depth / (double{probe.light.projection[1][1]} * probe.light.texels.y));
+    return 0.51 * length(texel) * std::tan(std::acos(cosine)) + 0.001;
+}
+
+/// Pairs, one lit and one in shadow, in random order: the map's distance is `band` of the allowance to either side of
+/// the border. All other texels say the opposite. Maps are `finer` times as fine.
+inline std::vector<ShadowProbe> probe_pairs(Random& random, int count, double band, double least_cosine, int finer = 1)
+{
+    std::vector<ShadowProbe> probes;
+    for (int i = 0; i < count; ++i) {
+        const bool swapped = random.below(2) == 1;
+        for (int k = 0; k < 2; ++k) {
+            ShadowProbe probe;
+            probe.light = random_light(random);
+            probe.light.texels *= finer;
+            const glm::ivec2 size = probe.light.texels;
+            probe.texel = {static_cast<int>(random.below(static_cast<std::uint32_t>(size.x))),
+                           static_cast<int>(random.below(static_cast<std::uint32_t>(size.y)))};
+            const glm::vec2 within = glm::vec2(0.5F) + 0.47F * glm::vec2(random.in_cube());
+            const glm::vec2 at = 2.0F * (glm::vec2(probe.texel) + within) / glm::vec2(size) - 1.0F;
+            const float along = random.uniform(1, 8);
+            probe.place = at_map_place(probe.light, at, along);
+            const double cosine = least_cosine + (1 - least_cosine) * random.uniform_double();
+            probe.normal = tilted(towards_light(probe.light, probe.place), std::min(cosine, 0.9999999), random);
+            probe.color = glm::vec3(0.6F) + 0.35F * random.in_cube();
+            probe.model = random_placement(random);
+            const bool is_lit = (k == 0) != swapped;
+            const double share = is_lit ? 1 - band : 1 + band;
+            probe.here = static_cast<float>(distance_of(probe.light, probe.place) -
+                                            share * allowance(probe, double{along}, std::min(cosine, 0.9999999)));
+            probe.elsewhere = is_lit ? -nothing_seen : nothing_seen;
+            probes.push_back(probe);
+        }
+    }
+    return probes;
+}
+
+/// Beside the map and behind the lamp, where it has nothing to say though all of its texels are in shadow; and between
+/// them points on it.
+inline std::vector<ShadowProbe> probes_off_the_map(Random& random, int count)
+{
+    std::vector<ShadowProbe> probes = probe_pairs(random, count, 0.5, 0.6);
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        ShadowProbe& probe = probes[i];
+        if (i % 3 == 2) continue;
+        const bool behind = probe.light.place.w != 0 && i % 3 == 1;
+        glm::vec2 at = 0.95F * glm::vec2(random.in_cube());
+        const float outside = random.uniform(1.03F, 3);
+        const bool is_negative = random.below(2) == 0;
+        if (!behind) at[random.below(2) == 0 ? 0 : 1] = is_negative ? -outside : outside;
+        probe.place = at_map_place(probe.light, at, random.uniform(1, 8) * (behind ? -1.0F : 1.0F));
+        probe.normal = tilted(towards_light(probe.light, probe.place), random.uniform(0.5F, 0.95F), random);
+        probe.here = probe.elsewhere = -nothing_seen;
+    }
+    return probes;
+}
+
+inline void feed_place(const gl::Program& program, const ShadowProbe& probe)
+{
+    program.set("model", probe.model);
+    // Back to the coordinates of the object.
+    feed(program, "position", glm::vec3(inverse(probe.model) * glm::vec4(probe.place, 1)));
+}
+
+/// The second pass of single points: colours from 0 to 1, encoded.
+inline std::vector<glm::vec3> colors_of(const std::vector<ShadowProbe>& probes, const gl::Program& shadows)
+{
+    const auto size = static_cast<int>(probes.size());
+    const gl::Framebuffer frame(size, 1);
+    frame.clear({1, 0, 1, 1});
+    const DistanceMap map(1, 1);
+    frame.bind();
+    shadows.set("view", glm::mat4(1));
+    shadows.set("projection", to_centre());
+    draw_single_points(size, [&](std::size_t i) {
+        const ShadowProbe& probe = probes[i];
+        Grid<float> cells(probe.light.texels.x, probe.light.texels.y, probe.elsewhere);
+        cells.at(probe.texel.x, probe.texel.y) = probe.here;
+        map.fill(cells);
+        set_light(shadows, probe.light);
+        feed_place(shadows, probe);
+        // Through the transpose, since the shader's way is the inverse transpose.
+        feed(shadows, "normal", normalize(transpose(glm::mat3(probe.model)) * probe.normal));
+        feed(shadows, "color", probe.color);
+    });
+    std::vector<glm::vec3> colors;
+    for (const glm::u8vec4& pixel : frame.read_pixels().cells) colors.push_back(glm::vec3(pixel) / 255.0F);
+    return colors;
+}
+
+inline void record_colors(Recorder& out, const std::vector<ShadowProbe>& probes, const gl::Program& shadows)
+{
+    const std::vector<glm::vec3> colors = colors_of(probes, shadows);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const ShadowProbe& probe = probes[i];
+        ask_in_words(out, [&] {
+            return light_text(probe.light) + "// a map of " + std::to_string(probe.light.texels.x) + " x " +
+                   std::to_string(probe.light.texels.y) + " texels, of which (" + std::to_string(probe.texel.x) + ", " +
+                   std::to_string(probe.texel.y) + ") holds " + literal::of_value(probe.here, true, {}) +
+                   " and all others " + literal::of_value(probe.elsewhere, true, {}) +
+                   "\n// a point that lies here in the world:\n" + uniform_line("position", probe.place) +
+                   uniform_line("normal", probe.normal) + uniform_line("color", probe.color) +
+                   uniform_line("model", probe.model);
+        });
+        out.append("colors", colors[i]);
+    }
+}
+
+/// The first pass of single points: what the map would hold.
+inline void record_distances(Recorder& out, const std::vector<ShadowProbe>& probes, const gl::Program& distances)
+{
+    const auto size = static_cast<int>(probes.size());
+    const DistanceMap map(size, 1);
+    map.begin();
+    draw_single_points(size, [&](std::size_t i) {
+        set_light(distances, probes[i].light);
+        distances.set("light_projection", to_centre());
+        feed_place(distances, probes[i]);
+    });
+    const Grid<float> row = map.read();
+    for (int i = 0; i < size; ++i) {
+        const ShadowProbe& probe = probes[static_cast<std::size_t>(i)];
+        ask_in_words(out, [&] {
+            return uniform_line("light", probe.light.place) + uniform_line("model", probe.model) +
+                   "// a point that lies here in the world:\n" + uniform_line("position", probe.place);
+        });
+        out.append("distances", row.at(i, 0));
+    }
+}
+
+}

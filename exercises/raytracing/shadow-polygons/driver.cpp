@@ -1,0 +1,109 @@
+#include <glm/gtc/matrix_transform.hpp>
+#include <kit/canonical.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "gallery.hpp"
+#include "tasks.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace raytracing;
+
+void append_corners(Recorder& out, std::string_view name, float first, float second, FlatPolygon polygon)
+{
+    polygon.resize(std::min<std::size_t>(polygon.size(), 40));
+    polygon = from_extreme(polygon);
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        out.append(name, std::span<const float>(std::array{first, second, static_cast<float>(i), polygon[i].x,
+                                                           polygon[i].y, polygon[i].z}));
+}
+
+// Rows [task, 0, corner, x, y, z].
+void record_shadows(Recorder& out, const std::vector<ShadowTask>& tasks)
+{
+    out.text("corners.names", "shadow");
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+        append_corners(out, "corners", static_cast<float>(i), 0,
+                       ask<shadow_polygon>(out, tasks[i].light, tasks[i].caster, tasks[i].receiver));
+}
+
+// A path as one number: the digits of its mirrors, from 1 on.
+float path_number(const std::vector<std::size_t>& path)
+{
+    float number = 0;
+    for (std::size_t i = 0; i < std::min<std::size_t>(path.size(), 6); ++i)
+        number = 10 * number + static_cast<float>(path[i] % 9 + 1);
+    return number;
+}
+
+// Rows [task, place in the list, path, eye] and [task, path, corner, x, y, z].
+void record_views(Recorder& out, const std::vector<MirrorTask>& tasks)
+{
+    out.text("eyes.names", "mirrors");
+    out.text("windows.names", "mirrors");
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        std::vector<MirrorView> views = ask<mirror_views>(out, tasks[i].eye, tasks[i].mirrors, tasks[i].levels);
+        views.resize(std::min<std::size_t>(views.size(), 60));
+        const auto task = static_cast<float>(i);
+        for (std::size_t k = 0; k < views.size(); ++k) {
+            const float path = path_number(views[k].path);
+            const glm::vec3& eye = views[k].eye;
+            out.append("eyes",
+                       std::span<const float>(std::array{task, static_cast<float>(k), path, eye.x, eye.y, eye.z}));
+            append_corners(out, "windows", task, path, views[k].window);
+        }
+    }
+}
+
+std::vector<ShadowTask> random_shadows(Random& random)
+{
+    std::vector<ShadowTask> tasks;
+    for (int i = 0; i < 150; ++i) tasks.push_back(random_shadow(random, i));
+    return tasks;
+}
+
+std::vector<ShadowTask> far_shadows(Random& random)
+{
+    std::vector<ShadowTask> tasks;
+    for (int i = 0; i < 80; ++i) tasks.push_back(far_shadow(random));
+    return tasks;
+}
+
+std::vector<MirrorTask> random_halls(Random& random)
+{
+    std::vector<MirrorTask> tasks;
+    for (int i = 0; i < 30; ++i) tasks.push_back(random_mirrors(random, 2 + random.below(3), 1 + i % 4));
+    return tasks;
+}
+
+void record_matrices(Case& what, Recorder& out)
+{
+    const std::vector<glm::vec4> by_hand = {{0, 1, 0, 0}, {0, 0, 2, -6}, {-1, 0, 0, 4}, {3, 4, 0, 10}, {1, 1, 1, -3}};
+    for (const glm::vec4& plane : by_hand) out.append("mirrors", ask<mirror_matrix>(out, plane));
+    for (int i = 0; i < 60; ++i) {
+        const glm::vec4 plane(random_plane(what.random));
+        out.append("mirrors", ask<mirror_matrix>(out, plane));
+    }
+    for (int i = 0; i < 60; ++i) {
+        const glm::vec4 plane(random_plane(what.random));
+        const glm::vec3 from = 4.0F * what.random.in_cube();
+        const glm::mat4 view = glm::lookAt(from, from + what.random.unit_vector(), glm::vec3(0.1F, 1, 0.2F));
+        out.append("views", ask<mirrored_view>(out, view, plane));
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record_shadows(out, shadows_by_hand()); }},
+    {"without", [](Case&, Recorder& out) { record_shadows(out, without_shadow()); }},
+    {"random", [](Case& c, Recorder& out) { record_shadows(out, random_shadows(c.random)); }},
+    {"far", [](Case& c, Recorder& out) { record_shadows(out, far_shadows(c.random)); }},
+    {"matrices", record_matrices},
+    {"two mirrors", [](Case&, Recorder& out) { record_views(out, mirrors_by_hand()); }},
+    {"halls", [](Case& c, Recorder& out) { record_views(out, random_halls(c.random)); }},
+    {"gallery", [](Case&, Recorder& out) { out.image("colours", gallery_picture(out, 400, 300)); }},
+};
+
+}

@@ -1,0 +1,96 @@
+#include <umbral/record/driver.hpp>
+
+#include "crowds.hpp"
+#include "glasses.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace raytracing;
+
+template <auto Draw, class Fragments>
+void record_drawn(Recorder& out, GlassFrame frame, const Fragments& fragments)
+{
+    const int width = frame.light.width;
+    const int height = frame.light.height;
+    ask<Draw>(out, frame, fragments);
+    record_frame(out, frame, width, height);
+}
+
+void record_empty(Case& what, Recorder& out)
+{
+    for (int i = 0; i < 12; ++i) {
+        const int width = 1 + static_cast<int>(what.random.below(6));
+        const int height = 1 + static_cast<int>(what.random.below(6));
+        const GlassFrame frame =
+            ask<empty_glass_frame>(out, width, height, random_light(what.random, i % 2 == 0 ? 1.0F : 5.0F));
+        for (const glm::vec4& row : rows_of(frame, width, height)) out.append("cells", row);
+    }
+}
+
+void record_opaque(Case& what, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const GlassTask task = random_task(what.random);
+        record_drawn<draw_opaque>(out, task.frame, task.opaque);
+    }
+}
+
+void record_filtered(Case& what, Recorder& out)
+{
+    record_drawn<filter_glass>(out, three_sheets().frame, three_sheets().glass);
+    for (int i = 0; i < 40; ++i) {
+        const GlassTask task = random_task(what.random);
+        record_drawn<filter_glass>(out, task.frame, task.glass);
+    }
+}
+
+void record_blended(Case& what, Recorder& out)
+{
+    for (int i = 0; i < 40; ++i) {
+        const GlassTask task = random_task(what.random);
+        record_drawn<blend_glass>(out, task.frame, task.glass);
+    }
+}
+
+// One frame through all functions, some of them twice: nothing stays behind from a call, and none closes the frame.
+void record_in_turn(Case& what, Recorder& out)
+{
+    for (int i = 0; i < 12; ++i) {
+        GlassTask task = random_task(what.random);
+        GlassFrame& frame = task.frame;
+        const int width = frame.light.width;
+        const int height = frame.light.height;
+        const std::vector<GlassFragment> first(task.glass.begin(), task.glass.begin() + task.glass.size() / 2);
+        const std::vector<GlassFragment> second(task.glass.begin() + task.glass.size() / 2, task.glass.end());
+        ask<blend_glass>(out, frame, first);
+        ask<blend_glass>(out, frame, second);
+        ask<draw_opaque>(out, frame, task.opaque);
+        ask<filter_glass>(out, frame, second);
+        ask<blend_glass>(out, frame, first);
+        record_frame(out, frame, width, height);
+    }
+}
+
+}
+
+const Driver driver = {
+    {"picture", [](Case&, Recorder& out) { out.image("glasses", glass_image(out, 400, 300, true)); }},
+    {"window", [](Case&, Recorder& out) { out.image("panes", glass_image(out, 160, 120, false)); }},
+    {"empty", record_empty},
+    {"opaque", record_opaque},
+    {"filtered", record_filtered},
+    {"sheets",
+     [](Case&, Recorder& out) { record_drawn<blend_glass>(out, three_sheets().frame, three_sheets().glass); }},
+    {"blended", record_blended},
+    {"deep",
+     [](Case& c, Recorder& out) {
+         for (int i = 0; i < 6; ++i) {
+             const GlassTask task = deep_task(c.random);
+             record_drawn<blend_glass>(out, task.frame, task.glass);
+         }
+     }},
+    {"in turn", record_in_turn},
+};
+
+}
