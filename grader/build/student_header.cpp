@@ -92,7 +92,8 @@ void compile_header(const Toolchain& tools, const fs::path& text)
 std::vector<std::string> read_first(const Toolchain& tools, const Exercise& exercise)
 {
     std::vector<std::string> arguments{"-I" + tools.framework.string(), "-include", tools.student_header.string()};
-    for (const std::string& header : exercise.interfaces) arguments.insert(arguments.end(), {"-include", header});
+    for (const auto* headers : {&exercise.interfaces, &exercise.used_interfaces})
+        for (const std::string& header : *headers) arguments.insert(arguments.end(), {"-include", header});
     return arguments;
 }
 

@@ -21,7 +21,8 @@ std::set<std::string> headers_for(const Toolchain& tools, std::span<const Exerci
 {
     std::deque<std::string> waiting{first_header};
     for (const Exercise& exercise : exercises)
-        waiting.insert(waiting.end(), exercise.interfaces.begin(), exercise.interfaces.end());
+        for (const auto* headers : {&exercise.interfaces, &exercise.used_interfaces})
+            waiting.insert(waiting.end(), headers->begin(), headers->end());
     std::set<std::string> all;
     for (; !waiting.empty(); waiting.pop_front()) {
         if (!fs::exists(tools.framework / waiting.front()) || !all.insert(waiting.front()).second) continue;

@@ -44,15 +44,30 @@ auto place_in_course(const Exercise& exercise, const std::vector<std::string>& t
                       exercise.id);
 }
 
-/// Headers of the framework, each once; a stub that is missing includes none.
-std::vector<std::string> included_by_stubs(const Exercise& exercise)
+/// Adds the headers of the framework that stubs include, each once; a stub that is missing includes none.
+void add_included(const std::filesystem::path& folder, const std::vector<std::string>& stubs,
+                  std::vector<std::string>& all)
 {
-    std::vector<std::string> all;
-    for (const std::string& stub : exercise.files) {
-        std::ifstream stream(exercise.folder / stub);
+    for (const std::string& stub : stubs) {
+        std::ifstream stream(folder / stub);
         const std::string text{std::istreambuf_iterator<char>(stream), {}};
         for (const std::string& header : framework_includes(text))
             if (std::ranges::find(all, header) == all.end()) all.push_back(header);
+    }
+}
+
+/// The headers of the units that a unit may call. One that is missing, or broken, is told by itself.
+std::vector<std::string> included_by_used(const Exercise& exercise)
+{
+    std::vector<std::string> all;
+    for (const std::string& used : exercise.uses) {
+        const std::filesystem::path folder = exercise.folder.parent_path().parent_path() / used;
+        try {
+            const nlohmann::json manifest = read_json(folder / "exercise.json");
+            add_included(folder, manifest.at("files").get<std::vector<std::string>>(), all);
+        } catch (const std::exception&) {
+            continue;
+        }
     }
     return all;
 }
@@ -68,7 +83,8 @@ Exercise load_exercise(const std::filesystem::path& folder)
     if (exercise.id != place)
         throw std::runtime_error(fmt::format("{}: id: expected \"{}\", as its folders are called, got \"{}\"",
                                              file.string(), place, exercise.id));
-    exercise.interfaces = included_by_stubs(exercise);
+    add_included(exercise.folder, exercise.files, exercise.interfaces);
+    exercise.used_interfaces = included_by_used(exercise);
     exercise.digest = unit_digest(exercise);
     return exercise;
 }

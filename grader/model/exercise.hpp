@@ -79,7 +79,8 @@ struct Exercise {
     std::vector<std::string>
         interfaces;  ///< headers of the framework that the stubs include, in their order: "umbral/core/ray.hpp"
     Millipoints points = 0;
-    std::vector<std::string> uses;  ///< reference units that the student may call
+    std::vector<std::string> uses;             ///< reference units that the student may call
+    std::vector<std::string> used_interfaces;  ///< headers that their stubs include
     std::vector<std::string>
         forbid;  ///< what must not be used: names and patterns ("glm::rotate*"), families ("@transforms")
     std::map<std::string, std::string> title;  ///< by language: "en", "es"
