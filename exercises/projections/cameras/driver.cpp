@@ -155,12 +155,12 @@ void record_calls(Random& random, Recorder& out)
     for (int i = 0; i < 24; ++i) {
         const Orbit orbit = random_orbit(random);
         const Size size = random_size(random);
-        const std::unique_ptr<OrbitalCamera> orbital = made(out, "orbital", orbit);
-        const std::unique_ptr<Camera> base = ask_new<make_camera>(out, "base");
-        if (!orbital || !base) continue;
         RecordingTarget target;
         if (Questions* const questions = out.questions())
             questions->set_object(&target, "target", "RecordingTarget target;");
+        const std::unique_ptr<OrbitalCamera> orbital = made(out, "orbital", orbit);
+        const std::unique_ptr<Camera> base = ask_new<make_camera>(out, "base");
+        if (!orbital || !base) continue;
         Camera& camera = i % 2 == 0 ? *base : *orbital;
         for (int k = 0; k < (i * 5) % 7; ++k) {
             if (k % 3 == 2) ask<&Camera::set_viewport>(out, camera, size.x, size.y);

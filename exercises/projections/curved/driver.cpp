@@ -189,6 +189,8 @@ void record_known_seams(Recorder& out)
                                                {3.0F, 3.1F, 2.9F},
                                                {pi, -pi, 3.0F},
                                                {1.5F, -1.5F, 0.0F},
+                                               {0.0F, 2.5F, -2.5F},
+                                               {-0.5F, -2.25F, 2.75F},
                                                {0.5F, 3.0F, -3.0F}})
         record_seam(out, angles);
 }

@@ -29,8 +29,8 @@ inline void record_anaglyph(Recorder& out, const Image& left, const Image& right
 // Pure colours, greys, and all of them against all others.
 inline void record_known_pixels(Recorder& out)
 {
-    const glm::u8vec4 paints[] = {{255, 0, 0, 255},     {0, 255, 0, 255}, {0, 0, 255, 255},    {255, 255, 255, 255},
-                                  {128, 128, 128, 255}, {0, 0, 0, 255},   {200, 100, 50, 255}, {20, 120, 220, 255}};
+    const glm::u8vec4 paints[] = {{255, 0, 0, 255},     {0, 255, 0, 255}, {0, 0, 255, 255},   {255, 255, 255, 255},
+                                  {128, 128, 128, 255}, {0, 0, 0, 255},   {200, 100, 50, 90}, {20, 120, 220, 10}};
     Image left(8, 8);
     Image right(8, 8);
     for (int y = 0; y < 8; ++y)

@@ -84,7 +84,7 @@ std::vector<TriangleShot> at_the_edges(Random& random)
 std::vector<TriangleShot> intervals(Random& random)
 {
     std::vector<TriangleShot> shots;
-    for (int i = 0; i < 140; ++i) {
+    for (int i = 0; i < 160; ++i) {
         const TriangleShot ahead = exact_shot(random, {1, 1 + i % 2}, 3);
         const TriangleShot behind = exact_shot(random, {1, 1 + i % 2}, -3);
         const TriangleShot there = exact_shot(random, {1, 1 + i % 2}, 0);
@@ -93,13 +93,14 @@ std::vector<TriangleShot> intervals(Random& random)
             shot.ray.t_max = t_max;
             return shot;
         };
-        switch (i % 7) {
+        switch (i % 8) {
             case 0: add_pair(shots, ahead, behind, random); break;
             case 1: add_pair(shots, in(ahead, 2.75F, endless), in(ahead, 3.25F, endless), random); break;
             case 2: add_pair(shots, in(ahead, 0, 3.25F), in(ahead, 0, 2.75F), random); break;
             case 3: add_pair(shots, in(ahead, 2, endless), in(ahead, 3, endless), random); break;
             case 4: add_pair(shots, in(ahead, 0, 4), in(ahead, 0, 3), random); break;
             case 5: add_pair(shots, in(behind, -endless, -2), in(behind, -3, -2), random); break;
+            case 6: add_pair(shots, in(ahead, -4, endless), in(behind, -2, endless), random); break;
             default: add_pair(shots, in(there, -1, 1), there, random);
         }
     }

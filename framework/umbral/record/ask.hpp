@@ -179,7 +179,8 @@ struct AskMember {
         if (questions->code_is_wanted() || Changes) {
             called += call_text(*questions, name, all);
             if (questions->code_is_wanted())
-                questions->set_code(questions->history_of(&object) + histories(*questions, all) + called);
+                // What is handed over is made before it is named in the object's lines.
+                questions->set_code(histories(*questions, all) + questions->history_of(&object) + called);
             if (Changes) questions->add_line(&object, called + ";");
         }
         note(*questions, name, all);
