@@ -57,16 +57,22 @@ public:
     [[nodiscard]] std::optional<Hit> first_hit(const Ray& ray) const override
     {
         if (++rays_ > most_rays) throw std::length_error("more than 5000 rays for one: does the recursion end?");
-        std::optional<Hit> nearest;
-        Ray rest = ray;
-        const auto keep = [&](const std::optional<Hit>& found) {
-            if (!found) return;
-            nearest = found;
-            rest.t_max = found->t;
-        };
-        for (const Panel& panel : panels) keep(meeting(panel, rest));
-        for (const Ball& ball : balls) keep(meeting(ball, rest));
-        return nearest;
+        double end = ray.t_max;
+        const Panel* panel = nullptr;
+        const Ball* ball = nullptr;
+        for (const Panel& each : panels)
+            if (const double t = meeting(each, ray, end); t < end) {
+                end = t;
+                panel = &each;
+            }
+        for (const Ball& each : balls)
+            if (const double t = meeting(each, ray, end); t < end) {
+                end = t;
+                ball = &each;
+            }
+        if (ball != nullptr) return hit_of(*ball, ray, end);
+        if (panel != nullptr) return hit_of(*panel, ray, end);
+        return std::nullopt;
     }
     [[nodiscard]] glm::vec3 background(const glm::vec3& direction) const override { return sky(direction); }
     [[nodiscard]] glm::vec3 texture_color(std::uint32_t number, const glm::vec2& uv) const override
@@ -81,42 +87,59 @@ public:
     [[nodiscard]] std::uint32_t take_rays() const { return std::exchange(rays_, 0); }
 
 private:
-    static bool inside(const Ray& ray, double t) { return double{ray.t_min} < t && t < double{ray.t_max}; }
+    static constexpr double nowhere = std::numeric_limits<double>::infinity();
 
-    static std::optional<Hit> meeting(const Panel& panel, const Ray& ray)
+    static glm::dvec3 at(const Ray& ray, double t) { return glm::dvec3(ray.origin) + t * glm::dvec3(ray.direction); }
+
+    static glm::dvec2 coordinates(const Panel& panel, const glm::dvec3& place)
     {
         const glm::dvec3 across = cross(glm::dvec3(panel.u), glm::dvec3(panel.v));
-        const glm::dvec3 from(glm::dvec3(ray.origin) - glm::dvec3(panel.corner));
-        const glm::dvec3 along(ray.direction);
-        const double t = -dot(across, from) / dot(across, along);
-        if (!inside(ray, t)) return std::nullopt;
-        const glm::dvec3 at = from + t * along;
-        const double area = dot(across, across);
-        const glm::dvec2 uv(dot(cross(at, glm::dvec3(panel.v)), across) / area,
-                            dot(cross(glm::dvec3(panel.u), at), across) / area);
-        if (!(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1)) return std::nullopt;
-        return Hit{static_cast<float>(t), glm::vec3(glm::dvec3(panel.corner) + at), glm::vec3(normalize(across)),
-                   glm::vec2(uv), panel.material};
+        const glm::dvec3 from = place - glm::dvec3(panel.corner);
+        return glm::dvec2(dot(cross(from, glm::dvec3(panel.v)), across),
+                          dot(cross(glm::dvec3(panel.u), from), across)) /
+               dot(across, across);
     }
 
-    static std::optional<Hit> meeting(const Ball& ball, const Ray& ray)
+    /// The t in (ray.t_min, end) at which the ray meets it; infinity if there is none.
+    static double meeting(const Panel& panel, const Ray& ray, double end)
+    {
+        const glm::dvec3 across = cross(glm::dvec3(panel.u), glm::dvec3(panel.v));
+        const double t =
+            dot(across, glm::dvec3(panel.corner) - glm::dvec3(ray.origin)) / dot(across, glm::dvec3(ray.direction));
+        if (!(double{ray.t_min} < t && t < end)) return nowhere;
+        const glm::dvec2 uv = coordinates(panel, at(ray, t));
+        return uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1 ? t : nowhere;
+    }
+
+    static double meeting(const Ball& ball, const Ray& ray, double end)
     {
         const glm::dvec3 along(ray.direction);
         const glm::dvec3 from = glm::dvec3(ray.origin) - glm::dvec3(ball.centre);
-        const double radius = ball.radius;
         const double a = dot(along, along);
-        const glm::dvec3 nearest = from - dot(from, along) / a * along;
-        const double rest = radius * radius - dot(nearest, nearest);
-        if (!(rest >= 0)) return std::nullopt;
         const double middle = -dot(from, along) / a;
+        const glm::dvec3 nearest = from + middle * along;
+        const double rest = double{ball.radius} * double{ball.radius} - dot(nearest, nearest);
+        if (!(rest >= 0)) return nowhere;
         const double half = std::sqrt(rest / a);
-        const double t = inside(ray, middle - half) ? middle - half : middle + half;
-        if (!inside(ray, t)) return std::nullopt;
-        const glm::vec3 outwards((from + t * along) / radius);
+        for (const double t : {middle - half, middle + half})
+            if (double{ray.t_min} < t && t < end) return t;
+        return nowhere;
+    }
+
+    static Hit hit_of(const Panel& panel, const Ray& ray, double t)
+    {
+        const glm::vec3 normal = normalize(cross(panel.u, panel.v));
+        const glm::dvec3 place = at(ray, t);
+        return {static_cast<float>(t), glm::vec3(place), normal, glm::vec2(coordinates(panel, place)), panel.material};
+    }
+
+    static Hit hit_of(const Ball& ball, const Ray& ray, double t)
+    {
+        const glm::vec3 outwards((at(ray, t) - glm::dvec3(ball.centre)) / double{ball.radius});
         const glm::vec2 uv(std::atan2(outwards.x, outwards.z) / 6.2831853F + 0.5F,
                            std::acos(std::clamp(outwards.y, -1.0F, 1.0F)) / std::numbers::pi_v<float>);
-        return Hit{static_cast<float>(t), ball.centre + ball.radius * outwards, bent(outwards, ball.relief), uv,
-                   ball.material};
+        return {static_cast<float>(t), ball.centre + ball.radius * outwards, bent(outwards, ball.relief), uv,
+                ball.material};
     }
 
     /// Waves round three skew axes.

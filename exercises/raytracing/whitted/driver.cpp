@@ -37,6 +37,7 @@ void direct_by_hand(Recorder& out)
     record_direct(out, shiny, up, {0.6F, 0, 0.8F}, {0.6F, 0, 0.8F});
     record_direct(out, shiny, up, {0.8F, 0, 0.6F}, {0.8F, 0, 0.6F});
     record_direct(out, shiny, up, {0, 0.6F, 0.8F}, {0.6F, 0, 0.8F});
+    record_direct(out, shiny, up, {-0.6F, 0, 0.8F}, {1, 0, 0});
     record_direct(out, shiny, {0, 1, 0}, {-0.6F, 0.8F, 0}, {0, -0.6F, 0.8F});
     record_direct(out, shiny, {0.6F, 0.8F, 0}, {0, 1, 0}, {1, 0, 0});
     record_direct(out, shiny, {0.6F, 0.8F, 0}, {0, 0.8F, 0.6F}, {0, 1, 0});
@@ -46,11 +47,12 @@ void direct_random(Recorder& out, Random& random)
 {
     for (int i = 0; i < 300; ++i) {
         const glm::vec3 normal = random.unit_vector();
-        const glm::vec3 v = tilted(normal, random.uniform(0, 0.99F), random);
-        // Half of the lights near where the viewer's mirror image stands, so that highlights are seen.
-        glm::vec3 l = random.unit_vector();
-        if (i % 2 == 0) l = normalize(2 * dot(normal, v) * normal - v + 0.3F * random.in_cube());
-        record_direct(out, matt(random).local, normal, v, l);
+        const glm::vec3 v = tilted(normal, i % 3 == 2 ? 0.98 : random.uniform(0, 0.99F), random);
+        const glm::vec3 jitter = random.in_cube();
+        const glm::vec3 opposite = 2 * dot(normal, v) * normal - v;
+        // Anywhere; where the viewer's mirror image stands, so that highlights are seen; and below the horizon there.
+        const glm::vec3 l[] = {jitter, opposite + 0.3F * jitter, opposite - 0.45F * normal + 0.1F * jitter};
+        record_direct(out, matt(random).local, normal, v, normalize(l[i % 3]));
     }
 }
 

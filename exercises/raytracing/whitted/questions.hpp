@@ -80,10 +80,11 @@ inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
     ball.centre = dark.hit.position + between * way;
     Look lit = dark;
     const float aside = 1.5F * ball.radius;
-    switch (kind / 2 % 3) {
-        case 0: ball.centre += aside * glm::vec3(perpendicular_to(glm::dvec3(way), random)); break;
-        case 1: ball.centre = dark.hit.position + (is_place ? 1.25F * distance + 1 : -0.8F) * way; break;
-        default: ball.centre = dark.hit.position - (0.5F + aside) * way;
+    const glm::vec3 beside(aside * glm::vec3(perpendicular_to(glm::dvec3(way), random)));
+    switch (kind / 2 % 4) {
+        case 0: ball.centre += beside; break;
+        case 1: ball.centre = dark.hit.position - (0.5F + aside) * way; break;
+        default: ball.centre = dark.hit.position + (is_place ? 1.25F * distance + 1 : -0.8F) * way;
     }
     Ball blocking = ball;
     blocking.centre = dark.hit.position + between * way;
@@ -103,6 +104,11 @@ inline Look many_lights(Random& random)
     look.world.global = random_color(random, 0.3F);
     const std::uint32_t count = random.below(6);
     for (std::uint32_t i = 0; i < count; ++i) look.world.sources.push_back(random_light(random, 6));
+    // The first one is seen mirrored, so that there is a highlight.
+    if (count > 0) {
+        const glm::vec3 way = normalize(glm::reflect(-look.v, look.hit.normal) + 0.3F * random.in_cube());
+        look.world.sources.front().position = glm::vec4(2.0F * way, 0);
+    }
     for (int i = 0; i < 4; ++i)
         look.world.balls.push_back({look.hit.position + 1.5F * random.unit_vector(), 0.5F, matt(random)});
     return look;
@@ -137,6 +143,8 @@ inline Look interface_of_glass(Random& random, std::uint32_t lights)
     const bool is_inside = random.below(2) == 0;
     const double q = is_inside ? double{material.index} : 1 / double{material.index};
     double sine = 0.97 * random.uniform_double();
+    // Every other one that can be reflected totally is.
+    if (q > 1.1 && random.below(2) == 0) sine = std::min(0.98, (1.05 + 0.3 * random.uniform_double()) / q);
     if (std::abs(q * sine - 1) < 0.03) sine *= 0.9;
     const glm::vec3 v = random.unit_vector();
     const glm::vec3 normal = tilted(v, sine, random);

@@ -13,7 +13,7 @@
 namespace umbral::raytracing::whitted {
 
 /// Rays that begin on a surface must not find that surface at once: they begin so far from its point.
-inline constexpr float clearance = 1e-3F;
+inline constexpr float clearance = 1e-4F;
 
 /// How a surface looks: what it reflects of the lights, what it mirrors, and what it lets through.
 struct Material {
