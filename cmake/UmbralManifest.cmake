@@ -51,6 +51,21 @@ function(umbral_manifest_has_judge json judge result)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
+# umbral_interfaces(FOLDER JSON RESULT): the headers of the framework that the stubs in the unit's folder include.
+function(umbral_interfaces folder json result)
+  set(all)
+  umbral_manifest_list("${json}" files files)
+  list(FILTER files INCLUDE REGEX "[.][ch]pp$")
+  foreach(file IN LISTS files)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/${file})
+    file(STRINGS ${folder}/${file} lines REGEX "^#include <umbral/")
+    list(TRANSFORM lines REPLACE "^#include <(.*)>.*" "\\1")
+    list(APPEND all ${lines})
+  endforeach()
+  list(REMOVE_DUPLICATES all)
+  set(${result} ${all} PARENT_SCOPE)
+endfunction()
+
 # umbral_expected_references(UNIT JSON ROOT RESULT): the files below ROOT in which the unit's reference is expected:
 # ROOT/topic/my_unit.cpp, or of a unit in GLSL its shaders' names in the folder ROOT/topic/my_unit.
 function(umbral_expected_references unit json root result)

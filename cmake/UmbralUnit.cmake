@@ -26,7 +26,8 @@ set(UMBRAL_REFERENCE_ROOT ${PROJECT_SOURCE_DIR}/reference)
 # The flags of students' files, in one place: the precompiled header works only with exactly these.
 set(UMBRAL_STUDENT_FLAGS -std=c++20 -g -O1 -fPIC -fno-gnu-unique -ffp-contract=off -D_GLIBCXX_ASSERTIONS)
 
-# One header before their first line, precompiled with exactly those flags by exercises/CMakeLists.txt.
+# One header before their first line, precompiled with exactly those flags by exercises/CMakeLists.txt. The headers that
+# the unit's stubs include follow it.
 set(UMBRAL_STUDENT_HEADER ${CMAKE_BINARY_DIR}/student/umbral_student.hpp)
 
 # Added to the solutions of units with a check of the judge "cost": each basic block counts itself.
@@ -154,6 +155,8 @@ function(umbral_add_unit unit)
     list(APPEND parts oracle-library-${id})
   endif()
 
+  umbral_interfaces(${source} "${json}" interfaces)
+  list(TRANSFORM interfaces PREPEND "SHELL:-include ")
   file(GLOB mistakes CONFIGURE_DEPENDS ${source}/mistakes/*.cpp ${source}/mistakes/*.change)
   file(GLOB alternatives CONFIGURE_DEPENDS ${source}/alternatives/*.cpp)
   foreach(mistake IN LISTS mistakes)
@@ -169,8 +172,8 @@ function(umbral_add_unit unit)
     list(APPEND parts mistake-${id}-${name})
     set_target_properties(mistake-${id}-${name} PROPERTIES CXX_CLANG_TIDY "")  # wrong on purpose
     # As a student's file, with the precompiled header, which is also why NDEBUG must go: it takes a fifth of the time.
-    target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} -UNDEBUG ${counted} -include
-      ${UMBRAL_STUDENT_HEADER})
+    target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} -UNDEBUG ${counted}
+      "SHELL:-include ${UMBRAL_STUDENT_HEADER}" ${interfaces})
     set_source_files_properties(${mistake} PROPERTIES OBJECT_DEPENDS ${UMBRAL_STUDENT_HEADER}.gch)
     # Linked like a student's file too, so that `umbral validate` can grade what explanations are made from.
     target_link_options(mistake-${id}-${name} PRIVATE -Wl,-z,lazy -Wl,--version-script=${folder}/exports.map

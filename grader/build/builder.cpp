@@ -37,14 +37,14 @@ std::vector<std::string> lines_of(const fs::path& file)
     return lines;
 }
 
-/// Everything that decides what a build gives. The precompiled header stands for all headers: it is rebuilt when one
-/// changes.
+/// Everything that decides what a build gives: the precompiled header stands for those of all units, the unit's digest
+/// for its interfaces.
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all =
-        fmt::format("6\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.gl, exercise.gl_calls, exercise.glfw,
-                    exercise.counts_work, tools.compiler, fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
+    std::string all = fmt::format("7\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
+                                  exercise.gl_calls, exercise.glfw, exercise.counts_work, tools.compiler,
+                                  fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
     all +=
         read_text(unit_folder(tools, exercise.id) / "exports.txt") + read_text(tools.units / "framework-exports.txt");

@@ -12,6 +12,7 @@
 #include "build/compiler_files.hpp"
 #include "build/counted.hpp"
 #include "build/source_scan.hpp"
+#include "build/student_header.hpp"
 #include "model/caps.hpp"
 #include "model/recording.hpp"
 #include "run/confine.hpp"
@@ -52,10 +53,11 @@ ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercis
     command.arguments = {tools.compiler};
     command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
     if (exercise.counts_work) command.arguments.emplace_back("-fsanitize-coverage=trace-pc");
-    for (const std::string& word :
-         {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"), "-I" + tools.framework.string(),
-          "-ffile-prefix-map=" + work.string() + "=.", std::string("-include"), tools.student_header.string()})
+    for (const std::string& word : {std::string("-fdiagnostics-color=never"), std::string("-fmax-errors=5"),
+                                    "-ffile-prefix-map=" + work.string() + "=."})
         command.arguments.push_back(word);
+    const std::vector<std::string> headers = read_first(tools, exercise);
+    command.arguments.insert(command.arguments.end(), headers.begin(), headers.end());
     command.arguments.insert(command.arguments.end(), task.begin(), task.end());
     // With a folder before it, no name can be taken for an option.
     for (const auto& [name, text] : files)

@@ -89,6 +89,13 @@ void compile_header(const Toolchain& tools, const fs::path& text)
 
 }
 
+std::vector<std::string> read_first(const Toolchain& tools, const Exercise& exercise)
+{
+    std::vector<std::string> arguments{"-I" + tools.framework.string(), "-include", tools.student_header.string()};
+    for (const std::string& header : exercise.interfaces) arguments.insert(arguments.end(), {"-include", header});
+    return arguments;
+}
+
 bool is_header_ready(const Toolchain& tools, const fs::path& text)
 {
     if (!fs::exists(precompiled(tools))) return false;

@@ -1,10 +1,17 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "build/toolchain.hpp"
+#include "model/exercise.hpp"
 
 namespace umbral::grader {
+
+/// What the compiler is told so that a student's file of a unit is read after the header of all units, which is
+/// precompiled, and the unit's own interfaces: no macro of the student's can change what the driver shares with it.
+[[nodiscard]] std::vector<std::string> read_first(const Toolchain& tools, const Exercise& exercise);
 
 /// A precompiled header works with one compiler only, so a package cannot bring one: it is made on first use, from
 /// `text`, as `tools.student_header` and the file beside it.

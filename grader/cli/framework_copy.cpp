@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
-#include "cli/interface_block.hpp"
 #include "cli/paths.hpp"
 #include "collect/sources.hpp"
+#include "manifest/include_lines.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -21,9 +21,7 @@ std::set<std::string> headers_for(const Toolchain& tools, std::span<const Exerci
 {
     std::deque<std::string> waiting{first_header};
     for (const Exercise& exercise : exercises)
-        for (const std::string& stub : exercise.files)
-            for (const std::string& header : framework_includes(read_text(exercise.folder / stub)))
-                waiting.push_back(header);
+        waiting.insert(waiting.end(), exercise.interfaces.begin(), exercise.interfaces.end());
     std::set<std::string> all;
     for (; !waiting.empty(); waiting.pop_front()) {
         if (!fs::exists(tools.framework / waiting.front()) || !all.insert(waiting.front()).second) continue;

@@ -155,27 +155,16 @@ void add_block(Lines& lines, const std::string& heading, const std::string& file
 
 }
 
-std::vector<std::string> framework_includes(std::string_view text)
-{
-    std::vector<std::string> headers = included_in(text);
-    std::erase_if(headers, [](const std::string& header) { return !header.starts_with("umbral/"); });
-    return headers;
-}
-
 std::vector<std::string> interface_files(const Exercise& exercise)
 {
     std::vector<std::string> files;
     const auto add = [&](const std::string& file) {
         if (std::ranges::find(files, file) == files.end()) files.push_back(file);
     };
-    for (const std::string& stub : exercise.files) {
-        if (!stub.ends_with(".cpp") && !stub.ends_with(".hpp")) {
-            add(stub);
-            continue;
-        }
-        for (const std::string& header : framework_includes(read_text(exercise.folder / stub)))
-            if (header.starts_with("umbral/" + exercise.topic + "/")) add(header);
-    }
+    for (const std::string& stub : exercise.files)
+        if (!stub.ends_with(".cpp") && !stub.ends_with(".hpp")) add(stub);
+    for (const std::string& header : exercise.interfaces)
+        if (header.starts_with("umbral/" + exercise.topic + "/")) add(header);
     return files;
 }
 

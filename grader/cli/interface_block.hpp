@@ -19,9 +19,6 @@ struct InterfaceSources {
 /// ("umbral/raytracing/intersect.hpp"), and the stubs of shaders ("phong.vert").
 [[nodiscard]] std::vector<std::string> interface_files(const Exercise& exercise);
 
-/// The headers of the framework that a text includes, in its order: "umbral/core/ray.hpp".
-[[nodiscard]] std::vector<std::string> framework_includes(std::string_view text);
-
 /// What a statement shows of a header: without #pragma once, includes, the namespace's lines and private members. With
 /// `names`, only the declarations of those, in the header's order. Throws std::runtime_error if the header declares no
 /// such name.

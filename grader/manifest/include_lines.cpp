@@ -35,4 +35,11 @@ std::vector<std::string> included_in(std::string_view text)
     return names;
 }
 
+std::vector<std::string> framework_includes(std::string_view text)
+{
+    std::vector<std::string> headers = included_in(text);
+    std::erase_if(headers, [](const std::string& header) { return !header.starts_with("umbral/"); });
+    return headers;
+}
+
 }

@@ -10,4 +10,7 @@ namespace umbral::grader {
 /// not looked at.
 [[nodiscard]] std::vector<std::string> included_in(std::string_view text);
 
+/// The headers of the framework among them: "umbral/core/ray.hpp".
+[[nodiscard]] std::vector<std::string> framework_includes(std::string_view text);
+
 }

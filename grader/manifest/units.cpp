@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <tuple>
 
 #include "judge/judges.hpp"
+#include "manifest/include_lines.hpp"
 #include "manifest/unit_digest.hpp"
 #include "text/json_file.hpp"
 
@@ -42,6 +44,19 @@ auto place_in_course(const Exercise& exercise, const std::vector<std::string>& t
                       exercise.id);
 }
 
+/// Headers of the framework, each once; a stub that is missing includes none.
+std::vector<std::string> included_by_stubs(const Exercise& exercise)
+{
+    std::vector<std::string> all;
+    for (const std::string& stub : exercise.files) {
+        std::ifstream stream(exercise.folder / stub);
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        for (const std::string& header : framework_includes(text))
+            if (std::ranges::find(all, header) == all.end()) all.push_back(header);
+    }
+    return all;
+}
+
 }
 
 Exercise load_exercise(const std::filesystem::path& folder)
@@ -53,6 +68,7 @@ Exercise load_exercise(const std::filesystem::path& folder)
     if (exercise.id != place)
         throw std::runtime_error(fmt::format("{}: id: expected \"{}\", as its folders are called, got \"{}\"",
                                              file.string(), place, exercise.id));
+    exercise.interfaces = included_by_stubs(exercise);
     exercise.digest = unit_digest(exercise);
     return exercise;
 }

@@ -69,6 +69,8 @@ struct Exercise {
     std::string name;
     std::filesystem::path folder;
     std::vector<std::string> files;  ///< what the student hands in
+    std::vector<std::string>
+        interfaces;  ///< headers of the framework that the stubs include, in their order: "umbral/core/ray.hpp"
     Millipoints points = 0;
     std::vector<std::string> uses;  ///< reference units that the student may call
     std::vector<std::string>

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "build/compiler_files.hpp"
+#include "build/student_header.hpp"
 #include "build/submission.hpp"
 #include "mutants/schemata.hpp"
 #include "run/confine.hpp"
@@ -71,9 +72,10 @@ ConfinedResult compile(const Toolchain& tools, const Exercise& exercise, const s
     command.arguments = {tools.compiler};
     command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
     if (exercise.counts_work) command.arguments.emplace_back("-fsanitize-coverage=trace-pc");
+    const std::vector<std::string> headers = read_first(tools, exercise);
+    command.arguments.insert(command.arguments.end(), headers.begin(), headers.end());
     for (const std::string& word :
          {std::string("-w"), std::string("-fdiagnostics-color=never"), std::string("-fno-diagnostics-show-caret"),
-          "-I" + tools.framework.string(), std::string("-include"), tools.student_header.string(),
           std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,-z,lazy"), std::string("-o"),
           std::string("mutants.so"), std::string("./mutants.cpp")})
         command.arguments.push_back(word);
