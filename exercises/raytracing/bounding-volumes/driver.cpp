@@ -151,7 +151,7 @@ void odd_triangles(Recorder& out, Random& random)
     record(out, shells(300, random), 60, 500, random);
     record(out, Soup(100, random_soup(random, 1, 3).front()), 10, 9, random);
     record(out, row_of_powers(60, random), 60, 9, random);
-    record(out, needles(4000, random), 60, 9, random);
+    record(out, needles(2000, random), 60, 9, random);
     record(out, with_points_and_twins(random, 120), 60, 9, random);
     record(out, floor_of_tiles(16), 60, 20, random);
 }
@@ -196,7 +196,7 @@ void work(Recorder& out, Random& random)
 {
     out.text("of building.names", "triangles");
     out.text("of asking.names", "triangles");
-    for (const int n : {5, 8, 12, 18, 27}) {
+    for (const int n : {4, 6, 9, 13, 19}) {
         const Soup soup = hilly_ball(n, random);
         Hierarchy hierarchy;
         record_cost(out, "of building", soup.size(), [&] { hierarchy = hierarchy_of(out, soup); });
@@ -211,7 +211,7 @@ void work(Recorder& out, Random& random)
 void odd_work(Recorder& out, Random& random)
 {
     out.text("of building.names", "triangles");
-    for (const int count : {250, 700, 2000, 5600}) {
+    for (const int count : {200, 450, 1000, 2200}) {
         const Soup soup = shells(count, random);
         record_cost(out, "of building", soup.size(), [&] { (void)hierarchy_of(out, soup); });
     }

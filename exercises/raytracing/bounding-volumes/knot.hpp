@@ -30,7 +30,7 @@ inline KnotScene knot_scene()
         return glm::vec3(0.92F * p.x + 0.39F * p.z, p.y, 0.92F * p.z - 0.39F * p.x);
     };
     add(
-        shapes::trefoil(180, 16, 0.235F), [&](const glm::vec3& p) { return stood(p) + glm::vec3(0, 1.42F, 0); }, stood);
+        shapes::trefoil(120, 12, 0.235F), [&](const glm::vec3& p) { return stood(p) + glm::vec3(0, 1.42F, 0); }, stood);
     const auto as_it_is = [](const glm::vec3& v) { return v; };
     for (int i = 0; i < 9; ++i) {
         const float angle = 0.7F * static_cast<float>(i) + 0.4F;
@@ -71,8 +71,8 @@ glm::vec3 knot_light(const KnotScene& scene, FirstHit first_hit, const Ray& ray,
     if (key > 0 && first_hit(Ray{place + 2e-3F * normal, sun})) key = 0;
     glm::vec3 color(0.11F, 0.11F, 0.135F);
     if (!is_floor) {
-        const bool of_knot = found->index < 5760;
-        const float along = static_cast<float>(found->index % 360) / 360;
+        const bool of_knot = found->index < 2880;
+        const float along = static_cast<float>(found->index % 240) / 240;
         const float hue = of_knot ? 0.56F + 0.18F * std::sin(shapes::turn * along) : 0.09F;
         color = glm::vec3(srgb_decoded(glm::dvec3(rainbow(hue, 0.72F, 0.95F))));
     }
@@ -94,7 +94,7 @@ template <class FirstHit>
 Image knot_picture(const KnotScene& scene, FirstHit first_hit)
 {
     const Camera camera{{1.1F, 2.0F, 6.0F}, {0, 1.1F, 0}, 0.30F};
-    return ray_traced(160, 144, camera, [&](const Ray& ray) { return knot_light(scene, first_hit, ray, 1); });
+    return ray_traced(112, 100, camera, [&](const Ray& ray) { return knot_light(scene, first_hit, ray, 1); });
 }
 
 }
