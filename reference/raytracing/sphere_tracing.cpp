@@ -50,11 +50,11 @@ float menger_distance(const glm::vec3& p, int level)
 std::optional<TracedPoint> sphere_trace(const Ray& ray, std::span<const DistanceFunction> bodies,
                                         const TraceLimits& limits)
 {
-    if (bodies.empty()) return std::nullopt;
     const float unit = length(ray.direction);
     float t = ray.t_min;
     for (int step = 0; step < limits.max_steps && t < ray.t_max; ++step) {
         const glm::vec3 p = ray.origin + t * ray.direction;
+        // Of no bodies the nearest is infinitely far, and the ray at its end.
         float nearest = std::numeric_limits<float>::infinity();
         std::uint32_t object = 0;
         for (std::uint32_t i = 0; i < bodies.size(); ++i) {

@@ -3,19 +3,20 @@
 #include "../cast.hpp"
 #include "soups.hpp"
 
-/// The goal picture: a knot of several thousand triangles above a polished floor. Each pixel asks for up to six rays.
+/// The goal picture: a knot of several thousand triangles above a polished floor, which is the driver's own.
 namespace umbral::raytracing {
 
 /// The triangles, and the normals at their corners.
 struct KnotScene {
     Soup triangles;
     std::vector<glm::vec3> normals;
-    std::size_t first_of_floor = 0;
+    std::vector<glm::vec4> surroundings;  ///< balls that hold all of them: centre and radius
 };
 
 inline KnotScene knot_scene()
 {
     KnotScene scene;
+    scene.surroundings.emplace_back(0, 1.42F, 0, 1.3F);
     const auto add = [&](const shapes::Shape& shape, auto place, auto turned) {
         for (const std::uint32_t i : shape.indices) {
             if (scene.normals.size() % 3 == 0) scene.triangles.emplace_back();
@@ -35,13 +36,10 @@ inline KnotScene knot_scene()
     for (int i = 0; i < 9; ++i) {
         const float angle = 0.7F * static_cast<float>(i) + 0.4F;
         const glm::vec3 centre(1.75F * std::cos(angle), 0.16F, 1.75F * std::sin(angle));
+        scene.surroundings.emplace_back(centre, 0.161F);
         add(
             shapes::icosphere(2), [&](const glm::vec3& p) { return centre + 0.16F * p; }, as_it_is);
     }
-    scene.first_of_floor = scene.triangles.size();
-    shapes::Shape floor;
-    floor.quad({-40, 0, 12}, {80, 0, 0}, {0, 0, -80});
-    add(floor, as_it_is, as_it_is);
     return scene;
 }
 
@@ -54,17 +52,30 @@ inline glm::vec3 studio(const glm::vec3& direction)
     return wall + window * glm::vec3(1.9F, 1.75F, 1.5F);
 }
 
+/// The driver's own test, which spares most questions: does the line of a ray of unit direction pass near anything?
+inline bool passes_near(const KnotScene& scene, const Ray& ray)
+{
+    return std::any_of(scene.surroundings.begin(), scene.surroundings.end(), [&](const glm::vec4& ball) {
+        const glm::vec3 aside = cross(glm::vec3(ball) - ray.origin, ray.direction);
+        return dot(aside, aside) < ball.w * ball.w;
+    });
+}
+
 /// `first_hit(ray)` is the hierarchy's answer.
 template <class FirstHit>
 glm::vec3 knot_light(const KnotScene& scene, FirstHit first_hit, const Ray& ray, int mirrors)
 {
+    const float to_floor = ray.direction.y < 0 ? -ray.origin.y / ray.direction.y : endless;
     const std::optional<FirstTriangle> found = first_hit(ray);
-    if (!found || found->index >= scene.triangles.size()) return studio(ray.direction);
-    const auto [t, a, b] = found->hit;
-    const glm::vec3* const corner = &scene.normals[3 * std::size_t{found->index}];
-    const glm::vec3 normal = normalize((1 - a - b) * corner[0] + a * corner[1] + b * corner[2]);
-    const glm::vec3 place = ray.origin + t * ray.direction;
-    const bool is_floor = found->index >= scene.first_of_floor;
+    const bool is_floor = to_floor < endless && !(found && found->hit.t < to_floor);
+    if (!is_floor && (!found || found->index >= scene.triangles.size())) return studio(ray.direction);
+    glm::vec3 normal(0, 1, 0);
+    if (!is_floor) {
+        const auto [t, a, b] = found->hit;
+        const glm::vec3* const corner = &scene.normals[3 * std::size_t{found->index}];
+        normal = normalize((1 - a - b) * corner[0] + a * corner[1] + b * corner[2]);
+    }
+    const glm::vec3 place = ray.origin + (is_floor ? to_floor : found->hit.t) * ray.direction;
 
     const glm::vec3 sun = normalize(glm::vec3(-0.55F, 0.95F, 0.6F));
     float key = std::max(0.0F, dot(normal, sun));
@@ -94,7 +105,10 @@ template <class FirstHit>
 Image knot_picture(const KnotScene& scene, FirstHit first_hit)
 {
     const Camera camera{{1.1F, 2.0F, 6.0F}, {0, 1.1F, 0}, 0.30F};
-    return ray_traced(112, 100, camera, [&](const Ray& ray) { return knot_light(scene, first_hit, ray, 1); });
+    const auto asked = [&](const Ray& ray) {
+        return passes_near(scene, ray) ? first_hit(ray) : std::optional<FirstTriangle>();
+    };
+    return ray_traced(128, 112, camera, [&](const Ray& ray) { return knot_light(scene, asked, ray, 1); });
 }
 
 }

@@ -95,14 +95,21 @@ inline bool grazes(const Ray& ray, const Balls& all)
     return false;
 }
 
-/// A ray from outside, towards the balls or past them, that grazes none: it is turned until that is so.
-inline Ray clear_ray(const Balls& all, float distance, Random& random)
+/// A ray from outside, three of four towards a ball, that grazes none: the first of forty that does not.
+inline Ray clear_ray(const Balls& all, Random& random)
 {
-    Ray ray = aimed_at(3.0F * random.in_cube(), glm::dvec3(random.unit_vector()), distance);
-    for (int i = 0; i < 40 && grazes(ray, all); ++i) {
-        const glm::vec3 target =
-            3.0F * glm::fract(glm::vec3(0.618F, 0.755F, 0.570F) * static_cast<float>(i + 1)) - 1.5F;
-        ray = aimed_at(target, normalize(glm::dvec3(ray.origin) - glm::dvec3(target)), distance);
+    const bool is_aimed = random.below(4) > 0;
+    Ray ray;
+    for (int i = 0; i < 40; ++i) {
+        const glm::dvec3 from(random.unit_vector());
+        glm::dvec3 target(3.0F * random.in_cube());
+        if (is_aimed) {
+            const glm::vec4 ball = all.balls[random.below(static_cast<std::uint32_t>(all.balls.size()))];
+            const double aside = 0.85 * double{ball.w} * random.uniform_double();
+            target = glm::dvec3(ball) + aside * perpendicular_to(from, random);
+        }
+        ray = aimed_at(target, from, random.uniform(12, 16));
+        if (!grazes(ray, all)) break;
     }
     return ray;
 }

@@ -91,6 +91,8 @@ void traces_by_hand(Recorder& out)
     record(out, {up, {ground()}, limits});
     record(out, {down, {}, limits});
     record(out, {down, {ball(), ground(), ground()}, limits});
+    record(out, {up, {ball(), ground(), ball()}, limits});
+    record(out, {{{7, 4, 0}, {0, -2, 0}}, {ground(), ground(), ball(), ground()}, limits});
     record(out, {{{0, 5, 0}, {1, 0, 0}}, {ground(), ball()}, limits});
     record(out, {{{0, 5.25F, 0}, {0, -1, 0}}, {ball()}, limits});
     record(out, {{{0, -2, 0}, {0, 1, 0}}, {ground()}, limits});
@@ -105,7 +107,7 @@ void random_traces(Recorder& out, Random& random)
 {
     for (int i = 0; i < 300; ++i) {
         const Balls all = random_balls(random, 1 + static_cast<int>(random.below(6)));
-        Ray ray = clear_ray(all, random.uniform(7, 12), random);
+        Ray ray = clear_ray(all, random);
         const float longer = i % 2 == 0 ? 1 : std::exp2(random.uniform(-2, 2));
         ray.direction *= longer;
         record(out, {ray, all.bodies(), {1e-4F, 400}});

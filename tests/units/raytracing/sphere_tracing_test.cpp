@@ -120,7 +120,7 @@ TEST(SphereTracing, balls_are_met_where_the_quadratic_says)
     int hits = 0;
     for (int i = 0; i < 3000; ++i) {
         const Balls all = random_balls(random, 1 + static_cast<int>(random.below(6)));
-        const Ray ray = clear_ray(all, random.uniform(7, 12), random);
+        const Ray ray = clear_ray(all, random);
         double expected = std::numeric_limits<double>::infinity();
         for (const glm::vec4& ball : all.balls) {
             const glm::dvec3 to = glm::dvec3(ball) - glm::dvec3(ray.origin);
@@ -133,9 +133,9 @@ TEST(SphereTracing, balls_are_met_where_the_quadratic_says)
         if (!got) continue;
         ++hits;
         ASSERT_NEAR(got->t, expected, 1e-3) << "seed " << seed << ", ray " << i;
-        ASSERT_LE(double{got->t}, expected + 1e-5) << "it may stop before, not beyond";
+        ASSERT_LE(double{got->t}, expected + 1e-4) << "before, or not farther beyond than the tolerance";
     }
-    EXPECT_GT(hits, 500);
+    EXPECT_GT(hits, 1500);
 }
 
 TEST(SphereTracing, as_many_points_are_looked_at_as_there_may_be)
