@@ -59,7 +59,7 @@ public:
 ///     k_a M_A + k_d M_D max(0, n·l) + k_s M_S d max(0, r·v)^e
 ///
 /// where r = 2 (n·l) n - l mirrors **l**, and d is 1 if n·l > 0, and 0 otherwise. The normal n, v and l are unit; they
-/// point away from the surface. Right to 1e-5 for e up to 100. Course: DIRECTA(p, v, l).
+/// point away from the surface. Right to 1e-4 for e up to 100. Course: DIRECTA(p, v, l).
 [[nodiscard]] glm::vec3 direct_light(const lighting::Material& material, const glm::vec3& normal, const glm::vec3& v,
                                      const glm::vec3& l);
 

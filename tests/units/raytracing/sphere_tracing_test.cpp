@@ -93,6 +93,40 @@ TEST(SphereTracing, distances_are_those_of_the_nearest_of_many_points)
         }
 }
 
+// The nearest point in double: the header's guarantee.
+TEST(SphereTracing, distances_are_right_to_a_millionth_of_the_largest_length)
+{
+    constexpr std::uint64_t seed = 63004;
+    Random random(seed);
+    for (int i = 0; i < 100'000; ++i) {
+        const glm::vec3 p = 10.0F * random.in_cube();
+        const double largest = 10;
+        const glm::vec3 half = 5.0F + 5.0F * random.in_cube();
+        const glm::dvec3 nearest = clamp(glm::dvec3(p), -glm::dvec3(half), glm::dvec3(half));
+        if (nearest != glm::dvec3(p)) {
+            ASSERT_NEAR(box_distance(p, half), distance(glm::dvec3(p), nearest), 1e-6 * largest) << "seed " << seed;
+        }
+        const double longitude = std::atan2(double{p.z}, double{p.x});
+        const glm::dvec3 on_circle = double{half.x} * glm::dvec3(std::cos(longitude), 0, std::sin(longitude));
+        ASSERT_NEAR(torus_distance(p, half.x, 0.5F), distance(glm::dvec3(p), on_circle) - 0.5, 1e-6 * largest)
+            << "seed " << seed;
+        const glm::vec3 a = 10.0F * random.in_cube();
+        const glm::vec3 b = 10.0F * random.in_cube();
+        // The segment's nearest point by thirds: no projection.
+        double low = 0;
+        double high = 1;
+        const auto at = [&](double s) { return distance(glm::dvec3(p), mix(glm::dvec3(a), glm::dvec3(b), s)); };
+        for (int step = 0; step < 60; ++step) {
+            const double third = (high - low) / 3;
+            if (at(low + third) < at(high - third))
+                high -= third;
+            else
+                low += third;
+        }
+        ASSERT_NEAR(capsule_distance(p, a, b, 1), at((low + high) / 2) - 1, 1e-6 * largest) << "seed " << seed;
+    }
+}
+
 // The sign says whether a point belongs to the sponge, and within the distance all points do, or none.
 TEST(SphereTracing, the_sponge_holds_what_its_definition_says)
 {

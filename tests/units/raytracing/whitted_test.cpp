@@ -45,6 +45,31 @@ TEST(Whitted, known_answers_of_the_statement)
     expect_near(light_towards(pane.world, pane.hit, pane.v, 1), coloured_sky({-0.4F, -0.916515F, 0}), 1e-5F, "glass");
 }
 
+// In double, with the angle between the viewer and where a mirror would send the light: the header's guarantee.
+TEST(Whitted, direct_light_keeps_its_guarantee)
+{
+    constexpr std::uint64_t seed = 61007;
+    Random random(seed);
+    for (int i = 0; i < 100'000; ++i) {
+        lighting::Material material = matt(random).local;
+        material.shininess = random.uniform(1, 100);
+        const glm::vec3 normal = random.unit_vector();
+        const glm::vec3 v = random.unit_vector();
+        const glm::vec3 l = normalize(glm::reflect(-v, normal) + 0.15F * random.in_cube());
+        const glm::dvec3 n = normalize(glm::dvec3(normal));
+        const glm::dvec3 to_light = normalize(glm::dvec3(l));
+        glm::dvec3 expected(material.ambient);
+        if (dot(n, to_light) > 0) {
+            const double cosine = dot(glm::reflect(-to_light, n), normalize(glm::dvec3(v)));
+            expected += dot(n, to_light) * glm::dvec3(material.diffuse);
+            if (cosine > 0)
+                expected += std::exp(double{material.shininess} * std::log(cosine)) * glm::dvec3(material.specular);
+        }
+        ASSERT_LE(distance(glm::dvec3(direct_light(material, normal, v, l)), expected), 1e-4)
+            << "seed " << seed << ", light " << i;
+    }
+}
+
 // The light that comes back from two facing mirrors is a geometric series.
 TEST(Whitted, facing_mirrors_send_a_geometric_series)
 {
