@@ -1,0 +1,246 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/cost.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "knot.hpp"
+#include "soups.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace raytracing;
+using Hierarchy = std::unique_ptr<TriangleHierarchy>;
+
+Hierarchy hierarchy_of(Recorder& out, const Soup& soup, std::string_view name = "hierarchy")
+{
+    return ask_new<make_triangle_hierarchy>(out, name, std::span<const Triangle>(soup));
+}
+
+void record_answer(Recorder& out, const Hierarchy& hierarchy, const Ray& ray)
+{
+    std::optional<FirstTriangle> first;
+    if (hierarchy) first = ask<&TriangleHierarchy::first_hit>(out, *hierarchy, ray);
+    out.append("t", first ? std::optional(first->hit.t) : std::nullopt);
+    out.append("index", first ? std::optional(static_cast<float>(first->index)) : std::nullopt);
+}
+
+void record(Recorder& out, const Soup& soup, int rays, float distance, Random& random)
+{
+    const Hierarchy hierarchy = hierarchy_of(out, soup);
+    for (int i = 0; i < rays; ++i) record_answer(out, hierarchy, ray_into(soup, distance, random));
+}
+
+// Infinities as numbers that no triangle here has: what is not finite counts as wrong.
+glm::vec3 finite(const glm::vec3& v) { return clamp(v, glm::vec3(-3e38F), glm::vec3(3e38F)); }
+
+void record_boxes(Recorder& out, Random& random)
+{
+    const auto ask_for = [&](const Soup& soup) {
+        const BoundingBox box = ask<bounding_box>(out, std::span<const Triangle>(soup));
+        out.append("low", finite(box.low));
+        out.append("high", finite(box.high));
+    };
+    ask_for({{{1, 2, 3}, {4, 0, 6}, {-7, 8, 9}}});
+    ask_for({{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}, {{-1, 5, 2}, {0, 0, 0}, {2, 2, 7}}});
+    ask_for({{{-3, -2, -5}, {-4, -6, -1}, {-2, -9, -8}}});
+    ask_for({});
+    ask_for({{{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}});
+    for (int i = 0; i < 30; ++i) ask_for(random_soup(random, 1 + static_cast<int>(random.below(9)), 1));
+    for (int i = 0; i < 10; ++i) {
+        Soup soup = random_soup(random, 3, 1);
+        for (Triangle& triangle : soup)
+            for (glm::vec3* corner : {&triangle.v0, &triangle.v1, &triangle.v2})
+                *corner = (i % 2 == 0 ? 1e6F : -1e30F) * (*corner + glm::vec3(i < 5 ? 9 : -9));
+        ask_for(soup);
+    }
+}
+
+void record(Recorder& out, const std::vector<BoxShot>& shots)
+{
+    for (const auto& [ray, box] : shots) out.append("meets", ask<meets_box>(out, ray, box) ? 1.0F : 0.0F);
+}
+
+std::vector<BoxShot> random_boxes(Random& random)
+{
+    std::vector<BoxShot> shots;
+    for (int i = 0; i < 400; ++i) add_box_pair(shots, i, random);
+    return shots;
+}
+
+// Boxes with whole coordinates, and rays along their edges, in the planes of their faces, and across flat ones: all
+// that decides is exact. Each comes with all its coordinates in turn, in both directions, with both zeros.
+std::vector<BoxShot> along_the_axes(Random& random)
+{
+    const BoundingBox cube{{0, 0, 0}, {2, 2, 2}};
+    const BoundingBox pane{{0, 0, 1}, {2, 2, 1}};
+    const BoundingBox point{{1, 1, 1}, {1, 1, 1}};
+    const std::pair<BoxShot, BoxShot> pairs[] = {
+        {{Ray{{1, 1, 5}, {0, 0, -1}}, cube}, {Ray{{1, 3, 5}, {0, 0, -1}}, cube}},
+        {{Ray{{2, 1, 5}, {0, 0, -1}}, cube}, {Ray{{2.25F, 1, 5}, {0, 0, -1}}, cube}},
+        {{Ray{{0, 0, 5}, {0, 0, -1}}, cube}, {Ray{{0, -0.25F, 5}, {0, 0, -1}}, cube}},
+        {{Ray{{1, 2, 1}, {0, 0, -1}}, cube}, {Ray{{1, 2, -1}, {0, 0, -1}}, cube}},
+        {{Ray{{4, 2, 4}, {-1, 0, -1}}, cube}, {Ray{{4, 2.25F, 4}, {-1, 0, -1}}, cube}},
+        {{Ray{{1, 1, 5}, {0, 0, -1}}, pane}, {Ray{{1, 1, 5}, {0, 0, 1}}, pane}},
+        {{Ray{{4, 1, 1}, {-1, 0, 0}}, pane}, {Ray{{4, 1, 1.25F}, {-1, 0, 0}}, pane}},
+        {{Ray{{3, 3, 3}, {-1, -1, -1}}, pane}, {Ray{{5.5F, 3, 3}, {-1, -1, -1}}, pane}},
+        {{Ray{{5, 3, 4}, {-4, -2, -3}}, point}, {Ray{{5, 3.25F, 4}, {-4, -2, -3}}, point}},
+        {{Ray{{1, 1, 5}, {0, 0, -1}, 0, 3.5F}, cube}, {Ray{{1, 1, 5}, {0, 0, -1}, 0, 2.5F}, cube}},
+        {{Ray{{1, 1, 5}, {0, 0, -1}, 4.5F}, cube}, {Ray{{1, 1, 5}, {0, 0, -1}, 5.5F}, cube}},
+        {{Ray{{1, 1, 1}, {0, 0, -1}, 0, 0.5F}, cube}, {Ray{{1, 1, 1}, {0, 0, -1}, 1.5F, 2}, cube}},
+        {{Ray{{1, 1, -5}, {0, 0, -2}, -4}, cube}, {Ray{{1, 1, -5}, {0, 0, -2}}, cube}},
+        {{Ray{{1, 1, 5}, {0, 0, -1}}, cube}, {Ray{{1, 1, 5}, {0, 0, -1}}, {{0, 0, 2}, {2, 2, 0}}}},
+        {{Ray{{1, 1, 5}, {0.125F, 0, -1}}, cube},
+         {Ray{{1, 1, 5}, {0.125F, 0, -1}}, {glm::vec3(endless), glm::vec3(-endless)}}},
+    };
+    std::vector<BoxShot> shots;
+    for (int turn = 0; turn < 6; ++turn)
+        for (const auto& [hit, miss] : pairs) {
+            const auto turned = [turn](glm::vec3 v) {
+                for (int i = 0; i < turn % 3; ++i) v = {v.y, v.z, v.x};
+                return v;
+            };
+            const auto changed = [&](BoxShot shot) {
+                shot.ray = {turned(shot.ray.origin), turned(shot.ray.direction), shot.ray.t_min, shot.ray.t_max};
+                shot.box = {turned(shot.box.low), turned(shot.box.high)};
+                if (turn < 3) return shot;
+                shot.ray.origin = -shot.ray.origin;
+                shot.ray.direction = -shot.ray.direction;
+                shot.box = {-shot.box.high, -shot.box.low};
+                return shot;
+            };
+            add_pair(shots, changed(hit), changed(miss), random);
+        }
+    return shots;
+}
+
+void few(Recorder& out, Random& random)
+{
+    for (int count = 0; count <= 9; ++count) record(out, random_soup(random, count, 2), count == 0 ? 2 : 20, 9, random);
+}
+
+// Directions of all lengths, intervals that begin beyond the first hits or end before the last, and origins inside.
+void intervals(Recorder& out, Random& random)
+{
+    const Soup soup = random_soup(random, 200, 1.5F);
+    const Hierarchy hierarchy = hierarchy_of(out, soup);
+    for (int i = 0; i < 200; ++i) {
+        Ray ray = ray_into(soup, random.uniform(0, 8), random);
+        if (i % 2 == 0) ray.t_min = random.uniform(-6, 9);
+        if (i % 3 == 0) ray.t_max = random.uniform(2, 9);
+        const float longer = std::exp2(std::floor(random.uniform(-9, 9)));
+        record_answer(out, hierarchy, {ray.origin, longer * ray.direction, ray.t_min / longer, ray.t_max / longer});
+    }
+}
+
+// Two hierarchies, asked by turns; the lists that they were made from are written over meanwhile.
+void two_by_turns(Recorder& out, Random& random)
+{
+    const Soup soups[] = {random_soup(random, 60, 1.5F), random_soup(random, 90, 1.5F)};
+    Soup list = soups[0];
+    const Hierarchy first = hierarchy_of(out, list, "first");
+    list = soups[1];
+    const Hierarchy second = hierarchy_of(out, list, "second");
+    for (Triangle& triangle : list) triangle = {};
+    for (int i = 0; i < 100; ++i)
+        for (const int which : {0, 1})
+            record_answer(out, which == 0 ? first : second, ray_into(soups[i % 2], 9, random));
+}
+
+void odd_triangles(Recorder& out, Random& random)
+{
+    record(out, shells(300, random), 60, 500, random);
+    record(out, Soup(100, random_soup(random, 1, 3).front()), 10, 9, random);
+    record(out, row_of_powers(60, random), 60, 9, random);
+    record(out, needles(2000, random), 60, 9, random);
+    record(out, with_points_and_twins(random, 120), 60, 9, random);
+    record(out, floor_of_tiles(16), 60, 20, random);
+}
+
+// Of several triangles at one distance the one of the least index counts: twins, and tiles that share an edge or a
+// corner, all exact.
+void ties(Recorder& out, Random& random)
+{
+    Soup tiles = floor_of_tiles(8);
+    tiles.insert(tiles.end(), tiles.begin(), tiles.end());
+    shuffle(tiles, random);
+    const Hierarchy hierarchy = hierarchy_of(out, tiles);
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec2 place(static_cast<float>(random.below(16)) / 2, static_cast<float>(random.below(16)) / 2);
+        const float side = random.below(2) == 0 ? 1 : -1;
+        record_answer(out, hierarchy, {{place, 3 * side}, {0, 0, -side}});
+    }
+}
+
+// Closed bodies from inside and a floor from above, near the origin and far: rays at their corners and edges' middles.
+void edges(Recorder& out, Random& random)
+{
+    for (const float away : {0.0F, 3000.0F}) {
+        for (Soup soup : {hilly_ball(6, random), floor_of_tiles(16), triangles_of(shapes::box())}) {
+            glm::vec3 inside(0);
+            if (soup.size() == 512) inside = {7.3F, 8.1F, 5};
+            if (soup.size() == 12) inside = glm::vec3(0.4F, 0.55F, 0.3F);
+            const glm::vec3 shift = away * glm::vec3(1, -2, 0.5F);
+            for (Triangle& triangle : soup) triangle = {triangle.v0 + shift, triangle.v1 + shift, triangle.v2 + shift};
+            const Hierarchy hierarchy = hierarchy_of(out, soup);
+            for (int i = 0; i < 150; ++i) {
+                const Triangle& triangle = soup[random.below(static_cast<std::uint32_t>(soup.size()))];
+                const glm::vec3 target = random.below(2) == 0 ? triangle.v1 : 0.5F * (triangle.v1 + triangle.v2);
+                const glm::vec3 from = inside + shift + 0.2F * random.in_cube();
+                record_answer(out, hierarchy, {from, target - from});
+            }
+        }
+    }
+}
+
+void work(Recorder& out, Random& random)
+{
+    out.text("of building.names", "triangles");
+    out.text("of asking.names", "triangles");
+    for (const int n : {4, 6, 9, 13, 19}) {
+        const Soup soup = hilly_ball(n, random);
+        Hierarchy hierarchy;
+        record_cost(out, "of building", soup.size(), [&] { hierarchy = hierarchy_of(out, soup); });
+        if (!hierarchy) hierarchy = hierarchy_of(out, soup);
+        record_cost(out, "of asking", soup.size(), [&] {
+            for (int i = 0; hierarchy && i < 80; ++i)
+                (void)ask<&TriangleHierarchy::first_hit>(out, *hierarchy, ray_into(soup, 4, random));
+        });
+    }
+}
+
+void odd_work(Recorder& out, Random& random)
+{
+    out.text("of building.names", "triangles");
+    for (const int count : {200, 450, 1000, 2200}) {
+        const Soup soup = shells(count, random);
+        record_cost(out, "of building", soup.size(), [&] { (void)hierarchy_of(out, soup); });
+    }
+}
+
+void record_picture(Recorder& out)
+{
+    const KnotScene scene = knot_scene();
+    const Hierarchy hierarchy = hierarchy_of(out, scene.triangles);
+    if (!hierarchy) return;
+    out.image("knot", knot_picture(scene, [&](const Ray& ray) { return hierarchy->first_hit(ray); }));
+}
+
+}
+
+const Driver driver = {
+    {"boxes", [](Case& c, Recorder& out) { record_boxes(out, c.random); }},
+    {"rays and boxes", [](Case& c, Recorder& out) { record(out, random_boxes(c.random)); }},
+    {"along the axes", [](Case& c, Recorder& out) { record(out, along_the_axes(c.random)); }},
+    {"few", [](Case& c, Recorder& out) { few(out, c.random); }},
+    {"random", [](Case& c, Recorder& out) { record(out, random_soup(c.random, 500, 0.8F), 300, 9, c.random); }},
+    {"intervals", [](Case& c, Recorder& out) { intervals(out, c.random); }},
+    {"two by turns", [](Case& c, Recorder& out) { two_by_turns(out, c.random); }},
+    {"odd triangles", [](Case& c, Recorder& out) { odd_triangles(out, c.random); }},
+    {"ties", [](Case& c, Recorder& out) { ties(out, c.random); }},
+    {"edges", [](Case& c, Recorder& out) { edges(out, c.random); }},
+    {"work", [](Case& c, Recorder& out) { work(out, c.random); }},
+    {"odd work", [](Case& c, Recorder& out) { odd_work(out, c.random); }},
+    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+};
+
+}

@@ -1,0 +1,204 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "bodies.hpp"
+#include "sponge.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace raytracing;
+using namespace raytracing::sdf;
+
+void distances_by_hand(Recorder& out)
+{
+    for (const glm::vec3 p : {glm::vec3(3, 4, 0), {0, 0, 1}, {0, 0, 0}, {-2, 1, -2}, {2, 0, 0}})
+        out.append("ball", ask<ball_distance>(out, p, 2.0F));
+    for (const glm::vec3 p :
+         {glm::vec3(4, 0, 0), {4, 6, 0}, {-4, -6, 15}, {0, 0, 0}, {0.5F, 0, 0}, {0, 1.5F, 2.75F}, {1, 2, 3}})
+        out.append("box", ask<box_distance>(out, p, glm::vec3(1, 2, 3)));
+    out.append("box", ask<box_distance>(out, glm::vec3(3, 4, 0), glm::vec3(0)));
+    out.append("box", ask<box_distance>(out, glm::vec3(0.5F, 3, -0.25F), glm::vec3(2, 0, 2)));
+    for (const glm::vec3 p :
+         {glm::vec3(3, 0, 0), {0, 0, -4}, {0, 0, 0}, {0, 4, 0}, {6, 4, 0}, {3, 1, 0}, {0, -4, -6}, {2, 0.5F, 0}})
+        out.append("torus", ask<torus_distance>(out, p, 3.0F, 1.0F));
+    const glm::vec3 a(1, 0, 0);
+    const glm::vec3 b(5, 0, 0);
+    for (const glm::vec3 p : {glm::vec3(3, 4, 0), {-2, 4, 0}, {8, 0, 4}, {2, 0, 0}, {3, 0.5F, 0}, {0.5F, 0, 0}})
+        out.append("capsule", ask<capsule_distance>(out, p, a, b, 1.0F));
+    out.append("capsule", ask<capsule_distance>(out, glm::vec3(4, 4, 0), a, a, 2.0F));
+    out.append("capsule", ask<capsule_distance>(out, glm::vec3(3, 4, 1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 9), 0.5F));
+}
+
+void random_distances(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec3 p = (i % 4 == 0 ? 8.0F : 2.0F) * random.in_cube();
+        const float small = random.uniform(0.1F, 1);
+        const float large = random.uniform(1, 2.5F);
+        out.append("ball", ask<ball_distance>(out, p, large));
+        const glm::vec3 half(random.uniform(0, 2), random.uniform(0, 2), random.uniform(0.5F, 2));
+        out.append("box", ask<box_distance>(out, p, half));
+        out.append("torus", ask<torus_distance>(out, p, large, small));
+        const glm::vec3 a = 2.0F * random.in_cube();
+        const glm::vec3 b = i % 10 == 0 ? a : 2.0F * random.in_cube();
+        out.append("capsule", ask<capsule_distance>(out, p, a, b, small));
+    }
+}
+
+void sponge(Recorder& out, Random& random)
+{
+    for (const glm::vec3 p : {glm::vec3(0, 0, 0),
+                              {0, 0, 1},
+                              {0.5F, 0, 0},
+                              {2.0F / 3, 2.0F / 3, 0},
+                              {0.9F, 0.8F, 0.7F},
+                              {0, 0, 3},
+                              {3, 5, 1},
+                              {-2.0F / 3, 2.0F / 3, 1}})
+        for (int level = 0; level <= 2; ++level) out.append("distance", ask<menger_distance>(out, p, level));
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 p = (i % 5 == 0 ? 2.5F : 1.0F) * random.in_cube();
+        out.append("distance", ask<menger_distance>(out, p, static_cast<int>(random.below(7))));
+    }
+}
+
+void record(Recorder& out, const TraceShot& shot)
+{
+    const auto found = ask<sphere_trace>(out, shot.ray, std::span<const DistanceFunction>(shot.bodies), shot.limits);
+    out.append("t", found ? std::optional(found->t) : std::nullopt);
+    out.append("object", found ? std::optional(static_cast<float>(found->object)) : std::nullopt);
+}
+
+void record_pair(Recorder& out, const TraceShot& hit, const TraceShot& miss, Random& random)
+{
+    const bool swapped = random.below(2) == 1;
+    record(out, swapped ? miss : hit);
+    record(out, swapped ? hit : miss);
+}
+
+// Planes and balls met head-on: two steps, exact.
+void traces_by_hand(Recorder& out)
+{
+    const auto ground = [] { return half_space({0, 1, 0}, 0); };
+    const auto ball = [] { return ball_at({0, 5, 0}, 1); };
+    const Ray down{{0, 3, 0}, {0, -1, 0}};
+    const Ray up{{0, 3, 0}, {0, 1, 0}};
+    const TraceLimits limits{1e-4F, 64};
+    record(out, {down, {ground()}, limits});
+    record(out, {down, {ball(), ground()}, limits});
+    record(out, {up, {ground(), ball()}, limits});
+    record(out, {up, {ground()}, limits});
+    record(out, {down, {}, limits});
+    record(out, {down, {ball(), ground(), ground()}, limits});
+    record(out, {up, {ball(), ground(), ball()}, limits});
+    record(out, {{{7, 4, 0}, {0, -2, 0}}, {ground(), ground(), ball(), ground()}, limits});
+    record(out, {{{0, 5, 0}, {1, 0, 0}}, {ground(), ball()}, limits});
+    record(out, {{{0, 5.25F, 0}, {0, -1, 0}}, {ball()}, limits});
+    record(out, {{{0, -2, 0}, {0, 1, 0}}, {ground()}, limits});
+    record(out, {{{0, 0, 0}, {0, 1, 0}}, {ball(), ground()}, limits});
+    record(out, {{{0, 0, 0}, {0, 1, 0}, 0.5F}, {ball(), ground()}, limits});
+    record(out, {{{0, 8, 0}, {0, -2, 0}}, {ball(), ground()}, limits});
+    record(out, {{{0, 8, 0}, {0, -2, 0}, 1.75F}, {ball(), ground()}, limits});
+    record(out, {{{0, 3, 0}, {0, 1, 0}, -2}, {half_space({0, -1, 0}, -2)}, limits});
+}
+
+void random_traces(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 300; ++i) {
+        const Balls all = random_balls(random, 1 + static_cast<int>(random.below(6)));
+        Ray ray = clear_ray(all, random);
+        const float longer = i % 2 == 0 ? 1 : std::exp2(random.uniform(-2, 2));
+        ray.direction *= longer;
+        record(out, {ray, all.bodies(), {1e-4F, 400}});
+    }
+}
+
+// From within a ball: the surface of the union is met from its inside, where the balls overlap too.
+void from_inside(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 150; ++i) {
+        const glm::vec3 way = random.unit_vector();
+        const glm::vec3 centre = 3.0F * random.in_cube();
+        const float radius = random.uniform(0.6F, 1.2F);
+        // The second one holds the point where the ray leaves the first; in every third question there is none.
+        const glm::vec3 second = centre + radius * way + 0.15F * random.in_cube();
+        Bodies bodies{ball_at(centre, radius), ball_at(second, 0.5F)};
+        if (i % 3 == 0) bodies.pop_back();
+        if (i % 3 == 1) std::swap(bodies[0], bodies[1]);
+        record(out, {{centre - 0.3F * radius * random.unit_vector(), way}, bodies, {1e-4F, 400}});
+    }
+}
+
+// Where the interval of the ray decides, the number of steps, or the tolerance; with exact steps.
+void limits(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 80; ++i) {
+        const glm::vec3 way = random.unit_vector();
+        const glm::vec3 origin = 2.0F * random.in_cube();
+        const glm::vec3 axis(1, 0, 0);
+        const float far = random.uniform(2, 6);
+        // Each step halves the way that is left: after j points it is 2^-j.
+        const auto halving = [] { return counted([](const glm::vec3& p) { return 0.5F * (1 - p.x); }); };
+        const int j = 3 + static_cast<int>(random.below(12));
+        const float tolerance = std::exp2(static_cast<float>(-j));
+        const auto ball = [&] { return ball_at(origin + (far + 1) * way, 1); };
+        const auto wall = [&] { return half_space({-1, 0, 0}, -far); };
+        const auto at = [&](float t_min, float t_max) {
+            return TraceShot{{origin, way, t_min, t_max}, {ball()}, {1e-4F, 64}};
+        };
+        switch (i % 8) {
+            case 0: record_pair(out, at(0, far + 0.1F), at(0, far - 0.1F), random); break;
+            case 1: record_pair(out, at(far - 0.2F, endless), at(far + 2.2F, endless), random); break;
+            case 2: {
+                TraceShot behind = at(0, endless);
+                behind.ray.direction = -way;
+                TraceShot before = behind;
+                before.ray.t_min = -far - 3;
+                record_pair(out, before, behind, random);
+                break;
+            }
+            case 3:
+                record_pair(out, {{{0, 0, 0}, axis}, {halving()}, {tolerance, j}},
+                            {{{0, 0, 0}, axis}, {halving()}, {tolerance, j - 1}}, random);
+                break;
+            case 4:
+                record_pair(out, {{{0, 0, 0}, axis}, {halving()}, {tolerance, j}},
+                            {{{0, 0, 0}, axis}, {halving()}, {0.75F * tolerance, j}}, random);
+                break;
+            case 5:
+                record_pair(out, {{{0, 0, 0}, axis, 0, far + 0.01F}, {wall()}, {1e-5F, 8}},
+                            {{{0, 0, 0}, axis, 0, far}, {wall()}, {1e-5F, 8}}, random);
+                break;
+            case 6:
+                record_pair(out, {{origin, way}, {everywhere(0.25F)}, {0.25F, 50}},
+                            {{origin, way}, {everywhere(0.25F)}, {0.125F, 50}}, random);
+                break;
+            default:
+                record_pair(out, {{origin, way, 0.25F}, {everywhere(0.25F)}, {0.25F, 1}},
+                            {{origin, way, 0.25F}, {everywhere(0.25F)}, {0.25F, 0}}, random);
+        }
+    }
+}
+
+void record_picture(Recorder& out)
+{
+    ask_in_words(out,
+                 [] { return "sphere_trace(ray, {menger_distance of level 3}, {4e-4F, 90}) // rays for each pixel"; });
+    out.image("sponge", sponge_picture());
+}
+
+}
+
+const Driver driver = {
+    {"distances by hand", [](Case&, Recorder& out) { distances_by_hand(out); }},
+    {"random distances", [](Case& c, Recorder& out) { random_distances(out, c.random); }},
+    {"sponge", [](Case& c, Recorder& out) { sponge(out, c.random); }},
+    {"by hand", [](Case&, Recorder& out) { traces_by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { random_traces(out, c.random); }},
+    {"from inside", [](Case& c, Recorder& out) { from_inside(out, c.random); }},
+    {"limits", [](Case& c, Recorder& out) { limits(out, c.random); }},
+    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+};
+
+}

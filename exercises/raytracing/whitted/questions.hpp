@@ -1,0 +1,186 @@
+#pragma once
+
+#include <umbral/core/random.hpp>
+
+#include "../rays.hpp"
+#include "built_world.hpp"
+
+/// Materials, lights and worlds whose answers follow from how they were made.
+namespace umbral::raytracing::whitted {
+
+inline glm::vec3 random_color(Random& random, float most = 1)
+{
+    const float red = random.uniform(0.05F, most);
+    const float green = random.uniform(0.05F, most);
+    return {red, green, random.uniform(0.05F, most)};
+}
+
+/// Neither mirror nor glass. Nothing of it is black: its ambient light shows which lights are visible.
+inline Material matt(Random& random)
+{
+    Material material;
+    material.local = {random_color(random, 0.3F), random_color(random, 0.4F), random_color(random),
+                      random_color(random), random.uniform(1, 40)};
+    return material;
+}
+
+inline lighting::Light random_light(Random& random, float distance)
+{
+    const glm::vec3 way = random.unit_vector();
+    const bool is_place = random.below(2) == 0;
+    const float reach = is_place ? distance * random.uniform(0.7F, 1.3F) : random.uniform(0.2F, 5);
+    return {glm::vec4(reach * way, is_place ? 1 : 0), random_color(random, 2)};
+}
+
+/// A unit vector at this sine from `axis`.
+inline glm::vec3 tilted(const glm::vec3& axis, double sine, Random& random)
+{
+    const glm::dvec3 along(axis);
+    return glm::vec3(normalize(std::sqrt(1 - sine * sine) * along + sine * perpendicular_to(along, random)));
+}
+
+/// What light_towards is asked.
+struct Look {
+    BuiltWorld world;
+    Hit hit;
+    glm::vec3 v;
+    int level = 1;
+};
+
+/// A point on a panel of this material, which has no edge near, looked at from either side.
+inline Look look_at_panel(const Material& material, Random& random)
+{
+    const glm::vec3 normal = random.unit_vector();
+    const glm::vec3 u(8.0 * perpendicular_to(glm::dvec3(normal), random));
+    const glm::vec3 v = 8.0F * normalize(cross(normal, u));
+    const glm::vec3 position = 3.0F * random.in_cube();
+    const glm::vec2 uv(random.uniform(0.3F, 0.7F), random.uniform(0.3F, 0.7F));
+    Look look{{}, {1, position, normal, uv, material}, tilted(normal, random.uniform(0, 0.95F), random)};
+    if (random.below(3) == 0) look.v = -look.v;
+    look.world.panels.push_back({position - uv.x * u - uv.y * v, u, v, material});
+    look.world.levels = 3;
+    return look;
+}
+
+/// A light and a ball in its way, and one that is not: beyond the light, behind the panel, or beside. The panel itself
+/// is in nobody's way.
+inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
+{
+    Look dark = look_at_panel(matt(random), random);
+    const glm::vec3 side = dot(dark.v, dark.hit.normal) > 0 ? dark.hit.normal : -dark.hit.normal;
+    const glm::vec3 way = tilted(random.below(4) == 0 ? -side : side, 0.8 * random.uniform_double(), random);
+    const bool is_place = kind % 2 == 0;
+    const float distance = is_place ? random.uniform(2, 8) : random.uniform(0.5F, 2);
+    dark.world.sources.push_back(
+        {is_place ? glm::vec4(dark.hit.position + distance * way, 1) : glm::vec4(distance * way, 0),
+         random_color(random, 2)});
+    Ball ball{{}, random.uniform(0.1F, 0.3F), matt(random)};
+    if (random.below(3) == 0) ball.material.refracted = 1;
+    const float between = is_place ? random.uniform(0.25F, 0.75F) * distance : random.uniform(1, 60);
+    ball.centre = dark.hit.position + between * way;
+    Look lit = dark;
+    const float aside = 1.5F * ball.radius;
+    const glm::vec3 beside(aside * glm::vec3(perpendicular_to(glm::dvec3(way), random)));
+    switch (kind / 2 % 4) {
+        case 0: ball.centre += beside; break;
+        case 1: ball.centre = dark.hit.position - (0.5F + aside) * way; break;
+        default: ball.centre = dark.hit.position + (is_place ? 1.25F * distance + 1 : -0.8F) * way;
+    }
+    Ball blocking = ball;
+    blocking.centre = dark.hit.position + between * way;
+    dark.world.balls.push_back(blocking);
+    lit.world.balls.push_back(ball);
+    const bool swapped = random.below(2) == 1;
+    looks.push_back(swapped ? lit : dark);
+    looks.push_back(swapped ? dark : lit);
+}
+
+/// Up to five lights on a panel with a few balls about it; half of them with a texture.
+inline Look many_lights(Random& random)
+{
+    Material material = matt(random);
+    material.texture = random.below(2) * (1 + random.below(5));
+    Look look = look_at_panel(material, random);
+    look.world.global = random_color(random, 0.3F);
+    const std::uint32_t count = random.below(6);
+    for (std::uint32_t i = 0; i < count; ++i) look.world.sources.push_back(random_light(random, 6));
+    // The first one is seen mirrored, so that there is a highlight.
+    if (count > 0) {
+        const glm::vec3 way = normalize(glm::reflect(-look.v, look.hit.normal) + 0.3F * random.in_cube());
+        look.world.sources.front().position = glm::vec4(2.0F * way, 0);
+    }
+    for (int i = 0; i < 4; ++i)
+        look.world.balls.push_back({look.hit.position + 1.5F * random.unit_vector(), 0.5F, matt(random)});
+    return look;
+}
+
+/// Lights that only add to what comes by other rays.
+inline void add_lights(BuiltWorld& world, std::uint32_t count, Random& random)
+{
+    for (std::uint32_t i = 0; i < count; ++i) world.sources.push_back(random_light(random, 20));
+}
+
+/// A mirror under a sky that differs in all directions; in a third of the questions the level is the highest.
+inline Look mirror(Random& random, std::uint32_t lights)
+{
+    Material material = matt(random);
+    material.mirrored = random.uniform(0.2F, 1);
+    material.mirrored_color = random_color(random);
+    Look look = look_at_panel(material, random);
+    add_lights(look.world, lights, random);
+    look.level = 1 + static_cast<int>(random.below(3));
+    return look;
+}
+
+/// A surface between two media, at an angle that is not near the one of total reflection. There is nothing else, so
+/// that what is refracted is the sky's.
+inline Look interface_of_glass(Random& random, std::uint32_t lights)
+{
+    Material material = matt(random);
+    material.refracted = random.uniform(0.2F, 1);
+    material.refracted_color = random_color(random);
+    material.index = random.below(4) == 0 ? 1 : random.uniform(0.6F, 2.4F);
+    const bool is_inside = random.below(2) == 0;
+    const double q = is_inside ? double{material.index} : 1 / double{material.index};
+    double sine = 0.97 * random.uniform_double();
+    // Every other one that can be reflected totally is.
+    if (q > 1.1 && random.below(2) == 0) sine = std::min(0.98, (1.05 + 0.3 * random.uniform_double()) / q);
+    if (std::abs(q * sine - 1) < 0.03) sine *= 0.9;
+    const glm::vec3 v = random.unit_vector();
+    const glm::vec3 normal = tilted(v, sine, random);
+    Look look{{}, {1, random.in_cube(), is_inside ? -normal : normal, {0, 0}, material}, v};
+    add_lights(look.world, lights, random);
+    look.level = 1 + static_cast<int>(random.below(3));
+    look.world.levels = 3;
+    return look;
+}
+
+/// Balls and panels of all materials.
+inline BuiltWorld random_world(Random& random)
+{
+    BuiltWorld world;
+    const auto material = [&] {
+        Material any = matt(random);
+        any.texture = random.below(3);
+        const std::uint32_t kind = random.below(4);
+        if (kind == 1 || kind == 3) any.mirrored = random.uniform(0.2F, 0.8F);
+        if (kind >= 2) any.refracted = random.uniform(0.2F, 0.9F);
+        any.mirrored_color = random_color(random);
+        any.refracted_color = random_color(random);
+        any.index = random.uniform(1.1F, 1.8F);
+        return any;
+    };
+    for (int i = 0; i < 5; ++i) world.balls.push_back({2.5F * random.in_cube(), random.uniform(0.4F, 1), material()});
+    world.balls.front().relief = 0.1F;
+    for (int i = 0; i < 2; ++i) {
+        const glm::vec3 u = 5.0F * random.unit_vector();
+        const glm::vec3 v(4.0 * perpendicular_to(normalize(glm::dvec3(u)), random));
+        world.panels.push_back({2.5F * random.unit_vector() - 0.5F * (u + v), u, v, material()});
+    }
+    for (std::uint32_t i = 0; i < 2; ++i) world.sources.push_back(random_light(random, 9));
+    world.global = random_color(random, 0.2F);
+    world.levels = 3 + static_cast<int>(random.below(3));
+    return world;
+}
+
+}
