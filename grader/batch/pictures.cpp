@@ -52,19 +52,16 @@ void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& 
 std::optional<Image> goal_picture(Worker& worker, const Exercise& exercise)
 {
     // The colour picture says most; a buffer serves where there is none.
-    const auto looks = [&](Look look) {
-        return std::ranges::find_if(exercise.checks,
-                                    [&](const Check& check) { return judge_of(check).look == look && !check.hidden; });
-    };
-    auto chosen = looks(Look::colours);
-    if (chosen == exercise.checks.end()) chosen = looks(Look::values);
-    if (chosen == exercise.checks.end()) chosen = looks(Look::light);
-    if (chosen == exercise.checks.end()) return std::nullopt;
-    const RunOutcome& run = worker.trusted(exercise, Answers::reference, chosen->case_name,
-                                           SeedPlan{}.seed_of(exercise, chosen->case_name));
-    const Tensor* tensor = tensor_of(run, chosen->value);
-    if (tensor == nullptr || !can_be_drawn(*chosen, *tensor)) return std::nullopt;
-    return to_image(*tensor, *chosen);
+    for (const Look look : {Look::colours, Look::values, Look::light})
+        for (const Check& check : exercise.checks) {
+            if (judge_of(check).look != look || check.hidden) continue;
+            const RunOutcome& run = worker.trusted(exercise, Answers::reference, check.case_name,
+                                                   SeedPlan{}.seed_of(exercise, check.case_name));
+            const Tensor* tensor = tensor_of(run, check.value);
+            // Estimates of single quantities are tables, and no picture.
+            if (tensor != nullptr && can_be_drawn(check, *tensor)) return to_image(*tensor, check);
+        }
+    return std::nullopt;
 }
 
 bool save_goal(Worker& worker, const Exercise& exercise, const std::filesystem::path& file)
