@@ -71,9 +71,9 @@ inline LensCamera camera_towards(const glm::vec3& eye, const glm::vec3& target, 
 /// The still life of the goal picture: a row of balls, of which one is sharp, one that falls, and lights far behind.
 inline StillLife goal_still_life()
 {
-    StillLife life({{0.012F, 0.016F, 0.035F}, {0.03F, 0.04F, 0.09F}, glm::vec3(0.10F, 0.11F, 0.14F)});
-    Paint table{glm::vec3(0.56F, 0.48F, 0.40F)};
-    table.second = {0.16F, 0.10F, 0.08F};
+    StillLife life({{0.012F, 0.016F, 0.035F}, {0.03F, 0.04F, 0.09F}, glm::vec3(0.035F, 0.04F, 0.06F)});
+    Paint table{glm::vec3(0.62F, 0.54F, 0.45F)};
+    table.second = {0.30F, 0.20F, 0.15F};
     table.checks = 0.5F;
     life.add(SolidQuad{{-40, 0, -40}, {0, 0, 60}, {80, 0, 0}}, table);
     constexpr std::array colours{glm::vec3(0.80F, 0.13F, 0.08F), glm::vec3(0.88F, 0.50F, 0.06F),
@@ -81,28 +81,28 @@ inline StillLife goal_still_life()
                                  glm::vec3(0.08F, 0.30F, 0.60F)};
     for (std::size_t i = 0; i < colours.size(); ++i) {
         const auto n = static_cast<float>(i);
-        life.add(SolidBall{{-1.05F + 0.62F * n, 0.34F, 1.9F - 1.25F * n}, 0.34F}, Paint{colours[i]});
+        life.add(SolidBall{{-1.15F + 0.72F * n, 0.34F, 1.75F - 1.2F * n}, 0.34F}, Paint{colours[i]});
     }
-    life.add(SolidBall{{-0.98F, 1.62F, -0.5F}, 0.28F, {0.25F, -0.75F, 0}}, Paint{glm::vec3(0.85F)});
+    life.add(SolidBall{{-0.45F, 1.75F, -0.4F}, 0.26F, {0.3F, -0.95F, 0}}, Paint{glm::vec3(0.85F)});
     const auto [x, z] = turned_base(0.62F, 0.5F);
-    life.add_block({0.75F, 0, 0.45F}, x, z, 0.62F, Paint{glm::vec3(0.62F, 0.60F, 0.66F)});
-    life.add(SolidBall{{1.17F, 0.86F, 0.54F}, 0.24F}, Paint{{0.62F, 0.24F, 0.50F}});
-    for (int i = 0; i < 17; ++i) {
+    life.add_block({0.95F, 0, 0.75F}, x, z, 0.62F, Paint{glm::vec3(0.62F, 0.60F, 0.66F)});
+    life.add(SolidBall{{1.38F, 0.86F, 0.88F}, 0.24F}, Paint{{0.62F, 0.24F, 0.50F}});
+    for (int i = 0; i < 13; ++i) {
         const auto n = static_cast<float>(i);
-        const float place = 1.6F * (n - 8) + 0.7F * std::sin(7 * n);
+        const float place = 2.0F * (n - 6) + 0.7F * std::sin(7 * n);
         const glm::vec3 glow = i % 3 == 0   ? glm::vec3(1, 0.42F, 0.12F)
                                : i % 3 == 1 ? glm::vec3(1, 0.78F, 0.38F)
                                             : glm::vec3(0.25F, 0.5F, 1);
-        life.add(SolidBall{{place, 1.6F + 1.3F * std::sin(2.4F * n), -14 + 1.5F * std::cos(3 * n)}, 0.16F},
+        life.add(SolidBall{{place, 1.2F + 0.9F * std::sin(2.4F * n), -14 + 1.5F * std::cos(3 * n)}, 0.16F},
                  Paint{glm::vec3(0), 7.0F * glow});
     }
-    life.add_lamp({{-2.6F, 3.2F, 0.2F}, {0.8F, 0.7F, 0}, {0, 0, 1.5F}, glm::vec3(17, 14.5F, 11.5F)});
+    life.add_lamp({{-3.4F, 2.9F, 0.9F}, {0.75F, 0.9F, 0}, {0.2F, 0, 1.1F}, glm::vec3(46, 39, 30)});
     return life;
 }
 
 inline LensCamera goal_camera()
 {
-    return camera_towards({0.4F, 1.35F, 4.6F}, {0.1F, 0.62F, -0.2F}, 0.36F, {0.09F, 4.25F, 0, 0.45F});
+    return camera_towards({0.45F, 2.0F, 5.0F}, {0.08F, 0.70F, -0.2F}, 0.38F, {0.11F, 4.75F, 0, 0.4F});
 }
 
 inline glm::vec3 random_colour(Random& random, float low, float high)

@@ -116,7 +116,7 @@ void record_picture(Random& random, Recorder& out, int size, int samples)
 {
     const DiffuseRoom room = cornell_room();
     introduce(out, room, "cornell_room");
-    const Camera camera{{0, 1, 3.9F}, {0, 1, 0}, 0.35F};
+    const Camera camera{{0, 1, 3.9F}, {0, 1, 0}, 0.33F};
     out.image("box", rendered(random, out, room, camera, size, all_bounces, samples));
 }
 

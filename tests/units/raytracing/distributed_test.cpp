@@ -65,7 +65,7 @@ TEST(Distributed, rays_of_a_place_meet_in_the_plane_of_focus)
         const double aspect = double(size.width) / size.height;
         const glm::dmat4 view = glm::lookAt(eye, eye - glm::dvec3(camera.back), glm::dvec3(camera.up));
         const glm::dmat4 projection = glm::perspective(2 * std::atan(double(camera.half_height)), aspect, 0.5, 2.0);
-        const glm::dvec3 window(place.x, size.height - place.y, 0.5);
+        const glm::dvec3 window(place.x, double(size.height) - double(place.y), 0.5);
         const glm::dvec3 through = glm::unProject(window, view, projection, glm::dvec4(0, 0, size.width, size.height));
         const glm::dvec3 direction = normalize(through - eye);
         const Ray ray = lens_ray(camera, size, place, {0, 0});
