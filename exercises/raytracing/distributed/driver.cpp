@@ -27,9 +27,9 @@ void record_disc(Random& random, Recorder& out)
     for (int replicate = 0; replicate < 500; ++replicate) {
         Random own = own_random(random);
         constexpr int points = 16;
-        std::array<float, 9> row{};
+        std::array<float, 8> row{};
         for (int i = 0; i < points; ++i) {
-            const std::array<float, 9> values = disc_values(ask<disc_point>(out, own));
+            const std::array<float, 8> values = disc_values(ask<disc_point>(out, own));
             for (std::size_t j = 0; j < row.size(); ++j) row[j] += values[j] / points;
         }
         out.append("moments", row);
@@ -123,7 +123,7 @@ const Driver driver = {
     {"means", [](Case& c, Recorder& out) { record_means(c.random, out); }},
     {"secret", [](Case& c, Recorder& out) { record_secret(c.random, out); }},
     {"picture",
-     [](Case& c, Recorder& out) { record_picture(c.random, out, goal_still_life(), goal_camera(), 112, 16); }},
+     [](Case& c, Recorder& out) { record_picture(c.random, out, goal_still_life(), goal_camera(), 96, 16); }},
     {"goal", [](Case& c, Recorder& out) { record_picture(c.random, out, goal_still_life(), goal_camera(), 240, 64); }},
 };
 

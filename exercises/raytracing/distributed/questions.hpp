@@ -53,18 +53,13 @@ inline std::vector<LensQuestion> random_lenses(Random& random, int count)
 }
 
 /// Shares and moments of points of the disc, for their means.
-inline std::array<float, 9> disc_values(const glm::vec2& point)
+inline std::array<float, 8> disc_values(const glm::vec2& point)
 {
     const float square = dot(point, point);
-    return {point.x,
-            point.y,
-            point.x * point.x,
-            point.y * point.y,
-            point.x * point.y,
-            square < 0.25F ? 1.0F : 0.0F,
-            square > 0.81F ? 1.0F : 0.0F,
-            point.x * square,
-            point.x > 0 && point.y > 0 ? 1.0F : 0.0F};
+    return {point.x,           point.y,
+            point.x * point.x, point.y * point.y,
+            point.x * point.y, square > 0.5F ? 1.0F : 0.0F,
+            point.x * square,  point.x > 0 && point.y > 0 ? 1.0F : 0.0F};
 }
 
 inline std::vector<std::string> disc_names()
@@ -74,8 +69,7 @@ inline std::vector<std::string> disc_names()
             "The square of x",
             "The square of y",
             "x times y",
-            "The share of points in the inner half of the radius",
-            "The share of points in the outer tenth of the radius",
+            "The share of points in the outer half of the area",
             "x times the squared radius",
             "The share of points with positive x and y"};
 }

@@ -108,7 +108,7 @@ void record_secret(Random& random, Recorder& out)
         const DiffuseRoom room = random_room(random);
         introduce(out, room, "random_room");
         const Camera camera{{random.uniform(-0.4F, 0.4F), random.uniform(0.6F, 1.4F), 3.4F}, {0, 1, 0}, 0.47F};
-        out.image(name, rendered(random, out, room, camera, 64, bounces, 16));
+        out.image(name, rendered(random, out, room, camera, 48, bounces, 16));
     }
 }
 
@@ -130,7 +130,7 @@ const Driver driver = {
     {"one bounce", [](Case& c, Recorder& out) { record_views(c.random, out, one_bounce(), 256); }},
     {"furnace", [](Case& c, Recorder& out) { record_views(c.random, out, furnaces(), 256); }},
     {"secret", [](Case& c, Recorder& out) { record_secret(c.random, out); }},
-    {"picture", [](Case& c, Recorder& out) { record_picture(c.random, out, 112, 16); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.random, out, 96, 16); }},
     {"goal", [](Case& c, Recorder& out) { record_picture(c.random, out, 240, 64); }},
 };
 

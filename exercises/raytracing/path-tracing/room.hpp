@@ -65,9 +65,9 @@ inline void add_walls(DiffuseRoom& room, const WallPaints& paints)
 inline DiffuseRoom cornell_room()
 {
     constexpr glm::vec3 plaster(0.74F, 0.72F, 0.68F);
-    DiffuseRoom room;
+    DiffuseRoom room({{0.32F, 0.36F, 0.42F}, {0.32F, 0.36F, 0.42F}});
     add_walls(room, {plaster, {0.66F, 0.12F, 0.07F}, {0.07F, 0.30F, 0.42F}, plaster, plaster});
-    room.add_lamp({{-0.38F, 1.995F, -0.42F}, {0.76F, 0, 0}, {0, 0, 0.7F}, {17, 13.5F, 9}}, glm::vec3(0.7F));
+    room.add_lamp({{-0.55F, 1.99F, -0.5F}, {1.1F, 0, 0}, {0, 0, 1.0F}, {7.5F, 6, 4.1F}}, glm::vec3(0.7F));
     const auto [tall_x, tall_z] = turned_base(0.58F, 0.32F);
     room.add_block({-0.76F, 0, -0.55F}, tall_x, tall_z, 1.16F, Paint{plaster});
     const auto [low_x, low_z] = turned_base(0.56F, -0.3F);
