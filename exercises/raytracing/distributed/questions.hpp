@@ -188,6 +188,8 @@ inline std::vector<PixelQuestion> mean_pixels()
     lit.add_lamp({{-1, 1.5F, -4}, {2, 0, 0}, {0, 0, 2}, {4, 3, 2}});
     lit.add_lamp({{2, 0, -4}, {0, 0, 2}, {0, 1, 0}, {2, 4, 3}});
     const Optics both{0.25F, 2, 0, 1};
+    // Seen only from a point of the lens beyond its rim.
+    const StillLife beyond = flying_ball({-0.43F, -0.43F, -6}, 0.09F, glm::vec3(0));
     return {
         {"a pixel across an upright edge", half_plane(4, false), turned, size, {3, 3}},
         {"a pixel across a level edge", half_plane(4, true), turned, size, {4, 4}},
@@ -211,6 +213,7 @@ inline std::vector<PixelQuestion> mean_pixels()
          camera(both),
          size,
          {4, 4}},
+        {"a ball that the lens does not see", beyond, camera(both), PictureSize{800, 800}, {400, 400}},
         {"a table under two lamps and a ball", lit, camera({0.1F, 3, 0, 1}), size, {4, 6}},
         {"the shadow of a ball that flies by", lit, camera({0, 3, -0.5F, 0.5F}), size, {4, 7}}};
 }
