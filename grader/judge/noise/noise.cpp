@@ -116,7 +116,7 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
                       {"tests", static_cast<double>(rule.tests)}};
     result.chance = rule.probability;
     result.borderline = after_first_run(rule.probability) == FirstRun::borderline;
-    if (!rule.agree) result.first_difference = worst_tile(rule);
+    if (!rule.agree && !rule.moved) result.first_difference = worst_tile(rule);
     return result;
 }
 

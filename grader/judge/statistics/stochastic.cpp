@@ -122,7 +122,12 @@ std::string StochasticRule::message(const std::string& quantity) const
                                    ? fmt::format("{:.3g} % too {}", std::abs(percent), percent > 0 ? "high" : "low")
                                    : std::string("too high");
     const std::string what =
-        tiled
+        moved ? fmt::format("{} too far {}", by_pixels ? "The picture lies" : "Edges lie",
+                            right > 0   ? "to the right"
+                            : right < 0 ? "to the left"
+                            : down > 0  ? "down"
+                                        : "up")
+        : tiled
             ? fmt::format("The {}light is {} in the {} x {} pixels from ({}, {})",
                           channels == 3 ? colours[static_cast<std::size_t>(channel)] : "", amount, width, height, x, y)
             : fmt::format("{} is {} on average over {} rows",
@@ -170,6 +175,24 @@ StochasticRule apply_stochastic_rule(const Estimates& yours, const Estimates& ex
             }
         }
     }
+    for (int channel = 0; rule.tiled && channel < expected.channels; ++channel)
+        for (const bool vertical : {false, true}) {
+            const AlignmentSums found = alignment_sums(yours, expected, channel, vertical);
+            const double z = deviation_of(found.sums, forgiven);
+            const double probability = tile_probability(found.sums, z);
+            ++rule.tests;
+            const double light = all.back() / expected.channels;
+            if (std::abs(z) > certain && light > 0)
+                rule.misplaced = std::max(rule.misplaced, std::min(1.0, found.misplaced / light));
+            if (!(probability < smallest)) continue;
+            smallest = probability;
+            rule.worst_z = z;
+            rule.moved = true;
+            const int behind = z > 0 ? -1 : 1;
+            rule.right = vertical ? 0 : behind;
+            rule.down = vertical ? behind : 0;
+        }
+    rule.by_pixels = rule.moved && lies_better_moved(yours, expected, -rule.right, -rule.down);
     for (std::size_t level = 0; rule.tiled && level < wrong.size(); ++level)
         if (all[level] > 0) rule.misplaced = std::max(rule.misplaced, std::min(1.0, wrong[level] / all[level]));
     if (!rule.tiled) rule.misplaced = mean_share;

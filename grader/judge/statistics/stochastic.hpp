@@ -43,8 +43,12 @@ struct StochasticRule {
     bool agree = false;
     double probability =
         1;  ///< an upper bound for the chance that noise alone gives a tile at least as far off as the worst
-    double worst_z = 0;  ///< of the worst tile, in standard deviations of its sum; positive where yours is larger
-    int x = 0;           ///< left, top and size of that tile
+    double worst_z = 0;      ///< of the worst tile, in standard deviations of its sum; positive where yours is larger
+    bool moved = false;      ///< the worst is no tile, but where the whole picture lies
+    bool by_pixels = false;  ///< … and it would lie better if it were moved by a whole pixel
+    int right = 0;           ///< then: 1 if yours lies too far to the right, -1 to the left
+    int down = 0;            ///< and 1 if too far down, -1 up; one of the two is 0
+    int x = 0;               ///< left, top and size of that tile
     int y = 0;
     int width = 0;
     int height = 0;
@@ -74,7 +78,8 @@ inline constexpr double stochastic_alpha = 1e-4;
 /// the two estimate differently, and differences are skewed, the leading term of the tail's deviation is added, if it
 /// makes the tail heavier. Sidak's correction covers all tiles and channels.
 ///
-/// A local mistake shows in a small tile, a wrong factor everywhere in the large ones. A filter that spreads samples
+/// A local mistake shows in a small tile, a wrong factor everywhere in the large ones, and a picture that lies a pixel
+/// beside its place, which moves no tile's mean, in alignment_sums(). A filter that spreads samples
 /// over neighbouring pixels, or one seed for all pixels, makes them depend on each other: then the test is too strict.
 /// Based on: K. Subr, J. Arvo. Statistical Hypothesis Testing for Assessing Monte Carlo Estimators. Pacific Graphics
 /// 2007; V. Bentkus, D. Dzindzalieta. A Tight Gaussian Bound for Weighted Sums of Rademacher Random Variables.
@@ -105,6 +110,26 @@ struct TileSums {
     double clipped = 0;  ///< cells that are white in one of the pictures: how much brighter they are was cut off
     TileSums& operator+=(const TileSums& other);
 };
+
+/// How much less two pictures differ, in the sum of squares, if yours is moved a pixel one way along an axis (x, or y
+/// if `vertical`) than the other way. `sums.difference` is positive where yours must move on to lie as expected (it
+/// lies too far left, or up); deviation_of() and tile_probability() hold for `sums` as for a tile's.
+///
+/// They are sums of d g / mean |g| over the pixels inside the border, d the difference there and g Sobel's slope of the
+/// mean of both pictures, taken from the eight pixels round it: but at the border, the sums of squares of the three
+/// alignments on one side less those on the other, weighted 1, 2, 1, are -16 sum d g. Exchanging the two pictures at a
+/// pixel turns the sign of its d, and leaves its g: so here too all signs are equally likely, whatever the sizes. Where
+/// the two estimate differently, terms of neighbours are correlated, but never positively.
+struct AlignmentSums {
+    TileSums sums;
+    double misplaced = 0;  ///< light in the wrong place, at least: the size of the sum of d times the sign of g
+};
+[[nodiscard]] AlignmentSums alignment_sums(const Estimates& yours, const Estimates& expected, int channel,
+                                           bool vertical);
+
+/// Do two pictures differ less, in the sum of squares of all channels inside the border, if yours is first moved by
+/// (right, down) pixels, each -1, 0 or 1?
+[[nodiscard]] bool lies_better_moved(const Estimates& yours, const Estimates& expected, int right, int down);
 
 /// R of a tile, less what is forgiven; positive where yours is larger.
 [[nodiscard]] double deviation_of(const TileSums& sums, const Forgiven& forgiven);

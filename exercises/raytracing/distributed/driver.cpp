@@ -1,0 +1,130 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "questions.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace raytracing;
+
+void introduce(Recorder& out, const StillLife& scene, const char* name)
+{
+    if (Questions* const questions = out.questions()) questions->set_object(&scene, name, "");
+}
+
+void record_lenses(Recorder& out, const std::vector<LensQuestion>& lenses)
+{
+    for (const auto& [camera, size, place, lens] : lenses) {
+        const Ray ray = ask<lens_ray>(out, camera, size, place, lens);
+        out.append("origin", ray.origin);
+        out.append("direction", ray.direction);
+    }
+}
+
+void record_disc(Random& random, Recorder& out)
+{
+    for (int replicate = 0; replicate < 500; ++replicate) {
+        Random own = own_random(random);
+        constexpr int points = 16;
+        std::array<float, 8> row{};
+        for (int i = 0; i < points; ++i) {
+            const std::array<float, 8> values = disc_values(ask<disc_point>(out, own));
+            for (std::size_t j = 0; j < row.size(); ++j) row[j] += values[j] / points;
+        }
+        out.append("moments", row);
+    }
+    out.text("moments.names", numbered_names(disc_names()));
+}
+
+void record_penumbra(Random& random, Recorder& out)
+{
+    const StillLife scene = penumbra_scene();
+    introduce(out, scene, "penumbra_scene");
+    const std::vector<PenumbraQuestion> questions = penumbra_questions();
+    std::vector<std::string> names;
+    for (const PenumbraQuestion& question : questions) names.push_back(question.name);
+    for (int replicate = 0; replicate < 256; ++replicate) {
+        std::vector<float> row;
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+            const PenumbraQuestion& question = questions[i];
+            Random own = own_random(random);
+            const int samples = i % 2 == 0 ? 16 : 9;
+            row.push_back(ask<lamp_light>(out, scene, question.at, question.lamp, question.time, samples, own));
+        }
+        out.append("light", row);
+    }
+    out.text("light.names", numbered_names(names));
+}
+
+glm::vec3 asked_light(Recorder& out, const PixelQuestion& question, int samples, Random& random)
+{
+    Random own = own_random(random);
+    return ask<pixel_light>(out, question.scene, question.camera, question.size, question.pixel, samples, own);
+}
+
+void record_sharp(Random& random, Recorder& out)
+{
+    const std::vector<PixelQuestion> questions = sharp_pixels(random);
+    for (const PixelQuestion& question : questions) introduce(out, question.scene, "panels");
+    for (std::size_t i = 0; i < questions.size(); ++i)
+        out.append("light", asked_light(out, questions[i], 1 + static_cast<int>(i % 5), random));
+}
+
+void record_means(Random& random, Recorder& out)
+{
+    const std::vector<PixelQuestion> questions = mean_pixels();
+    std::vector<std::string> names;
+    for (const PixelQuestion& question : questions) {
+        introduce(out, question.scene, "scene");
+        for (const char* colour : {"red", "green", "blue"})
+            names.push_back(std::string("The ") + colour + " light of " + question.name);
+    }
+    for (int replicate = 0; replicate < 400; ++replicate) {
+        std::vector<float> row;
+        for (const PixelQuestion& question : questions) {
+            const glm::vec3 light = asked_light(out, question, 12, random);
+            row.insert(row.end(), {light.r, light.g, light.b});
+        }
+        out.append("light", row);
+    }
+    out.text("light.names", numbered_names(names));
+}
+
+void record_picture(Random& random, Recorder& out, const StillLife& scene, const LensCamera& camera, int side,
+                    int samples)
+{
+    introduce(out, scene, "still_life");
+    Grid<glm::vec3> picture(side, side, glm::vec3(0));
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            Random own = own_random(random);
+            picture.at(x, y) =
+                ask<pixel_light>(out, scene, camera, PictureSize{side, side}, glm::ivec2(x, y), samples, own);
+        }
+    out.image("still life", picture);
+}
+
+void record_secret(Random& random, Recorder& out)
+{
+    const StillLife scene = random_still_life(random);
+    const LensCamera camera = random_still_life_camera(random);
+    record_picture(random, out, scene, camera, 64, 16);
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record_lenses(out, lenses_by_hand()); }},
+    {"random", [](Case& c, Recorder& out) { record_lenses(out, random_lenses(c.random, 300)); }},
+    {"disc", [](Case& c, Recorder& out) { record_disc(c.random, out); }},
+    {"penumbra", [](Case& c, Recorder& out) { record_penumbra(c.random, out); }},
+    {"sharp", [](Case& c, Recorder& out) { record_sharp(c.random, out); }},
+    {"means", [](Case& c, Recorder& out) { record_means(c.random, out); }},
+    {"secret", [](Case& c, Recorder& out) { record_secret(c.random, out); }},
+    {"picture",
+     [](Case& c, Recorder& out) { record_picture(c.random, out, goal_still_life(), goal_camera(), 96, 16); }},
+    {"goal", [](Case& c, Recorder& out) { record_picture(c.random, out, goal_still_life(), goal_camera(), 240, 64); }},
+};
+
+}

@@ -1,0 +1,221 @@
+#pragma once
+
+#include "../rays.hpp"
+#include "scenes.hpp"
+
+/// What the unit is asked beside its pictures.
+namespace umbral::raytracing {
+
+struct LensQuestion {
+    LensCamera camera;
+    PictureSize size;
+    glm::vec2 place;
+    glm::vec2 lens;
+};
+
+/// Cameras along the axes, and places and points of the lens with few digits.
+inline std::vector<LensQuestion> lenses_by_hand()
+{
+    const LensCamera front{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.5F, 0.5F, 4, 0, 0};
+    LensCamera pinhole = front;
+    pinhole.lens_radius = 0;
+    const LensCamera down{{1, 5, 2}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}, 1, 0.25F, 2, 0, 0};
+    const LensCamera aside{{-3, 1, 0}, {0, 0, -1}, {0, 1, 0}, {1, 0, 0}, 0.25F, 0.125F, 8, 0, 0};
+    const PictureSize square{100, 100};
+    const PictureSize wide{200, 100};
+    const PictureSize tall{60, 80};
+    return {{front, square, {50, 50}, {0, 0}},      {front, square, {50, 50}, {1, 0}},
+            {front, square, {50, 50}, {0, -1}},     {front, square, {100, 50}, {0, 0}},
+            {front, square, {0, 0}, {0.5F, 0.5F}},  {front, wide, {200, 50}, {0, 0}},
+            {front, wide, {50, 75}, {-0.5F, 0}},    {front, tall, {30, 0}, {0, 1}},
+            {front, tall, {60, 60}, {0.6F, -0.8F}}, {pinhole, square, {25, 75}, {1, 0}},
+            {down, square, {50, 0}, {0, 1}},        {down, wide, {0, 100}, {0.5F, 0.5F}},
+            {aside, tall, {60, 40}, {-1, 0}},       {aside, square, {10, 20}, {0, 0.5F}}};
+}
+
+inline std::vector<LensQuestion> random_lenses(Random& random, int count)
+{
+    std::vector<LensQuestion> questions;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 eye = 4.0F * random.in_cube();
+        glm::vec3 view = random.unit_vector();
+        view.y *= 0.7F;
+        const float half = random.uniform(0.2F, 1);
+        const float focus = random.uniform(1, 10);
+        const LensCamera camera = camera_towards(eye, eye - view, half, {random.uniform(0, 0.5F), focus, 0, 1});
+        const PictureSize size{20 + static_cast<int>(random.below(400)), 20 + static_cast<int>(random.below(300))};
+        const float x = random.uniform(0, static_cast<float>(size.width));
+        const glm::vec2 place(x, random.uniform(0, static_cast<float>(size.height)));
+        const float angle = random.uniform(0, 6.28F);
+        questions.push_back({camera, size, place, random.uniform() * glm::vec2(std::cos(angle), std::sin(angle))});
+    }
+    return questions;
+}
+
+/// Shares and moments of points of the disc, for their means.
+inline std::array<float, 8> disc_values(const glm::vec2& point)
+{
+    const float square = dot(point, point);
+    return {point.x,           point.y,
+            point.x * point.x, point.y * point.y,
+            point.x * point.y, square > 0.5F ? 1.0F : 0.0F,
+            point.x * square,  point.x > 0 && point.y > 0 ? 1.0F : 0.0F};
+}
+
+inline std::vector<std::string> disc_names()
+{
+    return {"x",
+            "y",
+            "The square of x",
+            "The square of y",
+            "x times y",
+            "The share of points in the outer half of the area",
+            "x times the squared radius",
+            "The share of points with positive x and y"};
+}
+
+/// A question about the light of a lamp, at a time.
+struct PenumbraQuestion {
+    std::string name;
+    LitPoint at;
+    AreaLamp lamp;
+    float time;
+};
+
+/// A lamp over a table, with a screen that covers half of the view, a ball that flies by, and points all over: fully
+/// lit, in the penumbra, in the dark, tilted, near, far, behind the lamp.
+inline StillLife penumbra_scene()
+{
+    StillLife life;
+    life.add(SolidQuad{{-2, 0.5F, -2}, {2, 0, 0}, {0, 0, 4}}, Paint{glm::vec3(0.5F)});
+    life.add(SolidBall{{1.5F, 0.6F, -2}, 0.35F, {0, 0, 2}}, Paint{glm::vec3(0.5F)});
+    life.add_lamp({{-0.5F, 2, -0.75F}, {1, 0, 0}, {0, 0, 1.5F}, {1, 1, 1}});
+    life.add_lamp({{5, 1, -1}, {0, 0, 2}, {0, 2, 0}, {1, 1, 1}});
+    return life;
+}
+
+inline std::vector<PenumbraQuestion> penumbra_questions()
+{
+    const StillLife life = penumbra_scene();
+    const AreaLamp over = life.lamps()[0];
+    const AreaLamp aside = life.lamps()[1];
+    const auto at = [](glm::vec3 position, glm::vec3 normal) {
+        return LitPoint{position, normalize(normal), glm::vec3(0.25F, 0.5F, 0.75F), glm::vec3(3)};
+    };
+    constexpr glm::vec3 up(0, 1, 0);
+    return {{"The light beside the screen", at({0.75F, 0, 0.25F}, up), over, 0},
+            {"The light at the outer end of the penumbra", at({0.1F, 0, 0}, up), over, 0},
+            {"The light in the middle of the penumbra", at({0, 0, 0}, up), over, 0},
+            {"The light at the inner end of the penumbra", at({-0.1F, 0, 0.5F}, up), over, 0},
+            {"The light in the shadow", at({-1, 0, 0}, up), over, 0},
+            {"The light on a tilted surface", at({1.25F, 0.5F, 1}, {-1, 1, -1}), over, 0},
+            {"The light on a wall beside the lamp", at({1, 1.5F, 0.25F}, {-1, 0, 0}), over, 0},
+            {"The light near the lamp", at({0.25F, 1.6F, 0.1F}, up), over, 0},
+            {"The light behind the lamp", at({0, 3, 0}, {0, -1, 0}), over, 0},
+            {"The light from the side", at({2.5F, 0, -0.5F}, up), aside, 0.25F},
+            {"The light before the ball has come", at({1.9F, 0, 0.1F}, up), over, 0},
+            {"The light while the ball is there", at({1.9F, 0, 0.1F}, up), over, 1}};
+}
+
+/// A question about one pixel.
+struct PixelQuestion {
+    std::string name;
+    StillLife scene;
+    LensCamera camera;
+    PictureSize size;
+    glm::ivec2 pixel;
+};
+
+/// Four panels that shine, so large that each pixel sees one of them: no chance takes part.
+inline StillLife panels()
+{
+    StillLife life({{0.5F, 0.75F, 0.25F}, {0.5F, 0.75F, 0.25F}, {0.5F, 1, 2}});
+    const auto panel = [&](float x, float y, glm::vec3 emitted, glm::vec3 albedo) {
+        life.add(SolidQuad{{x, y, -4}, {2, 0, 0}, {0, 2, 0}}, Paint{albedo, emitted});
+    };
+    panel(-2, 0, {1, 0.25F, 0.5F}, glm::vec3(0));
+    panel(0, 0, {0, 0, 0}, {0.5F, 0.25F, 0.125F});
+    panel(-2, -2, {2, 3, 0.5F}, {0.25F, 0.5F, 0.5F});
+    return life;
+}
+
+/// With a pinhole, a still scene, and pixels within one panel, or the sky. Along x there are twice as many.
+inline std::vector<PixelQuestion> sharp_pixels(Random& random)
+{
+    const LensCamera camera = camera_towards({0, 0, 0}, {0, 0, -1}, 0.5F, {0, 2, 1, 1});
+    const PictureSize size{8, 4};
+    std::vector<PixelQuestion> questions;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) questions.push_back({"", panels(), camera, size, glm::ivec2(x, y)});
+    for (std::size_t i = questions.size() - 1; i > 0; --i)
+        std::swap(questions[i], questions[random.below(static_cast<std::uint32_t>(i) + 1)]);
+    return questions;
+}
+
+/// A shining half-plane to the right of x = 0 or, with `above`, above y = 0, at a depth, and behind it the dark.
+inline StillLife half_plane(float depth, bool above)
+{
+    StillLife life({glm::vec3(0.1F), glm::vec3(0.1F), glm::vec3(0)});
+    life.add(above ? SolidQuad{{-50, 0, -depth}, {100, 0, 0}, {0, 50, 0}}
+                   : SolidQuad{{0, -50, -depth}, {50, 0, 0}, {0, 100, 0}},
+             Paint{glm::vec3(0), {1, 0.5F, 2}});
+    return life;
+}
+
+/// A shining ball that flies to the right.
+inline StillLife flying_ball(const glm::vec3& centre, float radius, const glm::vec3& velocity)
+{
+    StillLife life({glm::vec3(0.05F), glm::vec3(0.05F), glm::vec3(0)});
+    life.add(SolidBall{centre, radius, velocity}, Paint{glm::vec3(0), {2, 1, 0.5F}});
+    return life;
+}
+
+/// Pixels whose light is a mean: over the pixel, the lens, the time, the lamp, and over several of them at once.
+inline std::vector<PixelQuestion> mean_pixels()
+{
+    const auto camera = [](const Optics& optics) { return camera_towards({0, 0, 0}, {0, 0, -1}, 0.5F, optics); };
+    const PictureSize size{8, 8};
+    // The edge of a half-plane crosses a pixel of which the camera is turned aside.
+    LensCamera turned = camera({});
+    turned.eye = {0.30F, 0.22F, 0};
+    LensCamera lens = camera({0.4F, 2, 0, 0});
+    lens.eye = {0.25F, 0.15F, 0};
+    LensCamera sharp = camera({0.4F, 4, 0, 0});
+    sharp.eye = {0.30F, 0, 0};
+    StillLife lit({glm::vec3(0.2F), glm::vec3(0.6F), {0.1F, 0.2F, 0.3F}});
+    lit.add(SolidQuad{{-6, -1, -6}, {0, 0, 12}, {12, 0, 0}}, Paint{{0.8F, 0.5F, 0.3F}});
+    lit.add(SolidBall{{0, -0.4F, -3}, 0.3F, {1, 0, 0}}, Paint{{0.3F, 0.6F, 0.9F}});
+    lit.add_lamp({{-1, 1.5F, -4}, {2, 0, 0}, {0, 0, 2}, {4, 3, 2}});
+    lit.add_lamp({{2, 0, -4}, {0, 0, 2}, {0, 1, 0}, {2, 4, 3}});
+    const Optics both{0.25F, 2, 0, 1};
+    // Seen only from a point of the lens beyond its rim.
+    const StillLife beyond = flying_ball({-0.43F, -0.43F, -6}, 0.09F, glm::vec3(0));
+    return {
+        {"a pixel across an upright edge", half_plane(4, false), turned, size, {3, 3}},
+        {"a pixel across a level edge", half_plane(4, true), turned, size, {4, 4}},
+        {"an edge out of focus", half_plane(5, false), lens, size, {4, 4}},
+        {"a level edge before the focus", half_plane(1, true), lens, size, {4, 4}},
+        {"an edge in focus, seen by a wide lens", half_plane(4, false), sharp, size, {3, 4}},
+        {"a ball that flies by", flying_ball({-1.2F, 0.1F, -4}, 0.5F, {2, 0, 0}), camera({0, 2, 0, 1}), size, {4, 3}},
+        {"a ball that comes late",
+         flying_ball({-2.0F, 0.1F, -4}, 0.6F, {2, 0, 0}),
+         camera({0, 2, 0.5F, 1.5F}),
+         size,
+         {4, 3}},
+        {"a small ball behind the focus", flying_ball({0.2F, -0.2F, -6}, 0.45F, {0, 0, 0}), camera(both), size, {4, 4}},
+        {"a ball out of focus that flies by",
+         flying_ball({-0.8F, -0.2F, -6}, 0.6F, {1.6F, 0, 0}),
+         camera(both),
+         size,
+         {4, 4}},
+        {"a ball that flies up and away",
+         flying_ball({0.1F, -1.0F, -5}, 0.6F, {0, 1.5F, -1}),
+         camera(both),
+         size,
+         {4, 4}},
+        {"a ball that the lens does not see", beyond, camera(both), PictureSize{800, 800}, {400, 400}},
+        {"a table under two lamps and a ball", lit, camera({0.1F, 3, 0, 1}), size, {4, 6}},
+        {"the shadow of a ball that flies by", lit, camera({0, 3, -0.5F, 0.5F}), size, {4, 7}}};
+}
+
+}

@@ -1,0 +1,233 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../rays.hpp"
+#include "room.hpp"
+
+/// What the unit is asked beside its pictures.
+namespace umbral::raytracing {
+
+/// A place of a lamp, seen from a point.
+struct LampView {
+    glm::vec3 point;
+    AreaLamp lamp;
+    glm::vec3 on_lamp;
+};
+
+inline std::vector<std::pair<glm::vec3, glm::vec3>> cosines_by_hand()
+{
+    return {{{0, 0, 1}, {0, 0, 1}},       {{0, 1, 0}, {0.6F, 0.8F, 0}}, {{0, 0, -1}, {0, 0.8F, -0.6F}},
+            {{0, 0, 1}, {0, 0, -1}},      {{1, 0, 0}, {0, 0.6F, 0.8F}}, {{0, 1, 0}, {0.8F, -0.6F, 0}},
+            {{0.6F, 0, 0.8F}, {1, 0, 0}}, {{0.6F, 0, 0.8F}, {0, 0, 1}}};
+}
+
+/// From above and below, from beside, with edges of several lengths that are not always perpendicular.
+inline std::vector<LampView> lamps_by_hand()
+{
+    const AreaLamp unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}};
+    const AreaLamp wide{{-1, 2, -1}, {4, 0, 0}, {0, 0, 2}, {5, 5, 5}};
+    const AreaLamp slanted{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 1}};
+    const glm::vec3 middle(0.5F, 0.5F, 0);
+    return {{{0.5F, 0.5F, 1}, unit, middle},  {{0.5F, 0.5F, 3}, unit, middle},  {{0.5F, 0.5F, -2}, unit, middle},
+            {{3.5F, 4.5F, 12}, unit, middle}, {{0.5F, 4.5F, 3}, unit, middle},  {{0, 0, 0}, wide, {0, 2, 0}},
+            {{1, 0, 0}, wide, {1, 2, 0}},     {{-1, 3.5F, 1}, wide, {1, 2, 1}}, {{2, 1, 2}, slanted, {2, 0.5F, 0}}};
+}
+
+inline std::vector<LampView> random_lamps(Random& random, int count)
+{
+    std::vector<LampView> views;
+    for (int i = 0; i < count; ++i) {
+        const float scale = std::exp2(random.uniform(-6, 6));
+        AreaLamp lamp{scale * random.in_cube(), scale * random.uniform(0.5F, 2) * random.unit_vector(), {}, {1, 1, 1}};
+        // Edges at an angle of 50 degrees at least, and the line to the point at 70 degrees from the normal at most.
+        const glm::vec3 along = normalize(lamp.edge_a);
+        const glm::vec3 across(perpendicular_to(along, random));
+        lamp.edge_b = scale * random.uniform(0.3F, 1.5F) * normalize(across + random.uniform(-0.8F, 0.8F) * along);
+        const float a = random.uniform();
+        const glm::vec3 place = lamp.corner + a * lamp.edge_a + random.uniform() * lamp.edge_b;
+        const glm::vec3 normal = (random.below(2) == 0 ? 1.0F : -1.0F) * normalize(cross(along, across));
+        const glm::vec3 aside(perpendicular_to(normal, random));
+        const glm::vec3 direction = normalize(normal + random.uniform(0, 2.7F) * aside);
+        views.push_back({place + scale * random.uniform(1, 5) * direction, lamp, place});
+    }
+    return views;
+}
+
+/// Where no reflected light takes part: straight at what shines, or with no surface that reflects.
+struct SeenRay {
+    Ray ray;
+    int bounces;
+    int samples;
+    bool black;
+};
+
+/// A lamp that hangs over a floor that shines a little, and the sky.
+inline DiffuseRoom lamp_and_floor(const glm::vec3& floor, const glm::vec3& lamp)
+{
+    DiffuseRoom room({{0.25F, 0.5F, 1}, {0.5F, 0.75F, 0}});
+    room.add(SolidQuad{{-2, 0, -2}, {0, 0, 4}, {4, 0, 0}}, Paint{floor, {0.5F, 0.25F, 0.125F}});
+    room.add_lamp({{-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, {4, 8, 2}}, lamp);
+    return room;
+}
+inline DiffuseRoom open_room() { return lamp_and_floor({0.75F, 0.5F, 0.25F}, glm::vec3(0.5F)); }
+inline DiffuseRoom black_room() { return lamp_and_floor(glm::vec3(0), glm::vec3(0)); }
+
+inline std::vector<SeenRay> seen_rays(Random& random)
+{
+    std::vector<SeenRay> rays;
+    for (int i = 0; i < 96; ++i) {
+        const float x = random.uniform(-0.9F, 0.9F);
+        const glm::vec3 above(x, 2, random.uniform(-0.9F, 0.9F));
+        const glm::vec3 eye = i % 4 == 1 ? above + random.uniform(0.5F, 2) * glm::vec3(0.25F, 1, 0.5F)
+                                         : glm::vec3(3 * random.uniform(-0.6F, 0.6F), 1, x);
+        const glm::vec3 floor(x, 0, above.z);
+        const glm::vec3 sky = eye + glm::vec3(x > 0 ? 3 : -3, random.uniform(0, 2), above.z);
+        const glm::vec3 target = i % 4 == 2 ? floor : i % 4 == 3 ? sky : above;
+        const bool black = i / 4 % 2 == 1;
+        constexpr std::array bounces{1, 4, all_bounces};
+        constexpr std::array samples{1, 3, 16};
+        const float length = i % 3 == 0 ? 1.0F : random.uniform(0.2F, 3);
+        rays.push_back({Ray{eye, length * normalize(target - eye)}, black ? bounces[random.below(3)] : 0,
+                        samples[random.below(3)], black});
+    }
+    return rays;
+}
+
+/// Along the axes, both ways, and across; each asks for another way to find vectors across.
+inline std::vector<glm::vec3> normals_of_directions()
+{
+    return {{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0.48F, -0.6F, 0.64F}, {0, 0, 1}};
+}
+
+/// Means over some directions round a normal n, with x and y across it.
+class DirectionMoments {
+public:
+    explicit DirectionMoments(const glm::vec3& normal) : n_(normal)
+    {
+        const glm::vec3 other = std::abs(n_.x) > 0.5F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+        x_ = normalize(cross(other, n_));
+        y_ = cross(n_, x_);
+    }
+    void add(const glm::vec3& direction)
+    {
+        const float n = dot(direction, n_);
+        const float x = dot(direction, x_);
+        const float y = dot(direction, y_);
+        const std::array<float, 8> values{
+            n, x, y, x * x, x * y, (x + y) * (n - 0.6F), n < 0.5F ? 1.0F : 0.0F, n > 0.95F ? 1.0F : 0.0F};
+        for (std::size_t i = 0; i < values.size(); ++i) sums_[i] += values[i];
+        ++count_;
+    }
+    void append_to(std::vector<float>& row) const
+    {
+        for (const float sum : sums_) row.push_back(sum / static_cast<float>(count_));
+    }
+
+private:
+    glm::vec3 n_;
+    glm::vec3 x_;
+    glm::vec3 y_;
+    std::array<float, 8> sums_{};
+    int count_ = 0;
+};
+
+inline std::string names_of_moments(std::size_t normals)
+{
+    constexpr std::array names{"The part along the normal",
+                               "The part along x",
+                               "The part along y",
+                               "The square of the part along x",
+                               "The product of the parts along x and y",
+                               "The part across, weighted by the height",
+                               "The share of directions beyond 60 degrees from the normal",
+                               "The share of directions within 18 degrees of the normal"};
+    std::vector<std::string> all;
+    for (std::size_t n = 0; n < normals; ++n)
+        for (const char* name : names) all.push_back(std::string(name) + " (normal " + std::to_string(n) + ')');
+    return numbered_names(all);
+}
+
+/// One question to path_light, asked again and again.
+struct RoomView {
+    const char* name;
+    DiffuseRoom room;
+    Ray ray;
+    int bounces;
+    int samples;
+};
+
+inline std::string names_of_views(const std::vector<RoomView>& views)
+{
+    std::vector<std::string> all;
+    for (const RoomView& view : views)
+        for (const char* colour : {"red", "green", "blue"})
+            all.push_back(std::string("The ") + colour + " light of " + view.name);
+    return numbered_names(all);
+}
+
+/// A floor of albedo (0.8, 0.5, 0.2) under lamps and sky, and where it is looked at.
+inline RoomView floor_view(const char* name, const RoomSky& sky, const std::vector<AreaLamp>& lamps)
+{
+    RoomView view{name, DiffuseRoom(sky), Ray{{1, 1.5F, 2}, {-1, -1.5F, -2}}, 1, 16};
+    view.room.add(SolidQuad{{-8, 0, -8}, {0, 0, 16}, {16, 0, 0}}, Paint{{0.8F, 0.5F, 0.2F}});
+    for (const AreaLamp& lamp : lamps) view.room.add_lamp(lamp);
+    return view;
+}
+
+/// Light that is reflected once, or few times: each view has an answer of its own.
+inline std::vector<RoomView> one_bounce()
+{
+    const AreaLamp over{{-0.75F, 1, -0.5F}, {1.5F, 0, 0}, {0, 0, 1}, {2, 3, 4}};
+    const AreaLamp aside{{-1.5F, 0.5F, -1.25F}, {0, 1.5F, 0}, {0, 0, 2.5F}, {5, 2, 3}};
+    AreaLamp turned = over;
+    std::swap(turned.edge_a, turned.edge_b);
+    std::vector<RoomView> views{
+        floor_view("the sky on the floor", {{0.2F, 0.4F, 0.6F}, {1.5F, 1, 0.5F}}, {}),
+        floor_view("a lamp overhead", {}, {over}),
+        floor_view("two lamps", {}, {aside, over}),
+        floor_view("a lamp that is turned away, under the sky", {glm::vec3(0.3F), glm::vec3(0.9F)}, {turned}),
+        floor_view("a lamp behind a screen", {}, {over}),
+        floor_view("a glowing ball beside a lamp", {}, {over}),
+        floor_view("a lamp that mirrors the floor's light", {}, {})};
+    views[4].room.add(SolidQuad{{-2, 0.5F, -2}, {1.75F, 0, 0}, {0, 0, 4}}, Paint{glm::vec3(0)});
+    views[5].room.add(SolidBall{{1.2F, 0.8F, -0.3F}, 0.7F}, Paint{glm::vec3(0.5F), {1, 2, 0.5F}});
+    views[6].room.add_lamp(over, {0.9F, 0.6F, 0.3F});
+    views[6].bounces = 3;
+    return views;
+}
+
+/// Inside a closed surface that shines everywhere alike, E with the albedo a, all that is seen is
+/// E (1 + a + … + a^bounces).
+inline RoomView furnace(const char* name, const glm::vec3& albedo, int bounces, int samples)
+{
+    RoomView view{name, DiffuseRoom(), Ray{{0.3F, -0.2F, 0.1F}, {0.3F, 0.5F, -0.7F}}, bounces, samples};
+    view.room.add(SolidBall{{0, 0, 0}, 1}, Paint{albedo, {0.5F, 1, 0.75F}});
+    return view;
+}
+
+/// Albedos stay below 3/4 where all bounces count: with uniform directions and survival by albedo, the variance of an
+/// estimate is infinite beyond.
+inline std::vector<RoomView> furnaces()
+{
+    std::vector<RoomView> views{furnace("a furnace, one bounce", {0.8F, 0.5F, 0.2F}, 1, 8),
+                                furnace("a furnace, two bounces", {0.4F, 0.8F, 0.6F}, 2, 8),
+                                furnace("a furnace, six bounces", {0.7F, 0.5F, 0.6F}, 6, 8),
+                                furnace("a furnace, all bounces", {0.6F, 0.3F, 0.5F}, all_bounces, 8),
+                                furnace("a bright furnace, all bounces", {0.7F, 0.65F, 0.5F}, all_bounces, 8)};
+    // Two colours that shine on each other, and a lamp among them.
+    RoomView box{"a closed box, all bounces", DiffuseRoom(), Ray{{0.2F, 0.9F, 0.8F}, {-0.5F, -0.6F, -1}}, all_bounces,
+                 8};
+    add_walls(box.room,
+              {{0.6F, 0.3F, 0.5F}, {0.6F, 0.2F, 0.2F}, {0.2F, 0.6F, 0.4F}, glm::vec3(0.6F), glm::vec3(0.65F)});
+    box.room.add(SolidQuad{{-1, 0, 1}, {2, 0, 0}, {0, 2, 0}}, Paint{glm::vec3(0.5F)});
+    box.room.add_lamp({{-0.7F, 1.99F, -0.7F}, {1.4F, 0, 0}, {0, 0, 1.4F}, {3, 3, 3}}, glm::vec3(0.6F));
+    views.push_back(box);
+    return views;
+}
+
+}
