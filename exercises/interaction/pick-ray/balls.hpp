@@ -20,7 +20,7 @@ struct Ball {
 
 inline const std::array<Ball, 7>& balls()
 {
-    const auto color = [](float hue) { return glm::vec3(srgb_decoded(glm::dvec3(rainbow(hue, 0.78F, 0.93F)))); };
+    const auto color = [](float hue) { return glm::vec3(srgb_decoded(glm::dvec3(rainbow(hue, 0.66F, 0.94F)))); };
     static const std::array<Ball, 7> all = {{{{-1.75F, 0.62F, -0.9F}, 0.62F, color(0.58F)},
                                              {{-0.45F, 0.8F, -1.9F}, 0.8F, color(0.09F)},
                                              {{1.15F, 0.7F, -1.25F}, 0.7F, color(0.36F)},

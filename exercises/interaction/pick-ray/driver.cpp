@@ -17,8 +17,9 @@ void record_ray(Recorder& out, const PickView& view, const glm::ivec2& pixel)
     const Ray ray = ask<pick_ray>(out, view, pixel);
     out.append("origin", ray.origin);
     out.append("direction", ray.direction);
-    out.columns("interval", "t_min, t_max");
-    out.append("interval", glm::vec2(ray.t_min, ray.t_max));
+    out.append("t_min", ray.t_min);
+    // Infinity is no number that can be near another one.
+    out.append("t_max", ray.t_max == endless ? std::nullopt : std::optional(ray.t_max));
 }
 
 void record_clicks(Recorder& out, const std::vector<Click>& clicks)
@@ -40,6 +41,8 @@ void record_by_hand(Recorder& out)
     for (const glm::ivec2& pixel : {glm::ivec2(0, 0), {1, 0}, {2, 0}, {3, 1}}) record_ray(out, small, pixel);
     const PickView one{{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {5, 2, -1}}, {-1, 1, -1, 1, 0.5F, endless}, {1, 1}};
     record_ray(out, one, {0, 0});
+    const PickView nine{{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, 3, 0}}, {-3, 3, -3, 3, 2, endless}, {3, 3}};
+    for (const glm::ivec2& pixel : {glm::ivec2(1, 1), {0, 1}, {1, 2}, {2, 0}, {2, 1}}) record_ray(out, nine, pixel);
     const PickView aside{{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, 8}}, {1, 5, 0, 2, 4, 12}, {2, 1}};
     record_ray(out, aside, {0, 0});
     record_ray(out, aside, {1, 0});

@@ -1,5 +1,4 @@
-// alternative: from normalised device coordinates back to the world, through the inverse of a view matrix and the
-// corners of a projection without depth, in double
+// alternative: the point of the near plane by the inverse of projection times view, in double, and from the eye to it
 #include <umbral/interaction/pick_ray.hpp>
 
 namespace umbral::interaction {
@@ -17,25 +16,26 @@ std::optional<glm::ivec2> pick_pixel(const glm::dvec2& cursor, const glm::ivec2&
 Ray pick_ray(const PickView& view, const glm::ivec2& pixel)
 {
     const projections::ViewVolume& v = view.frustum;
-    const double ndc_x = 2 * (pixel.x + 0.5) / view.picture.x - 1;
-    const double ndc_y = 1 - 2 * (pixel.y + 0.5) / view.picture.y;
-    const double half_width = (double(v.right) - double(v.left)) / 2;
-    const double half_height = (double(v.top) - double(v.bottom)) / 2;
-    const glm::dvec4 on_near((double(v.right) + double(v.left)) / 2 + half_width * ndc_x,
-                             (double(v.top) + double(v.bottom)) / 2 + half_height * ndc_y, -double(v.near_plane), 0);
+    glm::dmat4 camera(1);
+    camera[0] = glm::dvec4(view.frame.x, 0);
+    camera[1] = glm::dvec4(view.frame.y, 0);
+    camera[2] = glm::dvec4(view.frame.z, 0);
+    // The far plane moves no point of the near one.
+    const glm::dmat4 projection =
+        glm::frustum<double>(v.left, v.right, v.bottom, v.top, v.near_plane, 2.0 * v.near_plane);
+    const glm::dmat4 to_world = glm::inverse(projection * glm::inverse(camera));
 
-    glm::dmat4 to_world(1);
-    to_world[0] = glm::dvec4(view.frame.x, 0);
-    to_world[1] = glm::dvec4(view.frame.y, 0);
-    to_world[2] = glm::dvec4(view.frame.z, 0);
-    to_world[3] = glm::dvec4(view.frame.origin, 1);
-    const glm::dvec3 direction(to_world * on_near);
+    const glm::dvec2 size(view.picture);
+    const glm::dvec4 in_world =
+        to_world * glm::dvec4((2.0 * pixel.x + 1) / size.x - 1, 1 - (2.0 * pixel.y + 1) / size.y, -1, 1);
+    const glm::dvec3 from_eye = glm::dvec3(in_world) / in_world.w;
+    const double near_distance = glm::length(from_eye);
 
     Ray ray;
     ray.origin = view.frame.origin;
-    ray.direction = glm::vec3(glm::normalize(direction));
-    ray.t_min = float(glm::length(direction));
-    ray.t_max = float(glm::length(direction * (double(v.far_plane) / double(v.near_plane))));
+    ray.direction = glm::vec3(glm::normalize(from_eye));
+    ray.t_min = static_cast<float>(near_distance);
+    ray.t_max = static_cast<float>(near_distance / v.near_plane * v.far_plane);
     return ray;
 }
 
