@@ -1,0 +1,146 @@
+#pragma once
+
+#include <array>
+#include <kit/stage.hpp>
+#include <umbral/record/ask.hpp>
+
+#include "scenes.hpp"
+
+/// The goal picture: the same scene in light and in identifiers, and what the cursor picks.
+namespace umbral::interaction {
+
+/// Something to show and to pick. Ids are colours that can be told apart: blue, green, red, from the highest byte.
+struct Exhibit {
+    std::size_t shape;
+    glm::mat4 model;
+    Finish finish;
+    std::uint32_t id;
+};
+
+inline glm::mat4 standing(const glm::vec3& place, float size, float turned = 0)
+{
+    return glm::scale(glm::rotate(glm::translate(glm::mat4(1), place), turned, glm::vec3(0, 1, 0)), glm::vec3(size));
+}
+
+inline std::vector<Exhibit> exhibits()
+{
+    const auto color = [](float hue) { return glm::vec3(srgb_decoded(glm::dvec3(rainbow(hue, 0.55F, 0.9F)))); };
+    const glm::mat4 upright = glm::rotate(glm::mat4(1), shapes::turn / 4, glm::vec3(1, 0, 0));
+    std::vector<Exhibit> all = {
+        {0, standing({-1.75F, 0.95F, -0.5F}, 0.30F, 0.5F), {color(0.08F), 0.6F}, 0x3C8CFFU},
+        {1, standing({0.15F, 0.85F, 0.1F}, 0.62F, 0.35F) * upright, {color(0.55F), 0.6F}, 0xE6C850U},
+        {2, standing({0.15F, 0.85F, 0.1F}, 0.30F), {color(0.98F), 0.6F}, 0x7846F0U},
+        {3, standing({1.35F, 0, -0.9F}, 0.9F, 0.4F), {color(0.33F), 0.3F}, 0x5AD25AU},
+        {2, standing({1.72F, 1.22F, -0.62F}, 0.32F), {color(0.72F), 0.6F}, 0xC846B4U},
+        {2, standing({-0.85F, 0.22F, 0.95F}, 0.22F), {color(0.14F), 0.6F}, 0x28DCF0U},
+        {3, standing({1.2F, 0, 0.55F}, 0.34F, -0.4F), {color(0.02F), 0.3F}, 0x4646E6U},
+        {1, standing({-0.35F, 0.12F, 1.35F}, 0.3F), {color(0.45F), 0.5F}, 0xB4A03CU},
+        {2, standing({0.62F, 0.15F, 1.35F}, 0.15F), {color(0.62F), 0.6F}, 0xFF8C64U}};
+    return all;
+}
+
+inline const std::array<shapes::Shape, 4>& exhibit_shapes()
+{
+    static const std::array<shapes::Shape, 4> all = {shapes::trefoil(200, 24, 0.42F), shapes::torus(64, 24, 0.22F),
+                                                     shapes::icosphere(4), shapes::box()};
+    return all;
+}
+
+constexpr glm::vec3 gallery_eye{0.9F, 2.35F, 5.6F};
+constexpr glm::vec3 gallery_target{0.02F, 0.62F, 0};
+constexpr float gallery_fovy_degrees = 33;
+
+inline PickScene gallery_scene(float aspect)
+{
+    PickScene scene;
+    scene.view = glm::lookAt(gallery_eye, gallery_target, glm::vec3(0, 1, 0));
+    scene.projection = glm::perspective(glm::radians(gallery_fovy_degrees), aspect, 0.1F, 100.0F);
+    for (const shapes::Shape& shape : exhibit_shapes()) scene.meshes.push_back(mesh_of(shape));
+    for (const Exhibit& one : exhibits()) scene.things.push_back({one.shape, one.model, one.id});
+    return scene;
+}
+
+inline Image gallery_in_light(int width, int height)
+{
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const Stage stage(width, height, glm::vec3(0.17F, 0.20F, 0.29F));
+    stage.look(gallery_eye, gallery_target, gallery_fovy_degrees, aspect);
+    std::vector<std::unique_ptr<gl::Mesh>> meshes;
+    for (const shapes::Shape& shape : exhibit_shapes())
+        meshes.push_back(std::make_unique<gl::Mesh>(shape.positions, shape.normals, shape.indices));
+    const gl::Mesh ground = uploaded(shapes::box());
+    std::vector<Stage::Thing> things;
+    for (const Exhibit& one : exhibits()) things.push_back({*meshes[one.shape], one.model, one.finish});
+    stage.draw_on({ground, slab(9), {glm::vec3(0.30F, 0.33F, 0.40F), 0, glm::vec3(0.20F, 0.22F, 0.29F), 0.02F}},
+                  things);
+    return stage.picture();
+}
+
+/// The arrow of a mouse, its tip at (0, 0), y down: 1 inside, 0.5 on its dark border, 0 elsewhere.
+inline float arrow_at(const glm::vec2& place)
+{
+    constexpr std::array<glm::vec2, 7> corners = {
+        {{0, 0}, {0, 17}, {3.9F, 13.4F}, {6.6F, 19.4F}, {9.2F, 18.2F}, {6.5F, 12.4F}, {12, 12}}};
+    bool inside = false;
+    float border = 100;
+    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+        const glm::vec2 a = corners[i];
+        const glm::vec2 along = corners[j] - a;
+        if ((a.y > place.y) != (corners[j].y > place.y) && place.x < a.x + along.x * (place.y - a.y) / along.y)
+            inside = !inside;
+        const float share = glm::clamp(dot(place - a, along) / dot(along, along), 0.0F, 1.0F);
+        border = std::min(border, length(place - a - share * along));
+    }
+    return border < 1 ? 0.5F : inside ? 1 : 0;
+}
+
+/// On the left the picture that everybody sees, on the right the invisible one of ids, and the outline of what is
+/// picked: of the ids near the cursor, which points beside a thin ring, the nearest.
+inline Image gallery(Recorder& out, int width, int height)
+{
+    const Image lit = gallery_in_light(width, height);
+    const PickScene scene = gallery_scene(static_cast<float>(width) / static_cast<float>(height));
+    const std::unique_ptr<IdPicker> picker = ask_new<make_id_picker>(out, "picker");
+    const glm::ivec2 large = 2 * glm::ivec2(width, height);
+    const glm::ivec2 cursor(large.x * 398 / 960, large.y * 430 / 640);
+    if (!picker) return lit;
+    const int radius = large.x / 2;
+    const Grid<std::uint32_t> ids = ask<&IdPicker::ids_around>(out, *picker, scene, large, large / 2, radius);
+    const Grid<std::uint32_t> near = ask<&IdPicker::ids_around>(out, *picker, scene, large, cursor, 12);
+    const std::uint32_t picked = ask<nearest_id>(out, near);
+    const glm::ivec2 shift = radius - large / 2;
+    const auto id_at = [&](const glm::ivec2& at) {
+        const glm::ivec2 cell = at + shift;
+        return ids.contains(cell.x, cell.y) ? ids.at(cell.x, cell.y) : 0U;
+    };
+    const auto is_outline = [&](const glm::ivec2& at) {
+        if (picked == 0 || id_at(at) == picked) return false;
+        for (int k = 0; k < 16; ++k) {
+            const float angle = shapes::turn * static_cast<float>(k) / 16;
+            if (id_at(at + glm::ivec2(glm::round(5.0F * glm::vec2(std::cos(angle), std::sin(angle))))) == picked)
+                return true;
+        }
+        return false;
+    };
+    Grid<glm::vec3> light(large.x, large.y);
+    for (int y = 0; y < large.y; ++y)
+        for (int x = 0; x < large.x; ++x) {
+            const glm::ivec2 at(x, y);
+            const float from_border = static_cast<float>(x) - 0.60F * static_cast<float>(large.x) +
+                                      0.22F * (static_cast<float>(y) - 0.5F * static_cast<float>(large.y));
+            glm::vec3 color = glm::vec3(lit.at(x / 2, y / 2)) / 255.0F;
+            if (from_border > 0) {
+                const std::uint32_t id = id_at(at);
+                const glm::vec3 bytes(id & 0xFFU, (id >> 8U) & 0xFFU, (id >> 16U) & 0xFFU);
+                color = id == 0 ? glm::vec3(0.015F) : bytes / 255.0F;
+            }
+            if (std::abs(from_border) < 2) color = glm::vec3(0.95F);
+            if (is_outline(at)) color = glm::vec3(1.0F, 0.78F, 0.22F);
+            const float arrow = arrow_at((glm::vec2(at - cursor) + 0.5F) / 2.2F);
+            if (arrow > 0) color = arrow == 1 ? glm::vec3(0.98F) : glm::vec3(0.03F);
+            light.at(x, y) = glm::vec3(srgb_decoded(glm::dvec3(color)));
+        }
+    return halved(encoded(light));
+}
+
+}
