@@ -65,12 +65,12 @@ public:
     [[nodiscard]] Image picture(int width, int height) const
     {
         Grid<glm::vec3> light(2 * width, 2 * height);
-        const projections::ViewFrame viewer = frame_looking({5.1F, 2.7F, 6.6F}, {0.1F, 0.62F, 1.75F});
+        const projections::ViewFrame viewer = frame_looking({5.1F, 2.7F, 6.6F}, {0.1F, 0.72F, 1.75F});
         for (int y = 0; y < light.height; ++y)
             for (int x = 0; x < light.width; ++x) {
                 const float right = (static_cast<float>(2 * x + 1) - static_cast<float>(light.width));
                 const float up = (static_cast<float>(light.height) - static_cast<float>(2 * y + 1));
-                const glm::vec2 at = 0.41F * glm::vec2(right, up) / static_cast<float>(light.height);
+                const glm::vec2 at = 0.33F * glm::vec2(right, up) / static_cast<float>(light.height);
                 light.at(x, y) =
                     light_along({viewer.origin, normalize(at.x * viewer.x + at.y * viewer.y - viewer.z), 0, 60});
             }
@@ -152,7 +152,7 @@ inline void record_picture(Recorder& out)
     for (int y = 0; y < ids.height; ++y)
         for (int x = 0; x < ids.width; ++x) ids.at(x, y) = first_met(ask<pick_ray>(out, view, glm::ivec2(x, y))).id;
     out.buffer("ids", ids);
-    out.image("picture", PanelPicture(out).picture(440, 300));
+    out.image("picture", PanelPicture(out).picture(440, 240));
 }
 
 }
