@@ -7,8 +7,8 @@ namespace umbral::interaction {
 
 std::optional<glm::ivec2> pick_pixel(const glm::dvec2& cursor, const glm::ivec2& window, const glm::ivec2& framebuffer)
 {
-    if (window.x <= 0 || window.y <= 0 || framebuffer.x <= 0 || framebuffer.y <= 0) return std::nullopt;
     // The product first: it is exact for cursors of few digits, and then the quotient cannot round across a border.
+    // Where there is no window it is infinite or NaN, and where there is no framebuffer 0: all outside.
     const glm::dvec2 place = cursor * glm::dvec2(framebuffer) / glm::dvec2(window);
     const bool is_inside = place.x >= 0 && place.y >= 0 && place.x < framebuffer.x && place.y < framebuffer.y;
     if (!is_inside) return std::nullopt;

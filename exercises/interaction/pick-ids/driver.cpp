@@ -176,6 +176,8 @@ void record_life(Recorder& out, Random& random)
 {
     const PickScene scene = squares_by_hand();
     out.columns("objects", "those that are left when the picker has gone, id seen");
+    // A deleted program lives on while it is in use.
+    glUseProgram(0);
     for (int i = 0; i < 4; ++i) {
         const int before = living_objects();
         Made picker = ask_new<make_id_picker>(out, "picker");

@@ -48,7 +48,7 @@ inline const std::array<shapes::Shape, 4>& exhibit_shapes()
 
 constexpr glm::vec3 gallery_eye{0.9F, 2.35F, 5.6F};
 constexpr glm::vec3 gallery_target{0.02F, 0.62F, 0};
-constexpr float gallery_fovy_degrees = 33;
+constexpr float gallery_fovy_degrees = 31;
 
 inline PickScene gallery_scene(float aspect)
 {
@@ -102,7 +102,7 @@ inline Image gallery(Recorder& out, int width, int height)
     const PickScene scene = gallery_scene(static_cast<float>(width) / static_cast<float>(height));
     const std::unique_ptr<IdPicker> picker = ask_new<make_id_picker>(out, "picker");
     const glm::ivec2 large = 2 * glm::ivec2(width, height);
-    const glm::ivec2 cursor(large.x * 398 / 960, large.y * 430 / 640);
+    const glm::ivec2 cursor(large.x * 408 / 960, large.y * 444 / 640);
     if (!picker) return lit;
     const int radius = large.x / 2;
     const Grid<std::uint32_t> ids = ask<&IdPicker::ids_around>(out, *picker, scene, large, large / 2, radius);

@@ -60,11 +60,12 @@ inline RandomScene random_scene(Random& random)
     made.picture.y = 30 + random_up_to(90, random);
     const glm::mat4 to_world = glm::inverse(scene.view);
     for (int i = 0; i < 11; ++i) {
-        const float depth = 3 + 2.5F * static_cast<float>(i);
-        const float right = depth * random.uniform(-0.35F, 0.35F);
-        const glm::vec3 place(right, depth * random.uniform(-0.3F, 0.35F), -depth);
+        // So far apart that none reaches into the next, and so near in direction that many hide others.
+        const float depth = 3 * std::pow(1.26F, static_cast<float>(i));
+        const float right = depth * random.uniform(-0.16F, 0.16F);
+        const glm::vec3 place(right, depth * random.uniform(-0.14F, 0.18F), -depth);
         glm::mat4 model = glm::rotate(glm::translate(to_world, place), random.uniform(0, 6), random.unit_vector());
-        model = glm::scale(model, random.uniform(0.35F, 0.65F) * glm::vec3(1, random.uniform(0.6F, 1), 1));
+        model = glm::scale(model, depth * random.uniform(0.04F, 0.065F) * glm::vec3(1, random.uniform(0.6F, 1), 1));
         const auto mesh = static_cast<std::size_t>(i == 5 ? 3 : random_up_to(3, random));
         scene.things.push_back({mesh, model, i % 4 == 1 ? 0 : random_id(random)});
     }

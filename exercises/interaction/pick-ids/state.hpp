@@ -73,7 +73,7 @@ public:
         const glm::u8vec4 before(glm::round(255.0F * fill));
         float changed = 0;
         for (const gl::Framebuffer* picture : {&first_, &second_})
-            for (const glm::u8vec4& pixel : picture->read_pixels().cells) changed += pixel == before ? 0 : 1;
+            for (const glm::u8vec4& pixel : picture->read_pixels().cells) changed += pixel == before ? 0.0F : 1.0F;
         return changed;
     }
 
@@ -92,7 +92,7 @@ private:
         coin(random) ? glDepthRange(0.75, 0.25) : glDepthRange(0, 0.5);
         glClearDepth(coin(random) ? 0.0 : 0.25);
         glClearColor(random.uniform(), random.uniform(), random.uniform(), random.uniform());
-        const auto flag = [&] { return coin(random) ? GL_TRUE : GL_FALSE; };
+        const auto flag = [&] { return static_cast<GLboolean>(coin(random) ? GL_TRUE : GL_FALSE); };
         const GLboolean red = flag();
         const GLboolean green = flag();
         glColorMask(red, green, flag(), GL_TRUE);

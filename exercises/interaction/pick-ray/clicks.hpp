@@ -94,7 +94,7 @@ inline std::vector<Click> clicks_without_a_window(Random& random, int count)
             case 0: none.window = none.framebuffer = {0, 0}; break;
             case 1: none.framebuffer[axis] = 0; break;
             case 2: none.window[axis] = 0; break;
-            case 3: none.window[axis] = -none.window[axis], none.framebuffer[axis] = -none.framebuffer[axis]; break;
+            case 3: none.window = {0, 0}, none.cursor = {0, 0}; break;
             case 4: none.cursor[axis] = std::numeric_limits<double>::quiet_NaN(); break;
             default: none.cursor[axis] = i % 12 < 6 ? 1e300 : -1e300;
         }

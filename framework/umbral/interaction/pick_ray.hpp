@@ -16,8 +16,8 @@ namespace umbral::interaction {
 /// down, with fractions; negative, or beyond `window`, while the user drags outside. `window` is the size of the
 /// contents in screen coordinates (glfwGetWindowSize), `framebuffer` their size in pixels (glfwGetFramebufferSize);
 /// each pixel is as wide as window.x / framebuffer.x screen coordinates, and as high as window.y / framebuffer.y. A
-/// pixel owns its left and its upper border. Nothing, too, if one of the sizes is 0 or less, as of a minimised window,
-/// or if the cursor is NaN.
+/// pixel owns its left and its upper border. Nothing, too, if one of the sizes is 0, as of a minimised window, or if
+/// the cursor is NaN.
 /// Guarantee of the reference: right wherever the cursor is 1e-9 pixels or more from a border between pixels; and on
 /// the borders, where cursor * framebuffer is exact in double. Course: FGE_BotonRaton, glfwGetCursorPos.
 [[nodiscard]] std::optional<glm::ivec2> pick_pixel(const glm::dvec2& cursor, const glm::ivec2& window,
