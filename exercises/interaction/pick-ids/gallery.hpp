@@ -4,6 +4,7 @@
 #include <kit/stage.hpp>
 #include <umbral/record/ask.hpp>
 
+#include "../arrow.hpp"
 #include "scenes.hpp"
 
 /// The goal picture: the same scene in light and in identifiers, and what the cursor picks.
@@ -76,24 +77,6 @@ inline Image gallery_in_light(int width, int height)
     return stage.picture();
 }
 
-/// The arrow of a mouse, its tip at (0, 0), y down: 1 inside, 0.5 on its dark border, 0 elsewhere.
-inline float arrow_at(const glm::vec2& place)
-{
-    constexpr std::array<glm::vec2, 7> corners = {
-        {{0, 0}, {0, 17}, {3.9F, 13.4F}, {6.6F, 19.4F}, {9.2F, 18.2F}, {6.5F, 12.4F}, {12, 12}}};
-    bool inside = false;
-    float border = 100;
-    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-        const glm::vec2 a = corners[i];
-        const glm::vec2 along = corners[j] - a;
-        if ((a.y > place.y) != (corners[j].y > place.y) && place.x < a.x + along.x * (place.y - a.y) / along.y)
-            inside = !inside;
-        const float share = glm::clamp(dot(place - a, along) / dot(along, along), 0.0F, 1.0F);
-        border = std::min(border, length(place - a - share * along));
-    }
-    return border < 1 ? 0.5F : inside ? 1 : 0;
-}
-
 /// On the left the picture that everybody sees, on the right the invisible one of ids, and the outline of what is
 /// picked: of the ids near the cursor, which points beside a thin ring, the nearest.
 inline Image gallery(Recorder& out, int width, int height)
@@ -136,11 +119,11 @@ inline Image gallery(Recorder& out, int width, int height)
             }
             if (std::abs(from_border) < 2) color = glm::vec3(0.95F);
             if (is_outline(at)) color = glm::vec3(1.0F, 0.78F, 0.22F);
-            const float arrow = arrow_at((glm::vec2(at - cursor) + 0.5F) / 2.2F);
-            if (arrow > 0) color = arrow == 1 ? glm::vec3(0.98F) : glm::vec3(0.03F);
             light.at(x, y) = glm::vec3(srgb_decoded(glm::dvec3(color)));
         }
-    return halved(encoded(light));
+    Image picture = halved(encoded(light));
+    paint_arrow(picture, glm::vec2(cursor) / 2.0F, 22);
+    return picture;
 }
 
 }

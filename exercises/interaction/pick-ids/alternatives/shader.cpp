@@ -204,9 +204,8 @@ std::uint32_t nearest_id(const Grid<std::uint32_t>& ids)
     if (places.empty()) return 0;
     const float middle = 0.5F * static_cast<float>(ids.width - 1);
     const auto away = [&](const glm::ivec2& place) { return glm::distance(glm::vec2(place), glm::vec2(middle)); };
-    const auto nearest = std::min_element(places.begin(), places.end(), [&](const glm::ivec2& a, const glm::ivec2& b) {
-        return away(a) < away(b);
-    });
+    const auto nearest = std::min_element(places.begin(), places.end(),
+                                          [&](const glm::ivec2& a, const glm::ivec2& b) { return away(a) < away(b); });
     return ids.at(nearest->x, nearest->y);
 }
 
