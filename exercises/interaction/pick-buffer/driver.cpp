@@ -20,7 +20,7 @@ void record_matrices(Recorder& out, Random& random)
         const glm::ivec2 picture(width, length());
         const int column = static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(width));
         const glm::ivec2 pixel(column, static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(picture.y)));
-        out.append("matrix", ask<pick_matrix>(out, pixel, random.uniform(0.5F, 40), picture));
+        out.append("matrix", ask<pick_matrix>(out, pixel, random.uniform(1, 40), picture));
     }
 }
 

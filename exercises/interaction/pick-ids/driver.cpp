@@ -174,11 +174,13 @@ void record_any_state(Recorder& out, Random& random)
 // Objects of OpenGL: none before they are needed, none at a second call, none left at the end.
 void record_life(Recorder& out, Random& random)
 {
-    const PickScene scene = squares_by_hand();
+    PickScene scene = squares_by_hand();
     out.columns("objects", "those that are left when the picker has gone, id seen");
     // A deleted program lives on while it is in use.
     glUseProgram(0);
     for (int i = 0; i < 4; ++i) {
+        // That of the square at the picture's lower right.
+        scene.things[2].id = random_id(random);
         const int before = living_objects();
         Made picker = ask_new<make_id_picker>(out, "picker");
         const int unused = living_objects() - before;
