@@ -250,7 +250,7 @@ inline Image chess_board(Recorder& out, int width, int height)
     const auto above = [](int row, int column, float y) { return middle_of(row, column) + glm::vec3(0, y, 0); };
     std::vector<glm::ivec2> clicks;
     for (const glm::vec3& point :
-         {above(3, 4, 0.42F), above(1, 3, 0), above(4, 3, 0.5F), above(2, 5, 0.02F), above(1, 0, 0.3F), above(5, 5, 0)})
+         {above(3, 4, 0.42F), above(1, 3, 0), above(4, 3, 0.5F), above(2, 5, 0.02F), above(1, 0, 0.3F), above(5, 7, 0)})
         clicks.push_back(board.pixel_of_point(point));
     std::vector<std::vector<std::uint32_t>> names;
     for (const glm::ivec2& click : clicks) names.push_back(board.picked(click));

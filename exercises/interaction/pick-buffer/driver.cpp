@@ -53,7 +53,7 @@ void record_parsed(Recorder& out, const Words& words, const std::vector<Selectio
         const Words names = is_there ? (*parsed)[i].names : Words{};
         out.append("names", is_there ? static_cast<double>(names.size()) : no_number);
         for (std::size_t k = 0; k < crafted[i].names.size(); ++k)
-            out.append("names", k < names.size() ? double{names[k]} : no_number);
+            out.append("names", k < names.size() ? static_cast<double>(names[k]) : no_number);
     }
 }
 

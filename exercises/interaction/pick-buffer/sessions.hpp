@@ -79,7 +79,7 @@ inline void record_end(Recorder& out, SelectionBuffer& buffer, std::size_t words
     out.append("records", static_cast<float>(count));
     const std::span<const std::uint32_t> written = ask<&SelectionBuffer::words>(out, buffer);
     const std::size_t known = count < 0 ? 0 : written.size();
-    for (std::size_t i = 0; i < words; ++i) out.append("words", i < known ? double{written[i]} : -1.0);
+    for (std::size_t i = 0; i < words; ++i) out.append("words", i < known ? static_cast<double>(written[i]) : -1.0);
 }
 
 /// A record's words, as OpenGL writes them.

@@ -99,7 +99,12 @@ TEST(Picking, three_ways_name_the_same_thing)
         const std::unique_ptr<IdPicker> picker = make_id_picker();
         for (int k = 0; k < 200; ++k) {
             const double scale = content_scales[random.below(static_cast<std::uint32_t>(content_scales.size()))];
-            const glm::ivec2 aimed = random_pixel(made.picture, random);
+            // Some anywhere, the others at things.
+            const glm::ivec2 anywhere = random_pixel(made.picture, random);
+            const auto target = static_cast<std::size_t>(random_up_to(static_cast<int>(made.targets.size()), random));
+            const glm::ivec2 aside(random_between(-9, 9, random), random_between(-9, 9, random));
+            const glm::ivec2 aimed =
+                k % 4 == 0 ? anywhere : glm::clamp(made.targets[target] + aside, glm::ivec2(0), made.picture - 1);
             const Click click = click_at(inside_of(aimed, random), made.picture, scale);
             const std::optional<glm::ivec2> pixel = pick_pixel(click.cursor, click.window, click.framebuffer);
             ASSERT_EQ(pixel, aimed) << "seed " << seed;
