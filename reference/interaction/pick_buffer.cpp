@@ -2,8 +2,8 @@
 // (selection); and, for the matrix, gluPickMatrix of the OpenGL Graphics System Utility Library (version 1.3).
 
 #include <algorithm>
-#include <cmath>
 #include <umbral/interaction/pick_buffer.hpp>
+#include <utility>
 
 namespace umbral::interaction {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t words_before_names = 3;
 
 /// Depths are spread over all numbers of 32 bits: more than a float can hold.
-std::uint32_t depth_word(double depth) { return static_cast<std::uint32_t>(std::floor(depth * 4294967295.0 + 0.5)); }
+std::uint32_t depth_word(double depth) { return static_cast<std::uint32_t>(depth * 4294967295.0 + 0.5); }
 
 class WordBuffer : public SelectionBuffer {
 public:
@@ -19,14 +19,12 @@ public:
 
     void init_names() override
     {
-        begin_command();
         write_record();
         names_.clear();
     }
 
     bool load_name(std::uint32_t name) override
     {
-        begin_command();
         if (names_.empty()) return false;
         write_record();
         names_.back() = name;
@@ -35,7 +33,6 @@ public:
 
     bool push_name(std::uint32_t name) override
     {
-        begin_command();
         if (names_.size() == most_names) return false;
         write_record();
         names_.push_back(name);
@@ -44,7 +41,6 @@ public:
 
     bool pop_name() override
     {
-        begin_command();
         if (names_.empty()) return false;
         write_record();
         names_.pop_back();
@@ -53,7 +49,6 @@ public:
 
     void note_primitive(double min_depth, double max_depth) override
     {
-        begin_command();
         if (!noted_) noted_ = Range{min_depth, max_depth};
         noted_->least = std::min(noted_->least, min_depth);
         noted_->greatest = std::max(noted_->greatest, max_depth);
@@ -61,17 +56,16 @@ public:
 
     int finish() override
     {
-        begin_command();
         write_record();
         const int result = is_full_ ? -1 : records_;
+        finished_ = std::exchange(words_, {});
         names_.clear();
         is_full_ = false;
         records_ = 0;
-        is_finished_ = true;
         return result;
     }
 
-    std::span<const std::uint32_t> words() const override { return words_; }
+    std::span<const std::uint32_t> words() const override { return finished_; }
 
 private:
     struct Range {
@@ -79,20 +73,15 @@ private:
         double greatest;
     };
 
-    /// What the last selection left is shown until something new begins.
-    void begin_command()
-    {
-        if (is_finished_) words_.clear();
-        is_finished_ = false;
-    }
-
     void write_record()
     {
         if (!noted_) return;
         const Range depths = *noted_;
         noted_.reset();
-        if (words_.size() + words_before_names + names_.size() > capacity_) is_full_ = true;
-        if (is_full_) return;
+        if (words_.size() + words_before_names + names_.size() > capacity_) {
+            is_full_ = true;
+            return;
+        }
         words_.push_back(static_cast<std::uint32_t>(names_.size()));
         words_.push_back(depth_word(depths.least));
         words_.push_back(depth_word(depths.greatest));
@@ -101,12 +90,12 @@ private:
     }
 
     std::size_t capacity_;
-    std::vector<std::uint32_t> words_;
-    std::vector<std::uint32_t> names_;  // the bottom of the stack first
-    std::optional<Range> noted_;        // of the primitives since the last record
+    std::vector<std::uint32_t> words_;     // of this selection
+    std::vector<std::uint32_t> finished_;  // of the last one
+    std::vector<std::uint32_t> names_;     // the bottom of the stack first
+    std::optional<Range> noted_;           // of the primitives since the last record
     int records_ = 0;
     bool is_full_ = false;
-    bool is_finished_ = false;
 };
 
 }

@@ -67,11 +67,11 @@ public:
     virtual void note_primitive(double min_depth, double max_depth) = 0;
 
     /// Ends the selection: the number of records, or -1 if one of them had no room in the buffer. Then all begins anew,
-    /// with no names and an empty buffer; but what `words` shows stays until the next call of a function that is not
-    /// const.
+    /// with no names and an empty buffer.
     virtual int finish() = 0;
 
-    /// The records that were written, one behind the other. After a `finish` that returned -1 it may be anything.
+    /// What the last `finish` left: its records, one behind the other. To be asked for right after it: from the next
+    /// command on, and if it returned -1, it may be anything.
     [[nodiscard]] virtual std::span<const std::uint32_t> words() const = 0;
 };
 

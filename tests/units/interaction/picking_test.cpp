@@ -88,7 +88,7 @@ TEST(Picking, three_ways_name_the_same_thing)
     constexpr std::uint64_t seed = 46001;
     gl::forbid_driver_threads();
     const gl::OffscreenContext context;
-    const gl::Framebuffer target(200, 200);
+    const gl::Framebuffer window(200, 200);
     Random random(seed);
     int clicks = 0;
     int hits = 0;

@@ -102,3 +102,21 @@ TEST(SelectionMode, buffers_are_those_of_opengl)
     EXPECT_GT(overflows, 20);
     EXPECT_LT(overflows, 380);
 }
+
+// Where Mesa does otherwise, as the statement says.
+TEST(SelectionMode, mesa_writes_a_record_at_a_pop_that_it_refuses)
+{
+    gl::forbid_driver_threads();
+    const gl::OffscreenContext context;
+    const std::vector<NameCommand> commands = {init(), note(0.2, 0.2), pop(), note(0.8, 0.8)};
+    const auto buffer = make_selection_buffer(20);
+    Words theirs(20);
+    glSelectBuffer(20, theirs.data());
+    glRenderMode(GL_SELECT);
+    for (const NameCommand& command : commands) {
+        carry_out(*buffer, command);
+        carry_out_by_opengl(command);
+    }
+    EXPECT_EQ(glRenderMode(GL_RENDER), 2);
+    EXPECT_EQ(buffer->finish(), 1);
+}
