@@ -67,7 +67,6 @@ void set_plain_drawing()
                               GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CULL_FACE})
         glDisable(what);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    glShadeModel(GL_FLAT);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -147,7 +146,6 @@ private:
         glDeleteFramebuffers(1, &framebuffer_);
         glDeleteRenderbuffers(1, &color_);
         glDeleteRenderbuffers(1, &depth_);
-        size_ = {0, 0};
     }
 
     /// From the framebuffer that is bound. Only pixels that it has are read: others would be undefined.

@@ -138,7 +138,11 @@ void record_borders(Recorder& out, Random& random)
                                         {last.x + 1, random_up_to(last.y, random)},
                                         {-1, random_up_to(last.y, random)},
                                         {random_up_to(last.x, random), last.y + 2},
-                                        {-9, -9}}) {
+                                        {-9, -9},
+                                        {last.x / 2, -9},
+                                        {last.x + 9, last.y / 2},
+                                        {last.x / 2, last.y + 9},
+                                        {-9, last.y / 2}}) {
             const int radius = 1 + random_up_to(3, random);
             record_ids(out, ids_of(out, picker, made.scene, made.picture, pixel, radius), edges, pixel, radius);
         }
@@ -191,7 +195,7 @@ void record_life(Recorder& out, Random& random)
             (void)ids_of(out, picker, scene, {columns, 4}, {1, 1}, 1);
             gl::record_trace(out, "second call", gl::end_trace());
         }
-        (void)ids_of(out, picker, scene, {13, 11}, {2, 3}, 1);
+        (void)ids_of(out, picker, scene, {i % 2 == 0 ? 1 : 13, 11}, {0, 3}, 1);
         picker.reset();
         const int left = living_objects() - before;
         out.append("objects",

@@ -39,16 +39,10 @@ void carry_out(SelectionBuffer& buffer, const NameCommand& command)
     }
 }
 
-/// Without what Mesa does otherwise: pops that are refused write a record there.
 std::vector<NameCommand> commands_for_mesa(Random& random, int count)
 {
     std::vector<NameCommand> kept;
-    int names = 0;
     for (NameCommand command : random_commands(random, count)) {
-        if (command.kind == NameCommand::Kind::pop && names == 0) continue;
-        if (command.kind == NameCommand::Kind::push) ++names;
-        if (command.kind == NameCommand::Kind::pop) --names;
-        if (command.kind == NameCommand::Kind::init) names = 0;
         // Mesa scales in float, where the ends of the range have no room.
         command.min_depth = 0.05 + 0.9 * command.min_depth;
         command.max_depth = 0.05 + 0.9 * command.max_depth;
@@ -101,22 +95,4 @@ TEST(SelectionMode, buffers_are_those_of_opengl)
     }
     EXPECT_GT(overflows, 20);
     EXPECT_LT(overflows, 380);
-}
-
-// Where Mesa does otherwise, as the statement says.
-TEST(SelectionMode, mesa_writes_a_record_at_a_pop_that_it_refuses)
-{
-    gl::forbid_driver_threads();
-    const gl::OffscreenContext context;
-    const std::vector<NameCommand> commands = {init(), note(0.2, 0.2), pop(), note(0.8, 0.8)};
-    const auto buffer = make_selection_buffer(20);
-    Words theirs(20);
-    glSelectBuffer(20, theirs.data());
-    glRenderMode(GL_SELECT);
-    for (const NameCommand& command : commands) {
-        carry_out(*buffer, command);
-        carry_out_by_opengl(command);
-    }
-    EXPECT_EQ(glRenderMode(GL_RENDER), 2);
-    EXPECT_EQ(buffer->finish(), 1);
 }
