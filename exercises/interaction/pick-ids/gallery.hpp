@@ -35,7 +35,7 @@ inline std::vector<Exhibit> exhibits()
         {2, standing({1.52F, 1.22F, -0.62F}, 0.32F), {color(0.72F), 0.6F}, 0xC846B4U},
         {2, standing({-0.85F, 0.22F, 0.95F}, 0.22F), {color(0.14F), 0.6F}, 0x28DCF0U},
         {3, standing({1.2F, 0, 0.55F}, 0.34F, -0.4F), {color(0.02F), 0.3F}, 0x4646E6U},
-        {1, standing({-0.35F, 0.12F, 1.35F}, 0.3F), {color(0.45F), 0.5F}, 0xB4A03CU},
+        {1, standing({-0.35F, 0.37F, 1.35F}, 0.3F), {color(0.45F), 0.5F}, 0xB4A03CU},
         {2, standing({0.62F, 0.15F, 1.35F}, 0.15F), {color(0.62F), 0.6F}, 0xFF8C64U}};
     return all;
 }
@@ -85,7 +85,7 @@ inline Image gallery(Recorder& out, int width, int height)
     const PickScene scene = gallery_scene(static_cast<float>(width) / static_cast<float>(height));
     const std::unique_ptr<IdPicker> picker = ask_new<make_id_picker>(out, "picker");
     const glm::ivec2 large = 2 * glm::ivec2(width, height);
-    const glm::ivec2 cursor(large.x * 420 / 960, large.y * 472 / 640);
+    const glm::ivec2 cursor(large.x * 420 / 960, large.y * 422 / 640);
     if (!picker) return lit;
     const int radius = large.x / 2;
     const Grid<std::uint32_t> ids = ask<&IdPicker::ids_around>(out, *picker, scene, large, large / 2, radius);
