@@ -1,0 +1,258 @@
+#include <limits>
+#include <umbral/record/driver.hpp>
+
+#include "board.hpp"
+#include "sessions.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace interaction;
+using Words = std::vector<std::uint32_t>;
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+void record_matrices(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 100; ++i) {
+        const auto length = [&] { return 1 + static_cast<int>(random.below(2000)); };
+        const int width = length();
+        const glm::ivec2 picture(width, length());
+        const int column = static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(width));
+        const glm::ivec2 pixel(column, static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(picture.y)));
+        out.append("matrix", ask<pick_matrix>(out, pixel, random.uniform(1, 40), picture));
+    }
+}
+
+void record_matrices_by_hand(Recorder& out)
+{
+    const auto record = [&](const glm::ivec2& pixel, float size, const glm::ivec2& picture) {
+        out.append("matrix", ask<pick_matrix>(out, pixel, size, picture));
+    };
+    record({0, 0}, 1, {1, 1});
+    record({0, 0}, 1, {2, 2});
+    record({1, 0}, 1, {2, 2});
+    record({0, 1}, 1, {2, 4});
+    record({3, 1}, 5, {10, 5});
+    record({320, 240}, 5, {640, 480});
+    record({0, 479}, 5, {640, 480});
+    record({100, 50}, 2.5F, {800, 600});
+    record({-3, 700}, 4, {800, 600});
+}
+
+/// `crafted` says how many records and names are expected: each has its row, and NaN where there is none.
+void record_parsed(Recorder& out, const Words& words, const std::vector<SelectionRecord>& crafted)
+{
+    const auto parsed = ask<parse_selection>(out, words, static_cast<int>(crafted.size()));
+    out.append("records", parsed ? static_cast<float>(parsed->size()) : -1.0F);
+    out.columns("depths", "min_depth, max_depth");
+    for (std::size_t i = 0; i < crafted.size(); ++i) {
+        const bool is_there = parsed && i < parsed->size();
+        out.append("depths",
+                   is_there ? glm::dvec2((*parsed)[i].min_depth, (*parsed)[i].max_depth) : glm::dvec2(no_number));
+        const Words names = is_there ? (*parsed)[i].names : Words{};
+        out.append("names", is_there ? static_cast<double>(names.size()) : no_number);
+        for (std::size_t k = 0; k < crafted[i].names.size(); ++k)
+            out.append("names", k < names.size() ? static_cast<double>(names[k]) : no_number);
+    }
+}
+
+void record_parsing(Recorder& out, Random& random)
+{
+    const std::vector<SelectionRecord> known[] = {{{10, 20, {3}}},
+                                                  {{10, 20, {3, 4}}, {5, 6, {}}, {7, 7, {1, 2, 3, 4}}},
+                                                  {},
+                                                  {{0, 4294967295U, {}}},
+                                                  {{0x90000000U, 0xA0000000U, {8}}, {0x10000000U, 0xF0000000U, {9}}}};
+    const auto record = [&](const std::vector<SelectionRecord>& crafted, std::uint32_t behind) {
+        Words words;
+        for (const SelectionRecord& one : crafted) append_words(words, one);
+        for (std::uint32_t i = 0; i < behind; ++i) words.push_back(random.bits());
+        record_parsed(out, words, crafted);
+    };
+    for (const std::vector<SelectionRecord>& crafted : known) record(crafted, 0);
+    for (int i = 0; i < 40; ++i) {
+        std::vector<SelectionRecord> crafted(random.below(7));
+        for (SelectionRecord& one : crafted) one = random_record(random);
+        record(crafted, random.below(5));
+    }
+}
+
+// Whole buffers, and their twins: overflowed, cut short, with a record too few, or a number of names that leads out.
+void record_damaged(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 48; ++i) {
+        std::vector<SelectionRecord> crafted(1 + random.below(4));
+        for (SelectionRecord& one : crafted) one = random_record(random);
+        Words words;
+        std::size_t last = 0;
+        for (const SelectionRecord& one : crafted) {
+            last = words.size();
+            append_words(words, one);
+        }
+        const auto count = static_cast<int>(crafted.size());
+        Words damaged = words;
+        int damaged_count = count;
+        switch (i % 6) {
+            case 0: damaged_count = -1; break;
+            case 1: damaged_count = count + 1; break;
+            case 2: damaged.pop_back(); break;
+            case 3: damaged[last] = ~0U - random.below(4); break;
+            case 4: damaged[last] += 1; break;
+            default: damaged.resize(last + random.below(3));
+        }
+        const bool first = random.below(2) == 0;
+        for (const bool whole : {first, !first}) {
+            const auto parsed = ask<parse_selection>(out, whole ? words : damaged, whole ? count : damaged_count);
+            out.append("found", parsed ? 1.0F : 0.0F);
+        }
+    }
+}
+
+void record_nearest(Recorder& out, Random& random)
+{
+    const auto record = [&](const std::vector<SelectionRecord>& records) {
+        const std::optional<std::size_t> nearest = ask<nearest_record>(out, records);
+        out.append("nearest", nearest ? std::optional(static_cast<float>(*nearest)) : std::nullopt);
+    };
+    record({{0x90000000U, 0xA0000000U, {8}}, {0x10000000U, 0xF0000000U, {9}}});
+    record({{0x10000000U, 0xF0000000U, {9}}, {0x90000000U, 0xA0000000U, {8}}});
+    record({{~0U, ~0U, {1}}});
+    record({});
+    record({{7, 9, {1}}, {7, 8, {2}}, {7, 7, {}}});
+    for (int i = 0; i < 80; ++i) {
+        std::vector<SelectionRecord> records(i % 10 == 0 ? 0 : 2 + random.below(7));
+        for (SelectionRecord& one : records) one = random_record(random);
+        // Two are equally near, and nearer than all others.
+        if (i % 3 == 0 && records.size() > 2) {
+            const std::uint32_t least = random.below(1U << 16U);
+            records.back().min_depth = least;
+            records[records.size() / 2].min_depth = least;
+        }
+        record(records);
+    }
+}
+
+/// One selection after another in the same buffer.
+void record_sessions(Recorder& out, const std::vector<std::vector<NameCommand>>& sessions, std::size_t capacity)
+{
+    const auto buffer = ask_new<make_selection_buffer>(out, "buffer", capacity);
+    if (!buffer) return;
+    for (const std::vector<NameCommand>& commands : sessions) {
+        for (const NameCommand& command : commands) carry_out(out, *buffer, command);
+        record_end(out, *buffer, std::min<std::size_t>(capacity, 32));
+    }
+}
+
+void record_by_hand(Recorder& out)
+{
+    const std::vector<NameCommand> sessions[] = {
+        {init(), push(5), note(0, 1)},
+        {push(1), note(0, 0), push(2), note(1, 1), pop(), note(0, 1), pop()},
+        {note(0, 0), note(1, 1)},
+        {init(), push(7), push(8), init(), push(9), note(0, 1), load(10), load(11), note(1, 1), load(12)},
+        {push(1), push(2), pop(), pop()},
+        {push(3), note(0, 1), load(3), note(0, 0), push(4), pop(), note(1, 1)},
+        {pop(), load(5), note(0, 1), pop(), note(0, 0), load(1), push(2)},
+        {push(4000000000U), note(0, 1), init(), note(0, 1), init()}};
+    for (const std::vector<NameCommand>& commands : sessions) record_sessions(out, {commands}, 64);
+}
+
+void record_random(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 40; ++i) record_sessions(out, {random_commands(random, 16)}, 200);
+}
+
+// Two buffers by turns, each for several selections; names that were left on the stack are gone with the first.
+void record_again(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 8; ++i) {
+        const auto first = ask_new<make_selection_buffer>(out, "first", std::size_t{100});
+        const auto second = ask_new<make_selection_buffer>(out, "second", std::size_t{100});
+        if (!first || !second) return;
+        for (int round = 0; round < 3; ++round) {
+            for (const NameCommand& command : random_commands(random, 20))
+                carry_out(out, random.below(2) == 0 ? *first : *second, command);
+            record_end(out, *first, 24);
+            if (round == 1) record_end(out, *second, 24);
+        }
+    }
+}
+
+// Depths that are no whole number of steps: the nearest one counts.
+void record_depths(Recorder& out, Random& random)
+{
+    const auto buffer = ask_new<make_selection_buffer>(out, "buffer", std::size_t{12});
+    if (!buffer) return;
+    for (int i = 0; i < 40; ++i) {
+        const double step = 1 / 4294967295.0;
+        const double one = (random.bits() + (i % 2 == 0 ? 0.7 : 0.3)) * step;
+        const double other = (random.bits() + (i % 2 == 0 ? 0.3 : 0.7)) * step;
+        carry_out(out, *buffer, note(std::min(1.0, std::min(one, other)), std::min(1.0, std::max(one, other))));
+        // Further ones between them change nothing, further ones outside do.
+        if (i % 4 == 1) carry_out(out, *buffer, note(0.5 * (one + other), 0.5 * (one + other)));
+        if (i % 4 == 2) carry_out(out, *buffer, note(0.25 * step, 1));
+        record_end(out, *buffer, 3);
+    }
+}
+
+// Buffers that the records fill to the last word, and their twins that are one word too small; and what comes after.
+void record_overflow(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 24; ++i) {
+        const std::uint32_t depth = random.below(4);
+        const std::uint32_t times = 1 + random.below(3);
+        const std::size_t needed = std::size_t{times} * (3 + depth);
+        const bool first = random.below(2) == 0;
+        for (const bool fits : {first, !first}) {
+            const auto buffer = ask_new<make_selection_buffer>(out, "buffer", fits ? needed : needed - 1);
+            if (!buffer) continue;
+            for (std::uint32_t k = 0; k < times; ++k) {
+                carry_out(out, *buffer, init());
+                for (std::uint32_t name = 0; name < depth; ++name) carry_out(out, *buffer, push(10 * k + name));
+                carry_out(out, *buffer, note(0.25, 0.75));
+            }
+            out.append("overflow", static_cast<float>(ask<&SelectionBuffer::finish>(out, *buffer)));
+            // The next selection is not to blame.
+            carry_out(out, *buffer, note(0, 1));
+            out.append("next", static_cast<float>(ask<&SelectionBuffer::finish>(out, *buffer)));
+        }
+    }
+}
+
+void record_limits(Recorder& out, Random& random)
+{
+    const auto buffer = ask_new<make_selection_buffer>(out, "buffer", std::size_t{400});
+    if (!buffer) return;
+    for (int round = 0; round < 2; ++round) {
+        const std::uint32_t almost = 60 + random.below(5);
+        for (std::uint32_t i = 0; i < almost; ++i) carry_out(out, *buffer, push(i));
+        for (int i = 0; i < 5; ++i) carry_out(out, *buffer, push(1000));
+        carry_out(out, *buffer, note(0, 1));
+        carry_out(out, *buffer, push(2000));
+        carry_out(out, *buffer, note(0, 0));
+        carry_out(out, *buffer, load(3000));
+        for (int i = 0; i < 67; ++i) carry_out(out, *buffer, pop());
+        carry_out(out, *buffer, load(1));
+        record_end(out, *buffer, 80);
+    }
+}
+
+}
+
+const Driver driver = {
+    {"matrices by hand", [](Case&, Recorder& out) { record_matrices_by_hand(out); }},
+    {"matrices", [](Case& c, Recorder& out) { record_matrices(out, c.random); }},
+    {"parsing", [](Case& c, Recorder& out) { record_parsing(out, c.random); }},
+    {"damaged", [](Case& c, Recorder& out) { record_damaged(out, c.random); }},
+    {"nearest", [](Case& c, Recorder& out) { record_nearest(out, c.random); }},
+    {"by hand", [](Case&, Recorder& out) { record_by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
+    {"again", [](Case& c, Recorder& out) { record_again(out, c.random); }},
+    {"depths", [](Case& c, Recorder& out) { record_depths(out, c.random); }},
+    {"overflow", [](Case& c, Recorder& out) { record_overflow(out, c.random); }},
+    {"limits", [](Case& c, Recorder& out) { record_limits(out, c.random); }},
+    {"picture", [](Case&, Recorder& out) { out.image("board", chess_board(out, 480, 320)); }},
+};
+
+}

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <algorithm>
+#include <umbral/core/random.hpp>
+#include <umbral/interaction/pick_buffer.hpp>
+#include <umbral/record/ask.hpp>
+#include <vector>
+
+/// Selections: what is told a SelectionBuffer, and what is recorded of it.
+namespace umbral::interaction {
+
+/// One call of a SelectionBuffer's function.
+struct NameCommand {
+    enum class Kind { init, load, push, pop, note };
+    Kind kind;
+    std::uint32_t name = 0;
+    double min_depth = 0;
+    double max_depth = 0;
+};
+
+inline NameCommand init() { return {NameCommand::Kind::init}; }
+inline NameCommand load(std::uint32_t name) { return {NameCommand::Kind::load, name}; }
+inline NameCommand push(std::uint32_t name) { return {NameCommand::Kind::push, name}; }
+inline NameCommand pop() { return {NameCommand::Kind::pop}; }
+inline NameCommand note(double min_depth, double max_depth)
+{
+    return {NameCommand::Kind::note, 0, min_depth, max_depth};
+}
+
+/// The depth that a word stands for, but for a quarter of a step: nearest and next lower whole number are the word.
+inline double depth_of_word(std::uint32_t word) { return std::min(1.0, (word + 0.25) / 4294967295.0); }
+
+/// Depths over the whole range, every second one beyond the half.
+inline NameCommand random_note(Random& random)
+{
+    const std::uint32_t one = random.bits();
+    const std::uint32_t other = one / 2 + (random.bits() >> 1U);
+    return note(depth_of_word(std::min(one, other)), depth_of_word(std::max(one, other)));
+}
+
+/// `count` commands: primitives between all kinds of changes, and commands that are to be refused.
+inline std::vector<NameCommand> random_commands(Random& random, int count)
+{
+    std::vector<NameCommand> commands;
+    for (int i = 0; i < count; ++i) {
+        const std::uint32_t name = random.bits();
+        const NameCommand primitive = random_note(random);
+        const std::uint32_t kind = random.below(16);
+        if (kind < 7)
+            commands.push_back(primitive);
+        else if (kind < 11)
+            commands.push_back(push(name));
+        else if (kind < 13)
+            commands.push_back(load(name));
+        else
+            commands.push_back(kind < 15 ? pop() : init());
+    }
+    return commands;
+}
+
+/// Carries out a command; what is refused or not is a row of "accepted".
+inline void carry_out(Recorder& out, SelectionBuffer& buffer, const NameCommand& command)
+{
+    const auto accepted = [&](bool answer) { out.append("accepted", answer ? 1.0F : 0.0F); };
+    switch (command.kind) {
+        case NameCommand::Kind::init: ask<&SelectionBuffer::init_names>(out, buffer); break;
+        case NameCommand::Kind::load: accepted(ask<&SelectionBuffer::load_name>(out, buffer, command.name)); break;
+        case NameCommand::Kind::push: accepted(ask<&SelectionBuffer::push_name>(out, buffer, command.name)); break;
+        case NameCommand::Kind::pop: accepted(ask<&SelectionBuffer::pop_name>(out, buffer)); break;
+        case NameCommand::Kind::note:
+            ask<&SelectionBuffer::note_primitive>(out, buffer, command.min_depth, command.max_depth);
+    }
+}
+
+/// Ends the selection: the number of records, and the buffer's first words, -1 where it has none.
+inline void record_end(Recorder& out, SelectionBuffer& buffer, std::size_t words)
+{
+    const int count = ask<&SelectionBuffer::finish>(out, buffer);
+    out.append("records", static_cast<float>(count));
+    const std::span<const std::uint32_t> written = ask<&SelectionBuffer::words>(out, buffer);
+    const std::size_t known = count < 0 ? 0 : written.size();
+    for (std::size_t i = 0; i < words; ++i) out.append("words", i < known ? static_cast<double>(written[i]) : -1.0);
+}
+
+/// A record's words, as OpenGL writes them.
+inline void append_words(std::vector<std::uint32_t>& words, const SelectionRecord& record)
+{
+    words.push_back(static_cast<std::uint32_t>(record.names.size()));
+    words.push_back(record.min_depth);
+    words.push_back(record.max_depth);
+    words.insert(words.end(), record.names.begin(), record.names.end());
+}
+
+inline SelectionRecord random_record(Random& random)
+{
+    const std::uint32_t one = random.bits();
+    const std::uint32_t other = random.bits();
+    SelectionRecord record{std::min(one, other), std::max(one, other), {}};
+    const std::uint32_t names = random.below(5);
+    for (std::uint32_t i = 0; i < names; ++i) record.names.push_back(random.bits() >> random.below(32));
+    return record;
+}
+
+}

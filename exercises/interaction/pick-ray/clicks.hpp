@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "../pick_views.hpp"
+
+/// Clicks whose pixel is known, and clicks beside the window.
+namespace umbral::interaction {
+
+/// One question put to pick_pixel.
+struct Click {
+    glm::dvec2 cursor;
+    glm::ivec2 window;
+    glm::ivec2 framebuffer;
+};
+
+/// Adds a click that has a pixel and one that has none, in random order.
+inline void add_pair(std::vector<Click>& clicks, const Click& inside, const Click& outside, Random& random)
+{
+    const bool swapped = random.below(2) == 1;
+    clicks.push_back(swapped ? outside : inside);
+    clicks.push_back(swapped ? inside : outside);
+}
+
+/// The window of a framebuffer whose pixels are `scale` times as many along both axes, rounded to whole numbers.
+inline Click click_at(const glm::dvec2& place, const glm::ivec2& framebuffer, double scale)
+{
+    const glm::ivec2 window(glm::round(glm::dvec2(framebuffer) / scale));
+    return {place * glm::dvec2(window) / glm::dvec2(framebuffer), window, framebuffer};
+}
+
+/// In the inner 80 % of a pixel: no rounding leads out of it.
+inline glm::dvec2 inside_of(const glm::ivec2& pixel, Random& random)
+{
+    const double right = 0.1 + 0.8 * random.uniform_double();
+    return glm::dvec2(pixel) + glm::dvec2(right, 0.1 + 0.8 * random.uniform_double());
+}
+
+/// Screens as they are sold, and others; the picture is never square.
+inline constexpr std::array content_scales = {1.0, 1.25, 1.5, 1.75, 2.0, 3.0, 0.5, 1.6, 2.625, 4.0 / 3};
+
+/// `count` pairs: the twin of a click in the window is beside it, to each of its four sides, from a hundredth of a
+/// screen coordinate to a window's width away.
+inline std::vector<Click> random_clicks(Random& random, int count)
+{
+    std::vector<Click> clicks;
+    for (int i = 0; i < count; ++i) {
+        const int width = random_between(200, 3000, random);
+        const glm::ivec2 framebuffer(width, random_between(150, 2000, random));
+        const double scale = content_scales[random.below(static_cast<std::uint32_t>(content_scales.size()))];
+        const Click inside = click_at(inside_of(random_pixel(framebuffer, random), random), framebuffer, scale);
+        Click outside = inside;
+        const int axis = i % 2;
+        const double beyond = std::exp2(-7 + 15 * random.uniform_double());
+        outside.cursor[axis] = i % 4 < 2 ? -beyond : inside.window[axis] + beyond;
+        add_pair(clicks, inside, outside, random);
+    }
+    return clicks;
+}
+
+/// `count` pairs at pixels' borders, where all numbers are exact: a pixel owns the left and the upper one, so the
+/// window's right and lower border belong to no pixel, and what lies a hair beyond 0 neither.
+inline std::vector<Click> clicks_at_borders(Random& random, int count)
+{
+    constexpr std::array exact_scales = {1.0, 2.0, 4.0, 0.5};
+    std::vector<Click> clicks;
+    for (int i = 0; i < count; ++i) {
+        const double scale = exact_scales[random.below(4)];
+        const int width = 4 * random_between(50, 300, random);
+        const glm::ivec2 framebuffer(width, 4 * random_between(30, 200, random));
+        const glm::ivec2 pixel = random_pixel(framebuffer, random);
+        const int axis = i % 2;
+        glm::dvec2 place = glm::dvec2(pixel) + 0.5;
+        place[axis] = i % 8 < 2 ? 0 : i % 8 < 4 ? framebuffer[axis] - 0.0625 : pixel[axis];
+        const Click inside = click_at(place, framebuffer, scale);
+        place[axis] = i % 4 < 2 ? framebuffer[axis] : -0.0625;
+        add_pair(clicks, inside, click_at(place, framebuffer, scale), random);
+    }
+    return clicks;
+}
+
+/// `count` pairs: the twin's window or framebuffer has no area, or its cursor is no place.
+inline std::vector<Click> clicks_without_a_window(Random& random, int count)
+{
+    std::vector<Click> clicks;
+    for (int i = 0; i < count; ++i) {
+        const glm::ivec2 framebuffer(640 + 2 * i, 480);
+        const Click inside = click_at(inside_of(random_pixel(framebuffer, random), random), framebuffer, 2);
+        Click none = inside;
+        const int axis = i / 6 % 2;
+        switch (i % 6) {
+            case 0: none.window = none.framebuffer = {0, 0}; break;
+            case 1: none.framebuffer[axis] = 0; break;
+            case 2: none.window[axis] = 0; break;
+            case 3: none.window = {0, 0}, none.cursor = {0, 0}; break;
+            case 4: none.cursor[axis] = std::numeric_limits<double>::quiet_NaN(); break;
+            default: none.cursor[axis] = i % 12 < 6 ? 1e300 : -1e300;
+        }
+        add_pair(clicks, inside, none, random);
+    }
+    return clicks;
+}
+
+}

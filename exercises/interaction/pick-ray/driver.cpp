@@ -1,0 +1,115 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "clicks.hpp"
+#include "panel.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace interaction;
+
+constexpr float endless = std::numeric_limits<float>::infinity();
+constexpr projections::ViewFrame world{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+
+void record_ray(Recorder& out, const PickView& view, const glm::ivec2& pixel)
+{
+    const Ray ray = ask<pick_ray>(out, view, pixel);
+    out.append("origin", ray.origin);
+    out.append("direction", ray.direction);
+    out.append("t_min", ray.t_min);
+    // Infinity is no number that can be near another one.
+    out.append("t_max", ray.t_max == endless ? std::nullopt : std::optional(ray.t_max));
+}
+
+void record_clicks(Recorder& out, const std::vector<Click>& clicks)
+{
+    for (const auto& [cursor, window, framebuffer] : clicks) {
+        const std::optional<glm::ivec2> pixel = ask<pick_pixel>(out, cursor, window, framebuffer);
+        out.append("column", pixel ? std::optional(static_cast<float>(pixel->x)) : std::nullopt);
+        out.append("row", pixel ? std::optional(static_cast<float>(pixel->y)) : std::nullopt);
+    }
+}
+
+// The course's view, and others that a hand can work out: pictures of few pixels, cameras along the axes.
+void record_by_hand(Recorder& out)
+{
+    const PickView course{world, {-4.0F / 3, 4.0F / 3, -1, 1, 1, 100}, {640, 480}};
+    for (const glm::ivec2& pixel : {glm::ivec2(0, 0), {320, 240}, {639, 479}, {639, 0}, {100, 50}})
+        record_ray(out, course, pixel);
+    const PickView small{world, {-2, 2, -2, 2, 2, 10}, {4, 2}};
+    for (const glm::ivec2& pixel : {glm::ivec2(0, 0), {1, 0}, {2, 0}, {3, 1}}) record_ray(out, small, pixel);
+    const PickView one{{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {5, 2, -1}}, {-1, 1, -1, 1, 0.5F, endless}, {1, 1}};
+    record_ray(out, one, {0, 0});
+    const PickView nine{{{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, 3, 0}}, {-3, 3, -3, 3, 2, endless}, {3, 3}};
+    for (const glm::ivec2& pixel : {glm::ivec2(1, 1), {0, 1}, {1, 2}, {2, 0}, {2, 1}}) record_ray(out, nine, pixel);
+    const PickView aside{{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, 8}}, {1, 5, 0, 2, 4, 12}, {2, 1}};
+    record_ray(out, aside, {0, 0});
+    record_ray(out, aside, {1, 0});
+}
+
+void record_random(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 200; ++i) {
+        const PickView view = random_pick_view(random);
+        record_ray(out, view, random_pixel(view.picture, random));
+    }
+}
+
+// Pixels that a drag comes to outside of the window.
+void record_outside(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 60; ++i) {
+        const PickView view = random_pick_view(random);
+        glm::ivec2 pixel = random_pixel(view.picture, random);
+        const int beyond = random_between(1, 1500, random);
+        pixel[i % 2] = i % 4 < 2 ? -beyond : view.picture[i % 2] - 1 + beyond;
+        record_ray(out, view, pixel);
+    }
+}
+
+/// One of the 24 frames along the world's axes, where rows and columns of rotations are exact.
+projections::ViewFrame axis_frame(Random& random)
+{
+    const auto along = random.below(3);
+    const float side = random.below(2) == 0 ? 1 : -1;
+    const float other = random.below(2) == 0 ? 1 : -1;
+    glm::vec3 x(0);
+    glm::vec3 y(0);
+    x[static_cast<int>(along)] = side;
+    y[static_cast<int>((along + 1 + random.below(2)) % 3)] = other;
+    return {x, y, cross(x, y), glm::vec3(0)};
+}
+
+// Narrow windows far off the middle, in pictures of up to 2^25 pixels across (tiles of a wall of screens), seen from
+// far from the world's origin.
+void record_telescopes(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 200; ++i) {
+        PickView view{axis_frame(random), {}, {}};
+        view.frame.origin = std::exp2(random.uniform(10, 20)) * random.unit_vector();
+        const float near_plane = random.uniform(0.01F, 1);
+        const float left = near_plane * random.uniform(-1.5F, 1.5F);
+        const float bottom = near_plane * random.uniform(-1.5F, 1.5F);
+        const float width = near_plane * std::exp2(random.uniform(-12, 0));
+        view.frustum = {left, left + width, bottom, bottom + 0.7F * width, near_plane, random.uniform(2, 1e6F)};
+        view.picture.x = static_cast<int>(std::exp2(random.uniform(10, 25)));
+        view.picture.y = static_cast<int>(std::exp2(random.uniform(10, 25)));
+        record_ray(out, view, random_pixel(view.picture, random));
+    }
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record_by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
+    {"outside", [](Case& c, Recorder& out) { record_outside(out, c.random); }},
+    {"telescopes", [](Case& c, Recorder& out) { record_telescopes(out, c.random); }},
+    {"clicks", [](Case& c, Recorder& out) { record_clicks(out, random_clicks(c.random, 200)); }},
+    {"borders", [](Case& c, Recorder& out) { record_clicks(out, clicks_at_borders(c.random, 48)); }},
+    {"no window", [](Case& c, Recorder& out) { record_clicks(out, clicks_without_a_window(c.random, 48)); }},
+    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+};
+
+}
