@@ -16,7 +16,7 @@ public:
     /// What is seen of a scene: its lights, added to an exposure.
     using Lights = void (*)(Exposure&, int updates, glm::dvec2 pointer);
 
-    /// `rest`: every so-manieth update ends the animation.
+    /// `rest`: the animation ends at each update whose number this divides; 0: never.
     LightPainter(Lights lights, int rest) : ScriptedProgram({}), lights_(lights), rest_(rest) {}
 
     void draw() override
