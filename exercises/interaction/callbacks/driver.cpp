@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <kit/scene.hpp>
@@ -12,6 +11,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../command_log.hpp"
+#include "../script_text.hpp"
 #include "scripts.hpp"
 
 namespace umbral {
@@ -36,7 +36,6 @@ void play(const input::EventScript& script, const input::HeadlessSettings& setti
 std::string told(const input::EventScript& script, glm::ivec2 size, const input::HeadlessSettings& settings,
                  bool listens, double until, bool in_full)
 {
-    constexpr std::ptrdiff_t most_lines = 8;
     const auto number = [](double value) { return literal::of(value); };
     std::string text =
         "// in a window of " + std::to_string(size.x) + " x " + std::to_string(size.y) + " screen coordinates";
@@ -44,11 +43,7 @@ std::string told(const input::EventScript& script, glm::ivec2 size, const input:
         text += ", of " + number(settings.content_scale.x) + " x " + number(settings.content_scale.y) + " pixels each";
     text += listens ? ",\n// with a key callback already\n" : "\n";
     text += "install_callbacks(window);";
-    const auto end = std::ranges::find_if(script, [&](const input::TimedEvent& event) { return event.time > until; });
-    const std::ptrdiff_t left_out = in_full ? 0 : std::max<std::ptrdiff_t>(end - script.begin() - most_lines, 0);
-    if (left_out > 0) text += "\n// … " + std::to_string(left_out) + " events left out";
-    std::string lines = input::to_text(input::EventScript(script.begin() + left_out, end));
-    while (lines.ends_with('\n')) lines.pop_back();
+    const std::string lines = script_until(script, until, in_full);
     return lines.empty() ? text : text + '\n' + lines;
 }
 

@@ -1,0 +1,100 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "light_painting.hpp"
+#include "sessions.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace interaction;
+
+/// Each session is a question; its rows are what the loop did. `counted`: also how often it polled and waited.
+void record(Recorder& out, const NamedLoop& loop, const std::vector<LoopSession>& sessions, bool counted = false)
+{
+    out.text("rounds.names", loop_row_names);
+    if (counted) out.columns("calls", "calls of glfwPollEvents, calls of glfwWaitEvents");
+    for (const LoopSession& session : sessions) {
+        ask_in_words(out, [&] { return told(loop, session); });
+        const LoopResult result = play(loop, session);
+        for (const LoopRow& row : result.rows) {
+            if (!result.stopped.empty() && &row == &result.rows.back()) out.refused("rounds", result.stopped);
+            out.append("rounds", std::span<const float>(row));
+        }
+        if (counted) out.append("calls", glm::vec2(result.usage.polls, result.usage.waits));
+    }
+}
+
+void record_random(Recorder& out, const NamedLoop& loop, Random& random)
+{
+    std::vector<LoopSession> sessions;
+    for (int i = 0; i < 40; ++i) sessions.push_back(random_loop_session(random));
+    record(out, loop, sessions);
+}
+
+/// Two or three lists of sessions, one behind the other.
+std::vector<LoopSession> together(std::vector<LoopSession> all, const std::vector<LoopSession>& more)
+{
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+/// Where a hand begins to draw.
+glm::dvec2 first_place(const input::EventScript& script)
+{
+    const auto* const move = std::get_if<input::CursorMove>(&script.front().event);
+    return move != nullptr ? move->place : exposure_middle;
+}
+
+Image painted(Recorder& out)
+{
+    struct Part {
+        const NamedLoop& loop;
+        const char* scene;
+        LightPainter::Lights lights;
+        int rest;
+        input::EventScript script;
+    };
+    const Part parts[] = {
+        {waiting_loop, "the pointer is a light, and draws", pointer_light, 0, hand_draws_a_rose()},
+        {animated_loop, "three lights go round", planet_lights, 0, input::parse_script("2.2 key ESCAPE press\n")},
+        {switching_loop, "a light goes round the pointer", moon_light, 30, moon_and_hand()},
+    };
+    Image picture(3 * exposure_size, exposure_size);
+    int left = 0;
+    for (const auto& [loop, scene, lights, rest, script] : parts) {
+        ask_in_words(out, [&] {
+            return "// " + std::string(scene) + "; each frame is added to the picture\n" + loop.name +
+                   "(window, program, flags);";
+        });
+        LightPainter painter(lights, rest);
+        (void)run_by(loop, painter, script, {.pointer = first_place(script), .on_frame = [&] { painter.shown(); }});
+        painter.exposure.develop(picture, left);
+        out.tile("exposure", left, 0, exposure_size, exposure_size);
+        left += exposure_size;
+    }
+    return picture;
+}
+
+}
+
+const Driver driver = {
+    {"waiting", [](Case&, Recorder& out) { record(out, waiting_loop, needs(), true); }},
+    {"waiting refined", [](Case&, Recorder& out) { record(out, waiting_loop, refinements()); }},
+    {"waiting ended", [](Case&, Recorder& out) { record(out, waiting_loop, endings()); }},
+    {"waiting minimised", [](Case&, Recorder& out) { record(out, waiting_loop, minimised()); }},
+    {"animated", [](Case&, Recorder& out) { record(out, animated_loop, together(motions(), needs())); }},
+    {"animated ended", [](Case&, Recorder& out) { record(out, animated_loop, endings()); }},
+    {"animated minimised", [](Case&, Recorder& out) { record(out, animated_loop, minimised(), true); }},
+    {"switching",
+     [](Case&, Recorder& out) {
+         record(out, switching_loop, together(together(switches(), motions()), refinements()), true);
+     }},
+    {"switching ended", [](Case&, Recorder& out) { record(out, switching_loop, together(endings(), minimised())); }},
+    {"random waiting", [](Case& c, Recorder& out) { record_random(out, waiting_loop, c.random); }},
+    {"random animated", [](Case& c, Recorder& out) { record_random(out, animated_loop, c.random); }},
+    {"random switching", [](Case& c, Recorder& out) { record_random(out, switching_loop, c.random); }},
+    {"picture", [](Case&, Recorder& out) { out.image("exposure", painted(out)); }},
+};
+
+}

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <umbral/core/student_error.hpp>
+#include <umbral/input/script.hpp>
+#include <vector>
+
+#include "scripted_program.hpp"
+
+/// What a loop did, as rows of numbers: what loops are judged by, without a screen and (in a test) with one.
+namespace umbral::interaction {
+
+/// What the program does by itself. Draws and updates are counted from 1; 0 is none of them.
+struct Habits {
+    int unfinished_draws = 0;  ///< so many draws, from the first one, set `redraw`
+    int last_draw = 0;         ///< this draw sets `finish`
+    int waking_draw = 0;       ///< this draw sets `animate`
+    int moves_every = 1;       ///< the updates whose number this divides set `redraw`; 0: none
+    int resting_update = 0;    ///< this update clears `animate`
+    int last_update = 0;       ///< this update sets `finish`
+};
+
+/// First its code, then how many events the program had heard by then.
+using LoopRow = std::array<float, 2>;
+
+inline constexpr std::string_view loop_row_names =
+    "1 draw: events heard\n2 frame shown: events heard\n3 update: events heard\n4 returned: events heard\n"
+    "5 stopped: events heard\n";
+
+class LoggedProgram final : public ScriptedProgram {
+public:
+    LoggedProgram(const LoopFlags& first, const Habits& habits) : ScriptedProgram(first), habits_(habits) {}
+
+    void draw() override
+    {
+        log(1);
+        ++draws_;
+        if (draws_ <= habits_.unfinished_draws) flags.redraw = true;
+        if (draws_ == habits_.last_draw) flags.finish = true;
+        if (draws_ == habits_.waking_draw) flags.animate = true;
+    }
+
+    void update() override
+    {
+        log(3);
+        ++updates_;
+        if (habits_.moves_every > 0 && updates_ % habits_.moves_every == 0) flags.redraw = true;
+        if (updates_ == habits_.resting_update) flags.animate = false;
+        if (updates_ == habits_.last_update) flags.finish = true;
+    }
+
+    void shown() { log(2); }
+    void returned() { log(4); }
+    void stopped() { log(5); }
+
+    std::vector<LoopRow> rows;
+
+private:
+    void log(int code) { rows.push_back({static_cast<float>(code), static_cast<float>(heard)}); }
+
+    Habits habits_;
+    int draws_ = 0;
+    int updates_ = 0;
+};
+
+/// A program, and what happens to it.
+struct LoopSession {
+    input::EventScript script;
+    LoopFlags flags{};
+    Habits habits{};
+    bool closes = false;  ///< the window has been asked to close before the loop begins
+    double content_scale = 1;
+};
+
+struct LoopResult {
+    std::vector<LoopRow> rows;
+    input::Usage usage{};
+    std::string stopped{};  ///< why the loop had to be stopped, if it would never have returned
+};
+
+inline LoopResult play(const NamedLoop& loop, const LoopSession& session)
+{
+    LoggedProgram program(session.flags, session.habits);
+    const input::HeadlessSettings settings{.content_scale = glm::dvec2(session.content_scale),
+                                           .patience_seconds = 0.1,
+                                           .polls_after_closing = 20,
+                                           .on_frame = [&] { program.shown(); }};
+    try {
+        const input::Usage usage = run_by(loop, program, session.script, settings, session.closes);
+        program.returned();
+        return {program.rows, usage};
+    } catch (const StudentError& error) {
+        program.stopped();
+        return {.rows = program.rows, .stopped = error.what()};
+    }
+}
+
+/// What was done, for people: the call, what the program does by itself, and the script.
+inline std::string told(const NamedLoop& loop, const LoopSession& session)
+{
+    std::string text = "// flags:";
+    const auto say_if = [&](bool condition, const std::string& words) {
+        if (condition) text += words;
+    };
+    const auto number = [](int value) { return std::to_string(value); };
+    const Habits& habits = session.habits;
+    say_if(session.flags.redraw, " redraw");
+    say_if(session.flags.animate, " animate");
+    say_if(session.flags.finish, " finish");
+    say_if(session.closes, "\nglfwSetWindowShouldClose(window, GLFW_TRUE);");
+    say_if(habits.unfinished_draws > 0, "\n// the first " + number(habits.unfinished_draws) + " draws set redraw");
+    say_if(habits.last_draw > 0, "\n// draw " + number(habits.last_draw) + " sets finish");
+    say_if(habits.waking_draw > 0, "\n// draw " + number(habits.waking_draw) + " sets animate");
+    say_if(habits.moves_every != 1,
+           "\n// of updates, " + (habits.moves_every == 0 ? "none" : "each " + number(habits.moves_every) + "th") +
+               " sets redraw");
+    say_if(habits.resting_update > 0, "\n// update " + number(habits.resting_update) + " clears animate");
+    say_if(habits.last_update > 0, "\n// update " + number(habits.last_update) + " sets finish");
+    return text + '\n' + loop.name + "(window, program, flags);\n" + input::to_text(session.script);
+}
+
+}

@@ -1,0 +1,149 @@
+#pragma once
+
+#include <umbral/core/random.hpp>
+
+#include "loop_log.hpp"
+
+/// The sessions that loops are tried by: few events each, written by hand or drawn at random.
+namespace umbral::interaction {
+
+inline LoopSession session_of(const char* script, const LoopFlags& flags = {}, const Habits& habits = {})
+{
+    return {.script = input::parse_script(script), .flags = flags, .habits = habits};
+}
+
+inline constexpr LoopFlags nothing_to_draw{.redraw = false};
+inline constexpr LoopFlags at_work{.animate = true};
+
+/// Events that need a frame and events that do not; several at one moment need one frame together.
+inline std::vector<LoopSession> needs()
+{
+    return {
+        session_of("0.1 key B press\n0.2 key R press\n0.3 key B press\n0.4 key R press\n0.5 key ESCAPE press\n"),
+        session_of("0.1 move 10 10\n0.1 move 11 12\n0.1 key R press\n0.2 key B press\n0.3 refresh\n"
+                   "0.4 key ESCAPE press\n"),
+        session_of("0.1 key B press\n0.2 resize 300 200\n0.3 key ESCAPE press\n", nothing_to_draw),
+        // `animate` means nothing to the first two loops.
+        session_of("0.05 key A press\n0.1 key R press\n0.13 key A press\n0.2 key ESCAPE press\n"),
+    };
+}
+
+/// A picture that gets better with each draw, until it is finished; in the second session events come in between.
+inline std::vector<LoopSession> refinements()
+{
+    return {
+        session_of("0.5 key R press\n0.7 key ESCAPE press\n", {}, {.unfinished_draws = 4}),
+        session_of("0.02 key B press\n0.03 key R press\n0.045 key B press\n0.3 key ESCAPE press\n", {},
+                   {.unfinished_draws = 6}),
+        session_of("0.02 key ESCAPE press\n", {}, {.unfinished_draws = 9}),
+    };
+}
+
+/// All ways to end: by flag or window, from a callback, a draw or an update, before the loop or with work left.
+inline std::vector<LoopSession> endings()
+{
+    std::vector<LoopSession> all = {
+        session_of("0.05 key R press\n0.1 close\n"),
+        session_of("0.05 key R press\n0.1 key R press\n0.1 key Q press\n0.2 key R press\n"),
+        session_of("0.1 key R press\n0.1 key ESCAPE press\n0.1 key R press\n0.2 key R press\n"),
+        session_of("0.1 key R press\n0.2 key R press\n0.3 key R press\n0.4 key ESCAPE press\n", {}, {.last_draw = 2}),
+        session_of("0.1 key R press\n", {}, {.unfinished_draws = 5, .last_draw = 3}),
+        session_of("0.1 key R press\n", {.finish = true}),
+        session_of("0.1 key R press\n"),
+        session_of("0.1 key R press\n0.3 key ESCAPE press\n", {}, {.last_update = 3}),
+    };
+    all[6].closes = true;
+    return all;
+}
+
+/// Minimised windows: iconified, or without pixels in one direction or both. What they need waits until they are back.
+inline std::vector<LoopSession> minimised()
+{
+    std::vector<LoopSession> all = {
+        session_of("0.1 iconify on\n0.2 key R press\n0.3 key R press\n0.4 iconify off\n0.5 key ESCAPE press\n"),
+        session_of("0.1 resize 0 0\n0.2 key B press\n0.3 resize 240 240\n0.4 key ESCAPE press\n"),
+        session_of("0.1 resize 0 240\n0.2 key R press\n0.3 resize 240 240\n0.4 resize 240 0\n0.5 key R press\n"
+                   "0.6 resize 200 100\n0.7 key ESCAPE press\n"),
+        session_of("0.1 iconify on\n0.2 key B press\n0.3 iconify off\n0.4 key B press\n0.5 key ESCAPE press\n"),
+        session_of("0.02 iconify on\n0.1 key B press\n0.2 key B press\n0.3 iconify off\n0.4 key ESCAPE press\n", {},
+                   {.unfinished_draws = 6}),
+        session_of("0.1 iconify on\n0.2 key R press\n0.3 key ESCAPE press\n"),
+        // One pixel is to be seen.
+        session_of("0.1 resize 1 240\n0.2 key R press\n0.3 resize 240 1\n0.4 key R press\n0.5 key ESCAPE press\n"),
+    };
+    all[1].content_scale = 2;
+    return all;
+}
+
+/// Scenes that move: in each update, in some, in none; a user whose hand never rests.
+inline std::vector<LoopSession> motions()
+{
+    std::vector<LoopSession> all = {
+        session_of("0.1 key ESCAPE press\n", at_work),
+        session_of("0.05 key B press\n0.1 key ESCAPE press\n", at_work, {.moves_every = 3}),
+        session_of("0.01 key R press\n0.02 key ESCAPE press\n", at_work, {.moves_every = 0}),
+        session_of("0.02 key B press\n0.04 key R press\n0.1 key ESCAPE press\n", {.redraw = false, .animate = true}),
+        session_of("0.1 key ESCAPE press\n", at_work, {.unfinished_draws = 3, .moves_every = 2}),
+    };
+    LoopSession busy = session_of("0.15 key ESCAPE press\n", at_work);
+    input::EventScript hand;
+    for (int i = 1; i < 140; ++i) hand.push_back({0.001 * i, input::CursorMove{{i, 2 * i}}});
+    busy.script.insert(busy.script.begin(), hand.begin(), hand.end());
+    all.push_back(busy);
+    return all;
+}
+
+/// Animations that a key, a draw or an update switches on and off.
+inline std::vector<LoopSession> switches()
+{
+    return {
+        session_of("0.2 key A press\n0.3 key A press\n0.5 key A press\n0.55 key ESCAPE press\n"),
+        session_of("0.2 key A press\n0.4 key R press\n0.5 key A press\n0.9 key ESCAPE press\n", {},
+                   {.resting_update = 4}),
+        session_of("0.3 key R press\n0.6 key B press\n0.7 key ESCAPE press\n", {},
+                   {.waking_draw = 2, .resting_update = 3}),
+        session_of("0.1 key A press\n0.1 key A press\n0.2 key R press\n0.3 key ESCAPE press\n"),
+        session_of("0.1 key A press\n0.1 key R press\n0.2 key A press\n0.2 key ESCAPE press\n", {}, {.moves_every = 2}),
+        session_of("0.1 iconify on\n0.15 key A press\n0.3 key R press\n0.4 iconify off\n0.45 key A press\n"
+                   "0.6 key ESCAPE press\n"),
+    };
+}
+
+/// Some of everything. Every session ends, by Escape or by the window.
+inline LoopSession random_loop_session(Random& random)
+{
+    LoopSession session;
+    session.flags = {.redraw = random.below(4) != 0, .animate = random.below(2) == 0};
+    session.habits = {.unfinished_draws = static_cast<int>(random.below(2) * random.below(4)),
+                      .last_draw = static_cast<int>(random.below(8) == 0 ? 3 + random.below(6) : 0),
+                      .waking_draw = static_cast<int>(random.below(3)),
+                      .moves_every = static_cast<int>(random.below(4)),
+                      .resting_update = static_cast<int>(random.below(10)),
+                      .last_update = static_cast<int>(random.below(8) == 0 ? 5 + random.below(9) : 0)};
+    int milliseconds = 0;
+    bool iconified = false;
+    bool flat = false;
+    const auto happens = [&](const input::Event& event) {
+        milliseconds += static_cast<int>(random.below(3) * random.below(30));
+        session.script.push_back({1e-3 * milliseconds, event});
+    };
+    for (int i = 0; i < 14; ++i) {
+        switch (random.below(9)) {
+            case 0:
+            case 1: happens(input::Key{GLFW_KEY_R}); break;
+            case 2: happens(input::Key{GLFW_KEY_A}); break;
+            case 3: happens(input::Key{GLFW_KEY_B}); break;
+            case 4: happens(input::Refresh{}); break;
+            case 5: happens(input::Iconify{iconified = !iconified}); break;
+            case 6: happens(input::Resize{(flat = !flat) ? glm::ivec2(0) : glm::ivec2(200, 100 + i)}); break;
+            default: happens(input::CursorMove{{random.below(200), random.below(200)}});
+        }
+    }
+    if (random.below(2) == 0)
+        happens(input::Close{});
+    else
+        happens(input::Key{GLFW_KEY_ESCAPE});
+    return session;
+}
+
+}

@@ -1,0 +1,219 @@
+#include <umbral/input/random_script.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "scripts.hpp"
+#include "three_skies.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace interaction;
+
+constexpr int all_events = 1500;  // more than any script has
+
+void name_columns(Recorder& out)
+{
+    out.columns("states", "cursor/2, buttons down");
+    out.columns("calls", "calls of glfwPollEvents, calls of glfwWaitEvents");
+}
+
+void record_samples(Recorder& out, const input::EventScript& script, double step)
+{
+    name_columns(out);
+    InputTrial trial(out, script);
+    trial.install();
+    for (double time = step; !trial.script_is_over(); time += step) {
+        trial.pass(time);
+        trial.sample();
+        trial.sample();  // changes nothing
+    }
+}
+
+/// Reads the queue now and then, a few events at a time.
+void record_queue(Recorder& out, const input::EventScript& script, double step, int at_a_time)
+{
+    InputTrial trial(out, script);
+    trial.install();
+    trial.take(1);
+    for (double time = step; !trial.script_is_over(); time += step) {
+        trial.pass(time);
+        trial.take(at_a_time);
+    }
+    trial.take(all_events);
+    trial.take(1);
+}
+
+void record_queue_text(Recorder& out, const char* text, double step, int at_a_time)
+{
+    name_events(out, "events");
+    record_queue(out, input::parse_script(text), step, at_a_time);
+}
+
+/// The button was pressed, and the cursor moved, before anybody listened.
+void record_late_beginning(Recorder& out)
+{
+    name_events(out, "events");
+    InputTrial trial(out,
+                     input::parse_script("0.1 move 200 100\n0.2 press right\n0.3 press middle 210 90\n0.5 move 220 85\n"
+                                         "0.6 press left\n0.7 release right\n0.8 scroll 1 0\n"));
+    trial.pass(0.4);
+    trial.install();
+    trial.pass(0.75);
+    trial.take(all_events);
+    trial.sample();
+}
+
+/// One window ends with buttons down and events that nobody took; the next one knows nothing of it.
+void record_two_windows(Recorder& out)
+{
+    name_events(out, "events");
+    {
+        InputTrial first(
+            out, input::parse_script("0.1 press left 30 40\n0.2 move 300 200\n0.3 press right\n0.4 key A press\n"));
+        first.install();
+        first.pass(0.5);
+        first.take(2);
+    }
+    record_queue(out, input::parse_script("0.1 move 20 10\n0.2 press middle\n0.3 key A press\n"), 0.5, 1);
+}
+
+void record_requests(Recorder& out)
+{
+    using enum InputKind;
+    name_events(out, "answers");
+    name_events(out, "events");
+    name_columns(out);
+    InputTrial trial(out, input::parse_script(asked_hand));
+    trial.install();
+    trial.work();  // the first press and release come meanwhile
+    trial.request(button_pressed);
+    trial.request(button_released);
+    trial.take(3);
+    for (int i = 0; i < 3; ++i) trial.work();
+    for (const InputKind kind : {cursor_moved, scrolled, scrolled, key_released, key_pressed, button_released})
+        if (!trial.request(kind)) return;
+    trial.sample();
+    for (const InputKind kind : {button_pressed, key_pressed})
+        if (!trial.request(kind)) return;
+    trial.take(all_events);
+}
+
+/// Windows that close before, while and just when an answer comes. Each session asks twice.
+void record_closing(Recorder& out)
+{
+    using enum InputKind;
+    name_events(out, "answers");
+    name_columns(out);
+    struct Session {
+        const char* script;
+        InputKind first;
+        InputKind second;
+    };
+    const Session sessions[] = {
+        {"0.1 move 3 4\n0.2 close\n0.3 press left\n", button_pressed, button_pressed},
+        {"0.1 key A press\n0.1 close\n0.2 key B press\n", key_pressed, key_pressed},
+        {"0.1 close\n0.1 scroll 0 1\n0.2 scroll 0 2\n", scrolled, scrolled},
+        {"0.1 close\n0.4 key C press\n", key_pressed, key_released},
+        {"0.1 key D press\n0.3 move 9 9\n", key_released, cursor_moved},
+    };
+    for (const auto& [script, first, second] : sessions) {
+        InputTrial trial(out, input::parse_script(script));
+        trial.install();
+        const bool works_first = std::string_view(script).starts_with("0.1 close\n0.4");
+        if (works_first) trial.work();
+        if (trial.request(first)) trial.request(second);
+    }
+}
+
+/// All modes at once: what one of them does is no business of the others.
+void record_together(Recorder& out, Random& random)
+{
+    for (const char* const table : {"answers", "events"}) name_events(out, table);
+    name_columns(out);
+    struct Step {
+        std::uint32_t what;
+        InputKind kind;
+        int count;
+    };
+    for (int session = 0; session < 3; ++session) {
+        InputTrial trial(out, input::random_script(random, {.gestures = 40}));
+        std::array<Step, 30> steps{};
+        for (Step& step : steps)
+            step = {random.below(6), static_cast<InputKind>(random.below(6)), static_cast<int>(random.below(20))};
+        trial.install();
+        for (const auto& [what, kind, count] : steps) {
+            if (what == 0) trial.sample();
+            if (what == 1) trial.work();
+            if (what == 2) trial.take(count);
+            if (what >= 3 && !trial.request(kind)) break;
+        }
+        trial.take(all_events);
+    }
+}
+
+Image skies(Recorder& out)
+{
+    const input::EventScript script = sky_script();
+    Image picture(3 * exposure_size, exposure_size);
+    const auto show = [&](int place, const char* mode, auto read) {
+        ask_in_words(out, [&] { return std::string("// a hand draws stars, seen by ") + mode; });
+        Recorder unused;
+        InputTrial trial(unused, script);
+        trial.install();
+        SkyPainter painter;
+        read(trial, painter);
+        painter.exposure.develop(picture, place * exposure_size);
+        out.tile("skies", place * exposure_size, 0, exposure_size, exposure_size);
+    };
+    show(0, "sample_mouse", [](InputTrial& trial, SkyPainter& painter) {
+        for (double time = 0.06; !trial.script_is_over(); time += 0.06) {
+            trial.pass(time);
+            painter.see(sample_mouse(trial.window()));
+        }
+    });
+    show(1, "request_event", [](InputTrial& trial, SkyPainter& painter) {
+        for (int i = 0; i < all_events; ++i) {
+            const auto event = request_event(trial.window(), InputKind::button_pressed);
+            if (!event) return;
+            painter.see(event->after);
+            painter.see({event->after.cursor, 0});
+        }
+    });
+    show(2, "next_event", [](InputTrial& trial, SkyPainter& painter) {
+        for (double time = 0.06; !trial.script_is_over(); time += 0.06) {
+            trial.pass(time);
+            for (int i = 0; i < all_events; ++i) {
+                const auto event = next_event(trial.window());
+                if (!event) break;
+                painter.see(event->after);
+            }
+        }
+    });
+    return picture;
+}
+
+void record_random_queue(Recorder& out, Random& random)
+{
+    name_events(out, "events");
+    for (const int at_a_time : {2, 5, all_events})
+        record_queue(out, input::random_script(random, {.gestures = 25}), 0.21, at_a_time);
+}
+
+}
+
+const Driver driver = {
+    {"sample", [](Case&, Recorder& out) { record_samples(out, input::parse_script(sampled_hand), 0.25); }},
+    {"random sample",
+     [](Case& c, Recorder& out) { record_samples(out, input::random_script(c.random, {.gestures = 60}), 0.11); }},
+    {"queue", [](Case&, Recorder& out) { record_queue_text(out, queued_hand, 0.42, 5); }},
+    {"lost", [](Case&, Recorder& out) { record_queue_text(out, lost_hand, 0.125, 2); }},
+    {"late", [](Case&, Recorder& out) { record_late_beginning(out); }},
+    {"two windows", [](Case&, Recorder& out) { record_two_windows(out); }},
+    {"random queue", [](Case& c, Recorder& out) { record_random_queue(out, c.random); }},
+    {"request", [](Case&, Recorder& out) { record_requests(out); }},
+    {"closing", [](Case&, Recorder& out) { record_closing(out); }},
+    {"together", [](Case& c, Recorder& out) { record_together(out, c.random); }},
+    {"picture", [](Case&, Recorder& out) { out.image("skies", skies(out)); }},
+};
+
+}

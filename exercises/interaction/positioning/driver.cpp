@@ -1,0 +1,236 @@
+#include <glm/gtc/matrix_transform.hpp>
+#include <umbral/core/random.hpp>
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "anamorphosis.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace interaction;
+
+std::optional<float> as_row(std::optional<double> value)
+{
+    return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
+}
+
+int between(int low, int high, Random& random)
+{
+    return low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low + 1)));
+}
+
+double between(double low, double high, Random& random) { return low + (high - low) * random.uniform_double(); }
+
+void record_pixel(Recorder& out, glm::dvec2 cursor, glm::ivec2 window, glm::ivec2 framebuffer)
+{
+    const std::optional<glm::ivec2> pixel = ask<cursor_pixel>(out, cursor, window, framebuffer);
+    out.append("column", as_row(pixel ? std::optional<double>(pixel->x) : std::nullopt));
+    out.append("row", as_row(pixel ? std::optional<double>(pixel->y) : std::nullopt));
+}
+
+/// Windows with 1, 1.5, 2 and 0.5 pixels for each coordinate, in both directions alike or not; inside, at borders and
+/// outside; and minimised ones.
+void record_pixels(Recorder& out, Random& random)
+{
+    for (const glm::dvec2& cursor :
+         {glm::dvec2(0), {99.5, 40.25}, {-0.25, -0.5}, {-1, -3}, {640, 480}, {639.75, 479.75}})
+        for (const glm::ivec2& framebuffer : {glm::ivec2(640, 480), {1280, 960}, {960, 720}})
+            record_pixel(out, cursor, {640, 480}, framebuffer);
+    for (int i = 0; i < 60; ++i) {
+        const glm::ivec2 window(64 << between(0, 4, random), 32 << between(0, 4, random));
+        const glm::ivec2 framebuffer(window.x / 2 * between(1, 4, random), window.y / 2 * between(1, 4, random));
+        const double x = between(-100, 140 * 64, random) / 64.0 - 9;
+        record_pixel(out, {x, between(-100, 140 * 64, random) / 64.0 - 20}, window, framebuffer);
+    }
+    record_pixel(out, {5, 6}, {0, 0}, {0, 0});
+    record_pixel(out, {5, 6}, {0, 200}, {0, 400});
+    record_pixel(out, {5, 6}, {200, 0}, {400, 0});
+    record_pixel(out, {5, 6}, {1, 1}, {0, 0});
+    record_pixel(out, {5, 6}, {0, 0}, {64, 64});
+    record_pixel(out, {0.5, 0.75}, {1, 1}, {1, 1});
+}
+
+/// The course's example, the corners of a small view, views that do not begin at 0, and mirrored ones.
+void record_linear(Recorder& out)
+{
+    const ViewLimits limits{-2, 2, -1.5, 1.5};
+    out.append("world", ask<pixel_in_world>(out, glm::ivec2(100, 50), limits, glm::ivec2(800, 600)));
+    for (const glm::ivec2& pixel : {glm::ivec2(0, 0), {3, 1}, {0, 1}, {3, 0}, {1, 0}, {-1, 2}})
+        for (const ViewLimits& shown : {ViewLimits{0, 4, 0, 2}, {10, 12, -7, -6}, {1, -1, 3, -1}})
+            out.append("world", ask<pixel_in_world>(out, pixel, shown, glm::ivec2(4, 2)));
+}
+
+ViewLimits random_limits(Random& random)
+{
+    const double left = between(-20.0, 20.0, random);
+    const double bottom = between(-20.0, 20.0, random);
+    const double width = between(0.5, 30.0, random);
+    return {left, left + width, bottom, bottom + between(0.5, 30.0, random)};
+}
+
+void record_random_linear(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 400; ++i) {
+        const glm::ivec2 size(between(1, 1500, random), between(1, 1000, random));
+        const ViewLimits limits = random_limits(random);
+        const glm::ivec2 pixel(between(-9, size.x + 8, random), between(-9, size.y + 8, random));
+        out.append("world", ask<pixel_in_world>(out, pixel, limits, size));
+    }
+}
+
+/// A camera, perspective or not, that looks from somewhere at something else.
+struct SnapCamera {
+    glm::mat4 view;
+    glm::mat4 projection;
+    glm::ivec2 size;
+};
+
+SnapCamera random_camera(Random& random)
+{
+    const glm::vec3 target = 4.0F * random.in_cube();
+    const glm::vec3 away = random.in_cube() + glm::vec3(0, 0, random.below(2) == 0 ? 2.5F : -2.5F);
+    const glm::ivec2 size(between(100, 900, random), between(100, 700, random));
+    const glm::vec3 up = random.in_cube() + glm::vec3(0, 2, 0);
+    const glm::mat4 view = glm::lookAt(target + 2.0F * away, target, up);
+    const float near = random.uniform(0.05F, 1);
+    const float half = random.uniform(1, 6);
+    const float shift = random.uniform(-1, 1);
+    const glm::mat4 orthographic = glm::ortho(shift - half, shift + half, -half, 0.7F * half, near, near + 60);
+    const glm::mat4 perspective = glm::frustum(near * (0.1F * shift - 0.4F), near * (0.1F * shift + 0.5F), -0.3F * near,
+                                               0.4F * near, near, 80.0F);
+    return {view, random.below(3) == 0 ? orthographic : perspective, size};
+}
+
+void record_point(Recorder& out, const SnapCamera& camera, glm::ivec2 pixel, const SnapPlane& plane)
+{
+    const std::optional<glm::dvec3> point =
+        ask<point_on_plane>(out, pixel, camera.size, camera.view, camera.projection, plane);
+    constexpr const char* names[] = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) out.append(names[i], as_row(point ? std::optional((*point)[i]) : std::nullopt));
+}
+
+/// By hand: cameras without rotation, the floor, walls, normals that are not unit; planes behind, along the ray, and
+/// through the observer.
+void record_planes(Recorder& out)
+{
+    const glm::ivec2 size(4, 4);
+    const glm::mat4 high = glm::translate(glm::mat4(1), {0, -2, 0});
+    const SnapCamera wide{high, glm::frustum(-1.0F, 1.0F, -1.0F, 1.0F, 1.0F, 9.0F), size};
+    const SnapCamera flat{high, glm::ortho(-4.0F, 4.0F, -2.0F, 2.0F, 1.0F, 9.0F), size};
+    const SnapPlane planes[] = {{{0, 1, 0}, 0},    {{0, 5, 0}, 2.5},  {{0, 0, 1}, -8},    {{0, 0, -2}, 40},
+                                {{0, 0, 1}, 3},    {{1, 0, 0}, 2},    {{0, -1, 0}, -7},   {{1, 1, 1}, 0},
+                                {{0, 0, 1}, -0.5}, {{0, 3, 4}, -100}, {{0, 0, 0.25}, -30}};
+    for (const SnapCamera& camera : {wide, flat})
+        for (const SnapPlane& plane : planes)
+            for (const glm::ivec2& pixel : {glm::ivec2(0, 3), {3, 1}, {2, 2}}) record_point(out, camera, pixel, plane);
+}
+
+/// Pairs in random order: a plane through a point in front of a pixel, and the same one behind it.
+void record_random_planes(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 200; ++i) {
+        const SnapCamera camera = random_camera(random);
+        const glm::ivec2 pixel(between(-20, camera.size.x + 20, random), between(-20, camera.size.y + 20, random));
+        const glm::dmat4 to_world = glm::inverse(glm::dmat4(camera.projection) * glm::dmat4(camera.view));
+        const auto at_depth = [&](double depth) {
+            const glm::dvec4 place = to_world * glm::dvec4(2 * (pixel.x + 0.5) / camera.size.x - 1,
+                                                           1 - 2 * (pixel.y + 0.5) / camera.size.y, depth, 1);
+            return glm::dvec3(place) / place.w;
+        };
+        const glm::dvec3 nearest = at_depth(-1);
+        const glm::dvec3 ahead = at_depth(1) - nearest;
+        // A normal that leans towards the ray, of any length.
+        const glm::dvec3 lean = glm::normalize(ahead) + 0.85 * glm::dvec3(random.in_cube());
+        const glm::dvec3 normal = between(0.2, 5.0, random) * (random.below(2) == 0 ? lean : -lean);
+        const bool sees_behind = camera.projection[3][3] == 1;
+        const double distance = between(0.5, 12.0, random);
+        const glm::dvec3 seen = nearest + distance * glm::normalize(ahead);
+        const glm::dvec3 unseen = nearest - (5 + 3 * distance) * glm::normalize(ahead);
+        const bool first = random.below(2) == 0;
+        for (const bool hit : {first, !first}) {
+            const glm::dvec3 through = hit ? seen : unseen;
+            const SnapPlane along{glm::cross(ahead, glm::dvec3(1, 2, 3)), 7};
+            const SnapPlane plane = !hit && sees_behind ? along : SnapPlane{normal, glm::dot(normal, through)};
+            record_point(out, camera, pixel, plane);
+        }
+    }
+}
+
+/// Every combination of buttons, and views of different shape.
+void record_moves(Recorder& out, Random& random)
+{
+    for (unsigned buttons = 0; buttons < 8; ++buttons)
+        out.append("cursor", glm::vec3(ask<moved_cursor>(out, glm::dvec3(1, 2, 3), glm::dvec2(8, 5), buttons,
+                                                         ViewLimits{-4, 4, -1, 2}, glm::ivec2(64, 30))));
+    for (int i = 0; i < 150; ++i) {
+        const glm::dvec3 cursor(5.0F * random.in_cube());
+        const glm::dvec2 motion(between(-90.0, 90.0, random), between(-70.0, 70.0, random));
+        const unsigned buttons = random.below(4) + 4 * random.below(3);
+        const glm::ivec2 size(between(50, 1500, random), between(50, 900, random));
+        out.append("cursor", glm::vec3(ask<moved_cursor>(out, cursor, motion, buttons, random_limits(random), size)));
+    }
+}
+
+void record_views(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 60; ++i) {
+        const glm::dvec3 cursor = i == 0 ? glm::dvec3(1, 2, 3) : glm::dvec3(5.0F * random.in_cube());
+        const glm::dvec2 place = i == 0 ? glm::dvec2(7, 8) : glm::dvec2(random.in_cube());
+        for (const LinkedView view : {LinkedView::front, LinkedView::top, LinkedView::side}) {
+            out.append("shown", ask<cursor_in_view>(out, view, cursor));
+            out.append("entered", glm::vec3(ask<cursor_from_view>(out, view, place, cursor)));
+        }
+    }
+}
+
+/// All directions, both sides of the cut to the left, and the same point; far from the origin too.
+void record_angles(Recorder& out)
+{
+    for (const glm::dvec2& reference : {glm::dvec2(0), {320, 240}, {-15.5, 1e5}})
+        for (const glm::dvec2& way : {glm::dvec2(10, 0),
+                                      {10, -10},
+                                      {0, -4},
+                                      {-3, -3},
+                                      {-8, 0},
+                                      {-6, 6},
+                                      {0, 0},
+                                      {0, 5},
+                                      {2, 2},
+                                      {-512, 0.0078125},
+                                      {-512, -0.0078125}})
+            out.append("angle", as_row(ask<entered_angle>(out, reference, reference + way)));
+}
+
+void record_random_angles(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 100; ++i) {
+        const glm::dvec2 reference(between(0.0, 640.0, random), between(0.0, 480.0, random));
+        const double x = between(-50.0, 690.0, random);
+        out.append("angle", as_row(ask<entered_angle>(out, reference, glm::dvec2(x, between(-50.0, 530.0, random)))));
+    }
+}
+
+Image heart(Recorder& out)
+{
+    return draw_heart([&](glm::ivec2 pixel, const SnapPlane& plane) {
+        return ask<point_on_plane>(out, pixel, glm::ivec2(heart_size), heart_view(), heart_projection(), plane);
+    });
+}
+
+}
+
+const Driver driver = {
+    {"pixels", [](Case& c, Recorder& out) { record_pixels(out, c.random); }},
+    {"linear", [](Case&, Recorder& out) { record_linear(out); }},
+    {"random linear", [](Case& c, Recorder& out) { record_random_linear(out, c.random); }},
+    {"planes", [](Case&, Recorder& out) { record_planes(out); }},
+    {"random planes", [](Case& c, Recorder& out) { record_random_planes(out, c.random); }},
+    {"moves", [](Case& c, Recorder& out) { record_moves(out, c.random); }},
+    {"views", [](Case& c, Recorder& out) { record_views(out, c.random); }},
+    {"angles", [](Case&, Recorder& out) { record_angles(out); }},
+    {"random angles", [](Case& c, Recorder& out) { record_random_angles(out, c.random); }},
+    {"picture", [](Case&, Recorder& out) { out.image("heart", heart(out)); }},
+};
+
+}
