@@ -24,8 +24,8 @@ struct PrimaryCamera {
 /// are square. The direction has length one, and the ray begins at the eye and has no end.
 ///
 /// `place` may lie outside the picture. Guarantee of the reference, with eyes up to 1e6 from the world's origin and
-/// `up` at an angle of 0.001 or more with the view: every coordinate of the direction within 1e-7. Course: section 5.2,
-/// primary rays; problem 4.3.
+/// `up` at an angle of 0.001 or more with the view: every coordinate of the direction within 1e-7. Course: section D
+/// 1G, "rayo primario"; problem 4.3.
 [[nodiscard]] Ray primary_ray(const PrimaryCamera& camera, int width, int height, const glm::vec2& place);
 
 /// The centres of the n x n equal squares that pixel (x, y) consists of, row by row, the upper left one first; n is 1
@@ -38,7 +38,8 @@ using LightAlongRay = std::function<glm::vec3(const Ray&)>;
 /// The picture that the camera takes: the colour of each pixel is the mean of the light along the rays through its n x
 /// n samples. Linear light, neither clamped nor encoded. Each ray's light is asked for once, in any order.
 ///
-/// Guarantee of the reference: within 1e-6 of the mean, relative. Course: section 5.2, main procedure.
+/// Guarantee of the reference: within 1e-6 of the mean, relative. Course: section D 1G, "procedimiento principal de
+/// Ray-Tracing".
 [[nodiscard]] Grid<glm::vec3> render_picture(const PrimaryCamera& camera, int width, int height, int n,
                                              const LightAlongRay& light_along);
 

@@ -85,7 +85,7 @@ struct ShadedPoint {
 /// from the light than a hundredth of its distance. The light is above or below the point's plane by 0.001 of its
 /// distance or more.
 /// Guarantee of the reference: so it is, from 1e-4 to 1e7 in size and in distance from the world's origin.
-/// Course: section 5.2, cast shadows.
+/// Course: section D 1G, "sombras arrojadas".
 [[nodiscard]] bool sees_light(const ShadedPoint& point, const glm::vec4& light, const ShadowCasters& casters);
 
 }
