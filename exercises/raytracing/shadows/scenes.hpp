@@ -26,13 +26,14 @@ struct SurfaceSite {
     double size;
 };
 
-/// The point rounded, and moved below the surface by `worse` times as much as rounding may move it, and once more.
+/// The point rounded, and moved below the surface by `worse` times as much as rounding may move it. Its error is that,
+/// the rounding itself, and as much again for a surface whose own numbers were rounded.
 inline ShadedPoint rounded_below(const glm::dvec3& point, const glm::dvec3& normal, int worse)
 {
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     const double half_ulp = 0.5 * ulp_of(largest);
     const glm::vec3 position(point - worse * half_ulp * sign(normal));
-    return {position, glm::vec3(normal), static_cast<float>((1 + worse) * half_ulp)};
+    return {position, glm::vec3(normal), static_cast<float>((2 + worse) * half_ulp)};
 }
 
 /// A point on a triangle of this size, one of the four of a flat pyramid, or on a ball, anywhere within `place` +-

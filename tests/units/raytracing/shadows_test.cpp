@@ -80,6 +80,22 @@ TEST(Shadows, interval_ends_what_is_met)
     EXPECT_FALSE(meets(above, Ray{ray.origin, {0, 0, 0}}));
 }
 
+// What the interface says of a point's error holds of every input, for the surface as it is recorded.
+TEST(Shadows, points_lie_within_their_errors)
+{
+    constexpr std::uint64_t seed = 24005;
+    Random random(seed);
+    for (int i = 0; i < 50'000; ++i) {
+        const double away = std::pow(10.0, 7 * random.uniform_double());
+        const SurfaceSite site = random_site(random, away * glm::dvec3(random.unit_vector()), 0.25 * away);
+        if (site.own.balls.empty()) continue;
+        const glm::dvec3 from_centre = glm::dvec3(site.rounded.position) - glm::dvec3(site.own.balls[0].centre);
+        const glm::dvec3 outwards(site.rounded.normal);
+        const double reach = double{site.rounded.error} * dot(abs(outwards), glm::dvec3(1));
+        ASSERT_GT(length(from_centre) - double{site.own.balls[0].radius}, -reach) << "seed " << seed << ", site " << i;
+    }
+}
+
 // The header's guarantee: no surface shades itself, and nothing is passed by that is 16 errors away.
 TEST(Shadows, reference_keeps_its_guarantee_at_all_scales)
 {
