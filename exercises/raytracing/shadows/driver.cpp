@@ -58,8 +58,7 @@ std::vector<LightQuestion> turned_away(Random& random)
 {
     std::vector<LightQuestion> questions;
     for (int i = 0; i < 100; ++i) {
-        const SurfaceSite site =
-            random_site(random, 5.0 * glm::dvec3(random.in_cube()), std::exp2(random.uniform(-1, 1)));
+        const SurfaceSite site = random_site(random, 5.0F * random.in_cube(), std::exp2(random.uniform(-1, 1)));
         const ShadowCasters none;
         const double sine = 0.05 + 0.9 * random.uniform_double();
         double reach = 0;
@@ -79,7 +78,7 @@ std::vector<LightQuestion> grazing(Random& random)
     std::vector<LightQuestion> questions;
     for (int i = 0; i < 120; ++i) {
         const double size = std::exp2(random.uniform(-2, 2));
-        const SurfaceSite site = random_site(random, 3 * size * glm::dvec3(random.unit_vector()), size);
+        const SurfaceSite site = random_site(random, static_cast<float>(3 * size) * random.unit_vector(), size);
         add_light_pair(questions, site, std::pow(10.0, -2.7 + 1.4 * random.uniform_double()), i, random);
     }
     return questions;

@@ -27,19 +27,20 @@ struct SurfaceSite {
 };
 
 /// The point rounded, and moved below the surface by `worse` times as much as rounding may move it. Its error is that,
-/// the rounding itself, and as much again for a surface whose own numbers were rounded.
+/// and the rounding itself.
 inline ShadedPoint rounded_below(const glm::dvec3& point, const glm::dvec3& normal, int worse)
 {
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     const double half_ulp = 0.5 * ulp_of(largest);
     const glm::vec3 position(point - worse * half_ulp * sign(normal));
-    return {position, glm::vec3(normal), static_cast<float>((2 + worse) * half_ulp)};
+    return {position, glm::vec3(normal), static_cast<float>((1 + worse) * half_ulp)};
 }
 
 /// A point on a triangle of this size, one of the four of a flat pyramid, or on a ball, anywhere within `place` +-
-/// `size`.
-inline SurfaceSite random_site(Random& random, const glm::dvec3& place, double size)
+/// `size`. The place is of floats: of one rounded here, GCC 12 goes on with the digits that it had before.
+inline SurfaceSite random_site(Random& random, const glm::vec3& place, double size)
 {
+    const glm::dvec3 middle(place);
     SurfaceSite site;
     site.size = size;
     const int worse = random.below(2) == 0 ? 0 : 3;
@@ -50,9 +51,9 @@ inline SurfaceSite random_site(Random& random, const glm::dvec3& place, double s
         glm::vec3 base[4];
         for (int i = 0; i < 4; ++i) {
             const glm::dvec3 along = i % 2 == 0 ? side : front;
-            base[i] = glm::vec3(place + (i < 2 ? size : -size) * along);
+            base[i] = glm::vec3(middle + (i < 2 ? size : -size) * along);
         }
-        const glm::vec3 top(place + 0.3 * size * up);
+        const glm::vec3 top(middle + 0.3 * size * up);
         for (int i = 0; i < 4; ++i) site.own.triangles.push_back({base[i], base[(i + 1) % 4], top});
         const ShadowTriangle& triangle = site.own.triangles[random.below(4)];
         const double u = 0.05 + 0.45 * random.uniform_double();
@@ -63,7 +64,7 @@ inline SurfaceSite random_site(Random& random, const glm::dvec3& place, double s
         site.point = a + u * ab + v * ac;
         site.normal = normalize(cross(ab, ac));
     } else {
-        const ShadowBall ball{glm::vec3(place), static_cast<float>(size)};
+        const ShadowBall ball{place, static_cast<float>(size)};
         site.normal = normalize(glm::dvec3(random.unit_vector()));
         site.point = glm::dvec3(ball.centre) + double{ball.radius} * site.normal;
         site.own.balls.push_back(ball);
@@ -141,7 +142,7 @@ inline std::vector<LightQuestion> light_pairs(Random& random, double size, doubl
 {
     std::vector<LightQuestion> questions;
     for (int i = 0; i < count; ++i) {
-        const SurfaceSite site = random_site(random, away * glm::dvec3(random.unit_vector()), size);
+        const SurfaceSite site = random_site(random, static_cast<float>(away) * random.unit_vector(), size);
         add_light_pair(questions, site, 0.15 + 0.8 * random.uniform_double(), i, random);
     }
     return questions;
@@ -153,7 +154,7 @@ inline std::vector<LightQuestion> contact_pairs(Random& random, double size, dou
 {
     std::vector<LightQuestion> questions;
     for (int i = 0; i < count; ++i) {
-        const SurfaceSite site = random_site(random, away * glm::dvec3(random.unit_vector()), size);
+        const SurfaceSite site = random_site(random, static_cast<float>(away) * random.unit_vector(), size);
         const glm::dvec3 towards = direction_above(site, 0.9 + 0.09 * random.uniform_double(), random);
         double reach = 0;
         const LightQuestion lit{site.rounded, random_light(site, towards, i % 2 == 0, reach, random), site.own};

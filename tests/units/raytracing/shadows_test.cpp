@@ -87,7 +87,7 @@ TEST(Shadows, points_lie_within_their_errors)
     Random random(seed);
     for (int i = 0; i < 50'000; ++i) {
         const double away = std::pow(10.0, 7 * random.uniform_double());
-        const SurfaceSite site = random_site(random, away * glm::dvec3(random.unit_vector()), 0.25 * away);
+        const SurfaceSite site = random_site(random, static_cast<float>(away) * random.unit_vector(), 0.25 * away);
         if (site.own.balls.empty()) continue;
         const glm::dvec3 from_centre = glm::dvec3(site.rounded.position) - glm::dvec3(site.own.balls[0].centre);
         const glm::dvec3 outwards(site.rounded.normal);
