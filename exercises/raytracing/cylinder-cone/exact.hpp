@@ -1,0 +1,164 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "shots.hpp"
+
+/// Rays of few binary digits: whatever decides about them is exact.
+namespace umbral::raytracing {
+
+/// Answers that a student can check by hand, the course's among them; behind each hit comes a miss.
+inline std::vector<Ray> cylinder_by_hand()
+{
+    return {
+        Ray{{0, 2.1F, 3}, {0, -0.8F, -2}},
+        Ray{{0, 2.9F, 3}, {0, -0.8F, -2}},
+        Ray{{0, 0.5F, 3}, {0, 0, -1}},
+        Ray{{0, 1.5F, 3}, {0, 0, -1}},
+        Ray{{4, 0.25F, 0}, {-2, 0, 0}},
+        Ray{{4, -0.25F, 0}, {-2, 0, 0}},
+        Ray{{0, 0.5F, 0}, {1, 0, 0}},
+        Ray{{0, 0.5F, 2}, {1, 0, 0}},
+        Ray{{0.5F, 3, 0}, {0.125F, -0.625F, 0}},
+        Ray{{0.5F, 3, 0}, {-0.125F, -1, 0}},
+        Ray{{-3, 0.5F, 0}, {0.5F, 0, 0}},
+        Ray{{-3, 0.5F, 0}, {-0.5F, 0, 0}},
+        Ray{{0, -1, -3}, {0, 0.75F, 1}},
+        Ray{{0, -1, -3}, {0, 0.125F, 1}},
+        Ray{{1.5F, 0.75F, -2}, {-0.5F, 0, 1}},
+        Ray{{1.5F, 0.75F, -2}, {0.5F, 0, 1}},
+    };
+}
+
+inline std::vector<Ray> cone_by_hand()
+{
+    return {
+        Ray{{0, 0.5F, 3}, {0, 0, -1}},      Ray{{0, 1.5F, 3}, {0, 0, -1}},      Ray{{0.5F, 3, 0}, {0, -1, 0}},
+        Ray{{0.5F, 3, 0}, {0, 1, 0}},       Ray{{0, 1.5F, 2}, {0, -1, -1}},     Ray{{0, 3.5F, 2}, {0, -1, -1}},
+        Ray{{3, 0.25F, 0}, {-2, 0, 0}},     Ray{{3, -0.25F, 0}, {-2, 0, 0}},    Ray{{0, 0.5F, 0}, {0, 0, 1}},
+        Ray{{0, 1.75F, 0}, {0, 0, 1}},      Ray{{-0.25F, -1, 0}, {0, 0.5F, 0}}, Ray{{-1.25F, -1, 0}, {0, 0.5F, 0}},
+        Ray{{0, 0.75F, -2}, {0, 0, 0.25F}}, Ray{{1, 0.75F, -2}, {0, 0, 0.25F}}, Ray{{2, 2, 0}, {-1, -0.875F, 0}},
+        Ray{{2, 4, 0}, {-1, -0.875F, 0}},
+    };
+}
+
+/// A quarter turn about the y axis, this many times.
+inline glm::vec3 turned(glm::vec3 v, std::uint32_t quarters)
+{
+    for (; quarters > 0; --quarters) v = {v.z, v.y, -v.x};
+    return v;
+}
+
+inline Ray turned(Ray ray, std::uint32_t quarters)
+{
+    ray.origin = turned(ray.origin, quarters);
+    ray.direction = turned(ray.direction, quarters);
+    return ray;
+}
+
+/// Rays parallel to the axis within, without and in the surface of the cylinder; of the cone, rays parallel to one of
+/// its lines, which meet it once, or only its other half, and rays that lie in it.
+inline std::vector<Ray> parallel(Quadric quadric, Random& random)
+{
+    std::vector<Ray> rays;
+    for (int i = 0; i < 60; ++i) {
+        const std::uint32_t quarters = random.below(4);
+        const float speed = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const float height = 0.0625F * static_cast<float>(1 + random.below(15));
+        Ray hit;
+        Ray miss;
+        if (quadric == Quadric::cylinder) {
+            const float radii[] = {0.5F, 1, 1.5F, 0};
+            const float from = i % 8 < 4 ? 3.0F : -2.0F;
+            hit = {{3, height, 0}, {-speed, 0, 0}};
+            miss = {{radii[i % 4], from, 0}, {0, from > 0 ? -speed : speed, 0}};
+            if (i % 3 == 0) miss.t_min = -endless;
+        } else {
+            // Down the line from the apex to (-1, 0, 0) or (1, 0, 0), moved up or down by `above`.
+            const float above = 2 * height;
+            hit = {{2, 3 - above, 0}, {-speed, -speed, 0}};
+            hit.origin += glm::vec3(0.25F, 0.25F, 0);
+            miss = hit;
+            switch (i % 3) {
+                case 0: miss.origin += glm::vec3(0, above + 0.125F, 0); break;   // meets the other half
+                case 1: miss.origin = {height - 0.5F, 0.5F - height, 0}; break;  // has it behind
+                default: miss.origin = {2, 3, 0};                                // runs in the surface
+            }
+        }
+        add_pair(rays, turned(hit, quarters), turned(miss, quarters), random);
+    }
+    return rays;
+}
+
+/// Level rays that meet a rim or the apex, or touch the surface, and rays down the axis through the apex. Those that
+/// miss pass a sixteenth beyond, or have an interval that ends there.
+inline std::vector<Ray> at_the_rims(Quadric quadric, Random& random)
+{
+    std::vector<Ray> rays;
+    for (int i = 0; i < 80; ++i) {
+        const std::uint32_t quarters = random.below(4);
+        const float speed = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const float away = 2 + 0.5F * static_cast<float>(random.below(5));
+        Ray hit{{away, 0, 0}, {-speed, 0, 0}};
+        Ray miss = hit;
+        miss.origin.y = -0.0625F;
+        switch (i % 4) {
+            case 0: break;
+            case 1:
+                hit.origin.y = 1;
+                miss.origin.y = 1.0625F;
+                break;
+            case 2: {
+                hit.origin.y = miss.origin.y = 0.25F * static_cast<float>(random.below(4));
+                const float radius = quadric == Quadric::cylinder ? 1 : 1 - hit.origin.y;
+                hit.origin.z = random.below(2) == 0 ? radius : -radius;
+                miss.origin.z = 1.0625F * hit.origin.z;
+                break;
+            }
+            default:
+                if (quadric == Quadric::cone) {
+                    hit = {{0, 1 + away, 0}, {0, -speed, 0}};
+                    if (random.below(2) == 0) hit = {{0, -away, 0}, {0, speed, 0}};
+                    miss = hit;
+                    const float t = std::abs(hit.origin.y - 1) / speed;
+                    miss.t_max = 0.9375F * t;
+                } else {
+                    hit.origin.y = 1;
+                    hit.t_min = miss.t_min = away / speed;
+                    miss.origin.y = 1.0625F;
+                }
+        }
+        add_pair(rays, turned(hit, quarters), turned(miss, quarters), random);
+    }
+    return rays;
+}
+
+/// Points at an end of the interval, which do not count; and rays that begin on the surface. At half its height the
+/// level rays have two points, at exactly known t.
+inline std::vector<Ray> at_the_ends(Quadric quadric, Random& random)
+{
+    std::vector<Ray> rays;
+    const float radius = quadric == Quadric::cylinder ? 1 : 0.5F;
+    for (int i = 0; i < 100; ++i) {
+        const std::uint32_t quarters = random.below(4);
+        const float speed = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const float away = 2 + 0.5F * static_cast<float>(random.below(5));
+        const float entry = (away - radius) / speed;
+        const float exit = (away + radius) / speed;
+        const auto level = [&](float x, float towards, float t_min, float t_max) {
+            return turned(Ray{{x, 0.5F, 0}, {towards * speed, 0, 0}, t_min, t_max}, quarters);
+        };
+        switch (i % 6) {
+            case 0: add_pair(rays, level(away, -1, entry, endless), level(away, -1, entry, exit), random); break;
+            case 1: add_pair(rays, level(away, -1, 0, 1.0625F * entry), level(away, -1, 0, entry), random); break;
+            case 2: add_pair(rays, level(away, -1, entry, 2 * exit), level(away, -1, exit, endless), random); break;
+            case 3: add_pair(rays, level(away, 1, -2 * exit, 0), level(away, 1, -entry, endless), random); break;
+            case 4: add_pair(rays, level(radius, -1, 0, endless), level(radius, 1, 0, endless), random); break;
+            default: add_pair(rays, level(radius, 1, -1, 1), level(radius, 1, -2 * radius / speed, 0), random);
+        }
+    }
+    return rays;
+}
+
+}

@@ -1,0 +1,142 @@
+#include <umbral/record/ask.hpp>
+#include <umbral/record/driver.hpp>
+
+#include "glances.hpp"
+#include "glass.hpp"
+
+namespace umbral {
+namespace {
+
+using namespace raytracing;
+
+void record_mirrored(Recorder& out, const glm::vec3& v, const glm::vec3& n)
+{
+    out.append("mirrored", ask<mirrored_direction>(out, v, n));
+}
+
+// Three rows, one for each coordinate; absent if there is none.
+void record_refracted(Recorder& out, const SurfaceGlance& glance)
+{
+    const std::optional<glm::vec3> t = ask<refracted_direction>(out, glance.v, glance.n, glance.outside, glance.inside);
+    for (int i = 0; i < 3; ++i) out.append("refracted", t ? std::optional<float>((*t)[i]) : std::nullopt);
+}
+
+void record_by_hand(Recorder& out)
+{
+    const float half = 0.70710678F;
+    const std::pair<glm::vec3, glm::vec3> mirrors[] = {
+        {{0.6F, 0.8F, 0}, {0, 1, 0}}, {{0.6F, -0.8F, 0}, {0, 1, 0}}, {{half, half, 0}, {1, 0, 0}},
+        {{0, 0, 1}, {0, 0, 1}},       {{0, 0.8F, 0.6F}, {0, 0, -1}}, {{1, 0, 0}, {half, 0, half}},
+        {{1, 0, 0}, {0, 1, 0}},       {{0, 1, 0}, {0, half, -half}}, {{0, -0.6F, 0.8F}, {0.6F, 0.8F, 0}},
+    };
+    for (const auto& [v, n] : mirrors) record_mirrored(out, v, n);
+
+    const SurfaceGlance glances[] = {
+        {{half, half, 0}, {0, 1, 0}, 1, 1.5F},
+        {{0, 1, 0}, {0, 1, 0}, 1, 1.5F},
+        {{0.6F, 0, 0.8F}, {0, 0, 1}, 1, 1.5F},
+        {{0.6F, 0, -0.8F}, {0, 0, 1}, 1, 1.5F},
+        {{0.8F, 0, -0.6F}, {0, 0, 1}, 1, 1.5F},
+        {{0, -1, 0}, {0, 1, 0}, 1, 1.33F},
+        {{0, 0.6F, 0.8F}, {0, 0, 1}, 1.5F, 1},
+        {{0, 0.8F, 0.6F}, {0, 0, 1}, 1.5F, 1},
+        {{0.8F, 0.6F, 0}, {1, 0, 0}, 1.25F, 1.25F},
+        {{-0.8F, 0, 0.6F}, {1, 0, 0}, 2, 1.5F},
+        {{1, 0, 0}, {0, 1, 0}, 1, 1.5F},
+        {{1, 0, 0}, {0, 1, 0}, 1.5F, 1},
+        {{1, 0, 0}, {0, 1, 0}, 1.25F, 1.25F},
+    };
+    for (const SurfaceGlance& glance : glances) record_refracted(out, glance);
+
+    const std::pair<float, float> media[] = {{1.5F, 1},      {1.33F, 1}, {1, 1.5F},     {2, 1},   {1.5F, 1.5F},
+                                             {2.42F, 1.33F}, {1, 1},     {1.33F, 1.5F}, {4, 1.5F}};
+    for (const auto& [from, into] : media) out.append("critical", ask<critical_angle>(out, from, into));
+}
+
+void record_random(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 300; ++i) {
+        const glm::vec3 v = random.unit_vector();
+        record_mirrored(out, v, random.unit_vector());
+        record_refracted(out, refracted_glance(random));
+        const auto [rare, dense] = random_indices(random);
+        const bool comes_out = random.below(3) == 0;
+        out.append("critical", ask<critical_angle>(out, comes_out ? rare : dense, comes_out ? dense : rare));
+    }
+}
+
+// Total reflection, and as many rays that come through.
+void record_total(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 160; ++i)
+        record_refracted(out, random.below(2) == 0 ? total_glance(random) : refracted_glance(random));
+}
+
+// Light that arrives nearly along the normal, exactly along it, or along the surface; and media that are the same.
+void record_edges(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 60; ++i) {
+        const auto [rare, dense] = random_indices(random);
+        const bool swapped = random.below(2) == 0;
+        const float outside = swapped ? dense : rare;
+        const float inside = swapped ? rare : dense;
+        glm::vec3 n(0);
+        n[i % 3] = random.below(2) == 0 ? 1 : -1;
+        glm::vec3 across(0);
+        across[(i + 1) % 3] = random.below(2) == 0 ? 1 : -1;
+        const glm::vec3 near_normal = normalize(n + random.uniform(0, 1e-3F) * across);
+        switch (i / 3 % 5) {
+            case 0: record_refracted(out, {n, n, outside, inside}); break;
+            case 1: record_refracted(out, {-n, n, outside, inside}); break;
+            case 2:
+                record_refracted(out, {random.below(2) == 0 ? near_normal : -near_normal, n, outside, inside});
+                break;
+            case 3: record_refracted(out, {across, n, rare, dense}); break;
+            default: record_refracted(out, {random.unit_vector(), random.unit_vector(), dense, dense});
+        }
+        record_mirrored(out, i % 2 == 0 ? across : near_normal, n);
+    }
+}
+
+// The same directions with vectors of all lengths, both short, both long, or one of each.
+void record_lengths(Random& random, Recorder& out)
+{
+    const auto stretched = [&](const glm::vec3& v) {
+        return v * std::pow(10.0F, random.below(2) == 0 ? random.uniform(-6, -0.5F) : random.uniform(0.5F, 6));
+    };
+    for (int i = 0; i < 120; ++i) {
+        SurfaceGlance glance = i % 3 == 0 ? total_glance(random) : refracted_glance(random);
+        glance.v = stretched(glance.v);
+        glance.n = stretched(glance.n);
+        record_refracted(out, glance);
+        record_mirrored(out, glance.v, glance.n);
+    }
+}
+
+void record_critical(Random& random, Recorder& out)
+{
+    for (const SurfaceGlance& glance : critical_glances(random, 200)) record_refracted(out, glance);
+}
+
+void record_picture(Recorder& out)
+{
+    constexpr int width = 288;
+    constexpr int height = 192;
+    const Camera camera{{0.35F, 1.75F, 6.6F}, {0, 0.86F, 0}, 0.335F};
+    out.image("glass", ray_traced(width, height, camera,
+                                  [](const Ray& ray) { return glass_light(ray.origin, ray.direction, 7); }));
+}
+
+}
+
+const Driver driver = {
+    {"by hand", [](Case&, Recorder& out) { record_by_hand(out); }},
+    {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
+    {"total reflection", [](Case& c, Recorder& out) { record_total(c.random, out); }},
+    {"edges", [](Case& c, Recorder& out) { record_edges(c.random, out); }},
+    {"lengths", [](Case& c, Recorder& out) { record_lengths(c.random, out); }},
+    {"near the critical angle", [](Case& c, Recorder& out) { record_critical(c.random, out); }},
+    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+};
+
+}

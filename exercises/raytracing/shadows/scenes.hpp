@@ -1,0 +1,174 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <umbral/raytracing/shadows.hpp>
+#include <vector>
+
+#include "../rays.hpp"
+
+/// Points, lights and casters of which it is known by construction whether the light arrives.
+namespace umbral::raytracing {
+
+/// One question put to a visibility.
+struct LightQuestion {
+    ShadedPoint point;
+    glm::vec4 light;
+    ShadowCasters casters;
+};
+
+/// A point of a surface as it is, and as it is rounded. `size` is that of the surface it lies on.
+struct SurfaceSite {
+    glm::dvec3 point;
+    glm::dvec3 normal;
+    ShadedPoint rounded;
+    ShadowCasters own;
+    double size;
+};
+
+/// The point rounded, and moved below the surface by `worse` times as much as rounding may move it. Its error is that,
+/// and the rounding itself.
+inline ShadedPoint rounded_below(const glm::dvec3& point, const glm::dvec3& normal, int worse)
+{
+    const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+    const double half_ulp = 0.5 * ulp_of(largest);
+    const glm::vec3 position(point - worse * half_ulp * sign(normal));
+    return {position, glm::vec3(normal), static_cast<float>((1 + worse) * half_ulp)};
+}
+
+/// A point on a triangle of this size, one of the four of a flat pyramid, or on a ball, anywhere within `place` +-
+/// `size`. The place is of floats: of one rounded here, GCC 12 goes on with the digits that it had before.
+inline SurfaceSite random_site(Random& random, const glm::vec3& place, double size)
+{
+    const glm::dvec3 middle(place);
+    SurfaceSite site;
+    site.size = size;
+    const int worse = random.below(2) == 0 ? 0 : 3;
+    if (random.below(2) == 0) {
+        const glm::dvec3 up(random.unit_vector());
+        const glm::dvec3 side = perpendicular_to(normalize(up), random);
+        const glm::dvec3 front = cross(up, side);
+        glm::vec3 base[4];
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec3 along = i % 2 == 0 ? side : front;
+            base[i] = glm::vec3(middle + (i < 2 ? size : -size) * along);
+        }
+        const glm::vec3 top(middle + 0.3 * size * up);
+        for (int i = 0; i < 4; ++i) site.own.triangles.push_back({base[i], base[(i + 1) % 4], top});
+        const ShadowTriangle& triangle = site.own.triangles[random.below(4)];
+        const double u = 0.05 + 0.45 * random.uniform_double();
+        const double v = 0.05 + 0.45 * random.uniform_double();
+        const glm::dvec3 a(triangle.a);
+        const glm::dvec3 ab = glm::dvec3(triangle.b) - a;
+        const glm::dvec3 ac = glm::dvec3(triangle.c) - a;
+        site.point = a + u * ab + v * ac;
+        site.normal = normalize(cross(ab, ac));
+    } else {
+        const ShadowBall ball{place, static_cast<float>(size)};
+        site.normal = normalize(glm::dvec3(random.unit_vector()));
+        site.point = glm::dvec3(ball.centre) + double{ball.radius} * site.normal;
+        site.own.balls.push_back(ball);
+    }
+    site.rounded = rounded_below(site.point, site.normal, worse);
+    return site;
+}
+
+/// A unit direction whose angle with the surface has this sine; below it if that is negative.
+inline glm::dvec3 direction_above(const SurfaceSite& site, double sine, Random& random)
+{
+    return sine * site.normal + std::sqrt(1 - sine * sine) * perpendicular_to(site.normal, random);
+}
+
+/// A light in this direction: a lamp 2 to 6 sizes away, or a sun whose direction has any length. `reach` becomes the
+/// lamp's distance, or a length for what is put in the sun's way.
+inline glm::vec4 random_light(const SurfaceSite& site, const glm::dvec3& towards, bool is_sun, double& reach,
+                              Random& random)
+{
+    reach = site.size * (2 + 4 * random.uniform_double());
+    if (is_sun) return {std::exp2(random.uniform(-4, 4)) * glm::vec3(towards), 0};
+    return {glm::vec3(site.point + reach * towards), 1};
+}
+
+/// A ball with its centre this far along a direction from the site, and as far aside of the line as `aside` radii.
+inline ShadowBall ball_beside(const SurfaceSite& site, const glm::dvec3& towards, double distance, double radius,
+                              double aside, Random& random)
+{
+    const glm::dvec3 centre = site.point + distance * towards + aside * radius * perpendicular_to(towards, random);
+    return {glm::vec3(centre), static_cast<float>(radius)};
+}
+
+/// A triangle that a direction from the site crosses this far away, in its middle.
+inline ShadowTriangle triangle_across(const SurfaceSite& site, const glm::dvec3& towards, double distance,
+                                      double radius, Random& random)
+{
+    const glm::dvec3 middle = site.point + distance * towards;
+    const glm::dvec3 side = perpendicular_to(towards, random);
+    const glm::dvec3 other = cross(towards, side);
+    const glm::dvec3 tilt = 0.2 * towards;
+    return {glm::vec3(middle + radius * (side + tilt)), glm::vec3(middle + radius * (-0.5 * side + 0.8 * other)),
+            glm::vec3(middle - radius * (0.5 * side + 0.9 * other + tilt))};
+}
+
+/// A pair: a point with an open way to the light, past two balls, and the same with a caster on it. Every second of
+/// those is a triangle. What stood in the way stands beside it, beyond the lamp or below the point where there is
+/// light.
+inline void add_light_pair(std::vector<LightQuestion>& questions, const SurfaceSite& site, double sine, int kind,
+                           Random& random)
+{
+    const bool is_sun = kind % 3 == 0;
+    const glm::dvec3 towards = direction_above(site, sine, random);
+    double reach = 0;
+    LightQuestion lit{site.rounded, random_light(site, towards, is_sun, reach, random), site.own};
+    for (int i = 0; i < 2; ++i)
+        lit.casters.balls.push_back(ball_beside(site, towards, reach * (0.3 + 0.4 * random.uniform_double()),
+                                                site.size * 0.3, 1.2 + random.uniform_double(), random));
+    LightQuestion dark = lit;
+    const double radius = site.size * (0.05 + 0.1 * random.uniform_double());
+    const double distance = reach * (0.3 + 0.5 * random.uniform_double());
+    if (kind % 2 == 0)
+        dark.casters.balls.push_back(
+            ball_beside(site, towards, distance, radius, 0.8 * random.uniform_double(), random));
+    else
+        dark.casters.triangles.push_back(triangle_across(site, towards, distance, radius, random));
+    if (!is_sun && kind % 4 < 2)
+        lit.casters.balls.push_back(ball_beside(site, towards, 1.05 * reach + radius, radius, 0, random));
+    else
+        lit.casters.triangles.push_back(triangle_across(site, towards, -distance - site.size, radius, random));
+    add_pair(questions, lit, dark, random);
+}
+
+/// `count` pairs of points on surfaces of this size, that far from the world's origin.
+inline std::vector<LightQuestion> light_pairs(Random& random, double size, double away, int count)
+{
+    std::vector<LightQuestion> questions;
+    for (int i = 0; i < count; ++i) {
+        const SurfaceSite site = random_site(random, static_cast<float>(away) * random.unit_vector(), size);
+        add_light_pair(questions, site, 0.15 + 0.8 * random.uniform_double(), i, random);
+    }
+    return questions;
+}
+
+/// `count` pairs of a point with nothing in the way, and one with a triangle close above it: 20 to 60 errors away along
+/// the light's direction, which is steep.
+inline std::vector<LightQuestion> contact_pairs(Random& random, double size, double away, int count)
+{
+    std::vector<LightQuestion> questions;
+    for (int i = 0; i < count; ++i) {
+        const SurfaceSite site = random_site(random, static_cast<float>(away) * random.unit_vector(), size);
+        const glm::dvec3 towards = direction_above(site, 0.9 + 0.09 * random.uniform_double(), random);
+        double reach = 0;
+        const LightQuestion lit{site.rounded, random_light(site, towards, i % 2 == 0, reach, random), site.own};
+        LightQuestion dark = lit;
+        const double gap = double{site.rounded.error} * (22 + 38 * random.uniform_double());
+        // Parallel to the surface, so that all of it is as far away.
+        const glm::dvec3 middle = site.point + gap * towards;
+        const glm::dvec3 side = 0.1 * size * perpendicular_to(site.normal, random);
+        const glm::dvec3 other = cross(site.normal, side);
+        dark.casters.triangles.push_back({glm::vec3(middle + side), glm::vec3(middle - 0.5 * side + 0.8 * other),
+                                          glm::vec3(middle - 0.5 * side - 0.9 * other)});
+        add_pair(questions, lit, dark, random);
+    }
+    return questions;
+}
+
+}
