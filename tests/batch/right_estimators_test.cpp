@@ -53,6 +53,8 @@ TEST_P(RightEstimators, all_right_ways_to_sample_pass_with_many_seeds)
             const UnitResult result = grade(way.sources, attempt);
             EXPECT_EQ(to_string(result.verdict), "ok") << way.name << ", attempt " << attempt << ": " << result.message;
             for (const CheckResult& check : result.checks) {
+                EXPECT_EQ(check.score, check.max_score)
+                    << way.name << ", attempt " << attempt << ", " << check.name << ": " << check.message;
                 if (!check.metrics.contains("probability")) continue;
                 ++checks;
                 again += check.seeds.size() == 2 ? 1 : 0;

@@ -108,7 +108,7 @@ void record_secret(Random& random, Recorder& out)
         const DiffuseRoom room = random_room(random);
         introduce(out, room, "random_room");
         const Camera camera{{random.uniform(-0.4F, 0.4F), random.uniform(0.6F, 1.4F), 3.4F}, {0, 1, 0}, 0.47F};
-        out.image(name, rendered(random, out, room, camera, 48, bounces, 16));
+        out.image(name, rendered(random, out, room, camera, 64, bounces, 16));
     }
 }
 

@@ -96,7 +96,7 @@ inline DiffuseRoom random_room(Random& random)
     for (int i = 0; i < 2; ++i) {
         const float x = random.uniform(-0.95F, -0.8F) + 0.95F * static_cast<float>(i);
         const float z = random.uniform(-0.8F, 0.1F);
-        const glm::vec3 light = 1.0F + 2.5F * colour();
+        const glm::vec3 light = 0.4F + 1.0F * colour();
         const glm::vec3 albedo = colour();
         room.add_lamp(
             {{x, random.uniform(1.4F, 1.75F), z}, {0.8F, random.uniform(-0.2F, 0.2F), 0}, {0, 0, 0.8F}, light}, albedo);
