@@ -14,6 +14,13 @@ inline constexpr const char* right_alone =
     "this call is answered right if no other is made before it: your code keeps something from one call to the next, "
     "perhaps in a static or a global variable";
 
+/// Is a row of a check right in a run that asked less than the case does, which `expected` asked whole? What the run
+/// recorded is taken for the first rows.
+[[nodiscard]] bool is_row_right(const Check& check, const RunOutcome& run, const Expected& expected, std::size_t row);
+
+/// Nothing is asked but this question.
+[[nodiscard]] inline PassedOver only(std::uint32_t question) { return {.end = question + 1, .only = question}; }
+
 /// Is a row of a check, which a student's code gets wrong, right if its question is the only one of the case that is
 /// asked? Questions to objects that earlier ones made cannot be asked so: no. One run of the case.
 [[nodiscard]] bool is_right_alone(Worker& worker, const Exercise& exercise, const Built& built, const Check& check,

@@ -33,12 +33,12 @@ double length_of(const QuestionLog& log, std::uint32_t question, const std::stri
 struct Simplest {
     std::optional<Difference> found;
     double length = 0;
+    std::uint32_t question = 0;
+    std::size_t row = 0;
 
-    void offer(const Difference& other, double other_length)
+    void offer(const Simplest& other)
     {
-        if (found && length <= other_length) return;
-        found = other;
-        length = other_length;
+        if (other.found && (!found || other.length < length)) *this = other;
     }
 };
 
@@ -86,15 +86,21 @@ bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const
     const TensorView view(*yours);
     const TensorView right(*side.value);
     const auto columns = column_names(text_of(side.names), right.components());
+    Simplest best;
     for (const auto& [question, code] : read_questions(written.recording.tensors).code) {
         const auto found = rows.find(question);
         // Of few bits a vector may be null, and what the driver makes of it no number: no question of the unit's.
         if (found == rows.end() || code.find("NAN") != std::string::npos) continue;
         const RowPairs pairs{check, view, right, kind, columns};
         const auto [where, mine, reference, cell, none, others] = row_difference(pairs, found->second);
-        simplest.offer({wrong_columns(pairs, found->second), mine, reference, std::nullopt, code},
-                       length_of(log, question, code));
+        best.offer({Difference{wrong_columns(pairs, found->second), mine, reference, std::nullopt, code},
+                    length_of(log, question, code), question, found->second});
     }
+    if (!best.found || (simplest.found && simplest.length <= best.length)) return true;
+    // What is wrong only after other questions shows nothing.
+    const RunOutcome alone =
+        worker.run_coarse(exercise, built, check.case_name, one.seed, grain, expected, only(best.question));
+    if (!is_row_right(check, alone, side, best.row)) simplest.offer(best);
     return true;
 }
 

@@ -193,9 +193,11 @@ RunOutcome Worker::run_told(const Exercise& exercise, const Built& built, const 
 }
 
 RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
-                              std::uint64_t seed, const Grain& grain, const RunOutcome& expected)
+                              std::uint64_t seed, const Grain& grain, const RunOutcome& expected,
+                              const PassedOver& passed_over)
 {
     RunRequest wanted = students_request(exercise, built, case_name, seed);
+    wanted.passed_over = passed_over;
     for (auto& [value, cells] : wanted.wanted)
         if (const Tensor* tensor = tensor_of(expected, value)) cells = tensor->cells();
     wanted.inquiry.grain = grain;

@@ -86,7 +86,8 @@ public:
     /// Runs one case with a student's build on inputs of this grain, of which is read what `expected` holds too.
     /// Nothing is kept.
     [[nodiscard]] RunOutcome run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
-                                        std::uint64_t seed, const Grain& grain, const RunOutcome& expected);
+                                        std::uint64_t seed, const Grain& grain, const RunOutcome& expected,
+                                        const PassedOver& passed_over = {});
 
     /// Runs the only case, "question", of a driver of its own (ask_question.hpp) with a student's build, or with a
     /// trusted solution. Nothing is kept.

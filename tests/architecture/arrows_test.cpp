@@ -157,6 +157,8 @@ TEST(Arrows, of_the_framework)
 {
     const std::set<std::string> below_topics = {"core", "gl", "input", "record"};
     const Layers may_include = {{"core", {}}, {"gl", {"core", "record"}}, {"input", {"core"}}, {"record", {"core"}}};
+    // What units of several topics are about.
+    const std::set<std::string> plain_data = {"umbral/lighting/light.hpp"};
     const Layers used = used_topics();
     std::size_t seen = 0;
     for (const Include& include : includes_below("framework/umbral")) {
@@ -173,10 +175,14 @@ TEST(Arrows, of_the_framework)
         // Topics are data and interfaces of their own: they meet in the reference, and where a unit uses others.
         const auto others = used.find(layer);
         const bool is_used = others != used.end() && others->second.contains(target);
-        EXPECT_TRUE(is_topic ? below_topics.contains(target) || is_used : may_include.at(layer).contains(target))
+        EXPECT_TRUE(is_topic ? below_topics.contains(target) || is_used || plain_data.contains(include.target)
+                             : may_include.at(layer).contains(target))
             << include.line.where();
     }
     EXPECT_GT(seen, 20U);
+    for (const std::string& header : plain_data)
+        for (const Line& line : lines_of("framework/" + header))
+            EXPECT_EQ(line.text.find("[[nodiscard]]"), std::string::npos) << line.where() << ": that is no data";
 }
 
 // What the grader and the engine's programs share knows neither of them, nor the framework.

@@ -54,8 +54,8 @@ void record_late_beginning(Recorder& out)
 {
     name_events(out, "events");
     InputTrial trial(out,
-                     input::parse_script("0.1 move 200 100\n0.2 press right\n0.3 press middle 210 90\n0.5 move 220 85\n"
-                                         "0.6 press left\n0.7 release right\n0.8 scroll 1 0\n"));
+                     input::parse_script("0.1 move 200 100\n0.2 press right\n0.25 press 6\n0.3 press middle 210 90\n"
+                                         "0.5 move 220 85\n0.6 press left\n0.7 release right\n0.8 scroll 1 0\n"));
     trial.pass(0.4);
     trial.install();
     trial.pass(0.75);

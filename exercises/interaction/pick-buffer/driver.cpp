@@ -214,7 +214,11 @@ void record_overflow(Recorder& out, Random& random)
             }
             out.append("overflow", static_cast<float>(ask<&SelectionBuffer::finish>(out, *buffer)));
             // The next selection is not to blame.
-            carry_out(out, *buffer, note(0, 1));
+            const std::uint32_t hits = 1 + random.below(3);
+            for (std::uint32_t k = 0; k < hits; ++k) {
+                carry_out(out, *buffer, init());
+                carry_out(out, *buffer, note(0, 1));
+            }
             out.append("next", static_cast<float>(ask<&SelectionBuffer::finish>(out, *buffer)));
         }
     }

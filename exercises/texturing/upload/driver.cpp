@@ -23,16 +23,21 @@ void record_cells(Recorder& out, std::string_view name, const Probe& probe, int 
     for (const glm::vec4& cell : probe.read(unit, window)) out.append(name, cell);
 }
 
-// Every texel, read at its centre. The pictures have gone when they are uploaded.
+// Every texel, read at its centre, wherever rows are said to begin. The pictures have gone when they are uploaded.
 void texels(Case& c, Recorder& out)
 {
     const Probe probe;
-    for (const glm::ivec2 size : {glm::ivec2(4, 1), {1, 1}, {4, 4}, {2, 3}, {3, 2}, {5, 4}, {7, 3}, {1, 6}, {17, 9}}) {
-        const Made texture =
-            ask_new<make_texture>(out, "texture", random_picture(c.random, size.x, size.y), Sampler{}, false);
-        activate(out, texture, 0);
-        record_cells(out, "texels", probe, 0, {{0, 0}, {1, 1}, size.x, size.y});
+    for (const int alignment : {4, 8}) {
+        for (const glm::ivec2 size :
+             {glm::ivec2(4, 1), {1, 1}, {4, 4}, {2, 3}, {3, 2}, {5, 4}, {7, 3}, {1, 6}, {17, 9}, {12, 2}}) {
+            glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
+            const Made texture =
+                ask_new<make_texture>(out, "texture", random_picture(c.random, size.x, size.y), Sampler{}, false);
+            activate(out, texture, 0);
+            record_cells(out, "texels", probe, 0, {{0, 0}, {1, 1}, size.x, size.y});
+        }
     }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
 /// Every way to sample a texture.
