@@ -113,7 +113,8 @@ void record_straight_above(Recorder& out, Random& random)
         const glm::vec3 sideways(aside.x, 0, aside.z);
         const CameraFlight passing{middle + high - sideways, middle + high + sideways, middle, middle, 8};
         const CameraFlight rising{middle + high, middle + 3.0F * high, middle - aside, middle - aside, 4};
-        for (const float seconds : {4.0F, 3.0F, 5.0F}) record_view(out, passing, seconds);
+        // Beside the vertical by a sixtieth and by two thousandths of the way, without rounding.
+        for (const float seconds : {4.0F, 3.0F, 5.0F, 4.0625F, 3.9921875F}) record_view(out, passing, seconds);
         CameraFlight lifted = rising;
         lifted.target_from = middle;
         lifted.target_to = middle + 0.5F * high;

@@ -210,7 +210,8 @@ void record_several(Recorder& out, Random& random)
     std::array<RandomScene, 3> scenes;
     for (std::size_t i = 0; i < pickers.size(); ++i) {
         pickers[i] = ask_new<make_id_picker>(out, "picker" + std::to_string(i));
-        scenes[i] = random_scene(random);
+        // The second picture is as wide as the first one, and of another height.
+        scenes[i] = random_scene(random, i == 1 ? scenes[0].picture.x : 0);
     }
     for (int i = 0; i < 24; ++i) {
         const auto which = static_cast<std::size_t>(random_up_to(i < 14 ? 3 : 2, random));

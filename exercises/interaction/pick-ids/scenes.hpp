@@ -46,8 +46,8 @@ inline glm::ivec2 pixel_of_point(const PickScene& scene, const glm::ivec2& pictu
 }
 
 /// Things one behind the other, in random order, some of which cannot be picked; a camera anywhere, and a frustum off
-/// the middle. All lie between the near plane and the far one.
-inline RandomScene random_scene(Random& random)
+/// the middle. All lie between the near plane and the far one. The picture is `width` wide, if that is given.
+inline RandomScene random_scene(Random& random, int width = 0)
 {
     RandomScene made;
     PickScene& scene = made.scene;
@@ -56,7 +56,8 @@ inline RandomScene random_scene(Random& random)
                              random.unit_vector());
     const float aside = random.uniform(-0.1F, 0.1F);
     scene.projection = glm::frustum(-0.5F + aside, 0.5F + aside, -0.4F, 0.5F, 1.0F, 40.0F);
-    made.picture.x = 40 + random_up_to(120, random);
+    const int any_width = 40 + random_up_to(120, random);
+    made.picture.x = width > 0 ? width : any_width;
     made.picture.y = 30 + random_up_to(90, random);
     const glm::mat4 to_world = glm::inverse(scene.view);
     for (int i = 0; i < 11; ++i) {

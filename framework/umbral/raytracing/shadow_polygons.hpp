@@ -8,6 +8,7 @@
 namespace umbral::raytracing {
 
 /// A flat convex polygon in space: three corners or more in one plane, counter-clockwise as seen from its front.
+/// With fewer than three it is none: it throws and receives no shadow, and mirrors nothing.
 using FlatPolygon = std::vector<glm::vec3>;
 
 /// The shadow that `caster` throws on `receiver`: the points of the receiver from which the segment to the light meets
