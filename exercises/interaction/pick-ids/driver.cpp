@@ -219,6 +219,9 @@ void record_several(Recorder& out, Random& random)
         const auto scene = static_cast<std::size_t>(random_up_to(3, random));
         record_scene(out, random, pickers[which], scenes[scene], 1, 1);
     }
+    const bool second_is_higher = scenes[1].picture.y > scenes[0].picture.y;
+    record_scene(out, random, pickers[0], scenes[second_is_higher ? 0 : 1], 1, 1);
+    record_scene(out, random, pickers[0], scenes[second_is_higher ? 1 : 0], 8, 1);
 }
 
 void record_picture(Recorder& out)
