@@ -56,7 +56,17 @@ double number_or_nan(const std::string& text)
     return text.empty() || *end != 0 ? std::nan("") : number;
 }
 
-KnownSolution read_mistake(const fs::path& file, const Header& header)
+/// The line of the unit's rubric that a mistake breaks, from 0 on; in the file they are counted from 1.
+std::size_t broken_line(const Exercise& exercise, const fs::path& file, const std::string& number)
+{
+    for (std::size_t i = 0; i < exercise.rubric.size(); ++i)
+        if (number == std::to_string(i + 1)) return i;
+    throw std::runtime_error(fmt::format(
+        "{}: expected 'rubric: N' with a line of the rubric in exercise.json, which has {} of them, got '{}'",
+        file.string(), exercise.rubric.size(), number));
+}
+
+KnownSolution read_mistake(const Exercise& exercise, const fs::path& file, const Header& header)
 {
     KnownSolution solution;
     solution.what = need(header, "mistake", file);
@@ -71,6 +81,7 @@ KnownSolution read_mistake(const fs::path& file, const Header& header)
         throw std::runtime_error(
             fmt::format("{}: expected 'credit: LOW..HIGH' in percent, got '{}'", file.string(), credit));
     if (header.contains("verdict")) solution.verdict = verdict_from(header.at("verdict"));
+    if (header.contains("rubric")) solution.rubric_line = broken_line(exercise, file, header.at("rubric"));
     return solution;
 }
 
@@ -133,7 +144,9 @@ Sources stub_sources(const Exercise& exercise)
 
 std::vector<KnownSolution> mistakes_of(const fs::path& reference, const Exercise& exercise)
 {
-    return read_folder(reference, exercise, "mistakes", read_mistake);
+    return read_folder(reference, exercise, "mistakes", [&](const fs::path& file, const Header& header) {
+        return read_mistake(exercise, file, header);
+    });
 }
 
 std::vector<KnownSolution> alternatives_of(const fs::path& reference, const Exercise& exercise)

@@ -19,7 +19,8 @@ struct KnownSolution {
     std::string hint;           ///< a mistake's, for the student
     double least_credit = 100;  ///< percent of the unit's points
     double most_credit = 100;
-    std::optional<Verdict> verdict;  ///< expected one, if not decided by the credit
+    std::optional<Verdict> verdict;          ///< expected one, if not decided by the credit
+    std::optional<std::size_t> rubric_line;  ///< of the unit's rubric, from 0 on: it breaks this one and no other
     std::filesystem::path file;
     Sources sources;  ///< the whole unit: this file, the rest from the reference
 };

@@ -9,6 +9,7 @@
 #include "batch/case_results.hpp"
 #include "batch/known_solutions.hpp"
 #include "batch/related.hpp"
+#include "batch/rubric_findings.hpp"
 #include "judge/explain/confidence.hpp"
 #include "judge/judges.hpp"
 #include "manifest/statements.hpp"
@@ -97,11 +98,14 @@ Finding expect_mistake(Worker& worker, const Exercise& exercise, const KnownSolu
     const auto own = std::ranges::find(result.explanations, mistake_title(mistake.name), &Explanation::name);
     // Two mistakes that give the same results here are told as "either … or …".
     const bool explained = own != result.explanations.end() && (own == result.explanations.begin() || own->ambiguous);
-    finding.holds = in_range && explained;
+    const std::string leak = mistake.rubric_line ? rubric_complaint(*mistake.rubric_line, result) : "";
+    finding.holds = in_range && explained && leak.empty();
     if (result.score == result.max_score)
         finding.message = "no check tells it from the reference: the unit needs a scene or an input that shows it";
     else if (!in_range)
         finding.message = "credit out of range; " + complaint(result);
+    else if (!leak.empty())
+        finding.message = leak;
     else if (!explained)
         finding.message =
             result.explanations.empty() ? "not explained" : "explained as " + result.explanations.front().name;
@@ -272,8 +276,9 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
         }
     });
     guarded("mistakes", [&] {
-        for (const KnownSolution& mistake : mistakes_of(reference, exercise))
-            report(expect_mistake(worker, exercise, mistake, seed));
+        const std::vector<KnownSolution> mistakes = mistakes_of(reference, exercise);
+        for (const Finding& finding : expect_rubric(exercise, mistakes, seed)) report(finding);
+        for (const KnownSolution& mistake : mistakes) report(expect_mistake(worker, exercise, mistake, seed));
     });
     guarded("controls", [&] {
         for (const Finding& finding : expect_controls(worker, exercise, seed)) report(finding);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "batch/validate.hpp"
+#include "batch/rubric_findings.hpp"
 #include "batch/worker.hpp"
 #include "support/workbench.hpp"
 
@@ -50,6 +50,70 @@ TEST(Validation, names_the_path_of_a_missing_reference)
             << findings.front().message;
     }
     EXPECT_TRUE(expect_reference(bench.tools().reference, bench.exercise("lighting/shaders"), 0).holds);
+}
+
+/// A unit of three lines, of which the last two lost points by one check each.
+UnitResult two_lines_lost()
+{
+    UnitResult result;
+    for (const Millipoints score : {1000, 400, 0}) {
+        CheckResult& check = result.checks.emplace_back();
+        check.name = "check " + std::to_string(result.checks.size());
+        check.score = score;
+        check.max_score = 1000;
+        result.rubric.push_back({"words", score, 1000});
+    }
+    return result;
+}
+
+TEST(Validation, names_other_lines_of_a_rubric_that_a_mistake_costs)
+{
+    UnitResult result = two_lines_lost();
+    EXPECT_EQ(rubric_complaint(0, result), "line 1 of the rubric loses nothing");
+    EXPECT_EQ(rubric_complaint(1, result),
+              "is to cost points in line 2 of the rubric only, but line 3 loses some too; checks that take points: "
+              "check 2, check 3");
+    result.rubric[1].score = 1000;
+    EXPECT_EQ(rubric_complaint(2, result), "");
+    EXPECT_EQ(rubric_complaint(1, result), "line 2 of the rubric loses nothing");
+}
+
+TEST(Validation, wants_a_mistake_for_each_line_of_a_rubric)
+{
+    Exercise unit;
+    EXPECT_TRUE(expect_rubric(unit, {}, 0).empty()) << "no rubric";
+    unit.rubric = {{"Modelo", 1000}, {"Imagen", 1000}};
+    KnownSolution mistake;
+    EXPECT_EQ(expect_rubric(unit, {mistake}, 0).size(), 2U);
+    mistake.rubric_line = 1;
+    const std::vector<Finding> findings = expect_rubric(unit, {mistake}, 0);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings.front().subject, "rubric: line 1");
+    EXPECT_FALSE(findings.front().holds);
+}
+
+TEST(Validation, refuses_a_line_that_a_rubric_does_not_have)
+{
+    const test::Workbench bench;
+    Exercise sphere = bench.exercise("raytracing/sphere");
+    sphere.rubric = {{"Modelo", 1000}};
+    sphere.folder = bench.folder() / "unit";
+    const auto lines_of = [&](const std::string& rubric) {
+        bench.write("unit/mistakes/one.cpp", "// mistake: a\n// hint: b\n// credit: 1..2\n" + rubric);
+        return mistakes_of(bench.tools().reference, sphere).front().rubric_line;
+    };
+    EXPECT_EQ(lines_of(""), std::nullopt);
+    EXPECT_EQ(lines_of("// rubric: 1\n"), std::optional<std::size_t>(0));
+    for (const char* wrong : {"2", "0", "-1", "one"}) {
+        try {
+            (void)lines_of(std::string("// rubric: ") + wrong + "\n");
+            ADD_FAILURE() << wrong;
+        } catch (const std::runtime_error& error) {
+            EXPECT_NE(std::string(error.what()).find("which has 1 of them, got '" + std::string(wrong) + "'"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
 }
 
 }

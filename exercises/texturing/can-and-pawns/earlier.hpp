@@ -31,14 +31,30 @@ inline void draw_box(const glm::vec3& color)
         }
 }
 
+/// How the camera stands: turned about the scene, in radians, and its lens, in degrees of height.
+struct CameraPose {
+    float longitude = 0.12F;
+    float latitude = 0.36F;
+    float lens = 24;
+};
+
+/// The camera moves by itself, too: from that second on it stands so.
+struct TimedPose {
+    double time = 0;
+    CameraPose pose;
+};
+
 class ColouredBoxes : public EarlierLabs {
 public:
+    explicit ColouredBoxes(std::vector<TimedPose> motion = {}) : motion_(std::move(motion)) {}
+
     /// A key as it came: its number, what was done to it, and the modifiers.
     using KeyRow = std::array<int, 3>;
 
     void draw() override
     {
         ++draws;
+        drawing = true;
         glClearColor(0.93F, 0.93F, 0.90F, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_DEPTH_TEST);
@@ -56,36 +72,47 @@ public:
             place = rotate(translate(place, {0, 0.42F, 0}), 0.5F, {0, 1, 0});
         }
         glDisable(GL_DEPTH_TEST);
+        drawing = false;
     }
 
     void key(int key, int action, int mods) override
     {
         keys.push_back({key, action, mods});
         if (action == GLFW_RELEASE) return;
-        if (key == GLFW_KEY_LEFT) longitude_ -= 0.2F;
-        if (key == GLFW_KEY_RIGHT) longitude_ += 0.2F;
-        if (key == GLFW_KEY_UP) latitude_ += 0.1F;
-        if (key == GLFW_KEY_DOWN) latitude_ -= 0.1F;
+        if (key == GLFW_KEY_LEFT) moved_.longitude -= 0.2F;
+        if (key == GLFW_KEY_RIGHT) moved_.longitude += 0.2F;
+        if (key == GLFW_KEY_UP) moved_.latitude += 0.1F;
+        if (key == GLFW_KEY_DOWN) moved_.latitude -= 0.1F;
     }
 
     [[nodiscard]] glm::mat4 view() const override
     {
+        const CameraPose now = pose();
         glm::mat4 view = translate(glm::mat4(1), {0, 0, -7.1F});
-        view = rotate(rotate(view, latitude_, {1, 0, 0}), -longitude_, {0, 1, 0});
+        view = rotate(rotate(view, now.latitude, {1, 0, 0}), -now.longitude, {0, 1, 0});
         return translate(view, {0.1F, -0.8F, -0.2F});
     }
 
     [[nodiscard]] glm::mat4 projection(float aspect) const override
     {
-        return glm::perspective(glm::radians(24.0F), aspect, 1.0F, 20.0F);
+        return glm::perspective(glm::radians(pose().lens), aspect, 1.0F, 20.0F);
     }
 
     std::vector<KeyRow> keys;  ///< that came here
     int draws = 0;
+    bool drawing = false;  ///< draw() is under way
 
 private:
-    float longitude_ = 0.12F;
-    float latitude_ = 0.36F;
+    [[nodiscard]] CameraPose pose() const
+    {
+        CameraPose now = moved_;
+        for (const TimedPose& one : motion_)
+            if (one.time <= glfwGetTime()) now = one.pose;
+        return now;
+    }
+
+    CameraPose moved_;  // by keys
+    std::vector<TimedPose> motion_;
 };
 
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
+#include <umbral/core/student_error.hpp>
 #include <umbral/gl/draw_watch.hpp>
 #include <umbral/gl/framebuffer.hpp>
 #include <umbral/input/headless.hpp>
@@ -12,6 +14,7 @@
 #include "artwork.hpp"
 #include "earlier.hpp"
 #include "texels.hpp"
+#include "worn.hpp"
 
 /// The program played through a script, and what is seen of its frames.
 namespace umbral::texturing {
@@ -35,6 +38,7 @@ struct Frame {
     LightsSeen lights{};
     TexelsSeen texels{};
     Image picture;
+    Image worn;  ///< which material is seen where
 };
 
 /// Numbers that are computed, cut to a grid, so that equal things are equal.
@@ -78,27 +82,64 @@ inline LightsSeen lights_now()
     return seen;
 }
 
-/// What of a session is looked at; pictures and traces take time.
+/// What of a session is looked at; pixels that are read back and traces take time.
 struct Wanted {
-    bool pictures = false;
+    std::vector<double> pictures{};  ///< moments whose frame's pixels are wanted
+    std::vector<double> worn{};      ///< moments of which it is wanted which material is seen where
     bool uploads = false;
-    double pixels = 0.25;  ///< of the framebuffer for each screen coordinate
+    double pixels = 0.25;             ///< of the framebuffer for each screen coordinate
+    std::vector<TimedPose> motion{};  ///< of the camera
 };
+
+/// Is a frame of that time the one that a moment's picture comes from? Scripts change something at most 0.18 s before.
+inline bool is_wanted(const std::vector<double>& moments, double time)
+{
+    return std::ranges::any_of(moments, [&](double moment) { return moment - 0.2 < time && time <= moment; });
+}
+
+/// The window's sizes in a script until a moment, in pixels.
+inline std::vector<glm::ivec2> sizes_until(const input::EventScript& script, double time, double pixels)
+{
+    std::vector<glm::ivec2> sizes = {glm::dvec2(lab4::width, lab4::height) * pixels};
+    for (const input::TimedEvent& event : script)
+        if (const auto* resize = std::get_if<input::Resize>(&event.event); resize != nullptr && event.time <= time)
+            sizes.emplace_back(glm::dvec2(resize->size) * pixels);
+    return sizes;
+}
+
+inline glm::ivec2 largest(const std::vector<glm::ivec2>& sizes)
+{
+    glm::ivec2 size{0};
+    for (const glm::ivec2& one : sizes) size = max(size, one);
+    return size;
+}
+
+/// The lower left corner of a picture.
+inline Image lower_left(const Image& picture, glm::ivec2 size)
+{
+    Image part(size.x, size.y);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) part.at(x, y) = picture.at(x, picture.height - size.y + y);
+    return part;
+}
 
 /// One session of the program: the script is played, and every frame looked at.
 class Session {
 public:
-    Session(const char* script, const Wanted& wanted)
+    Session(const std::string& script, const Wanted& wanted)
         : wanted_(wanted),
-          target_(static_cast<int>(lab4::width * wanted.pixels), static_cast<int>(lab4::height * wanted.pixels))
+          script_(input::parse_script(script)),
+          size_(largest(sizes_until(script_, std::numeric_limits<double>::infinity(), wanted.pixels))),
+          target_(size_.x, size_.y),
+          earlier_(wanted.motion)
     {
         glUseProgram(0);              // the fixed function, as in a new context
         target_.clear({1, 0, 1, 1});  // so that what a frame leaves out shows
         const float before = living_texels();
-        const input::Headless headless(input::parse_script(script), {.content_scale = glm::dvec2(wanted.pixels),
-                                                                     .frame_seconds = 0.1,
-                                                                     .patience_seconds = 0.2,
-                                                                     .on_frame = [&] { end_frame(before); }});
+        const input::Headless headless(script_, {.content_scale = glm::dvec2(wanted.pixels),
+                                                 .frame_seconds = 0.1,
+                                                 .patience_seconds = 0.2,
+                                                 .on_frame = [&] { end_frame(before); }});
         const gl::DrawWatch watch([this] { see_draw(); });
         if (wanted_.uploads) gl::begin_trace();
         run_lab4(lab_files(), earlier_);
@@ -119,17 +160,29 @@ public:
 private:
     void see_draw()
     {
-        if (glIsEnabled(GL_LIGHTING) == GL_FALSE) return;
-        now_.looks.insert(look_now());
+        if (earlier_.drawing || glIsEnabled(GL_LIGHTING) == GL_FALSE) return;
+        const Look look = look_now();
+        now_.looks.insert(look);
         now_.lights = lights_now();
+        if (!is_wanted(wanted_.worn, glfwGetTime())) return;
+        if (!worn_) worn_.emplace(target_);
+        worn_->see_draw(target_, worn_color({look[0], look[1], look[2]}, look[6]));
     }
 
     void end_frame(float texels_before)
     {
+        if (glfwGetCurrentContext() == nullptr)
+            throw StudentError(
+                StudentError::Kind::interface_mismatch,
+                "a frame is shown before glfwMakeContextCurrent(window) was called: without a current context, "
+                "OpenGL's functions do nothing, or crash. Call it once, behind glfwCreateWindow");
         now_.time = glfwGetTime();
         now_.earlier = earlier_.draws > draws_;
         draws_ = earlier_.draws;
-        if (wanted_.pictures) now_.picture = target_.read_pixels();
+        const glm::ivec2 size = sizes_until(script_, now_.time, wanted_.pixels).back();
+        if (is_wanted(wanted_.pictures, now_.time)) now_.picture = lower_left(target_.read_pixels(), size);
+        if (worn_) now_.worn = lower_left(worn_->finished(target_), size);
+        worn_.reset();
         if (wanted_.uploads) {
             const std::uint64_t uploads = texture_uploads(gl::end_trace());
             if (uploaded_) later_uploads_ += uploads;
@@ -142,13 +195,26 @@ private:
     }
 
     Wanted wanted_;
+    input::EventScript script_;
+    glm::ivec2 size_;
     gl::Framebuffer target_;
     ColouredBoxes earlier_;
     std::vector<Frame> frames_;
     Frame now_;
+    std::optional<WornPicture> worn_;
     int draws_ = 0;
     bool uploaded_ = false;
     std::uint64_t later_uploads_ = 0;
 };
+
+/// What is done to the window until a moment.
+inline void tell(Recorder& out, const std::string& script, double until)
+{
+    ask_in_words(out, [&] {
+        input::EventScript all = input::parse_script(script);
+        std::erase_if(all, [&](const input::TimedEvent& event) { return event.time > until; });
+        return "run_lab4(files, earlier);\n" + input::to_text(all);
+    });
+}
 
 }

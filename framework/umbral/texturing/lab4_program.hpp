@@ -54,10 +54,11 @@ inline constexpr float step = std::numbers::pi_v<float> / 36;  ///< of α and β
 ///
 /// It opens one window of lab4::width x lab4::height, installs its callbacks, and draws until the window is to close: a
 /// frame at the beginning, and one whenever events changed something (or all the time). Every frame fills the whole
-/// framebuffer, whose size may be another than the window's, and ends with glfwSwapBuffers.
+/// framebuffer, whose size may be another than the window's and may change, and ends with glfwSwapBuffers.
 ///
-/// **Keys.** 4, when pressed, enters and leaves the mode of lab 4. In the mode, A increases β by lab4::step when
-/// pressed or repeated, Z decreases it (it stays within ±π/2); X increases α, C decreases it; with Shift or without.
+/// **Keys.** 4, when pressed and not when repeated, enters and leaves the mode of lab 4. In the mode, A increases β by
+/// lab4::step when pressed or repeated, Z decreases it (it stays within ±π/2); X increases α, C decreases it; with Shift
+/// or without.
 /// Every other event of a key, and outside the mode those of A, Z, X and C too, goes to `earlier.key`, as it came;
 /// where the events of 4 go, and in the mode the releases of A, Z, X and C, is up to you.
 ///

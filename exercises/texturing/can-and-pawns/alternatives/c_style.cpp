@@ -239,12 +239,12 @@ static void draw_lab_4(int width, int height)
 static void on_key(GLFWwindow*, int key, int, int action, int mods)
 {
     const bool letter = the.lab4 && key < 128 && std::strchr("AZXC", key) != nullptr;
+    if (key == GLFW_KEY_4 && action == GLFW_PRESS) the.lab4 = !the.lab4;
     if (key != GLFW_KEY_4 && !letter) the.earlier->key(key, action, mods);
 }
 
 static void on_character(GLFWwindow*, unsigned character)
 {
-    if (character == '4') the.lab4 = !the.lab4;
     if (!the.lab4) return;
     Light& light = the.lights[0];
     const float limit = glm::radians(90.0F);
