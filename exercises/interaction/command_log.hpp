@@ -1,7 +1,8 @@
 #pragma once
 
 #include <array>
-#include <string_view>
+#include <kit/input_words.hpp>
+#include <string>
 #include <umbral/interaction/callbacks.hpp>
 #include <vector>
 
@@ -11,9 +12,16 @@ namespace umbral::interaction {
 /// First its code, then its numbers.
 using CommandRow = std::array<float, 4>;
 
-/// What the codes mean, for reports.
-inline constexpr std::string_view command_names =
-    "1 orbit\n2 pan\n3 zoom\n4 reset\n5 view mode\n6 viewport\n7 closing\n8 key passed on\n";
+/// What the codes mean, for reports; keys that are passed on have codes of their own (key_code). `by_session`: behind
+/// its four numbers, a row says which session it comes from.
+inline std::string command_names(bool by_session)
+{
+    if (!by_session) return "1 orbit\n2 pan\n3 zoom\n4 reset\n5 view mode\n6 viewport\n7 closing\n" + key_names();
+    return "1 orbit: drag/2, -, session\n2 pan: drag/2, -, session\n3 zoom: factor, -/2, session\n"
+           "4 reset: -/3, session\n5 view mode: mode, -/2, session\n6 viewport: size/2, aspect, session\n"
+           "7 closing: -/3, session\n" +
+           key_names("-/3, session");
+}
 
 class CommandLog : public Commands {
 public:
@@ -24,12 +32,12 @@ public:
     void view_mode(int mode) override { add(5, mode); }
     void viewport(int width, int height, double aspect) override { add(6, width, height, aspect); }
     void closing() { add(7); }
-    void key_passed_on(int key, int action) { add(8, key, action); }
+    void key_passed_on(int key, int action) { add(key_code(key, action)); }
 
     std::vector<CommandRow> rows;
 
 private:
-    void add(int code, double a = 0, double b = 0, double c = 0)
+    void add(double code, double a = 0, double b = 0, double c = 0)
     {
         rows.push_back({static_cast<float>(code), static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)});
     }

@@ -24,8 +24,8 @@ inline std::string line(float code, const std::string& name, std::string_view nu
 }
 }
 
-/// The code of what was done to a key (GLFW_KEY_…; GLFW_RELEASE, GLFW_PRESS or GLFW_REPEAT). Other numbers have codes
-/// too, which no other key or action has.
+/// The code of what was done to a key (GLFW_KEY_…; GLFW_RELEASE, GLFW_PRESS or GLFW_REPEAT). Other numbers have codes,
+/// too: no known key's and action's.
 [[nodiscard]] inline float key_code(int key, int action)
 {
     const int last = static_cast<int>(input_words::actions.size()) - 1;

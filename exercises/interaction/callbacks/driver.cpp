@@ -52,8 +52,9 @@ std::string told(const input::EventScript& script, glm::ivec2 size, const input:
 constexpr glm::ivec2 square{480, 480};
 constexpr glm::ivec2 wide{640, 480};
 
+/// `session`: from 1 on where a case has several, so that no command of one counts as another's; else 0.
 void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
-            const input::HeadlessSettings& settings = {}, bool listens = false)
+            const input::HeadlessSettings& settings = {}, bool listens = false, int session = 0)
 {
     struct Moment {
         double time;
@@ -76,33 +77,39 @@ void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
         ask_in_words(out, [&] {
             return told(script, size, settings, listens, moment.time, out.questions()->inquiry().in_full);
         });
-        for (; next < moment.rows; ++next) out.append("commands", std::span<const float>(window->rows()[next]));
+        for (; next < moment.rows; ++next) {
+            const CommandRow& command = window->rows()[next];
+            std::vector<float> row(command.begin(), command.end());
+            if (session > 0) row.push_back(static_cast<float>(session));
+            out.append("commands", std::span<const float>(row));
+        }
     }
 }
 
 void record_text(Recorder& out, const char* text, glm::ivec2 size = square,
                  const input::HeadlessSettings& settings = {})
 {
-    out.text("commands.names", command_names);
+    out.text("commands.names", command_names(false));
     record(out, input::parse_script(text), size, settings);
 }
 
 /// A window is closed in the middle of a drag; then there is another one, with Controls of its own.
 void record_two_windows(Recorder& out)
 {
-    record_text(out, "0.1 press left 10 10\n0.2 move 30 20\n", wide);
+    out.text("commands.names", command_names(true));
+    record(out, input::parse_script("0.1 press left 10 10\n0.2 move 30 20\n"), wide, {}, false, 1);
     record(out,
            input::parse_script("0.1 move 50 60\n0.2 move 70 80\n0.3 press right\n0.4 move 71 79\n0.5 release "
                                "right\n0.6 press left\n0.7 move 75 85\n"),
-           wide);
+           wide, {}, false, 2);
 }
 
 void record_random(Recorder& out, Random& random)
 {
-    out.text("commands.names", command_names);
-    for (int session = 0; session < 6; ++session) {
+    out.text("commands.names", command_names(true));
+    for (int session = 1; session <= 6; ++session) {
         const input::EventScript script = input::random_script(random, {.gestures = 60});
-        record(out, script, wide, {.content_scale = glm::dvec2(session % 2 == 0 ? 1 : 1.5)});
+        record(out, script, wide, {.content_scale = glm::dvec2(session % 2 == 1 ? 1 : 1.5)}, false, session);
     }
 }
 
@@ -154,7 +161,7 @@ const Driver driver = {
     {"keys", [](Case&, Recorder& out) { record_text(out, keys); }},
     {"keys passed on",
      [](Case&, Recorder& out) {
-         out.text("commands.names", command_names);
+         out.text("commands.names", command_names(false));
          record(out, input::parse_script(keys), square, {}, true);
      }},
     {"window size",

@@ -9,17 +9,20 @@ namespace {
 
 using namespace interaction;
 
-/// Each session is a question; its rows are what the loop did. `counted`: also how often it polled and waited.
+/// Each session is a question; its rows are what the loop did, and the session's number, so that no row of one counts
+/// as another's. `counted`: also how often it polled and waited.
 void record(Recorder& out, const NamedLoop& loop, const std::vector<LoopSession>& sessions, bool counted = false)
 {
     out.text("rounds.names", loop_row_names);
     if (counted) out.columns("calls", "calls of glfwPollEvents, calls of glfwWaitEvents");
+    float number = 0;
     for (const LoopSession& session : sessions) {
+        ++number;
         ask_in_words(out, [&] { return told(loop, session); });
         const LoopResult result = play(loop, session);
         for (const LoopRow& row : result.rows) {
             if (!result.stopped.empty() && &row == &result.rows.back()) out.refused("rounds", result.stopped);
-            out.append("rounds", std::span<const float>(row));
+            out.append("rounds", glm::vec3(row[0], row[1], number));
         }
         if (counted) out.append("calls", glm::vec2(result.usage.polls, result.usage.waits));
     }

@@ -25,9 +25,10 @@ struct Habits {
 /// First its code, then how many events the program had heard by then.
 using LoopRow = std::array<float, 2>;
 
+/// What rows are called behind which their session stands: a number from 1 on.
 inline constexpr std::string_view loop_row_names =
-    "1 draw: events heard\n2 frame shown: events heard\n3 update: events heard\n4 returned: events heard\n"
-    "5 stopped: events heard\n";
+    "1 draw: events heard, session\n2 frame shown: events heard, session\n3 update: events heard, session\n"
+    "4 returned: events heard, session\n5 stopped: events heard, session\n";
 
 class LoggedProgram final : public ScriptedProgram {
 public:

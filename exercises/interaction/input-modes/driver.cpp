@@ -30,9 +30,9 @@ void record_samples(Recorder& out, const input::EventScript& script, double step
 }
 
 /// Reads the queue now and then, a few events at a time.
-void record_queue(Recorder& out, const input::EventScript& script, double step, int at_a_time)
+void record_queue(Recorder& out, const input::EventScript& script, double step, int at_a_time, int session = 0)
 {
-    InputTrial trial(out, script);
+    InputTrial trial(out, script, session);
     trial.install();
     trial.take(1);
     for (double time = step; !trial.script_is_over(); time += step) {
@@ -66,15 +66,15 @@ void record_late_beginning(Recorder& out)
 /// One window ends with buttons down and events that nobody took; the next one knows nothing of it.
 void record_two_windows(Recorder& out)
 {
-    name_events(out, "events");
+    name_events(out, "events", true);
     {
         InputTrial first(
-            out, input::parse_script("0.1 press left 30 40\n0.2 move 300 200\n0.3 press right\n0.4 key A press\n"));
+            out, input::parse_script("0.1 press left 30 40\n0.2 move 300 200\n0.3 press right\n0.4 key A press\n"), 1);
         first.install();
         first.pass(0.5);
         first.take(2);
     }
-    record_queue(out, input::parse_script("0.1 move 20 10\n0.2 press middle\n0.3 key A press\n"), 0.5, 1);
+    record_queue(out, input::parse_script("0.1 move 20 10\n0.2 press middle\n0.3 key A press\n"), 0.5, 1, 2);
 }
 
 void record_requests(Recorder& out)
@@ -102,7 +102,7 @@ void record_requests(Recorder& out)
 void record_closing(Recorder& out)
 {
     using enum InputKind;
-    name_events(out, "answers");
+    name_events(out, "answers", true);
     name_columns(out);
     struct Session {
         const char* script;
@@ -116,8 +116,9 @@ void record_closing(Recorder& out)
         {"0.1 close\n0.4 key C press\n", key_pressed, key_released},
         {"0.1 key D press\n0.3 move 9 9\n", key_released, cursor_moved},
     };
+    int number = 0;
     for (const auto& [script, first, second] : sessions) {
-        InputTrial trial(out, input::parse_script(script));
+        InputTrial trial(out, input::parse_script(script), ++number);
         trial.install();
         const bool works_first = std::string_view(script).starts_with("0.1 close\n0.4");
         if (works_first) trial.work();
@@ -128,15 +129,15 @@ void record_closing(Recorder& out)
 /// All modes at once: what one of them does is no business of the others.
 void record_together(Recorder& out, Random& random)
 {
-    for (const char* const table : {"answers", "events"}) name_events(out, table);
+    for (const char* const table : {"answers", "events"}) name_events(out, table, true);
     name_columns(out);
     struct Step {
         std::uint32_t what;
         InputKind kind;
         int count;
     };
-    for (int session = 0; session < 3; ++session) {
-        InputTrial trial(out, input::random_script(random, {.gestures = 40}));
+    for (int session = 1; session <= 3; ++session) {
+        InputTrial trial(out, input::random_script(random, {.gestures = 40}), session);
         std::array<Step, 30> steps{};
         for (Step& step : steps)
             step = {random.below(6), static_cast<InputKind>(random.below(6)), static_cast<int>(random.below(20))};
@@ -194,9 +195,10 @@ Image skies(Recorder& out)
 
 void record_random_queue(Recorder& out, Random& random)
 {
-    name_events(out, "events");
+    name_events(out, "events", true);
+    int session = 0;
     for (const int at_a_time : {2, 5, all_events})
-        record_queue(out, input::random_script(random, {.gestures = 25}), 0.21, at_a_time);
+        record_queue(out, input::random_script(random, {.gestures = 25}), 0.21, at_a_time, ++session);
 }
 
 }

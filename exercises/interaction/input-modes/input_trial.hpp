@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <kit/input_words.hpp>
 #include <string>
 #include <string_view>
 #include <umbral/core/student_error.hpp>
@@ -8,41 +9,54 @@
 #include <umbral/interaction/input_modes.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/recorder.hpp>
+#include <vector>
 
 #include "../script_text.hpp"
 
 /// A program that reads its input in all three modes while a script is played to its window, and records what it gets.
 namespace umbral::interaction {
 
-/// What the codes of rows mean; a row of the table `answers` has its time in "answers times", and so on.
-inline constexpr std::string_view input_row_names =
-    "1 button pressed: button, change/2, cursor/2\n2 button released: button, change/2, cursor/2\n"
-    "3 cursor moved: 0, change/2, cursor/2\n4 scrolled: 0, change/2, cursor/2\n"
-    "5 key pressed: key, change/2, cursor/2\n6 key released: key, change/2, cursor/2\n7 no event\n8 stopped\n";
-inline constexpr std::string_view input_time_names =
-    "1 button pressed: time\n2 button released: time\n3 cursor moved: time\n4 scrolled: time\n5 key pressed: time\n"
-    "6 key released: time\n7 no event\n8 stopped\n";
-inline constexpr std::string_view input_button_names =
-    "1 button pressed: buttons down\n2 button released: buttons down\n3 cursor moved: buttons down\n"
-    "4 scrolled: buttons down\n5 key pressed: buttons down\n6 key released: buttons down\n7 no event\n8 stopped\n";
+/// What the codes of rows mean, behind which stand numbers that are called `numbers`, or, where no event came, `none`;
+/// keys and buttons have codes of their own.
+inline std::string input_row_names(const std::string& numbers, const std::string& none)
+{
+    return "3 cursor moved: " + numbers + "\n4 scrolled: " + numbers + "\n7 no event: " + none +
+           "\n8 stopped: " + none + "\n9 cursor moved or scrolled, with a code that is not 0: " + numbers + "\n" +
+           button_names(numbers) + key_names(numbers);
+}
 
 inline constexpr std::array kind_names = {"button_pressed", "button_released", "cursor_moved",
                                           "scrolled",       "key_pressed",     "key_released"};
 
-/// Says once what the rows of a table of events mean.
-inline void name_events(Recorder& out, const std::string& table)
+/// Says once what the rows of a table of events mean; a row of the table `answers` has its time in "answers times", and
+/// so on. `by_session`: the last number of a row is that of its session.
+inline void name_events(Recorder& out, const std::string& table, bool by_session = false)
 {
-    out.text(table + ".names", input_row_names);
-    out.text(table + " times.names", input_time_names);
-    out.text(table + " buttons.names", input_button_names);
+    const std::string session = by_session ? ", session" : "";
+    out.text(table + ".names", input_row_names("change/2, cursor/2" + session, "-/4" + session));
+    out.text(table + " times.names", input_row_names("time" + session, "-" + session));
+    out.text(table + " buttons.names", input_row_names("buttons down" + session, "-" + session));
+}
+
+/// The code of an event's rows.
+inline float code_of(const InputEvent& event)
+{
+    using enum InputKind;
+    if (event.kind == key_pressed || event.kind == key_released)
+        return key_code(event.code, event.kind == key_pressed ? GLFW_PRESS : GLFW_RELEASE);
+    if (event.kind == button_pressed || event.kind == button_released)
+        return button_code(event.code, event.kind == button_pressed);
+    return event.code != 0 ? 9 : 1 + static_cast<float>(static_cast<int>(event.kind));
 }
 
 class InputTrial {
 public:
     /// A frame takes a quarter of a second here: glfwSwapBuffers stands for work during which nobody reads input.
-    InputTrial(Recorder& out, const input::EventScript& script)
+    /// `session`: from 1 on where a case has several, so that no event of one counts as another's; else 0.
+    InputTrial(Recorder& out, const input::EventScript& script, int session = 0)
         : out_(out),
           script_(script),
+          number_(session),
           session_(script, {.pointer = {12, 7.5}, .frame_seconds = 0.25, .polls_after_closing = 20})
     {
         glfwInit();
@@ -112,17 +126,22 @@ private:
     void append(const std::string& table, const std::optional<InputEvent>& event)
     {
         if (!event) return append_rows(table, 7, {});
-        append_rows(table, 1 + static_cast<float>(static_cast<int>(event->kind)), *event);
+        append_rows(table, code_of(*event), *event);
     }
 
     void append_rows(const std::string& table, float code, const InputEvent& event)
     {
         const glm::vec2 change(event.change);
         const glm::vec2 cursor(event.after.cursor);
-        const std::array row = {code, static_cast<float>(event.code), change.x, change.y, cursor.x, cursor.y};
+        append_row(table, {code, change.x, change.y, cursor.x, cursor.y});
+        append_row(table + " times", {code, static_cast<float>(event.time)});
+        append_row(table + " buttons", {code, static_cast<float>(event.after.buttons)});
+    }
+
+    void append_row(const std::string& table, std::vector<float> row)
+    {
+        if (number_ > 0) row.push_back(static_cast<float>(number_));
         out_.append(table, std::span<const float>(row));
-        out_.append(table + " times", glm::vec2(code, event.time));
-        out_.append(table + " buttons", glm::vec2(code, event.after.buttons));
     }
 
     /// `ahead`: seconds of the script that lie before the program, and are shown too.
@@ -138,6 +157,7 @@ private:
 
     Recorder& out_;
     input::EventScript script_;
+    int number_;
     InputMemory memory_;
     input::Headless session_;
     GLFWwindow* window_ = nullptr;
