@@ -245,7 +245,8 @@ TEST(Arrows, exercises_share_the_kit_and_nothing_else)
             EXPECT_EQ(part(include.target, 0), "kit") << include.line.where();
         } else if (layer == "kit" && include.target.starts_with("umbral/")) {
             const std::string below = part(include.target, 1);
-            EXPECT_TRUE(below == "core" || below == "gl" || below == "record") << include.line.where();
+            EXPECT_TRUE(below == "core" || below == "gl" || below == "input" || below == "record")
+                << include.line.where();
         }
     }
     EXPECT_GT(seen, 30U);

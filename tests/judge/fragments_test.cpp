@@ -30,6 +30,21 @@ TEST(Fragments, equal_ones_in_any_order_are_right)
     EXPECT_EQ(found.metrics.at("fragments"), 10);
 }
 
+TEST(Fragments, rows_are_called_what_the_driver_calls_them)
+{
+    const auto said = [](const std::string& words) {
+        const Tensor names = table(Element::uint8, 1, std::vector<char>(words.begin(), words.end()));
+        return judged({{3, 1, 0, 0.5F}}, {{3, 0, 0, 0.25F}, {3, 1, 0, 0.5F}}, {}, &names);
+    };
+    const Judgement corners = said("polygon: corner, -");
+    EXPECT_EQ(corners.message, "1 of 2 corners are right; 1 missing; the first is corner 0 of polygon 3");
+    ASSERT_TRUE(corners.first_difference);
+    EXPECT_EQ(corners.first_difference->yours, "no corner");
+    EXPECT_EQ(corners.sketch, "") << "corners are no pixels";
+    EXPECT_TRUE(said("task: path, corner").message.ends_with("the first is path 0, corner 0 of task 3"));
+    EXPECT_TRUE(said("segment").message.ends_with("the first is pixel (0, 0) of segment 3"));
+}
+
 TEST(Fragments, each_class_is_counted)
 {
     std::vector<Spot> expected = drawn(3, triangle);

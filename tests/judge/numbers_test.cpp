@@ -22,6 +22,16 @@ Judgement numbers(const Tensor& student, const Tensor& expected, Tolerance toler
     return judge(check_of(JudgeKind{"numbers"}, tolerance), student, expected, margin);
 }
 
+TEST(Numbers, whole_ones_are_told_digit_by_digit)
+{
+    const Judgement ids = numbers(floats({10074125}), floats({66051}), ulps(0));
+    EXPECT_EQ(ids.first_difference->yours, "10074125");
+    EXPECT_EQ(ids.first_difference->expected, "66051");
+    // Beyond 2^24 a float holds whole numbers only: what looks like an id there is rounding.
+    EXPECT_EQ(numbers(floats({16777218}), floats({-3e20F}), ulps(0)).first_difference->yours, "1.67772e+07");
+    EXPECT_EQ(numbers(floats({16777216}), floats({1000000.5F}), ulps(0)).first_difference->yours, "16777216");
+}
+
 TEST(Numbers, equal_ones_are_right_and_say_nothing)
 {
     const Judgement found = numbers(floats({1, 2, 3}), floats({1, 2, 3}), ulps(0));

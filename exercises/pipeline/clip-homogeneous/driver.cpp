@@ -46,8 +46,15 @@ void append(Recorder& out, const char* name, std::size_t triangle, std::size_t c
     out.append(name, std::span<const float>(row));
 }
 
+/// Rows of these values are corners: `append` counts them behind the triangle.
+void name_corners(Recorder& out, std::initializer_list<const char*> values)
+{
+    for (const char* const value : values) out.text(std::string(value) + ".names", "triangle: corner, -");
+}
+
 void record(Recorder& out, const std::vector<ClipTriangle>& triangles)
 {
+    name_corners(out, {"positions", "weights"});
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const std::vector<ClipVertex> polygon = clipped(out, triangles[i]);
         const std::vector<ClipVertex> positions = by_position(polygon);
@@ -190,6 +197,7 @@ ClipTriangle past_the_eye(Random& random)
 // or -1, not beside it. Then some that cross two: along both axes.
 void record_on_planes(Random& random, Recorder& out)
 {
+    name_corners(out, {"along"});
     for (std::size_t i = 0; i < 200; ++i) {
         const int axis = static_cast<int>(random.below(3));
         const float side = random.below(2) == 0 ? 1 : -1;
@@ -220,6 +228,7 @@ void record_on_planes(Random& random, Recorder& out)
 // Which corner of the whole mesh is the first with exactly these bits: triangles at one side refer to the same ones.
 void record_seams(Recorder& out)
 {
+    name_corners(out, {"first"});
     const Landscape land = hills(14);
     std::map<std::array<std::uint32_t, 4>, std::array<float, 2>> first;
     for (std::size_t i = 0; i < land.triangles.size(); ++i) {
@@ -240,6 +249,7 @@ void record_seams(Recorder& out)
 // near plane is far.
 void record_plain(Random& random, Recorder& out)
 {
+    name_corners(out, {"ndc"});
     const glm::dmat4 projection(perspective(1.5F, 1, 1, 3e6F));
     for (std::size_t i = 0; i < 150; ++i) {
         ClipTriangle triangle{};

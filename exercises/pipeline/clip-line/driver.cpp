@@ -192,7 +192,7 @@ std::vector<Task> corner_pairs(Random& random, int count)
 void record_both_ways(Random& random, Recorder& out)
 {
     const std::vector<Task> tasks = random_pairs(random, 200, 6);
-    out.text("first.names", "segment");
+    out.text("first.names", "segment: end, -");
     for (std::size_t i = 0; i < tasks.size(); ++i) {
         const auto& [window, segment] = tasks[i];
         const LineSegment reversed{segment.to, segment.from};

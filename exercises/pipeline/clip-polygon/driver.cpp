@@ -17,7 +17,7 @@ struct Task {
 // Rows [polygon, corner, 0, x, y].
 void record(Recorder& out, const std::vector<Task>& tasks)
 {
-    out.text("corners.names", "polygon");
+    out.text("corners.names", "polygon: corner, -");
     for (std::size_t i = 0; i < tasks.size(); ++i) {
         const Polygon left = from_extreme(clipped(out, tasks[i].polygon, tasks[i].window));
         for (std::size_t k = 0; k < left.size(); ++k)

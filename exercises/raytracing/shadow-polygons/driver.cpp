@@ -22,7 +22,7 @@ void append_corners(Recorder& out, std::string_view name, float first, float sec
 // Rows [task, 0, corner, x, y, z].
 void record_shadows(Recorder& out, const std::vector<ShadowTask>& tasks)
 {
-    out.text("corners.names", "shadow");
+    out.text("corners.names", "shadow: -, corner");
     for (std::size_t i = 0; i < tasks.size(); ++i)
         append_corners(out, "corners", static_cast<float>(i), 0,
                        ask<shadow_polygon>(out, tasks[i].light, tasks[i].caster, tasks[i].receiver));
@@ -40,8 +40,8 @@ float path_number(const std::vector<std::size_t>& path)
 // Rows [task, place in the list, path, eye] and [task, path, corner, x, y, z].
 void record_views(Recorder& out, const std::vector<MirrorTask>& tasks)
 {
-    out.text("eyes.names", "mirrors");
-    out.text("windows.names", "mirrors");
+    out.text("eyes.names", "task: place in the list, path");
+    out.text("windows.names", "task: path, corner");
     for (std::size_t i = 0; i < tasks.size(); ++i) {
         std::vector<MirrorView> views = ask<mirror_views>(out, tasks[i].eye, tasks[i].mirrors, tasks[i].levels);
         views.resize(std::min<std::size_t>(views.size(), 60));

@@ -57,10 +57,9 @@ inline constexpr float step = std::numbers::pi_v<float> / 36;  ///< of α and β
 /// framebuffer, whose size may be another than the window's and may change, and ends with glfwSwapBuffers.
 ///
 /// **Keys.** 4, when pressed and not when repeated, enters and leaves the mode of lab 4. In the mode, A increases β by
-/// lab4::step when pressed or repeated, Z decreases it (it stays within ±π/2); X increases α, C decreases it; with Shift
-/// or without.
-/// Every other event of a key, and outside the mode those of A, Z, X and C too, goes to `earlier.key`, as it came;
-/// where the events of 4 go, and in the mode the releases of A, Z, X and C, is up to you.
+/// lab4::step when pressed or repeated, Z decreases it (it stays within ±π/2); X increases α, C decreases it; with
+/// Shift or without. Every other event of a key, and outside the mode those of A, Z, X and C too, goes to
+/// `earlier.key`, as it came; where the events of 4 go, and in the mode the releases of A, Z, X and C, is up to you.
 ///
 /// **Outside the mode** a frame is `earlier.draw()`. **In the mode** it shows, on lab4::background, with
 /// `earlier.view()` and `earlier.projection()`, smoothly shaded: the can at the origin, three meshes of which the body

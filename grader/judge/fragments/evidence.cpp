@@ -67,11 +67,11 @@ std::vector<std::string> attribute_texts(const FragmentTable& table, const Fragm
     return texts;
 }
 
-RowPair row_of(const Place& place, const std::string& noun, const FragmentTable& yours, Fragments of_yours,
+RowPair row_of(const Place& place, const FragmentWords& words, const FragmentTable& yours, Fragments of_yours,
                const FragmentTable& expected, Fragments of_expected, const FragmentTally& tally)
 {
     RowPair row;
-    row.name = fmt::format("{} {}, pixel ({}, {})", noun, place.primitive, place.x, place.y);
+    row.name = words.where(place);
     row.yours = of_yours.empty() ? std::vector<std::string>{"nothing"} : attribute_texts(yours, of_yours.front());
     row.expected =
         of_expected.empty() ? std::vector<std::string>{"nothing"} : attribute_texts(expected, of_expected.front());
@@ -100,8 +100,7 @@ Evidence fragments_evidence(const Check& check, const Observation& observation, 
     const FragmentTable yours(yours_tensor);
     const FragmentTable expected(expected_tensor);
     const FragmentMatcher matcher(check, yours, expected);
-    const std::string_view named = text_of(observation.names);
-    const std::string noun(named.empty() ? "triangle" : named.substr(0, named.find('\n')));
+    const FragmentWords words(text_of(observation.names));
 
     Canvas canvas = canvas_for(expected.sorted());
     for_each_place(
@@ -111,14 +110,14 @@ Evidence fragments_evidence(const Check& check, const Observation& observation, 
             evidence.missing += tally.missing;
             evidence.extra += tally.extra + tally.duplicated;
             evidence.changed += tally.wrong_value;
-            canvas.paint(place, colour_of(tally));
+            if (words.are_pixels()) canvas.paint(place, colour_of(tally));
             if (!tally.all_right() && evidence.rows.first.size() < most_rows)
-                evidence.rows.first.push_back(row_of(place, noun, yours, of_yours, expected, of_expected, tally));
+                evidence.rows.first.push_back(row_of(place, words, yours, of_yours, expected, of_expected, tally));
         });
     evidence.rows.wrong = evidence.missing + evidence.extra + evidence.changed;
     evidence.x = canvas.x;
     evidence.y = canvas.y;
-    if (!canvas.image.cells.empty()) evidence.picture = canvas.image;
+    if (words.are_pixels() && !canvas.image.cells.empty()) evidence.picture = canvas.image;
     return evidence;
 }
 

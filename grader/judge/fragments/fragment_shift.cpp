@@ -65,12 +65,13 @@ std::vector<MovedPrimitive> moved_primitives(const FragmentTable& yours, const F
     return moved;
 }
 
-std::string moved_sentence(const std::vector<MovedPrimitive>& moved, const std::string& noun)
+std::string moved_sentence(const std::vector<MovedPrimitive>& moved, const FragmentWords& words)
 {
     const PixelStep step = moved.front().step;
     const auto others = static_cast<std::size_t>(std::ranges::count(moved, step, &MovedPrimitive::step)) - 1;
     const std::string more = others == 0 ? "" : fmt::format(" (and of {} other{})", others, others == 1 ? "" : "s");
-    return fmt::format("all fragments of {} {}{} lie {}", noun, moved.front().primitive, more, in_words(step));
+    return fmt::format("all fragments of {} {}{} lie {}", words.primitive(), moved.front().primitive, more,
+                       in_words(step));
 }
 
 }

@@ -28,7 +28,7 @@ struct Result {
     double error = 0;  ///< the worst of the fragments that both sides have
 };
 
-Result compare(const FragmentTable& yours, const FragmentTable& expected, const FragmentMatcher& matcher)
+Result compare(const FragmentTable& yours, const FragmentTable& expected, const FragmentMatcher& matcher, bool can_move)
 {
     Result result;
     for_each_place(yours.sorted(), expected.sorted(), [&](const Place& place, Fragments here, Fragments there) {
@@ -38,7 +38,8 @@ Result compare(const FragmentTable& yours, const FragmentTable& expected, const 
             result.error = std::max(result.error, matcher.error(here[i], there[i]));
         if (!tally.all_right() && !result.first) result.first = {place, here, there};
     });
-    if (result.tally.missing > 0 && result.tally.extra > 0) result.moved = moved_primitives(yours, expected);
+    if (can_move && result.tally.missing > 0 && result.tally.extra > 0)
+        result.moved = moved_primitives(yours, expected);
     for (const MovedPrimitive& one : result.moved) result.wrong_place += one.fragments;
     result.tally.missing -= result.wrong_place;
     result.tally.extra += yours.unplaced();
@@ -57,17 +58,17 @@ void set_row(const FragmentTable& expected, const Place& place, Fragments there,
         for (const auto& fragment : known.subspan(1)) difference.others.push_back(fragment.row);
 }
 
-std::string fragments_text(const FragmentTable& table, Fragments here)
+std::string fragments_text(const FragmentTable& table, Fragments here, const FragmentWords& words)
 {
-    if (here.empty()) return "no fragment";
-    if (here.size() > 1) return fmt::format("{} fragments", here.size());
+    if (here.empty()) return "no " + words.row();
+    if (here.size() > 1) return fmt::format("{} {}s", here.size(), words.row());
     std::vector<std::string> values;
     for (const double value : table.attributes(here[0])) values.push_back(number_text(value));
-    return values.empty() ? "one fragment" : fmt::format("({})", fmt::join(values, ", "));
+    return values.empty() ? "one " + words.row() : fmt::format("({})", fmt::join(values, ", "));
 }
 
 std::string message(const Result& result, const FragmentTable& yours, const FragmentTable& expected,
-                    const std::string& noun)
+                    const FragmentWords& words)
 {
     std::vector<std::string> parts;
     const auto add = [&](std::size_t count, const char* what) {
@@ -75,12 +76,12 @@ std::string message(const Result& result, const FragmentTable& yours, const Frag
     };
     add(result.tally.missing, "missing");
     add(result.tally.extra, "extra");
-    add(result.tally.duplicated, "drawn again");
+    add(result.tally.duplicated, words.are_pixels() ? "drawn again" : "there again");
     add(result.tally.wrong_value, "with a wrong value");
     add(result.wrong_place, "in the wrong place");
-    std::string text = fmt::format("{} of {} fragments are right; {}", result.tally.matched, expected.sorted().size(),
-                                   fmt::join(parts, ", "));
-    if (!result.moved.empty()) text += "; " + moved_sentence(result.moved, noun);
+    std::string text = fmt::format("{} of {} {}s are right; {}", result.tally.matched, expected.sorted().size(),
+                                   words.row(), fmt::join(parts, ", "));
+    if (!result.moved.empty()) text += "; " + moved_sentence(result.moved, words);
     if (yours.unplaced() > 0)
         text += fmt::format("; {} of yours lie at no pixel: primitive, x or y is no whole number", yours.unplaced());
     return text;
@@ -103,7 +104,8 @@ Judgement judge_fragments(const Check& check, const Tensor& student, const Tenso
     const FragmentTable yours(student.cells() == 0 ? nothing : student);
 
     const FragmentMatcher matcher(check, yours, expected);
-    const Result result = compare(yours, expected, matcher);
+    const FragmentWords words(text_of(names));
+    const Result result = compare(yours, expected, matcher, words.are_pixels());
     const FragmentTally& tally = result.tally;
     Judgement judgement;
     judgement.right = static_cast<double>(tally.matched) /
@@ -117,17 +119,14 @@ Judgement judge_fragments(const Check& check, const Tensor& student, const Tenso
     if (std::isfinite(result.error) && yours.unplaced() == 0) judgement.error = result.error;
     if (tally.all_right() && result.wrong_place == 0) return judgement;
 
-    const std::string_view word = text_of(names);
-    const std::string noun(word.empty() ? "triangle" : word);
-    judgement.message = message(result, yours, expected, noun);
+    judgement.message = message(result, yours, expected, words);
     if (!result.first) return judgement;
     const auto& [place, here, there] = *result.first;
     judgement.first_difference =
-        Difference{fmt::format("pixel ({}, {}) of {} {}", place.x, place.y, noun, place.primitive),
-                   fragments_text(yours, here), fragments_text(expected, there)};
+        Difference{words.where(place), fragments_text(yours, here, words), fragments_text(expected, there, words)};
     set_row(expected, place, there, *judgement.first_difference);
     judgement.message += "; the first is " + judgement.first_difference->where;
-    if (with_sketch) judgement.sketch = fragment_sketch(matcher, yours, expected, place);
+    if (with_sketch && words.are_pixels()) judgement.sketch = fragment_sketch(matcher, yours, expected, place);
     return judgement;
 }
 

@@ -6,10 +6,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "judge/evidence/evidence.hpp"
 #include "judge/explain/explain.hpp"
+#include "judge/rows/columns.hpp"
 #include "judge/rows/tensor_view.hpp"
 #include "model/exercise.hpp"
 
@@ -128,8 +130,27 @@ struct MovedPrimitive {
 /// The primitives of which one common step of a pixel explains at least nine tenths of what is missing and extra.
 [[nodiscard]] std::vector<MovedPrimitive> moved_primitives(const FragmentTable& yours, const FragmentTable& expected);
 
-/// "all fragments of triangle 3 lie one pixel to the right"; `noun` is the word for a primitive.
-[[nodiscard]] std::string moved_sentence(const std::vector<MovedPrimitive>& moved, const std::string& noun);
+/// What rows are called. A driver says the word for a primitive ("segment"; without one, "triangle"), or, where the
+/// rows are no fragments, what x and y count in it as well: "polygon: corner, -" (- counts nothing).
+class FragmentWords {
+public:
+    explicit FragmentWords(std::string_view text);
+
+    [[nodiscard]] const std::string& primitive() const { return primitive_; }
+    /// "fragment", or the last of what is counted: "corner".
+    [[nodiscard]] const std::string& row() const { return row_; }
+    [[nodiscard]] bool are_pixels() const { return counted_.empty(); }
+    /// "pixel (3, 4) of triangle 0", "corner 3 of polygon 0", "window 12, corner 3 of task 0".
+    [[nodiscard]] std::string where(const Place& place) const;
+
+private:
+    std::string primitive_ = "triangle";
+    std::string row_ = "fragment";
+    std::vector<ColumnGroup> counted_;  // of x and y
+};
+
+/// "all fragments of triangle 3 lie one pixel to the right".
+[[nodiscard]] std::string moved_sentence(const std::vector<MovedPrimitive>& moved, const FragmentWords& words);
 
 /// The pixels round `centre` of its primitive, at most 15 x 15, one character each, with a line that says where and
 /// what they mean.

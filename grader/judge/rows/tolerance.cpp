@@ -1,5 +1,7 @@
 #include "judge/rows/tolerance.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -45,12 +47,14 @@ Deviation deviation(const Tolerance& tolerance, double student, double expected,
 
 std::string error_text(Unit unit, double error)
 {
+    // Its size matters, and not its last digit, also where it is a whole number.
+    const std::string size = std::isnan(error) ? number_text(error) : fmt::format("{:.{}g}", error, usual_digits);
     switch (unit) {
-        case Unit::ulps: return number_text(error) + " ulp";
-        case Unit::relative: return "relative error " + number_text(error);
+        case Unit::ulps: return size + " ulp";
+        case Unit::relative: return "relative error " + size;
         case Unit::absolute: break;
     }
-    return "error " + number_text(error);
+    return "error " + size;
 }
 
 }
