@@ -25,6 +25,7 @@ struct Options {
     std::string out = "out/bench";
     bool json = false;
     bool quick = false;
+    std::string html;
     std::string markdown;
 };
 
@@ -76,7 +77,8 @@ void run(const Options& options)
     const fs::path out = fs::absolute(options.out);
     const std::string json = to_json(accuracy).dump(2) + "\n";
     const fs::path data = write(out / "accuracy.json", json);
-    const fs::path page = write(out / "accuracy.html", page_of(accuracy));
+    const fs::path page =
+        write(options.html.empty() ? out / "accuracy.html" : fs::absolute(options.html), page_of(accuracy));
     if (!options.markdown.empty()) write(fs::absolute(options.markdown), markdown_of(accuracy));
     if (options.json)
         fmt::print("{}", json);
@@ -99,6 +101,7 @@ int main(int count, char** words)
     command->add_option("--out", options.out, "Where accuracy.html and accuracy.json go")->capture_default_str();
     command->add_option("knobs", options.knobs, "Only these knobs; all if none is named")
         ->check(CLI::IsMember(knob_names()));
+    command->add_option("--html", options.html, "Where the page goes, if not to accuracy.html in --out");
     command->add_option("--markdown", options.markdown, "Also write the table of all knobs to this file");
     command->add_flag("--json", options.json, "Print the JSON instead of tables");
     command->add_flag("--quick", options.quick, "A look in seconds: few samples and settings");

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
+#include <vector>
 
 #include "axis.hpp"
 #include "knee.hpp"
@@ -17,11 +18,18 @@ constexpr double width = 200;
 constexpr double height = 104;
 
 /// The results of the shown situation by families, cheapest first; settings without one are a line of their own.
-std::map<std::string, std::vector<Result>> families_of(const Knob& knob, const Curve& curve)
+std::vector<std::pair<std::string, std::vector<Result>>> families_of(const Knob& knob, const Curve& curve)
 {
-    std::map<std::string, std::vector<Result>> families;
-    for (const Result& result : results_in(knob, curve.situation))
-        families[knob.situations.size() > 1 ? "" : result.family].push_back(result);
+    std::vector<std::pair<std::string, std::vector<Result>>> families;
+    for (const Result& result : results_in(knob, curve.situation)) {
+        const std::string name = knob.situations.size() > 1 ? "" : result.family;
+        const auto found =
+            std::find_if(families.begin(), families.end(), [&](const auto& family) { return family.first == name; });
+        if (found == families.end())
+            families.push_back({name, {result}});
+        else
+            found->second.push_back(result);
+    }
     for (auto& [family, results] : families)
         std::stable_sort(results.begin(), results.end(),
                          [](const Result& a, const Result& b) { return a.time < b.time; });

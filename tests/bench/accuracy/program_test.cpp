@@ -62,8 +62,10 @@ TEST(BenchProgram, measures_one_knob_alone)
 {
     const umbral::test::TemporaryFolder folder;
     const std::string out = folder.path().string();
-    ASSERT_EQ(run("accuracy ray-sphere --quick --out " + out + " > " + out + "/printed"), 0);
+    ASSERT_EQ(run("accuracy ray-sphere --quick --html " + out + "/page.html --out " + out + " > " + out + "/printed"),
+              0);
     EXPECT_EQ(nlohmann::json::parse(text_of(folder.path() / "accuracy.json"))["knobs"].size(), 1U);
+    EXPECT_NE(text_of(folder.path() / "page.html").find("href=\"#ray-sphere\""), std::string::npos);
     EXPECT_NE(text_of(folder.path() / "printed").find("school, float"), std::string::npos);
 }
 
