@@ -17,6 +17,13 @@ std::string cell(std::string text)
     return text;
 }
 
+/// One sentence a line.
+std::string sentences(std::string text)
+{
+    for (std::size_t at = 0; (at = text.find(". ", at)) != std::string::npos; at += 4) text.replace(at, 2, ".\n  ");
+    return text;
+}
+
 /// What the knee buys: the error's and the time's ratio to the cheapest setting of the front.
 std::string bought(const Knob& knob)
 {
@@ -49,9 +56,14 @@ std::string markdown_of(const Accuracy& accuracy)
         accuracy.quick ? " --quick" : "", accuracy.processor, accuracy.compiler);
     text +=
         "The knee is the setting beyond which time buys less than on average; without a bend the dearest setting of "
-        "the front\nstands there. Slopes are fitted to the logarithms, with 95 % confidence intervals from the scatter "
-        "round the line: ✓ says\nthat theory's order, on the right, lies within the interval or within 0.1; ≠ that it "
-        "does not, and the page says why.\n\n"
+        "the "
+        "front\nstands there. Slopes are fitted to the logarithms, with 95 % confidence intervals from the scatter "
+        "round "
+        ". ✓ says\nthat theory's order, on the right, lies within the interval, or within 0.1 (a tenth of "
+        "orders "
+        "above 1);\n≠ that it does not, and the reason stands below; ? that too few points, or too scattered ones, "
+        "tell "
+        "nothing.\n\n"
         "| knob | error | knee | what it buys | slope, and theory's |\n|---|---|---|---|---|\n";
     for (const Knob& knob : accuracy.knobs) {
         if (knob.curves.empty()) continue;
@@ -66,10 +78,11 @@ std::string markdown_of(const Accuracy& accuracy)
             "| {} | {}{} | {} | {} | {} |\n", cell(knob.title), cell(measure_of(knob, curve.measure).name), cell(where),
             cell(curve.knee.value_or("no bend: " + curve.front.back())), cell(bought(knob)), cell(slopes));
     }
-    text += "\n## Where the slopes come from\n\n";
+    text += "\n## Why slopes differ\n\n";
     for (const Knob& knob : accuracy.knobs)
         for (const Law& law : knob.laws)
-            if (law.verdict == "differs") text += fmt::format("- **{}**, {}: {}\n", knob.title, law.family, law.reason);
+            if (law.verdict == "differs")
+                text += fmt::format("- **{}**, {}:\n  {}\n", knob.title, law.family, sentences(law.reason));
     return text;
 }
 

@@ -112,8 +112,9 @@ const Curve& main_curve_of(const Knob& knob)
 std::string slope_text(const Law& law)
 {
     if (law.points < 3) return "too few points";
+    const double slope = std::abs(law.slope) < 0.005 ? 0 : law.slope;  // no "-0.00"
     const char* sign = law.verdict == "as theory says" ? "✓" : law.verdict == "differs" ? "≠" : "?";
-    return fmt::format("{:.2f} ± {:.2f} {} {:.3g}", law.slope, law.half_width, sign, law.order);
+    return fmt::format("{:.2f} ± {:.2f} {} {:.3g}", slope, law.half_width, sign, law.order);
 }
 
 std::string overview_of(const Accuracy& accuracy)

@@ -47,7 +47,7 @@ Knob measure_mirror_depth(Means& means)
                            "ns per ray", {{"missing", "light that is missing", "of all"}});
     const Ray ray{{0, 0, 0}, normalize(glm::vec3(0.1F, 0.2F, 1))};
     for (const int percent : {80, 50}) {
-        const std::string family = fmt::format("{} % mirrors", percent);
+        const std::string family = fmt::format("{} %", percent);
         const double k = percent / 100.0;
         for (const int levels : {1, 2, 3, 4, 6, 8, 12}) {
             const Mirrors world(static_cast<float>(k), levels);

@@ -63,7 +63,7 @@ Knob measure_neighbours(Means& means)
                              "costs is memory. Random vertices, seed {}.",
                              seed),
                  "ns per question", {{"memory", "memory of the tables", "bytes per face"}}, 1e9, "faces");
-    for (const std::uint32_t slices : {8U, 16U, 32U, 64U, 128U}) {
+    for (const std::uint32_t slices : {16U, 32U, 64U, 128U, 256U}) {
         const auto mesh = std::make_shared<const meshes::IndexedMesh>(meshes::make_sphere(slices, slices / 2));
         const auto lists = std::make_shared<const Lists>(lists_of(*mesh));
         const auto winged = std::make_shared<const meshes::WingedMesh>(winged_of(*mesh));

@@ -69,14 +69,14 @@ Knob measure_texture_filter(Means& means)
         return double{trilinear(*mipmap, glm::vec2(corner + side / 2), std::log2(float{footprint})).x};
     });
     for (const int count : {4, 16, 64, 256})
-        add(fmt::format("{} samples", count), "supersampled", count,
+        add(fmt::format("{} samples", count), "samples", count,
             [texture, nearest, points = cells(count, nullptr)](const glm::dvec2& corner) {
                 double sum = 0;
                 for (const glm::dvec2& point : points)
                     sum += double{lookup(*texture, nearest, glm::vec2(corner + side * point)).x};
                 return sum / static_cast<double>(points.size());
             });
-    study.laws = {{"supersampled", "rms", "samples", -0.5,
+    study.laws = {{"samples", "rms", "samples", -0.5,
                    "Texels of noise are independent, so a mean of N of them errs by 1/√N.",
                    "Of 1024 texels, 256 samples see a quarter: what is known no longer errs."}};
     return finish(std::move(study), means);
