@@ -57,9 +57,8 @@ std::string markdown_of(const Accuracy& accuracy)
     text +=
         "The knee is the setting beyond which time buys less than on average; without a bend the dearest setting of "
         "the "
-        "front\nstands there. Slopes are fitted to the logarithms, with 95 % confidence intervals from the scatter "
-        "round "
-        ". ✓ says\nthat theory's order, on the right, lies within the interval, or within 0.1 (a tenth of "
+        "front\nstands there. Slopes are fitted to the logarithms, with 95 % confidence intervals from their scatter. "
+        "✓ says\nthat theory's order, on the right, lies within the interval, or within 0.1 (a tenth of "
         "orders "
         "above 1);\n≠ that it does not, and the reason stands below; ? that too few points, or too scattered ones, "
         "tell "
