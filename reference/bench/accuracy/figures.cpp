@@ -37,6 +37,25 @@ Series against_time(const Knob& knob, const Curve& curve)
     return series;
 }
 
+/// One line a family, where there are families; what the front beats keeps its place in the line.
+std::vector<Series> by_family(Series all, const Knob& knob, const Curve& curve)
+{
+    std::vector<Series> families;
+    for (const Mark& mark : all.marks) {
+        const std::vector<Result> results = results_in(knob, curve.situation);
+        const auto result = std::find_if(results.begin(), results.end(),
+                                         [&](const Result& one) { return mark.tip == tip_of(knob, one); });
+        if (result->family.empty() || result->amount == 0) return {std::move(all)};
+        const auto family = std::find_if(families.begin(), families.end(),
+                                         [&](const Series& one) { return one.name == result->family; });
+        Series& series = family != families.end() ? *family : families.emplace_back(Series{result->family, {}, true});
+        series.marks.push_back(mark);
+        series.marks.back().quiet = false;
+        if (!mark.knee) series.marks.back().label.clear();
+    }
+    return families;
+}
+
 std::string with_unit(const Measure& measure) { return measure.name + ", " + measure.unit; }
 
 Plot empty_plot(const Knob& knob, const std::string& id, const Measure& measure, const std::string& x_label)
@@ -126,7 +145,7 @@ std::vector<Figure> figures_of(const Knob& knob)
         Figure figure{empty_plot(knob, curve.measure, measure_of(knob, curve.measure), knob.time_unit),
                       {curve.sentence}};
         if (!figures.empty()) figure.plot = small(std::move(figure.plot));
-        figure.plot.series.push_back(against_time(knob, curve));
+        figure.plot.series = by_family(against_time(knob, curve), knob, curve);
         figures.push_back(std::move(figure));
     }
     return figures;

@@ -1,6 +1,7 @@
 #include "json.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace umbral::bench {
@@ -14,6 +15,20 @@ double shortest(const Knob& knob, const std::string& situation)
     const std::vector<Result> some = results_in(knob, situation);
     return std::min_element(some.begin(), some.end(), [](const Result& a, const Result& b) { return a.time < b.time; })
         ->time;
+}
+
+json law_json(const Law& law)
+{
+    return {{"family", law.family},
+            {"measure", law.measure.empty() ? json() : json(law.measure)},
+            {"against", law.against},
+            {"form", law.exponential ? "exponential" : "power"},
+            {"order", law.order},
+            {"slope", law.points < 3 ? json() : json(law.slope)},
+            {"half_width", std::isfinite(law.half_width) ? json(law.half_width) : json()},
+            {"points", law.points},
+            {"verdict", law.verdict},
+            {"reason", law.reason}};
 }
 
 json knob_json(const Knob& knob)
@@ -32,7 +47,9 @@ json knob_json(const Knob& knob)
                            {"situation", one.situation},
                            {"time", one.time},
                            {"ratio", one.time / shortest(knob, one.situation)},
-                           {"errors", one.errors}});
+                           {"errors", one.errors},
+                           {"family", one.family},
+                           {"amount", one.amount}});
     json curves = json::array();
     for (const Curve& one : knob.curves)
         curves.push_back({{"situation", one.situation},
@@ -40,9 +57,19 @@ json knob_json(const Knob& knob)
                           {"front", one.front},
                           {"knee", one.knee ? json(*one.knee) : json()},
                           {"sentence", one.sentence}});
-    return {{"id", knob.id},      {"title", knob.title},  {"text", knob.text},        {"time_unit", knob.time_unit},
-            {"axis", knob.axis},  {"measures", measures}, {"situations", situations}, {"settings", settings},
-            {"results", results}, {"curves", curves}};
+    json laws = json::array();
+    for (const Law& one : knob.laws) laws.push_back(law_json(one));
+    return {{"id", knob.id},
+            {"title", knob.title},
+            {"text", knob.text},
+            {"time_unit", knob.time_unit},
+            {"axis", knob.axis},
+            {"measures", measures},
+            {"situations", situations},
+            {"settings", settings},
+            {"results", results},
+            {"curves", curves},
+            {"laws", laws}};
 }
 
 }

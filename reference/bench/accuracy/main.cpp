@@ -8,6 +8,7 @@
 
 #include "json.hpp"
 #include "knob.hpp"
+#include "markdown.hpp"
 #include "page.hpp"
 #include "text.hpp"
 
@@ -20,9 +21,12 @@ using namespace umbral::bench;
 struct Options {
     fs::path units;
     std::vector<std::string> knobs;
+    std::vector<std::string> named;
     std::string out = "out/bench";
     bool json = false;
     bool quick = false;
+    std::string html;
+    std::string markdown;
 };
 
 std::vector<std::string> knob_names()
@@ -73,7 +77,9 @@ void run(const Options& options)
     const fs::path out = fs::absolute(options.out);
     const std::string json = to_json(accuracy).dump(2) + "\n";
     const fs::path data = write(out / "accuracy.json", json);
-    const fs::path page = write(out / "accuracy.html", page_of(accuracy));
+    const fs::path page =
+        write(options.html.empty() ? out / "accuracy.html" : fs::absolute(options.html), page_of(accuracy));
+    if (!options.markdown.empty()) write(fs::absolute(options.markdown), markdown_of(accuracy));
     if (options.json)
         fmt::print("{}", json);
     else
@@ -91,8 +97,12 @@ int main(int count, char** words)
     parser.require_subcommand(1);
     CLI::App* command = parser.add_subcommand(
         "accuracy", "Error against time for every knob that trades one for the other, with its knee marked");
-    command->add_option("--knob", options.knobs, "Only this one (may be repeated)")->check(CLI::IsMember(knob_names()));
+    command->add_option("--knob", options.named, "Only this one (may be repeated)")->check(CLI::IsMember(knob_names()));
     command->add_option("--out", options.out, "Where accuracy.html and accuracy.json go")->capture_default_str();
+    command->add_option("knobs", options.knobs, "Only these knobs; all if none is named")
+        ->check(CLI::IsMember(knob_names()));
+    command->add_option("--html", options.html, "Where the page goes, if not to accuracy.html in --out");
+    command->add_option("--markdown", options.markdown, "Also write the table of all knobs to this file");
     command->add_flag("--json", options.json, "Print the JSON instead of tables");
     command->add_flag("--quick", options.quick, "A look in seconds: few samples and settings");
     command->add_option("--units", options.units, "Where the build keeps the units' libraries")
@@ -100,6 +110,7 @@ int main(int count, char** words)
         ->group("");
     try {
         parser.parse(count, words);
+        options.knobs.insert(options.knobs.end(), options.named.begin(), options.named.end());
     } catch (const CLI::ParseError& error) {
         return parser.exit(error) == 0 ? 0 : 2;
     }

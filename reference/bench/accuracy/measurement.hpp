@@ -29,6 +29,8 @@ struct Result {
     std::string situation;
     double time = 0;                       ///< in the knob's unit; > 0
     std::map<std::string, double> errors;  ///< by measure; >= 0
+    std::string family = {};               ///< what settings of one kind share ("stratified"); may be empty
+    double amount = 0;                     ///< how much of it was chosen ("16" samples); 0 if it is no number
 };
 
 /// Error against time in one situation. Settings are named in the order of their times.
@@ -39,6 +41,21 @@ struct Curve {
     std::optional<std::string>
         knee;              ///< the setting of the front beyond which time buys least; none if the front has no bend
     std::string sentence;  ///< the same in plain words
+};
+
+/// How fast the error of a family falls, beside what theory says: error ~ amount^order, or, if `exponential`,
+/// error ~ 10^(order amount).
+struct Law {
+    std::string family;   ///< of the results that it was fitted to
+    std::string measure;  ///< the error that follows it; empty: the time
+    std::string against;  ///< what the amounts count: "samples a pixel"
+    bool exponential = false;
+    double order = 0;        ///< theory's
+    double slope = 0;        ///< by least squares through the logarithms
+    double half_width = 0;   ///< of the slope's 95 % confidence interval, from the scatter round the line
+    std::size_t points = 0;  ///< that were fitted: those with errors above 0
+    std::string verdict;     ///< "as theory says", "differs" or "too few to tell"
+    std::string reason;      ///< where the order comes from; where it differs, why
 };
 
 /// Something that trades accuracy for time, and what it was seen to cost.
@@ -53,6 +70,7 @@ struct Knob {
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, and what it does
     std::vector<Result> results;
     std::vector<Curve> curves;
+    std::vector<Law> laws = {};  ///< none where no order is known
 };
 
 /// All knobs, and the machine they were measured on.

@@ -6,6 +6,8 @@
 
 #include "figures.hpp"
 #include "knee.hpp"
+#include "law.hpp"
+#include "overview.hpp"
 #include "style.hpp"
 #include "text/escape.hpp"
 
@@ -85,14 +87,22 @@ std::string figure_of(const Figure& figure)
 
 std::string section_of(const Knob& knob)
 {
-    std::string text = fmt::format("<section id=\"{0}\"><h2>{1}</h2>\n<p>{2}</p>\n", escape_html(knob.id),
-                                   escape_html(knob.title), escape_html(knob.text));
+    std::string text =
+        fmt::format("<section id=\"{0}\"><p class=\"up\"><a href=\"#\">All knobs</a></p><h2>{1}</h2>\n<p>{2}</p>\n",
+                    escape_html(knob.id), escape_html(knob.title), escape_html(knob.text));
     const std::vector<Figure> figures = figures_of(knob);
     for (std::size_t i = 0; i < figures.size(); ++i) {
         if (i == 1) text += "<div class=\"more\">";
         text += figure_of(figures[i]);
     }
     if (figures.size() > 1) text += "</div>";
+    if (!knob.laws.empty()) {
+        text += "<ul class=\"laws\">";
+        for (const Law& law : knob.laws)
+            text += fmt::format("<li class=\"{}\">{}</li>", law.verdict == "differs" ? "differs" : "agrees",
+                                escape_html(sentence_of(knob, law)));
+        text += "</ul>\n";
+    }
     text += table_of(knob) + "<dl class=\"settings\">";
     // Descriptions that only count triangles stand in the table's order already: long lists say nothing.
     if (knob.settings.size() <= 8)
@@ -111,17 +121,10 @@ std::string page_of(const Accuracy& accuracy)
         "<meta name=\"color-scheme\" content=\"light dark\"><title>What accuracy costs in time</title>\n<style>";
     text += style_sheet;
     text +=
-        "</style></head><body><header><p class=\"umbral\">Umbral</p><h1>What accuracy costs in time</h1>\n<ul "
-        "class=\"answers\">";
-    for (const Knob& knob : accuracy.knobs)
-        if (!knob.curves.empty()) {
-            const Curve& curve = knob.curves[knob.situations.size() > 1 ? knob.curves.size() / 2 : 0];
-            const std::string where = knob.situations.size() > 1 ? situation_of(knob, curve.situation).label
-                                                                 : measure_of(knob, curve.measure).name;
-            text += fmt::format("<li><a href=\"#{}\">{}</a> <span>({})</span><br>{}</li>\n", escape_html(knob.id),
-                                escape_html(knob.title), escape_html(where), escape_html(curve.sentence));
-        }
-    text += "</ul>\n";
+        "</style></head><body><header><p class=\"umbral\">Umbral</p><h1>What accuracy costs in time</h1>\n<p "
+        "class=\"legend\">Error upwards, time to the right, both logarithmic. Ringed and named: the knee. Below it the "
+        "fitted slope ± its 95 % interval, and theory’s: ✓ agrees, ≠ differs (the reason is a click away).</p>\n";
+    text += overview_of(accuracy);
     text += definitions;
     if (accuracy.quick)
         text += "<p class=\"note\">Measured with --quick: few samples and settings. Figures are coarse.</p>";

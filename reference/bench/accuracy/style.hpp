@@ -14,20 +14,35 @@ inline constexpr const char* style_sheet = R"css(
   --tip: #e8eaed; --tip-ink: #14171b; --c0: #56b4e9; --c1: #ee8a3d; --c2: #2bc59a; --c3: #dd94bb; --c4: #f0c03a;
   --c5: #d5d9de; --knee: #ee8a3d; --knee-ground: #33261b; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 2.5rem 1.25rem 3rem; max-width: 66rem; background: var(--ground); color: var(--ink);
+body { margin: 0 auto; padding: .8rem 1.25rem 3rem; max-width: 66rem; background: var(--ground); color: var(--ink);
   font: 16px/1.55 system-ui, "Segoe UI", "DejaVu Sans", sans-serif; }
 h1 { font-size: 2.1rem; line-height: 1.15; margin: 0 0 1.2rem; letter-spacing: -0.02em; }
 h2 { font-size: 1.45rem; line-height: 1.2; margin: 0 0 .5rem; letter-spacing: -0.01em; }
 p { max-width: 46rem; }
 a { color: var(--c0); text-decoration-thickness: 1px; text-underline-offset: 3px; }
-.umbral { margin: 0 0 .3rem; color: var(--soft); font-size: .8rem; letter-spacing: .14em; text-transform: uppercase; }
-.answers { list-style: none; margin: 0 0 1.2rem; padding: 0; display: grid; gap: 1rem;
-  grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); }
-.answers li { background: var(--card); border: 1px solid var(--edge); border-left: 4px solid var(--knee);
-  border-radius: 8px; padding: .8rem 1.1rem; }
-.answers a { font-weight: 600; }
-.answers span, footer, figcaption, .note { color: var(--soft); }
-details { max-width: 46rem; } summary { cursor: pointer; color: var(--soft); }
+.umbral { margin: 0; color: var(--soft); font-size: .8rem; letter-spacing: .14em; text-transform: uppercase; }
+header { width: min(1260px, 100vw - 1.5rem); margin-left: calc(50% - min(1260px, 100vw - 1.5rem) / 2); }
+header h1 { font-size: 1.5rem; margin: 0 0 .2rem; }
+.legend { margin: 0 0 .5rem; max-width: none; font-size: .8rem; line-height: 1.35; color: var(--soft); }
+.overview { display: grid; gap: 7px; grid-template-columns: repeat(auto-fill, minmax(190px, 1fr)); }
+.card { display: flex; flex-direction: column; background: var(--card); border: 1px solid var(--edge);
+  border-radius: 7px; padding: 5px 8px 5px; color: var(--ink); text-decoration: none; font-size: 11px;
+  line-height: 1.3; min-width: 0; }
+.card:hover, .card:focus { border-color: var(--c0); outline: 1px solid var(--c0); }
+.card b { font-size: 11.5px; white-space: nowrap; overflow: hidden; text-overflow: ellipsis; }
+.card svg { display: block; width: 100%; height: auto; margin: 2px 0; background: var(--ground);
+  border-radius: 4px; }
+.card svg .line { fill: none; stroke-width: 1.6; }
+.card svg .mark { stroke-width: .8; }
+.knee-line, .slope { white-space: nowrap; overflow: hidden; text-overflow: ellipsis; min-height: 1.3em; }
+.knee-line { color: var(--knee); font-weight: 600; }
+.knee-line.none { color: var(--soft); font-weight: 400; }
+.slope { color: var(--soft); font-variant-numeric: tabular-nums; }
+.slope.differs, .laws .differs { color: var(--c3); }
+.laws { margin: 1rem 0 0; padding-left: 1.1rem; font-size: .92rem; }
+.up { margin: 0; font-size: .85rem; }
+footer, figcaption, .note { color: var(--soft); }
+details { max-width: 46rem; margin-top: .8rem; } summary { cursor: pointer; color: var(--soft); }
 dl { margin: .6rem 0 0; display: grid; grid-template-columns: max-content 1fr; gap: .25rem 1rem; }
 dt { font-weight: 600; } dd { margin: 0; }
 .settings { font-size: .9rem; }

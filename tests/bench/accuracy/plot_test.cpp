@@ -158,7 +158,7 @@ TEST(Page, is_complete_in_itself)
     EXPECT_NE(page.find("A &lt;bend&gt; &amp; more"), std::string::npos);
     EXPECT_NE(page.find("Some &lt;CPU&gt;"), std::string::npos);
     // Two curves of the first knob; of the second, with one measure, the situations together.
-    EXPECT_EQ(count_of(page, "<svg"), 3);
+    EXPECT_EQ(count_of(page, "<svg class=\"plot\""), 3);
     EXPECT_EQ(count_of(page, "<table>"), 2);
     EXPECT_EQ(count_of(page, "<tr class=\"knee\">"), 1);
     EXPECT_NE(page.find("s1: 1 px at 2 ms"), std::string::npos);

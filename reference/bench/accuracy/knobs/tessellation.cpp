@@ -4,10 +4,11 @@
 #include <list>
 #include <umbral/gl/context.hpp>
 
-#include "ball_painter.hpp"
-#include "knee.hpp"
-#include "knob.hpp"
-#include "timing.hpp"
+#include "../ball_painter.hpp"
+#include "../knee.hpp"
+#include "../knob.hpp"
+#include "../law.hpp"
+#include "../timing.hpp"
 
 namespace umbral::bench {
 namespace {
@@ -68,7 +69,9 @@ Knob measure_tessellation(Means& means)
                                 0,
                                 {{"silhouette_px", BallPainter::radius * errors.silhouette},
                                  {"distance_percent", 100 * errors.distance},
-                                 {"normal_degrees", degrees * errors.angle}}});
+                                 {"normal_degrees", degrees * errors.angle}},
+                                sectors == 2 * rings ? "2 : 1" : "",
+                                sectors == 2 * rings ? static_cast<double>(ball.indices.size() / 3) : 0});
         meshes.emplace_back(ball.positions, ball.positions, ball.indices);
         work.emplace_back([&painter, &mesh = meshes.back()] { painter.draw(mesh); });
     }
@@ -76,6 +79,12 @@ Knob measure_tessellation(Means& means)
         fastest_of_interleaved(work, means.quick ? Patience{5, 3, 1, 0.01} : Patience{40, 5, 40, 0.02});
     for (std::size_t i = 0; i < seconds.size(); ++i) knob.results[i].time = 1e3 * seconds[i];
     for (const Measure& measure : knob.measures) knob.curves.push_back(curve_of(knob, "frame", measure.id));
+    const std::string squares = "A chord leaves its arc by the square of its length, and a triangle has the area of ";
+    knob.laws = {
+        law_of(knob, {"2 : 1", "distance_percent", "triangles", -1, squares + "such a square.",
+                      "Meshes of few triangles are no small parts of a sphere."}),
+        law_of(knob, {"2 : 1", "normal_degrees", "triangles", -0.5, "A facet's normal is off by its own width.",
+                      "Meshes of few triangles are no small parts of a sphere."})};
     return knob;
 }
 
