@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "render/compare.hpp"
 #include "render/counters.hpp"
 #include "render/effects.hpp"
 
@@ -14,7 +13,7 @@ namespace umbral::render {
 struct Report {
     std::string scene;
     std::string title;
-    std::string renderer;  ///< "software", "gl", or "software against gl"
+    std::string renderer;  ///< as --renderer takes it
     int width = 0;
     int height = 0;
     int samples = 1;
@@ -22,15 +21,10 @@ struct Report {
     Derived derived;
     bool all_effects = false;  ///< the kernel with all effects was used, not the derived one
     std::optional<Counters> counters;
-    std::optional<Comparison> comparison;
-    Agreement agreement;
 };
 
 /// The set of effects with its reasons, and all counters.
 [[nodiscard]] std::string explanation(const Report& report);
-
-/// The table "software against gl".
-[[nodiscard]] std::string comparison_table(const Report& report);
 
 /// Everything, as JSON.
 [[nodiscard]] nlohmann::json to_json(const Report& report);
