@@ -1,13 +1,11 @@
 // umbral-render: the reference engine as a program. `umbral render` starts it: the grader itself holds no line of the
 // reference.
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <umbral/core/png.hpp>
-#include <vector>
 
 #include "render/agreement.hpp"
 #include "render/buffers.hpp"
@@ -15,6 +13,7 @@
 #include "render/picture.hpp"
 #include "render/renderers.hpp"
 #include "render/report.hpp"
+#include "render/scene_files.hpp"
 #include "scene/scene_json.hpp"
 
 namespace umbral::render {
@@ -42,18 +41,6 @@ std::string dumped(const nlohmann::json& json)
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-/// The scene, or all scenes of a folder, in the order of their names.
-std::vector<std::filesystem::path> scenes_of(const std::filesystem::path& place)
-{
-    if (!std::filesystem::is_directory(place)) return {place};
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(place))
-        if (entry.path().extension() == ".json") files.push_back(entry.path());
-    if (files.empty()) throw UsageError(place.string() + ": expected a scene or a folder with scenes, got none");
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 int run_comparison(const Options& options)
 {
     Studio studio;
@@ -61,7 +48,7 @@ int run_comparison(const Options& options)
     nlohmann::json all = nlohmann::json::array();
     std::string notes;
     if (!options.json) print(agreement_head());
-    for (const std::filesystem::path& file : scenes_of(options.scene)) {
+    for (const std::filesystem::path& file : as_given([&] { return scenes_of(options.scene); })) {
         scene::Scene scene = as_given([&] { return scene::read_scene(file); });
         if (scene.title.empty()) scene.title = file.filename().string();
         const SceneAgreement agreement =
