@@ -6,6 +6,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <umbral/core/png.hpp>
+#include <utility>
 
 #include "render/agreement.hpp"
 #include "render/buffers.hpp"
@@ -85,13 +86,14 @@ int run(const Options& options)
                   .out = options.out,
                   .derived = derive_effects(list, scene),
                   .all_effects = options.all_effects,
-                  .counters = {}};
+                  .how = renderer_named(options.renderer).effects,
+                  .counts = {}};
     const EffectSet effects = options.all_effects ? all_effects : report.derived.set;
     Studio studio;
-    const Drawn drawn = as_given([&] {
-        return studio.draw(renderer_named(options.renderer), {list, effects, width, height});
+    Drawn drawn = as_given([&] {
+        return studio.draw(renderer_named(options.renderer), {list, effects, width, height, options.explain});
     });
-    report.counters = drawn.counters;
+    report.counts = std::move(drawn.counts);
     as_given([&] {
         if (!options.out.empty()) write_png(options.out, make_picture(drawn.frame, scene, options.samples));
         if (!options.buffers.empty()) write_buffers(options.buffers, drawn.frame);

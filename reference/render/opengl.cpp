@@ -63,8 +63,10 @@ void set_for(const gl::Program& program, const Draw& draw)
     program.set("id", static_cast<int>(draw.id));
 }
 
-void draw_all(const DrawList& list, const gl::Program& program, const DrawObjects& objects)
+void draw_all(const DrawList& list, const EffectSet& effects, const gl::Program& program, OpenGlWork* work)
 {
+    const DrawObjects objects = make_objects(list, effects.textured);
+    count_once(list, objects, effects, work);
     set_once(program, list);
     set_depth_test();
     for (const Draw& draw : list.draws) {
@@ -72,18 +74,18 @@ void draw_all(const DrawList& list, const gl::Program& program, const DrawObject
         set_for(program, draw);
         if (draw.texture && objects.textures[*draw.texture]) objects.textures[*draw.texture]->bind();
         set_faces(draw);
-        draw_mesh(*objects.meshes[draw.mesh], program);
+        draw_counted(list, draw, effects, work, [&] { draw_mesh(*objects.meshes[draw.mesh], program); });
     }
 }
 
 }
 
-Frame draw_with_opengl(const DrawList& list, const EffectSet& effects, int width, int height)
+Frame draw_with_opengl(const DrawList& list, const EffectSet& effects, int width, int height, OpenGlWork* work)
 {
     const OpenGlTarget target(width, height);
     const ShaderTexts texts = shaders_for(effects, list.lights.size());
     const gl::Program program({"engine.vert", texts.vertex}, {"engine.frag", texts.fragment});
-    draw_all(list, program, make_objects(list, effects.textured));
+    draw_all(list, effects, program, work);
     gl::check_errors("drawing the scene");
     return target.read();
 }

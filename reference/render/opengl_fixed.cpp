@@ -109,8 +109,10 @@ void set_texture(const Draw& draw, const DrawObjects& objects)
     glScalef(draw.material.texture_scale.x, draw.material.texture_scale.y, 1);
 }
 
-void draw_all(const DrawList& list, const EffectSet& effects, const DrawObjects& objects)
+void draw_all(const DrawList& list, const EffectSet& effects, OpenGlWork* work)
 {
+    const DrawObjects objects = make_objects(list, effects.textured);
+    count_once(list, objects, effects, work);
     for (const Draw& draw : list.draws) {
         if (draw.visibility == Visibility::outside) continue;
         const MeshBuffers& mesh = *objects.meshes[draw.mesh];
@@ -124,13 +126,13 @@ void draw_all(const DrawList& list, const EffectSet& effects, const DrawObjects&
         glLoadMatrixf(glm::value_ptr(draw.model_view));
         set_material(draw, effects.specular);
         set_faces(draw);
-        mesh.draw();
+        draw_counted(list, draw, effects, work, [&] { mesh.draw(); });
     }
 }
 
 }
 
-Frame draw_with_fixed_function(const DrawList& list, const EffectSet& effects, int width, int height)
+Frame draw_with_fixed_function(const DrawList& list, const EffectSet& effects, int width, int height, OpenGlWork* work)
 {
     if (list.lights.size() > fixed_function_lights)
         throw std::runtime_error("gl-fixed: expected at most 8 lights, got " + std::to_string(list.lights.size()) +
@@ -140,7 +142,7 @@ Frame draw_with_fixed_function(const DrawList& list, const EffectSet& effects, i
     const KeptState kept;
     glUseProgram(0);
     set_once(list, effects);
-    draw_all(list, effects, make_objects(list, effects.textured));
+    draw_all(list, effects, work);
     gl::check_errors("drawing the scene by the fixed function");
     return target.read();
 }

@@ -91,6 +91,46 @@ DrawObjects make_objects(const DrawList& list, bool textured)
             make_needed<TextureObject>(list.textures, needed.textures)};
 }
 
+void draw_counted(const DrawList& list, const Draw& draw, const EffectSet& effects, OpenGlWork* work,
+                  const std::function<void()>& draw_it)
+{
+    if (work == nullptr) return draw_it();
+    GLuint query = 0;
+    GLuint samples = 0;
+    if (work->ask_samples) {
+        glGenQueries(1, &query);
+        glBeginQuery(GL_SAMPLES_PASSED, query);
+    }
+    draw_it();
+    if (work->ask_samples) {
+        glEndQuery(GL_SAMPLES_PASSED);
+        glGetQueryObjectuiv(query, GL_QUERY_RESULT, &samples);
+        glDeleteQueries(1, &query);
+    }
+    const auto one_if = [](bool condition) { return condition ? std::uint64_t{1} : std::uint64_t{0}; };
+    ++work->instances;
+    work->vertices += list.meshes[draw.mesh].vertices.size();
+    work->triangles += list.meshes[draw.mesh].triangles.size();
+    work->samples += samples;
+    work->textured_samples += effects.textured && draw.texture ? samples : 0;
+    work->highlights += one_if(effects.specular && draw.specular);
+    work->smooth += one_if(effects.smooth && draw.smooth);
+    work->without_culling += one_if(draw.both_sides);
+    work->crossing += one_if(draw.visibility == Visibility::crosses);
+}
+
+void count_once(const DrawList& list, const DrawObjects& objects, const EffectSet& effects, OpenGlWork* work)
+{
+    if (work == nullptr) return;
+    for (const Draw& draw : list.draws) work->instances_outside += draw.visibility == Visibility::outside ? 1 : 0;
+    for (const Light& light : list.lights) work->light_places += effects.positional && light.where.w != 0 ? 1 : 0;
+    for (std::size_t i = 0; i < objects.textures.size(); ++i) {
+        if (!objects.textures[i]) continue;
+        ++work->textures;
+        work->texels += list.textures[i].texels.cells.size();
+    }
+}
+
 void set_depth_test()
 {
     glDisable(GL_BLEND);

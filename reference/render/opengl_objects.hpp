@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
+#include "render/counters.hpp"
 #include "render/draw_list.hpp"
+#include "render/effects.hpp"
 
 /// What both OpenGL renderers hand to the driver. All need a current context, and delete what they made.
 namespace umbral::render {
@@ -55,6 +58,12 @@ struct DrawObjects {
     std::vector<std::unique_ptr<TextureObject>> textures;
 };
 [[nodiscard]] DrawObjects make_objects(const DrawList& list, bool textured);
+
+/// Draws one instance by `draw_it`, which hands its triangles over, and adds to `work` what that was, if it is given.
+void draw_counted(const DrawList& list, const Draw& draw, const EffectSet& effects, OpenGlWork* work,
+                  const std::function<void()>& draw_it);
+/// Adds what a picture has once: objects, lights, and what is outside.
+void count_once(const DrawList& list, const DrawObjects& objects, const EffectSet& effects, OpenGlWork* work);
 
 /// Depth test "less", no blending, back faces culled or not, front faces counter-clockwise before the picture is turned
 /// upside down (and clockwise for what is mirrored).

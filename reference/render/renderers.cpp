@@ -16,15 +16,20 @@ namespace {
 Drawn by_software(const Job& job)
 {
     SoftwarePicture picture = draw_in_software(job.list, job.effects, job.width, job.height);
-    return {std::move(picture.frame), picture.counters};
+    return {std::move(picture.frame), counts_of(picture.counters)};
 }
 
-Drawn by_gl(const Job& job) { return {draw_with_opengl(job.list, job.effects, job.width, job.height), {}}; }
-
-Drawn by_fixed_function(const Job& job)
+template <class Draw>
+Drawn by_opengl(const Job& job, const Draw& draw)
 {
-    return {draw_with_fixed_function(job.list, job.effects, job.width, job.height), {}};
+    OpenGlWork work{.ask_samples = true};
+    Frame frame = draw(job.list, job.effects, job.width, job.height, job.count ? &work : nullptr);
+    return {std::move(frame), job.count ? counts_of(work) : std::vector<Count>()};
 }
+
+Drawn by_gl(const Job& job) { return by_opengl(job, draw_with_opengl); }
+
+Drawn by_fixed_function(const Job& job) { return by_opengl(job, draw_with_fixed_function); }
 
 Drawn with_light_at_vertices(const Job& job)
 {
@@ -32,11 +37,18 @@ Drawn with_light_at_vertices(const Job& job)
 }
 
 constexpr std::array<Renderer, 4> renderers = {{
-    {"software", "the engine's rasteriser, light at each pixel", false, by_software},
-    {"gl", "OpenGL with shaders, light at each pixel", true, by_gl},
-    {"gl-fixed", "OpenGL's fixed function, light at each vertex", true, by_fixed_function},
-    {"vertices", "the engine's rasteriser, light at each vertex: what gl-fixed should be", false,
-     with_light_at_vertices},
+    {"software", "the engine's rasteriser, light at each pixel",
+     "each effect is a compile-time flag of a kernel; 64 sets are made of 16 kernels for fragments and 4 for triangles",
+     false, by_software},
+    {"gl", "OpenGL with shaders, light at each pixel",
+     "each effect is a name that the shaders define or not; their text is made for the scene", true, by_gl},
+    {"gl-fixed", "OpenGL's fixed function, light at each vertex",
+     "textures, highlights and second sides are state that is set or not; the others cost nothing, as light is "
+     "computed "
+     "at vertices, and OpenGL clips in any case",
+     true, by_fixed_function},
+    {"vertices", "the engine's rasteriser, light at each vertex: what gl-fixed should be",
+     "none is: it always has all of them", false, with_light_at_vertices},
 }};
 
 }

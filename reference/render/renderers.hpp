@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <umbral/gl/context.hpp>
+#include <vector>
 
 #include "render/counters.hpp"
 #include "render/draw_list.hpp"
@@ -18,17 +19,19 @@ struct Job {
     EffectSet effects;
     int width;
     int height;
+    bool count = false;  ///< the work too, where that costs time
 };
 
-/// What came of it; only some renderers can count their work.
+/// What came of it, and the work that was counted.
 struct Drawn {
     Frame frame;
-    std::optional<Counters> counters;
+    std::vector<Count> counts;
 };
 
 struct Renderer {
-    const char* name;  ///< as --renderer takes it
-    const char* does;  ///< one line
+    const char* name;     ///< as --renderer takes it
+    const char* does;     ///< one line
+    const char* effects;  ///< how effects are left out that a scene does not call for, one line
     bool needs_opengl;
     Drawn (*draw)(const Job& job);
 };

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-bool is_absent(const NamedCounter& counter, const EffectSet& set)
+bool is_absent(const Count& counter, const EffectSet& set)
 {
     for (std::size_t i = 0; i < effect_flags.size(); ++i)
         if (counter.effect != nullptr && counter.effect == std::string_view(effect_names[i]))
@@ -26,10 +26,10 @@ json effects_json(const Derived& derived)
     return effects;
 }
 
-json counters_json(const Counters& counters)
+json counters_json(const std::vector<Count>& counts)
 {
     json list = json::object();
-    for (const NamedCounter& counter : all_counters) list[counter.name] = counters.*counter.value;
+    for (const Count& count : counts) list[count.name] = count.value;
     return list;
 }
 
@@ -41,13 +41,13 @@ std::string explanation(const Report& report)
     for (std::size_t i = 0; i < effect_flags.size(); ++i)
         text += fmt::format("  {} {:<11} {}\n", report.derived.set.*effect_flags[i] ? "yes" : " no", effect_names[i],
                             report.derived.why[i]);
-    if (!report.counters) return text + "Counters: the software renderer counts its work; OpenGL does not tell.\n";
-    text += report.all_effects ? "Work done by the kernel with all effects\n"
-                               : "Work done by the kernel for these effects\n";
-    for (const NamedCounter& counter : all_counters)
+    text += fmt::format("How {} leaves the others out: {}\n", report.renderer, report.how);
+    if (report.counts.empty()) return text + "Counters: this renderer does not count its work\n";
+    text += report.all_effects ? "Work done with all effects\n" : "Work done for these effects\n";
+    for (const Count& count : report.counts)
         text += fmt::format(
-            "  {:>12} {}{}\n", (*report.counters).*counter.value, counter.name,
-            is_absent(counter, report.derived.set) ? fmt::format("  ({} is not called for)", counter.effect) : "");
+            "  {:>12} {}{}\n", count.value, count.name,
+            is_absent(count, report.derived.set) ? fmt::format("  ({} is not called for)", count.effect) : "");
     return text;
 }
 
@@ -64,7 +64,7 @@ json to_json(const Report& report)
                  {"kernel", report.all_effects ? "all" : "derived"},
                  {"effects", effects_json(report.derived)}};
     if (!report.out.empty()) root["out"] = report.out;
-    if (report.counters) root["counters"] = counters_json(*report.counters);
+    if (!report.counts.empty()) root["counters"] = counters_json(report.counts);
     return root;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "render/counters.hpp"
 #include "render/effects.hpp"
@@ -19,8 +19,9 @@ struct Report {
     int samples = 1;
     std::string out;  ///< the picture's file, empty if none was written
     Derived derived;
-    bool all_effects = false;  ///< the kernel with all effects was used, not the derived one
-    std::optional<Counters> counters;
+    bool all_effects = false;   ///< the kernel with all effects was used, not the derived one
+    std::string how;            ///< how the renderer leaves effects out
+    std::vector<Count> counts;  ///< empty: not counted
 };
 
 /// The set of effects with its reasons, and all counters.

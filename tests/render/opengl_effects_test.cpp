@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <string_view>
@@ -44,6 +45,9 @@ protected:
     }
 
     [[nodiscard]] bool is_fixed() const { return std::string(GetParam()) == "gl-fixed"; }
+
+    [[nodiscard]] const Renderer& renderer() const { return renderer_; }
+    Studio& studio() { return studio_; }
 
 private:
     const Renderer& renderer_;
@@ -128,6 +132,31 @@ TEST_P(OpenGlEffects, state_of_absent_ones_is_not_set)
     EXPECT_EQ(calls_with(with, "glLightModeli", local_viewer), is_fixed() ? 1U : 0U);
     EXPECT_EQ(with.count("glMaterialf"), is_fixed() ? 2U : 0U) << "two instances";
     EXPECT_EQ(with.count("glLinkProgram"), is_fixed() ? 0U : 1U);
+}
+
+TEST_P(OpenGlEffects, are_counted_and_absent_ones_are_zero)
+{
+    const auto counts = [&](const scene::Scene& scene, const EffectSet& set) {
+        const DrawList list = make_draw_list(scene, side, side);
+        return studio().draw(renderer(), {list, set, side, side, true});
+    };
+    for (const scene::Scene& scene : {plain(), textured(), mirrored(), through_the_near_plane()}) {
+        const EffectSet needed = derive_effects(make_draw_list(scene, side, side), scene).set;
+        const Drawn drawn = counts(scene, needed);
+        const Drawn all = counts(scene, all_effects);
+        ASSERT_EQ(drawn.counts.size(), all.counts.size());
+        for (std::size_t i = 0; i < drawn.counts.size(); ++i) {
+            EXPECT_EQ(drawn.counts[i].value, all.counts[i].value) << drawn.counts[i].name;
+            for (std::size_t e = 0; e < effect_flags.size(); ++e) {
+                if (drawn.counts[i].effect == nullptr || std::string_view(drawn.counts[i].effect) != effect_names[e])
+                    continue;
+                EXPECT_EQ(drawn.counts[i].value != 0, needed.*effect_flags[e]) << drawn.counts[i].name;
+            }
+        }
+        const auto covered = std::ranges::count_if(drawn.frame.ids.cells, [](std::uint32_t id) { return id != 0; });
+        EXPECT_GE(drawn.counts[4].value, static_cast<std::uint64_t>(covered)) << drawn.counts[4].name;
+        EXPECT_LE(drawn.counts[4].value, 4U * side * side);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Renderers, OpenGlEffects, testing::Values("gl", "gl-fixed"),

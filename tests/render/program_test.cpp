@@ -39,6 +39,9 @@ TEST(RenderProgram, explains_and_compares)
     EXPECT_EQ(explained.status, 0);
     EXPECT_NE(explained.text.find("yes textured"), std::string::npos) << explained.text;
     EXPECT_NE(explained.text.find("no two_sided"), std::string::npos) << explained.text;
+    const Printed fixed = umbral(scene + " --size 64x64 --explain --renderer gl-fixed");
+    EXPECT_NE(fixed.text.find("How gl-fixed leaves the others out: "), std::string::npos) << fixed.text;
+    EXPECT_NE(fixed.text.find(" 0 instances without culling  (two_sided is not called for)"), std::string::npos);
     const nlohmann::json json = nlohmann::json::parse(umbral(scene + " --size 64x64 --explain --json").text);
     EXPECT_EQ(json["format"], "umbral-render");
     EXPECT_TRUE(json["effects"]["textured"]["called_for"]);
