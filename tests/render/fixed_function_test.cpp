@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <umbral/gl/context.hpp>
 
+#include "render/agreement.hpp"
 #include "render/compare.hpp"
+#include "render/normals.hpp"
 #include "render/opengl.hpp"
 #include "render/opengl_fixed.hpp"
 #include "render/software.hpp"
@@ -154,6 +157,46 @@ TEST_F(FixedFunction, leaves_no_state_behind)
         (void)by_shaders(other);
         EXPECT_EQ(compare(draw(plain(), 64, 64), fixed).color_rmse, 0);
     }
+}
+
+// The table of all renderers: each scene's normals are shared by those that light vertices and those that light pixels.
+TEST(RendererAgreement, holds_for_small_scenes_and_shows_their_normals)
+{
+    Studio studio;
+    for (const scene::Scene& scene : {plain(), textured(), mirrored()}) {
+        const SceneAgreement agreement = compare_renderers(studio, scene, false, 160, 120);
+        EXPECT_TRUE(agrees(agreement)) << agreement_notes(agreement);
+        ASSERT_EQ(agreement.pairs.size(), 4U);
+        for (const PairComparison& pair : agreement.pairs) {
+            EXPECT_LT(pair.normals.largest, 0.1) << pair.first << " " << pair.second;
+            EXPECT_GT(pair.comparison.interior, 1000U);
+        }
+    }
+}
+
+// The normals of a picture are those of the square that it shows, and another's are told apart.
+TEST(RendererAgreement, sees_normals_that_are_turned)
+{
+    const auto normals = [](float degrees, Frame& frame) {
+        scene::Scene scene = bare();
+        scene.geometries = {{"square", scene::Plane{}}};
+        scene.instances = {instance("square", 0, {scene::Rotate{{1, 0, 0}, degrees}})};
+        scene.materials[0].diffuse = {0.1F, 0.9F, 0.3F};
+        const DrawList list = make_draw_list(scene, 64, 64);
+        frame = draw_in_software(list, all_effects, 64, 64).frame;
+        return normals_of(draw_in_software(normals_list(list, false), all_effects, 64, 64).frame,
+                          draw_in_software(normals_list(list, true), all_effects, 64, 64).frame);
+    };
+    Frame first;
+    Frame second;
+    const Grid<glm::vec3> a = normals(60, first);
+    const Grid<glm::vec3> b = normals(63, second);
+    const glm::vec3 expected(0, std::cos(glm::radians(60.0F)), std::sin(glm::radians(60.0F)));
+    EXPECT_LT(length(a.at(32, 32) - expected), 1e-6F);
+    const NormalComparison apart = compare_normals(a, b, first, second);
+    EXPECT_NEAR(apart.largest, 3, 1e-3);
+    EXPECT_NEAR(apart.mean, 3, 1e-3);
+    EXPECT_EQ(compare_normals(a, a, first, first).largest, 0);
 }
 
 }
