@@ -22,6 +22,11 @@ struct ClipVertex {
     return pipeline::outside_planes({clip.x / guard.x, clip.y / guard.y, clip.z, clip.w});
 }
 
+/// The part of a triangle inside |x| <= guard.x w, |y| <= guard.y w, -w <= z <= w as a convex polygon, by the unit
+/// pipeline/clip-homogeneous: positions, and the weights of the triangle's corners in each.
+void clip_positions(const std::array<glm::vec4, 3>& triangle, const glm::vec2& guard,
+                    std::vector<pipeline::ClipVertex>& polygon);
+
 /// Appends the part of a triangle inside |x| <= guard.x w, |y| <= guard.y w, -w <= z <= w as a convex polygon:
 /// positions by the unit pipeline/clip-homogeneous, attributes by its weights. `corners` is room to work in.
 void clip_triangle(const std::array<ClipVertex, 3>& triangle, const glm::vec2& guard,

@@ -26,6 +26,11 @@ double srgb_steps(float linear)
     return 255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055);
 }
 
+bool at_most(std::size_t count, double fraction, std::size_t of)
+{
+    return static_cast<double>(count) <= std::ceil(fraction * static_cast<double>(of));
+}
+
 }
 
 Comparison compare(const Frame& first, const Frame& second, const Agreement& agreement)
@@ -35,6 +40,8 @@ Comparison compare(const Frame& first, const Frame& second, const Agreement& agr
     Comparison result;
     result.pixels = first.ids.cells.size();
     double squares = 0;
+    double edge_squares = 0;
+    std::size_t edges = 0;
     double color_sum = 0;
     double depth_sum = 0;
     for (int y = 0; y < first.height(); ++y) {
@@ -46,11 +53,14 @@ Comparison compare(const Frame& first, const Frame& second, const Agreement& agr
             result.coverage_differs += (a != 0) != (b != 0) ? 1 : 0;
             result.ids_differ += a != b ? 1 : 0;
             const bool interior = is_interior(first, second, x, y);
+            const bool edge = !interior && (a != 0 || b != 0);
+            edges += edge ? 1 : 0;
             double largest = 0;
             for (int channel = 0; channel < 3; ++channel) {
                 const double difference =
                     std::abs(srgb_steps(first.color.at(x, y)[channel]) - srgb_steps(second.color.at(x, y)[channel]));
                 squares += difference * difference;
+                edge_squares += edge ? difference * difference : 0;
                 if (!interior) continue;
                 color_sum += difference;
                 largest = std::max(largest, difference);
@@ -67,17 +77,40 @@ Comparison compare(const Frame& first, const Frame& second, const Agreement& agr
     const double interior = std::max<double>(1, static_cast<double>(result.interior));
     result.color_mean = color_sum / (3 * interior);
     result.depth_mean = depth_sum / interior;
+    result.color_edge_rmse = edges > 0 ? std::sqrt(edge_squares / (3 * static_cast<double>(edges))) : 0;
     result.color_rmse = result.pixels > 0 ? std::sqrt(squares / (3 * static_cast<double>(result.pixels))) : 0;
     return result;
 }
 
+NormalComparison compare_normals(const Grid<glm::vec3>& first_normals, const Grid<glm::vec3>& second_normals,
+                                 const Frame& first, const Frame& second)
+{
+    NormalComparison result;
+    std::size_t pixels = 0;
+    for (int y = 0; y < first.height(); ++y) {
+        for (int x = 0; x < first.width(); ++x) {
+            if (!is_interior(first, second, x, y)) continue;
+            const glm::dvec3 a(first_normals.at(x, y));
+            const glm::dvec3 b(second_normals.at(x, y));
+            const double angle = glm::degrees(std::atan2(length(cross(a, b)), dot(a, b)));
+            result.largest = std::max(result.largest, angle);
+            result.mean += angle;
+            ++pixels;
+        }
+    }
+    result.mean /= std::max<double>(1, static_cast<double>(pixels));
+    return result;
+}
+
+bool agrees_in_shape(const Comparison& comparison, const Agreement& agreement)
+{
+    return at_most(comparison.ids_differ, agreement.edge_fraction, comparison.pixels) &&
+           comparison.depth_max <= agreement.depth_most && comparison.depth_mean <= agreement.depth_mean;
+}
+
 bool agrees(const Comparison& comparison, const Agreement& agreement)
 {
-    const auto at_most = [](std::size_t count, double fraction, std::size_t of) {
-        return static_cast<double>(count) <= std::ceil(fraction * static_cast<double>(of));
-    };
-    return at_most(comparison.ids_differ, agreement.edge_fraction, comparison.pixels) &&
-           comparison.depth_max <= agreement.depth_most && comparison.depth_mean <= agreement.depth_mean &&
+    return agrees_in_shape(comparison, agreement) &&
            at_most(comparison.color_beyond, agreement.color_fraction, comparison.interior);
 }
 

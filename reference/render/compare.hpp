@@ -25,6 +25,7 @@ struct Comparison {
     double color_mean = 0;         ///< the mean of the same
     std::size_t color_beyond = 0;  ///< interior pixels with a channel further apart than Agreement::color
     double color_rmse = 0;         ///< of all pixels and channels, in the same steps
+    double color_edge_rmse = 0;    ///< the same of the pixels that are drawn in either frame and not interior
 };
 
 /// What two right renderers may differ by.
@@ -48,5 +49,18 @@ struct Agreement {
 [[nodiscard]] Comparison compare(const Frame& first, const Frame& second, const Agreement& agreement = {});
 
 [[nodiscard]] bool agrees(const Comparison& comparison, const Agreement& agreement = {});
+
+/// In ids, coverage with them, and depth, whatever the colours.
+[[nodiscard]] bool agrees_in_shape(const Comparison& comparison, const Agreement& agreement = {});
+
+/// Angles between the normals of two renderers, in degrees, over interior pixels. `first` and `second` are the frames
+/// that tell which those are.
+struct NormalComparison {
+    double largest = 0;
+    double mean = 0;
+};
+[[nodiscard]] NormalComparison compare_normals(const Grid<glm::vec3>& first_normals,
+                                               const Grid<glm::vec3>& second_normals, const Frame& first,
+                                               const Frame& second);
 
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace umbral::render {
 
@@ -54,5 +55,33 @@ inline constexpr std::array<NamedCounter, 17> all_counters = {{
     {"clip tests", &Counters::clip_tests, "clipped"},
     {"triangles clipped", &Counters::triangles_clipped, "clipped"},
 }};
+
+/// What OpenGL was handed for one picture, counted where it is handed over. It does not tell what it does with it,
+/// except how many samples passed the depth test, where that is asked (drawing waits for the answer).
+struct OpenGlWork {
+    bool ask_samples = false;
+    std::uint64_t instances = 0;
+    std::uint64_t instances_outside = 0;
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t samples = 0;
+    std::uint64_t textures = 0;
+    std::uint64_t texels = 0;
+    std::uint64_t textured_samples = 0;
+    std::uint64_t highlights = 0;       ///< instances drawn with a specular colour
+    std::uint64_t smooth = 0;           ///< instances drawn with normals interpolated
+    std::uint64_t light_places = 0;     ///< lights with a place
+    std::uint64_t without_culling = 0;  ///< instances of which both sides are drawn
+    std::uint64_t crossing = 0;         ///< instances that may need clipping, which OpenGL does itself
+};
+
+/// A counter of either kind, as it is printed.
+struct Count {
+    const char* name;
+    std::uint64_t value;
+    const char* effect;  ///< without which it is 0 (nullptr: none)
+};
+[[nodiscard]] std::vector<Count> counts_of(const Counters& counters);
+[[nodiscard]] std::vector<Count> counts_of(const OpenGlWork& work);
 
 }

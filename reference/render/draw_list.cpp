@@ -26,18 +26,28 @@ Light in_eye_space(const scene::Light& light, const glm::mat4& view)
     return {glm::vec4(glm::vec3(normalize(glm::dvec3(where))), 0), light.color};
 }
 
-/// The places of textures in DrawList::textures, made where a material of some instance asks for them.
-std::vector<std::size_t> make_textures(const scene::Scene& scene, DrawList& list)
-{
-    std::vector<std::size_t> places(scene.textures.size(), not_made);
-    for (const scene::Instance& instance : scene.instances) {
-        const auto wanted = scene.materials[instance.material].texture;
-        if (!wanted || places[*wanted] != not_made) continue;
-        places[*wanted] = list.textures.size();
-        list.textures.push_back({make_texture(scene.textures[*wanted]), sampler_of(scene.textures[*wanted])});
+/// The places of a scene's textures in DrawList::textures, each made when it is first asked for.
+class TexturePlaces {
+public:
+    TexturePlaces(const scene::Scene& scene, DrawList& list)
+        : scene_(scene), list_(list), places_(scene.textures.size(), not_made)
+    {
     }
-    return places;
-}
+    std::size_t place(std::size_t texture)
+    {
+        if (places_[texture] == not_made) {
+            places_[texture] = list_.textures.size();
+            const scene::Texture& wanted = scene_.textures[texture];
+            list_.textures.push_back({make_texture(wanted), sampler_of(wanted)});
+        }
+        return places_[texture];
+    }
+
+private:
+    const scene::Scene& scene_;
+    DrawList& list_;
+    std::vector<std::size_t> places_;
+};
 
 }
 
@@ -48,7 +58,7 @@ DrawList make_draw_list(const scene::Scene& scene, int width, int height)
     list.projection = projection_matrix(scene.camera, static_cast<double>(width) / height);
     list.ambient = scene.ambient;
     for (const scene::Light& light : scene.lights) list.lights.push_back(in_eye_space(light, view));
-    const std::vector<std::size_t> textures = make_textures(scene, list);
+    TexturePlaces textures(scene, list);
 
     std::map<std::pair<std::size_t, bool>, std::size_t> meshes;  // by geometry and smoothness
     for (const scene::Instance& instance : scene.instances) {
@@ -69,9 +79,10 @@ DrawList make_draw_list(const scene::Scene& scene, int width, int height)
         draw.both_sides = instance.sides == scene::Sides::both;
         draw.material = scene.materials[instance.material];
         draw.specular = draw.material.specular != glm::vec3(0);
-        if (draw.material.texture) draw.texture = textures[*draw.material.texture];
         draw.visibility =
             visibility(list.meshes[draw.mesh], list.projection * draw.model_view, guard_band(width, height));
+        if (draw.material.texture && draw.visibility != Visibility::outside)
+            draw.texture = textures.place(*draw.material.texture);
         list.draws.push_back(std::move(draw));
     }
     return list;

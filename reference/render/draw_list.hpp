@@ -44,7 +44,7 @@ struct Draw {
     bool both_sides = false;
     bool specular = false;  ///< its material has a specular colour
     scene::Material material;
-    std::optional<std::size_t> texture;  ///< place in DrawList::textures
+    std::optional<std::size_t> texture;  ///< place in DrawList::textures, where it can be seen
 };
 
 /// A scene prepared for one aspect ratio: what the renderers take. All of them read the same matrices and vertices, so
@@ -65,7 +65,8 @@ struct DrawList {
 /// The product of the transforms, the first of which acts first.
 [[nodiscard]] glm::mat4 model_matrix(const std::vector<scene::Transform>& transforms);
 
-/// Prepares a scene for pictures of width x height pixels. Meshes and textures that no instance uses are not made.
+/// Prepares a scene for pictures of width x height pixels. Meshes that no instance uses are
+/// not made, nor textures that nothing needs that can be seen.
 [[nodiscard]] DrawList make_draw_list(const scene::Scene& scene, int width, int height);
 
 }

@@ -2,17 +2,19 @@
 // reference.
 
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <umbral/core/png.hpp>
-#include <umbral/gl/context.hpp>
+#include <utility>
 
+#include "render/agreement.hpp"
 #include "render/buffers.hpp"
-#include "render/opengl.hpp"
 #include "render/options.hpp"
 #include "render/picture.hpp"
+#include "render/renderers.hpp"
 #include "render/report.hpp"
-#include "render/software.hpp"
+#include "render/scene_files.hpp"
 #include "scene/scene_json.hpp"
 
 namespace umbral::render {
@@ -29,61 +31,78 @@ auto as_given(const Action& action)
     }
 }
 
-Frame draw_by_gl(const DrawList& list, const EffectSet& effects, int width, int height)
-{
-    const gl::OffscreenContext context;
-    return draw_with_opengl(list, effects, width, height);
-}
-
 void print(const std::string& text)
 {
     if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
         throw UsageError("cannot write to standard output");
 }
 
+std::string dumped(const nlohmann::json& json)
+{
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+int run_comparison(const Options& options)
+{
+    Studio studio;
+    bool all_agree = true;
+    nlohmann::json all = nlohmann::json::array();
+    std::string notes;
+    if (!options.json) print(agreement_head());
+    for (const std::filesystem::path& file : as_given([&] { return scenes_of(options.scene); })) {
+        scene::Scene scene = as_given([&] { return scene::read_scene(file); });
+        if (scene.title.empty()) scene.title = file.filename().string();
+        const SceneAgreement agreement =
+            compare_renderers(studio, scene, options.all_effects, options.size.width, options.size.height);
+        all_agree = all_agree && agrees(agreement);
+        all.push_back(to_json(agreement));
+        notes += scene.title + "\n" + agreement_notes(agreement);
+        if (!options.json) print(agreement_rows(agreement));
+    }
+    print(options.json ? dumped({{"format", "umbral-render-agreement"},
+                                 {"version", 1},
+                                 {"width", options.size.width},
+                                 {"height", options.size.height},
+                                 {"kernel", options.all_effects ? "all" : "derived"},
+                                 {"agree", all_agree},
+                                 {"scenes", all}})
+                       : "\n" + notes);
+    return all_agree ? exit_ok : exit_differ;
+}
+
 int run(const Options& options)
 {
+    if (options.compare) return run_comparison(options);
     const scene::Scene scene = as_given([&] { return scene::read_scene(options.scene); });
     const int width = options.size.width * options.samples;
     const int height = options.size.height * options.samples;
     const DrawList list = make_draw_list(scene, width, height);
     Report report{.scene = options.scene,
                   .title = scene.title,
-                  .renderer = options.compare ? "software against gl" : options.renderer,
+                  .renderer = options.renderer,
                   .width = options.size.width,
                   .height = options.size.height,
                   .samples = options.samples,
                   .out = options.out,
                   .derived = derive_effects(list, scene),
                   .all_effects = options.all_effects,
-                  .counters = {},
-                  .comparison = {},
-                  .agreement = {}};
+                  .how = renderer_named(options.renderer).effects,
+                  .counts = {}};
     const EffectSet effects = options.all_effects ? all_effects : report.derived.set;
-
-    Frame frame;
-    if (options.compare || options.renderer == "software") {
-        SoftwarePicture picture = draw_in_software(list, effects, width, height);
-        report.counters = picture.counters;
-        frame = std::move(picture.frame);
-    }
-    if (options.compare) {
-        report.comparison = compare(frame, draw_by_gl(list, effects, width, height));
-    } else if (options.renderer == "gl") {
-        frame = draw_by_gl(list, effects, width, height);
-    }
-    as_given([&] {
-        if (!options.out.empty()) write_png(options.out, make_picture(frame, scene, options.samples));
-        if (!options.buffers.empty()) write_buffers(options.buffers, frame);
+    Studio studio;
+    Drawn drawn = as_given([&] {
+        return studio.draw(renderer_named(options.renderer), {list, effects, width, height, options.explain});
     });
-
-    if (options.json) {
-        print(to_json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    } else {
-        if (options.explain) print(explanation(report));
-        if (report.comparison) print(comparison_table(report));
-    }
-    return report.comparison && !agrees(*report.comparison, report.agreement) ? exit_differ : exit_ok;
+    report.counts = std::move(drawn.counts);
+    as_given([&] {
+        if (!options.out.empty()) write_png(options.out, make_picture(drawn.frame, scene, options.samples));
+        if (!options.buffers.empty()) write_buffers(options.buffers, drawn.frame);
+    });
+    if (options.json)
+        print(dumped(to_json(report)));
+    else if (options.explain)
+        print(explanation(report));
+    return exit_ok;
 }
 
 }

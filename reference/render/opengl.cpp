@@ -1,100 +1,36 @@
 #include "render/opengl.hpp"
 
 #include <cstddef>
-#include <deque>
 #include <span>
 #include <umbral/gl/context.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/gl/program.hpp>
 #include <vector>
 
+#include "render/opengl_objects.hpp"
 #include "render/opengl_shaders.hpp"
 #include "render/opengl_target.hpp"
 
 namespace umbral::render {
 namespace {
 
-/// A mesh in the memory of the graphics card.
-class Buffers {
-public:
-    explicit Buffers(const VertexMesh& mesh) : count_(static_cast<GLsizei>(3 * mesh.triangles.size()))
-    {
-        glGenVertexArrays(1, &array_);
-        glGenBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
-        glBindVertexArray(array_);
-        glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)),
-                     mesh.vertices.data(), GL_STATIC_DRAW);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(glm::uvec3)),
-                     mesh.triangles.data(), GL_STATIC_DRAW);
-    }
-    Buffers(const Buffers&) = delete;
-    Buffers& operator=(const Buffers&) = delete;
-    ~Buffers()
-    {
-        glDeleteVertexArrays(1, &array_);
-        glDeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
-    }
+void feed(const gl::Program& program, const char* name, int components, std::size_t offset)
+{
+    const int location = program.attribute_location(name);
+    if (location < 0) return;
+    glEnableVertexAttribArray(static_cast<GLuint>(location));
+    glVertexAttribPointer(static_cast<GLuint>(location), components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                          reinterpret_cast<const void*>(offset));
+}
 
-    void draw(const gl::Program& program) const
-    {
-        glBindVertexArray(array_);
-        glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-        feed(program, "position", 3, offsetof(Vertex, position));
-        feed(program, "normal", 3, offsetof(Vertex, normal));
-        feed(program, "uv", 2, offsetof(Vertex, uv));
-        glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
-        glBindVertexArray(0);
-    }
-
-private:
-    static void feed(const gl::Program& program, const char* name, int components, std::size_t offset)
-    {
-        const int location = program.attribute_location(name);
-        if (location < 0) return;
-        glEnableVertexAttribArray(static_cast<GLuint>(location));
-        glVertexAttribPointer(static_cast<GLuint>(location), components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                              reinterpret_cast<const void*>(offset));
-    }
-
-    GLsizei count_;
-    GLuint array_ = 0;
-    std::array<GLuint, 2> buffers_{};
-};
-
-class TextureObject {
-public:
-    explicit TextureObject(const Texture& texture)
-    {
-        // OpenGL's first row is the lowest.
-        const Grid<glm::vec4>& texels = texture.texels;
-        std::vector<glm::vec4> upwards;
-        upwards.reserve(texels.cells.size());
-        for (int y = texels.height - 1; y >= 0; --y)
-            upwards.insert(upwards.end(), &texels.at(0, y), &texels.at(0, y) + texels.width);
-
-        const GLint filter = texture.sampler.filter == texturing::Filter::nearest ? GL_NEAREST : GL_LINEAR;
-        const auto mode = [](texturing::Wrap wrap) {
-            return wrap == texturing::Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-        };
-        glGenTextures(1, &texture_);
-        bind();
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, texels.width, texels.height, 0, GL_RGBA, GL_FLOAT, upwards.data());
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode(texture.sampler.wrap_u));
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode(texture.sampler.wrap_v));
-    }
-    TextureObject(const TextureObject&) = delete;
-    TextureObject& operator=(const TextureObject&) = delete;
-    ~TextureObject() { glDeleteTextures(1, &texture_); }
-
-    void bind() const { glBindTexture(GL_TEXTURE_2D, texture_); }
-
-private:
-    GLuint texture_ = 0;
-};
+void draw_mesh(const MeshBuffers& mesh, const gl::Program& program)
+{
+    mesh.bind();
+    feed(program, "position", 3, offsetof(Vertex, position));
+    feed(program, "normal", 3, offsetof(Vertex, normal));
+    feed(program, "uv", 2, offsetof(Vertex, uv));
+    mesh.draw();
+}
 
 void set_once(const gl::Program& program, const DrawList& list)
 {
@@ -127,34 +63,29 @@ void set_for(const gl::Program& program, const Draw& draw)
     program.set("id", static_cast<int>(draw.id));
 }
 
-void draw_all(const DrawList& list, const gl::Program& program)
+void draw_all(const DrawList& list, const EffectSet& effects, const gl::Program& program, OpenGlWork* work)
 {
-    const std::deque<Buffers> meshes(list.meshes.begin(), list.meshes.end());
-    const std::deque<TextureObject> textures(list.textures.begin(), list.textures.end());
+    const DrawObjects objects = make_objects(list, effects.textured);
+    count_once(list, objects, effects, work);
     set_once(program, list);
-    glDisable(GL_BLEND);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glCullFace(GL_BACK);
-    glActiveTexture(GL_TEXTURE0);
+    set_depth_test();
     for (const Draw& draw : list.draws) {
         if (draw.visibility == Visibility::outside) continue;
         set_for(program, draw);
-        if (draw.texture) textures[*draw.texture].bind();
-        glFrontFace(draw.mirrored ? GL_CCW : GL_CW);  // the shader turns pictures upside down
-        (draw.both_sides ? glDisable : glEnable)(GL_CULL_FACE);
-        meshes[draw.mesh].draw(program);
+        if (draw.texture && objects.textures[*draw.texture]) objects.textures[*draw.texture]->bind();
+        set_faces(draw);
+        draw_counted(list, draw, effects, work, [&] { draw_mesh(*objects.meshes[draw.mesh], program); });
     }
 }
 
 }
 
-Frame draw_with_opengl(const DrawList& list, const EffectSet& effects, int width, int height)
+Frame draw_with_opengl(const DrawList& list, const EffectSet& effects, int width, int height, OpenGlWork* work)
 {
     const OpenGlTarget target(width, height);
     const ShaderTexts texts = shaders_for(effects, list.lights.size());
     const gl::Program program({"engine.vert", texts.vertex}, {"engine.frag", texts.fragment});
-    draw_all(list, program);
+    draw_all(list, effects, program, work);
     gl::check_errors("drawing the scene");
     return target.read();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/counters.hpp"
 #include "render/draw_list.hpp"
 #include "render/effects.hpp"
 #include "render/frame.hpp"
@@ -7,7 +8,9 @@
 namespace umbral::render {
 
 /// Draws by OpenGL, with shaders that hold the code of `effects` only. Needs a current gl::OffscreenContext; leaves no
-/// object behind. Throws std::runtime_error if OpenGL refuses something.
-[[nodiscard]] Frame draw_with_opengl(const DrawList& list, const EffectSet& effects, int width, int height);
+/// object behind. Adds to `work` what OpenGL was handed, if it is given. Throws std::runtime_error if OpenGL refuses
+/// something.
+[[nodiscard]] Frame draw_with_opengl(const DrawList& list, const EffectSet& effects, int width, int height,
+                                     OpenGlWork* work = nullptr);
 
 }

@@ -3,6 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <vector>
+
+#include "render/renderers.hpp"
 
 namespace umbral::render {
 namespace {
@@ -24,12 +27,29 @@ std::optional<int> side(const char* begin, const char* end)
     return value;
 }
 
+std::vector<std::string> names_of_renderers()
+{
+    std::vector<std::string> names;
+    for (const Renderer& renderer : all_renderers()) names.emplace_back(renderer.name);
+    return names;
+}
+
+std::string what_renderers_do()
+{
+    std::string text;
+    for (const Renderer& renderer : all_renderers())
+        text += (text.empty() ? "" : "; ") + std::string(renderer.name) + ": " + renderer.does;
+    return text;
+}
+
 void check(const Options& options)
 {
     if (options.compare && (!options.out.empty() || !options.buffers.empty()))
-        throw UsageError("--compare draws with both renderers and writes nothing: leave out --out and --buffers");
+        throw UsageError("--compare draws with all renderers and writes nothing: leave out --out and --buffers");
     if (!options.compare && options.out.empty() && options.buffers.empty() && !options.explain)
         throw UsageError("nothing to do: expected --out PNG, --buffers DIR, --explain or --compare");
+    if (options.compare && options.samples != 1)
+        throw UsageError("--compare looks at single samples: leave out --samples");
     if (1LL * options.size.width * options.size.height * options.samples * options.samples > maximum_samples)
         throw UsageError("expected at most " + std::to_string(maximum_samples) + " samples in all, got " +
                          std::to_string(options.size.width) + " x " + std::to_string(options.size.height) +
@@ -57,9 +77,10 @@ std::optional<Options> parse_options(int count, char** words, int& status)
     std::string size = "512x512";
     std::string kernel = "derived";
     CLI::App parser("Draws a scene with the reference engine.", "umbral render");
-    parser.add_option("SCENE", options.scene, "The scene, a JSON file")->required();
-    parser.add_option("--renderer", options.renderer, "Who draws")
-        ->check(CLI::IsMember({"software", "gl"}))
+    parser.add_option("SCENE", options.scene, "The scene, a JSON file; with --compare also a folder of them")
+        ->required();
+    parser.add_option("--renderer", options.renderer, "Who draws: " + what_renderers_do())
+        ->check(CLI::IsMember(names_of_renderers()))
         ->capture_default_str();
     parser.add_option("--size", size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     parser.add_option("--samples", options.samples, "N: N x N samples a pixel, in the picture only")
@@ -70,7 +91,7 @@ std::optional<Options> parse_options(int count, char** words, int& status)
                       "A folder for depth, ids, coverage and linear colour, as .npy and .png");
     parser.add_flag("--explain", options.explain,
                     "Say which effects the scene calls for, why, and how much work was done");
-    parser.add_flag("--compare", options.compare, "Draw with both renderers and say how far apart they are");
+    parser.add_flag("--compare", options.compare, "Draw with all renderers and say how far apart they are, and why");
     parser
         .add_option("--kernel", kernel,
                     "derived: only what the scene calls for; all: the kernel with every effect, for comparison")

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
+#include <vector>
 
-#include "render/compare.hpp"
 #include "render/counters.hpp"
 #include "render/effects.hpp"
 
@@ -14,23 +13,19 @@ namespace umbral::render {
 struct Report {
     std::string scene;
     std::string title;
-    std::string renderer;  ///< "software", "gl", or "software against gl"
+    std::string renderer;  ///< as --renderer takes it
     int width = 0;
     int height = 0;
     int samples = 1;
     std::string out;  ///< the picture's file, empty if none was written
     Derived derived;
-    bool all_effects = false;  ///< the kernel with all effects was used, not the derived one
-    std::optional<Counters> counters;
-    std::optional<Comparison> comparison;
-    Agreement agreement;
+    bool all_effects = false;   ///< the kernel with all effects was used, not the derived one
+    std::string how;            ///< how the renderer leaves effects out
+    std::vector<Count> counts;  ///< empty: not counted
 };
 
 /// The set of effects with its reasons, and all counters.
 [[nodiscard]] std::string explanation(const Report& report);
-
-/// The table "software against gl".
-[[nodiscard]] std::string comparison_table(const Report& report);
 
 /// Everything, as JSON.
 [[nodiscard]] nlohmann::json to_json(const Report& report);

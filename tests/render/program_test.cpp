@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
+#include "support/schema.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace umbral::test {
@@ -21,10 +22,10 @@ void expect_refused(const std::string& arguments, const std::string& says, const
     EXPECT_EQ(printed.text.size(), line_of(printed).size() + 1) << "more than one line: " << printed.text;
 }
 
-TEST(RenderProgram, draws_with_both_renderers)
+TEST(RenderProgram, draws_with_every_renderer)
 {
     const TemporaryFolder folder;
-    for (const std::string renderer : {"software", "gl"}) {
+    for (const std::string renderer : {"software", "gl", "gl-fixed", "vertices"}) {
         const std::string out = (folder / (renderer + ".png")).string();
         const Printed printed = umbral(scene + " --size 80x60 --renderer " + renderer + " --out " + out);
         EXPECT_EQ(printed.status, 0) << printed.text;
@@ -39,17 +40,43 @@ TEST(RenderProgram, explains_and_compares)
     EXPECT_EQ(explained.status, 0);
     EXPECT_NE(explained.text.find("yes textured"), std::string::npos) << explained.text;
     EXPECT_NE(explained.text.find("no two_sided"), std::string::npos) << explained.text;
-    const Printed compared = umbral(scene + " --size 64x64 --compare");
-    EXPECT_EQ(compared.status, 0) << compared.text;
-    EXPECT_NE(compared.text.find("they agree"), std::string::npos);
-
-    const Printed printed = umbral(scene + " --size 64x64 --compare --json");
-    const nlohmann::json json = nlohmann::json::parse(printed.text);
+    const Printed fixed = umbral(scene + " --size 64x64 --explain --renderer gl-fixed");
+    EXPECT_NE(fixed.text.find("How gl-fixed leaves the others out: "), std::string::npos) << fixed.text;
+    EXPECT_NE(fixed.text.find(" 0 instances without culling  (two_sided is not called for)"), std::string::npos);
+    const nlohmann::json json = nlohmann::json::parse(umbral(scene + " --size 64x64 --explain --json").text);
     EXPECT_EQ(json["format"], "umbral-render");
-    EXPECT_TRUE(json["agree"]);
-    EXPECT_EQ(json["comparison"]["pixels"], 64 * 64);
     EXPECT_TRUE(json["effects"]["textured"]["called_for"]);
     EXPECT_EQ(json["counters"]["triangles turned"], 0);
+}
+
+TEST(RenderProgram, compares_all_renderers)
+{
+    const Printed compared = umbral(scene + " --size 64x64 --compare");
+    EXPECT_EQ(compared.status, 0) << compared.text;
+    for (const char* says : {"| First light | software, gl |", "| First light | software, gl-fixed |",
+                             "| First light | vertices, gl-fixed |", "software and gl: they agree\n",
+                             "vertices and gl-fixed: they agree\n", "light at vertices: "})
+        EXPECT_NE(compared.text.find(says), std::string::npos) << says << "\n" << compared.text;
+
+    const TemporaryFolder folder;
+    std::filesystem::copy(scene, folder / "b.json");
+    nlohmann::json many = nlohmann::json::parse(read(scene));
+    many["title"] = "Nine lights";
+    for (int i = 0; i < 7; ++i)
+        many["lights"].push_back({{"name", "lamp " + std::to_string(i)}, {"towards", {0, 1, i}}});
+    folder.write("a.json", many.dump());
+    const Printed printed = umbral(folder.path().string() + " --size 64x64 --compare --json");
+    EXPECT_EQ(printed.status, 0);
+    const nlohmann::json json = nlohmann::json::parse(printed.text);
+    EXPECT_EQ(Schema("render-agreement").complaints(json), "");
+    EXPECT_TRUE(json["agree"]);
+    ASSERT_EQ(json["scenes"].size(), 2U);
+    EXPECT_EQ(json["scenes"][0]["pairs"].size(), 1U) << "the fixed function has eight lights";
+    EXPECT_NE(json["scenes"][0]["missing"].dump().find("expected at most 8 lights, got 9"), std::string::npos);
+    ASSERT_EQ(json["scenes"][1]["pairs"].size(), 4U);
+    EXPECT_EQ(json["scenes"][1]["pairs"][0]["pixels"], 64 * 64);
+    EXPECT_LT(json["scenes"][1]["pairs"][1]["normal_degrees_mean"], 0.01);
+    expect_refused((folder / "a.json").string() + " --renderer gl-fixed --explain", "expected at most 8 lights, got 9");
 }
 
 TEST(RenderProgram, writes_buffers)
@@ -103,7 +130,7 @@ TEST(RenderProgram, refuses_what_it_cannot_write)
 TEST(RenderProgram, refuses_options)
 {
     expect_refused(scene, "nothing to do");
-    expect_refused(scene + " --compare --out x.png", "--compare draws with both");
+    expect_refused(scene + " --compare --out x.png", "--compare draws with all");
     for (const char* options : {"--renderer vulkan --explain", "--samples 0 --explain", "--samples 99 --explain",
                                 "--kernel none --explain", "--wat", ""}) {
         const Printed printed = umbral((*options == 0 ? "" : scene + " ") + options);
