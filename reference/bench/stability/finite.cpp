@@ -37,6 +37,14 @@ bool light_outside(const List& x)
     const glm::dvec3 way = glm::dvec3(v_at(x, 4)) - glm::dvec3(v_at(x, 0));
     return x[3] > 0 && glm::length(way) > 1.001 * x[3];
 }
+// The slopes for which the header announces no NaN, and tangents that are not nearly parallel.
+bool slopes_allowed(const List& x)
+{
+    const glm::dvec3 u(v_at(x, 3));
+    const glm::dvec3 v(v_at(x, 6));
+    return unit_at(x, 0) && std::abs(x[9]) <= 1e6 * glm::length(u) && std::abs(x[10]) <= 1e6 * glm::length(v) &&
+           glm::length(glm::cross(u, v)) >= 1e-3 * glm::length(u) * glm::length(v);
+}
 bool exponent_allowed(const List& x) { return x[9] >= 0 && x[9] <= 1e4F; }
 
 // What the headers ask of their arguments; where a function is not named, they ask nothing that could be broken, or
@@ -54,7 +62,7 @@ std::vector<Precondition> preconditions()
         {"texturing::box_place", [](const List& x) { return !null_at(x, 0); }},
         {"texturing::panorama_place", [](const List& x) { return !null_at(x, 0); }},
         {"texturing::sphere_place", [](const List& x) { return !null_at(x, 0); }},
-        {"texturing::bumped_normal", [](const List& x) { return unit_at(x, 0); }},
+        {"texturing::bumped_normal", slopes_allowed},
         {"texturing::level_at_distance", [](const List& x) { return x[0] > 0 && x[1] > 0; }},
     };
 }
