@@ -16,12 +16,17 @@
 namespace umbral::grader {
 namespace {
 
-/// Of cases, and of questions in one: what is tried must take no longer than people wait, about a second for a case.
-/// Structs of many vectors can be misunderstood in hundreds of ways.
+/// How many questions a case is asked, by what one of them costs: what is tried must take no longer than people wait,
+/// about a second for a case. Structs of many vectors can be misunderstood in hundreds of ways; pictures cost a hundred
+/// times what numbers do, and say less.
+struct Patience {
+    double seconds;
+    std::size_t least;
+    std::size_t most;
+};
+constexpr Patience for_numbers{.seconds = 1, .least = 200, .most = 1500};
+constexpr Patience for_pictures{.seconds = 1, .least = 8, .most = 24};
 constexpr std::size_t most_cases = 3;
-constexpr std::size_t least_questions = 200;
-constexpr std::size_t most_questions = 1500;
-constexpr std::size_t most_drawn = 24;  ///< where a picture is drawn for each
 
 /// A case that passes is asked only if it is small: it can speak against a question, but others do too.
 constexpr std::size_t most_passing_cells = 10'000;
@@ -97,15 +102,16 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
 
 std::size_t questions_in_time(const RunOutcome& plain)
 {
-    return static_cast<std::size_t>(
-        std::clamp(1 / std::max(plain.cpu_seconds, 1e-4), double{least_questions}, double{most_questions}));
+    const Patience& patience = draws(plain) ? for_pictures : for_numbers;
+    return static_cast<std::size_t>(std::clamp(patience.seconds / std::max(plain.cpu_seconds, 1e-4),
+                                               double(patience.least), double(patience.most)));
 }
 
 /// Those that a failing check of this case speaks for.
 std::vector<Candidate> fitting(Worker& worker, const Exercise& exercise, const CaseChecks& group)
 {
     const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
-    const std::size_t most = exercise.gl && draws(plain) ? most_drawn : questions_in_time(plain);
+    const std::size_t most = questions_in_time(plain);
     std::vector<Candidate> found;
     for (const OtherQuestion& other : worker.questions(exercise, group.name, group.result->seed).others)
         if (found.size() < most && std::ranges::find(found, other, &Candidate::question) == found.end())
