@@ -16,19 +16,22 @@ using umbral::escape_html;
 
 constexpr const char* own_style = R"css(
 body { max-width: 74rem; }
-.row { display: grid; grid-template-columns: minmax(22rem, 1fr) 5.5rem 5.5rem 5.5rem 5.5rem 8.5rem 7rem; gap: .2rem 1rem;
+.row { display: grid; grid-template-columns: minmax(22rem, 1fr) 5.5rem 5.5rem 5.5rem 5.5rem 8.5rem 7rem;
+  gap: .2rem 1rem;
   align-items: center; font-variant-numeric: tabular-nums; font-size: .9rem; }
 .row > * { text-align: right; } .row > :first-child, .row > :last-child { text-align: left; }
 .row.head { color: var(--soft); padding: .4rem 1.1rem; border-bottom: 1px solid var(--edge); font-size: .82rem; }
 details.one { max-width: none; border-bottom: 1px solid var(--edge); padding: .35rem 1.1rem; background: var(--card); }
-details.one summary { color: var(--ink); list-style: none; } details.one summary::-webkit-details-marker { display: none; }
+details.one summary { color: var(--ink); list-style: none; }
+details.one summary::-webkit-details-marker { display: none; }
 details.one summary code { font-weight: 600; }
 details.one summary code::before { content: "▸ "; color: var(--soft); }
 details.one[open] summary code::before { content: "▾ "; }
 .bar { display: block; height: .55rem; border-radius: 4px; background: var(--minor); overflow: hidden; }
 .bar i { display: block; height: 100%; background: var(--c2); }
 .bad { color: var(--c1); font-weight: 600; } .bar.over i { background: var(--c1); }
-pre { white-space: pre-wrap; overflow-wrap: anywhere; background: var(--minor); padding: .7rem .9rem; border-radius: 8px;
+pre { white-space: pre-wrap; overflow-wrap: anywhere; background: var(--minor); padding: .7rem .9rem;
+  border-radius: 8px;
   font-size: .82rem; margin: .5rem 0; }
 .values td { padding: .15rem 1rem .15rem 0; vertical-align: top; overflow-wrap: anywhere; }
 .values td:first-child { color: var(--soft); white-space: nowrap; }
