@@ -28,7 +28,8 @@ enum class FrameKind : std::int32_t {
 [[nodiscard]] glm::mat4 frame_matrix(const Frame& frame);
 
 /// The matrix from coordinates in the world to those in the frame, which may be any that is not degenerate. The
-/// reference rounds once.
+/// reference rounds once where the volume of the frame's vectors is at least 1e-6 of the product of their lengths: it
+/// computes in double, which keeps no more of a thinner frame. The same holds of `to` in between_frames.
 [[nodiscard]] glm::mat4 inverse_of_frame(const Frame& frame);
 
 /// The same for a Cartesian frame, by the transpose: no division, no determinant. What it makes of other frames is not

@@ -1,0 +1,77 @@
+#include <umbral/interaction/camera_animation.hpp>
+#include <umbral/projections/curved.hpp>
+#include <umbral/projections/frustum.hpp>
+#include <umbral/projections/oblique.hpp>
+#include <umbral/projections/orthographic.hpp>
+#include <umbral/projections/perspective.hpp>
+#include <umbral/projections/stereo.hpp>
+#include <umbral/projections/view.hpp>
+#include <umbral/projections/view_frame.hpp>
+
+#include "../calls.hpp"
+
+namespace umbral::bench {
+namespace {
+
+using namespace stability;
+using namespace projections;
+
+ViewVolume volume(Numbers x) { return {x[0], x[1], x[2], x[3], x[4], x[5]}; }
+Lens lens(Numbers x) { return {x[0], x[1], x[2], x[3]}; }
+Answer curved(const std::optional<CurvedPoint>& point)
+{
+    return point ? joined(point->place, point->distance) : Answer{};
+}
+Answer framed(const std::optional<ViewFrame>& frame)
+{
+    return frame ? joined(frame->x, frame->y, frame->z, frame->origin) : Answer{};
+}
+interaction::CameraFlight flight(Numbers x) { return {v_at(x, 0), v_at(x, 3), v_at(x, 6), v_at(x, 9), x[12]}; }
+
+}
+
+std::vector<Call> projections_calls()
+{
+    return {
+        {"projections::frustum_matrix", "{ffffff}", [](Numbers x) { return numbers(frustum_matrix(volume(x))); }},
+        {"projections::orthographic_matrix", "{ffffff}",
+         [](Numbers x) { return numbers(orthographic_matrix(volume(x))); }},
+        {"projections::inverse_orthographic_matrix", "{ffffff}",
+         [](Numbers x) { return numbers(inverse_orthographic_matrix(volume(x))); }},
+        {"projections::perspective_matrix", "{ffff}", [](Numbers x) { return numbers(perspective_matrix(lens(x))); }},
+        {"projections::reversed_perspective_matrix", "{ffff}",
+         [](Numbers x) { return numbers(reversed_perspective_matrix(lens(x))); }},
+        {"projections::vertical_field_of_view", "ff",
+         [](Numbers x) { return numbers(vertical_field_of_view(x[0], x[1])); }},
+        {"projections::foreshortening_of", "f", [](Numbers x) { return numbers(foreshortening_of(x[0])); }},
+        {"projections::oblique_shear", "{ff}",
+         [](Numbers x) {
+             return numbers(oblique_shear({x[0], x[1]}));
+         }},
+        {"projections::projector_direction", "{ff}",
+         [](Numbers x) {
+             return numbers(projector_direction({x[0], x[1]}));
+         }},
+        {"projections::spherical_projection", "v", [](Numbers x) { return curved(spherical_projection(v_at(x, 0))); }},
+        {"projections::cylindrical_projection", "v",
+         [](Numbers x) { return curved(cylindrical_projection(v_at(x, 0))); }},
+        {"projections::visual_angle", "vv", [](Numbers x) { return numbers(visual_angle(v_at(x, 0), v_at(x, 3))); }},
+        {"projections::parallax", "{ffffff}f",
+         [](Numbers x) {
+             return numbers(parallax({x[0], x[1], x[2], x[3], x[4], x[5]}, x[6]));
+         }},
+        {"projections::view_matrix", "vvv",
+         [](Numbers x) { return numbers(view_matrix(v_at(x, 0), v_at(x, 3), v_at(x, 6))); }},
+        {"projections::view_frame", "{vvv}",
+         [](Numbers x) {
+             return framed(view_frame({v_at(x, 0), v_at(x, 3), v_at(x, 6)}));
+         }},
+        {"interaction::flight_pose", "{vvvvf}f",
+         [](Numbers x) {
+             const auto pose = interaction::flight_pose(flight(x), x[13]);
+             return joined(pose.eye, pose.target);
+         }},
+    };
+}
+
+}
