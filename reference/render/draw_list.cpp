@@ -1,5 +1,6 @@
 #include "render/draw_list.hpp"
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <umbral/projections/view.hpp>
@@ -22,8 +23,9 @@ texturing::Sampler sampler_of(const scene::Texture& texture)
 Light in_eye_space(const scene::Light& light, const glm::mat4& view)
 {
     const glm::dvec4 where = glm::dmat4(view) * glm::dvec4(light.where, light.positional ? 1 : 0);
-    if (light.positional) return {glm::vec4(where), light.color};
-    return {glm::vec4(glm::vec3(normalize(glm::dvec3(where))), 0), light.color};
+    if (light.positional) return {glm::vec4(where), light.color, light.radius};
+    return {glm::vec4(glm::vec3(normalize(glm::dvec3(where))), 0), light.color,
+            std::tan(glm::radians(light.half_angle_degrees))};
 }
 
 /// The places of a scene's textures in DrawList::textures, each made when it is first asked for.
@@ -57,6 +59,14 @@ DrawList make_draw_list(const scene::Scene& scene, int width, int height)
     DrawList list;
     list.projection = projection_matrix(scene.camera, static_cast<double>(width) / height);
     list.ambient = scene.ambient;
+    list.camera = scene.camera;
+    if (list.camera.focus_distance == 0)
+        list.camera.focus_distance = distance(scene.camera.eye, scene.camera.target);
+    list.up = glm::vec3(view * glm::vec4(0, 1, 0, 0));
+    list.background_top = scene.background_top;
+    list.background_bottom = scene.background_bottom;
+    list.bounces = scene.bounces;
+    list.depth = scene.depth;
     for (const scene::Light& light : scene.lights) list.lights.push_back(in_eye_space(light, view));
     TexturePlaces textures(scene, list);
 

@@ -89,7 +89,7 @@ int run(const Options& options)
     const EffectSet effects = options.all_effects ? all_effects : report.derived.set;
     Studio studio;
     const Drawn drawn = as_given([&] {
-        return studio.draw(renderer_named(options.renderer), {list, effects, width, height});
+        return studio.draw(renderer_named(options.renderer), {list, effects, width, height, options.effort});
     });
     report.counters = drawn.counters;
     as_given([&] {

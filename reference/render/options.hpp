@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/rays/draw.hpp"
+
 namespace umbral::render {
 
 /// What umbral-render ends with; `umbral` uses the same numbers.
@@ -38,6 +40,7 @@ struct Options {
     std::string renderer = "software";
     Size size{512, 512};
     int samples = 1;
+    rays::Effort effort{};  ///< of renderers that follow rays
     std::string out;      ///< empty: no picture
     std::string buffers;  ///< empty: no buffers
     bool explain = false;

@@ -31,12 +31,16 @@ Drawn with_light_at_vertices(const Job& job)
     return {draw_with_light_at_vertices(job.list, job.width, job.height), {}};
 }
 
-constexpr std::array<Renderer, 4> renderers = {{
+Drawn by_rays(const Job& job) { return {rays::draw_by_rays(job.list, job.width, job.height, job.effort), {}}; }
+
+constexpr std::array<Renderer, 5> renderers = {{
     {"software", "the engine's rasteriser, light at each pixel", false, by_software},
     {"gl", "OpenGL with shaders, light at each pixel", true, by_gl},
     {"gl-fixed", "OpenGL's fixed function, light at each vertex", true, by_fixed_function},
     {"vertices", "the engine's rasteriser, light at each vertex: what gl-fixed should be", false,
      with_light_at_vertices},
+    {"raytrace", "the engine's ray tracer: shadows, mirrors, glass, lenses, lights with a size, indirect light", false,
+     by_rays},
 }};
 
 }

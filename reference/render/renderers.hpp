@@ -9,6 +9,7 @@
 #include "render/draw_list.hpp"
 #include "render/effects.hpp"
 #include "render/frame.hpp"
+#include "render/rays/draw.hpp"
 
 namespace umbral::render {
 
@@ -18,6 +19,7 @@ struct Job {
     EffectSet effects;
     int width;
     int height;
+    rays::Effort effort = {};  ///< for those that follow rays
 };
 
 /// What came of it; only some renderers can count their work.
