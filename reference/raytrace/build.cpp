@@ -152,9 +152,8 @@ private:
     std::uint32_t add_node(std::vector<Part> parts)
     {
         while (parts.size() < lane_count) {
-            const auto largest = std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
-                return weight(a) < weight(b);
-            });
+            const auto largest = std::max_element(parts.begin(), parts.end(),
+                                                  [](const Part& a, const Part& b) { return weight(a) < weight(b); });
             if (weight(*largest) < 0) break;
             const std::array<Part, 2> halves = cut(*largest);
             *largest = halves[0];

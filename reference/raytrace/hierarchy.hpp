@@ -10,8 +10,8 @@
 
 #include "raytrace/lanes.hpp"
 
-/// The engine's rays among triangles: a tree of boxes, eight children a node, eight triangles a packet, tested together.
-/// The textbook form of the same is raytracing/bounding-volumes, and of the intersection raytracing/triangle.
+/// The engine's rays among triangles: a tree of boxes, eight children a node, eight triangles a packet, tested
+/// together. The textbook form of the same is raytracing/bounding-volumes, and of the intersection raytracing/triangle.
 namespace umbral::raytrace {
 
 /// Up to eight children. Boxes are stored coordinate by coordinate, low and high side by side; of a child that is not

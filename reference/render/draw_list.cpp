@@ -60,8 +60,7 @@ DrawList make_draw_list(const scene::Scene& scene, int width, int height)
     list.projection = projection_matrix(scene.camera, static_cast<double>(width) / height);
     list.ambient = scene.ambient;
     list.camera = scene.camera;
-    if (list.camera.focus_distance == 0)
-        list.camera.focus_distance = distance(scene.camera.eye, scene.camera.target);
+    if (list.camera.focus_distance == 0) list.camera.focus_distance = distance(scene.camera.eye, scene.camera.target);
     list.up = glm::vec3(view * glm::vec4(0, 1, 0, 0));
     list.background_top = scene.background_top;
     list.background_bottom = scene.background_bottom;

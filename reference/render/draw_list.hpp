@@ -58,9 +58,9 @@ struct DrawList {
     std::vector<VertexMesh> meshes;
     std::vector<Draw> draws;
     // What only rays need.
-    scene::Camera camera;          ///< as the scene has it; its focus_distance is given
-    glm::vec3 up{0, 1, 0};         ///< the world's y axis
-    glm::vec3 background_top{0};   ///< what rays see that lead up to the sky …
+    scene::Camera camera;         ///< as the scene has it; its focus_distance is given
+    glm::vec3 up{0, 1, 0};        ///< the world's y axis
+    glm::vec3 background_top{0};  ///< what rays see that lead up to the sky …
     glm::vec3 background_bottom{0};
     int bounces = 0;
     int depth = 0;

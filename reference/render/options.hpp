@@ -41,8 +41,8 @@ struct Options {
     Size size{512, 512};
     int samples = 1;
     rays::Effort effort{};  ///< of renderers that follow rays
-    std::string out;      ///< empty: no picture
-    std::string buffers;  ///< empty: no buffers
+    std::string out;        ///< empty: no picture
+    std::string buffers;    ///< empty: no buffers
     bool explain = false;
     bool json = false;
     bool compare = false;

@@ -10,8 +10,8 @@
 /// What a picture is of: plain data, without answers, for every renderer alike.
 ///
 /// World coordinates are right-handed. All colours are linear (light, not sRGB); 1 is white. Angles are in degrees
-/// where a name says so. What is marked "rays only" is for renderers that follow rays; the others draw as if it were not
-/// there.
+/// where a name says so. What is marked "rays only" is for renderers that follow rays; the others draw as if it were
+/// not there.
 namespace umbral::scene {
 
 /// Where the picture is taken from.
@@ -60,9 +60,9 @@ struct Material {
     float exponent = 1;                                 ///< of the highlight, ≥ 0
     std::optional<std::size_t> texture = std::nullopt;  ///< place in Scene::textures
     glm::vec2 texture_scale{1};                         ///< what (u, v) are multiplied by
-    glm::vec3 mirror{0};    ///< share of light that is reflected as by a mirror. Rays only
-    glm::vec3 transmit{0};  ///< share of light that is let through. Rays only
-    float index = 1;        ///< of refraction, inside; in [1, 4]. Rays only
+    glm::vec3 mirror{0};                                ///< share of light that is reflected as by a mirror. Rays only
+    glm::vec3 transmit{0};                              ///< share of light that is let through. Rays only
+    float index = 1;                                    ///< of refraction, inside; in [1, 4]. Rays only
 };
 
 /// The unit sphere, poles on the y axis; u goes round once, v from the south pole to the north pole.

@@ -1,9 +1,9 @@
 #include "render/rays/draw.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <fmt/format.h>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -92,8 +92,8 @@ Frame draw_by_rays(const DrawList& list, int width, int height, const Effort& ef
         throw std::invalid_argument(fmt::format("draw_by_rays: expected a ray or more, got {}", effort.rays));
     const World world = make_world(list);
     Frame frame(width, height);
-    const auto wanted = effort.threads > 0 ? static_cast<unsigned>(effort.threads)
-                                           : std::max(1U, std::thread::hardware_concurrency());
+    const auto wanted =
+        effort.threads > 0 ? static_cast<unsigned>(effort.threads) : std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::exception_ptr> faults(wanted);
     std::atomic<int> next = 0;
     {

@@ -53,8 +53,8 @@ private:
         const SurfacePoint at{seen.position, seen.normal, seen.uv};
         const bool is_lit_by_surfaces = list_.bounces > 0;
         const auto sees = [&](const Light& light) { return reaches(seen, light); };
-        return shade_from<all_effects>(list_, *seen.draw, at, -normalize(ray.direction),
-                                                       !is_lit_by_surfaces, counters_, sees);
+        return shade_from<all_effects>(list_, *seen.draw, at, -normalize(ray.direction), !is_lit_by_surfaces, counters_,
+                                       sees);
     }
 
     /// A point of the light is chosen by chance; of a light without size there is one only.
@@ -85,7 +85,8 @@ private:
         const auto [x, y] = across(seen.normal);
         const glm::vec3 direction = disc.x * x + disc.y * y + height * seen.normal;
         if (dot(direction, seen.face) <= 0) return glm::vec3(0);
-        return albedo * light_along(ray_from(seen, seen.position, direction), {budget.depth, budget.bounces - 1, budget.weight});
+        return albedo *
+               light_along(ray_from(seen, seen.position, direction), {budget.depth, budget.bounces - 1, budget.weight});
     }
 
     glm::vec3 mirrored_and_refracted(const Seen& seen, const Ray& ray, const Budget& budget)
@@ -123,8 +124,10 @@ private:
     /// The share of light that is reflected where it meets another index, by the cosines before and behind.
     static float fresnel(float cosine_before, float cosine_behind, float before, float behind)
     {
-        const float s = (before * cosine_before - behind * cosine_behind) / (before * cosine_before + behind * cosine_behind);
-        const float p = (behind * cosine_before - before * cosine_behind) / (behind * cosine_before + before * cosine_behind);
+        const float s =
+            (before * cosine_before - behind * cosine_behind) / (before * cosine_before + behind * cosine_behind);
+        const float p =
+            (behind * cosine_before - before * cosine_behind) / (behind * cosine_before + before * cosine_behind);
         return (s * s + p * p) / 2;
     }
 

@@ -9,7 +9,7 @@ namespace umbral::render::rays {
 struct Arrived {
     glm::vec3 light{0};
     const Draw* draw = nullptr;  ///< what is seen; null: nothing
-    glm::vec3 position{0};               ///< of it, in eye space
+    glm::vec3 position{0};       ///< of it, in eye space
 };
 
 /// Follows a ray: local illumination with shadows, mirrors and glass down to DrawList::depth, and light from other

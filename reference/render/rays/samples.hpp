@@ -9,36 +9,64 @@
 
 namespace umbral::render::rays {
 
+/// A random permutation of 32-bit numbers that keeps what shares its leading bits together, and with it the evenness
+/// of a sequence: Owen's scrambling. Based on: B. Burley. Practical Hash-based Owen Scrambling. JCGT 9(4), 2020.
+[[nodiscard]] inline std::uint32_t scrambled(std::uint32_t value, std::uint32_t seed)
+{
+    const auto reversed = [](std::uint32_t bits) {
+        bits = (bits >> 16U) | (bits << 16U);
+        bits = ((bits & 0x00FF00FFU) << 8U) | ((bits & 0xFF00FF00U) >> 8U);
+        bits = ((bits & 0x0F0F0F0FU) << 4U) | ((bits & 0xF0F0F0F0U) >> 4U);
+        bits = ((bits & 0x33333333U) << 2U) | ((bits & 0xCCCCCCCCU) >> 2U);
+        return ((bits & 0x55555555U) << 1U) | ((bits & 0xAAAAAAAAU) >> 1U);
+    };
+    std::uint32_t x = reversed(value);
+    x ^= x * 0x3D20ADEAU;
+    x += seed;
+    x *= (seed >> 16U) | 1U;
+    x ^= x * 0x05526C56U;
+    x ^= x * 0x53A22864U;
+    return reversed(x);
+}
+
+/// The point of this number in Sobol's sequence of the unit square, in 2^-32. Based on: I. Sobol. 1967.
+[[nodiscard]] inline std::array<std::uint32_t, 2> sobol_point(std::uint32_t number)
+{
+    std::array<std::uint32_t, 2> point{};
+    std::uint32_t first = 1U << 31U;
+    for (std::uint32_t second = first; number != 0; number >>= 1U, first >>= 1U, second ^= second >> 1U)
+        if ((number & 1U) != 0) {
+            point[0] ^= first;
+            point[1] ^= second;
+        }
+    return point;
+}
+
 /// Places in the unit square for the rays of one pixel: what they are follows from pixel and ray alone, so that a
-/// picture is the same by any number of threads. The first few squares of a ray (lens, lights, first bounce) are filled
-/// evenly by the rays of a pixel, by the sequence R2 from a place that chance chooses; those after them by chance.
-/// Based on: M. Roberts. The Unreasonable Effectiveness of Quasirandom Sequences. 2018; R. Cranley, T. Patterson.
-/// Randomization of Number Theoretic Methods for Multiple Integration. 1976.
+/// picture is the same by any number of threads. Each square of a ray (pixel, lens, lights, bounces) is filled evenly
+/// by the rays of a pixel; of two squares neither knows the other's order.
 class Samples {
 public:
     Samples(int x, int y, int ray)
-        : starts_((static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32U) | static_cast<std::uint32_t>(x)),
-          chance_(starts_.bits() + (static_cast<std::uint64_t>(ray) << 32U)),
-          ray_(ray)
+        : seeds_((static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32U) | static_cast<std::uint32_t>(x)),
+          ray_(static_cast<std::uint32_t>(ray))
     {
     }
 
     [[nodiscard]] glm::vec2 next()
     {
-        constexpr int even = 24;
-        if (drawn_++ >= even) return {chance_.uniform(), chance_.uniform()};
-        const double x = starts_.uniform_double() + ray_ * 0.75487766624669276;
-        const double y = starts_.uniform_double() + ray_ * 0.56984029099805327;
-        return {below_one(x - std::floor(x)), below_one(y - std::floor(y))};
+        const std::uint32_t number = scrambled(ray_, seeds_.bits());
+        const auto [x, y] = sobol_point(number);
+        const std::uint32_t across = scrambled(x, seeds_.bits());
+        return {unit(across), unit(scrambled(y, seeds_.bits()))};
     }
 
 private:
-    static float below_one(double value) { return std::min(static_cast<float>(value), 0x1.fffffep-1F); }
+    /// The leading 24 bits, which float holds: below 1.
+    static float unit(std::uint32_t bits) { return static_cast<float>(bits >> 8U) * 0x1p-24F; }
 
-    Random starts_;
-    Random chance_;
-    int ray_;
-    int drawn_ = 0;
+    Random seeds_;
+    std::uint32_t ray_;
 };
 
 /// The disc of radius 1, equal areas from equal areas. Based on: P. Shirley, K. Chiu. A Low Distortion Map Between Disk

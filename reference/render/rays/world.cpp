@@ -46,8 +46,8 @@ Seen seen_at(const World& world, const Ray& ray, const raytrace::Hit& hit)
     seen.from_behind = dot(seen.face, ray.direction) > 0;
     glm::vec3 normal = seen.face;
     if (seen.draw->smooth) {
-        const glm::vec3 blend = weights.x * normalize(a.normal) + weights.y * normalize(b.normal) +
-                                weights.z * normalize(c.normal);
+        const glm::vec3 blend =
+            weights.x * normalize(a.normal) + weights.y * normalize(b.normal) + weights.z * normalize(c.normal);
         if (length(blend) > 0) normal = normalize(blend);
     }
     const float side = seen.from_behind ? -1.0F : 1.0F;
