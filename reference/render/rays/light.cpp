@@ -83,8 +83,9 @@ private:
         const glm::vec2 disc = on_disc(samples_.next());
         const float height = std::sqrt(std::max(0.0F, 1 - dot(disc, disc)));
         const auto [x, y] = across(seen.normal);
-        const glm::vec3 direction = disc.x * x + disc.y * y + height * seen.normal;
-        if (dot(direction, seen.face) <= 0) return glm::vec3(0);
+        glm::vec3 direction = disc.x * x + disc.y * y + height * seen.normal;
+        // Round an interpolated normal some lead into the triangle: light from there comes from beside it instead.
+        if (const float below = dot(direction, seen.face); below < 0) direction -= 2 * below * seen.face;
         return albedo *
                light_along(ray_from(seen, seen.position, direction), {budget.depth, budget.bounces - 1, budget.weight});
     }
