@@ -15,6 +15,7 @@ struct PairComparison {
     std::string first;
     std::string second;
     bool same_light = false;  ///< both at pixels or both at vertices: then colours must agree too
+    Agreement allowed;        ///< by how much they may differ
     Comparison comparison;
     NormalComparison normals;
 };
@@ -28,7 +29,7 @@ struct SceneAgreement {
 };
 
 /// Draws a scene by all renderers (not more often than once each, and twice more for its normals) and compares
-/// software with gl, both with gl-fixed, and gl-fixed with light at vertices in software.
+/// software with gl, both with gl-fixed, gl-fixed with light at vertices in software, and software with rays.
 [[nodiscard]] SceneAgreement compare_renderers(Studio& studio, const scene::Scene& scene, bool all_kernels, int width,
                                                int height);
 

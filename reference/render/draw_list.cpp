@@ -1,5 +1,6 @@
 #include "render/draw_list.hpp"
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <umbral/projections/view.hpp>
@@ -22,8 +23,9 @@ texturing::Sampler sampler_of(const scene::Texture& texture)
 Light in_eye_space(const scene::Light& light, const glm::mat4& view)
 {
     const glm::dvec4 where = glm::dmat4(view) * glm::dvec4(light.where, light.positional ? 1 : 0);
-    if (light.positional) return {glm::vec4(where), light.color};
-    return {glm::vec4(glm::vec3(normalize(glm::dvec3(where))), 0), light.color};
+    if (light.positional) return {glm::vec4(where), light.color, light.radius};
+    return {glm::vec4(glm::vec3(normalize(glm::dvec3(where))), 0), light.color,
+            std::tan(glm::radians(light.half_angle_degrees))};
 }
 
 /// The places of a scene's textures in DrawList::textures, each made when it is first asked for.
@@ -51,12 +53,19 @@ private:
 
 }
 
-DrawList make_draw_list(const scene::Scene& scene, int width, int height)
+DrawList make_draw_list(const scene::Scene& scene, int width, int height, bool for_rays)
 {
     const glm::mat4 view = projections::view_matrix(scene.camera.eye, scene.camera.target, scene.camera.up);
     DrawList list;
     list.projection = projection_matrix(scene.camera, static_cast<double>(width) / height);
     list.ambient = scene.ambient;
+    list.camera = scene.camera;
+    if (list.camera.focus_distance == 0) list.camera.focus_distance = distance(scene.camera.eye, scene.camera.target);
+    list.up = glm::vec3(view * glm::vec4(0, 1, 0, 0));
+    list.background_top = scene.background_top;
+    list.background_bottom = scene.background_bottom;
+    list.bounces = scene.bounces;
+    list.depth = scene.depth;
     for (const scene::Light& light : scene.lights) list.lights.push_back(in_eye_space(light, view));
     TexturePlaces textures(scene, list);
 
@@ -81,7 +90,7 @@ DrawList make_draw_list(const scene::Scene& scene, int width, int height)
         draw.specular = draw.material.specular != glm::vec3(0);
         draw.visibility =
             visibility(list.meshes[draw.mesh], list.projection * draw.model_view, guard_band(width, height));
-        if (draw.material.texture && draw.visibility != Visibility::outside)
+        if (draw.material.texture && (for_rays || draw.visibility != Visibility::outside))
             draw.texture = textures.place(*draw.material.texture);
         list.draws.push_back(std::move(draw));
     }

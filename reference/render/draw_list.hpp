@@ -22,6 +22,7 @@ struct Texture {
 struct Light {
     glm::vec4 where;  ///< w = 1: its place; w = 0: the unit vector towards it
     glm::vec3 color;
+    float size = 0;  ///< radius of the ball, or of the disc at distance 1 for one far away; for rays
 };
 
 /// Which part of an instance can be seen, told from the corners of its box.
@@ -56,6 +57,13 @@ struct DrawList {
     std::vector<Texture> textures;
     std::vector<VertexMesh> meshes;
     std::vector<Draw> draws;
+    // What only rays need.
+    scene::Camera camera;         ///< as the scene has it; its focus_distance is given
+    glm::vec3 up{0, 1, 0};        ///< the world's y axis
+    glm::vec3 background_top{0};  ///< what rays see that lead up to the sky …
+    glm::vec3 background_bottom{0};
+    int bounces = 0;
+    int depth = 0;
 };
 
 /// The perspective that `camera` asks for, in OpenGL's clip space; computed in double, rounded once.
@@ -66,7 +74,8 @@ struct DrawList {
 [[nodiscard]] glm::mat4 model_matrix(const std::vector<scene::Transform>& transforms);
 
 /// Prepares a scene for pictures of width x height pixels. Meshes that no instance uses are
-/// not made, nor textures that nothing needs that can be seen.
-[[nodiscard]] DrawList make_draw_list(const scene::Scene& scene, int width, int height);
+/// not made, nor textures that nothing needs that can be seen; but `for_rays` the unseen counts too, as mirrors show
+/// it.
+[[nodiscard]] DrawList make_draw_list(const scene::Scene& scene, int width, int height, bool for_rays = false);
 
 }

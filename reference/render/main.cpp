@@ -76,7 +76,8 @@ int run(const Options& options)
     const scene::Scene scene = as_given([&] { return scene::read_scene(options.scene); });
     const int width = options.size.width * options.samples;
     const int height = options.size.height * options.samples;
-    const DrawList list = make_draw_list(scene, width, height);
+    const Renderer& renderer = renderer_named(options.renderer);
+    const DrawList list = make_draw_list(scene, width, height, renderer.follows_rays);
     Report report{.scene = options.scene,
                   .title = scene.title,
                   .renderer = options.renderer,
@@ -86,12 +87,12 @@ int run(const Options& options)
                   .out = options.out,
                   .derived = derive_effects(list, scene),
                   .all_effects = options.all_effects,
-                  .how = renderer_named(options.renderer).effects,
+                  .how = renderer.effects,
                   .counts = {}};
     const EffectSet effects = options.all_effects ? all_effects : report.derived.set;
     Studio studio;
     Drawn drawn = as_given([&] {
-        return studio.draw(renderer_named(options.renderer), {list, effects, width, height, options.explain});
+        return studio.draw(renderer, {list, effects, width, height, options.explain, options.effort});
     });
     report.counts = std::move(drawn.counts);
     as_given([&] {

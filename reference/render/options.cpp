@@ -86,6 +86,12 @@ std::optional<Options> parse_options(int count, char** words, int& status)
     parser.add_option("--samples", options.samples, "N: N x N samples a pixel, in the picture only")
         ->check(CLI::Range(1, 8))
         ->capture_default_str();
+    parser.add_option("--rays", options.effort.rays, "raytrace: rays through each sample")
+        ->check(CLI::Range(1, 65536))
+        ->capture_default_str();
+    parser.add_option("--threads", options.effort.threads, "raytrace: 0 for one on each processor")
+        ->check(CLI::Range(0, 256))
+        ->capture_default_str();
     parser.add_option("--out", options.out, "The picture, a PNG file");
     parser.add_option("--buffers", options.buffers,
                       "A folder for depth, ids, coverage and linear colour, as .npy and .png");

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/rays/draw.hpp"
+
 namespace umbral::render {
 
 /// What umbral-render ends with; `umbral` uses the same numbers.
@@ -38,8 +40,9 @@ struct Options {
     std::string renderer = "software";
     Size size{512, 512};
     int samples = 1;
-    std::string out;      ///< empty: no picture
-    std::string buffers;  ///< empty: no buffers
+    rays::Effort effort{};  ///< of renderers that follow rays
+    std::string out;        ///< empty: no picture
+    std::string buffers;    ///< empty: no buffers
     bool explain = false;
     bool json = false;
     bool compare = false;

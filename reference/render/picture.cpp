@@ -54,7 +54,8 @@ Image make_picture(const Frame& frame, const scene::Scene& scene, int samples)
             for (int i = 0; i < samples * samples; ++i) {
                 const glm::vec4& color = frame.color.at(samples * x + i % samples, samples * y + i / samples);
                 // Clamped before it is averaged: a highlight beyond white must not keep its edge jagged.
-                sum += color.a > 0 ? glm::clamp(glm::vec3(color), 0.0F, 1.0F) : background;
+                const glm::vec3 drawn = glm::clamp(glm::vec3(color), 0.0F, 1.0F);
+                sum += color.a >= 1 ? drawn : drawn + (1 - color.a) * background;
             }
             const glm::vec3 mean = sum / static_cast<float>(samples * samples);
             image.at(x, y) = {to_srgb(mean.r), to_srgb(mean.g), to_srgb(mean.b), 255};

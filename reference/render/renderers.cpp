@@ -36,7 +36,14 @@ Drawn with_light_at_vertices(const Job& job)
     return {draw_with_light_at_vertices(job.list, job.width, job.height), {}};
 }
 
-constexpr std::array<Renderer, 4> renderers = {{
+Drawn by_rays(const Job& job)
+{
+    rays::RayCounts counts;
+    Frame frame = rays::draw_by_rays(job.list, job.width, job.height, job.effort, &counts);
+    return {std::move(frame), rays::counts_of(counts)};
+}
+
+constexpr std::array<Renderer, 5> renderers = {{
     {"software", "the engine's rasteriser, light at each pixel",
      "each effect is a compile-time flag of a kernel; 64 sets are made of 16 kernels for fragments and 4 for triangles",
      false, by_software},
@@ -49,6 +56,9 @@ constexpr std::array<Renderer, 4> renderers = {{
      true, by_fixed_function},
     {"vertices", "the engine's rasteriser, light at each vertex: what gl-fixed should be",
      "none is: it always has all of them", false, with_light_at_vertices},
+    {"raytrace", "the engine's ray tracer: shadows, mirrors, glass, lenses, lights with a size, indirect light",
+     "rays of an effect are followed only from where a material, a light or the camera asks for them", false, by_rays,
+     true},
 }};
 
 }

@@ -10,6 +10,7 @@
 #include "render/draw_list.hpp"
 #include "render/effects.hpp"
 #include "render/frame.hpp"
+#include "render/rays/draw.hpp"
 
 namespace umbral::render {
 
@@ -19,7 +20,8 @@ struct Job {
     EffectSet effects;
     int width;
     int height;
-    bool count = false;  ///< the work too, where that costs time
+    bool count = false;        ///< the work too, where that costs time
+    rays::Effort effort = {};  ///< for those that follow rays
 };
 
 /// What came of it, and the work that was counted.
@@ -34,6 +36,7 @@ struct Renderer {
     const char* effects;  ///< how effects are left out that a scene does not call for, one line
     bool needs_opengl;
     Drawn (*draw)(const Job& job);
+    bool follows_rays = false;  ///< it may see what the camera does not: its draw list must hold that too
 };
 
 [[nodiscard]] std::span<const Renderer> all_renderers();

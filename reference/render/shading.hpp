@@ -23,19 +23,33 @@ struct SurfacePoint {
     return exponent == 0 ? 1 : std::pow(std::max(0.0F, cosine), exponent);
 }
 
+/// Light that always arrives: where nothing stands in its way, or nobody asks.
+inline constexpr auto always_seen = [](const Light&, const glm::vec3&) { return true; };
+
+/// A colour of the material, times the texture's where it has one.
+[[nodiscard]] inline glm::vec3 textured(const DrawList& list, const Draw& draw, const glm::vec2& uv,
+                                        const glm::vec3& color)
+{
+    if (!draw.texture) return color;
+    const Texture& texture = list.textures[*draw.texture];
+    return color * glm::vec3(texturing::lookup(texture.texels, texture.sampler, uv * draw.material.texture_scale));
+}
+
 /// The local illumination model, exactly as lighting/shaders/phong.frag has it: emission, ambient, Lambert's diffuse
-/// and Blinn's specular term; a texture multiplies ambient and diffuse. Linear colours. Based on: J. Blinn. Models of
-/// Light Reflection for Computer Synthesized Pictures. 1977.
-template <EffectSet effects>
-[[nodiscard]] glm::vec3 shade(const DrawList& list, const Draw& draw, const SurfacePoint& at, Counters& counters)
+/// and Blinn's specular term; a texture multiplies ambient and diffuse. Linear colours. `v` is the unit vector towards
+/// the viewer, given if something is specular. Without `with_ambient` no ambient light is added. `sees(light)`
+/// says whether the light reaches the point; it is asked where the surface faces the light. Based on:
+/// J. Blinn. Models of Light Reflection for Computer Synthesized Pictures. 1977.
+template <EffectSet effects, class Sees>
+[[nodiscard]] glm::vec3 shade_from(const DrawList& list, const Draw& draw, const SurfacePoint& at, const glm::vec3& v,
+                                   bool with_ambient, Counters& counters, const Sees& sees)
 {
     const scene::Material& material = draw.material;
-    glm::vec3 ambient = material.ambient;
+    glm::vec3 ambient = with_ambient ? material.ambient : glm::vec3(0);
     glm::vec3 diffuse = material.diffuse;
     if (effects.textured && draw.texture) {
-        const Texture& texture = list.textures[*draw.texture];
         ++counters.texture_lookups;
-        const glm::vec3 texel(texturing::lookup(texture.texels, texture.sampler, at.uv * material.texture_scale));
+        const glm::vec3 texel = textured(list, draw, at.uv, glm::vec3(1));
         ambient *= texel;
         diffuse *= texel;
     }
@@ -45,7 +59,6 @@ template <EffectSet effects>
         n = normalize(n);
     }
     const bool is_specular = effects.specular && draw.specular;
-    const glm::vec3 v = is_specular ? normalize(-at.eye) : glm::vec3(0);
 
     glm::vec3 color = material.emission + list.ambient * ambient;
     for (const Light& light : list.lights) {
@@ -57,7 +70,7 @@ template <EffectSet effects>
         }
         glm::vec3 reflected = ambient;
         const float cosine = dot(n, l);
-        if (cosine > 0) {
+        if (cosine > 0 && sees(light)) {
             reflected += diffuse * cosine;
             if (is_specular) {
                 ++counters.specular_evaluations;
@@ -70,6 +83,14 @@ template <EffectSet effects>
         color += light.color * reflected;
     }
     return color;
+}
+
+/// The same as the camera sees it, without shadows.
+template <EffectSet effects>
+[[nodiscard]] glm::vec3 shade(const DrawList& list, const Draw& draw, const SurfacePoint& at, Counters& counters)
+{
+    const glm::vec3 v = effects.specular && draw.specular ? normalize(-at.eye) : glm::vec3(0);
+    return shade_from<effects>(list, draw, at, v, true, counters, [](const Light&) { return true; });
 }
 
 }

@@ -10,7 +10,8 @@
 /// What a picture is of: plain data, without answers, for every renderer alike.
 ///
 /// World coordinates are right-handed. All colours are linear (light, not sRGB); 1 is white. Angles are in degrees
-/// where a name says so.
+/// where a name says so. What is marked "rays only" is for renderers that follow rays; the others draw as if it were
+/// not there.
 namespace umbral::scene {
 
 /// Where the picture is taken from.
@@ -21,6 +22,8 @@ struct Camera {
     float fovy_degrees = 45;  ///< the whole vertical angle of view, in (0, 180)
     float near = 0.1F;        ///< distances along the view, 0 < near < far
     float far = 100;
+    float lens_radius = 0;     ///< of a thin lens; 0: a pinhole, everything is sharp. Rays only
+    float focus_distance = 0;  ///< of the plane that is sharp, along the view; 0: the target's. Rays only
 };
 
 /// A light that is far away in one direction, or near at one place. Its strength does not fall off with distance.
@@ -29,6 +32,8 @@ struct Light {
     bool positional = false;
     glm::vec3 where{0, 1, 0};  ///< its place, or the direction towards it (of any length but 0)
     glm::vec3 color{1, 1, 1};
+    float radius = 0;              ///< of a ball of light round its place; 0: a point. Rays only
+    float half_angle_degrees = 0;  ///< of a disc of light far away, as it is seen; 0: a point. Rays only
 };
 
 enum class TextureKind { checker, stripes, uv_grid };
@@ -55,6 +60,9 @@ struct Material {
     float exponent = 1;                                 ///< of the highlight, ≥ 0
     std::optional<std::size_t> texture = std::nullopt;  ///< place in Scene::textures
     glm::vec2 texture_scale{1};                         ///< what (u, v) are multiplied by
+    glm::vec3 mirror{0};                                ///< share of light that is reflected as by a mirror. Rays only
+    glm::vec3 transmit{0};                              ///< share of light that is let through. Rays only
+    float index = 1;                                    ///< of refraction, inside; in [1, 4]. Rays only
 };
 
 /// The unit sphere, poles on the y axis; u goes round once, v from the south pole to the north pole.
@@ -129,6 +137,8 @@ struct Scene {
     glm::vec3 background_top{0};     ///< colour where there is nothing: from the top row's …
     glm::vec3 background_bottom{0};  ///< … linearly to the bottom row's
     glm::vec3 ambient{0};            ///< light from everywhere
+    int bounces = 0;                 ///< of light between surfaces that are no mirrors; 0: none. Rays only
+    int depth = 8;                   ///< how many mirrors and panes of glass light may meet. Rays only
     std::vector<Light> lights;
     std::vector<Texture> textures;
     std::vector<Material> materials;

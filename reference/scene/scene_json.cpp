@@ -29,13 +29,15 @@ glm::vec3 direction(const Field& field)
 
 Camera parse_camera(const Field& field)
 {
-    field.allow_only({"eye", "target", "up", "fovy_degrees", "near", "far"});
+    field.allow_only({"eye", "target", "up", "fovy_degrees", "near", "far", "lens_radius", "focus_distance"});
     Camera camera{.eye = place(field.member("eye")),
                   .target = place(field.member("target")),
                   .up = field.member("up").given() ? direction(field.member("up")) : glm::vec3(0, 1, 0),
                   .fovy_degrees = real(field.member("fovy_degrees"), 1, 170),
                   .near = real(field.member("near"), 1e-4, maximum_coordinate),
                   .far = real(field.member("far"), 1e-4, maximum_coordinate)};
+    camera.lens_radius = real_or(field.member("lens_radius"), 0, 1000, 0);
+    camera.focus_distance = real_or(field.member("focus_distance"), 1e-4, maximum_coordinate, 0);
     if (camera.eye == camera.target) field.member("target").refuse("another place than the eye");
     if (!(camera.far >= 1.01F * camera.near)) field.member("far").refuse("at least 1.01 times near");
     return camera;
@@ -43,15 +45,22 @@ Camera parse_camera(const Field& field)
 
 Light parse_light(const Field& field)
 {
-    field.allow_only({"name", "position", "towards", "color"});
+    field.allow_only({"name", "position", "towards", "color", "radius", "half_angle_degrees"});
     const Field position = field.member("position");
     const Field towards = field.member("towards");
     if (position.given() == towards.given())
         field.refuse("either \"position\" (a place) or \"towards\" (the direction to a light far away)");
+    const Field radius = field.member("radius");
+    const Field half_angle = field.member("half_angle_degrees");
+    if (radius.given() && !position.given()) radius.refuse("half_angle_degrees in its place for a light far away");
+    if (half_angle.given() && position.given())
+        half_angle.refuse("radius in its place for a light that has a position");
     return {.name = field.member("name").text(maximum_name_length),
             .positional = position.given(),
             .where = position.given() ? place(position) : direction(towards),
-            .color = color_or(field.member("color"), glm::vec3(1))};
+            .color = color_or(field.member("color"), glm::vec3(1)),
+            .radius = real_or(radius, 0, maximum_coordinate, 0),
+            .half_angle_degrees = real_or(half_angle, 0, 45, 0)};
 }
 
 Texture parse_texture(const Field& field)
@@ -76,7 +85,8 @@ Texture parse_texture(const Field& field)
 
 Material parse_material(const Field& field, const std::vector<std::string>& textures)
 {
-    field.allow_only({"emission", "ambient", "diffuse", "specular", "exponent", "texture", "texture_scale"});
+    field.allow_only({"emission", "ambient", "diffuse", "specular", "exponent", "texture", "texture_scale", "mirror",
+                      "transmit", "index"});
     Material material;
     material.emission = color_or(field.member("emission"), material.emission);
     material.ambient = color_or(field.member("ambient"), material.ambient);
@@ -86,6 +96,9 @@ Material parse_material(const Field& field, const std::vector<std::string>& text
     if (const Field texture = field.member("texture"); texture.given()) material.texture = texture.one_of(textures);
     if (const Field scale = field.member("texture_scale"); scale.given())
         material.texture_scale = vector2(scale, -1000, 1000);
+    if (const Field mirror = field.member("mirror"); mirror.given()) material.mirror = vector3(mirror, 0, 1);
+    if (const Field transmit = field.member("transmit"); transmit.given()) material.transmit = vector3(transmit, 0, 1);
+    material.index = real_or(field.member("index"), 1, 4, material.index);
     return material;
 }
 
@@ -178,8 +191,8 @@ void refuse_too_much(const Field& root, const Scene& scene)
 
 Scene parse(const Field& root)
 {
-    root.allow_only({"format", "version", "title", "camera", "background", "ambient", "lights", "textures", "materials",
-                     "geometries", "instances"});
+    root.allow_only({"format", "version", "title", "camera", "background", "ambient", "bounces", "depth", "lights",
+                     "textures", "materials", "geometries", "instances"});
     (void)root.member("format").one_of({"umbral-scene"});
     (void)root.member("version").integer(1, 1);
     Scene scene;
@@ -191,6 +204,8 @@ Scene parse(const Field& root)
         scene.background_bottom = vector3(background.member("bottom"), 0, 1);
     }
     scene.ambient = color_or(root.member("ambient"), scene.ambient);
+    if (const Field bounces = root.member("bounces"); bounces.given()) scene.bounces = bounces.integer(0, 64);
+    if (const Field depth = root.member("depth"); depth.given()) scene.depth = depth.integer(0, 64);
     const Field lights = root.member("lights");
     for (const Field& light : lights.items(0, maximum_lights)) scene.lights.push_back(parse_light(light));
     refuse_a_name_twice(lights, scene.lights);

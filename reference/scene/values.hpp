@@ -12,6 +12,12 @@ namespace umbral::scene {
     return static_cast<float>(field.number(low, high));
 }
 
+/// A number that may be left out.
+[[nodiscard]] inline float real_or(const Field& field, double low, double high, float otherwise)
+{
+    return field.given() ? real(field, low, high) : otherwise;
+}
+
 /// An array of two numbers.
 [[nodiscard]] inline glm::vec2 vector2(const Field& field, double low, double high)
 {

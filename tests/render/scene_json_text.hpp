@@ -13,10 +13,12 @@ inline nlohmann::json document()
 {
     return nlohmann::json::parse(R"({
   "format": "umbral-scene", "version": 1, "title": "One of each",
-  "camera": {"eye": [0, 1, 5], "target": [0, 0, 0], "up": [0, 1, 0], "fovy_degrees": 45, "near": 0.2, "far": 50},
+  "camera": {"eye": [0, 1, 5], "target": [0, 0, 0], "up": [0, 1, 0], "fovy_degrees": 45, "near": 0.2, "far": 50,
+             "lens_radius": 0.1, "focus_distance": 4},
   "background": {"top": [0, 0, 0.5], "bottom": [1, 1, 1]},
-  "ambient": [0.1, 0.1, 0.1],
-  "lights": [{"name": "sun", "towards": [1, 1, 1], "color": [1, 0.9, 0.8]}, {"name": "lamp", "position": [0, 3, 0]}],
+  "ambient": [0.1, 0.1, 0.1], "bounces": 2, "depth": 5,
+  "lights": [{"name": "sun", "towards": [1, 1, 1], "color": [1, 0.9, 0.8], "half_angle_degrees": 1},
+             {"name": "lamp", "position": [0, 3, 0], "radius": 0.2}],
   "textures": {
     "squares": {"kind": "checker", "size": 64, "cells": 8, "colors": [[1, 1, 1], [0, 0, 0]], "filter": "nearest",
     "wrap": "clamp"},
@@ -27,7 +29,8 @@ inline nlohmann::json document()
     "dull": {},
     "shiny": {"emission": [0, 0, 0], "ambient": [0.1, 0.1, 0.1], "diffuse": [0.5, 0.5, 0.5], "specular": [1, 1, 1],
     "exponent": 40,
-              "texture": "squares", "texture_scale": [2, 2]}
+              "texture": "squares", "texture_scale": [2, 2], "mirror": [0.1, 0.1, 0.1], "transmit": [0, 0, 0.5],
+              "index": 1.5}
   },
   "geometries": {
     "ball": {"kind": "sphere", "rings": 8, "sectors": 16},

@@ -1,0 +1,126 @@
+#include "render/rays/draw.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "render/rays/light.hpp"
+
+namespace umbral::render::rays {
+namespace {
+
+constexpr int most_side = 16384;
+
+/// One picture; its rows are drawn by whoever asks for the next.
+class Painter {
+public:
+    Painter(const World& world, const Effort& effort, Frame& frame)
+        : world_(world), rays_(effort.rays), frame_(frame), lens_radius_(world.list->camera.lens_radius)
+    {
+        if (effort.local_only)
+            lens_radius_ = 0;
+        else
+            reach_ = {world.list->depth, world.list->bounces, true};
+        const glm::mat4& projection = world.list->projection;
+        slope_ = {1 / projection[0][0], 1 / projection[1][1]};
+    }
+
+    void draw_rows(std::atomic<int>& next, std::exception_ptr& fault)
+    {
+        try {
+            for (int y = next++; y < frame_.height(); y = next++)
+                for (int x = 0; x < frame_.width(); ++x) draw_pixel(x, y);
+        } catch (...) {
+            fault = std::current_exception();
+            next = frame_.height();
+        }
+    }
+
+    [[nodiscard]] const RayCounts& counts() const { return counts_; }
+
+private:
+    /// Through a place in pixels, y down. t counts depth.
+    [[nodiscard]] Ray ray_through(const glm::vec2& place, const glm::vec2& lens) const
+    {
+        const scene::Camera& camera = world_.list->camera;
+        const glm::vec2 across(2 * place.x / static_cast<float>(frame_.width()) - 1,
+                               1 - 2 * place.y / static_cast<float>(frame_.height()));
+        const glm::vec3 direction(across * slope_, -1);
+        const glm::vec3 origin(lens_radius_ * lens, 0);
+        return {origin, direction - origin / camera.focus_distance, camera.near, camera.far};
+    }
+
+    void draw_pixel(int x, int y)
+    {
+        const glm::vec2 corner(x, y);
+        glm::vec4 sum(0);
+        for (int i = 0; i < rays_; ++i) {
+            Samples samples(x, y, i);
+            glm::vec2 place = samples.next();
+            const glm::vec2 lens = lens_radius_ > 0 ? on_disc(samples.next()) : glm::vec2(0);
+            if (i == 0) place = glm::vec2(0.5F);
+            const Ray ray = ray_through(corner + place, lens);
+            ++counts_.camera;
+            const Arrived arrived = follow(world_, reach_, ray, samples, counts_);
+            if (arrived.draw != nullptr) sum += glm::vec4(arrived.light, 1);
+            if (i == 0 && lens == glm::vec2(0) && arrived.draw != nullptr) mark(x, y, *arrived.draw, arrived.position);
+        }
+        if (lens_radius_ > 0)
+            if (const auto seen = look(world_, ray_through(corner + glm::vec2(0.5F), glm::vec2(0))))
+                mark(x, y, *seen->draw, seen->position);
+        frame_.color.at(x, y) = sum / static_cast<float>(rays_);
+    }
+
+    void mark(int x, int y, const Draw& draw, const glm::vec3& position)
+    {
+        const glm::vec4 clip = world_.list->projection * glm::vec4(position, 1);
+        frame_.ids.at(x, y) = draw.id;
+        frame_.depth.at(x, y) = 0.5F + 0.5F * clip.z / clip.w;
+    }
+
+    const World& world_;
+    int rays_;
+    Frame& frame_;
+    glm::vec2 slope_{1};
+    float lens_radius_;
+    Reach reach_;
+    RayCounts counts_;  ///< of this thread alone
+};
+
+}
+
+Frame draw_by_rays(const DrawList& list, int width, int height, const Effort& effort, RayCounts* counts)
+{
+    if (width < 1 || height < 1 || width > most_side || height > most_side)
+        throw std::invalid_argument(
+            fmt::format("draw_by_rays: expected sides of 1 to {} pixels, got {} x {}", most_side, width, height));
+    if (effort.rays < 1)
+        throw std::invalid_argument(fmt::format("draw_by_rays: expected a ray or more, got {}", effort.rays));
+    const World world = make_world(list);
+    Frame frame(width, height);
+    const auto wanted =
+        effort.threads > 0 ? static_cast<unsigned>(effort.threads) : std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::exception_ptr> faults(wanted);
+    std::vector<RayCounts> followed(wanted);
+    std::atomic<int> next = 0;
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 0; i < wanted; ++i)
+            threads.emplace_back([&, i] {
+                Painter painter(world, effort, frame);
+                painter.draw_rows(next, faults[i]);
+                followed[i] = painter.counts();
+            });
+    }
+    for (const std::exception_ptr& fault : faults)
+        if (fault) std::rethrow_exception(fault);
+    if (counts != nullptr)
+        for (const RayCounts& one : followed) *counts += one;
+    return frame;
+}
+
+}

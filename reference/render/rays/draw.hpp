@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/draw_list.hpp"
+#include "render/frame.hpp"
+#include "render/rays/counts.hpp"
+
+namespace umbral::render::rays {
+
+/// What is spent on a picture.
+struct Effort {
+    int rays = 1;             ///< through each pixel, >= 1: the first through its centre, the others spread over it
+    int threads = 0;          ///< 0: as many as the machine has processors
+    bool local_only = false;  ///< no shadows, mirrors, glass, lens or bounces: what rasterisers draw
+};
+
+/// Draws by following rays (light.hpp): shadows, mirrors, glass, lenses, lights that have a size, light between
+/// surfaces. Depth and ids are those of the first ray, from the middle of the lens. The picture is the same, bit by
+/// bit, whatever the number of threads. Throws std::invalid_argument if a side is not 1 to 16384 pixels, or if there
+/// are no rays. What was followed is added to `counts`, unless that is null.
+[[nodiscard]] Frame draw_by_rays(const DrawList& list, int width, int height, const Effort& effort,
+                                 RayCounts* counts = nullptr);
+
+}
