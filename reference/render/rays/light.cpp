@@ -54,7 +54,7 @@ private:
         Counters work;
         const bool is_lit_by_surfaces = reach_.bounces > 0;
         const auto sees = [&](const Light& light) { return !reach_.shadows || reaches(seen, light); };
-        return shade_from<all_effects>(list_, *seen.draw, at, -normalize(ray.direction), !is_lit_by_surfaces, counters_,
+        return shade_from<all_effects>(list_, *seen.draw, at, -normalize(ray.direction), !is_lit_by_surfaces, work,
                                        sees);
     }
 
