@@ -197,7 +197,8 @@ TEST_F(Lab4, keys_turn_the_light_and_only_in_the_mode)
 
 TEST_F(Lab4, the_scene_has_a_red_can_a_white_pawn_and_a_black_one_and_leaves_the_earlier_labs_alone)
 {
-    const Session session("0.1 key 4 press\n0.2 key 4 release\n0.3 key 4 press\n", {.pictures = true, .pixels = 1});
+    const Session session("0.1 key 4 press\n0.2 key 4 release\n0.3 key 4 press\n",
+                          {.pictures = {0.05, 0.25, 0.4}, .pixels = 1});
     const Image scene = session.frame_at(0.25).picture;
     const auto at = [&](int x, int y) { return glm::ivec3(scene.at(x, y)); };
     EXPECT_EQ(at(5, 5), glm::ivec3(19, 22, 29)) << "background";
