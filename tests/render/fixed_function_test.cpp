@@ -166,7 +166,7 @@ TEST(RendererAgreement, holds_for_small_scenes_and_shows_their_normals)
     for (const scene::Scene& scene : {plain(), textured(), mirrored()}) {
         const SceneAgreement agreement = compare_renderers(studio, scene, false, 160, 120);
         EXPECT_TRUE(agrees(agreement)) << agreement_notes(agreement);
-        ASSERT_EQ(agreement.pairs.size(), 4U);
+        ASSERT_EQ(agreement.pairs.size(), 5U);
         for (const PairComparison& pair : agreement.pairs) {
             EXPECT_LT(pair.normals.largest, 0.1) << pair.first << " " << pair.second;
             EXPECT_GT(pair.comparison.interior, 1000U);

@@ -71,9 +71,9 @@ TEST(RenderProgram, compares_all_renderers)
     EXPECT_EQ(Schema("render-agreement").complaints(json), "");
     EXPECT_TRUE(json["agree"]);
     ASSERT_EQ(json["scenes"].size(), 2U);
-    EXPECT_EQ(json["scenes"][0]["pairs"].size(), 1U) << "the fixed function has eight lights";
+    EXPECT_EQ(json["scenes"][0]["pairs"].size(), 2U) << "the fixed function has eight lights";
     EXPECT_NE(json["scenes"][0]["missing"].dump().find("expected at most 8 lights, got 9"), std::string::npos);
-    ASSERT_EQ(json["scenes"][1]["pairs"].size(), 4U);
+    ASSERT_EQ(json["scenes"][1]["pairs"].size(), 5U);
     EXPECT_EQ(json["scenes"][1]["pairs"][0]["pixels"], 64 * 64);
     EXPECT_LT(json["scenes"][1]["pairs"][1]["normal_degrees_mean"], 0.01);
     expect_refused((folder / "a.json").string() + " --renderer gl-fixed --explain", "expected at most 8 lights, got 9");
