@@ -20,7 +20,7 @@ void add(const DrawList& list, std::uint32_t place, World& world)
     const auto first = static_cast<std::uint32_t>(world.vertices.size());
     for (const Vertex& vertex : mesh.vertices)
         world.vertices.push_back({glm::vec3(draw.model_view * glm::vec4(vertex.position, 1)),
-                                  draw.normal_matrix * vertex.normal, vertex.uv});
+                                  normalize(draw.normal_matrix * vertex.normal), vertex.uv});
     for (glm::uvec3 triangle : mesh.triangles) {
         // Counter-clockwise stays the front.
         if (draw.mirrored) std::swap(triangle.y, triangle.z);
@@ -46,8 +46,7 @@ Seen seen_at(const World& world, const Ray& ray, const raytrace::Hit& hit)
     seen.from_behind = dot(seen.face, ray.direction) > 0;
     glm::vec3 normal = seen.face;
     if (seen.draw->smooth) {
-        const glm::vec3 blend =
-            weights.x * normalize(a.normal) + weights.y * normalize(b.normal) + weights.z * normalize(c.normal);
+        const glm::vec3 blend = weights.x * a.normal + weights.y * b.normal + weights.z * c.normal;
         if (length(blend) > 0) normal = normalize(blend);
     }
     const float side = seen.from_behind ? -1.0F : 1.0F;
@@ -57,7 +56,7 @@ Seen seen_at(const World& world, const Ray& ray, const raytrace::Hit& hit)
     if (seen.draw->smooth && !seen.from_behind)
         for (int i = 0; i < 3; ++i) {
             const Vertex& corner = i == 0 ? a : i == 1 ? b : c;
-            const glm::vec3 n = normalize(corner.normal);
+            const glm::vec3& n = corner.normal;
             seen.smoothed -= weights[i] * std::min(0.0F, dot(seen.position - corner.position, n)) * n;
         }
     return seen;

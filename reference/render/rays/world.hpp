@@ -20,7 +20,7 @@ struct Face {
 /// All instances of a draw list in eye space, for rays: those that the camera does not see as well, for mirrors do.
 struct World {
     const DrawList* list = nullptr;  ///< must outlive it
-    std::vector<Vertex> vertices;    ///< normals are not unit
+    std::vector<Vertex> vertices;    ///< normals are unit
     std::vector<Face> faces;
     raytrace::Hierarchy hierarchy;
 };
