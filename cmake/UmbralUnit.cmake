@@ -195,8 +195,7 @@ function(umbral_add_unit unit)
     list(APPEND parts mistake-${id}-${name})
     set_target_properties(mistake-${id}-${name} PROPERTIES CXX_CLANG_TIDY "")  # wrong on purpose
     # As a student's file, with the precompiled header, which is also why NDEBUG must go: it takes a fifth of the time.
-    # Nobody looks for the line where one of them crashes: without debug information it compiles in two thirds of the time.
-    target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} -g0 -UNDEBUG ${counted}
+    target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} -UNDEBUG ${counted}
       "SHELL:-include ${UMBRAL_STUDENT_HEADER}" ${interfaces})
     set_source_files_properties(${mistake} PROPERTIES OBJECT_DEPENDS ${UMBRAL_STUDENT_HEADER}.gch)
     # Linked like a student's file too, so that `umbral validate` can grade what explanations are made from.
