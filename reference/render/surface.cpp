@@ -6,6 +6,8 @@
 #include <umbral/meshes/normals.hpp>
 #include <unordered_map>
 
+#include "render/sheet.hpp"
+
 namespace umbral::render {
 namespace {
 
@@ -18,8 +20,7 @@ struct Seams {
     bool poles = false;  ///< the rows v = 0 and v = 1 are a point each
 };
 
-/// `columns` x `rows` cells of two triangles, counter-clockwise where u goes to the right and v up; `place` gives a
-/// position in double.
+/// `columns` x `rows` cells (add_cells); `place` gives a position in double.
 template <class Place>
 Surface sheet(int columns, int rows, Seams seams, const Place& place)
 {
@@ -40,21 +41,7 @@ Surface sheet(int columns, int rows, Seams seams, const Place& place)
             }
         }
     }
-    const auto add = [&](unsigned a, unsigned b, unsigned c) {
-        const glm::uvec3 triangle(index[a], index[b], index[c]);
-        // At a pole one of a cell's triangles has no area.
-        if (triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x) return;
-        surface.mesh.triangles.push_back(triangle);
-        surface.uv_triangles.emplace_back(a, b, c);
-    };
-    const auto width = static_cast<unsigned>(columns) + 1;
-    for (unsigned j = 0; j < static_cast<unsigned>(rows); ++j) {
-        for (unsigned i = 0; i + 1 < width; ++i) {
-            const unsigned corner = j * width + i;
-            add(corner, corner + 1, corner + width + 1);
-            add(corner, corner + width + 1, corner + width);
-        }
-    }
+    add_cells(surface, index, 0, columns, rows);
     return surface;
 }
 
@@ -99,6 +86,10 @@ Surface make(const scene::Triangles& mesh)
     return {{mesh.positions, mesh.triangles}, mesh.uvs, mesh.triangles};
 }
 
+template <class Solid>
+requires requires(const Solid& solid) { make_solid(solid); }
+Surface make(const Solid& solid) { return make_solid(solid); }
+
 glm::vec3 first_defined(const glm::vec3& normal, const glm::vec3& otherwise)
 {
     const auto is_unit = [](const glm::vec3& n) { return dot(n, n) > 0.5F; };
@@ -107,7 +98,7 @@ glm::vec3 first_defined(const glm::vec3& normal, const glm::vec3& otherwise)
 
 }
 
-Surface make_surface(const decltype(scene::Geometry::shape)& shape)
+Surface make_surface(const scene::Shape& shape)
 {
     return std::visit([](const auto& one) { return make(one); }, shape);
 }

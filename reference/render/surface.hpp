@@ -17,7 +17,7 @@ struct Surface {
 };
 
 /// The surface that a scene asks for. Generated positions are computed in double and rounded once.
-[[nodiscard]] Surface make_surface(const decltype(scene::Geometry::shape)& shape);
+[[nodiscard]] Surface make_surface(const scene::Shape& shape);
 
 /// What both renderers draw: a vertex is one position, one normal and one pair of texture coordinates.
 struct Vertex {

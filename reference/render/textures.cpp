@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "render/patterns.hpp"
+
 namespace umbral::render {
 namespace {
 
@@ -39,6 +41,9 @@ glm::vec3 color_at(const scene::Texture& texture, const Place& place)
     switch (texture.kind) {
         case scene::TextureKind::checker: return (place.column + place.row) % 2 == 0 ? texture.first : texture.second;
         case scene::TextureKind::stripes: return place.column % 2 == 0 ? texture.first : texture.second;
+        case scene::TextureKind::wood: return wood(texture, place.uv);
+        case scene::TextureKind::marble: return marble(texture, place.uv);
+        case scene::TextureKind::bricks: return bricks(texture, place.uv);
         case scene::TextureKind::uv_grid: break;
     }
     return uv_grid(place);

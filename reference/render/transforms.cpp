@@ -2,6 +2,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "render/draw_list.hpp"
+#include "scene/motion.hpp"
 
 namespace umbral::render {
 namespace {
@@ -16,6 +17,12 @@ struct Matrix {
         return glm::rotate(glm::dmat4(1), glm::radians(double{rotate.degrees}), normalize(glm::dvec3(rotate.axis)));
     }
     glm::dmat4 operator()(const scene::Scale& scale) const { return glm::scale(glm::dmat4(1), glm::dvec3(scale.by)); }
+    /// What moves is where it is at time 0; at_time (scene/motion.hpp) shows it at another.
+    template <class Moving>
+    glm::dmat4 operator()(const Moving& moving) const
+    {
+        return std::visit(*this, scene::at_time(moving, 0));
+    }
 };
 
 }

@@ -7,11 +7,14 @@
 #include <variant>
 #include <vector>
 
+#include "scene/shape.hpp"
+
 /// What a picture is of: plain data, without answers, for every renderer alike.
 ///
 /// World coordinates are right-handed. All colours are linear (light, not sRGB); 1 is white. Angles are in degrees
-/// where a name says so. What is marked "rays only" is for renderers that follow rays; the others draw as if it were
-/// not there.
+/// where a name says so, and times in seconds.
+///
+/// What is marked "rays only" is for renderers that follow rays; the others draw as if it were not there.
 namespace umbral::scene {
 
 /// Where the picture is taken from.
@@ -36,9 +39,16 @@ struct Light {
     float half_angle_degrees = 0;  ///< of a disc of light far away, as it is seen; 0: a point. Rays only
 };
 
-enum class TextureKind { checker, stripes, uv_grid };
+enum class TextureKind {
+    checker,
+    stripes,
+    uv_grid,
+    wood,    ///< rings of a trunk that is cut along, their grain along v; `cells` boards side by side
+    marble,  ///< veins of the second colour in the first; `cells`: how fine
+    bricks   ///< of the first colour, each a little different, in mortar of the second; `cells` layers
+};
 
-/// A texture that is computed when the scene is prepared.
+/// A texture that is computed when the scene is prepared. All join themselves without a seam.
 struct Texture {
     std::string name;
     TextureKind kind = TextureKind::checker;
@@ -65,45 +75,6 @@ struct Material {
     float index = 1;                                    ///< of refraction, inside; in [1, 4]. Rays only
 };
 
-/// The unit sphere, poles on the y axis; u goes round once, v from the south pole to the north pole.
-struct Sphere {
-    int rings = 32;    ///< between the poles
-    int sectors = 64;  ///< round the axis
-};
-
-/// A ring of radius 1 round the y axis; u goes along it, v round the tube.
-struct Torus {
-    int rings = 96;      ///< along the ring
-    int sectors = 48;    ///< round the tube
-    float tube = 0.35F;  ///< the tube's radius
-};
-
-/// The square from (-1, 0, -1) to (1, 0, 1), facing +y; u goes along x, v along -z.
-struct Plane {
-    int rows = 1;
-    int columns = 1;
-};
-
-/// The same square, lifted to y = amplitude · sin(2π waves.x u) · cos(2π waves.y v).
-struct Wave {
-    int rows = 96;
-    int columns = 96;
-    float amplitude = 0.1F;
-    glm::vec2 waves{2};  ///< periods along u and v
-};
-
-/// A triangle mesh written out in the scene. Triangles may be degenerate; counter-clockwise is their front.
-struct Triangles {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::uvec3> triangles;  ///< every index is less than positions.size()
-    std::vector<glm::vec2> uvs;         ///< one for each position, or none
-};
-
-struct Geometry {
-    std::string name;
-    std::variant<Sphere, Torus, Plane, Wave, Triangles> shape;
-};
-
 struct Translate {
     glm::vec3 by{0};
 };
@@ -114,7 +85,30 @@ struct Rotate {
 struct Scale {
     glm::vec3 by{1};  ///< no factor is 0
 };
-using Transform = std::variant<Translate, Rotate, Scale>;
+/// Turns all the time; by nothing at time 0.
+struct Spin {
+    glm::vec3 axis{0, 1, 0};  ///< as Rotate's
+    float degrees_per_second = 0;
+};
+/// Turns to and fro: by degrees · sin(2π (t / period + phase)).
+struct Swing {
+    glm::vec3 axis{0, 1, 0};  ///< as Rotate's
+    float degrees = 0;        ///< the farthest, to either side
+    float period = 1;         ///< in seconds, > 0
+    float phase = 0;          ///< in periods
+};
+/// Goes on for ever, from the place that it has at time 0.
+struct Move {
+    glm::vec3 velocity{0};  ///< a second
+};
+/// Goes to and fro: by `by` · sin(2π (t / period + phase)).
+struct Bob {
+    glm::vec3 by{0};   ///< the farthest, to either side
+    float period = 1;  ///< in seconds, > 0
+    float phase = 0;   ///< in periods
+};
+/// The last four depend on time: at_time (motion.hpp) replaces them by what they are at one moment.
+using Transform = std::variant<Translate, Rotate, Scale, Spin, Swing, Move, Bob>;
 
 enum class Sides {
     front,  ///< triangles seen from behind are not drawn
@@ -123,7 +117,7 @@ enum class Sides {
 
 /// One thing in the picture.
 struct Instance {
-    std::string name;
+    std::string name;                   ///< of one in a group: with the names of the groups before it, "arm/hand"
     std::size_t geometry = 0;           ///< place in Scene::geometries
     std::size_t material = 0;           ///< place in Scene::materials
     std::vector<Transform> transforms;  ///< the first one acts first
@@ -139,6 +133,7 @@ struct Scene {
     glm::vec3 ambient{0};            ///< light from everywhere
     int bounces = 0;                 ///< of light between surfaces that are no mirrors; 0: none. Rays only
     int depth = 8;                   ///< how many mirrors and panes of glass light may meet. Rays only
+    float seconds = 0;               ///< how long its film is: after that time it starts anew; 0: it is still
     std::vector<Light> lights;
     std::vector<Texture> textures;
     std::vector<Material> materials;

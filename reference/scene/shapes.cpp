@@ -70,12 +70,42 @@ Shape parse_triangles(const Field& field)
     return mesh;
 }
 
+Shape parse_box(const Field& field)
+{
+    field.allow_only({"kind"});
+    return Box{};
+}
+
+/// Cylinder, Cone or Disc.
+template <class Round>
+Shape parse_round(const Field& field)
+{
+    field.allow_only({"kind", "sectors"});
+    return Round{subdivisions(field.member("sectors"), 3, Round{}.sectors)};
+}
+
+Shape parse_revolution(const Field& field)
+{
+    field.allow_only({"kind", "profile", "sectors"});
+    Revolution revolution;
+    for (const Field& point : field.member("profile").items(2, maximum_profile)) {
+        revolution.profile.push_back(vector2(point, -maximum_coordinate, maximum_coordinate));
+        if (revolution.profile.back().x < 0) point.refuse("a distance from the axis of 0 or more, and a height");
+    }
+    revolution.sectors = subdivisions(field.member("sectors"), 3, revolution.sectors);
+    return revolution;
+}
+
 }
 
 Shape parse_shape(const Field& field)
 {
-    constexpr Shape (*parsers[])(const Field&) = {parse_sphere, parse_torus, parse_plane, parse_wave, parse_triangles};
-    return parsers[field.member("kind").one_of({"sphere", "torus", "plane", "wave", "triangles"})](field);
+    constexpr Shape (*parsers[])(const Field&) = {
+        parse_sphere, parse_torus,           parse_plane,       parse_wave,        parse_triangles,
+        parse_box,    parse_round<Cylinder>, parse_round<Cone>, parse_round<Disc>, parse_revolution};
+    static_assert(std::size(parsers) == std::variant_size_v<Shape>);
+    return parsers[field.member("kind").one_of(
+        {"sphere", "torus", "plane", "wave", "triangles", "box", "cylinder", "cone", "disc", "revolution"})](field);
 }
 
 std::size_t triangle_count(const Shape& shape)
@@ -88,6 +118,14 @@ std::size_t triangle_count(const Shape& shape)
         std::size_t operator()(const Plane& plane) const { return of(plane.rows, plane.columns); }
         std::size_t operator()(const Wave& wave) const { return of(wave.rows, wave.columns); }
         std::size_t operator()(const Triangles& mesh) const { return mesh.triangles.size(); }
+        std::size_t operator()(const Box&) const { return 12; }
+        std::size_t operator()(const Cylinder& cylinder) const { return of(2, cylinder.sectors); }
+        std::size_t operator()(const Cone& cone) const { return of(1, cone.sectors); }
+        std::size_t operator()(const Disc& disc) const { return of(1, disc.sectors); }
+        std::size_t operator()(const Revolution& one) const
+        {
+            return of(static_cast<int>(one.profile.size()) - 1, one.sectors);
+        }
     };
     return std::visit(Count{sheet}, shape);
 }
