@@ -85,9 +85,9 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
 {
     PassedOver passed_over;
     RunOutcome last = one.student;
-    // Together they take no longer than one run may and the last of them: crashing late, again and again, would else
-    // cost twelve times the limit in each case.
-    double seconds = 0;
+    // The case that crashed and its repetitions take no longer than one run may, and the last of them: crashing late,
+    // again and again, would else cost twelve times the limit in each case.
+    double seconds = last.verdict == Verdict::timeout ? 0 : last.wall_seconds;
     // Each run takes more away, but whether code crashes may be up to chance.
     for (std::size_t runs = 0; can_be_passed(last) && runs <= most_questions + most_functions; ++runs) {
         const std::uint32_t question = last.recording.asked - 1;
