@@ -97,7 +97,7 @@ int main(int count, char** words)
     app.add_option("--seconds", plan.seconds, "The time asked for")->check(CLI::Range(0.05, 60.0));
     app.add_flag("--quick", quick, "Small pictures; errors and costs only, which do not depend on the machine's load");
     CLI11_PARSE(app, count, words);
-    if (quick) plan = {64, 48, 256, 0.03, 0};
+    if (quick) plan = {32, 24, 128, 0.05, 0};
     plan.height = plan.width * 3 / 4;
     try {
         return run(folder, plan);
