@@ -33,11 +33,10 @@ std::string too_many(const std::string& value, const RunOutcome& student, const 
 /// Judges the answers before and between crashes. With one that is missing no check is all right, however much it may
 /// forgive.
 void judge_answers(const Check& check, const AnswersPastCrashes& answers, const Tensor& expected, const Tensor* margin,
-                   std::uint64_t seed, CheckResult& result)
+                   double control, CheckResult& result)
 {
     const std::string trouble = std::move(result.message);
-    take_judgement(check, judge(check, answers.tensor, expected, margin),
-                   best_control(check, expected, margin, seed).right, result);
+    take_judgement(check, judge(check, answers.tensor, expected, margin), control, result);
     const auto rows = static_cast<Millipoints>(expected.rows);
     const auto lost = static_cast<Millipoints>(answers.lost.size());
     result.score = std::min(result.score, result.max_score * (rows - lost) / std::max<Millipoints>(rows, 1));
@@ -167,36 +166,31 @@ const Tensor* observed(const Check& check, const RunOutcome& run)
 }
 
 CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run,
-                        const RunOutcome& reference_run)
+                        const CheckBasis& basis)
 {
     CheckResult result = blank_result(check);
     const auto [expected, margin, names] = expected_of(check, expected_run);
-    const Tensor* reference = tensor_of(reference_run, check.value);
-    if (expected == nullptr || reference == nullptr)
-        throw std::runtime_error(
-            fmt::format("check '{}': the driver recorded nothing called '{}'", check.name, check.value));
-    if (check.hard) result.reference_error = judge(check, *reference, *expected, margin).error;
-
+    result.reference_error = basis.reference_error;
     result.message = kept_from_judging(check, one, expected_run);
     if (!result.message.empty()) {
         if (const auto answers = answers_past_crashes(check, one, *expected))
-            judge_answers(check, *answers, *expected, margin, one.seed, result);
+            judge_answers(check, *answers, *expected, margin, basis.control, result);
         return result;
     }
-    Judgement judgement;
-    BestControl control;
-    if (check.relation) {
-        const RelationJudge relation(check, related_tensors(check, expected_run), margin, one.seed);
-        judgement = relation.judge(related_tensors(check, one.student), names);
-        control = relation.best_control();
-    } else {
-        judgement = judge(check, *observed(check, one.student), *expected, margin, names);
-        control = best_control(check, *expected, margin, one.seed);
-    }
-    take_judgement(check, judgement, control.right, result);
+    const Judgement judgement = check.relation
+                                    ? RelationJudge(check, related_tensors(check, expected_run), margin, one.seed)
+                                          .judge(related_tensors(check, one.student), names)
+                                    : judge(check, *observed(check, one.student), *expected, margin, names);
+    take_judgement(check, judgement, basis.control, result);
     add_refusal(check, one.student, result);
     if (judge_of(check).judge_both != nullptr) result.seeds = {one.seed};
     return result;
+}
+
+CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected_run,
+                        const RunOutcome& reference_run)
+{
+    return judge_check(check, one, expected_run, basis_of(check, expected_run, reference_run, one.seed));
 }
 
 void take_judgement(const Check& check, const Judgement& judgement, double control, CheckResult& result)

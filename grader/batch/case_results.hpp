@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/check_basis.hpp"
 #include "judge/judge.hpp"
 #include "judge/rows/rows.hpp"
 #include "model/exercise.hpp"
@@ -50,7 +51,10 @@ using CaseResults = std::map<std::string, CaseResult>;
 [[nodiscard]] CheckResult blank_result(const Check& check);
 
 /// Judges one check of a case against what was expected (the oracle's or the reference's run), with the best control
-/// earning nothing. Throws std::runtime_error if the expected run lacks the value: a grader fault.
+/// earning nothing.
+[[nodiscard]] CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected,
+                                      const CheckBasis& basis);
+/// The same, with the basis worked out anew; throws as basis_of does.
 [[nodiscard]] CheckResult judge_check(const Check& check, const CaseResult& one, const RunOutcome& expected,
                                       const RunOutcome& reference);
 

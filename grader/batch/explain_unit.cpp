@@ -81,11 +81,15 @@ std::vector<Explanation> explain_unit(Worker& worker, const Exercise& exercise, 
                                  [](const FailingCheck& one) { return one.student != nullptr; });
     if (std::ranges::none_of(ran, &FailingCheck::fails)) return {};
     std::vector<Explanation> all = by_mistakes(worker, exercise, groups, mistakes);
-    for (Explanation& other : explain_by_transform(ran)) all.push_back(std::move(other));
+    const auto explained = [&] {
+        return std::ranges::any_of(
+            all, [](const Explanation& one) { return one.fit == 1 && one.confidence >= thresholds::very_sure; });
+    };
+    // A known mistake that explains all has a hint written for the unit: what is tried for all units can say no more.
+    if (!explained())
+        for (Explanation& other : explain_by_transform(ran)) all.push_back(std::move(other));
     // Where nothing else explains all, and once, of what students may know.
-    const bool explained = std::ranges::any_of(
-        all, [](const Explanation& one) { return one.fit == 1 && one.confidence >= thresholds::very_sure; });
-    if (!explained && std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
+    if (!explained() && std::ranges::none_of(groups, [](const CaseChecks& group) { return group.result->hidden; }))
         for (Explanation& other : by_other_questions(worker, exercise, groups)) all.push_back(std::move(other));
     std::vector<Explanation> best = ranked(std::move(all));
     if (!best.empty() && best.front().confidence >= thresholds::very_sure) return best;

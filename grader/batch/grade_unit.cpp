@@ -179,9 +179,8 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
         const Check& check = exercise.checks[i];
         CaseResult& one = cases.at(check.case_name);
         const RunOutcome& expected = worker.trusted(exercise, judged_against(check), check.case_name, one.seed);
-        const RunOutcome& reference = worker.trusted(exercise, Answers::reference, check.case_name, one.seed);
-        result.checks[i] = judge_check(check, one, expected, reference);
-        one.reference_seconds = reference.wall_seconds;
+        result.checks[i] = judge_check(check, one, expected, worker.basis(exercise, check, one.seed));
+        one.reference_seconds = worker.trusted(exercise, Answers::reference, check.case_name, one.seed).wall_seconds;
     }
     rerun_borderline(worker, exercise, built, cases, options, result);
     weigh_costs(worker, exercise, built, cases, result);
@@ -277,16 +276,15 @@ UnitResult grade_built(Worker& worker, const Exercise& exercise, const Built& bu
 UnitResult grade_mistake(Worker& worker, const Exercise& exercise, const KnownSolution& mistake,
                          const GradeOptions& options)
 {
-    if (!exercise.is_cpp()) return grade_unit(worker, exercise, {mistake.sources, {}, ""}, options);
     // An installation has it veiled and without debug information, so that it cannot be looked through.
     const std::filesystem::path library =
         unit_folder(worker.tools(), exercise.id) / "mistakes" / (mistake.name + ".so");
     return guarded(worker, exercise, options, [&] {
-        const bool is_there = std::filesystem::exists(library);
-        return judged_in_full(worker, exercise,
-                              is_there ? adopt(worker.tools(), exercise, mistake.sources, library)
-                                       : build(worker.tools(), exercise, mistake.sources),
-                              options, nullptr);
+        const bool is_there = exercise.is_cpp() && std::filesystem::exists(library);
+        Built built = is_there ? adopt(worker.tools(), exercise, mistake.sources, library)
+                               : build(worker.tools(), exercise, mistake.sources);
+        if (is_there || !exercise.is_cpp()) built.mistake = mistake.name;
+        return judged_in_full(worker, exercise, built, options, nullptr);
     });
 }
 

@@ -119,6 +119,7 @@ RunRequest Worker::trusted_request(const Exercise& exercise, Answers solution, c
 
 RunOutcome Worker::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
 {
+    if (!built.mistake.empty()) return run_mistake(exercise, built.mistake, built.sources, case_name, seed);
     const RunRequest wanted = students_request(exercise, built, case_name, seed);
     return spawner(exercise.gl).run(wanted);
 }
@@ -237,6 +238,15 @@ const RunOutcome& Worker::run_mistake(const Exercise& exercise, const std::strin
     });
 }
 
+const CheckBasis& Worker::basis(const Exercise& exercise, const Check& check, std::uint64_t seed)
+{
+    const std::string key = key_of(exercise, "basis of " + check.name, check.case_name, seed);
+    if (const auto found = bases_.find(key); found != bases_.end()) return found->second;
+    const RunOutcome& expected = trusted(exercise, judged_against(check), check.case_name, seed);
+    const RunOutcome& reference = trusted(exercise, Answers::reference, check.case_name, seed);
+    return bases_.emplace(key, basis_of(check, expected, reference, seed)).first->second;
+}
+
 std::filesystem::path Worker::kept_file(const Exercise& exercise, const std::string& who, const std::string& case_name,
                                         std::uint64_t seed) const
 {
@@ -278,6 +288,7 @@ void Worker::forget_if_full()
     if (remembered_bytes_ <= most_remembered) return;
     remembered_.clear();
     questions_.clear();
+    bases_.clear();
     remembered_bytes_ = 0;
 }
 

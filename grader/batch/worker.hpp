@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/check_basis.hpp"
 #include "build/builder.hpp"
 #include "build/toolchain.hpp"
 #include "model/scratch.hpp"
@@ -94,6 +95,9 @@ public:
     [[nodiscard]] RunOutcome answer(const Exercise& exercise, const Built& built, const std::filesystem::path& driver);
     [[nodiscard]] RunOutcome answer(const Exercise& exercise, Answers solution, const std::filesystem::path& driver);
 
+    /// What the trusted recordings decide of a check: worked out once.
+    [[nodiscard]] const CheckBasis& basis(const Exercise& exercise, const Check& check, std::uint64_t seed);
+
     /// The recording of one of the unit's mistakes, compiled when the project was built; kept as well.
     [[nodiscard]] const RunOutcome& run_mistake(const Exercise& exercise, const std::string& name,
                                                 const Sources& sources, const std::string& case_name,
@@ -127,6 +131,7 @@ private:
     std::shared_ptr<const UnitKeys> keys_;
     std::map<std::string, RunOutcome> remembered_;
     std::map<std::string, QuestionLog> questions_;
+    std::map<std::string, CheckBasis> bases_;
     std::size_t remembered_bytes_ = 0;
 };
 

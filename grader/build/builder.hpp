@@ -17,6 +17,7 @@ struct Built {
     std::filesystem::path library;            ///< empty for a unit without C++, or if not ok
     unsigned mutant = 0;                      ///< of the library's mutants the one to run (mutants/); none is 0
     Sources sources;                          ///< the texts that are not C++, for the run
+    std::string mistake;     ///< the unit's known mistake that it is, whose runs serve explanations too; empty for none
     bool repeatable = true;  ///< would it come out so on every machine? Not if the compiler ran out of time, or failed
                              ///< without saying why
 };

@@ -42,7 +42,7 @@ Trial try_mutant(Worker& worker, const Exercise& exercise, const std::filesystem
         for (const Check& check : exercise.checks) {
             if (check.case_name != name) continue;
             const RunOutcome& expected = worker.trusted(exercise, judged_against(check), name, one.seed);
-            const CheckResult result = judge_check(check, one, expected, reference);
+            const CheckResult result = judge_check(check, one, expected, worker.basis(exercise, check, one.seed));
             // One that chance may have decided decides nothing here.
             if (result.score < result.max_score && !result.borderline) return {true, check.name};
         }

@@ -14,13 +14,37 @@ using umbral::wire::Header;
 
 bool readable(std::uintptr_t page) { return raw(SYS_rt_sigprocmask, 99, page, 0, 8) != -EFAULT; }
 
+/// The first page of [from, to) that begins with the magic number, or null.
+Header* search(std::uintptr_t from, std::uintptr_t to)
+{
+    for (std::uintptr_t page = from; page < to; page += 4096)
+        if (readable(page) && *reinterpret_cast<const std::uint64_t*>(page) == umbral::wire::magic)
+            return reinterpret_cast<Header*>(page);
+    return nullptr;
+}
+
 Header* find()
 {
+    // The recording is far longer than a stride, so that one of the pages asked lies in it, and what can be read around
+    // that one is searched from its lower end on: the recording's magic number is at its beginning.
+    const std::uintptr_t stride = 1U << 20U;
     const std::uintptr_t here = reinterpret_cast<std::uintptr_t>(&readable) & ~std::uintptr_t{4095};
-    for (std::uintptr_t distance = 0; distance < std::uintptr_t{4} << 30U; distance += 4096)
-        for (const std::uintptr_t page : {here - distance, here + distance})
-            if (readable(page) && *reinterpret_cast<const std::uint64_t*>(page) == umbral::wire::magic) return
-            reinterpret_cast<Header*>(page);
+    const std::uintptr_t reach = std::uintptr_t{4} << 30U;
+    std::uintptr_t low = here;
+    while (readable(low)) low -= stride;
+    std::uintptr_t high = here;
+    while (readable(high)) high += stride;
+    if (Header* found = search(low, high)) return found;
+    for (std::uintptr_t distance = 0; distance < reach; distance += stride) {
+        if (readable(low - distance)) {
+            const std::uintptr_t to = low - distance + stride;
+            while (readable(low - distance)) distance += stride;
+            if (Header* found = search(low - distance, to)) return found;
+        }
+    }
+    for (std::uintptr_t distance = 0; distance < reach; distance += stride)
+        if (readable(high + distance))
+            if (Header* found = search(high + distance - stride, high + distance + stride)) return found;
     return nullptr;
 }
 

@@ -24,8 +24,8 @@ inline void add_pair(std::vector<Click>& clicks, const Click& inside, const Clic
     clicks.push_back(swapped ? inside : outside);
 }
 
-/// The window of a framebuffer whose pixels are `scale` times as many along both axes, rounded to whole numbers.
-inline Click click_at(const glm::dvec2& place, const glm::ivec2& framebuffer, double scale)
+/// The window of a framebuffer whose pixels are `scale` times as many along each axis, rounded to whole numbers.
+inline Click click_at(const glm::dvec2& place, const glm::ivec2& framebuffer, const glm::dvec2& scale)
 {
     const glm::ivec2 window(glm::round(glm::dvec2(framebuffer) / scale));
     return {place * glm::dvec2(window) / glm::dvec2(framebuffer), window, framebuffer};
@@ -50,7 +50,8 @@ inline std::vector<Click> random_clicks(Random& random, int count)
         const int width = random_between(200, 3000, random);
         const glm::ivec2 framebuffer(width, random_between(150, 2000, random));
         const double scale = content_scales[random.below(static_cast<std::uint32_t>(content_scales.size()))];
-        const Click inside = click_at(inside_of(random_pixel(framebuffer, random), random), framebuffer, scale);
+        const Click inside =
+            click_at(inside_of(random_pixel(framebuffer, random), random), framebuffer, glm::dvec2(scale));
         Click outside = inside;
         const int axis = i % 2;
         const double beyond = std::exp2(-7 + 15 * random.uniform_double());
@@ -60,14 +61,16 @@ inline std::vector<Click> random_clicks(Random& random, int count)
     return clicks;
 }
 
-/// `count` pairs at pixels' borders, where all numbers are exact: a pixel owns the left and the upper one, so the
-/// window's right and lower border belong to no pixel, and what lies a hair beyond 0 neither.
+/// `count` pairs at pixels' borders, where all numbers are exact, with scales that differ along the axes: a pixel owns
+/// the left and the upper one, so the window's right and lower border belong to no pixel, and what lies a hair beyond 0
+/// neither.
 inline std::vector<Click> clicks_at_borders(Random& random, int count)
 {
     constexpr std::array exact_scales = {1.0, 2.0, 4.0, 0.5};
     std::vector<Click> clicks;
     for (int i = 0; i < count; ++i) {
-        const double scale = exact_scales[random.below(4)];
+        const auto along_x = random.below(4);
+        const glm::dvec2 scale(exact_scales[along_x], exact_scales[(along_x + random.below(2)) % 4]);
         const int width = 4 * random_between(50, 300, random);
         const glm::ivec2 framebuffer(width, 4 * random_between(30, 200, random));
         const glm::ivec2 pixel = random_pixel(framebuffer, random);
@@ -87,7 +90,7 @@ inline std::vector<Click> clicks_without_a_window(Random& random, int count)
     std::vector<Click> clicks;
     for (int i = 0; i < count; ++i) {
         const glm::ivec2 framebuffer(640 + 2 * i, 480);
-        const Click inside = click_at(inside_of(random_pixel(framebuffer, random), random), framebuffer, 2);
+        const Click inside = click_at(inside_of(random_pixel(framebuffer, random), random), framebuffer, glm::dvec2(2));
         Click none = inside;
         const int axis = i / 6 % 2;
         switch (i % 6) {

@@ -118,9 +118,21 @@ void record_planes(Recorder& out)
     const glm::mat4 high = glm::translate(glm::mat4(1), {0, -2, 0});
     const SnapCamera wide{high, glm::frustum(-1.0F, 1.0F, -1.0F, 1.0F, 1.0F, 9.0F), size};
     const SnapCamera flat{high, glm::ortho(-4.0F, 4.0F, -2.0F, 2.0F, 1.0F, 9.0F), size};
-    const SnapPlane planes[] = {{{0, 1, 0}, 0},    {{0, 5, 0}, 2.5},  {{0, 0, 1}, -8},    {{0, 0, -2}, 40},
-                                {{0, 0, 1}, 3},    {{1, 0, 0}, 2},    {{0, -1, 0}, -7},   {{1, 1, 1}, 0},
-                                {{0, 0, 1}, -0.5}, {{0, 3, 4}, -100}, {{0, 0, 0.25}, -30}};
+    const SnapPlane planes[] = {{{0, 1, 0}, 0},
+                                {{0, 5, 0}, 2.5},
+                                {{0, 0, 1}, -8},
+                                {{0, 0, -2}, 40},
+                                {{0, 0, 1}, 3},
+                                {{1, 0, 0}, 2},
+                                {{0, -1, 0}, -7},
+                                {{1, 1, 1}, 0},
+                                {{0, 0, 1}, -0.5},
+                                {{0, 3, 4}, -100},
+                                {{0, 0, 0.25}, -30},
+                                // The same planes with a normal of any length: parallel is a matter of angles.
+                                {{0, 1e-12, 0}, 0},
+                                {{0, 0, 1e-12}, -8e-12},
+                                {{1e12, 0, 0}, 2e12}};
     for (const SnapCamera& camera : {wide, flat})
         for (const SnapPlane& plane : planes)
             for (const glm::ivec2& pixel : {glm::ivec2(0, 3), {3, 1}, {2, 2}}) record_point(out, camera, pixel, plane);

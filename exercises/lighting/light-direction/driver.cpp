@@ -80,13 +80,21 @@ void at_random(Random& random, Recorder& out)
     }
 }
 
-void record_frames(Random& random, Recorder& out)
+void frames_by_hand(Recorder& out)
 {
     // A camera on the positive x axis that looks at the origin: what is +x in the world is behind it.
     const glm::mat4 from_the_right(glm::vec4(0, 0, 1, 0), glm::vec4(0, 1, 0, 0), glm::vec4(-1, 0, 0, 0),
                                    glm::vec4(0, 0, -5, 1));
-    for (const LightAngles& angles : {LightAngles{0, 0}, {90, 0}, {0, 90}, {180, -30}})
-        record_in_frames(out, angles, from_the_right);
+    // A camera above the origin that looks straight down, with the world's +x upwards in its picture.
+    const glm::mat4 from_above(glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0), glm::vec4(1, 0, 0, 0),
+                               glm::vec4(2, 0, -7, 1));
+    for (const glm::mat4& view : {from_the_right, from_above})
+        for (const LightAngles& angles : {LightAngles{0, 0}, {90, 0}, {0, 90}, {180, -30}})
+            record_in_frames(out, angles, view);
+}
+
+void record_frames(Random& random, Recorder& out)
+{
     for (int i = 0; i < 60; ++i) {
         const float longitude = random.uniform(-360, 360);
         const LightAngles angles{longitude, random.uniform(-90, 90)};
@@ -176,6 +184,7 @@ void many_keys(Random& random, Recorder& out)
 const Driver driver = {
     {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
+    {"frames by hand", [](Case&, Recorder& out) { frames_by_hand(out); }},
     {"frames", [](Case& c, Recorder& out) { record_frames(c.random, out); }},
     {"keys by hand", [](Case&, Recorder& out) { keys_by_hand(out); }},
     {"random keys", [](Case& c, Recorder& out) { random_keys(c.random, out); }},
