@@ -14,6 +14,13 @@ inline constexpr const char* right_alone =
     "this call is answered right if no other is made before it: your code keeps something from one call to the next, "
     "perhaps in a static or a global variable";
 
+/// May a case's run be repeated for what is said beside the grade? Not if it took half of what it may: whoever sleeps
+/// to just under the limit would make the grader wait for it once for every question about it.
+[[nodiscard]] inline bool is_quick(const Exercise& exercise, const CaseResult& one)
+{
+    return one.student.wall_seconds <= exercise.limits.wall_seconds / 2;
+}
+
 /// Is a row of a check right in a run that asked less than the case does, which `expected` asked whole? What the run
 /// recorded is taken for the first rows.
 [[nodiscard]] bool is_row_right(const Check& check, const RunOutcome& run, const Expected& expected, std::size_t row);

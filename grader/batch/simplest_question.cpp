@@ -120,7 +120,9 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
 {
     std::vector<std::size_t> checks;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i)
-        if (can_be_simpler(exercise.checks[i], result.checks[i])) checks.push_back(i);
+        if (can_be_simpler(exercise.checks[i], result.checks[i]) &&
+            is_quick(exercise, cases.at(exercise.checks[i].case_name)))
+            checks.push_back(i);
     std::ranges::stable_sort(checks, {}, [&](std::size_t i) { return judge_of(exercise.checks[i]).place; });
     if (checks.size() > most_checks) checks.resize(most_checks);
     for (const std::size_t i : checks) {

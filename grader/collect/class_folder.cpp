@@ -96,11 +96,15 @@ void give_ids(std::vector<Entry>& entries)
         if (entry.id.empty()) entry.id = "submission-" + short_hash(entry.name);
     }
     for (const Entry& entry : entries) ++wanted[entry.id];
-    // A folder keeps its plain name whoever else would like it; of the others each gets its hash, so that no order
-    // matters.
-    std::set<std::string> taken;
-    const auto keeps = [](const Entry& entry) {
-        return entry.listed || (is_own_id(entry) && entry.name == entry.stem);
+    // What the roster gives is the instructor's word: a folder whose name is somebody else's id gives way, so that
+    // nobody's name can keep a class from being graded. Else a folder keeps its plain name whoever would like it; of
+    // the others each gets its hash, so that no order matters.
+    std::set<std::string> listed;
+    for (const Entry& entry : entries)
+        if (entry.listed) listed.insert(entry.id);
+    std::set<std::string> taken = listed;
+    const auto keeps = [&](const Entry& entry) {
+        return entry.listed || (is_own_id(entry) && entry.name == entry.stem && !listed.contains(entry.id));
     };
     for (const Entry& entry : entries)
         if (keeps(entry)) taken.insert(entry.id);
@@ -121,14 +125,7 @@ ClassFolder class_folder(const fs::path& path, const fs::path& roster)
     if (!roster.empty())
         apply_roster(parse_roster(read_text(roster), roster.string()), roster.string(), entries, result);
     give_ids(entries);
-    std::set<std::string> ids;
-    for (const Entry& entry : entries) {
-        if (!ids.insert(entry.id).second)
-            throw std::runtime_error(fmt::format(
-                "{}: the id '{}', which the roster gives to one submission, is the name of another: list that one too",
-                roster.string(), entry.id));
-        result.submissions.push_back({entry.id, path / entry.name, entry.shown});
-    }
+    for (const Entry& entry : entries) result.submissions.push_back({entry.id, path / entry.name, entry.shown});
     std::ranges::sort(result.submissions, {}, &SubmissionFolder::id);
     std::ranges::sort(result.ignored, {}, &Ignored::path);
     return result;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "render/agreement.hpp"
+#include "render/budget/draw.hpp"
 #include "render/buffers.hpp"
 #include "render/options.hpp"
 #include "render/picture.hpp"
@@ -91,7 +92,15 @@ int run(const Options& options)
                   .counts = {}};
     const EffectSet effects = options.all_effects ? all_effects : report.derived.set;
     Studio studio;
+    nlohmann::json budget;
     Drawn drawn = as_given([&] {
+        if (options.wish) {
+            budget::Result within = budget::draw_within(*options.wish, scene, list, width, height,
+                                                        options.effort.threads, budget::wall_seconds);
+            if (!options.json) print(text_of(within));
+            budget = to_json(within);
+            return Drawn{std::move(within.frame), {}};
+        }
         return studio.draw(renderer, {list, effects, width, height, options.explain, options.effort});
     });
     report.counts = std::move(drawn.counts);
@@ -99,9 +108,11 @@ int run(const Options& options)
         if (!options.out.empty()) write_png(options.out, make_picture(drawn.frame, scene, options.samples));
         if (!options.buffers.empty()) write_buffers(options.buffers, drawn.frame);
     });
-    if (options.json)
-        print(dumped(to_json(report)));
-    else if (options.explain)
+    if (options.json) {
+        nlohmann::json said = to_json(report);
+        if (options.wish) said["budget"] = budget;
+        print(dumped(said));
+    } else if (options.explain)
         print(explanation(report));
     return exit_ok;
 }

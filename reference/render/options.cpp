@@ -42,12 +42,24 @@ std::string what_renderers_do()
     return text;
 }
 
+void check_wish(const Options& options)
+{
+    if (!options.wish) return;
+    if (options.renderer != "raytrace" || options.compare)
+        throw UsageError(
+            "--error and --time choose rays, and depth and bounces of light: expected --renderer raytrace " +
+            std::string(options.compare ? "and no --compare" : "(got " + options.renderer + ")"));
+    if (options.effort.rays != 1 || options.samples != 1)
+        throw UsageError("--error and --time choose how many rays there are: leave out --rays and --samples");
+}
+
 void check(const Options& options)
 {
+    check_wish(options);
     if (options.compare && (!options.out.empty() || !options.buffers.empty()))
         throw UsageError("--compare draws with all renderers and writes nothing: leave out --out and --buffers");
-    if (!options.compare && options.out.empty() && options.buffers.empty() && !options.explain)
-        throw UsageError("nothing to do: expected --out PNG, --buffers DIR, --explain or --compare");
+    if (!options.compare && options.out.empty() && options.buffers.empty() && !options.explain && !options.wish)
+        throw UsageError("nothing to do: expected --out PNG, --buffers DIR, --explain, --error, --time or --compare");
     if (options.compare && options.samples != 1)
         throw UsageError("--compare looks at single samples: leave out --samples");
     if (1LL * options.size.width * options.size.height * options.samples * options.samples > maximum_samples)
@@ -76,6 +88,8 @@ std::optional<Options> parse_options(int count, char** words, int& status)
     Options options;
     std::string size = "512x512";
     std::string kernel = "derived";
+    std::string wished_error;
+    std::string wished_time;
     CLI::App parser("Draws a scene with the reference engine.", "umbral render");
     parser.add_option("SCENE", options.scene, "The scene, a JSON file; with --compare also a folder of them")
         ->required();
@@ -92,6 +106,9 @@ std::optional<Options> parse_options(int count, char** words, int& status)
     parser.add_option("--threads", options.effort.threads, "raytrace: 0 for one on each processor")
         ->check(CLI::Range(0, 256))
         ->capture_default_str();
+    parser.add_option("--error", wished_error,
+                      "raytrace: the cheapest picture of at most this error, as 1%; says what it took");
+    parser.add_option("--time", wished_time, "raytrace: the most accurate picture within this time, as 2s or 250ms");
     parser.add_option("--out", options.out, "The picture, a PNG file");
     parser.add_option("--buffers", options.buffers,
                       "A folder for depth, ids, coverage and linear colour, as .npy and .png");
@@ -115,6 +132,12 @@ std::optional<Options> parse_options(int count, char** words, int& status)
     }
     options.all_effects = kernel == "all";
     options.size = parse_size(size);
+    try {
+        if (parser.count("--error") + parser.count("--time") != 0)
+            options.wish = budget::parse_wish(wished_error, wished_time);
+    } catch (const std::runtime_error& fault) {
+        throw UsageError(fault.what());
+    }
     check(options);
     return options;
 }

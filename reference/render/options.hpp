@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "render/budget/wish.hpp"
 #include "render/rays/draw.hpp"
 
 namespace umbral::render {
@@ -40,9 +41,10 @@ struct Options {
     std::string renderer = "software";
     Size size{512, 512};
     int samples = 1;
-    rays::Effort effort{};  ///< of renderers that follow rays
-    std::string out;        ///< empty: no picture
-    std::string buffers;    ///< empty: no buffers
+    rays::Effort effort{};                            ///< of renderers that follow rays
+    std::optional<budget::Wish> wish = std::nullopt;  ///< from which all else is chosen that costs time
+    std::string out;                                  ///< empty: no picture
+    std::string buffers;                              ///< empty: no buffers
     bool explain = false;
     bool json = false;
     bool compare = false;

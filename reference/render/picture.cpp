@@ -34,12 +34,13 @@ glm::u8vec4 color_of_id(std::uint32_t id)
 
 }
 
-std::uint8_t to_srgb(float linear)
+double encoded(float linear)
 {
     const double value = linear > 0 ? std::min(double{linear}, 1.0) : 0;
-    const double encoded = value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255 * encoded));
+    return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
 }
+
+std::uint8_t to_srgb(float linear) { return static_cast<std::uint8_t>(std::lround(255 * encoded(linear))); }
 
 Image make_picture(const Frame& frame, const scene::Scene& scene, int samples)
 {

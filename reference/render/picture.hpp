@@ -8,6 +8,9 @@
 
 namespace umbral::render {
 
+/// The sRGB value of a linear one, both in [0, 1]: clamped, not rounded. NaN gives 0. Source as below.
+[[nodiscard]] double encoded(float linear);
+
 /// The sRGB value of a linear one, in 0 to 255: clamped to [0, 1], rounded to the nearest. NaN gives 0.
 /// Based on: IEC 61966-2-1. 1999.
 [[nodiscard]] std::uint8_t to_srgb(float linear);

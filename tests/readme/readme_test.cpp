@@ -43,6 +43,8 @@ const std::map<std::string, Instead> not_as_it_stands{
     {"umbral bench outcomes",
      {"umbral bench outcomes --help", "all attacks take hours, and attacks-test runs a third of them"}},
     {"umbral bench fuzz", {"umbral bench fuzz --help", "it needs a build of its own"}},
+    {"umbral bench budget --width 64 --rays 256 --error 0.03",
+     {"umbral bench budget --quick", "it draws eight converged pictures, and all settings"}},
     {"umbral bench raster --seconds 5", {"umbral bench raster --quick", "five seconds for each of sixteen rows"}},
 };
 

@@ -34,6 +34,24 @@ TEST(RenderProgram, draws_with_every_renderer)
     }
 }
 
+TEST(RenderProgram, takes_an_error_or_a_time_from_those_who_follow_rays)
+{
+    const std::string rays = scene + " --size 40x30 --renderer raytrace ";
+    for (const char* wrong : {"--error 0", "--error -1%", "--error=-1%", "--error abc", "--error 1"})
+        expect_refused(rays + wrong, "--error: expected a part of full scale");
+    expect_refused(rays + "--time 2", "--time: expected a time");
+    expect_refused(rays + "--time 2s --error 1%", "got both");
+    expect_refused(rays + "--time 2s --rays 4", "leave out --rays");
+    expect_refused(scene + " --error 1%", "expected --renderer raytrace (got software)");
+    const Printed printed = umbral(rays + "--error 4%");
+    EXPECT_EQ(printed.status, 0);
+    for (const char* says : {"Asked: error 4 %", "Pilot: ", "Chosen: ", "Why: ", "Predicted: ", "Measured: "})
+        EXPECT_NE(printed.text.find(says), std::string::npos) << says << printed.text;
+    const nlohmann::json json = nlohmann::json::parse(umbral(rays + "--error 4% --json").text);
+    EXPECT_TRUE(json["budget"]["reached"]);
+    EXPECT_LE(json["budget"]["predicted"]["error"], 0.04);
+}
+
 TEST(RenderProgram, explains_and_compares)
 {
     const Printed explained = umbral(scene + " --size 64x64 --explain");

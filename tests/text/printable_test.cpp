@@ -23,6 +23,15 @@ TEST(Printable, replaces_what_terminals_obey)
     EXPECT_EQ(printable("\u202Eabc\u2066", plenty), "\uFFFDabc\uFFFD");
 }
 
+TEST(Printable, replaces_what_turns_or_hides_text)
+{
+    // All of Unicode's property Bidi_Control, and what no reader can see: letters as tags among them.
+    for (const std::string one : {"\u061C", "\u200E", "\u200F", "\u202A", "\u202B", "\u202C",     "\u202D",    "\u202E",
+                                  "\u2066", "\u2067", "\u2068", "\u2069", "\u00AD", "\u180E",     "\u200B",    "\u2060",
+                                  "\u206A", "\u2028", "\u2029", "\uFEFF", "\uFFF9", "\U000E0041", "\U000E007F"})
+        EXPECT_EQ(printable("a" + one + "b", plenty), "a\uFFFDb");
+}
+
 TEST(Printable, replaces_each_byte_of_invalid_utf8)
 {
     EXPECT_EQ(printable("\xC0\xAF", plenty), "\uFFFD\uFFFD") << "over-long '/'";

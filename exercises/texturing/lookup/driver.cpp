@@ -49,13 +49,14 @@ void by_hand(Recorder& out)
 }
 
 // Away from borders by 2 % of a texel, so that no rounding decides; far enough inside for no neighbour to be wrapped.
+// Two textures have the same size, so that a copy of one, kept by its size, shows when the other is asked for.
 void random_inside(Random& random, Recorder& out, Filter filter)
 {
     const Textures textures = {random_texture(random, 8, 8), random_texture(random, 16, 4),
-                               random_texture(random, 5, 7)};
+                               random_texture(random, 5, 7), random_texture(random, 8, 8)};
     std::vector<Query> queries;
     for (int i = 0; i < 600; ++i) {
-        const std::size_t texture = random.below(3);
+        const std::size_t texture = random.below(4);
         const auto [width, height] = std::pair(textures[texture].width, textures[texture].height);
         const Sampler sampler{filter, random_wrap(random), random_wrap(random)};
         const auto coordinate = [&](int count) {
@@ -70,13 +71,14 @@ void random_inside(Random& random, Recorder& out, Filter filter)
     record(out, textures, queries);
 }
 
-// Up to three times round in both directions.
+// Up to three times round in both directions. The last texture has the first one's size: see random_inside.
 void outside(Random& random, Recorder& out, Wrap wrap)
 {
-    const Textures textures = {random_texture(random, 8, 8), random_texture(random, 6, 10)};
+    const Textures textures = {random_texture(random, 8, 8), random_texture(random, 6, 10),
+                               random_texture(random, 8, 8)};
     std::vector<Query> queries;
     for (int i = 0; i < 300; ++i) {
-        const std::size_t texture = random.below(2);
+        const std::size_t texture = random.below(3);
         const Sampler sampler{both_filters[random.below(2)], wrap, wrap};
         const auto coordinate = [&](int count) { return inside_texel(random, count, 3); };
         const float u = coordinate(textures[texture].width);

@@ -10,15 +10,6 @@
 namespace umbral {
 namespace {
 
-/// Characters that change how their neighbours look, or that cannot be seen: tools of deception in a report.
-bool is_deceptive(char32_t code)
-{
-    const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
-    return within(0x80, 0x9F) || code == 0xAD || code == 0x61C || code == 0x180E || within(0x200B, 0x200F) ||
-           within(0x2028, 0x202E) || within(0x2060, 0x206F) || code == 0xFEFF || within(0xFFF9, 0xFFFB) ||
-           within(0xE0000, 0xE007F);
-}
-
 std::string control_picture(char32_t code, bool unicode)
 {
     if (!unicode) return {'^', static_cast<char>(code == 0x7F ? '?' : '@' + code)};

@@ -13,9 +13,7 @@ constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 bool is_harmful(char32_t code)
 {
     if (code == '\n' || code == '\t') return false;
-    const auto within = [&](char32_t low, char32_t high) { return code >= low && code <= high; };
-    return code < 0x20 || within(0x7F, 0x9F) || within(0x200E, 0x200F) || within(0x2028, 0x202E) ||
-           within(0x2066, 0x2069) || code == 0xFEFF;
+    return code < 0x20 || code == 0x7F || is_deceptive(code);
 }
 
 }

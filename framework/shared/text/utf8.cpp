@@ -51,6 +51,14 @@ Character first_character(std::string_view text)
     return {code, size, true};
 }
 
+bool is_deceptive(char32_t code)
+{
+    const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
+    return within(0x80, 0x9F) || code == 0xAD || code == 0x61C || code == 0x180E || within(0x200B, 0x200F) ||
+           within(0x2028, 0x202E) || within(0x2060, 0x206F) || code == 0xFEFF || within(0xFFF9, 0xFFFB) ||
+           within(0xE0000, 0xE007F);
+}
+
 int cells_of(char32_t code) { return is_in(combining, code) ? 0 : is_in(wide, code) ? 2 : 1; }
 
 }

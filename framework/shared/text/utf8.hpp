@@ -20,6 +20,10 @@ struct Character {
 /// Is it a byte that no character begins with?
 [[nodiscard]] inline bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
+/// Does it change how its neighbours look, or can it not be seen? C1 controls, what turns the direction of writing
+/// (Unicode's Bidi_Control), line separators, and characters without any picture: tools of deception in a report.
+[[nodiscard]] bool is_deceptive(char32_t code);
+
 /// How many terminal cells a character takes: 0 (combining), 1 or 2 (East Asian wide, most emoji).
 [[nodiscard]] int cells_of(char32_t code);
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <exception>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -19,7 +21,7 @@ constexpr int most_side = 16384;
 class Painter {
 public:
     Painter(const World& world, const Effort& effort, Frame& frame)
-        : world_(world), rays_(effort.rays), frame_(frame), lens_radius_(world.list->camera.lens_radius)
+        : world_(world), effort_(effort), frame_(frame), lens_radius_(world.list->camera.lens_radius)
     {
         if (effort.local_only)
             lens_radius_ = 0;
@@ -33,7 +35,8 @@ public:
     {
         try {
             for (int y = next++; y < frame_.height(); y = next++)
-                for (int x = 0; x < frame_.width(); ++x) draw_pixel(x, y);
+                for (int x = 0; x < frame_.width(); ++x)
+                    if (is_drawn(effort_.every, x, y)) draw_pixel(x, y);
         } catch (...) {
             fault = std::current_exception();
             next = frame_.height();
@@ -57,22 +60,24 @@ private:
     void draw_pixel(int x, int y)
     {
         const glm::vec2 corner(x, y);
+        // Depth and ids are seen through the middles of pixel and lens, where no ray of the colour may go.
+        const bool is_apart = lens_radius_ > 0 || effort_.spread;
         glm::vec4 sum(0);
-        for (int i = 0; i < rays_; ++i) {
-            Samples samples(x, y, i);
+        for (int i = 0; i < effort_.rays; ++i) {
+            Samples samples(x, y, i, effort_.scrambling);
             glm::vec2 place = samples.next();
             const glm::vec2 lens = lens_radius_ > 0 ? on_disc(samples.next()) : glm::vec2(0);
-            if (i == 0) place = glm::vec2(0.5F);
+            if (i == 0 && !effort_.spread) place = glm::vec2(0.5F);
             const Ray ray = ray_through(corner + place, lens);
             ++counts_.camera;
             const Arrived arrived = follow(world_, reach_, ray, samples, counts_);
             if (arrived.draw != nullptr) sum += glm::vec4(arrived.light, 1);
-            if (i == 0 && lens == glm::vec2(0) && arrived.draw != nullptr) mark(x, y, *arrived.draw, arrived.position);
+            if (i == 0 && !is_apart && arrived.draw != nullptr) mark(x, y, *arrived.draw, arrived.position);
         }
-        if (lens_radius_ > 0)
+        if (is_apart)
             if (const auto seen = look(world_, ray_through(corner + glm::vec2(0.5F), glm::vec2(0))))
                 mark(x, y, *seen->draw, seen->position);
-        frame_.color.at(x, y) = sum / static_cast<float>(rays_);
+        frame_.color.at(x, y) = sum / static_cast<float>(effort_.rays);
     }
 
     void mark(int x, int y, const Draw& draw, const glm::vec3& position)
@@ -83,7 +88,7 @@ private:
     }
 
     const World& world_;
-    int rays_;
+    Effort effort_;
     Frame& frame_;
     glm::vec2 slope_{1};
     float lens_radius_;
@@ -93,14 +98,27 @@ private:
 
 }
 
+bool is_drawn(int every, int x, int y)
+{
+    if (every <= 1) return true;
+    // Coprime to `every` and near its golden section: neighbouring rows are far apart.
+    int step = static_cast<int>(std::lround(0.618 * every));
+    while (std::gcd(step, every) != 1) ++step;
+    return (1LL * x + 1LL * step * y) % every == 0;
+}
+
 Frame draw_by_rays(const DrawList& list, int width, int height, const Effort& effort, RayCounts* counts)
+{
+    return draw_by_rays(make_world(list), width, height, effort, counts);
+}
+
+Frame draw_by_rays(const World& world, int width, int height, const Effort& effort, RayCounts* counts)
 {
     if (width < 1 || height < 1 || width > most_side || height > most_side)
         throw std::invalid_argument(
             fmt::format("draw_by_rays: expected sides of 1 to {} pixels, got {} x {}", most_side, width, height));
     if (effort.rays < 1)
         throw std::invalid_argument(fmt::format("draw_by_rays: expected a ray or more, got {}", effort.rays));
-    const World world = make_world(list);
     Frame frame(width, height);
     const auto wanted =
         effort.threads > 0 ? static_cast<unsigned>(effort.threads) : std::max(1U, std::thread::hardware_concurrency());

@@ -47,8 +47,9 @@ namespace umbral::render::rays {
 /// by the rays of a pixel; of two squares neither knows the other's order.
 class Samples {
 public:
-    Samples(int x, int y, int ray)
-        : seeds_((static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32U) | static_cast<std::uint32_t>(x)),
+    Samples(int x, int y, int ray, std::uint32_t scrambling = 0)
+        : seeds_(((static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32U) | static_cast<std::uint32_t>(x)) ^
+                 (scrambling * 0x9E3779B97F4A7C15U)),
           ray_(static_cast<std::uint32_t>(ray))
     {
     }

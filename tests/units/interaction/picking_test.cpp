@@ -105,7 +105,7 @@ TEST(Picking, three_ways_name_the_same_thing)
             const glm::ivec2 aside(random_between(-9, 9, random), random_between(-9, 9, random));
             const glm::ivec2 aimed =
                 k % 4 == 0 ? anywhere : glm::clamp(made.targets[target] + aside, glm::ivec2(0), made.picture - 1);
-            const Click click = click_at(inside_of(aimed, random), made.picture, scale);
+            const Click click = click_at(inside_of(aimed, random), made.picture, glm::dvec2(scale));
             const std::optional<glm::ivec2> pixel = pick_pixel(click.cursor, click.window, click.framebuffer);
             ASSERT_EQ(pixel, aimed) << "seed " << seed;
             const double to_edge = edges.distance(aimed);
