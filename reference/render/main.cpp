@@ -11,11 +11,13 @@
 #include "render/agreement.hpp"
 #include "render/budget/draw.hpp"
 #include "render/buffers.hpp"
+#include "render/film.hpp"
 #include "render/options.hpp"
 #include "render/picture.hpp"
 #include "render/renderers.hpp"
 #include "render/report.hpp"
 #include "render/scene_files.hpp"
+#include "scene/motion.hpp"
 #include "scene/scene_json.hpp"
 
 namespace umbral::render {
@@ -71,9 +73,35 @@ int run_comparison(const Options& options)
     return all_agree ? exit_ok : exit_differ;
 }
 
+/// Pictures of the scene at even steps of time.
+int run_film(const Options& options)
+{
+    const scene::Scene scene = as_given([&] { return scene::read_scene(options.scene); });
+    const float seconds = as_given([&] { return film_seconds(options.film, scene); });
+    const int width = options.size.width * options.samples;
+    const int height = options.size.height * options.samples;
+    const Renderer& renderer = renderer_named(options.renderer);
+    Studio studio;
+    Progress progress(options.progress);
+    for (int i = 0; i < options.film.pictures; ++i) {
+        const double share = static_cast<double>(i) / options.film.pictures;
+        const scene::Scene still = scene::at_time(scene, share * seconds);
+        const DrawList list = make_draw_list(still, width, height, renderer.follows_rays);
+        const EffectSet effects = options.all_effects ? all_effects : derive_effects(list, still).set;
+        as_given([&] {
+            const Drawn drawn = studio.draw(renderer, {list, effects, width, height, false, options.effort});
+            write_png(numbered(options.out, i), make_picture(drawn.frame, still, options.samples));
+        });
+        progress.tell(static_cast<double>(i + 1) / options.film.pictures);
+    }
+    if (!options.film.film.empty()) as_given([&] { join_pictures(options.film, seconds, options.out); });
+    return exit_ok;
+}
+
 int run(const Options& options)
 {
     if (options.compare) return run_comparison(options);
+    if (options.film.pictures > 0) return run_film(options);
     const scene::Scene scene = as_given([&] { return scene::read_scene(options.scene); });
     const int width = options.size.width * options.samples;
     const int height = options.size.height * options.samples;
@@ -101,7 +129,12 @@ int run(const Options& options)
             budget = to_json(within);
             return Drawn{std::move(within.frame), {}};
         }
-        return studio.draw(renderer, {list, effects, width, height, options.explain, options.effort});
+        Progress progress(options.progress);
+        rays::Effort effort = options.effort;
+        if (options.progress) effort.progress = [&](double done) { progress.tell(done); };
+        Drawn frame = studio.draw(renderer, {list, effects, width, height, options.explain, effort});
+        progress.tell(1);
+        return frame;
     });
     report.counts = std::move(drawn.counts);
     as_given([&] {

@@ -60,6 +60,12 @@ void check(const Options& options)
         throw UsageError("--compare draws with all renderers and writes nothing: leave out --out and --buffers");
     if (!options.compare && options.out.empty() && options.buffers.empty() && !options.explain && !options.wish)
         throw UsageError("nothing to do: expected --out PNG, --buffers DIR, --explain, --error, --time or --compare");
+    const FilmOptions& film = options.film;
+    if ((film.seconds > 0 || !film.film.empty()) && film.pictures == 0)
+        throw UsageError("--seconds and --film go with --animate N, which says how many pictures");
+    if (film.pictures > 0 && (options.out.empty() || !options.buffers.empty() || options.explain || options.json ||
+                              options.compare || options.wish))
+        throw UsageError("--animate writes numbered pictures beside --out PNG, and nothing else but --film");
     if (options.compare && options.samples != 1)
         throw UsageError("--compare looks at single samples: leave out --samples");
     if (1LL * options.size.width * options.size.height * options.samples * options.samples > maximum_samples)
@@ -112,6 +118,12 @@ std::optional<Options> parse_options(int count, char** words, int& status)
     parser.add_option("--out", options.out, "The picture, a PNG file");
     parser.add_option("--buffers", options.buffers,
                       "A folder for depth, ids, coverage and linear colour, as .npy and .png");
+    parser.add_option("--animate", options.film.pictures, "N pictures of what moves, with numbers: OUT-0000.png …")
+        ->check(CLI::Range(1, most_pictures));
+    parser.add_option("--seconds", options.film.seconds, "--animate: how long they last; else what the scene says")
+        ->check(CLI::Range(0.001, 3600.0));
+    parser.add_option("--film", options.film.film, "--animate: a film of them too, made by ffmpeg: FILE.mp4");
+    parser.add_flag("--progress", options.progress, "Say on standard error how much is done, and how long it takes");
     parser.add_flag("--explain", options.explain,
                     "Say which effects the scene calls for, why, and how much work was done");
     parser.add_flag("--compare", options.compare, "Draw with all renderers and say how far apart they are, and why");

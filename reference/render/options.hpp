@@ -5,6 +5,7 @@
 #include <string>
 
 #include "render/budget/wish.hpp"
+#include "render/film.hpp"
 #include "render/rays/draw.hpp"
 
 namespace umbral::render {
@@ -45,6 +46,8 @@ struct Options {
     std::optional<budget::Wish> wish = std::nullopt;  ///< from which all else is chosen that costs time
     std::string out;                                  ///< empty: no picture
     std::string buffers;                              ///< empty: no buffers
+    FilmOptions film{};
+    bool progress = false;
     bool explain = false;
     bool json = false;
     bool compare = false;

@@ -31,12 +31,14 @@ public:
         slope_ = {1 / projection[0][0], 1 / projection[1][1]};
     }
 
-    void draw_rows(std::atomic<int>& next, std::exception_ptr& fault)
+    void draw_rows(std::atomic<int>& next, std::exception_ptr& fault, bool tells)
     {
         try {
-            for (int y = next++; y < frame_.height(); y = next++)
+            for (int y = next++; y < frame_.height(); y = next++) {
                 for (int x = 0; x < frame_.width(); ++x)
                     if (is_drawn(effort_.every, x, y)) draw_pixel(x, y);
+                if (tells) effort_.progress(static_cast<double>(y + 1) / frame_.height());
+            }
         } catch (...) {
             fault = std::current_exception();
             next = frame_.height();
@@ -130,7 +132,7 @@ Frame draw_by_rays(const World& world, int width, int height, const Effort& effo
         for (std::size_t i = 0; i < wanted; ++i)
             threads.emplace_back([&, i] {
                 Painter painter(world, effort, frame);
-                painter.draw_rows(next, faults[i]);
+                painter.draw_rows(next, faults[i], i == 0 && effort.progress);
                 followed[i] = painter.counts();
             });
     }

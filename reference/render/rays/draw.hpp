@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "render/draw_list.hpp"
 #include "render/frame.hpp"
 #include "render/rays/counts.hpp"
@@ -14,7 +16,8 @@ struct Effort {
     bool local_only = false;  ///< no shadows, mirrors, glass, lens or bounces: what rasterisers draw
     bool spread = false;  ///< the first ray too: the mean of the pictures of all scramblings is then the converged one
     int every = 1;        ///< only every such pixel is drawn (is_drawn); the others stay empty
-    std::uint32_t scrambling = 0;  ///< pictures of different ones are independent where all rays are spread
+    std::function<void(double)> progress{};  ///< told the share that is drawn, by one thread after each of its rows
+    std::uint32_t scrambling = 0;            ///< pictures of different ones are independent where all rays are spread
 };
 
 /// Pixels that lie evenly over a picture, one in `every` of them, in rows that do not follow its columns.
