@@ -16,14 +16,15 @@ inline nlohmann::json document()
   "camera": {"eye": [0, 1, 5], "target": [0, 0, 0], "up": [0, 1, 0], "fovy_degrees": 45, "near": 0.2, "far": 50,
              "lens_radius": 0.1, "focus_distance": 4},
   "background": {"top": [0, 0, 0.5], "bottom": [1, 1, 1]},
-  "ambient": [0.1, 0.1, 0.1], "bounces": 2, "depth": 5,
+  "ambient": [0.1, 0.1, 0.1], "bounces": 2, "depth": 5, "seconds": 4,
   "lights": [{"name": "sun", "towards": [1, 1, 1], "color": [1, 0.9, 0.8], "half_angle_degrees": 1},
              {"name": "lamp", "position": [0, 3, 0], "radius": 0.2}],
   "textures": {
     "squares": {"kind": "checker", "size": 64, "cells": 8, "colors": [[1, 1, 1], [0, 0, 0]], "filter": "nearest",
     "wrap": "clamp"},
     "bars": {"kind": "stripes", "size": 16, "cells": 4, "colors": [[1, 0, 0], [0, 0, 1]]},
-    "map": {"kind": "uv-grid", "size": 32, "cells": 4}
+    "map": {"kind": "uv-grid", "size": 32, "cells": 4},
+    "oak": {"kind": "wood", "size": 16, "cells": 2, "colors": [[0.6, 0.4, 0.2], [0.3, 0.2, 0.1]]}
   },
   "materials": {
     "dull": {},
@@ -38,12 +39,24 @@ inline nlohmann::json document()
     "floor": {"kind": "wave", "rows": 4, "columns": 4, "amplitude": 0.1, "waves": [1, 2]},
     "bare": {"kind": "triangles", "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]]},
     "tri": {"kind": "triangles", "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]],
-            "uvs": [[0, 0], [1, 0], [0, 1]]}
+            "uvs": [[0, 0], [1, 0], [0, 1]]},
+    "vase": {"kind": "revolution", "profile": [[0, 0], [1, 0], [1, 2]], "sectors": 8},
+    "wheel": {"kind": "cylinder", "sectors": 8}
+  },
+  "groups": {
+    "cart": [{"name": "left", "geometry": "wheel", "material": "dull",
+              "transforms": [{"spin": {"axis": [0, 1, 0], "degrees_per_second": 90}}, {"translate": [-1, 0, 0]}]},
+             {"name": "right", "geometry": "wheel", "material": "dull", "transforms": [{"translate": [1, 0, 0]}]}],
+    "train": [{"name": "front", "group": "cart"},
+              {"name": "back", "group": "cart", "transforms": [{"translate": [0, 0, -2]}]}]
   },
   "instances": [
     {"name": "first", "geometry": "ball", "material": "dull", "shading": "flat", "sides": "both",
      "transforms": [{"scale": [1, 2, 1]}, {"rotate": {"axis": [0, 1, 0], "degrees": 30}}, {"translate": [1, 0, 0]}]},
-    {"name": "second", "geometry": "tri", "material": "shiny"}
+    {"name": "second", "geometry": "tri", "material": "shiny"},
+    {"name": "train", "group": "train",
+     "transforms": [{"move": [1, 0, 0]}, {"bob": {"by": [0, 1, 0], "period": 2, "phase": 0.25}},
+                    {"swing": {"axis": [1, 0, 0], "degrees": 20, "period": 4}}]}
   ]
 })");
 }

@@ -23,7 +23,8 @@ bool is_beyond_a_schema(const std::string& message)
     for (const char* beyond :
          {"1.01 times near", "another place than the eye", "a direction of length", "stands twice", "of size 0.0001",
           "texels in all", "triangles in all", "expected one of \"", "no name: none", "without a texture", "no index",
-          "a whole number from 0 to 2", "in its place for a light", "a list of 3 to 3 items, got a list"})
+          "a whole number from 0 to 2", "deep, and none within itself", "a distance from the axis",
+          "in its place for a light", "a list of 3 to 3 items, got a list"})
         if (message.find(beyond) != std::string::npos) return true;
     return message.find(".uvs: expected a list of") != std::string::npos;
 }

@@ -22,11 +22,11 @@ TEST(SceneFile, is_read_as_it_is_written)
     EXPECT_FALSE(scene.lights[0].positional);
     EXPECT_TRUE(scene.lights[1].positional);
     EXPECT_EQ(scene.lights[1].color, glm::vec3(1));
-    ASSERT_EQ(scene.textures.size(), 3U);
-    ASSERT_EQ(scene.geometries.size(), 5U);
+    ASSERT_EQ(scene.textures.size(), 4U);
+    ASSERT_EQ(scene.geometries.size(), 7U);
     EXPECT_EQ(scene.geometries[4].name, "tri");
     EXPECT_EQ(std::get<Triangles>(scene.geometries[4].shape).triangles[0], glm::uvec3(0, 1, 2));
-    ASSERT_EQ(scene.instances.size(), 2U);
+    ASSERT_EQ(scene.instances.size(), 6U) << "two things, and the four wheels of a train";
     EXPECT_EQ(scene.geometries[scene.instances[0].geometry].name, "ball");
     EXPECT_EQ(scene.materials[scene.instances[1].material].name, "shiny");
     EXPECT_EQ(scene.textures[*scene.materials[scene.instances[1].material].texture].name, "squares");
@@ -61,7 +61,7 @@ TEST(SceneFile, is_refused_with_the_place_and_both_values)
         {"/lights/0/position", {0, 0, 0}, {"lights[0]", "either \"position\""}},
         {"/lights/1/name", "sun", {"lights", "\"sun\" stands twice"}},
         {"/lights/1/color", {0, -1, 0}, {"lights[1].color[1]", "from 0 to 1000", "-1"}},
-        {"/textures/squares/kind", "marble", {"textures.squares.kind", "checker", "uv-grid", "\"marble\""}},
+        {"/textures/squares/kind", "granite", {"textures.squares.kind", "checker", "uv-grid", "\"granite\""}},
         {"/textures/squares/size", 4097, {"textures.squares.size", "4096"}},
         {"/textures/squares/size", 2.5, {"textures.squares.size", "a whole number"}},
         {"/textures/map/colors", {{0, 0, 0}, {1, 1, 1}}, {"textures.map.colors", "no colors"}},
@@ -81,6 +81,12 @@ TEST(SceneFile, is_refused_with_the_place_and_both_values)
         {"/instances/0/transforms/0",
          {{"rotate", {{"axis", {0, 0, 0}}, {"degrees", 1}}}},
          {"instances[0].transforms[0].rotate.axis", "a direction"}},
+        {"/geometries/vase/profile/1", {-1, 0}, {"geometries.vase.profile[1]", "from the axis", "[-1,0]"}},
+        {"/geometries/vase/profile", json::array(), {"geometries.vase.profile", "2 to 4096 items"}},
+        {"/instances/0/transforms/0",
+         {{"swing", {{"axis", {0, 1, 0}}, {"degrees", 1}, {"period", 0}}}},
+         {"instances[0].transforms[0].swing.period", "got 0"}},
+        {"/instances/0/transforms/0", {{"spin", 1}, {"move", 1}}, {"instances[0].transforms[0]", "exactly one"}},
         {"/instances/0/shading", "gouraud", {"instances[0].shading", "\"flat\", \"smooth\""}},
         {"/instances", "none", {"instances", "a list", "\"none\""}},
         {"/materials/a~1b", 5, {"materials[\"a/b\"]", "an object", "got 5"}},
