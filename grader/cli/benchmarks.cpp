@@ -69,7 +69,7 @@ std::vector<Benchmark> make_benchmarks()
          .measures = "how far the engine's renderers are apart on all scenes, and why",
          .home = command,
          .always = {"render", "@/reference/scenes", "--compare"},
-         .quick = BenchmarkCall{{"--size", "64x64"}, {}},
+         .quick = BenchmarkCall{{"--size", "256x256"}, {}},
          .has_help = true},
         {.name = "effects",
          .measures =

@@ -223,7 +223,7 @@ Judgement RelationJudge::judge(const RelatedTensors& student, const Tensor* name
         result.right = 0;
         result.headline.clear();
         result.message += (result.message.empty() ? law(relation_) + " Yours agree, which tells nothing: "
-                                                  : " And it could tell nothing: ") +
+                                                  : ". And it could tell nothing: ") +
                           why;
     }
     return result;
