@@ -33,7 +33,7 @@ inline IndexedMesh hourglass(std::uint32_t sides)
 inline IndexedMesh staircase(int steps)
 {
     Cubes cubes;
-    for (int i = 0; i < steps; ++i) cubes.insert({i, i, i % 2});
+    for (int i = 0; i < steps; ++i) cubes.insert({(i + 1) / 2, i % 2, i / 2});
     return centred(cube_surface(cubes, 1.6F / static_cast<float>(steps)));
 }
 
@@ -88,6 +88,17 @@ inline std::vector<IndexedMesh> suspects(Random& random)
 /// A closed piece without any volume: a triangle and its back.
 inline IndexedMesh flat_body() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}; }
 
+/// Two cubes with one corner, each of which looks in or out.
+inline IndexedMesh cubes_that_touch(Random& random)
+{
+    IndexedMesh mesh = cubes_at_a_corner();
+    const std::size_t half = mesh.triangles.size() / 2;
+    const bool turned[] = {random.below(2) == 0, random.below(2) == 0};
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        if (turned[i < half ? 0 : 1]) std::swap(mesh.triangles[i].y, mesh.triangles[i].z);
+    return mesh;
+}
+
 /// Bodies one within the other, beside each other, and open sheets among them; about half of the pieces look the wrong
 /// way.
 inline IndexedMesh crowd(Random& random)
@@ -106,6 +117,9 @@ inline IndexedMesh crowd(Random& random)
         add(flat_sheet(3, 2), place - glm::vec3(0, 3, 0), 1);
         add(tube(5, 2), place - glm::vec3(0, 6, 0), 1);
         add(flat_body(), place + glm::vec3(0, 8, 0), 1);
+        // At a crowded edge nobody has a neighbour, so these cubes are open; at a corner alone, two are two pieces.
+        add(staircase(2 + i), place + glm::vec3(0, 12, 0), 1);
+        add(cubes_that_touch(random), place + glm::vec3(0, 16, 0), 1);
     }
     return shuffled(mesh, random);
 }

@@ -72,7 +72,8 @@ void record_separated(Recorder& out, const IndexedMesh& mesh)
 /// Two meshes after each other in random order: one that can be wound coherently, and one that cannot.
 void record_windings(Random& random, Recorder& out)
 {
-    std::vector<IndexedMesh> good{hourglass(5), staircase(3), three_sheets(3)};
+    std::vector<IndexedMesh> good{hourglass(5),    staircase(2),    staircase(4),   book(3),
+                                  three_sheets(1), three_sheets(3), three_sheets(4)};
     for (const Sample& sample : tame_meshes()) good.push_back(sample.mesh);
     const std::vector<IndexedMesh> bad{moebius(9), moebius(8, 3), klein_bottle(6, 5), projective_plane(),
                                        joined(octahedron(), moebius(5), {3, 0, 0})};

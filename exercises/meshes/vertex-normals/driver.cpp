@@ -66,6 +66,8 @@ void record_degenerate(Random& random, Recorder& out)
     record(out, {{{1, 2, 3}, {4, 5, 7}, {0, 0, 1}}, {{0, 0, 1}, {1, 1, 1}, {2, 0, 1}}});  // one corner twice
     record(out, {{{1, 2, 3}, {4, 5, 6}}, {}});                                            // no triangles
 
+    record(out, sharp_folds(1e-7, 12, random));  // two normals cancel, but for less than counts
+
     for (int i = 0; i < 4; ++i) {
         IndexedMesh mesh = sheet_on_grid(random);
         const auto count = static_cast<std::uint32_t>(mesh.positions.size());

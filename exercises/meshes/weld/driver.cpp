@@ -88,8 +88,8 @@ void record_special(Case& c, Recorder& out)
 
 void record_isolated(Random& random, Recorder& out)
 {
-    for (const IndexedMesh& mesh :
-         {IndexedMesh{}, cube(), shuffled(torus(5, 4), random), with_lonely_vertices(hills(4, 3, random), 3)}) {
+    for (const IndexedMesh& mesh : {IndexedMesh{}, with_lonely_vertices({}, 3), cube(), shuffled(torus(5, 4), random),
+                                    with_lonely_vertices(hills(4, 3, random), 3)}) {
         const Soup soup = ask<isolated_triangles>(out, mesh);
         for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i)
             out.append("corners", i < soup.size() ? soup[i] : glm::vec3(0));
