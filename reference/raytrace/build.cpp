@@ -171,7 +171,6 @@ private:
                 node.bounds[2 * axis + 1][i] = part.box.high[static_cast<int>(axis)];
             }
             node.child[i] = is_leaf ? leaf_bit | child : child;
-            node.packets[i] = is_leaf ? 1 : 0;
         }
         return place;
     }
@@ -182,7 +181,7 @@ private:
     static Node empty_node()
     {
         Node node{};
-        for (std::size_t i = 0; i < 6; ++i) node.bounds[i].fill(i % 2 == 0 ? infinity : -infinity);
+        for (std::size_t i = 0; i < 6; ++i) fill(node.bounds[i], i % 2 == 0 ? infinity : -infinity);
         return node;
     }
 
@@ -191,7 +190,7 @@ private:
         Packet packet{};
         packet.triangle.fill(Hit::nothing);
         for (auto& corner : packet.corner)
-            for (auto& axis : corner) axis.fill(std::numeric_limits<float>::quiet_NaN());
+            for (FloatLanes& axis : corner) fill(axis, std::numeric_limits<float>::quiet_NaN());
         for (std::size_t i = part.begin; i < part.end; ++i) {
             const std::size_t lane = i - part.begin;
             const Corners& corners = triangles_[items_[i].triangle];

@@ -17,16 +17,15 @@ namespace umbral::raytrace {
 /// Up to eight children. Boxes are stored coordinate by coordinate, low and high side by side; of a child that is not
 /// there low is +infinity and high -infinity.
 struct alignas(32) Node {
-    std::array<std::array<float, lane_count>, 6> bounds;  ///< low x, high x, low y, high y, low z, high z
-    std::array<std::uint32_t, lane_count> child;          ///< place of a node, or leaf_bit | place of the first packet
-    std::array<std::uint32_t, lane_count> packets;        ///< of a leaf: how many; 0 of a node
+    std::array<FloatLanes, 6> bounds;             ///< low x, high x, low y, high y, low z, high z
+    std::array<std::uint32_t, lane_count> child;  ///< place of a node, or leaf_bit | place of a packet
 };
 inline constexpr std::uint32_t leaf_bit = 0x80000000U;
 
 /// Up to eight triangles, coordinate by coordinate. A place that is free holds a triangle of NaN, which nothing meets.
 struct alignas(32) Packet {
-    std::array<std::array<std::array<float, lane_count>, 3>, 3> corner;  ///< [corner][axis]
-    std::array<std::uint32_t, lane_count> triangle;                      ///< place in the list of the maker
+    std::array<std::array<FloatLanes, 3>, 3> corner;  ///< [corner][axis]
+    std::array<std::uint32_t, lane_count> triangle;   ///< place in the list of the maker
 };
 
 /// Corners of a triangle.

@@ -18,8 +18,6 @@ inline void fill(FloatLanes& lanes, float value)
     lanes = FloatLanes{value, value, value, value, value, value, value, value};
 }
 
-inline void load(FloatLanes& lanes, const float* from) { std::memcpy(&lanes, from, sizeof lanes); }
-
 /// One bit for each lane that is yes, the first one in the lowest bit.
 inline unsigned bits_of(const IntLanes& mask)
 {

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "raytrace/hierarchy.hpp"
 
@@ -53,12 +54,8 @@ unsigned children_met(const PreparedRay<Instructions>& ray, const Node& node, fl
     fill(exit, end);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto near = static_cast<std::size_t>(ray.near[axis]);
-        FloatLanes first;
-        FloatLanes last;
-        load(first, node.bounds[near].data());
-        load(last, node.bounds[near ^ 1U].data());
-        first = (first - ray.origin[axis]) * ray.inverse[axis];
-        last = (last - ray.origin[axis]) * ray.inverse[axis] * 1.0000004F;
+        const FloatLanes first = (node.bounds[near] - ray.origin[axis]) * ray.inverse[axis];
+        const FloatLanes last = (node.bounds[near ^ 1U] - ray.origin[axis]) * ray.inverse[axis] * 1.0000004F;
         entry = first > entry ? first : entry;
         exit = last < exit ? last : exit;
     }
@@ -76,18 +73,16 @@ void meet_packet(const PreparedRay<Instructions>& ray, const Packet& packet, flo
     const auto axis_y = static_cast<std::size_t>(ray.y);
     const auto axis_z = static_cast<std::size_t>(ray.along);
     for (std::size_t i = 0; i < 3; ++i) {
-        load(x[i], packet.corner[i][axis_x].data());
-        load(y[i], packet.corner[i][axis_y].data());
-        load(z[i], packet.corner[i][axis_z].data());
-        z[i] -= ray.origin[axis_z];
-        x[i] = x[i] - ray.origin[axis_x] - ray.shear_x * z[i];
-        y[i] = y[i] - ray.origin[axis_y] - ray.shear_y * z[i];
+        z[i] = packet.corner[i][axis_z] - ray.origin[axis_z];
+        x[i] = packet.corner[i][axis_x] - ray.origin[axis_x] - ray.shear_x * z[i];
+        y[i] = packet.corner[i][axis_y] - ray.origin[axis_y] - ray.shear_y * z[i];
     }
     // Products of the same numbers, so that both triangles of an edge see the ray on the same side of it.
     const FloatLanes a = x[2] * y[1] - y[2] * x[1];
     const FloatLanes b = x[0] * y[2] - y[0] * x[2];
     const FloatLanes c = x[1] * y[0] - y[1] * x[0];
     const IntLanes inside = ((a >= 0) & (b >= 0) & (c >= 0)) | ((a <= 0) & (b <= 0) & (c <= 0));
+    if (bits_of(inside) == 0) return;
     const FloatLanes sum = a + b + c;
     const FloatLanes t = (a * z[0] + b * z[1] + c * z[2]) * ray.shear_along / sum;
     unsigned met = bits_of(inside & (sum != 0) & (t > begin) & (t <= hit.t));
@@ -102,25 +97,32 @@ void meet_packet(const PreparedRay<Instructions>& ray, const Packet& packet, flo
 /// What is still to be looked at. A tree of 2^28 triangles is less than 64 levels deep, and each level leaves 7.
 struct Waiting {
     std::uint32_t child;
-    std::uint32_t packets;
     float entry;
 };
 inline constexpr std::size_t most_waiting = 64 * 7 + 8;
 
-/// Puts the children that are met on the stack, the farthest first. Returns the new height.
-template <class Instructions>
-std::size_t put_sorted(const Node& node, unsigned met, const FloatLanes& entry, Waiting* stack, std::size_t height)
+/// Takes the nearest of the children that are met; the others go on the stack, the farthest first. (Where any hit will
+/// do, the order is not worth the comparisons.)
+template <bool first_found>
+Waiting nearest_of(const Node& node, unsigned met, const FloatLanes& entry, Waiting* stack, std::size_t& height)
 {
-    const std::size_t bottom = height;
-    for (; met != 0; met &= met - 1) {
+    const auto next = [&] {
         const int lane = std::countr_zero(met);
-        const auto place = static_cast<std::size_t>(lane);
-        const Waiting one{node.child[place], node.packets[place], entry[lane]};
+        met &= met - 1;
+        return Waiting{node.child[static_cast<std::size_t>(lane)], entry[lane]};
+    };
+    const std::size_t bottom = height;
+    Waiting nearest = next();
+    while (met != 0) {
+        Waiting one = next();
         std::size_t at = height++;
-        for (; at > bottom && stack[at - 1].entry < one.entry; --at) stack[at] = stack[at - 1];
+        if constexpr (!first_found) {
+            if (one.entry < nearest.entry) std::swap(one, nearest);
+            for (; at > bottom && stack[at - 1].entry < one.entry; --at) stack[at] = stack[at - 1];
+        }
         stack[at] = one;
     }
-    return height;
+    return nearest;
 }
 
 /// `first_found`: any hit will do.
@@ -136,22 +138,20 @@ Hit walk(const Hierarchy& hierarchy, const Ray& ray)
     prepare(prepared, ray);
     std::array<Waiting, most_waiting> stack;
     std::size_t height = 0;
-    stack[height++] = {0, 0, ray.t_min};
+    stack[height++] = {0, ray.t_min};
     while (height > 0) {
-        const Waiting now = stack[--height];
+        Waiting now = stack[--height];
         if (now.entry > hit.t) continue;
-        if ((now.child & leaf_bit) == 0) {
+        while ((now.child & leaf_bit) == 0) {
             const Node& node = hierarchy.nodes[now.child];
             FloatLanes entry;
             const unsigned met = children_met(prepared, node, ray.t_min, hit.t, entry);
-            height = put_sorted<Instructions>(node, met, entry, stack.data(), height);
-            continue;
+            if (met == 0) break;
+            now = nearest_of<first_found>(node, met, entry, stack.data(), height);
         }
-        const std::uint32_t first = now.child & ~leaf_bit;
-        for (std::uint32_t i = first; i < first + now.packets; ++i) {
-            meet_packet(prepared, hierarchy.packets[i], ray.t_min, hit);
-            if (first_found && hit.triangle != Hit::nothing) return hit;
-        }
+        if ((now.child & leaf_bit) == 0) continue;
+        meet_packet(prepared, hierarchy.packets[now.child & ~leaf_bit], ray.t_min, hit);
+        if (first_found && hit.triangle != Hit::nothing) return hit;
     }
     return hit;
 }
