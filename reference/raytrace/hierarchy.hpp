@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "raytrace/lanes.hpp"
+#include "raytrace/large_pages.hpp"
 
 /// The engine's rays among triangles: a tree of boxes, eight children a node, eight triangles a packet, tested
 /// together. The textbook form of the same is raytracing/bounding-volumes, and of the intersection raytracing/triangle.
@@ -45,8 +46,8 @@ struct Hit {
 
 /// Plain data: made by make_hierarchy, asked by first_hit and is_blocked, by any number of threads.
 struct Hierarchy {
-    std::vector<Node> nodes;  ///< the first is the root
-    std::vector<Packet> packets;
+    std::vector<Node, LargePages<Node>> nodes;  ///< the first is the root
+    std::vector<Packet, LargePages<Packet>> packets;
 
     [[nodiscard]] std::size_t bytes() const { return nodes.size() * sizeof(Node) + packets.size() * sizeof(Packet); }
 };
