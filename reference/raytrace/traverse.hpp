@@ -101,15 +101,28 @@ struct Waiting {
 };
 inline constexpr std::size_t most_waiting = 64 * 7 + 8;
 
+/// Has memory begin to fetch a child that will be looked at soon.
+inline void prefetch(const Hierarchy& hierarchy, std::uint32_t child)
+{
+    constexpr std::size_t line = 64;
+    const bool is_leaf = (child & leaf_bit) != 0;
+    const auto* from = is_leaf ? reinterpret_cast<const char*>(&hierarchy.packets[child & ~leaf_bit])
+                               : reinterpret_cast<const char*>(&hierarchy.nodes[child]);
+    for (std::size_t i = 0; i < sizeof(Node); i += line) __builtin_prefetch(from + i);
+}
+
 /// Takes the nearest of the children that are met; the others go on the stack, the farthest first. (Where any hit will
 /// do, the order is not worth the comparisons.)
 template <bool first_found>
-Waiting nearest_of(const Node& node, unsigned met, const FloatLanes& entry, Waiting* stack, std::size_t& height)
+Waiting nearest_of(const Hierarchy& hierarchy, const Node& node, unsigned met, const FloatLanes& entry, Waiting* stack,
+                   std::size_t& height)
 {
     const auto next = [&] {
         const int lane = std::countr_zero(met);
         met &= met - 1;
-        return Waiting{node.child[static_cast<std::size_t>(lane)], entry[lane]};
+        const std::uint32_t child = node.child[static_cast<std::size_t>(lane)];
+        prefetch(hierarchy, child);
+        return Waiting{child, entry[lane]};
     };
     const std::size_t bottom = height;
     Waiting nearest = next();
@@ -131,8 +144,9 @@ Hit walk(const Hierarchy& hierarchy, const Ray& ray)
 {
     Hit hit;
     // Strictly before t_max, by a comparison that admits equality.
-    hit.t = std::nextafter(ray.t_max, -std::numeric_limits<float>::infinity());
-    if (ray.t_max == std::numeric_limits<float>::infinity()) hit.t = std::numeric_limits<float>::max();
+    hit.t = ray.t_max == std::numeric_limits<float>::infinity()
+                ? std::numeric_limits<float>::max()
+                : std::nextafter(ray.t_max, -std::numeric_limits<float>::infinity());
     if (hierarchy.nodes.empty() || ray.direction == glm::vec3(0)) return hit;
     PreparedRay<Instructions> prepared;
     prepare(prepared, ray);
@@ -147,7 +161,7 @@ Hit walk(const Hierarchy& hierarchy, const Ray& ray)
             FloatLanes entry;
             const unsigned met = children_met(prepared, node, ray.t_min, hit.t, entry);
             if (met == 0) break;
-            now = nearest_of<first_found>(node, met, entry, stack.data(), height);
+            now = nearest_of<first_found>(hierarchy, node, met, entry, stack.data(), height);
         }
         if ((now.child & leaf_bit) == 0) continue;
         meet_packet(prepared, hierarchy.packets[now.child & ~leaf_bit], ray.t_min, hit);
