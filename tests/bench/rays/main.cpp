@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstring>
 #include <functional>
+#include <thread>
 
 #include "embree.hpp"
 #include "meshes.hpp"
@@ -67,6 +68,23 @@ void measure_rays(const char* what, const std::vector<Ray>& rays, bool any, int 
     if (met == 0) fmt::print("  (none of these rays meets anything)\n");
 }
 
+/// Two threads follow half of the rays each, beside one that follows all.
+void measure_threads(const std::vector<Ray>& rays, int rounds, const Hierarchy& hierarchy)
+{
+    const auto follow = [&](std::size_t begin, std::size_t end) {
+        std::size_t met = 0;
+        for (std::size_t i = begin; i < end; ++i) met += first_hit(hierarchy, rays[i]).triangle != Hit::nothing;
+        return met;
+    };
+    const auto one = [&] { (void)follow(0, rays.size()); };
+    const auto two = [&] {
+        const std::jthread other([&] { (void)follow(0, rays.size() / 2); });
+        (void)follow(rays.size() / 2, rays.size());
+    };
+    const Compared compared = compare(rounds, two, one);
+    fmt::print("  {:<26} {:.2f} times as fast as one\n", "two threads, diffuse rays", compared.ratio);
+}
+
 void measure(int rings, int side, int rounds)
 {
     const std::vector<Corners> triangles = hilly_sphere(rings);
@@ -85,6 +103,7 @@ void measure(int rings, int side, int rounds)
     measure_rays("shadow rays", second_rays(hierarchy, primary, true), true, rounds, hierarchy, *embree);
     measure_rays("diffuse rays", second_rays(hierarchy, primary, false), false, rounds, hierarchy, *embree);
     measure_rays("random rays", random_rays(primary.size()), false, rounds, hierarchy, *embree);
+    measure_threads(second_rays(hierarchy, primary, false), rounds, hierarchy);
 }
 
 }
