@@ -27,7 +27,7 @@ void validate_mutants(Application& application, const MutantsOptions& options)
     have_built(application, exercises);
     Crew crew(application.tools, options.jobs);
     std::vector<UnitMutants> units;
-    try_units(crew, finder, exercises, 0, [&](const UnitMutants& unit) {
+    try_units(crew, options.family, finder, exercises, 0, [&](const UnitMutants& unit) {
         units.push_back(unit);
         if (options.json || (options.quiet && unit.holds())) return;
         fmt::print("{}", paint.safe_lines(mutants_text(unit)));
@@ -35,7 +35,7 @@ void validate_mutants(Application& application, const MutantsOptions& options)
     });
     if (options.json)
         fmt::print("{}\n", mutants_json(units).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-    if (!options.markdown.empty()) write_output(options.markdown, mutants_markdown(units));
+    if (!options.markdown.empty()) write_output(options.markdown, mutants_markdown(options.family, units));
     const auto holding = std::ranges::count_if(units, &UnitMutants::holds);
     if (!options.json)
         fmt::print("{} units, {} of them with mutants that survive, or entries out of date\n", units.size(),

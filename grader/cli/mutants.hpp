@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/application.hpp"
+#include "mutants/mutant.hpp"
 
 namespace umbral::grader {
 
@@ -15,6 +16,7 @@ struct MutantsOptions {
     bool json = false;
     bool quiet = false;  ///< print only what fails
     std::string markdown;
+    MutantFamily family = MutantFamily::syntax;
 };
 
 /// Tries small changes of the units' references: each must lose points, or be listed as equivalent.

@@ -29,6 +29,7 @@ struct Options {
     bool quiet = false;
     std::string table;
     bool mutants = false;
+    bool slips = false;
     std::string markdown;
 };
 
@@ -117,13 +118,19 @@ void add_validate(Command parser, Application& application)
     command.option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown")
         .called("FILE");
     command.flag("--mutants", options->mutants, "Instead: small changes of each reference must lose points");
-    command.option("--markdown", options->markdown, "With --mutants: write what came of them as Markdown")
+    command.flag("--slips", options->slips,
+                 "Instead: what students write by a slip in each reference (another component, variable or order, a "
+                 "tolerance, a kept answer) must lose points");
+    command.option("--markdown", options->markdown, "With --mutants or --slips: write what came of them as Markdown")
         .called("FILE");
     command.runs([&application, options] {
-        if (options->mutants)
+        if (options->mutants && options->slips) throw UsageError("--mutants and --slips: one after the other");
+        if (options->mutants || options->slips)
             return validate_mutants(application,
-                                    {options->units, options->jobs, options->json, options->quiet, options->markdown});
-        if (!options->markdown.empty()) throw UsageError("--markdown goes with --mutants; mistakes have --table");
+                                    {options->units, options->jobs, options->json, options->quiet, options->markdown,
+                                     options->slips ? MutantFamily::slips : MutantFamily::syntax});
+        if (!options->markdown.empty())
+            throw UsageError("--markdown goes with --mutants or --slips; mistakes have --table");
         validate(application, *options);
     });
 }

@@ -30,9 +30,10 @@ std::string quoted(const std::string& word)
 }
 
 /// What umbral-mutate prints. Its words are the build's own.
-std::string found_by(const fs::path& finder, const fs::path& source, const Toolchain& tools)
+std::string found_by(const fs::path& finder, MutantFamily family, const fs::path& source, const Toolchain& tools)
 {
-    std::string command = quoted(finder.string()) + " " + quoted(source.string());
+    std::string command =
+        quoted(finder.string()) + (family == MutantFamily::slips ? " --slips " : " ") + quoted(source.string());
     for (const std::string& flag : tools.flags)
         if (flag.starts_with("-std=") || flag.starts_with("-D")) command += " " + quoted(flag);
     command += " " + quoted("-I" + tools.framework.string()) + " 2>&1";
@@ -44,9 +45,9 @@ std::string found_by(const fs::path& finder, const fs::path& source, const Toolc
     return text;
 }
 
-std::vector<Mutant> find(const fs::path& finder, const fs::path& source, const Toolchain& tools)
+std::vector<Mutant> find(const fs::path& finder, MutantFamily family, const fs::path& source, const Toolchain& tools)
 {
-    const std::string text = found_by(finder, source, tools);
+    const std::string text = found_by(finder, family, source, tools);
     const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     if (!json.is_array()) throw std::runtime_error(fmt::format("{}: {}", finder.filename().string(), text));
     std::vector<Mutant> mutants;
@@ -115,12 +116,12 @@ std::set<unsigned> blamed(const std::string& output, const std::string& source, 
 
 }
 
-BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, const fs::path& finder,
-                           const fs::path& source, const fs::path& work)
+BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, MutantFamily family,
+                           const fs::path& finder, const fs::path& source, const fs::path& work)
 {
     constexpr int most_attempts = 60;
     BuiltMutants built;
-    built.mutants = find(finder, source, tools);
+    built.mutants = find(finder, family, source, tools);
     const std::size_t found = built.mutants.size();
     const std::string text = read_text(source);
     for (int attempt = 0;; ++attempt) {

@@ -17,9 +17,10 @@ struct BuiltMutants {
     std::filesystem::path library;
 };
 
-/// Finds the mutants of the reference in the file `source` by the program `finder` (umbral-mutate) and compiles it with
-/// all that compile into the folder `work`. Throws std::runtime_error with the compiler's words if it cannot be done.
-[[nodiscard]] BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise,
+/// Finds the mutants of this family of the reference in the file `source` by the program `finder` (umbral-mutate) and
+/// compiles it with all that compile into the folder `work`. Throws std::runtime_error with the compiler's words if it
+/// cannot be done.
+[[nodiscard]] BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, MutantFamily family,
                                          const std::filesystem::path& finder, const std::filesystem::path& source,
                                          const std::filesystem::path& work);
 

@@ -20,9 +20,11 @@ std::string line_of(const std::string& source, std::size_t number)
 
 }
 
-std::vector<Equivalent> equivalents_of(const std::filesystem::path& unit)
+std::string entries_file(MutantFamily family) { return family == MutantFamily::slips ? "slips.json" : "mutants.json"; }
+
+std::vector<Equivalent> equivalents_of(const std::filesystem::path& unit, MutantFamily family)
 {
-    const std::filesystem::path file = unit / "mutants.json";
+    const std::filesystem::path file = unit / entries_file(family);
     if (!std::filesystem::exists(file)) return {};
     std::ifstream stream(file);
     const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);

@@ -15,9 +15,12 @@ struct Equivalent {
     std::string reason;
 };
 
-/// The file mutants.json of a unit's folder: [{"line", "change", "reason"}, …]; none is an empty list. Throws
+/// The name of a unit's file of equivalents: "mutants.json", of slips "slips.json".
+[[nodiscard]] std::string entries_file(MutantFamily family);
+
+/// What that file in a unit's folder says: [{"line", "change", "reason"}, …]; none is an empty list. Throws
 /// std::runtime_error that names the file and what was expected.
-[[nodiscard]] std::vector<Equivalent> equivalents_of(const std::filesystem::path& unit);
+[[nodiscard]] std::vector<Equivalent> equivalents_of(const std::filesystem::path& unit, MutantFamily family);
 
 /// Is this entry about that mutant of the source?
 [[nodiscard]] bool is_about(const Equivalent& entry, const Mutant& mutant, const std::string& source);

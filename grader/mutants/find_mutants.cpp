@@ -135,11 +135,8 @@ std::string one_line(const std::string& text)
 
 }
 
-std::vector<Mutant> find_mutants(const Syntax& syntax)
+std::vector<Mutant> numbered(std::vector<Mutant> mutants)
 {
-    Finder finder(syntax);
-    for (const Node& function : syntax.functions) finder.function(function);
-    std::vector<Mutant> mutants = std::move(finder).found();
     std::ranges::stable_sort(mutants, {}, &Mutant::begin);
     unsigned number = 0;
     for (Mutant& mutant : mutants) {
@@ -147,6 +144,13 @@ std::vector<Mutant> find_mutants(const Syntax& syntax)
         mutant.change = one_line(mutant.change);
     }
     return mutants;
+}
+
+std::vector<Mutant> find_mutants(const Syntax& syntax)
+{
+    Finder finder(syntax);
+    for (const Node& function : syntax.functions) finder.function(function);
+    return numbered(std::move(finder).found());
 }
 
 }

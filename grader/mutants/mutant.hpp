@@ -6,13 +6,20 @@
 
 namespace umbral::grader {
 
+/// What kind of changes are looked for.
+enum class MutantFamily {
+    syntax,  ///< one sign of the language after the other
+    slips    ///< what students write instead
+};
+
 /// A small change of a reference's source, made at run time where the run is given its number.
 struct Mutant {
     /// How the change is written into the source.
     enum class Form {
         expression,  ///< the expression from `begin` to `end` becomes `replacement`
         statement,   ///< the statement from `begin` to `end` is left out
-        inserted     ///< `replacement`, a statement, comes in at `begin`
+        inserted,    ///< `replacement`, a statement, comes in at `begin`
+        instead      ///< the statements from `begin` to `end` become `replacement`
     };
     unsigned number = 0;  ///< from 1 in each source; 0 is the reference itself
     Form form = Form::expression;

@@ -36,18 +36,25 @@ std::string mutants_text(const UnitMutants& unit)
     for (const TriedMutant* one : unit.survivors())
         text += fmt::format("  {}: {}: {}\n", place(unit, *one), one->mutant.kind, one->mutant.change);
     for (const Equivalent& entry : unit.stale)
-        text += fmt::format("  mutants.json: no mutant survives of: {} ({})\n", entry.change, entry.line);
+        text += fmt::format("  entry out of date, no such mutant survives: {} ({})\n", entry.change, entry.line);
     return text;
 }
 
-std::string mutants_markdown(std::span<const UnitMutants> units)
+std::string mutants_markdown(MutantFamily family, std::span<const UnitMutants> units)
 {
+    const bool slips = family == MutantFamily::slips;
     std::string page =
-        "# Mutants of the references\n\nMade by `umbral validate --mutants --markdown docs/mutants.md`. Each mutant is "
-        "one small change of a unit's reference; it is killed if a check takes points for it.\n"
-        "An equivalent one is listed in the unit's `mutants.json`, with the reason why no user could tell it from the "
-        "reference; any other that survives shows what no check looks at.\n\n"
-        "| unit | mutants | killed | equivalent | survive |\n|---|---|---|---|---|\n";
+        slips ? "# Slips in the references\n\nMade by `umbral validate --slips --markdown docs/slips.md`. Each is one "
+                "change of a unit's reference as students make them: another component, field or variable of the same "
+                "type, an absolute tolerance, a value cut or normalised, the last round of a loop left out, two "
+                "statements in the other order, an answer kept for arguments of the same sizes and numbers. "
+              : "# Mutants of the references\n\nMade by `umbral validate --mutants --markdown docs/mutants.md`. Each "
+                "mutant is one small change of a unit's reference. ";
+    page += fmt::format(
+        "It is killed if a check takes points for it.\nAn equivalent one is listed in the unit's `{}`, with the reason "
+        "why no user could tell it from the reference; any other that survives shows what no check looks at.\n\n",
+        entries_file(family));
+    page += "| unit | mutants | killed | equivalent | survive |\n|---|---|---|---|---|\n";
     for (const UnitMutants& unit : units)
         page += unit.trouble.empty() ? fmt::format("| {} | {} | {} | {} | {} |\n", unit.unit, unit.mutants.size(),
                                                    unit.killed(), equivalent(unit), unit.survivors().size())

@@ -12,7 +12,7 @@ namespace umbral::grader {
 [[nodiscard]] std::string mutants_text(const UnitMutants& unit);
 
 /// All units as a page of Markdown: the figures, the survivors, and those that are equivalent with the reason.
-[[nodiscard]] std::string mutants_markdown(std::span<const UnitMutants> units);
+[[nodiscard]] std::string mutants_markdown(MutantFamily family, std::span<const UnitMutants> units);
 
 /// The same as JSON, with every mutant.
 [[nodiscard]] nlohmann::json mutants_json(std::span<const UnitMutants> units);

@@ -51,25 +51,6 @@ bool is_operator(Text text)
     return std::ranges::any_of(operators, [&](const Exchange& one) { return one.one == text; });
 }
 
-/// The two operands of a binary operator, also of an overloaded one, and the operator between them.
-struct Binary {
-    const Node* left = nullptr;
-    const Node* right = nullptr;
-    std::string word;
-};
-
-Binary binary_of(const Syntax& syntax, const Node& node)
-{
-    const bool overloaded = node.kind == CXCursor_CallExpr && Text(node.called).starts_with("operator");
-    if (node.kind != CXCursor_BinaryOperator && node.kind != CXCursor_CompoundAssignOperator && !overloaded) return {};
-    std::vector<const Node*> operands;
-    for (const Node& child : node.children)
-        if (!overloaded || child.called != node.called || child.end - child.begin > 3) operands.push_back(&child);
-    if (operands.size() != 2 || operands[0]->end > operands[1]->begin) return {};
-    const Text between = Text(syntax.text).substr(operands[0]->end, operands[1]->begin - operands[0]->end);
-    return {operands[0], operands[1], trimmed(between)};
-}
-
 void mutate_binary(const Syntax& syntax, const Node& node, const Binary& binary, std::vector<Mutant>& mutants)
 {
     const std::string left(syntax.of(*binary.left));
@@ -165,6 +146,18 @@ void mutate_index(const Syntax& syntax, const Node& node, std::vector<Mutant>& m
                mutants);
 }
 
+}
+
+Binary binary_of(const Syntax& syntax, const Node& node)
+{
+    const bool overloaded = node.kind == CXCursor_CallExpr && Text(node.called).starts_with("operator");
+    if (node.kind != CXCursor_BinaryOperator && node.kind != CXCursor_CompoundAssignOperator && !overloaded) return {};
+    std::vector<const Node*> operands;
+    for (const Node& child : node.children)
+        if (!overloaded || child.called != node.called || child.end - child.begin > 3) operands.push_back(&child);
+    if (operands.size() != 2 || operands[0]->end > operands[1]->begin) return {};
+    const Text between = Text(syntax.text).substr(operands[0]->end, operands[1]->begin - operands[0]->end);
+    return {operands[0], operands[1], trimmed(between)};
 }
 
 void add_change(const Syntax& syntax, const Node& node, const char* kind, const std::string& replacement,

@@ -21,6 +21,28 @@ std::string flat(std::string_view text)
     return line;
 }
 
+/// For slips that keep answers: under the sizes of lists, and numbers; other arguments are not told apart.
+constexpr const char* keeps_answers = R"(
+template <class T> static double umbral_size(const T& value)
+{
+    if constexpr (requires { value.size(); }) return static_cast<double>(value.size());
+    else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) return static_cast<double>(value);
+    else return 0;
+}
+template <class Ask, class... All> static auto umbral_kept(Ask ask, const All&... all)
+{
+    static std::map<std::vector<double>, decltype(ask())> kept;
+    const std::vector<double> sizes{umbral_size(all)...};
+    if (const auto found = kept.find(sizes); found != kept.end()) return found->second;
+    return kept.emplace(sizes, ask()).first->second;
+}
+struct umbral_once {
+    explicit umbral_once(bool& asking) : asking_(asking) { asking_ = true; }
+    ~umbral_once() { asking_ = false; }
+    bool& asking_;
+};
+)";
+
 /// Writes a source from its beginning to its end; mutants that lie within others are written within their originals.
 class Writer {
 public:
@@ -75,6 +97,9 @@ private:
         const std::string original = until(mutant.end);
         if (mutant.form == Mutant::Form::statement)
             return fmt::format("{{{}if (!umbral_mutant({})) {}{} }}", own_line, mutant.number, back, original);
+        if (mutant.form == Mutant::Form::instead)
+            return fmt::format("{{{}if (umbral_mutant({})) {{ {} }} else {{{}{} }} }}", own_line, mutant.number,
+                               flat(mutant.replacement), back, original);
         // What is asked is whether it is true, whatever its type.
         if (mutant.kind == "condition")
             return fmt::format("({}umbral_mutant({}) ? ({}) :{}static_cast<bool>({}))", own_line, mutant.number,
@@ -99,11 +124,11 @@ std::string with_mutants(const std::string& source, std::span<const Mutant> muta
 {
     // A change of another type would change the original too: both sides of a ?: become one type.
     return fmt::format(
-        "#include <type_traits>\nextern \"C\" {{ int {0} = 0; }}\n"
+        "#include <cmath>\n#include <map>\n#include <type_traits>\n#include <vector>\nextern \"C\" {{ int {0} = 0; }}\n"
         "static inline bool umbral_mutant(int number) {{ return {0} % {2} == number || {0} / {2} == number; }}\n"
         "template <class T, class U> requires std::is_same_v<std::remove_cvref_t<T>, std::remove_cvref_t<U>>\n"
-        "static inline T umbral_as(U&& changed) {{ return static_cast<T>(changed); }}\n#line 1\n{1}",
-        chosen_mutant, Writer(source, mutants).text(), most_mutants);
+        "static inline T umbral_as(U&& changed) {{ return static_cast<T>(changed); }}\n{3}#line 1\n{1}",
+        chosen_mutant, Writer(source, mutants).text(), most_mutants, keeps_answers);
 }
 
 }

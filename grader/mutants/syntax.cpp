@@ -40,9 +40,38 @@ Place place_of(CXSourceLocation location)
 std::string type_of(CXCursor cursor)
 {
     const CXCursorKind kind = clang_getCursorKind(cursor);
-    CXType type = clang_isDeclaration(kind) != 0 ? clang_getCursorResultType(cursor) : clang_getCursorType(cursor);
+    const bool gives = clang_isDeclaration(kind) != 0 && kind != CXCursor_VarDecl && kind != CXCursor_ParmDecl;
+    CXType type = gives ? clang_getCursorResultType(cursor) : clang_getCursorType(cursor);
     std::string name = taken(clang_getTypeSpelling(clang_getCanonicalType(type)));
+    if (!gives && name.ends_with(" &")) name.resize(name.size() - 2);
     return name.starts_with("const ") ? name.substr(6) : name;
+}
+
+/// The fields of a struct of one type, in their order.
+struct Fields {
+    CXType type;
+    std::vector<std::string> names;
+};
+
+CXChildVisitResult take_field(CXCursor cursor, CXCursor /*parent*/, CXClientData data)
+{
+    auto& fields = *static_cast<Fields*>(data);
+    if (clang_getCursorKind(cursor) == CXCursor_FieldDecl &&
+        clang_equalTypes(clang_getCanonicalType(clang_getCursorType(cursor)), fields.type) != 0)
+        fields.names.push_back(taken(clang_getCursorSpelling(cursor)));
+    return CXChildVisit_Continue;
+}
+
+/// The field after the one that is named, of the same struct and type; after the last one comes the first.
+std::string sibling_of(CXCursor cursor)
+{
+    const CXCursor field = clang_getCursorReferenced(cursor);
+    if (clang_getCursorKind(field) != CXCursor_FieldDecl) return "";
+    Fields fields{clang_getCanonicalType(clang_getCursorType(field)), {}};
+    clang_visitChildren(clang_getCursorSemanticParent(field), take_field, &fields);
+    const auto own = std::ranges::find(fields.names, taken(clang_getCursorSpelling(field)));
+    if (fields.names.size() < 2 || own == fields.names.end()) return "";
+    return own + 1 == fields.names.end() ? fields.names.front() : *(own + 1);
 }
 
 std::vector<Node> children_of(CXCursor cursor, CXFile file);
@@ -62,6 +91,7 @@ CXChildVisitResult take(CXCursor cursor, CXCursor /*parent*/, CXClientData data)
               begin.line,
               type_of(cursor),
               taken(clang_getCursorSpelling(cursor)),
+              kind == CXCursor_MemberRefExpr ? sibling_of(cursor) : "",
               children_of(cursor, visit.file)};
     // Casts and temporaries that the compiler added.
     if (kind == CXCursor_UnexposedExpr && node.children.size() == 1)

@@ -38,7 +38,8 @@ private:
     std::map<std::string, int> kills_;
 };
 
-/// Marks the survivors that the unit's mutants.json gives a reason for, and keeps the entries that are about none.
+/// Marks the survivors that the unit's file of equivalents gives a reason for, and keeps the entries that are about
+/// none.
 void compare_with_entries(const std::vector<Equivalent>& entries, const std::string& source, UnitMutants& unit)
 {
     for (const Equivalent& entry : entries) {
@@ -52,14 +53,15 @@ void compare_with_entries(const std::vector<Equivalent>& entries, const std::str
     }
 }
 
-UnitMutants try_unit(Crew& crew, const std::filesystem::path& finder, const Exercise& exercise, unsigned seed)
+UnitMutants try_unit(Crew& crew, MutantFamily family, const std::filesystem::path& finder, const Exercise& exercise,
+                     unsigned seed)
 {
     const Toolchain& tools = crew.first().tools();
     const std::filesystem::path source = reference_files(tools.reference, exercise).begin()->second;
     UnitMutants unit{exercise.id, source.lexically_relative(tools.reference).string(), {}, 0};
-    const std::vector<Equivalent> entries = equivalents_of(exercise.folder);
+    const std::vector<Equivalent> entries = equivalents_of(exercise.folder, family);
     const ScratchFolder work(tools.cache);
-    const BuiltMutants built = build_mutants(tools, exercise, finder, source, work.path());
+    const BuiltMutants built = build_mutants(tools, exercise, family, finder, source, work.path());
     unit.not_compiled = built.not_compiled;
     for (const Mutant& mutant : built.mutants) unit.mutants.push_back({mutant, {}});
     CaseOrder order(exercise.cases());
@@ -93,13 +95,13 @@ std::vector<const TriedMutant*> UnitMutants::survivors() const
 
 bool UnitMutants::holds() const { return trouble.empty() && stale.empty() && survivors().empty(); }
 
-void try_units(Crew& crew, const std::filesystem::path& finder, std::span<const Exercise> exercises, unsigned seed,
-               const std::function<void(const UnitMutants&)>& done)
+void try_units(Crew& crew, MutantFamily family, const std::filesystem::path& finder,
+               std::span<const Exercise> exercises, unsigned seed, const std::function<void(const UnitMutants&)>& done)
 {
     for (const Exercise& exercise : exercises) {
         if (!exercise.is_cpp()) continue;
         try {
-            done(try_unit(crew, finder, exercise, seed));
+            done(try_unit(crew, family, finder, exercise, seed));
         } catch (const std::exception& error) {
             UnitMutants unit{exercise.id, "", {}, 0};
             unit.trouble = error.what();

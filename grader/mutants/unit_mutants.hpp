@@ -36,9 +36,10 @@ struct UnitMutants {
     [[nodiscard]] bool holds() const;
 };
 
-/// Tries the mutants of the units' references, which `finder` (umbral-mutate) finds, with the inputs of one seed. Units
-/// in GLSL have none and are left out. Calls `done` with each unit's result, in the order of `exercises`.
-void try_units(Crew& crew, const std::filesystem::path& finder, std::span<const Exercise> exercises, unsigned seed,
-               const std::function<void(const UnitMutants&)>& done);
+/// Tries the mutants of this family of the units' references, which `finder` (umbral-mutate) finds, with the inputs of
+/// one seed. Units in GLSL have none and are left out. Calls `done` with each unit's result, in the order of
+/// `exercises`.
+void try_units(Crew& crew, MutantFamily family, const std::filesystem::path& finder,
+               std::span<const Exercise> exercises, unsigned seed, const std::function<void(const UnitMutants&)>& done);
 
 }

@@ -74,10 +74,10 @@ TEST(Schemata, lines_of_diagnostics_tell_the_mutant)
 TEST(Equivalents, are_about_a_line_and_a_change)
 {
     const umbral::test::TemporaryFolder folder;
-    EXPECT_TRUE(equivalents_of(folder.path()).empty());
+    EXPECT_TRUE(equivalents_of(folder.path(), MutantFamily::syntax).empty());
     const auto write = [&](const std::string& text) { std::ofstream(folder.path() / "mutants.json") << text; };
     write(R"([{"line": "x = a;", "change": "a → b", "reason": "the same"}])");
-    const std::vector<Equivalent> entries = equivalents_of(folder.path());
+    const std::vector<Equivalent> entries = equivalents_of(folder.path(), MutantFamily::syntax);
     ASSERT_EQ(entries.size(), 1U);
     Mutant mutant = expression(1, 0, 1, "b");
     mutant.line = 2;
@@ -88,7 +88,7 @@ TEST(Equivalents, are_about_a_line_and_a_change)
     for (const char* wrong : {"{}", "[1]", R"([{"line": "x", "change": "y"}])", "no json",
                               R"([{"line": "x", "change": "y", "reason": ""}])"}) {
         write(wrong);
-        EXPECT_THROW((void)equivalents_of(folder.path()), std::runtime_error) << wrong;
+        EXPECT_THROW((void)equivalents_of(folder.path(), MutantFamily::syntax), std::runtime_error) << wrong;
     }
 }
 
@@ -100,7 +100,8 @@ TEST(MutantsTable, says_what_survives_and_what_is_out_of_date)
                     {expression(3, 0, 1, "b"), {}, "the same"}};
     EXPECT_FALSE(unit.holds());
     EXPECT_NE(mutants_text(unit).find("3 mutants,    1 killed,   1 equivalent,   1 survive"), std::string::npos);
-    EXPECT_NE(mutants_markdown(std::vector{unit}).find("| a/b | 3 | 1 | 1 | 1 |"), std::string::npos);
+    EXPECT_NE(mutants_markdown(MutantFamily::syntax, std::vector{unit}).find("| a/b | 3 | 1 | 1 | 1 |"),
+              std::string::npos);
     EXPECT_EQ(mutants_json(std::vector{unit}).at("units").at(0).at("mutants").size(), 3U);
     unit.mutants.erase(unit.mutants.begin() + 1);
     EXPECT_TRUE(unit.holds());

@@ -15,7 +15,8 @@ TEST(TryUnits, kills_what_the_checks_see_and_names_what_they_do_not)
     Crew crew(bench.tools(), 2);
     std::vector<UnitMutants> units;
     // Shaders have no C++ to change.
-    try_units(crew, finder, std::vector{bench.exercise("raytracing/sphere"), bench.exercise("lighting/shaders")}, 0,
+    try_units(crew, MutantFamily::syntax, finder,
+              std::vector{bench.exercise("raytracing/sphere"), bench.exercise("lighting/shaders")}, 0,
               [&](const UnitMutants& unit) { units.push_back(unit); });
     ASSERT_EQ(units.size(), 1U);
     const UnitMutants& sphere = units.front();
