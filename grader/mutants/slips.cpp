@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <initializer_list>
 #include <set>
 
 #include "mutants/find_mutants.hpp"
@@ -17,10 +19,18 @@ bool is_number(const std::string& type)
            type.ends_with("char") || type.ends_with("short");
 }
 
-bool is_never_negative(const Node& node)
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names)
 {
-    constexpr std::array<std::string_view, 6> names{"length", "distance", "abs", "sqrt", "hypot", "exp"};
-    return std::ranges::find(names, std::string_view(node.called)) != names.end();
+    return std::ranges::find(names, name) != names.end();
+}
+
+/// May the value be negative, and above 1? Of what is called that is known of few functions.
+bool has_any_size(const Syntax& syntax, const Node& node)
+{
+    if (node.kind == CXCursor_BinaryOperator) return true;
+    if (node.called == "dot" && node.children.size() > 2)
+        return syntax.of(node.children[node.children.size() - 1]) != syntax.of(node.children[node.children.size() - 2]);
+    return is_one_of(node.called, {"determinant", "tan", "atan", "atan2", "pow", "mix", "lerp", "fma"});
 }
 
 /// What is copied and not changed: y where x is written.
@@ -109,12 +119,10 @@ private:
     void limited(const Node& node)
     {
         const std::string text(syntax_.of(node));
-        if (is_vector(node.type)) {
-            if (text.find("normalize(") == std::string::npos)
-                add_change(syntax_, node, "normalised", "glm::normalize(" + text + ")", mutants_);
-            return;
-        }
-        if (!is_never_negative(node)) add_change(syntax_, node, "limited", "std::abs(" + text + ")", mutants_);
+        if (is_vector(node.type) && is_one_of(node.called, {"operator+", "operator-", "operator*", "cross", "mix"}))
+            add_change(syntax_, node, "normalised", "glm::normalize(" + text + ")", mutants_);
+        if (!is_real(node.type) || !has_any_size(syntax_, node)) return;
+        add_change(syntax_, node, "limited", "std::abs(" + text + ")", mutants_);
         add_change(syntax_, node, "limited", "((" + text + ") > 1 ? 0 * (" + text + ") + 1 : (" + text + "))",
                    mutants_);
     }
@@ -163,7 +171,7 @@ private:
         for (std::size_t i = 0; i + 1 < block.children.size(); ++i) {
             const std::string one = statement(block.children[i]);
             const std::string other = statement(block.children[i + 1]);
-            if (one.empty() || other.empty() || one == other) continue;
+            if (one.empty() || other.empty() || one == other || !(uses(one, other) || uses(other, one))) continue;
             Mutant mutant;
             mutant.form = Mutant::Form::instead;
             mutant.begin = block.children[i].begin;
@@ -175,6 +183,18 @@ private:
             mutants_.push_back(std::move(mutant));
             ++i;
         }
+    }
+
+    /// Does a statement name what the other one begins with: what that one changes, or whose function it calls?
+    static bool uses(const std::string& statement, const std::string& other)
+    {
+        const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+        const auto end = std::ranges::find_if_not(other, is_letter);
+        const std::string name(other.begin(), end);
+        if (name.empty() || end == other.end() || *end == '(') return false;
+        for (std::size_t at = statement.find(name); at != std::string::npos; at = statement.find(name, at + 1))
+            if ((at == 0 || !is_letter(statement[at - 1])) && !is_letter(statement[at + name.size()])) return true;
+        return false;
     }
 
     /// The text of an expression that is a statement, with its semicolon; nothing of others.
