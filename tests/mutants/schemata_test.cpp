@@ -63,6 +63,14 @@ TEST(Schemata, statements_are_left_out_and_come_in)
               "{if (umbral_mutant(1)) return;{if (!umbral_mutant(2)) f(x); }}");
 }
 
+TEST(Schemata, statements_change_places)
+{
+    Mutant order = expression(1, 1, 11, "g(); f();");
+    order.form = Mutant::Form::instead;
+    EXPECT_EQ(body(with_mutants("{f(); g(); }", std::vector{order})),
+              "{{if (umbral_mutant(1)) { g(); f(); } else {f(); g();  } }}");
+}
+
 TEST(Schemata, lines_of_diagnostics_tell_the_mutant)
 {
     const std::string text = with_mutants("int x;\nint y = a < b;\n", std::vector{expression(7, 15, 20, "a <= b")});

@@ -35,6 +35,26 @@ TEST(TryUnits, kills_what_the_checks_see_and_names_what_they_do_not)
     EXPECT_TRUE(alive.contains("discriminant < 0 → false"));
 }
 
+TEST(TryUnits, kills_the_slips_that_the_checks_see)
+{
+    const Workbench bench;
+    const std::filesystem::path finder = bench.tools().programs / "umbral-mutate";
+    if (!std::filesystem::exists(finder)) GTEST_SKIP() << "libclang-14-dev is not installed: NO SLIP WAS TRIED";
+    Crew crew(bench.tools(), 2);
+    std::set<std::string> killed;
+    try_units(crew, MutantFamily::slips, finder,
+              std::vector{bench.exercise("meshes/area"), bench.exercise("raytracing/sphere")}, 0,
+              [&](const UnitMutants& unit) {
+                  EXPECT_EQ(unit.trouble, "");
+                  for (const TriedMutant& one : unit.mutants)
+                      if (one.trial.killed) killed.insert(one.mutant.change);
+              });
+    // What depends on more than sizes cannot be answered by them.
+    EXPECT_TRUE(killed.contains("surface_area(mesh) → what it answered to arguments of the same sizes and numbers"));
+    EXPECT_TRUE(killed.contains("ray.t_min < t → ray.t_min - 1e-4F < t"));
+    EXPECT_TRUE(killed.contains("ray.t_max → ray.t_min"));
+}
+
 // Only trusted libraries hold mutants: a number given to another one is our fault, and changes nothing.
 TEST(TryUnits, a_library_without_mutants_has_none_to_choose)
 {

@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+
+#include "mutants/find_mutants.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+std::set<std::string> slips_of(const std::string& source)
+{
+    const umbral::test::TemporaryFolder folder;
+    const std::string file = folder.path() / "source.cpp";
+    std::ofstream(file) << source;
+    std::set<std::string> changes;
+    for (const Mutant& mutant : find_slips(parse(file, {"-std=c++20"})))
+        changes.insert(mutant.kind + ": " + mutant.change);
+    return changes;
+}
+
+struct Expected {
+    const char* name;
+    const char* source;
+    std::vector<const char*> changes;
+};
+
+class Slips : public testing::TestWithParam<Expected> {};
+
+TEST_P(Slips, are_found)
+{
+    const std::set<std::string> changes = slips_of(GetParam().source);
+    std::string all;
+    for (const std::string& change : changes) all += change + '\n';
+    for (const char* change : GetParam().changes) EXPECT_TRUE(changes.contains(change)) << change << " of\n" << all;
+}
+
+const std::vector<Expected> expected = {
+    {"tolerance",
+     "bool f(float a, float b) { return a < b || a == 0; }",
+     {"tolerance: a < b → a + 1e-4F < b", "tolerance: a < b → a - 1e-4F < b",
+      "tolerance: a == 0 → std::abs((a) - (0)) < 1e-4F"}},
+    {"component", "struct V { float x, y; }; float f(V v) { return v.x; }", {"component: v.x → v.y"}},
+    {"field",
+     "struct View { int width; float near; int height; }; int f(View v) { return v.width - v.height; }",
+     {"field: v.width → v.height", "field: v.height → v.width"}},
+    {"variable",
+     "float f(float a, int n, float b) { float c = a; return b - c; }",
+     {"variable: a → b", "variable: b → c", "variable: c → b"}},
+    {"limited",
+     "float f(float a) { return a * 3; }",
+     {"limited: a * 3 → std::abs(a * 3)", "limited: a * 3 → ((a * 3) > 1 ? 0 * (a * 3) + 1 : (a * 3))"}},
+    {"loop",
+     "int f(int n) { int sum = 0; for (int i = 0; i < n; ++i) sum += i; return sum; }",
+     {"last left out: i < n → i + 1 < n"}},
+    {"order", "int f(int a, int b) { a += b; b *= a; return b; }", {"order: a += b; b *= a; → b *= a; a += b;"}},
+    {"kept",
+     "struct List { int n; }; int f(List list, int k) { return list.n + k; }",
+     {"kept answer: f(list, k) → what it answered to arguments of the same sizes and numbers"}},
+};
+INSTANTIATE_TEST_SUITE_P(All, Slips, testing::ValuesIn(expected),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST(FindSlips, changes_nothing_that_would_be_the_same)
+{
+    // Statements that do not depend on each other, whole numbers, variables of other types, functions of numbers alone.
+    EXPECT_EQ(slips_of("int f(int a, double b) { int c; a += 1; c = 2; return a < c ? a : c; }"),
+              (std::set<std::string>{"variable: a → c", "variable: c → a"}));
+}
+
+TEST(FindSlips, a_loops_head_keeps_its_variables)
+{
+    EXPECT_EQ(slips_of("int f(int n) { int k = 0; for (int i = 0; i < n; ++i) ++k; return k; }"),
+              (std::set<std::string>{"last left out: i < n → i + 1 < n", "variable: k → i", "variable: k → n"}));
+}
+
+}
+}
