@@ -12,6 +12,10 @@ namespace umbral::grader {
 namespace {
 
 constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones can confirm a condition
+/// Something that is so for 1 answer of 100 but one is found out with these many; few are asked at a time.
+constexpr std::size_t enough_answers = 200;
+constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs
+constexpr std::size_t most_confirmed = 6;
 constexpr const char* right_answer = "the right answer";
 constexpr const char* has_answer = "there being a right answer";
 
@@ -93,21 +97,20 @@ public:
     Samples(Worker& worker, const AskedCheck& asked) : worker_(worker), asked_(asked) {}
 
     const Sample& seen() { return at(0); }
-    const Sample& fresh() { return at(1); }
-    const Sample& fresher() { return at(2); }
+    /// From 1 to most_confirmed.
+    const Sample& fresh(std::size_t number) { return at(number); }
 
 private:
     const Sample& at(std::size_t place)
     {
-        constexpr std::array<std::uint64_t, 3> changes{0, 0x9E3779B97F4A7C15U, 0xD1B54A32D192ED03U};
         std::optional<Sample>& one = samples_.at(place);
-        if (!one) one = sample(worker_, asked_, asked_.result.seed ^ changes.at(place));
+        if (!one) one = sample(worker_, asked_, asked_.result.seed ^ (place * 0x9E3779B97F4A7C15U));
         return *one;
     }
 
     Worker& worker_;
     const AskedCheck& asked_;
-    std::array<std::optional<Sample>, 3> samples_;
+    std::array<std::optional<Sample>, 1 + most_confirmed> samples_;
 };
 
 /// "the right answer is nothing" is what people say.
@@ -127,6 +130,26 @@ std::string in_plain_words(const Condition& condition)
     return text;
 }
 
+/// Does the condition part the answers to fresh inputs too, so many that a chance would have shown?
+bool is_confirmed(const Condition& condition, Samples& samples)
+{
+    std::size_t wrong = condition.wrong;
+    std::size_t right = condition.right;
+    for (std::size_t i = 1; i <= most_confirmed; ++i) {
+        const Sample& fresh = samples.fresh(i);
+        const std::vector<bool> which = which_wrong(fresh);
+        // Rare ones may not come again at all.
+        const bool none = fresh.table.names == samples.seen().table.names && !has_both(which, 1);
+        if (none && i > least_confirmed) continue;
+        if (none || fresh.table.names != samples.seen().table.names) return false;
+        if (!parts(condition, fresh.answers.facts, which)) return false;
+        wrong += static_cast<std::size_t>(std::ranges::count(which, true));
+        right += static_cast<std::size_t>(std::ranges::count(which, false));
+        if (i >= least_confirmed && std::min(wrong, right) >= enough_answers) break;
+    }
+    return true;
+}
+
 /// The simplest condition that parts wrong answers from right ones, if it does so on fresh inputs too, or if there can
 /// be no others.
 std::optional<Condition> common_condition(Samples& samples)
@@ -136,25 +159,32 @@ std::optional<Condition> common_condition(Samples& samples)
     const std::vector<bool> wrong = which_wrong(seen);
     std::optional<Condition> condition = simplest_condition(seen.answers.facts, wrong);
     if (!condition) return std::nullopt;
-    const Sample& fresh = samples.fresh();
-    if (fresh.table.names != seen.table.names) return std::nullopt;
-    const bool same = fresh.table.numbers == seen.table.numbers;
+    const Sample& fresh = samples.fresh(1);
+    const bool same = fresh.table.names == seen.table.names && fresh.table.numbers == seen.table.numbers;
     // Where a case always asks the same, nothing can say that the bound is more than a number between them.
     if (same && condition->fitted) return std::nullopt;
     const bool holds = same ? has_both(wrong, least_of_fixed) && condition->right_where == 0 &&
                                   condition->wrong_where == condition->wrong
-                            : parts(*condition, fresh.answers.facts, which_wrong(fresh));
+                            : is_confirmed(*condition, samples);
     return holds ? condition : std::nullopt;
 }
 
-/// What all wrong answers share, if it is so with fresh inputs twice.
+/// What all wrong answers share, if it is so with fresh inputs too, so many that a chance would have shown.
 std::string common_answer(Samples& samples)
 {
+    const auto count = [](const Sample& one) {
+        return static_cast<std::size_t>(std::ranges::count(which_wrong(one), true));
+    };
     std::vector<std::string> patterns = answer_patterns(samples.seen().answers);
-    for (const auto confirm : {&Samples::fresh, &Samples::fresher}) {
-        if (patterns.empty()) return "";
-        const std::vector<std::string> again = answer_patterns((samples.*confirm)().answers);
+    std::size_t wrong = count(samples.seen());
+    const bool same = !patterns.empty() && samples.fresh(1).table.numbers == samples.seen().table.numbers;
+    for (std::size_t i = 1; i <= most_confirmed && !patterns.empty(); ++i) {
+        const Sample& fresh = samples.fresh(i);
+        if (i > least_confirmed && count(fresh) < least_wrong) continue;
+        const std::vector<std::string> again = answer_patterns(fresh.answers);
         std::erase_if(patterns, [&](const std::string& one) { return std::ranges::find(again, one) == again.end(); });
+        wrong += count(fresh);
+        if (i >= least_confirmed && (same || wrong >= enough_answers)) break;
     }
     return patterns.empty() ? "" : patterns.front();
 }
