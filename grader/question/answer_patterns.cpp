@@ -224,6 +224,17 @@ void add_question_before(const AnswerTable& table, const Pairs& wrong, std::vect
     if (different.size() >= least_wrong) found.emplace_back("is the right one to the question before");
 }
 
+/// Which numbers of a row are wrong; empty if most of them are.
+std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which)
+{
+    if (which.empty() || which.size() > most_named || 2 * which.size() > table.components) return "";
+    std::vector<std::string> names;
+    for (const std::size_t i : which)
+        names.push_back(i < table.columns.size() ? table.columns[i] : fmt::format("number {}", i));
+    return which.size() == 1 ? fmt::format("differs in {} only", names.front())
+                             : fmt::format("differs in nothing but {}", fmt::join(names, ", "));
+}
+
 void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<std::string>& found)
 {
     const std::vector<std::size_t> which = wrong_components(wrong, table.components);
@@ -238,15 +249,12 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<st
         if (auto relation = relation_of(vectors, table.facts)) found.push_back(std::move(*relation));
     }
     if (which.size() > 1) add_matrix_columns(table, wrong, which, found);
-    if (which.size() > most_named || 2 * which.size() > table.components) return;
-    std::vector<std::string> names;
-    for (const std::size_t i : which)
-        names.push_back(i < table.columns.size() ? table.columns[i] : fmt::format("number {}", i));
-    std::string text = which.size() == 1 ? fmt::format("differs in {} only", names.front())
-                                         : fmt::format("differs in nothing but {}", fmt::join(names, ", "));
+    const std::string place = place_of(table, which);
+    if (place.empty()) return;
     if (which.size() == 1)
-        if (const auto change = change_of(table, wrong, which.front())) text += fmt::format(", which is {}", *change);
-    found.push_back(std::move(text));
+        if (const auto change = change_of(table, wrong, which.front()))
+            found.push_back(fmt::format("{}, which is {}", place, *change));
+    found.push_back(place);
 }
 
 }
@@ -257,7 +265,13 @@ std::vector<std::string> answer_patterns(const AnswerTable& table)
     for (const AnswerPair& one : table.answers)
         if (one.wrong) wrong.push_back(&one);
     std::vector<std::string> found;
-    if (wrong.size() < least_wrong) return found;
+    if (wrong.size() < least_wrong) {
+        // Of so few anything may be true, but that the same numbers of a row are wrong is what is seen.
+        if (wrong.size() < 2 || !can_be_compared(wrong)) return found;
+        const std::string place = place_of(table, wrong_components(wrong, table.components));
+        if (!place.empty()) found.push_back(place);
+        return found;
+    }
     if (const std::string text = presence(wrong); !text.empty()) return {text};
     add_constant(wrong, found);
     add_lists(wrong, table.components, found);

@@ -28,7 +28,7 @@ inline constexpr std::size_t least_wrong = 4;
 
 /// What all wrong answers share, each in words that hold for answers to other questions too: "differs in y
 /// only", "is always 0", "lacks the last row", "is ray.origin", "is the right one to the question before". The most
-/// telling first; none of fewer than least_wrong.
+/// telling first. Of fewer than least_wrong only which numbers of a row differ, and of a single one nothing.
 [[nodiscard]] std::vector<std::string> answer_patterns(const AnswerTable& table);
 
 }

@@ -74,6 +74,16 @@ TEST(AnswerPatterns, say_which_rows_of_a_list_are_missing_or_too_many)
               "has its rows in the opposite order");
 }
 
+// That y is wrong is seen; that it is the right one minus 3 may be chance.
+TEST(AnswerPatterns, of_few_wrong_answers_say_only_which_numbers_differ)
+{
+    AnswerTable made = table(3, [](Row right) { return Row{right[0], right[1] - 3, right[2]}; });
+    made.answers.resize(4);
+    EXPECT_EQ(answer_patterns(made), std::vector<std::string>{"differs in y only"});
+    made.answers.resize(2);
+    EXPECT_EQ(answer_patterns(made), std::vector<std::string>{}) << "the one row is shown anyway";
+}
+
 TEST(AnswerPatterns, say_nothing_of_few_wrong_answers)
 {
     AnswerTable made = table(1, [](Row) { return Row{0}; });
