@@ -34,7 +34,8 @@ bool has_any_size(const Syntax& syntax, const Node& node)
 }
 
 /// What is copied and not changed: y where x is written.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> components{{{"x", "y"}, {"y", "x"}, {"z", "y"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> components{
+    {{"x", "y"}, {"y", "x"}, {"z", "y"}, {"r", "g"}, {"g", "r"}, {"b", "g"}}};
 
 /// Looks for slips in one function after the other.
 class SlipFinder {

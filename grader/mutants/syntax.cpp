@@ -68,7 +68,10 @@ std::string sibling_of(CXCursor cursor)
     const CXCursor field = clang_getCursorReferenced(cursor);
     if (clang_getCursorKind(field) != CXCursor_FieldDecl) return "";
     Fields fields{clang_getCanonicalType(clang_getCursorType(field)), {}};
-    clang_visitChildren(clang_getCursorSemanticParent(field), take_field, &fields);
+    const CXCursor owner = clang_getCursorSemanticParent(field);
+    // Of a union they are names for the same thing.
+    if (clang_getCursorKind(owner) == CXCursor_UnionDecl) return "";
+    clang_visitChildren(owner, take_field, &fields);
     const auto own = std::ranges::find(fields.names, taken(clang_getCursorSpelling(field)));
     if (fields.names.size() < 2 || own == fields.names.end()) return "";
     return own + 1 == fields.names.end() ? fields.names.front() : *(own + 1);
