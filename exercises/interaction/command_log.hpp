@@ -16,11 +16,11 @@ using CommandRow = std::array<float, 4>;
 /// its four numbers, a row says which session it comes from.
 inline std::string command_names(bool by_session)
 {
-    if (!by_session) return "1 orbit\n2 pan\n3 zoom\n4 reset\n5 view mode\n6 viewport\n7 closing\n" + key_names();
+    if (!by_session) return "1 orbit\n2 pan\n3 zoom\n4 reset\n5 view mode\n6 viewport\n7 closing\n" + key_names("scancode, modifiers");
     return "1 orbit: drag/2, -, session\n2 pan: drag/2, -, session\n3 zoom: factor, -/2, session\n"
            "4 reset: -/3, session\n5 view mode: mode, -/2, session\n6 viewport: size/2, aspect, session\n"
            "7 closing: -/3, session\n" +
-           key_names("-/3, session");
+           key_names("scancode, modifiers, -, session");
 }
 
 class CommandLog : public Commands {
@@ -32,7 +32,7 @@ public:
     void view_mode(int mode) override { add(5, mode); }
     void viewport(int width, int height, double aspect) override { add(6, width, height, aspect); }
     void closing() { add(7); }
-    void key_passed_on(int key, int action) { add(key_code(key, action)); }
+    void key_passed_on(int key, int scancode, int action, int mods) { add(key_code(key, action), scancode, mods); }
 
     std::vector<CommandRow> rows;
 
@@ -54,8 +54,8 @@ public:
         listener_.commands = &listener_.log;
         glfwSetWindowUserPointer(window, static_cast<Controls*>(&listener_));
         if (listens)
-            glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int) {
-                listener_of(from).log.key_passed_on(key, action);
+            glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int scancode, int action, int mods) {
+                listener_of(from).log.key_passed_on(key, scancode, action, mods);
             });
         // Only what the callbacks ask for counts as closing; a user who clicks at the cross is not heard.
         glfwSetWindowCloseCallback(window, [](GLFWwindow* from) { glfwSetWindowShouldClose(from, GLFW_FALSE); });

@@ -49,13 +49,18 @@ TEST(Callbacks, gestures)
 
 TEST(Callbacks, keys_are_passed_on)
 {
-    EXPECT_EQ(commands_of("0 key A press\n1 key A repeat\n2 key A release\n3 key 1 press", {}, true),
-              (Rows{first_viewport,
-                    {key_code(GLFW_KEY_A, GLFW_PRESS)},
-                    {key_code(GLFW_KEY_A, GLFW_REPEAT)},
-                    {key_code(GLFW_KEY_A, GLFW_RELEASE)},
-                    {5, 1},
-                    {key_code(GLFW_KEY_1, GLFW_PRESS)}}));
+    const auto passed = [](int key, int action, int mods) {
+        return CommandRow{key_code(key, action), static_cast<float>(key), static_cast<float>(mods)};
+    };
+    EXPECT_EQ(
+        commands_of("0 key A press\n1 key A repeat\n2 key A release\n3 key LEFT_SHIFT press\n4 key 1 press", {}, true),
+        (Rows{first_viewport,
+              passed(GLFW_KEY_A, GLFW_PRESS, 0),
+              passed(GLFW_KEY_A, GLFW_REPEAT, 0),
+              passed(GLFW_KEY_A, GLFW_RELEASE, 0),
+              passed(GLFW_KEY_LEFT_SHIFT, GLFW_PRESS, 0),
+              {5, 1},
+              passed(GLFW_KEY_1, GLFW_PRESS, GLFW_MOD_SHIFT)}));
 }
 
 /// What a script must give, told from the script itself: no GLFW, no callbacks.
