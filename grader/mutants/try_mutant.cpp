@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "batch/case_results.hpp"
+#include "batch/grade_unit.hpp"
 #include "batch/seeds.hpp"
 
 namespace umbral::grader {
@@ -17,6 +18,18 @@ Exercise with_short_limits(Exercise exercise, double reference_seconds)
     return exercise;
 }
 
+Trial graded(Worker& worker, const Exercise& exercise, const Built& built, const SeedPlan& seeds)
+{
+    GradeOptions options;
+    options.seeds = seeds;
+    options.explain = false;
+    options.questions = false;
+    const UnitResult result = grade_built(worker, exercise, built, options);
+    for (const CheckResult& check : result.checks)
+        if (check.score < check.max_score) return {true, check.name};
+    return {};
+}
+
 }
 
 Trial try_mutant(Worker& worker, const Exercise& exercise, const std::filesystem::path& library, unsigned number,
@@ -27,6 +40,7 @@ Trial try_mutant(Worker& worker, const Exercise& exercise, const std::filesystem
     built.verdict = Verdict::ok;
     built.library = library;
     built.mutant = number;
+    bool borderline = false;
     for (const std::string& name : cases) {
         CaseResult one;
         one.seed = seeds.seed_of(exercise, name);
@@ -43,11 +57,12 @@ Trial try_mutant(Worker& worker, const Exercise& exercise, const std::filesystem
             if (check.case_name != name) continue;
             const RunOutcome& expected = worker.trusted(exercise, judged_against(check), name, one.seed);
             const CheckResult result = judge_check(check, one, expected, worker.basis(exercise, check, one.seed));
-            // One that chance may have decided decides nothing here.
             if (result.score < result.max_score && !result.borderline) return {true, check.name};
+            borderline = borderline || result.borderline;
         }
     }
-    return {};
+    // What chance may have decided is graded as a submission is: with a second run.
+    return borderline ? graded(worker, exercise, built, seeds) : Trial();
 }
 
 }

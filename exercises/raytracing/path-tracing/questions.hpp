@@ -101,7 +101,7 @@ inline std::vector<SeenRay> seen_rays(Random& random)
 /// Along the axes, both ways, and across; each asks for another way to find vectors across.
 inline std::vector<glm::vec3> normals_of_directions()
 {
-    return {{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0.48F, -0.6F, 0.64F}, {0, 0, 1}};
+    return {{0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0.48F, -0.6F, 0.64F}, {0, 0, 1}, {-0.48F, 0.64F, -0.6F}};
 }
 
 /// Means over some directions round a normal n, with x and y across it.
