@@ -177,7 +177,9 @@ void record_refused(Random& random, Recorder& out)
     const Orbit start = random_orbit(random);
     const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", start);
     for (int i = 0; i < 15; ++i) {
-        const Orbit good = random_orbit(random);
+        Orbit good = random_orbit(random);
+        // What is tiny is a distance too.
+        if (i % 3 == 0) good.distance *= 1e-6F;
         const float distance = wrong[i % 5];
         const float angle = wrong[2 + i % 3];
         const bool first = random.below(2) == 1;

@@ -66,6 +66,10 @@ void record_behind(Random& random, Recorder& out)
         glm::vec3 behind = before * glm::vec3(1, 1, -1);
         if (i % 3 == 1) before.z = 0;
         if (i % 5 == 4) behind = glm::vec3(0);
+        // Before and behind are no matter of how far.
+        const float size = i % 4 == 2 ? 1e-5F : 1.0F;
+        before *= size;
+        behind *= size;
         const bool first = random.below(2) == 1;
         const float along = random.uniform(-9, 9);
         for (const bool is_behind : {first, !first}) {

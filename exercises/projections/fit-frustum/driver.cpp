@@ -91,7 +91,8 @@ void record_refused(Random& random, Recorder& out)
 {
     for (int i = 0; i < 32; ++i) {
         const int fault = i % 8;
-        const float size = random.uniform(0.5F, 3);
+        // What is tiny has a size too.
+        const float size = std::pow(10.0F, random.uniform(-7, 2));
         const float distance = size * random.uniform(1.1F, 5);
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {

@@ -88,6 +88,13 @@ StereoScreen random_screen(Random& random)
     return {width, height, distance, separation, near_plane, near_plane * std::pow(10.0F, random.uniform(0.2F, 4))};
 }
 
+/// The same in another unit of length.
+StereoScreen in_units(const StereoScreen& s, float unit)
+{
+    return {unit * s.width,          unit * s.height,     unit * s.distance,
+            unit * s.eye_separation, unit * s.near_plane, unit * s.far_plane};
+}
+
 /// A pair of cameras as somebody has set them up: turned inwards and against each other, one a little higher. Not the
 /// student's, so that a wrong pair does not hide a wrong disparity.
 StereoPair given_pair(const StereoScreen& s, Random& random)
@@ -181,7 +188,8 @@ void record_infinite(Random& random, Recorder& out)
 void record_refused(Random& random, Recorder& out)
 {
     for (int i = 0; i < 56; ++i) {
-        const StereoScreen good = random_screen(random);
+        const StereoScreen good =
+            in_units(random_screen(random), i % 3 == 0 ? std::pow(10.0F, random.uniform(-7, -4)) : 1.0F);
         StereoScreen bad = good;
         const float wrong[] = {0, -1, no_number};
         float* const numbers[] = {&bad.width, &bad.height, &bad.distance, &bad.eye_separation, &bad.near_plane};
@@ -194,7 +202,7 @@ void record_refused(Random& random, Recorder& out)
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const StereoScreen& asked = is_bad ? bad : good;
-            const float distance = is_bad ? wrong_distances[i % 4] : good.distance * (i % 3 == 0 ? infinity : 2);
+            const float distance = is_bad ? wrong_distances[i % 4] : good.distance * (i % 4 == 0 ? infinity : 2);
             record_refusal(out, "off-axis refused", [&] { return ask<off_axis_pair>(out, asked); });
             record_refusal(out, "toe-in refused", [&] { return ask<toe_in_pair>(out, asked); });
             record_refusal(out, "parallax refused", [&] { return ask<parallax>(out, good, distance); });

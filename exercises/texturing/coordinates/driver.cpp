@@ -252,6 +252,11 @@ void extreme(Random& random, Recorder& out)
         const float high = random.uniform(2e38F, 3.3e38F);
         const glm::vec3 tall(point.x, 3e38F * random.uniform(-1, 1), point.z);
         out.append("cylinder", ask<cylindrical_coordinates>(out, tall, low, high));
+        // Thin ones have a height too.
+        const float thin = std::pow(10.0F, random.uniform(-30, -5));
+        const float bottom = thin * random.uniform(-4, 4);
+        const glm::vec3 on_ring(corners[0].x, bottom + thin * random.uniform(0, 1), corners[0].z);
+        out.append("cylinder", ask<cylindrical_coordinates>(out, on_ring, bottom, bottom + thin));
     }
 }
 
