@@ -14,6 +14,7 @@
 #include "render/film.hpp"
 #include "render/options.hpp"
 #include "render/picture.hpp"
+#include "render/rays/shutter.hpp"
 #include "render/renderers.hpp"
 #include "render/report.hpp"
 #include "render/scene_files.hpp"
@@ -73,24 +74,36 @@ int run_comparison(const Options& options)
     return all_agree ? exit_ok : exit_differ;
 }
 
+/// The scene at a time, by a renderer; by one that follows rays, for as long as its shutter is open.
+Drawn draw_at(Studio& studio, const Options& options, const scene::Scene& scene, double seconds,
+              const rays::Effort& effort)
+{
+    const int width = options.size.width * options.samples;
+    const int height = options.size.height * options.samples;
+    const Renderer& renderer = renderer_named(options.renderer);
+    if (renderer.follows_rays && rays::is_blurred_by_motion(scene)) {
+        rays::RayCounts counts;
+        Frame frame = rays::draw_with_open_shutter(scene, seconds, width, height, effort, &counts);
+        return {std::move(frame), rays::counts_of(counts)};
+    }
+    const scene::Scene still = scene::at_time(scene, seconds);
+    const DrawList list = make_draw_list(still, width, height, renderer.follows_rays);
+    const EffectSet effects = options.all_effects ? all_effects : derive_effects(list, still).set;
+    return studio.draw(renderer, {list, effects, width, height, options.explain, effort});
+}
+
 /// Pictures of the scene at even steps of time.
 int run_film(const Options& options)
 {
     const scene::Scene scene = as_given([&] { return scene::read_scene(options.scene); });
     const float seconds = as_given([&] { return film_seconds(options.film, scene); });
-    const int width = options.size.width * options.samples;
-    const int height = options.size.height * options.samples;
-    const Renderer& renderer = renderer_named(options.renderer);
     Studio studio;
     Progress progress(options.progress);
     for (int i = 0; i < options.film.pictures; ++i) {
         const double share = static_cast<double>(i) / options.film.pictures;
-        const scene::Scene still = scene::at_time(scene, share * seconds);
-        const DrawList list = make_draw_list(still, width, height, renderer.follows_rays);
-        const EffectSet effects = options.all_effects ? all_effects : derive_effects(list, still).set;
         as_given([&] {
-            const Drawn drawn = studio.draw(renderer, {list, effects, width, height, false, options.effort});
-            write_png(numbered(options.out, i), make_picture(drawn.frame, still, options.samples));
+            const Drawn drawn = draw_at(studio, options, scene, share * seconds, options.effort);
+            write_png(numbered(options.out, i), make_picture(drawn.frame, scene, options.samples));
         });
         progress.tell(static_cast<double>(i + 1) / options.film.pictures);
     }
@@ -115,12 +128,16 @@ int run(const Options& options)
                   .samples = options.samples,
                   .out = options.out,
                   .derived = derive_effects(list, scene),
+                  .ray_effects = rays::ray_effects(scene),
+                  .follows_rays = renderer.follows_rays,
                   .all_effects = options.all_effects,
                   .how = renderer.effects,
                   .counts = {}};
-    const EffectSet effects = options.all_effects ? all_effects : report.derived.set;
     Studio studio;
     nlohmann::json budget;
+    if (options.wish && rays::is_blurred_by_motion(scene))
+        throw UsageError("--error and --time choose for pictures of one moment, and the scene's shutter is open for " +
+                         std::to_string(scene.camera.shutter_seconds) + " s: choose --rays yourself");
     Drawn drawn = as_given([&] {
         if (options.wish) {
             budget::Result within = budget::draw_within(*options.wish, scene, list, width, height,
@@ -132,7 +149,7 @@ int run(const Options& options)
         Progress progress(options.progress);
         rays::Effort effort = options.effort;
         if (options.progress) effort.progress = [&](double done) { progress.tell(done); };
-        Drawn frame = studio.draw(renderer, {list, effects, width, height, options.explain, effort});
+        Drawn frame = draw_at(studio, options, scene, 0, effort);
         progress.tell(1);
         return frame;
     });

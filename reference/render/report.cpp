@@ -26,6 +26,14 @@ json effects_json(const Derived& derived)
     return effects;
 }
 
+json ray_effects_json(const Report& report)
+{
+    json effects = json::object();
+    for (const rays::RayEffect& effect : report.ray_effects)
+        effects[effect.name] = {{"called_for", effect.called_for}, {"drawn", report.follows_rays}, {"why", effect.why}};
+    return effects;
+}
+
 json counters_json(const std::vector<Count>& counts)
 {
     json list = json::object();
@@ -41,6 +49,10 @@ std::string explanation(const Report& report)
     for (std::size_t i = 0; i < effect_flags.size(); ++i)
         text += fmt::format("  {} {:<11} {}\n", report.derived.set.*effect_flags[i] ? "yes" : " no", effect_names[i],
                             report.derived.why[i]);
+    text += report.follows_rays ? "Effects of rays\n"
+                                : fmt::format("Effects of rays, which {} draws without\n", report.renderer);
+    for (const rays::RayEffect& effect : report.ray_effects)
+        text += fmt::format("  {} {:<11} {}\n", effect.called_for ? "yes" : " no", effect.name, effect.why);
     text += fmt::format("How {} leaves the others out: {}\n", report.renderer, report.how);
     if (report.counts.empty()) return text + "Counters: this renderer does not count its work\n";
     text += report.all_effects ? "Work done with all effects\n" : "Work done for these effects\n";
@@ -62,7 +74,8 @@ json to_json(const Report& report)
                  {"height", report.height},
                  {"samples", report.samples},
                  {"kernel", report.all_effects ? "all" : "derived"},
-                 {"effects", effects_json(report.derived)}};
+                 {"effects", effects_json(report.derived)},
+                 {"ray_effects", ray_effects_json(report)}};
     if (!report.out.empty()) root["out"] = report.out;
     if (!report.counts.empty()) root["counters"] = counters_json(report.counts);
     return root;

@@ -6,6 +6,7 @@
 
 #include "render/counters.hpp"
 #include "render/effects.hpp"
+#include "render/rays/ray_effects.hpp"
 
 namespace umbral::render {
 
@@ -19,6 +20,8 @@ struct Report {
     int samples = 1;
     std::string out;  ///< the picture's file, empty if none was written
     Derived derived;
+    std::vector<rays::RayEffect> ray_effects;
+    bool follows_rays = false;  ///< the renderer draws those too
     bool all_effects = false;   ///< the kernel with all effects was used, not the derived one
     std::string how;            ///< how the renderer leaves effects out
     std::vector<Count> counts;  ///< empty: not counted

@@ -10,7 +10,8 @@ namespace umbral::scene {
 
 Camera parse_camera(const Field& field)
 {
-    field.allow_only({"eye", "target", "up", "fovy_degrees", "near", "far", "lens_radius", "focus_distance"});
+    field.allow_only(
+        {"eye", "target", "up", "fovy_degrees", "near", "far", "lens_radius", "focus_distance", "shutter_seconds"});
     Camera camera{.eye = place(field.member("eye")),
                   .target = place(field.member("target")),
                   .up = field.member("up").given() ? direction(field.member("up")) : glm::vec3(0, 1, 0),
@@ -18,7 +19,8 @@ Camera parse_camera(const Field& field)
                   .near = real(field.member("near"), 1e-4, maximum_coordinate),
                   .far = real(field.member("far"), 1e-4, maximum_coordinate),
                   .lens_radius = real_or(field.member("lens_radius"), 0, 1000, 0),
-                  .focus_distance = real_or(field.member("focus_distance"), 1e-4, maximum_coordinate, 0)};
+                  .focus_distance = real_or(field.member("focus_distance"), 1e-4, maximum_coordinate, 0),
+                  .shutter_seconds = real_or(field.member("shutter_seconds"), 0, 3600, 0)};
     if (camera.eye == camera.target) field.member("target").refuse("another place than the eye");
     if (!(camera.far >= 1.01F * camera.near)) field.member("far").refuse("at least 1.01 times near");
     return camera;

@@ -53,12 +53,16 @@ Scene at_time(Scene scene, double seconds)
     return scene;
 }
 
+bool moves(const Instance& instance)
+{
+    return std::any_of(instance.transforms.begin(), instance.transforms.end(),
+                       [](const Transform& transform) { return moves(transform); });
+}
+
 bool moves(const Scene& scene)
 {
-    return std::any_of(scene.instances.begin(), scene.instances.end(), [](const Instance& instance) {
-        return std::any_of(instance.transforms.begin(), instance.transforms.end(),
-                           [](const Transform& transform) { return moves(transform); });
-    });
+    return std::any_of(scene.instances.begin(), scene.instances.end(),
+                       [](const Instance& instance) { return moves(instance); });
 }
 
 }

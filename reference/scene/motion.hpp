@@ -12,7 +12,10 @@ namespace umbral::scene {
 /// The scene at that time, in which nothing moves.
 [[nodiscard]] Scene at_time(Scene scene, double seconds);
 
-/// Does any instance depend on time?
+/// Does it depend on time?
+[[nodiscard]] bool moves(const Instance& instance);
+
+/// Does any instance?
 [[nodiscard]] bool moves(const Scene& scene);
 
 }

@@ -25,8 +25,9 @@ struct Camera {
     float fovy_degrees = 45;  ///< the whole vertical angle of view, in (0, 180)
     float near = 0.1F;        ///< distances along the view, 0 < near < far
     float far = 100;
-    float lens_radius = 0;     ///< of a thin lens; 0: a pinhole, everything is sharp. Rays only
-    float focus_distance = 0;  ///< of the plane that is sharp, along the view; 0: the target's. Rays only
+    float lens_radius = 0;      ///< of a thin lens; 0: a pinhole, everything is sharp. Rays only
+    float focus_distance = 0;   ///< of the plane that is sharp, along the view; 0: the target's. Rays only
+    float shutter_seconds = 0;  ///< how long it stays open: what moves meanwhile is blurred; 0: a moment. Rays only
 };
 
 /// A light that is far away in one direction, or near at one place. Its strength does not fall off with distance.

@@ -14,7 +14,7 @@ inline nlohmann::json document()
     return nlohmann::json::parse(R"({
   "format": "umbral-scene", "version": 1, "title": "One of each",
   "camera": {"eye": [0, 1, 5], "target": [0, 0, 0], "up": [0, 1, 0], "fovy_degrees": 45, "near": 0.2, "far": 50,
-             "lens_radius": 0.1, "focus_distance": 4},
+             "lens_radius": 0.1, "focus_distance": 4, "shutter_seconds": 0.5},
   "background": {"top": [0, 0, 0.5], "bottom": [1, 1, 1]},
   "ambient": [0.1, 0.1, 0.1], "bounces": 2, "depth": 5, "seconds": 4,
   "lights": [{"name": "sun", "towards": [1, 1, 1], "color": [1, 0.9, 0.8], "half_angle_degrees": 1},

@@ -66,10 +66,10 @@ private:
         const bool is_apart = lens_radius_ > 0 || effort_.spread;
         glm::vec4 sum(0);
         for (int i = 0; i < effort_.rays; ++i) {
-            Samples samples(x, y, i, effort_.scrambling);
+            Samples samples(x, y, effort_.first + i, effort_.scrambling);
             glm::vec2 place = samples.next();
             const glm::vec2 lens = lens_radius_ > 0 ? on_disc(samples.next()) : glm::vec2(0);
-            if (i == 0 && !effort_.spread) place = glm::vec2(0.5F);
+            if (effort_.first + i == 0 && !effort_.spread) place = glm::vec2(0.5F);
             const Ray ray = ray_through(corner + place, lens);
             ++counts_.camera;
             const Arrived arrived = follow(world_, reach_, ray, samples, counts_);

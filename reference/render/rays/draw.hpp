@@ -12,6 +12,7 @@ namespace umbral::render::rays {
 /// What is spent on a picture.
 struct Effort {
     int rays = 1;             ///< through each pixel, >= 1: the first through its centre, the others spread over it
+    int first = 0;            ///< the number of the first of them: pictures of other numbers are parts of one picture
     int threads = 0;          ///< 0: as many as the machine has processors
     bool local_only = false;  ///< no shadows, mirrors, glass, lens or bounces: what rasterisers draw
     bool spread = false;  ///< the first ray too: the mean of the pictures of all scramblings is then the converged one
