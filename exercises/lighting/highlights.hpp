@@ -78,12 +78,13 @@ struct Shine {
     glm::vec3 eye{0};
 };
 
-/// Up to three lights in front of the surface, and before them now and then one behind it; the eye is where it sees one
-/// of their highlights.
+/// Lights in front of the surface, mostly up to three, and before them now and then one behind it; the eye is where it
+/// sees one of their highlights.
 inline Shine random_shine(Random& random)
 {
-    Shine shine{{3.0F * random.in_cube(), random.unit_vector()}, random_material(random), {}, random_color(random)};
-    const std::uint32_t count = 1 + random.below(3);
+    Shine shine{
+        {3.0F * random.in_cube(), random.unit_vector()}, random_partial_material(random), {}, random_color(random)};
+    const std::uint32_t count = random_light_count(random);
     for (std::uint32_t i = 0; i < count; ++i) shine.lights.push_back(random_light(random, shine.at, 0.1F));
     const Light& light = shine.lights[random.below(count)];
     const glm::vec3 l = normalize(glm::vec3(light.position) - light.position.w * shine.at.position);
@@ -94,6 +95,7 @@ inline Shine random_shine(Random& random)
         const SurfacePoint other_side{shine.at.position, -shine.at.normal};
         shine.lights.insert(shine.lights.begin(), random_light(random, other_side, 0.1F));
     }
+    vary_colors(random, shine.lights);
     return shine;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <umbral/core/random.hpp>
+#include <vector>
 
 #include "support.hpp"
 
@@ -17,6 +18,34 @@ inline Material random_material(Random& random)
     const glm::vec3 ambient = random_color(random);
     const glm::vec3 diffuse = random_color(random);
     return {emission, ambient, diffuse, random_color(random), random.uniform(1, 40)};
+}
+
+/// The same, but of six one sends out nothing, or reflects nothing of one kind.
+inline Material random_partial_material(Random& random)
+{
+    Material material = random_material(random);
+    glm::vec3* const parts[] = {&material.emission, &material.ambient, &material.diffuse, &material.specular};
+    if (random.below(6) == 0) *parts[random.below(4)] = glm::vec3(0);
+    return material;
+}
+
+/// One to three; but of twelve numbers one is 9 to 12, more than OpenGL's fixed function has lights.
+inline std::uint32_t random_light_count(Random& random)
+{
+    return random.below(12) == 0 ? 9 + random.below(4) : 1 + random.below(3);
+}
+
+/// Lights become dimmer where there are many, and of eight one has a single channel.
+inline void vary_colors(Random& random, std::vector<Light>& lights)
+{
+    for (Light& light : lights) {
+        if (lights.size() > 4) light.color *= 0.25F;
+        const std::uint32_t channel = random.below(3);
+        if (random.below(8) != 0) continue;
+        const float kept = light.color[static_cast<int>(channel)];
+        light.color = glm::vec3(0);
+        light.color[static_cast<int>(channel)] = kept;
+    }
 }
 
 /// A white light that stands in that direction from a point, as far as `size` says: a place, or a direction.

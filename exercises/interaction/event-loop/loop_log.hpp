@@ -15,11 +15,12 @@ namespace umbral::interaction {
 /// What the program does by itself. Draws and updates are counted from 1; 0 is none of them.
 struct Habits {
     int unfinished_draws = 0;  ///< so many draws, from the first one, set `redraw`
-    int last_draw = 0;         ///< this draw sets `finish`
+    int last_draw = 0;         ///< this draw ends all: it sets `finish`
     int waking_draw = 0;       ///< this draw sets `animate`
     int moves_every = 1;       ///< the updates whose number this divides set `redraw`; 0: none
     int resting_update = 0;    ///< this update clears `animate`
-    int last_update = 0;       ///< this update sets `finish`
+    int last_update = 0;       ///< this update ends all
+    bool by_window = false;    ///< what ends all asks the window to close instead
 };
 
 /// First its code, then how many events the program had heard by then.
@@ -39,7 +40,7 @@ public:
         log(1);
         ++draws_;
         if (draws_ <= habits_.unfinished_draws) flags.redraw = true;
-        if (draws_ == habits_.last_draw) flags.finish = true;
+        if (draws_ == habits_.last_draw) end();
         if (draws_ == habits_.waking_draw) flags.animate = true;
     }
 
@@ -49,7 +50,7 @@ public:
         ++updates_;
         if (habits_.moves_every > 0 && updates_ % habits_.moves_every == 0) flags.redraw = true;
         if (updates_ == habits_.resting_update) flags.animate = false;
-        if (updates_ == habits_.last_update) flags.finish = true;
+        if (updates_ == habits_.last_update) end();
     }
 
     void shown() { log(2); }
@@ -60,6 +61,14 @@ public:
 
 private:
     void log(int code) { rows.push_back({static_cast<float>(code), static_cast<float>(heard)}); }
+
+    void end()
+    {
+        if (habits_.by_window)
+            glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);
+        else
+            flags.finish = true;
+    }
 
     Habits habits_;
     int draws_ = 0;
@@ -112,13 +121,14 @@ inline std::string told(const NamedLoop& loop, const LoopSession& session)
     say_if(session.flags.finish, " finish");
     say_if(session.closes, "\nglfwSetWindowShouldClose(window, GLFW_TRUE);");
     say_if(habits.unfinished_draws > 0, "\n// the first " + number(habits.unfinished_draws) + " draws set redraw");
-    say_if(habits.last_draw > 0, "\n// draw " + number(habits.last_draw) + " sets finish");
+    const std::string ends = habits.by_window ? " asks the window to close" : " sets finish";
+    say_if(habits.last_draw > 0, "\n// draw " + number(habits.last_draw) + ends);
     say_if(habits.waking_draw > 0, "\n// draw " + number(habits.waking_draw) + " sets animate");
     say_if(habits.moves_every != 1,
            "\n// of updates, " + (habits.moves_every == 0 ? "none" : "each " + number(habits.moves_every) + "th") +
                " sets redraw");
     say_if(habits.resting_update > 0, "\n// update " + number(habits.resting_update) + " clears animate");
-    say_if(habits.last_update > 0, "\n// update " + number(habits.last_update) + " sets finish");
+    say_if(habits.last_update > 0, "\n// update " + number(habits.last_update) + ends);
     return text + '\n' + loop.name + "(window, program, flags);\n" + input::to_text(session.script);
 }
 

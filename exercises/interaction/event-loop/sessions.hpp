@@ -23,6 +23,8 @@ inline std::vector<LoopSession> needs()
         session_of("0.1 move 10 10\n0.1 move 11 12\n0.1 key R press\n0.2 key B press\n0.3 refresh\n"
                    "0.4 key ESCAPE press\n"),
         session_of("0.1 key B press\n0.2 resize 300 200\n0.3 key ESCAPE press\n", nothing_to_draw),
+        // Long pauses, and a window that has lost the focus, which is seen all the same.
+        session_of("2 key B press\n7.25 key R press\n8 focus off\n9 refresh\n9.5 focus on\n11 key ESCAPE press\n"),
         // `animate` means nothing to the first two loops.
         session_of("0.05 key A press\n0.1 key R press\n0.13 key A press\n0.2 key ESCAPE press\n"),
     };
@@ -51,6 +53,9 @@ inline std::vector<LoopSession> endings()
         session_of("0.1 key R press\n", {.finish = true}),
         session_of("0.1 key R press\n"),
         session_of("0.1 key R press\n0.3 key ESCAPE press\n", {}, {.last_update = 3}),
+        session_of("0.1 key R press\n0.2 key R press\n0.4 key ESCAPE press\n", {}, {.last_draw = 2, .by_window = true}),
+        session_of("0.1 key R press\n", {}, {.unfinished_draws = 5, .last_draw = 3, .by_window = true}),
+        session_of("0.1 key R press\n0.3 key ESCAPE press\n", {}, {.last_update = 3, .by_window = true}),
     };
     all[6].closes = true;
     return all;
@@ -69,7 +74,8 @@ inline std::vector<LoopSession> minimised()
                    {.unfinished_draws = 6}),
         session_of("0.1 iconify on\n0.2 key R press\n0.3 key ESCAPE press\n"),
         // One pixel is to be seen.
-        session_of("0.1 resize 1 240\n0.2 key R press\n0.3 resize 240 1\n0.4 key R press\n0.5 key ESCAPE press\n"),
+        session_of("0.1 resize 1 240\n0.2 key R press\n0.3 resize 240 1\n0.4 key R press\n"
+                   "0.45 resize 1 1\n0.5 key ESCAPE press\n"),
     };
     all[1].content_scale = 2;
     return all;
@@ -119,16 +125,18 @@ inline LoopSession random_loop_session(Random& random)
                       .waking_draw = static_cast<int>(random.below(3)),
                       .moves_every = static_cast<int>(random.below(4)),
                       .resting_update = static_cast<int>(random.below(10)),
-                      .last_update = static_cast<int>(random.below(8) == 0 ? 5 + random.below(9) : 0)};
+                      .last_update = static_cast<int>(random.below(8) == 0 ? 5 + random.below(9) : 0),
+                      .by_window = random.below(2) == 0};
     int milliseconds = 0;
     bool iconified = false;
     bool flat = false;
+    bool focused = true;
     const auto happens = [&](const input::Event& event) {
         milliseconds += static_cast<int>(random.below(3) * random.below(30));
         session.script.push_back({1e-3 * milliseconds, event});
     };
     for (int i = 0; i < 14; ++i) {
-        switch (random.below(9)) {
+        switch (random.below(10)) {
             case 0:
             case 1: happens(input::Key{GLFW_KEY_R}); break;
             case 2: happens(input::Key{GLFW_KEY_A}); break;
@@ -136,6 +144,7 @@ inline LoopSession random_loop_session(Random& random)
             case 4: happens(input::Refresh{}); break;
             case 5: happens(input::Iconify{iconified = !iconified}); break;
             case 6: happens(input::Resize{(flat = !flat) ? glm::ivec2(0) : glm::ivec2(200, 100 + i)}); break;
+            case 7: happens(input::Focus{focused = !focused}); break;
             default: happens(input::CursorMove{{random.below(200), random.below(200)}});
         }
     }

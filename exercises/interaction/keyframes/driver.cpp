@@ -50,6 +50,13 @@ void record_longer_ways(Recorder& out, Random& random)
         const UnitQuaternion to = product(turn, from);
         record_slerp(out, from, random.below(4) == 0 ? to : negated(to), random.uniform());
     }
+    // Just less than half a turn, and just more: which way is shorter hangs on a small product.
+    for (int i = 0; i < 24; ++i) {
+        const UnitQuaternion from = random_orientation(random);
+        const double beside = std::pow(10.0, -4 + 2 * random.uniform_double());
+        const UnitQuaternion turn = about(glm::dvec3(random.unit_vector()), i % 2 == 0 ? pi - beside : pi + beside);
+        record_slerp(out, from, product(turn, from), random.uniform(0.2F, 0.8F));
+    }
 }
 
 // Ends that are equal, opposite, or differ by very little: within float, and by more.
@@ -127,6 +134,11 @@ void record_rolling(Recorder& out, Random& random)
         const glm::vec2 way = 4.0F * glm::vec2(random.in_cube());
         record(way, random.uniform(0.2F, 3));
     }
+    for (const float size : {1e-12F, 1e-8F, 1e-4F, 1e4F, 1e8F})
+        for (int i = 0; i < 3; ++i) {
+            const glm::vec2 way = 4.0F * size * glm::vec2(random.in_cube());
+            record(way, size * random.uniform(0.5F, 3));
+        }
 }
 
 // A thousand turns: in float an angle of 10^4 radians is known to 5e-4.
@@ -174,13 +186,24 @@ void record_odd_times(Recorder& out, Random& random)
             out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
         }
     }
+    // Steep throws, looked at in the air after one long call, or only when an hour has gone by in one.
+    for (int i = 0; i < 12; ++i) {
+        const auto ball = ask_new<make_bouncing_ball>(out, "ball", random_throw(random));
+        if (!ball) continue;
+        const std::int64_t in_the_air = 260'000 + std::int64_t{random.below(150'000)};
+        ask<&BouncingBall::advance>(out, *ball, i % 2 == 0 ? in_the_air : 3'600'000'000);
+        out.append("place", glm::vec3(ask<&BouncingBall::position>(out, *ball)));
+    }
 }
 
-// All the digits of a double, in pictures that come from one microsecond to 20 ms after each other.
+// All the digits of a double, in pictures that come from one microsecond to 20 ms after each other; half of the balls
+// come to rest meanwhile.
 void record_digits(Recorder& out, Random& random)
 {
     for (int i = 0; i < 6; ++i) {
-        const std::unique_ptr<BouncingBall> ball = ask_new<make_bouncing_ball>(out, "ball", random_launch(random));
+        BallLaunch launch = random_launch(random);
+        if (i % 2 == 1) launch.bounce -= 0.45;
+        const std::unique_ptr<BouncingBall> ball = ask_new<make_bouncing_ball>(out, "ball", launch);
         if (!ball) continue;
         for (int k = 1; k <= 400; ++k) {
             ask<&BouncingBall::advance>(out, *ball, k % 4 == 0 ? 1 : 1 + std::int64_t{random.below(20'000)});

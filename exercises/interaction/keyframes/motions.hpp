@@ -73,6 +73,17 @@ inline BallLaunch random_launch(Random& random)
     return launch;
 }
 
+/// A ball thrown straight up, which comes down after half a second or later, and soon lies still.
+inline BallLaunch random_throw(Random& random)
+{
+    BallLaunch launch;
+    launch.position = glm::dvec3(2.0F * random.in_cube());
+    launch.position.y = 0.5 + random.uniform_double();
+    launch.velocity.y = 2 + random.uniform_double();
+    launch.bounce = 0.5 * random.uniform_double();
+    return launch;
+}
+
 /// Times of pictures in microseconds: k / rate seconds, as near as whole microseconds come.
 inline std::int64_t frame_time(std::int64_t k, std::int64_t rate) { return k * 1'000'000 / rate; }
 

@@ -137,6 +137,8 @@ void record_limits(Recorder& out)
     record(out, settings,
            {move_z(-30), move_z(-1), move_z(10'000), move_z(-2), move_z(-10'000), move_z(20), move_z(7), move_z(1e300),
             move_z(-5), move_z(-1e300), move_z(1)});
+    record(out, {.distance = 500, .min_distance = 1e-3, .max_distance = 1e6},
+           {move_z(20), move_z(60), move_z(1000), move_z(-1), move_z(-400), move_z(-1e4), move_z(1)});
     const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
     if (!camera) return;
     for (int i = 1; i <= 400; ++i) {
@@ -153,8 +155,14 @@ void record_near_and_far(Recorder& out)
         settings.min_distance = 0.5;
         settings.max_distance = 30;
         const glm::dvec3 observer = observer_of(settings);
-        for (const glm::dvec3& away :
-             {glm::dvec3(0), {0.25, 0, 0.0625}, {0, 0, 0}, {0.01, -0.02, 0.01}, {100, 50, -70}})
+        for (const glm::dvec3& away : {glm::dvec3(0),
+                                       {0.25, 0, 0.0625},
+                                       {0, 0, 0},
+                                       {0.01, -0.02, 0.01},
+                                       {100, 50, -70},
+                                       {1e-4, 2e-4, -1e-4},
+                                       {3e-6, 0, 1e-6},
+                                       {0, -4e-7, 3e-7}})
             record(out, settings, {look_toward(observer + away), move_xy(0.25, 0.5), move_z(1)});
     }
 }

@@ -100,6 +100,13 @@ void at_random(Random& random, Recorder& out)
         std::vector<glm::u8vec3> pixels(2 + random.below(4));
         for (glm::u8vec3& pixel : pixels) pixel = random_pixel(random);
         record_mean(out, pixels);
+        if (i % 15 != 0) continue;
+        // As many pixels with the same first one; and more of them than a byte can count.
+        pixels.back() = glm::u8vec3(255) - pixels.back();
+        record_mean(out, pixels);
+        pixels.resize(200 + random.below(400));
+        for (glm::u8vec3& pixel : pixels) pixel = random_pixel(random) / std::uint8_t{2};
+        record_mean(out, pixels);
     }
 }
 
@@ -150,7 +157,7 @@ void bright(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
         std::vector<Lamp> lamps = random_lamps(random, 3);
-        for (Lamp& lamp : lamps) lamp.color *= std::pow(10.0F, random.uniform(0, 4));
+        for (Lamp& lamp : lamps) lamp.color *= std::pow(10.0F, random.uniform(0, 7));
         out.append("sums", ask<add_lights>(out, lamps));
     }
 }
@@ -178,9 +185,11 @@ void beside_borders(Recorder& out)
 void to_the_last_digit(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
+        // Every fourth is dark, down to where no picture tells it from 0.
+        const float dark = i % 4 == 0 ? std::exp2(random.uniform(-60, -8)) : 1.0F;
         const float light = std::exp2(random.uniform(-8, 0));
-        out.append("encoded", ask<encode_srgb>(out, light));
-        out.append("decoded", ask<decode_srgb>(out, random.uniform(0.05F, 1)));
+        out.append("encoded", ask<encode_srgb>(out, dark * light));
+        out.append("decoded", ask<decode_srgb>(out, dark * random.uniform(0.05F, 1)));
     }
 }
 

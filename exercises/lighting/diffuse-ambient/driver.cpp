@@ -44,8 +44,10 @@ void by_hand(Recorder& out)
 
 Question random_question(Random& random, std::uint32_t count)
 {
-    Question q{{3.0F * random.in_cube(), random.unit_vector()}, random_material(random), {}, random_color(random)};
+    const SurfacePoint at{3.0F * random.in_cube(), random.unit_vector()};
+    Question q{at, random_partial_material(random), {}, random_color(random)};
     for (std::uint32_t i = 0; i < count; ++i) q.lights.push_back(random_light(random, q.at, 0.05F));
+    vary_colors(random, q.lights);
     return q;
 }
 
@@ -53,7 +55,12 @@ Question random_question(Random& random, std::uint32_t count)
 void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
-        const Question q = random_question(random, 1 + random.below(3));
+        Question q = random_question(random, random_light_count(random));
+        record(out, q);
+        out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
+        if (i % 15 != 0) continue;
+        // The same but for one coordinate of the place, for whoever remembers what was asked before.
+        q.at.position[i / 15 % 3] += 0.125F;
         record(out, q);
         out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
     }

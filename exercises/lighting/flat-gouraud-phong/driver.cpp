@@ -11,6 +11,8 @@ namespace {
 using namespace lighting;
 
 constexpr int size = 20;
+// Targets are wider than high.
+constexpr int width = 22;
 
 using Model = glm::vec3 (*)(const SurfacePoint&);
 
@@ -27,7 +29,7 @@ glm::vec3 its_highlight(const SurfacePoint& at)
 // A scene and what is in the target before.
 struct Scene {
     StagedMesh mesh;
-    pipeline::Layer target = empty_layer(size, size);
+    pipeline::Layer target = empty_layer(width, size);
 };
 
 // Draws, and records the light of the pixels that changed, as fragments of that scene's number, and their depth. How
@@ -46,9 +48,9 @@ int record(Recorder& out, std::string_view name, const Scene& scene, Model model
                " triangles with " + std::to_string(scene.mesh.vertices.size()) + " vertices";
     });
     draw(scene.mesh.vertices, scene.mesh.triangles, illumination, layer);
-    if (layer.colors.cells.size() != size * size || layer.depths.cells.size() != size * size) return asked;
+    if (layer.colors.cells.size() != width * size || layer.depths.cells.size() != width * size) return asked;
     for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+        for (int x = 0; x < width; ++x) {
             const glm::vec3 light = layer.colors.at(x, y);
             if (light == scene.target.colors.at(x, y) && layer.depths.at(x, y) == scene.target.depths.at(x, y))
                 continue;
@@ -100,7 +102,13 @@ void by_hand(Recorder& out)
 
 void at_random(Random& random, Recorder& out)
 {
-    for (std::size_t i = 0; i < 6; ++i) record_all(out, {random_mesh(random, size, 9, 12)}, i);
+    for (std::size_t i = 0; i < 6; ++i) {
+        StagedMesh mesh = random_mesh(random, size, i == 5 ? 600 : 9, 12);
+        // One of them is a line; the others are drawn all the same.
+        mesh.triangles[4][0] = mesh.triangles[4][1 + i % 2];
+        record_all(out, {mesh}, i);
+    }
+    record_all(out, {random_mesh(random, size, 9, 0)}, 6);
 }
 
 // Squares before and behind each other, in either order, and targets that are not empty: nothing that is hidden may
@@ -116,7 +124,7 @@ void record_occlusion(Random& random, Recorder& out)
                 for (int x = 0; x < 11; ++x) scene.target.depths.at(x, y) = x < 8 ? 0.1F : 0.45F;
         if (i % 3 == 2)  // as deep as the near one: "less" is what passes
             for (int y = 0; y < 10; ++y)
-                for (int x = 0; x < size; ++x) scene.target.depths.at(x, y) = near.vertices[0].window.depth;
+                for (int x = 0; x < width; ++x) scene.target.depths.at(x, y) = near.vertices[0].window.depth;
         record<draw_flat>(out, "flat", scene, its_place, i);
         record<draw_gouraud>(out, "gouraud", scene, its_place, i);
         out.append("phong evaluations", record<draw_phong>(out, "phong", scene, its_place, i));

@@ -66,12 +66,14 @@ void by_hand(Recorder& out)
     record_angles(out, {-0.01F, 0.01F, 1});
 }
 
-// Longitudes a degree off the place where 360 becomes 0, latitudes up to 80 degrees.
+// Of directions: longitudes a degree off the place where 360 becomes 0, latitudes up to 80 degrees. Of angles: all,
+// some beyond the poles.
 void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
         const float longitude = random.uniform(-720, 720);
-        record_direction(out, {longitude, random.uniform(-90, 90)});
+        const float highest = i % 3 == 0 ? 400 : 90;
+        record_direction(out, {longitude, random.uniform(-highest, highest)});
         const double alpha = glm::radians(random.uniform(1, 359));
         const double beta = glm::radians(random.uniform(-80, 80));
         const double size = std::pow(10.0, random.uniform(-3, 3));
@@ -115,6 +117,12 @@ void keys_by_hand(Recorder& out)
     record_keys(out, {-0.5F, 0}, 0.5F, "xxxccccx");
     // Neighbours of the keys, in the alphabet and on the keyboard, are no keys.
     record_keys(out, {120, 45}, 10, "bByYwWsSqQdDvV10 \n[{xZ");
+    // Neither are the keys with Ctrl, nor letters of other alphabets that share their last bits.
+    record_keys(out, {-60, 15}, 20,
+                "x\x01\x18z\x1A\x03\xC1\xE1"
+                "c\xDA\xFA\xD8\xF8"
+                "a\xC3\xE3"
+                "A");
 }
 
 void random_keys(Random& random, Recorder& out)

@@ -86,7 +86,7 @@ inline MaterialGraph random_graph(Random& random, std::uint32_t materials)
             const std::uint32_t what = random.below(8);
             const std::uint32_t left = count - 1 - node;
             if (what < 3 || (what < 5 && left == 0))
-                entries.push_back({Kind::object, random.below(1000)});
+                entries.push_back({Kind::object, random.below(i % 2 == 0 ? 1000 : 10'000'000)});
             else if (what < 5)
                 entries.push_back({Kind::node, node + 1 + random.below(std::min(left, 3U))});
             else if (what < 7)

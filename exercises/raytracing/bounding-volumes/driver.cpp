@@ -31,7 +31,12 @@ void record(Recorder& out, const Soup& soup, int rays, float distance, Random& r
 }
 
 // Infinities as numbers that no triangle here has: what is not finite counts as wrong.
-glm::vec3 finite(const glm::vec3& v) { return clamp(v, glm::vec3(-3e38F), glm::vec3(3e38F)); }
+glm::vec3 finite(glm::vec3 v)
+{
+    for (int i = 0; i < 3; ++i)
+        if (std::isinf(v[i])) v[i] = std::copysign(3e38F, v[i]);
+    return v;
+}
 
 void record_boxes(Recorder& out, Random& random)
 {
@@ -118,7 +123,8 @@ void few(Recorder& out, Random& random)
     for (int count = 0; count <= 9; ++count) record(out, random_soup(random, count, 2), count == 0 ? 2 : 20, 9, random);
 }
 
-// Directions of all lengths, intervals that begin beyond the first hits or end before the last, and origins inside.
+// Directions of all lengths, intervals that begin beyond the first hits or end before the last, and origins inside. The
+// same ray is asked again with other ends.
 void intervals(Recorder& out, Random& random)
 {
     const Soup soup = random_soup(random, 200, 1.5F);
@@ -127,7 +133,10 @@ void intervals(Recorder& out, Random& random)
         Ray ray = ray_into(soup, random.uniform(0, 8), random);
         if (i % 2 == 0) ray.t_min = random.uniform(-6, 9);
         if (i % 3 == 0) ray.t_max = random.uniform(2, 9);
-        const float longer = std::exp2(std::floor(random.uniform(-9, 9)));
+        const float longer = std::exp2(std::floor(i % 3 == 0 ? random.uniform(-30, 30) : random.uniform(-9, 9)));
+        record_answer(out, hierarchy, {ray.origin, longer * ray.direction, ray.t_min / longer, ray.t_max / longer});
+        if (i % 5 != 0) continue;
+        ray.t_max = random.uniform(1, 9);
         record_answer(out, hierarchy, {ray.origin, longer * ray.direction, ray.t_min / longer, ray.t_max / longer});
     }
 }

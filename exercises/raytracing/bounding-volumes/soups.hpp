@@ -168,7 +168,7 @@ inline void add_box_pair(std::vector<BoxShot>& shots, int kind, Random& random)
     } else if (kind % 5 == 4) {
         hit.ray = {middle, glm::vec3(-from)};
     }
-    const float longer = std::exp2(random.uniform(-8, 8));
+    const float longer = std::exp2(kind % 3 == 0 ? random.uniform(-30, 30) : random.uniform(-8, 8));
     for (Ray* ray : {&hit.ray, &miss.ray}) {
         ray->direction *= longer;
         ray->t_min /= longer;

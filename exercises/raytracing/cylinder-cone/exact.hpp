@@ -58,7 +58,7 @@ inline Ray turned(Ray ray, std::uint32_t quarters)
 }
 
 /// Rays parallel to the axis within, without and in the surface of the cylinder; of the cone, rays parallel to one of
-/// its lines, which meet it once, or only its other half, and rays that lie in it.
+/// its lines, which meet it once, or only its other half, or outside of (t_min, t_max), and rays that lie in it.
 inline std::vector<Ray> parallel(Quadric quadric, Random& random)
 {
     std::vector<Ray> rays;
@@ -79,11 +79,18 @@ inline std::vector<Ray> parallel(Quadric quadric, Random& random)
             const float above = 2 * height;
             hit = {{2, 3 - above, 0}, {-speed, -speed, 0}};
             hit.origin += glm::vec3(0.25F, 0.25F, 0);
+            const float met = (2.25F - height) / speed;
             miss = hit;
-            switch (i % 3) {
+            switch (i % 6) {
                 case 0: miss.origin += glm::vec3(0, above + 0.125F, 0); break;   // meets the other half
                 case 1: miss.origin = {height - 0.5F, 0.5F - height, 0}; break;  // has it behind
-                default: miss.origin = {2, 3, 0};                                // runs in the surface
+                case 2: miss.origin = {2, 3, 0}; break;                          // runs in the surface
+                case 3: miss.t_max = 0.5F * (hit.t_max = 2 * met); break;        // meets it where the interval ends
+                case 4: miss.t_min = 2 * (hit.t_min = 0.5F * met); break;        // ... or begins
+                default:                                                         // it lies behind both
+                    hit.origin += 2 * met * hit.direction;
+                    miss.origin = hit.origin;
+                    hit.t_min = -endless;
             }
         }
         add_pair(rays, turned(hit, quarters), turned(miss, quarters), random);

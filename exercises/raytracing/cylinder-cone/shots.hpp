@@ -127,8 +127,9 @@ inline std::vector<Ray> far_pairs(Quadric quadric, Random& random, double distan
 }
 
 /// `count` pairs that run nearly parallel to the axis of the cylinder, or to a line of the cone, so that the
-/// coefficient of t² is small beside the direction's square: under 1e-6, or from 2e-3 down to what rounding leaves. The
-/// misses turn back and leave through the open end, or beside the apex.
+/// coefficient of t² is small beside the direction's square: under 1e-6, or from 2e-3 down to what rounding leaves. A
+/// third of the directions have lengths from 1e-6 to 1e6. The misses turn back and leave through the open end, or
+/// beside the apex.
 inline std::vector<Ray> nearly_parallel_pairs(Quadric quadric, Random& random, int count)
 {
     std::vector<Ray> rays;
@@ -143,7 +144,8 @@ inline std::vector<Ray> nearly_parallel_pairs(Quadric quadric, Random& random, i
         const glm::dvec3 target =
             position(quadric, {angle + (is_cone ? 1 + random.uniform_double() : 0.0), height_on(quadric, random)});
         const double back = 0.3 + random.uniform_double();
-        const Ray hit{glm::vec3(target - back * way), glm::vec3(way)};
+        const float speed = i % 3 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(41)) - 20) : 1.0F;
+        const Ray hit{glm::vec3(target - back * way), speed * glm::vec3(way)};
         Ray miss = hit;
         miss.direction = -miss.direction;
         if (!is_cone) miss.origin *= glm::vec3(0.5F, 1, 0.5F);

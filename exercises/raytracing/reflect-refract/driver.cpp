@@ -73,6 +73,7 @@ void record_total(Random& random, Recorder& out)
 }
 
 // Light that arrives nearly along the normal, exactly along it, or along the surface; and media that are the same.
+// Every second v is not unit.
 void record_edges(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
@@ -85,14 +86,19 @@ void record_edges(Random& random, Recorder& out)
         glm::vec3 across(0);
         across[(i + 1) % 3] = random.below(2) == 0 ? 1 : -1;
         const glm::vec3 near_normal = normalize(n + random.uniform(0, 1e-3F) * across);
+        const float longer = i % 2 == 0 ? 1.0F : std::ldexp(1.0F, static_cast<int>(random.below(21)) - 10);
+        const auto add = [&](const glm::vec3& v, const glm::vec3& normal, float out_there, float in_there) {
+            record_refracted(out, {longer * v, normal, out_there, in_there});
+        };
         switch (i / 3 % 5) {
-            case 0: record_refracted(out, {n, n, outside, inside}); break;
-            case 1: record_refracted(out, {-n, n, outside, inside}); break;
-            case 2:
-                record_refracted(out, {random.below(2) == 0 ? near_normal : -near_normal, n, outside, inside});
-                break;
-            case 3: record_refracted(out, {across, n, rare, dense}); break;
-            default: record_refracted(out, {random.unit_vector(), random.unit_vector(), dense, dense});
+            case 0: add(n, n, outside, inside); break;
+            case 1: add(-n, n, outside, inside); break;
+            case 2: add(random.below(2) == 0 ? near_normal : -near_normal, n, outside, inside); break;
+            case 3: add(across, n, rare, dense); break;
+            default: {
+                const glm::vec3 v = random.unit_vector();
+                add(v, random.unit_vector(), dense, dense);
+            }
         }
         record_mirrored(out, i % 2 == 0 ? across : near_normal, n);
     }

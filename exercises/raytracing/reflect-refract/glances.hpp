@@ -24,7 +24,7 @@ inline glm::dvec3 leaning(const glm::dvec3& axis, double sine, Random& random)
     return std::sqrt(1 - sine * sine) * axis + sine * perpendicular_to(axis, random);
 }
 
-/// Two indices, the larger 1.1 to 2 times as large.
+/// Two indices, the larger 1.1 to 2 times as large. Every third time they are no usual ones: the smaller is 1/4 to 4.
 struct Indices {
     float rare;
     float dense;
@@ -32,7 +32,7 @@ struct Indices {
 
 inline Indices random_indices(Random& random)
 {
-    const float rare = random.uniform(1, 1.5F);
+    const float rare = random.below(3) == 0 ? std::exp2(random.uniform(-2, 2)) : random.uniform(1, 1.5F);
     return {rare, rare * random.uniform(1.1F, 2)};
 }
 

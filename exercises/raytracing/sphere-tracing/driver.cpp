@@ -30,19 +30,22 @@ void distances_by_hand(Recorder& out)
     out.append("capsule", ask<capsule_distance>(out, glm::vec3(3, 4, 1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 9), 0.5F));
 }
 
+// Every third time all lengths are a power of two times as large, from a millionth to a million; the answers, divided
+// by it, are as exact as the others.
 void random_distances(Recorder& out, Random& random)
 {
     for (int i = 0; i < 200; ++i) {
-        const glm::vec3 p = (i % 4 == 0 ? 8.0F : 2.0F) * random.in_cube();
-        const float small = random.uniform(0.1F, 1);
-        const float large = random.uniform(1, 2.5F);
-        out.append("ball", ask<ball_distance>(out, p, large));
+        const float size = i % 3 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(41)) - 20) : 1.0F;
+        const glm::vec3 p = (i % 4 == 0 ? 8 * size : 2 * size) * random.in_cube();
+        const float small = size * random.uniform(0.1F, 1);
+        const float large = size * random.uniform(1, 2.5F);
+        out.append("ball", ask<ball_distance>(out, p, large) / size);
         const glm::vec3 half(random.uniform(0, 2), random.uniform(0, 2), random.uniform(0.5F, 2));
-        out.append("box", ask<box_distance>(out, p, half));
-        out.append("torus", ask<torus_distance>(out, p, large, small));
-        const glm::vec3 a = 2.0F * random.in_cube();
-        const glm::vec3 b = i % 10 == 0 ? a : 2.0F * random.in_cube();
-        out.append("capsule", ask<capsule_distance>(out, p, a, b, small));
+        out.append("box", ask<box_distance>(out, p, size * half) / size);
+        out.append("torus", ask<torus_distance>(out, p, large, small) / size);
+        const glm::vec3 a = 2 * size * random.in_cube();
+        const glm::vec3 b = i % 10 == 0 ? a : 2 * size * random.in_cube();
+        out.append("capsule", ask<capsule_distance>(out, p, a, b, small) / size);
     }
 }
 
@@ -58,15 +61,16 @@ void sponge(Recorder& out, Random& random)
                               {-2.0F / 3, 2.0F / 3, 1}})
         for (int level = 0; level <= 2; ++level) out.append("distance", ask<menger_distance>(out, p, level));
     for (int i = 0; i < 300; ++i) {
-        const glm::vec3 p = (i % 5 == 0 ? 2.5F : 1.0F) * random.in_cube();
+        const glm::vec3 p = (i % 5 == 0 ? 2.5F : i % 5 == 1 ? 9.0F : 1.0F) * random.in_cube();
         out.append("distance", ask<menger_distance>(out, p, static_cast<int>(random.below(7))));
     }
 }
 
-void record(Recorder& out, const TraceShot& shot)
+// `length` is the direction's, a power of two: t is recorded in units of the world.
+void record(Recorder& out, const TraceShot& shot, float length = 1)
 {
     const auto found = ask<sphere_trace>(out, shot.ray, std::span<const DistanceFunction>(shot.bodies), shot.limits);
-    out.append("t", found ? std::optional(found->t) : std::nullopt);
+    out.append("t", found ? std::optional(length * found->t) : std::nullopt);
     out.append("object", found ? std::optional(static_cast<float>(found->object)) : std::nullopt);
 }
 
@@ -108,9 +112,9 @@ void random_traces(Recorder& out, Random& random)
     for (int i = 0; i < 300; ++i) {
         const Balls all = random_balls(random, 1 + static_cast<int>(random.below(6)));
         Ray ray = clear_ray(all, random);
-        const float longer = i % 2 == 0 ? 1 : std::exp2(random.uniform(-2, 2));
+        const float longer = i % 2 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(41)) - 20);
         ray.direction *= longer;
-        record(out, {ray, all.bodies(), {1e-4F, 400}});
+        record(out, {ray, all.bodies(), {1e-4F, 400}}, longer);
     }
 }
 

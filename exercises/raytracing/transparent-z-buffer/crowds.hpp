@@ -25,13 +25,13 @@ inline glm::vec3 random_light(Random& random, float most)
     return {red, green, random.uniform(0, most)};
 }
 
-/// Light and depths at random; a quarter of the pixels is empty.
+/// Light and depths at random; a quarter of the pixels is empty, and one in eight far brighter than the others.
 inline GlassFrame random_frame(Random& random)
 {
     const int width = 2 + static_cast<int>(random.below(5));
     const int height = 1 + static_cast<int>(random.below(4));
     GlassFrame frame{Grid<glm::vec3>(width, height), Grid<float>(width, height)};
-    for (glm::vec3& light : frame.light.cells) light = random_light(random, 3);
+    for (glm::vec3& light : frame.light.cells) light = random_light(random, random.below(8) == 0 ? 3000.0F : 3.0F);
     for (float& depth : frame.depths.cells)
         depth = random.below(4) == 0 ? std::numeric_limits<float>::infinity() : random.uniform(0.5F, 1);
     return frame;
@@ -55,7 +55,7 @@ inline float random_depth(Random& random, const GlassFrame& frame, const glm::iv
     const float step = static_cast<float>(random.below(100)) / 100;
     if (kind == 0) return std::numeric_limits<float>::quiet_NaN();
     if (kind == 1) return std::numeric_limits<float>::infinity();
-    if (kind == 2) return -step;
+    if (kind == 2) return random.below(3) == 0 ? -std::numeric_limits<float>::infinity() : -step;
     if (kind <= 4 && frame.depths.contains(pixel.x, pixel.y)) return frame.depths.at(pixel.x, pixel.y);
     return step;
 }
@@ -65,9 +65,13 @@ inline GlassFragment random_glass(Random& random, const GlassFrame& frame)
     GlassFragment fragment;
     fragment.pixel = random_pixel(random, frame);
     fragment.depth = random_depth(random, frame, fragment.pixel);
-    fragment.light = random_light(random, 2);
-    fragment.k_t = random.below(8) == 0 ? 0.0F : random.uniform(0.2F, 1);
+    fragment.light = random_light(random, random.below(8) == 0 ? 0.0F : 2.0F);
+    fragment.k_t = random.uniform(0.2F, 1);
     fragment.m_t = random_light(random, 1);
+    // What lets nothing through, and what is quite clear.
+    const std::uint32_t kind = random.below(16);
+    if (kind < 4) fragment.k_t = kind < 2 ? 0.0F : 1.0F;
+    if (kind == 3 || kind == 4) fragment.m_t = glm::vec3(1);
     return fragment;
 }
 
@@ -83,7 +87,8 @@ inline GlassTask random_task(Random& random)
     return task;
 }
 
-/// Hundreds of sheets in few pixels, nearly clear, in no order; every fourth at the depth of another one.
+/// Hundreds of sheets in few pixels, nearly clear, in no order; every fourth at the depth of another one, and as many
+/// one float behind another one.
 inline GlassTask deep_task(Random& random)
 {
     GlassTask task{{Grid<glm::vec3>(2, 1, glm::vec3(1, 2, 3)), Grid<float>(2, 1, 1.0F)}};
@@ -91,6 +96,7 @@ inline GlassTask deep_task(Random& random)
         GlassFragment sheet;
         sheet.pixel = {i % 2, 0};
         sheet.depth = static_cast<float>(random.below(300)) / 300;
+        if (random.below(2) == 0) sheet.depth = std::nextafter(sheet.depth, 2.0F);
         sheet.light = random_light(random, 0.1F);
         sheet.k_t = random.uniform(0.95F, 1);
         sheet.m_t = glm::vec3(1) - random_light(random, 0.05F);
@@ -127,7 +133,7 @@ inline GlassTask three_sheets()
     return task;
 }
 
-/// A row for each cell: its light and its depth, infinity as a number that no depth here has. NaN if the frame has
+/// A row for each cell: its light and its depth, infinities as numbers that no depth here has. NaN if the frame has
 /// another size than it had.
 inline std::vector<glm::vec4> rows_of(const GlassFrame& frame, int width, int height)
 {
@@ -138,7 +144,7 @@ inline std::vector<glm::vec4> rows_of(const GlassFrame& frame, int width, int he
     std::vector<glm::vec4> rows(cells, glm::vec4(std::numeric_limits<float>::quiet_NaN()));
     for (std::size_t i = 0; is_whole && i < cells; ++i) {
         const float depth = frame.depths.cells[i];
-        rows[i] = glm::vec4(frame.light.cells[i], std::isinf(depth) && depth > 0 ? 1000.0F : depth);
+        rows[i] = glm::vec4(frame.light.cells[i], std::isinf(depth) ? std::copysign(1000.0F, depth) : depth);
     }
     return rows;
 }

@@ -19,12 +19,14 @@ void record_drawn(Recorder& out, GlassFrame frame, const Fragments& fragments)
 
 void record_empty(Case& what, Recorder& out)
 {
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 8; ++i) {
         const int width = 1 + static_cast<int>(what.random.below(6));
         const int height = 1 + static_cast<int>(what.random.below(6));
-        const GlassFrame frame =
-            ask<empty_glass_frame>(out, width, height, random_light(what.random, i % 2 == 0 ? 1.0F : 5.0F));
-        for (const glm::vec4& row : rows_of(frame, width, height)) out.append("cells", row);
+        // Each size twice, before different backgrounds.
+        for (const float most : {1.0F, 5.0F}) {
+            const GlassFrame frame = ask<empty_glass_frame>(out, width, height, random_light(what.random, most));
+            for (const glm::vec4& row : rows_of(frame, width, height)) out.append("cells", row);
+        }
     }
 }
 

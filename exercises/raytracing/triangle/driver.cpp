@@ -66,7 +66,7 @@ TriangleShot exact_shot(Random& random, glm::vec2 quarters, float height)
     return {Ray{place - height * direction, direction}, {corner, corner + x, corner + y}};
 }
 
-// Edges and corners belong to the triangle; the twin passes a quarter beside it.
+// Edges and corners belong to the triangle; the twin passes beside it, by a quarter of a side or by 4e-6 to 2e-5 of it.
 std::vector<TriangleShot> at_the_edges(Random& random)
 {
     const glm::vec2 on[] = {{0, 2}, {1, 0}, {1, 3}, {0, 0}, {4, 0}, {0, 4}, {3, 1}, {0, 1}, {2, 0}};
@@ -74,7 +74,8 @@ std::vector<TriangleShot> at_the_edges(Random& random)
     std::vector<TriangleShot> shots;
     for (int i = 0; i < 90; ++i) {
         const TriangleShot hit = exact_shot(random, on[i % 9], 3);
-        add_pair(shots, hit, exact_shot(random, beside[i % 9], 3), random);
+        const float by = i % 2 == 0 ? 1.0F : std::ldexp(1.0F, -14 - static_cast<int>(random.below(3)));
+        add_pair(shots, hit, exact_shot(random, on[i % 9] + by * (beside[i % 9] - on[i % 9]), 3), random);
     }
     return shots;
 }

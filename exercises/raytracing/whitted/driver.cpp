@@ -117,7 +117,7 @@ void levels(Recorder& out)
     world.sources.push_back({{0, 5, 1, 0}, {1, 1, 2}});
     for (const bool with_pane : {false, true}) {
         if (with_pane) world.panels.push_back({{0.5F, -4, -4}, {0, 8, 0}, {0, 0, 8}, pane});
-        for (world.levels = 1; world.levels <= 6; ++world.levels)
+        for (world.levels = 1; world.levels <= (with_pane ? 6 : 12); ++world.levels)
             for (int level = 1; level <= world.levels + 1; level += 2)
                 record(out, world, {{-1, 0.5F, 0.25F}, {1, 0, 0}}, level);
     }

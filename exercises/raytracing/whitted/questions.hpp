@@ -24,6 +24,12 @@ inline Material matt(Random& random)
     return material;
 }
 
+/// How much a surface mirrors or lets through, as a part of its light; every fourth time hardly anything.
+inline float random_part(Random& random)
+{
+    return random.below(4) == 0 ? random.uniform(0.01F, 0.05F) : random.uniform(0.2F, 1);
+}
+
 inline lighting::Light random_light(Random& random, float distance)
 {
     const glm::vec3 way = random.unit_vector();
@@ -95,15 +101,18 @@ inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
     looks.push_back(swapped ? dark : lit);
 }
 
-/// Up to five lights on a panel with a few balls about it; half of them with a texture.
+/// Up to five lights, and now and then ten dim ones, on a panel with a few balls about it; half of them with a texture.
 inline Look many_lights(Random& random)
 {
     Material material = matt(random);
     material.texture = random.below(2) * (1 + random.below(5));
     Look look = look_at_panel(material, random);
     look.world.global = random_color(random, 0.3F);
-    const std::uint32_t count = random.below(6);
-    for (std::uint32_t i = 0; i < count; ++i) look.world.sources.push_back(random_light(random, 6));
+    const std::uint32_t count = random.below(10) == 0 ? 10 : random.below(6);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        look.world.sources.push_back(random_light(random, 6));
+        if (count == 10) look.world.sources.back().color *= 0.4F;
+    }
     // The first one is seen mirrored, so that there is a highlight.
     if (count > 0) {
         const glm::vec3 way = normalize(glm::reflect(-look.v, look.hit.normal) + 0.3F * random.in_cube());
@@ -124,7 +133,7 @@ inline void add_lights(BuiltWorld& world, std::uint32_t count, Random& random)
 inline Look mirror(Random& random, std::uint32_t lights)
 {
     Material material = matt(random);
-    material.mirrored = random.uniform(0.2F, 1);
+    material.mirrored = random_part(random);
     material.mirrored_color = random_color(random);
     Look look = look_at_panel(material, random);
     add_lights(look.world, lights, random);
@@ -137,7 +146,7 @@ inline Look mirror(Random& random, std::uint32_t lights)
 inline Look interface_of_glass(Random& random, std::uint32_t lights)
 {
     Material material = matt(random);
-    material.refracted = random.uniform(0.2F, 1);
+    material.refracted = random_part(random);
     material.refracted_color = random_color(random);
     material.index = random.below(4) == 0 ? 1 : random.uniform(0.6F, 2.4F);
     const bool is_inside = random.below(2) == 0;
