@@ -55,7 +55,7 @@ struct Camera {
 
 Camera random_camera(Random& random)
 {
-    const double n = std::exp2(-8 * random.uniform_double());
+    const double n = std::exp2(-14 + 22 * random.uniform_double());
     const double f = n * std::exp2(1 + 15 * random.uniform_double());
     const double distance = n * std::pow(f / n, 0.02 + 0.96 * random.uniform_double());
     const bool reversed = random.below(2) == 0;
