@@ -128,6 +128,9 @@ const Driver driver = {
          record_whole(out, {{0, 0}, {1, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}}, 6);
          record_whole(out, {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 3}, {1, 2}}, 8);
          record_whole(out, {{1, 0}, {2, 0}, {1, 0}}, 5);
+         // Folds: sums of 2^-16 and 2^-24, on either side of the shortest that has a direction.
+         record_whole(out, {{1, 0}, {2, 0}, {1, 0x1p-16F}}, 5);
+         record_whole(out, {{1, 0}, {2, 0}, {1, 0x1p-24F}}, 5);
          record_whole(out, profiles::pawn(), 7);
          record_whole(out, {{0, 0}, {1, 0.5F}, {1, 0.5F}, {2, 2}, {0, 3}}, 5, 0x1p-16F);
          out.text("triangles.names", names_of_triangles);

@@ -64,7 +64,7 @@ void record(Recorder& out, const std::vector<ClipTriangle>& triangles, Random* u
 {
     name_corners(out, {"positions", "weights"});
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const float unit = units == nullptr ? 1 : random_unit(*units, -14, 10);
+        const float unit = units == nullptr ? 1 : random_unit(*units, -24, 10);
         const std::vector<ClipVertex> polygon = clipped(out, in_unit(triangles[i], unit));
         const std::vector<ClipVertex> positions = by_position(polygon);
         for (std::size_t k = 0; k < positions.size(); ++k) {
@@ -214,7 +214,7 @@ void record_on_planes(Random& random, Recorder& out)
         const float beyond = side * random.uniform(1.1F, 4);
         triangle[random.below(3)][axis] = beyond * 4;
         const std::vector<ClipVertex> polygon =
-            by_position(clipped(out, in_unit(triangle, random_unit(random, -14, 10))));
+            by_position(clipped(out, in_unit(triangle, random_unit(random, -24, 10))));
         for (std::size_t k = 0; k < polygon.size(); ++k)
             append(out, "along", i, k, std::array{polygon[k].position[axis] / polygon[k].position.w});
     }

@@ -144,6 +144,9 @@ std::vector<Task> borders()
         // A corner so little beyond the side that the two new ones are the same floats: three corners are left.
         {{{8 + 0x1p-20F, 6}, {3, 6.75F}, {3, 5}}, square},
         {{{3, 5}, {8 + 0x1p-20F, 6}, {3, 6.75F}}, square},
+        {{{3, 6.75F}, {3, 5}, {8 + 0x1p-20F, 6}}, square},
+        {{{1, 1}, {1, 1}, {6, 2}, {3, 7}}, square},  // a corner twice in a row: once is left
+        {{{1, 1}, {6, 2}, {3, 7}, {1, 1}}, square},
     };
 }
 
@@ -153,7 +156,7 @@ std::vector<Task> random_tasks(Random& random, int count, bool with_concave)
     for (int i = 0; i < count; ++i) {
         const bool rough = with_concave && i % 2 == 0;
         Polygon polygon = random_polygon(random, 3 + random.below(rough ? 9 : 5), rough ? 1.0F : 0.0F);
-        tasks.push_back({std::move(polygon), random_window(random, 3 + random.below(5)), random_unit(random, -14, 12)});
+        tasks.push_back({std::move(polygon), random_window(random, 3 + random.below(5)), random_unit(random, -24, 12)});
     }
     return tasks;
 }
