@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/type_precision.hpp>
+#include <kit/magnitude.hpp>
 #include <numeric>
 #include <umbral/core/grid.hpp>
 #include <umbral/core/random.hpp>
@@ -34,10 +35,13 @@ inline WindowVertex random_vertex(Random& random, glm::vec2 position)
     return {position, depth, std::exp2(-3 * random.uniform())};
 }
 
+/// All three w in a unit of their own: distances may be tens of thousands, and the weights stay what they are.
 inline Triangle random_attributes(Random& random, const std::array<glm::vec2, 3>& positions)
 {
     Triangle triangle{};
     for (std::size_t i = 0; i < 3; ++i) triangle[i] = random_vertex(random, positions[i]);
+    const float unit = random_unit(random, -16, 4);
+    for (WindowVertex& vertex : triangle) vertex.inverse_w *= unit;
     return triangle;
 }
 

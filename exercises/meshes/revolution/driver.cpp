@@ -1,4 +1,5 @@
 #include <kit/canonical.hpp>
+#include <kit/magnitude.hpp>
 #include <stdexcept>
 #include <umbral/meshes/revolution.hpp>
 #include <umbral/record/ask.hpp>
@@ -36,10 +37,18 @@ void record_vertices(Recorder& out, const TexturedMesh& surface, const Places& p
     }
 }
 
-/// Everything: also how many, and the triangles in any order and begun anywhere.
-void record_whole(Recorder& out, const Profile& profile, std::uint32_t copies)
+Profile times(Profile profile, float factor)
 {
-    const TexturedMesh surface = ask<revolve>(out, profile, copies);
+    for (glm::vec2& point : profile) point *= factor;
+    return profile;
+}
+
+/// Everything: also how many, and the triangles in any order and begun anywhere. The profile is turned in a unit that
+/// is a power of two, and places are recorded without it.
+void record_whole(Recorder& out, const Profile& profile, std::uint32_t copies, float unit = 1)
+{
+    TexturedMesh surface = ask<revolve>(out, times(profile, unit), copies);
+    for (glm::vec3& position : surface.mesh.positions) position /= unit;
     record_vertices(out, surface, all_places(profile, copies));
     const auto size = [](const auto& list) { return static_cast<float>(list.size()); };
     out.append("triangles", std::vector<float>{-1, size(surface.mesh.positions), size(surface.mesh.triangles),
@@ -107,7 +116,11 @@ const Driver driver = {
      }},
     {"profiles",
      [](Case& c, Recorder& out) {
-         for (int i = 0; i < 25; ++i) record_whole(out, some_profile(c.random), 4 + c.random.below(12));
+         for (int i = 0; i < 25; ++i) {
+             const Profile profile = some_profile(c.random);
+             const std::uint32_t copies = 4 + c.random.below(12);
+             record_whole(out, profile, copies, random_unit(c.random, -18, 12));
+         }
          out.text("triangles.names", names_of_triangles);
      }},
     {"creases and poles",
@@ -115,7 +128,11 @@ const Driver driver = {
          record_whole(out, {{0, 0}, {1, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 1}}, 6);
          record_whole(out, {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 3}, {1, 2}}, 8);
          record_whole(out, {{1, 0}, {2, 0}, {1, 0}}, 5);
+         // Folds: sums of 2^-16 and 2^-24, on either side of the shortest that has a direction.
+         record_whole(out, {{1, 0}, {2, 0}, {1, 0x1p-16F}}, 5);
+         record_whole(out, {{1, 0}, {2, 0}, {1, 0x1p-24F}}, 5);
          record_whole(out, profiles::pawn(), 7);
+         record_whole(out, {{0, 0}, {1, 0.5F}, {1, 0.5F}, {2, 2}, {0, 3}}, 5, 0x1p-16F);
          out.text("triangles.names", names_of_triangles);
      }},
     {"seam",

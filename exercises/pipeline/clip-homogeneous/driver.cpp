@@ -1,4 +1,5 @@
 #include <bit>
+#include <kit/magnitude.hpp>
 #include <limits>
 #include <map>
 #include <umbral/record/driver.hpp>
@@ -52,14 +53,22 @@ void name_corners(Recorder& out, std::initializer_list<const char*> values)
     for (const char* const value : values) out.text(std::string(value) + ".names", "triangle: corner, -");
 }
 
-void record(Recorder& out, const std::vector<ClipTriangle>& triangles)
+/// The same places, whatever all four coordinates are multiplied by.
+ClipTriangle in_unit(const ClipTriangle& triangle, float unit)
+{
+    return {unit * triangle[0], unit * triangle[1], unit * triangle[2]};
+}
+
+/// With `units`, each triangle is asked about in a unit of its own, and positions are recorded without it.
+void record(Recorder& out, const std::vector<ClipTriangle>& triangles, Random* units = nullptr)
 {
     name_corners(out, {"positions", "weights"});
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const std::vector<ClipVertex> polygon = clipped(out, triangles[i]);
+        const float unit = units == nullptr ? 1 : random_unit(*units, -24, 10);
+        const std::vector<ClipVertex> polygon = clipped(out, in_unit(triangles[i], unit));
         const std::vector<ClipVertex> positions = by_position(polygon);
         for (std::size_t k = 0; k < positions.size(); ++k) {
-            const glm::vec4 p = positions[k].position;
+            const glm::vec4 p = positions[k].position / unit;
             append(out, "positions", i, k, std::array{p.x, p.y, p.z, p.w});
         }
         const std::vector<ClipVertex> weights = by_weights(polygon);
@@ -204,7 +213,8 @@ void record_on_planes(Random& random, Recorder& out)
         ClipTriangle triangle = {random_corner(random, 0.9F), random_corner(random, 0.9F), random_corner(random, 0.9F)};
         const float beyond = side * random.uniform(1.1F, 4);
         triangle[random.below(3)][axis] = beyond * 4;
-        const std::vector<ClipVertex> polygon = by_position(clipped(out, triangle));
+        const std::vector<ClipVertex> polygon =
+            by_position(clipped(out, in_unit(triangle, random_unit(random, -24, 10))));
         for (std::size_t k = 0; k < polygon.size(); ++k)
             append(out, "along", i, k, std::array{polygon[k].position[axis] / polygon[k].position.w});
     }
@@ -274,7 +284,7 @@ void record_plain(Random& random, Recorder& out)
 const Driver driver = {
     {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
     {"on the border", [](Case&, Recorder& out) { record(out, limits()); }},
-    {"random", [](Case& c, Recorder& out) { record(out, random_triangles(c.random, 300)); }},
+    {"random", [](Case& c, Recorder& out) { record(out, random_triangles(c.random, 300), &c.random); }},
     {"behind the camera", [](Case& c, Recorder& out) { record(out, behind(c.random, 200)); }},
     {"on the planes", [](Case& c, Recorder& out) { record_on_planes(c.random, out); }},
     {"seams", [](Case&, Recorder& out) { record_seams(out); }},

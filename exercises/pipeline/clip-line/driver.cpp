@@ -13,14 +13,25 @@ using namespace pipeline;
 struct Task {
     ClipWindow window;
     LineSegment segment;
+    float unit = 1;  ///< what coordinates are multiplied by for the unit, and divided by afterwards; a power of two
 };
+
+// What the unit is asked.
+Task in_unit(const Task& task)
+{
+    const auto& [window, segment, unit] = task;
+    return {{unit * window.low, unit * window.high}, {unit * segment.from, unit * segment.to}};
+}
 
 // The four numbers of what is left, or four times nothing.
 std::array<std::optional<float>, 4> ends(Recorder& out, const Task& task)
 {
-    const std::optional<LineSegment> left = ask<clip_segment>(out, task.window, task.segment);
+    const Task asked = in_unit(task);
+    const std::optional<LineSegment> left = ask<clip_segment>(out, asked.window, asked.segment);
     if (!left) return {};
-    return {left->from.x, left->from.y, left->to.x, left->to.y};
+    const glm::vec2 from = left->from / task.unit;
+    const glm::vec2 to = left->to / task.unit;
+    return {from.x, from.y, to.x, to.y};
 }
 
 void record(Recorder& out, const std::vector<Task>& tasks)
@@ -152,7 +163,8 @@ void add_random_pair(std::vector<Task>& tasks, Random& random, float reach)
     const float before = reach * random.uniform(0.2F, 1);
     const LineSegment miss{past - before * aside, past + reach * random.uniform(0.2F, 1) * aside};
     const bool turned = random.below(2) == 0;
-    add_pair(tasks, {window, hit}, {window, turned ? LineSegment{miss.to, miss.from} : miss}, random);
+    const float unit = random_unit(random, -26, 12);
+    add_pair(tasks, {window, hit, unit}, {window, turned ? LineSegment{miss.to, miss.from} : miss, unit}, random);
 }
 
 std::vector<Task> random_pairs(Random& random, int count, float reach)
@@ -194,7 +206,7 @@ void record_both_ways(Random& random, Recorder& out)
     const std::vector<Task> tasks = random_pairs(random, 200, 6);
     out.text("first.names", "segment: end, -");
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-        const auto& [window, segment] = tasks[i];
+        const auto& [window, segment, unit] = in_unit(tasks[i]);
         const LineSegment reversed{segment.to, segment.from};
         ask_in_words(out, [&] {
             const auto call = [&](const LineSegment& one) {

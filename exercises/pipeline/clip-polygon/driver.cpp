@@ -1,4 +1,5 @@
 #include <kit/canonical.hpp>
+#include <kit/magnitude.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
 
@@ -12,14 +13,26 @@ using namespace pipeline;
 struct Task {
     Polygon polygon;
     Polygon window;
+    float unit = 1;  ///< what coordinates are multiplied by for the unit, and divided by afterwards; a power of two
 };
+
+Polygon times(Polygon polygon, float factor)
+{
+    for (glm::vec2& corner : polygon) corner *= factor;
+    return polygon;
+}
+
+Polygon answer(Recorder& out, const Task& task)
+{
+    return times(clipped(out, times(task.polygon, task.unit), times(task.window, task.unit)), 1 / task.unit);
+}
 
 // Rows [polygon, corner, 0, x, y].
 void record(Recorder& out, const std::vector<Task>& tasks)
 {
     out.text("corners.names", "polygon: corner, -");
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-        const Polygon left = from_extreme(clipped(out, tasks[i].polygon, tasks[i].window));
+        const Polygon left = from_extreme(answer(out, tasks[i]));
         for (std::size_t k = 0; k < left.size(); ++k)
             out.append("corners", std::span<const float>(std::array{static_cast<float>(i), static_cast<float>(k), 0.0F,
                                                                     left[k].x, left[k].y}));
@@ -67,6 +80,16 @@ std::vector<Task> concave()
     };
 }
 
+// The same ones again, very small and very large.
+std::vector<Task> in_all_sizes(std::vector<Task> tasks)
+{
+    for (std::size_t i = 0, count = tasks.size(); i < count; ++i) {
+        tasks.push_back(tasks[i]);
+        tasks.back().unit = i % 2 == 0 ? 0x1p-14F : 0x1p12F;
+    }
+    return tasks;
+}
+
 // Whether samples of the picture lie in what is left, by the even-odd rule: bridges count for nothing, in whatever
 // order they come.
 void record_covered(Recorder& out, const std::vector<Task>& tasks)
@@ -74,7 +97,7 @@ void record_covered(Recorder& out, const std::vector<Task>& tasks)
     constexpr int size = 32;
     Grid<std::uint32_t> covered(size * static_cast<int>(tasks.size()), size);
     for (std::size_t t = 0; t < tasks.size(); ++t) {
-        const Polygon left = clipped(out, tasks[t].polygon, tasks[t].window);
+        const Polygon left = answer(out, tasks[t]);
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const glm::dvec2 p(-4 + 0.503 * x, -4 + 0.4973 * y);
@@ -121,6 +144,9 @@ std::vector<Task> borders()
         // A corner so little beyond the side that the two new ones are the same floats: three corners are left.
         {{{8 + 0x1p-20F, 6}, {3, 6.75F}, {3, 5}}, square},
         {{{3, 5}, {8 + 0x1p-20F, 6}, {3, 6.75F}}, square},
+        {{{3, 6.75F}, {3, 5}, {8 + 0x1p-20F, 6}}, square},
+        {{{1, 1}, {1, 1}, {6, 2}, {3, 7}}, square},  // a corner twice in a row: once is left
+        {{{1, 1}, {6, 2}, {3, 7}, {1, 1}}, square},
     };
 }
 
@@ -130,7 +156,7 @@ std::vector<Task> random_tasks(Random& random, int count, bool with_concave)
     for (int i = 0; i < count; ++i) {
         const bool rough = with_concave && i % 2 == 0;
         Polygon polygon = random_polygon(random, 3 + random.below(rough ? 9 : 5), rough ? 1.0F : 0.0F);
-        tasks.push_back({std::move(polygon), random_window(random, 3 + random.below(5))});
+        tasks.push_back({std::move(polygon), random_window(random, 3 + random.below(5)), random_unit(random, -24, 12)});
     }
     return tasks;
 }
@@ -176,7 +202,7 @@ std::vector<Task> grazing_tasks(Random& random, int count)
 
 const Driver driver = {
     {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
-    {"concave", [](Case&, Recorder& out) { record(out, concave()), record_covered(out, concave()); }},
+    {"concave", [](Case&, Recorder& out) { record(out, concave()), record_covered(out, in_all_sizes(concave())); }},
     {"borders", [](Case&, Recorder& out) { record(out, borders()); }},
     {"random", [](Case& c, Recorder& out) { record(out, random_tasks(c.random, 200, true)); }},
     {"far", [](Case& c, Recorder& out) { record(out, far_tasks(c.random, 150)); }},

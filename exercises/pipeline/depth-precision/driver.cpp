@@ -55,7 +55,7 @@ struct Camera {
 
 Camera random_camera(Random& random)
 {
-    const double n = std::exp2(-8 * random.uniform_double());
+    const double n = std::exp2(-20 + 28 * random.uniform_double());
     const double f = n * std::exp2(1 + 15 * random.uniform_double());
     const double distance = n * std::pow(f / n, 0.02 + 0.96 * random.uniform_double());
     const bool reversed = random.below(2) == 0;
@@ -101,7 +101,8 @@ void record_fighting(Random& random, Recorder& out)
     append(out, "begin", ask<fighting_distance>(out, {1, 1000}, 10, 500));
     for (int i = 0; i < 100; ++i) {
         const Camera camera = random_camera(random);
-        const double gap = camera.range.near_plane * std::exp2(random.uniform(-14, 6));
+        const auto& [n, f, reversed] = camera.range;
+        const double gap = i % 2 == 0 ? n * std::exp2(random.uniform(-14, 6)) : (f - n) * random.uniform_double();
         append(out, "begin", ask<fighting_distance>(out, camera.range, camera.bits, gap));
     }
 }

@@ -23,7 +23,11 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 80; ++i) {
         const auto type = static_cast<PrimitiveType>(i % 10);
         const std::uint32_t count = random.below(type == polygon ? 10 : 15);
-        record_assembly(out, type, random_sequence(random, count, 20));
+        // Twenty vertices, the first ones or some of a large mesh: more than 16 bits can number.
+        std::vector<std::uint32_t> sequence = random_sequence(random, count, 20);
+        if (i / 10 % 2 == 1)
+            for (std::uint32_t& vertex : sequence) vertex += 1'000'000;
+        record_assembly(out, type, sequence);
     }
     name_assembly(out);
 }
@@ -59,6 +63,13 @@ std::vector<glm::vec2> random_face(Random& random, std::size_t count)
 void record_sides(Random& random, Recorder& out)
 {
     for (std::size_t i = 0; i < 150; ++i) record_both_sides(random, out, random_face(random, 3 + i % 5));
+    // Hardly any area, but some: thousandths of a pixel wide, in the first pixel.
+    for (std::size_t i = 0; i < 20; ++i) {
+        std::vector<glm::vec2> corners = random_face(random, 3 + i % 5);
+        const glm::vec2 first = corners[0];
+        for (glm::vec2& corner : corners) corner = 0.02F + 0x1p-17F * (corner - first);
+        record_both_sides(random, out, corners);
+    }
     for (int i = 0; i < 50; ++i) {
         const std::vector<glm::vec2> places = random_places(random, 2);
         const glm::vec2 a = round(places[0]);
@@ -71,6 +82,14 @@ void record_sides(Random& random, Recorder& out)
     }
 }
 
+// From near the origin to thousands of pixels away: differences of corners have more digits than a float.
+std::vector<glm::vec2> from_the_origin(Random& random)
+{
+    const glm::vec2 a(random.uniform(0.25F, 1), random.uniform(0.25F, 1));
+    const glm::vec2 along(random.uniform(0.5F, 1), random.uniform(0.5F, 1));
+    return {a, a + random.uniform(4000, 8000) * along, a + random.uniform(8000, 16000) * along};
+}
+
 // Needles thousands of pixels long: twice their area is some 1/65536 of a pixel.
 void record_needles(Random& random, Recorder& out)
 {
@@ -79,6 +98,7 @@ void record_needles(Random& random, Recorder& out)
             const auto corners = needle(random, 640, 480, reach, true);
             record_both_sides(random, out, {corners.begin(), corners.end()});
         }
+    for (int i = 0; i < 100; ++i) record_both_sides(random, out, from_the_origin(random));
 }
 
 constexpr PrimitiveType all_types[] = {points,         lines,        line_strip, line_loop,  triangles,
@@ -95,15 +115,21 @@ void record_modes(Random& random, Recorder& out)
     out.text("list.names", draw_names(draw));
 }
 
+// Twelve vertices in their order; or any of thirty, some of them twice, on a coarse grid, so that faces without area
+// are among them.
 void record_culling(Random& random, Recorder& out)
 {
     int draw = 0;
     for (int i = 0; i < 6; ++i)
         for (const PrimitiveType type : all_types) {
-            const std::vector<glm::vec2> places = random_places(random, 12);
+            const bool ordered = i % 2 == 0;
+            std::vector<glm::vec2> places = random_places(random, ordered ? 12 : 30);
+            if (!ordered)
+                for (glm::vec2& place : places) place = 128.0F * glm::round(place / 128.0F);
+            const std::vector<std::uint32_t> sequence = ordered ? counted(12) : random_sequence(random, 12, 30);
             const auto culling = static_cast<Culling>(1 + random.below(2));
             const auto mode = static_cast<PolygonMode>(random.below(3));
-            record_draw(out, draw++, ask<draw_list>(out, type, counted(12), places, culling, mode), 40);
+            record_draw(out, draw++, ask<draw_list>(out, type, sequence, places, culling, mode), 40);
         }
     out.text("list.names", draw_names(draw));
 }
@@ -200,15 +226,15 @@ Image gallery(Recorder& out)
 const Driver driver = {
     {"points and lines",
      [](Case&, Recorder& out) {
-         record_sequences(out, {points, lines, line_strip, line_loop}, {1, 3, 6, 7});
+         record_sequences(out, {points, lines, line_strip, line_loop}, {0, 1, 2, 3, 6, 7});
      }},
     {"triangles",
      [](Case&, Recorder& out) {
-         record_sequences(out, {triangles, triangle_strip, triangle_fan}, {3, 4, 7, 9});
+         record_sequences(out, {triangles, triangle_strip, triangle_fan}, {0, 2, 3, 4, 7, 9});
      }},
     {"quads and polygons",
      [](Case&, Recorder& out) {
-         record_sequences(out, {quads, quad_strip, polygon}, {3, 4, 6, 8, 9});
+         record_sequences(out, {quads, quad_strip, polygon}, {0, 2, 3, 4, 6, 8, 9});
      }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"sides", [](Case& c, Recorder& out) { record_sides(c.random, out); }},

@@ -16,7 +16,7 @@ Triangle triangle(glm::vec2 a, glm::vec2 b, glm::vec2 c)
 // Eight by eight pixels, corners in quarters: all can be worked out on squared paper.
 std::vector<Triangle> by_hand()
 {
-    return {
+    std::vector<Triangle> triangles = {
         triangle({1, 1}, {7, 1}, {1, 7}),                         // a side through centres that is neither top nor left
         triangle({7, 7}, {1, 7}, {7, 1}),                         // … and its other half, which takes them
         triangle({1.5F, 1.5F}, {5.5F, 1.5F}, {5.5F, 5.5F}),       // corners on centres: a top side and a left one
@@ -30,7 +30,10 @@ std::vector<Triangle> by_hand()
         triangle({7.5F, 0}, {7.5F, 8}, {6.5F, 4}),                // a right one, which takes none
         triangle({0, 7.5F}, {8, 7.5F}, {4, 5.5F}),                // a bottom one, neither
         triangle({0.5F, 0.5F}, {0.5F + 1.0F / 256, 0.5F}, {0.5F, 0.5F + 1.0F / 256}),  // the least that there is
+        triangle({1, 1}, {7, 2}, {2, 7}),
     };
+    for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= 0x1p-15F;  // far away, in small units
+    return triangles;
 }
 
 std::vector<Triangle> random_triangles(Random& random, int count, int width, int height)

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <kit/magnitude.hpp>
 #include <span>
 #include <string>
 #include <umbral/input/script.hpp>
@@ -42,9 +43,18 @@ Box random_box(Random& random, float away)
     return box;
 }
 
+// The same box with lengths in another unit: very small, or very large.
+Box in_unit(const Box& box, float unit) { return {unit * box.low, unit * box.high}; }
+
+Box box_in_any_unit(Random& random, float away)
+{
+    const Box box = random_box(random, away);
+    return in_unit(box, random_unit(random, -16, 16));
+}
+
 void random_matrices(Case& c, Recorder& out)
 {
-    for (int i = 0; i < 200; ++i) out.append("projection", ask<projection_of>(out, random_box(c.random, 5)));
+    for (int i = 0; i < 200; ++i) out.append("projection", ask<projection_of>(out, box_in_any_unit(c.random, 5)));
 }
 
 // Mirrored, flat, or both: every second one is ordinary.
@@ -55,15 +65,17 @@ void odd_boxes(Case& c, Recorder& out)
         const auto axis = static_cast<glm::vec3::length_type>(c.random.below(3));
         if (i % 4 == 1) std::swap(box.low[axis], box.high[axis]);
         if (i % 4 == 3) box.high[axis] = box.low[axis];
-        out.append("projection", ask<projection_of>(out, box));
-        out.append("ndc", ask<ndc_of>(out, box, 0.5F * (box.low + box.high) + 0.3F * c.random.in_cube()));
+        const glm::vec3 point = 0.5F * (box.low + box.high) + 0.3F * c.random.in_cube();
+        const float unit = random_unit(c.random, -16, 16);
+        out.append("projection", ask<projection_of>(out, in_unit(box, unit)));
+        out.append("ndc", ask<ndc_of>(out, in_unit(box, unit), unit * point));
     }
 }
 
 void record_points(Random& random, Recorder& out, float away)
 {
     for (int i = 0; i < 100; ++i) {
-        const Box box = random_box(random, away);
+        const Box box = box_in_any_unit(random, away);
         const glm::vec3 share = 0.5F * (random.in_cube() + 1.0F);
         out.append("ndc", ask<ndc_of>(out, box, box.low + share * (box.high - box.low)));
     }
@@ -80,7 +92,7 @@ void known_regions(Case&, Recorder& out)
 void random_regions(Case& c, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
-        const Box contents = random_box(c.random, 4);
+        const Box contents = box_in_any_unit(c.random, 4);
         const int width = 1 + static_cast<int>(c.random.below(2000));
         record(out, contents, width, 1 + static_cast<int>(c.random.below(2000)));
     }
