@@ -7,6 +7,7 @@ inline constexpr const char* orbiting = R"(
 0.1 move 100 80
 0.2 press left
 0.3 move 101 80
+0.35 move 101.0625 80
 0.4 move 101 75
 0.5 move 120.5 90.25
 0.6 move 20 -30
@@ -20,6 +21,15 @@ inline constexpr const char* orbiting = R"(
 1.5 press middle
 1.6 move 310 240
 1.7 release middle
+1.8 press 4
+1.9 move 290 220
+2.0 release 4
+2.1 press left
+2.2 key LEFT_SHIFT press     # the drag goes on as it began
+2.3 move 280 225
+2.4 key LEFT_SHIFT release
+2.5 move 281 226
+2.6 release left
 )";
 
 inline constexpr const char* panning = R"(
@@ -46,6 +56,13 @@ inline constexpr const char* panning = R"(
 2.1 press left 10 20
 2.2 move 13 24
 2.3 release left
+2.4 key LEFT_SHIFT press     # with Control as well, Shift is down
+2.5 press left
+2.6 move 15 20
+2.7 release left
+2.8 press right
+2.9 move 10 21
+3.0 release right
 )";
 
 inline constexpr const char* two_buttons = R"(
@@ -98,6 +115,9 @@ inline constexpr const char* wheel = R"(
 0.7 scroll 0 0.0625
 0.8 scroll 0 -0.03125
 0.9 scroll -4 -0.5
+0.92 scroll 0 25
+0.94 scroll 0 -24.75
+0.96 scroll 0 0.0078125
 1.0 press left 10 10
 1.1 scroll 0 1
 1.2 move 12 10

@@ -80,7 +80,8 @@ void record_far_poses(Recorder& out, Random& random)
     }
 }
 
-// A million units from the origin, looking at what is near; and from far to far, past what stands beside the way.
+// A million units from the origin, looking at what is near; from far to far, past what stands beside the way; and near
+// the origin, all but straight above, or all but at what is looked at.
 void record_far_views(Recorder& out, Random& random)
 {
     for (int i = 0; i < 40; ++i) {
@@ -97,6 +98,13 @@ void record_far_views(Recorder& out, Random& random)
         for (glm::vec3* const end : {&flight.eye_from, &flight.eye_to, &flight.target_from, &flight.target_to})
             *end += place;
         record_view(out, flight, flight.duration * random.uniform());
+    }
+    for (int i = 0; i < 24; ++i) {
+        const glm::vec3 close = std::pow(10.0F, random.uniform(-4.9F, -3)) * random.unit_vector();
+        CameraFlight flight = random_flight(random);
+        flight.target_to = glm::vec3(0);
+        flight.eye_to = i % 2 == 0 ? close : glm::vec3(close.x, i % 4 == 1 ? 2 : -1, close.z);
+        record_view(out, flight, flight.duration);
     }
 }
 
