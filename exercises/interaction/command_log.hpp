@@ -16,7 +16,9 @@ using CommandRow = std::array<float, 4>;
 /// its four numbers, a row says which session it comes from.
 inline std::string command_names(bool by_session)
 {
-    if (!by_session) return "1 orbit\n2 pan\n3 zoom\n4 reset\n5 view mode\n6 viewport\n7 closing\n" + key_names("scancode, modifiers");
+    if (!by_session)
+        return "1 orbit\n2 pan\n3 zoom\n4 reset\n5 view mode\n6 viewport\n7 closing\n" +
+               key_names("scancode, modifiers");
     return "1 orbit: drag/2, -, session\n2 pan: drag/2, -, session\n3 zoom: factor, -/2, session\n"
            "4 reset: -/3, session\n5 view mode: mode, -/2, session\n6 viewport: size/2, aspect, session\n"
            "7 closing: -/3, session\n" +

@@ -28,8 +28,9 @@ inline void print_raw_events(GLFWwindow* window)
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow*, double x, double y) { std::printf("cursor %g %g\n", x, y); });
     glfwSetScrollCallback(window, [](GLFWwindow*, double x, double y) { std::printf("scroll %g %g\n", x, y); });
-    glfwSetKeyCallback(window, [](GLFWwindow*, int key, int, int action, int mods) {
-        std::printf("key %d %d %d\n", key, action, mods);
+    glfwSetKeyCallback(window, [](GLFWwindow*, int key, int scancode, int action, int mods) {
+        std::printf("key %d %d %d%s\n", key, action, mods,
+                    scancode == glfwGetKeyScancode(key) ? "" : " with another key's scancode");
     });
     glfwSetCharCallback(window, [](GLFWwindow*, unsigned code) { std::printf("char %u\n", code); });
     glfwSetFramebufferSizeCallback(
@@ -56,11 +57,16 @@ public:
         if (commands_) commands_->look();
     }
 
+    /// A key's scancode is left out: it is the keyboard's own.
     void finish() const
     {
         if (!commands_) return;
+        const float first_key = key_code(GLFW_KEY_UNKNOWN, GLFW_RELEASE);
         for (const interaction::CommandRow& row : commands_->rows())
-            std::printf("%g %g %g %g\n", double{row[0]}, double{row[1]}, double{row[2]}, double{row[3]});
+            if (row[0] < first_key)
+                std::printf("%g %g %g %g\n", double{row[0]}, double{row[1]}, double{row[2]}, double{row[3]});
+            else
+                std::printf("%g %g\n", double{row[0]}, double{row[2]});
     }
 
 private:

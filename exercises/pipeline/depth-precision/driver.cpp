@@ -23,9 +23,10 @@ void record_by_hand(Recorder& out)
     for (const auto& [n, f] : {std::pair(1.0, 3.0), {0.2, 400.0}, {0.01, 1000.0}, {2.0, infinity}})
         for (const double part : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
             const double distance = std::isinf(f) ? n / (1.0 - 0.9 * part) : n + part * (f - n);
-            out.append("ndc", ask<ndc_depth>(out, {n, f}, -distance));
-            for (const bool reversed : {false, true})
+            for (const bool reversed : {false, true}) {
+                out.append("ndc", ask<ndc_depth>(out, {n, f, reversed}, -distance));
                 out.append("window", ask<window_depth>(out, {n, f, reversed}, -distance));
+            }
         }
 }
 
@@ -44,7 +45,8 @@ void record_back(Recorder& out)
             for (const bool reversed : {false, true})
                 out.append("eye", ask<eye_depth>(out, {n, f, reversed}, code, 16));
     for (const std::uint32_t code : {0U, 1U, 127U, 254U})
-        out.append("eye", ask<eye_depth>(out, {0.5, infinity}, code, 8));
+        for (const bool reversed : {false, true})
+            out.append("eye", ask<eye_depth>(out, {0.5, infinity, reversed}, reversed ? 255 - code : code, 8));
 }
 
 struct Camera {
@@ -84,6 +86,8 @@ void record_resolution(Random& random, Recorder& out)
     };
     for (const double distance : {0.1, 1.0, 10.0, 100.0, 500.0}) all(0.01, 1000, distance);
     for (const double distance : {1.0, 10.0, 100.0, 300.0}) all(0.2, 400, distance);
+    // Depths 1/2, 1/4, …, where the steps of floats change.
+    for (const double distance : {1.25, 2.0, 4.0, 64.0}) all(1, infinity, distance);
     for (int i = 0; i < 60; ++i) {
         const Camera camera = random_camera(random);
         all(camera.range.near_plane, camera.range.far_plane, camera.distance);
@@ -93,7 +97,7 @@ void record_resolution(Random& random, Recorder& out)
 void record_fighting(Random& random, Recorder& out)
 {
     for (const auto& [n, f] : {std::pair(0.01, 1000.0), {0.2, 400.0}, {1.0, infinity}})
-        for (const int bits : {16, 24})
+        for (const int bits : {16, 24, 32})
             for (const double gap : {1e-6, 1e-3, 0.1, 1.0, 10.0})
                 append(out, "begin", ask<fighting_distance>(out, {n, f}, bits, gap));
     // Exactly at the border: the whole range is one step. And between the border and the far plane.

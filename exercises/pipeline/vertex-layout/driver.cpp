@@ -115,8 +115,8 @@ void record_any_layout(Random& random, Recorder& out, bool zeros)
     for (int i = 0; i < 12; ++i) {
         const std::vector<VertexAttribute> attributes = random_attributes(random, 5);
         const std::uint64_t vertices = 2 + random.below(5);
-        const VertexLayout from = some_layout(random, attributes, vertices, zeros ? 1 : 6, zeros);
-        const VertexLayout to = some_layout(random, attributes, vertices, zeros ? 1 : 6, false);
+        const VertexLayout from = some_layout(random, attributes, vertices, zeros ? 1 : 6, zeros && i % 3 != 0);
+        const VertexLayout to = some_layout(random, attributes, vertices, zeros ? 1 : 6, zeros && i % 3 != 1);
         record_repacked(random, out, attributes, vertices, from, to);
     }
 }
@@ -153,7 +153,7 @@ void record_fetches(Random& random, Recorder& out, bool whole, bool zero_stride)
         for (std::uint32_t components = 1; components <= 4; ++components)
             for (const bool normalized : {false, true}) {
                 const bool real = type == float32 || type == float64;
-                if ((real && (whole || normalized)) || (!real && !whole && !zero_stride)) continue;
+                if ((real && whole) || (!real && !whole && !zero_stride)) continue;
                 record_fetched(random, out, {type, components, normalized}, zero_stride);
             }
 }

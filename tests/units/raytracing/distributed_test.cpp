@@ -120,8 +120,8 @@ TEST(Distributed, penumbras_have_the_light_of_what_is_seen_of_the_lamp)
     check(2, right_half);
     check(6, over);
     check(7, over);
-    check(9, scene.lamps()[1]);
-    for (const std::size_t dark : {std::size_t{4}, std::size_t{8}}) {
+    check(10, scene.lamps()[1]);
+    for (const std::size_t dark : {std::size_t{4}, std::size_t{8}, std::size_t{9}}) {
         const PenumbraQuestion& question = questions[dark];
         Random random(1);
         EXPECT_EQ(lamp_light(scene, question.at, question.lamp, question.time, 100, random), 0) << question.name;
