@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include "../samples.hpp"
-#include "../study.hpp"
+#include "../sampled_study.hpp"
 
 namespace umbral::bench {
 
@@ -16,33 +15,19 @@ Knob measure_edge_samples(Means& means)
                                        "shift, against the exact area; seed {}.",
                                        edges, seed),
                            "ns per pixel", {{"rms", "error of the coverage, RMS", "of a pixel"}});
-    using Pattern = std::vector<glm::dvec2> (*)(int, Random&);
-    const std::vector<std::pair<std::string, Pattern>> patterns = {
-        {"random", [](int count, Random& random) { return independent(count, random); }},
-        {"stratified", [](int count, Random& random) { return cells(count, &random); }},
-        {"low-discrepancy", [](int count, Random& random) {
-             const double x = random.uniform_double();
-             return hammersley(count, {x, random.uniform_double()});
-         }}};
-    for (const auto& [family, pattern] : patterns)
-        for (const int count : {1, 4, 16, 64, 256}) {
-            Random random(seed);
-            std::vector<double> errors;
-            for (int i = 0; i < edges; ++i) {
-                const HalfPlane edge = random_edge(random, 0, turn);
-                errors.push_back(covered_share(edge, pattern(count, random)) - covered_area(edge));
-            }
-            study.trials.push_back({fmt::format("{} {}", family, count),
-                                    family,
-                                    static_cast<double>(count),
-                                    {{"rms", root_mean_square(errors)}},
-                                    16,
-                                    [count, pattern = pattern] {
-                                        Random again(seed);
-                                        for (int i = 0; i < 16; ++i)
-                                            keep(covered_share(random_edge(again, 0, turn), pattern(count, again)));
-                                    }});
-        }
+    const SamplePattern low_discrepancy = {"low-discrepancy", [](int count, Random& random) {
+                                               const double x = random.uniform_double();
+                                               return hammersley(count, {x, random.uniform_double()});
+                                           }};
+    add_sampled_trials(study, {independent_pattern(), stratified_pattern(), low_discrepancy}, seed, edges,
+                       {[](Random& random, const auto& points) {
+                            const HalfPlane edge = random_edge(random, 0, turn);
+                            return covered_share(edge, points()) - covered_area(edge);
+                        },
+                        [](int, Random& random, const auto& points) {
+                            const HalfPlane edge = random_edge(random, 0, turn);
+                            return covered_share(edge, points());
+                        }});
     study.laws = {
         {"random", "rms", "samples", -0.5, "The variance of a mean of independent samples is 1/N.", ""},
         {"stratified", "rms", "samples", -0.75,

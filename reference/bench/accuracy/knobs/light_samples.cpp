@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "../samples.hpp"
-#include "../study.hpp"
+#include "../sampled_study.hpp"
 
 namespace umbral::bench {
 namespace {
@@ -47,31 +46,16 @@ Knob measure_light_samples(Means& means)
                                        "seed {}.",
                                        places, seed),
                            "ns per point", {{"rms", "relative error of the light, RMS", "of it"}});
-    using Pattern = std::vector<glm::dvec2> (*)(int, Random&);
-    const std::vector<std::pair<std::string, Pattern>> patterns = {
-        {"random", [](int count, Random& random) { return independent(count, random); }},
-        {"stratified", [](int count, Random& random) { return cells(count, &random); }},
-        {"grid", [](int count, Random&) { return cells(count, nullptr); }}};
-    for (const auto& [family, pattern] : patterns)
-        for (const int count : {1, 4, 16, 64, 256}) {
-            Random random(seed);
-            std::vector<double> errors;
-            for (int i = 0; i < places; ++i) {
-                const double x = 3 * random.uniform_double();
-                const glm::dvec2 at(x, 3 * random.uniform_double());
-                errors.push_back(estimate(at, pattern(count, random)) / exact_irradiance(at) - 1);
-            }
-            study.trials.push_back({fmt::format("{} {}", family, count),
-                                    family,
-                                    static_cast<double>(count),
-                                    {{"rms", root_mean_square(errors)}},
-                                    16,
-                                    [count, pattern = pattern] {
-                                        Random again(seed);
-                                        for (int i = 0; i < 16; ++i)
-                                            keep(estimate({0.1 * i, 0.3}, pattern(count, again)));
-                                    }});
-        }
+    const SamplePattern grid = {"grid", [](int count, Random&) { return cells(count, nullptr); }};
+    add_sampled_trials(study, {independent_pattern(), stratified_pattern(), grid}, seed, places,
+                       {[](Random& random, const auto& points) {
+                            const double x = 3 * random.uniform_double();
+                            const glm::dvec2 at(x, 3 * random.uniform_double());
+                            return estimate(at, points()) / exact_irradiance(at) - 1;
+                        },
+                        [](int i, Random&, const auto& points) {
+                            return estimate({0.1 * i, 0.3}, points());
+                        }});
     study.laws = {{"random", "rms", "samples", -0.5, "The variance of a mean of independent samples is 1/N.", ""},
                   {"stratified", "rms", "samples", -1,
                    "Within a cell of width 1/√N smooth light varies by 1/√N: the variance is 1/N · 1/N.",
