@@ -25,6 +25,21 @@ set(UMBRAL_REFERENCE_ROOT ${PROJECT_SOURCE_DIR}/reference)
 
 # The flags of students' files, in one place: the precompiled header works only with exactly these.
 set(UMBRAL_STUDENT_FLAGS -std=c++20 -g -O1 -fPIC -fno-gnu-unique -ffp-contract=off -D_GLIBCXX_ASSERTIONS)
+# What must not be right by chance, where the compiler has it:
+# - A variable that was never given a value holds -1.7e38, or the number of no element; grader/build/with_zeros builds
+#   failing work with zeros instead, and different answers tell of such a variable. g++ leaves out what a function
+#   returns by its name, what has a constructor, and parts that it keeps in registers, but for the three flags behind.
+# - An index outside of an array, and a function that ends without its result, end the program.
+include(CheckCXXCompilerFlag)
+foreach(flags "-ftrivial-auto-var-init=pattern -fno-elide-constructors -fno-lifetime-dse -fno-tree-sra"
+    "-fsanitize=bounds,return -fsanitize-undefined-trap-on-error")
+  string(MAKE_C_IDENTIFIER "UMBRAL_HAS${flags}" has)
+  check_cxx_compiler_flag("${flags}" ${has})
+  if(${has})
+    separate_arguments(flags)
+    list(APPEND UMBRAL_STUDENT_FLAGS ${flags})
+  endif()
+endforeach()
 
 # One header before their first line, precompiled with exactly those flags by exercises/CMakeLists.txt. The headers that
 # the unit's stubs include follow it.

@@ -15,6 +15,7 @@
 #include "batch/pictures.hpp"
 #include "batch/questions.hpp"
 #include "batch/rerun.hpp"
+#include "batch/unset_values.hpp"
 #include "batch/weigh_cost.hpp"
 #include "build/inspection.hpp"
 #include "model/caps.hpp"
@@ -199,7 +200,11 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
     result.output = printed_text(exercise, cases);
     const bool explains = options.explain && result.verdict != Verdict::ok;
     if (explains)
-        beside_the_grade(result, [&] { result.explanations = explain_unit(worker, exercise, result, cases); });
+        beside_the_grade(result, [&] {
+            result.explanations = explain_unit(worker, exercise, result, cases);
+            if (auto unset = by_unset_values(worker, exercise, built, result, cases))
+                result.explanations.insert(result.explanations.begin(), *std::move(unset));
+        });
     if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, options, result);
     if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);
     if (explains && options.questions)

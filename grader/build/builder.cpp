@@ -202,6 +202,7 @@ Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sour
         require_a_working_compiler(tools, exercise);
         return built;
     }
+    if (built.verdict == Verdict::ok) built.message = compilation.diagnostics;
     // Where work is counted, what reaches for the counter is refused as it was written, used or not.
     const bool may_be_unused = built.verdict == Verdict::forbidden && !exercise.counts_work;
     return may_be_unused ? without_unused_code(tools, exercise, files, work, built) : built;
@@ -231,6 +232,7 @@ Built build(const Toolchain& tools, const Exercise& exercise, const Sources& fil
         if (built.repeatable) built = keep(built, work.path(), folder);
     }
     built.sources = texts_of(files);
+    built.files = files;
     return built;
 }
 

@@ -13,10 +13,12 @@ namespace umbral::grader {
 /// What a student's files became.
 struct Built {
     Verdict verdict = Verdict::grader_fault;  ///< ok, or why it cannot run
-    std::string message;                      ///< diagnostics for the student
+    std::string message;                      ///< diagnostics for the student; if ok, warnings
     std::filesystem::path library;            ///< empty for a unit without C++, or if not ok
     unsigned mutant = 0;                      ///< of the library's mutants the one to run (mutants/); none is 0
     Sources sources;                          ///< the texts that are not C++, for the run
+    Sources files;                            ///< all that it was built from; empty of an adopted library
+    bool zeros = false;                       ///< built by build_with_zeros
     std::string mistake;     ///< the unit's known mistake that it is, whose runs serve explanations too; empty for none
     bool repeatable = true;  ///< would it come out so on every machine? Not if the compiler ran out of time, or failed
                              ///< without saying why

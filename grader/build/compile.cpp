@@ -147,6 +147,16 @@ bool ran_out_of_processor_time(const ConfinedResult& result)
            result.output.find("CPU time limit exceeded signal") != std::string::npos;
 }
 
+/// The lines "sphere.cpp:3:5: warning: …".
+std::string warnings_of(const std::string& output)
+{
+    std::string kept;
+    std::istringstream stream(output);
+    for (std::string line; std::getline(stream, line);)
+        if (line.find(": warning: ") != std::string::npos) kept += line + '\n';
+    return kept;
+}
+
 std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result)
 {
     if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time)
@@ -196,6 +206,8 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
             fmt::format("your files compile to {} bytes; at most {} are taken", fs::file_size(library), caps::library);
         return compilation;
     }
+    compilation.diagnostics =
+        printable(warnings_of(without_our_paths(std::move(result.output), tools, work)), caps::message);
     // Nothing is run that was not looked through.
     if (compilation.outcome == Outcome::built) compilation.library = library;
     return compilation;

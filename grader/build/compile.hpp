@@ -22,7 +22,8 @@ struct Compilation {
     };
     Outcome outcome = Outcome::unexplained;
     std::optional<std::filesystem::path> library;  ///< if built
-    std::string diagnostics;  ///< for the student: the first errors, with the student's own file names
+    std::string diagnostics;  ///< for the student: the first errors, or if built warnings, with the student's own file
+                              ///< names
 };
 
 /// What becomes of functions that nothing of the unit calls: they stay in the library, as two definitions of one name

@@ -23,6 +23,7 @@
 #include "model/nearest.hpp"
 #include "run/descriptor.hpp"
 #include "run/emulated_calls.hpp"
+#include "run/fresh_memory.hpp"
 #include "run/inquiry_json.hpp"
 #include "run/last_words.hpp"
 #include "run/protocol.hpp"
@@ -55,6 +56,7 @@ struct Job {
     Inquiry inquiry;
     PassedOver passed_over;
     unsigned mutant = 0;  ///< of a library that holds mutants, which only trusted ones do; 0 for none
+    bool zeros = false;   ///< memory that was never written holds zeros, instead of nonsense
 };
 
 std::string content_of(int file)
@@ -78,7 +80,8 @@ Job read_job(int file)
             {json.at("counted_table"), json.at("counted_sizes")},
             inquiry_from_json(json.at("inquiry")),
             {json.at("passed_over"), json.at("passed_over_functions"), json.at("end"), json.at("asked_only")},
-            json.at("mutant")};
+            json.at("mutant"),
+            json.at("zeros")};
 }
 
 /// Opens a library of the run. A file that is not there any more ends the run before any foreign code: a fault of ours.
@@ -246,6 +249,7 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     close(texts_until_read);
     // Line by line, so that what was printed before a crash is not lost.
     setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+    fill_fresh_memory(job.zeros ? FreshMemory::zeros : FreshMemory::nonsense);
     if (!job.solution.empty()) {
         void* const solution_library = load(header, job.solution);
         last_words::set_library(header, solution_library);

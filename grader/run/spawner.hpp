@@ -31,6 +31,7 @@ struct RunRequest {
     CostLimit costs{};       ///< work on these counted costs only, to measure them from outside; without a table on all
     Inquiry inquiry{};       ///< what is to be told of its questions, of trusted solutions only; and its inputs' grain
     PassedOver passed_over{};  ///< questions that the student's code is not asked
+    bool zeros = false;        ///< memory that was never written holds zeros, instead of nonsense (fresh_memory.hpp)
     unsigned mutant = 0;       ///< of a trusted library that holds mutants, the one to run; 0 for what all others are
     std::vector<std::string> roots{};  ///< folders of this machine that no text of the run may show (run_text.hpp)
 };

@@ -1,0 +1,105 @@
+#include "batch/unset_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "build/with_zeros.hpp"
+#include "judge/explain/thresholds.hpp"
+#include "judge/judges.hpp"
+
+namespace umbral::grader {
+namespace {
+
+/// Each is run twice.
+constexpr std::size_t most_cases = 4;
+constexpr std::size_t most_warnings = 2;
+/// Only chance could have it otherwise: one that two runs which differ, and two which do not, leave room for.
+constexpr double confidence_of_difference = 0.99;
+
+/// A case, and the values that its failing checks look at. Counted work may depend on how variables are filled.
+struct FailingCase {
+    std::string name;
+    bool hidden = false;
+    std::set<std::string> values{};
+};
+
+std::vector<FailingCase> failing_cases(const Exercise& exercise, const UnitResult& result, const CaseResults& cases)
+{
+    std::vector<FailingCase> found;
+    for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
+        const Check& check = exercise.checks[i];
+        const CaseResult& one = cases.at(check.case_name);
+        if (result.checks[i].score == result.checks[i].max_score || !one.reached || judge_of(check).counts_work)
+            continue;
+        auto at = std::ranges::find(found, check.case_name, &FailingCase::name);
+        if (at == found.end()) at = found.insert(found.end(), {check.case_name, one.hidden});
+        at->values.merge([&] {
+            const std::vector<std::string> values = values_of(check);
+            return std::set<std::string>(values.begin(), values.end());
+        }());
+    }
+    std::ranges::stable_sort(found, std::less<>(), &FailingCase::hidden);
+    if (found.size() > most_cases) found.resize(most_cases);
+    return found;
+}
+
+bool differ(const RunOutcome& a, const RunOutcome& b, const FailingCase& of)
+{
+    if (a.verdict != b.verdict) return true;
+    return std::ranges::any_of(of.values, [&](const std::string& value) {
+        const Tensor* in_a = tensor_of(a, value);
+        const Tensor* in_b = tensor_of(b, value);
+        return in_a == nullptr || in_b == nullptr ? in_a != in_b : !(*in_a == *in_b);
+    });
+}
+
+/// " (sphere.cpp:3:9: 'sum' is used uninitialized)" for the first of the compiler's warnings; empty if there is none.
+std::string quoted(const std::string& warnings)
+{
+    constexpr std::string_view sign = " warning:";
+    std::istringstream lines(warnings);
+    std::string all;
+    std::size_t count = 0;
+    for (std::string line; std::getline(lines, line) && count < most_warnings;) {
+        const std::size_t at = line.find(sign);
+        if (at == std::string::npos || line.find("uninitialized") == std::string::npos) continue;
+        line.erase(at, sign.size());
+        all += fmt::format("{}{}", count++ == 0 ? "" : "; ", line.substr(0, line.rfind(" [-W")));
+    }
+    return all.empty() ? "" : fmt::format(" The compiler sees such a one: {}.", all);
+}
+
+}
+
+std::optional<Explanation> by_unset_values(Worker& worker, const Exercise& exercise, const Built& built,
+                                           const UnitResult& result, const CaseResults& cases)
+{
+    const bool explained = std::ranges::any_of(result.explanations, [](const Explanation& one) {
+        return !one.hidden && one.fit == 1 && one.confidence >= thresholds::very_sure;
+    });
+    if (explained || built.files.empty()) return std::nullopt;
+    const std::vector<FailingCase> failing = failing_cases(exercise, result, cases);
+    if (failing.empty()) return std::nullopt;
+    const std::optional<Built> zeros = build_with_zeros(worker.tools(), exercise, built.files);
+    if (!zeros || zeros->verdict != Verdict::ok) return std::nullopt;
+    for (const FailingCase& one : failing) {
+        const CaseResult& first = cases.at(one.name);
+        if (first.student.verdict == Verdict::timeout) continue;
+        if (!differ(first.student, worker.run(exercise, *zeros, one.name, first.seed), one)) continue;
+        if (differ(first.student, worker.run(exercise, built, one.name, first.seed), one)) return std::nullopt;
+        return Explanation{"uninitialized",
+                           "Your program reads a variable, or memory, to which it never gave a value: where that holds "
+                           "zeros instead, its answers are different." +
+                               quoted(zeros->message),
+                           confidence_of_difference,
+                           1,
+                           false,
+                           one.hidden};
+    }
+    return std::nullopt;
+}
+
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "batch/case_results.hpp"
+#include "batch/worker.hpp"
+
+namespace umbral::grader {
+
+/// Do answers that earned no point follow from values that were never set? The same files are built and run again with
+/// zeros in variables and in memory from `new`, where the student's run had what cannot be right (build/with_zeros.hpp,
+/// run/fresh_memory.hpp): if what failing checks look at is different then, although a run like the first one gives the
+/// same again, the program reads what it never wrote, or memory that it has given back. The sentence quotes the
+/// compiler where it sees which variable that is. Nothing if it is not so, cannot be tried, or if
+/// the result has a reason already that fits all.
+[[nodiscard]] std::optional<Explanation> by_unset_values(Worker& worker, const Exercise& exercise, const Built& built,
+                                                         const UnitResult& result, const CaseResults& cases);
+
+}

@@ -1,0 +1,19 @@
+#include "build/with_zeros.hpp"
+
+#include <algorithm>
+
+namespace umbral::grader {
+
+std::optional<Built> build_with_zeros(const Toolchain& tools, const Exercise& exercise, const Sources& files)
+{
+    Toolchain changed = tools;
+    const auto filled = std::ranges::find(changed.flags, "-ftrivial-auto-var-init=pattern");
+    if (filled == changed.flags.end() || !exercise.is_cpp()) return std::nullopt;
+    *filled = "-ftrivial-auto-var-init=zero";
+    for (const char* const warning : {"-Wuninitialized", "-Wmaybe-uninitialized"}) changed.flags.emplace_back(warning);
+    Built built = build(changed, exercise, files);
+    built.zeros = true;
+    return built;
+}
+
+}
