@@ -202,8 +202,9 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
     if (explains)
         beside_the_grade(result, [&] {
             result.explanations = explain_unit(worker, exercise, result, cases);
+            // What else would seem to explain them is chance.
             if (auto unset = by_unset_values(worker, exercise, built, result, cases))
-                result.explanations.insert(result.explanations.begin(), *std::move(unset));
+                result.explanations = {*std::move(unset)};
         });
     if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, options, result);
     if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);

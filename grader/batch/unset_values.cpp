@@ -78,7 +78,8 @@ std::optional<Explanation> by_unset_values(Worker& worker, const Exercise& exerc
                                            const UnitResult& result, const CaseResults& cases)
 {
     const bool explained = std::ranges::any_of(result.explanations, [](const Explanation& one) {
-        return !one.hidden && one.fit == 1 && one.confidence >= thresholds::very_sure;
+        return one.name.starts_with("mistake: ") && !one.hidden && one.fit == 1 &&
+               one.confidence >= thresholds::very_sure;
     });
     if (explained || built.files.empty()) return std::nullopt;
     const std::vector<FailingCase> failing = failing_cases(exercise, result, cases);

@@ -12,7 +12,7 @@ namespace umbral::grader {
 /// run/fresh_memory.hpp): if what failing checks look at is different then, although a run like the first one gives the
 /// same again, the program reads what it never wrote, or memory that it has given back. The sentence quotes the
 /// compiler where it sees which variable that is. Nothing if it is not so, cannot be tried, or if
-/// the result has a reason already that fits all.
+/// the result is a known mistake.
 [[nodiscard]] std::optional<Explanation> by_unset_values(Worker& worker, const Exercise& exercise, const Built& built,
                                                          const UnitResult& result, const CaseResults& cases);
 

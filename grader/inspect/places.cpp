@@ -57,6 +57,25 @@ std::string place_of_call(Dwarf_Die* unit, Dwarf_Addr address)
     return {};
 }
 
+/// The line, or another at the same address: where no instruction is left of a line, the next one begins there too.
+std::string own_line(Dwarf_Die* unit, Dwarf_Line* line)
+{
+    Dwarf_Lines* lines = nullptr;
+    std::size_t count = 0;
+    Dwarf_Addr wanted = 0;
+    if (dwarf_getsrclines(unit, &lines, &count) != 0 || dwarf_lineaddr(line, &wanted) != 0) return {};
+    std::string found;
+    for (std::size_t i = 0; i < count; ++i) {
+        Dwarf_Line* const one = dwarf_onesrcline(lines, i);
+        Dwarf_Addr address = 0;
+        int number = 0;
+        if (dwarf_lineaddr(one, &address) != 0 || address != wanted || dwarf_lineno(one, &number) != 0) continue;
+        const char* const file = dwarf_linesrc(one, nullptr, nullptr);
+        if (file != nullptr && is_own(unit, file)) found = place(file, static_cast<std::uint64_t>(number));
+    }
+    return found;
+}
+
 }
 
 std::string place_in_own_files(Dwarf* dwarf, Dwarf_Addr address)
@@ -64,10 +83,9 @@ std::string place_in_own_files(Dwarf* dwarf, Dwarf_Addr address)
     std::string found;
     (void)for_each_unit(dwarf, [&](Dwarf_Die* unit) {
         Dwarf_Line* line = dwarf_getsrc_die(unit, address);
-        int number = 0;
-        const char* file = line == nullptr ? nullptr : dwarf_linesrc(line, nullptr, nullptr);
-        if (file == nullptr || dwarf_lineno(line, &number) != 0) return false;
-        found = is_own(unit, file) ? place(file, static_cast<std::uint64_t>(number)) : place_of_call(unit, address);
+        if (line == nullptr) return false;
+        found = own_line(unit, line);
+        if (found.empty()) found = place_of_call(unit, address);
         return !found.empty();
     });
     return found;

@@ -105,8 +105,8 @@ void note_signal(wire::Header& header, int signal, const siginfo_t& info, const 
     // As students' files are compiled (cmake/UmbralUnit.cmake), these end the program; so does what the compiler has
     // seen to be a use of no object.
     if (signal == SIGILL || signal == SIGTRAP)
-        set_text(header, {"what the language leaves undefined: an index outside of an array, a function that ended "
-                          "without giving its result, or a null pointer"});
+        set_text(header, {"an index outside of an array, a function that ended without giving its result, or a "
+                          "null pointer"});
     if (signal != SIGSEGV) return;
     const auto fault = reinterpret_cast<std::uintptr_t>(info.si_addr);
     const bool beyond = fault >= stack_end && fault < stack_end + stack_guard;

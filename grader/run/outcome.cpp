@@ -85,6 +85,9 @@ End from_note(const Recording& recording, const Limits& limits)
         case wire::Note::signal: {
             const std::string signal =
                 fmt::format("signal {} ({})", recording.signal, strsignal(static_cast<int>(recording.signal)));
+            // What ended a program on purpose has said why: the signal's name ("Illegal instruction") would mislead.
+            if (recording.signal == SIGILL || recording.signal == SIGTRAP)
+                return {Verdict::crashed, recording.text.empty() ? signal : recording.text};
             return {Verdict::crashed, recording.text.empty() ? signal : signal + ": " + recording.text};
         }
         case wire::Note::load_failure: return load_failure(recording.text, limits);
