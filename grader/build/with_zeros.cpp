@@ -10,7 +10,9 @@ std::optional<Built> build_with_zeros(const Toolchain& tools, const Exercise& ex
     const auto filled = std::ranges::find(changed.flags, "-ftrivial-auto-var-init=pattern");
     if (filled == changed.flags.end() || !exercise.is_cpp()) return std::nullopt;
     *filled = "-ftrivial-auto-var-init=zero";
-    for (const char* const warning : {"-Wuninitialized", "-Wmaybe-uninitialized"}) changed.flags.emplace_back(warning);
+    // Without the first, g++ may take a variable that is set in one branch for set in all, before it warns.
+    for (const char* const flag : {"-fno-tree-fre", "-Wuninitialized", "-Wmaybe-uninitialized"})
+        changed.flags.emplace_back(flag);
     Built built = build(changed, exercise, files);
     built.zeros = true;
     return built;

@@ -3,32 +3,58 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <utility>
 
 namespace umbral::grader {
 namespace {
 
 constexpr std::size_t most_filled = std::size_t{1} << 20U;
 
-/// Operators have no argument that could tell them. A run sets it once, before it loads foreign code.
+/// Operators have no argument that could tell them. A run sets it once, before it loads foreign code; it has one
+/// thread.
 struct Fill {
     bool on = false;
     int byte = 0;
+    /// Small blocks that were given back are kept for a while: malloc would write addresses into them.
+    std::array<void*, 256> kept{};
+    std::size_t next = 0;
 } fill;
+constexpr std::size_t most_kept = 4096;
 
 void fill_memory(void* memory) noexcept
 {
     if (fill.on) std::memset(memory, fill.byte, std::min(malloc_usable_size(memory), most_filled));
 }
 
+/// Was this block given back already? Looked up only if it begins as such a block does.
+bool is_kept(void* memory) noexcept
+{
+    std::uint64_t first = 0;
+    if (!fill.on || malloc_usable_size(memory) < sizeof first) return false;
+    std::memcpy(&first, memory, sizeof first);
+    const bool filled = first == 0x0101010101010101U * static_cast<std::uint64_t>(fill.byte);
+    return filled && std::ranges::find(fill.kept, memory) != fill.kept.end();
+}
+
+/// What is to be freed when `memory` is given back; may be null.
+void* instead_of(void* memory) noexcept
+{
+    if (!fill.on || malloc_usable_size(memory) > most_kept) return memory;
+    return std::exchange(fill.kept[fill.next++ % fill.kept.size()], memory);
+}
+
 }
 
 void fill_fresh_memory(FreshMemory with) noexcept
 {
-    fill = {with != FreshMemory::as_it_comes, with == FreshMemory::nonsense ? 0xFE : 0};
+    fill.on = with != FreshMemory::as_it_comes;
+    fill.byte = with == FreshMemory::nonsense ? 0xFE : 0;
 }
 
 }
@@ -51,8 +77,10 @@ void* operator new(std::size_t size)
 void operator delete(void* memory) noexcept
 {
     if (memory == nullptr) return;
+    // The C library ends the program, in its own words.
+    if (umbral::grader::is_kept(memory)) std::free(memory);
     umbral::grader::fill_memory(memory);
-    std::free(memory);
+    std::free(umbral::grader::instead_of(memory));
 }
 
 void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }

@@ -58,6 +58,14 @@ void note_frames(wire::Header& header) noexcept
             reinterpret_cast<std::uintptr_t>(addresses[i]) - static_cast<std::uintptr_t>(header.library_base);
 }
 
+void put_first(wire::Header& header, std::uint64_t frame) noexcept
+{
+    const std::size_t kept = std::min<std::size_t>(header.frame_count, std::size(header.frames) - 1);
+    std::copy_backward(header.frames, header.frames + kept, header.frames + kept + 1);
+    header.frames[0] = frame;
+    header.frame_count = static_cast<std::uint32_t>(kept + 1);
+}
+
 struct Registers {
     std::uintptr_t stack;
     std::uintptr_t program;
@@ -123,11 +131,15 @@ void crashed(int signal, const siginfo_t* info, const ucontext_t& context) noexc
     const Registers registers = registers_of(context);
     header.signal = static_cast<std::uint32_t>(signal);
     if (header.note == static_cast<std::uint32_t>(wire::Note::none)) note_signal(header, signal, *info, registers);
-    // A jump to nowhere leaves no frame of its own: keep the program counter as well.
+    // A jump to nowhere leaves no frame of its own, and of others the instruction itself is known: it comes first.
     if (header.frame_count == 0) {
-        header.frames[0] = registers.program - static_cast<std::uintptr_t>(header.library_base);
+        const std::uint64_t program = registers.program - static_cast<std::uintptr_t>(header.library_base);
+        header.frames[0] = program;
         header.frame_count = 1;
-        if (header.note != static_cast<std::uint32_t>(wire::Note::stack_overflow)) note_frames(header);
+        if (header.note != static_cast<std::uint32_t>(wire::Note::stack_overflow)) {
+            note_frames(header);
+            put_first(header, program);
+        }
     }
     _exit(exit_after_crash);
 }

@@ -14,14 +14,14 @@ protected:
     explicit SpoiltReference(const std::string& unit = "raytracing/sphere") : exercise(bench.exercise(unit)) {}
 
     /// With one text in place of another, which it must hold.
-    UnitResult grade(const std::string& from, const std::string& to)
+    UnitResult grade(const std::string& from, const std::string& to, const GradeOptions& options = {})
     {
         Sources sources = reference_sources(bench.tools().reference, exercise);
         std::string& text = sources.begin()->second;
         const std::size_t place = text.find(from);
         EXPECT_NE(place, std::string::npos) << from;
         text.replace(place, from.size(), to);
-        return grade_unit(worker, exercise, {sources, {}, ""}, {});
+        return grade_unit(worker, exercise, {sources, {}, ""}, options);
     }
 
     static const CheckResult& check(const UnitResult& result, const std::string& name)
