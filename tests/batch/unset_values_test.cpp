@@ -17,10 +17,8 @@ protected:
         const std::string begin = "const float discriminant = a *";
         GradeOptions options;
         options.questions = false;
-        return SpoiltReference::grade(begin, statements + "
-                                                 const float discriminant = " + factor + " * a *
-                                                                            ",
-                                                                            options);
+        return SpoiltReference::grade(begin, statements + "\n    const float discriminant = " + factor + " * a *",
+                                      options);
     }
     static bool is_told(const UnitResult& result)
     {
