@@ -86,11 +86,15 @@ std::optional<Explanation> by_unset_values(Worker& worker, const Exercise& exerc
     if (failing.empty()) return std::nullopt;
     const std::optional<Built> zeros = build_with_zeros(worker.tools(), exercise, built.files);
     if (!zeros || zeros->verdict != Verdict::ok) return std::nullopt;
+    Built nonsense = built;
+    nonsense.fresh_memory = FreshMemory::lasting_nonsense;
     for (const FailingCase& one : failing) {
-        const CaseResult& first = cases.at(one.name);
-        if (first.student.verdict == Verdict::timeout) continue;
-        if (!differ(first.student, worker.run(exercise, *zeros, one.name, first.seed), one)) continue;
-        if (differ(first.student, worker.run(exercise, built, one.name, first.seed), one)) return std::nullopt;
+        const CaseResult& graded = cases.at(one.name);
+        if (graded.student.verdict == Verdict::timeout) continue;
+        const auto run = [&](const Built& what) { return worker.run(exercise, what, one.name, graded.seed); };
+        const RunOutcome first = run(nonsense);
+        if (!differ(first, run(*zeros), one)) continue;
+        if (differ(first, run(nonsense), one)) return std::nullopt;
         return Explanation{"uninitialized",
                            "Your program reads a variable, or memory, to which it never gave a value: where that holds "
                            "zeros instead, its answers are different." +

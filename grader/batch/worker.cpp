@@ -94,7 +94,7 @@ RunRequest Worker::students_request(const Exercise& exercise, const Built& built
     RunRequest wanted = request(exercise, case_name, seed);
     wanted.solution = built.library;
     wanted.mutant = built.mutant;
-    wanted.zeros = built.zeros;
+    wanted.fresh_memory = built.fresh_memory;
     wanted.wanted = this->wanted(exercise, case_name, seed);
     wanted.roots.push_back(built.library.parent_path().string());
     // Only what the unit asks for: other files are nothing to the driver.

@@ -7,6 +7,7 @@
 #include "build/toolchain.hpp"
 #include "model/exercise.hpp"
 #include "model/verdict.hpp"
+#include "run/fresh_memory.hpp"
 
 namespace umbral::grader {
 
@@ -18,7 +19,7 @@ struct Built {
     unsigned mutant = 0;                      ///< of the library's mutants the one to run (mutants/); none is 0
     Sources sources;                          ///< the texts that are not C++, for the run
     Sources files;                            ///< all that it was built from; empty of an adopted library
-    bool zeros = false;                       ///< built by build_with_zeros
+    FreshMemory fresh_memory = FreshMemory::nonsense;  ///< in its runs
     std::string mistake;     ///< the unit's known mistake that it is, whose runs serve explanations too; empty for none
     bool repeatable = true;  ///< would it come out so on every machine? Not if the compiler ran out of time, or failed
                              ///< without saying why

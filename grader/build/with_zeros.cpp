@@ -14,7 +14,7 @@ std::optional<Built> build_with_zeros(const Toolchain& tools, const Exercise& ex
     for (const char* const flag : {"-fno-tree-fre", "-Wuninitialized", "-Wmaybe-uninitialized"})
         changed.flags.emplace_back(flag);
     Built built = build(changed, exercise, files);
-    built.zeros = true;
+    built.fresh_memory = FreshMemory::lasting_zeros;
     return built;
 }
 

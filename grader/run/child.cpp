@@ -56,7 +56,7 @@ struct Job {
     Inquiry inquiry;
     PassedOver passed_over;
     unsigned mutant = 0;  ///< of a library that holds mutants, which only trusted ones do; 0 for none
-    bool zeros = false;   ///< memory that was never written holds zeros, instead of nonsense
+    FreshMemory fresh_memory = FreshMemory::nonsense;  ///< what memory holds that was never written
 };
 
 std::string content_of(int file)
@@ -81,7 +81,7 @@ Job read_job(int file)
             inquiry_from_json(json.at("inquiry")),
             {json.at("passed_over"), json.at("passed_over_functions"), json.at("end"), json.at("asked_only")},
             json.at("mutant"),
-            json.at("zeros")};
+            static_cast<FreshMemory>(json.at("fresh_memory").get<int>())};
 }
 
 /// Opens a library of the run. A file that is not there any more ends the run before any foreign code: a fault of ours.
@@ -249,7 +249,7 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     close(texts_until_read);
     // Line by line, so that what was printed before a crash is not lost.
     setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
-    fill_fresh_memory(job.zeros ? FreshMemory::zeros : FreshMemory::nonsense);
+    fill_fresh_memory(job.fresh_memory);
     if (!job.solution.empty()) {
         void* const solution_library = load(header, job.solution);
         last_words::set_library(header, solution_library);

@@ -21,8 +21,8 @@ constexpr std::size_t most_filled = std::size_t{1} << 20U;
 struct Fill {
     bool on = false;
     int byte = 0;
-    /// Small blocks that were given back are kept for a while: malloc would write addresses into them.
-    std::array<void*, 256> kept{};
+    bool lasts = false;
+    std::array<void*, 256> kept{};  ///< blocks that were given back, and not yet to malloc
     std::size_t next = 0;
 } fill;
 constexpr std::size_t most_kept = 4096;
@@ -36,7 +36,7 @@ void fill_memory(void* memory) noexcept
 bool is_kept(void* memory) noexcept
 {
     std::uint64_t first = 0;
-    if (!fill.on || malloc_usable_size(memory) < sizeof first) return false;
+    if (!fill.lasts || malloc_usable_size(memory) < sizeof first) return false;
     std::memcpy(&first, memory, sizeof first);
     const bool filled = first == 0x0101010101010101U * static_cast<std::uint64_t>(fill.byte);
     return filled && std::ranges::find(fill.kept, memory) != fill.kept.end();
@@ -45,7 +45,7 @@ bool is_kept(void* memory) noexcept
 /// What is to be freed when `memory` is given back; may be null.
 void* instead_of(void* memory) noexcept
 {
-    if (!fill.on || malloc_usable_size(memory) > most_kept) return memory;
+    if (!fill.lasts || malloc_usable_size(memory) > most_kept) return memory;
     return std::exchange(fill.kept[fill.next++ % fill.kept.size()], memory);
 }
 
@@ -54,7 +54,8 @@ void* instead_of(void* memory) noexcept
 void fill_fresh_memory(FreshMemory with) noexcept
 {
     fill.on = with != FreshMemory::as_it_comes;
-    fill.byte = with == FreshMemory::nonsense ? 0xFE : 0;
+    fill.byte = with == FreshMemory::lasting_zeros ? 0 : 0xFE;
+    fill.lasts = with == FreshMemory::lasting_nonsense || with == FreshMemory::lasting_zeros;
 }
 
 }

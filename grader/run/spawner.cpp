@@ -67,7 +67,7 @@ std::string job_text(const RunRequest& request)
         {"end", request.passed_over.end},
         {"asked_only", request.passed_over.only},
         {"mutant", request.mutant},
-        {"zeros", request.zeros},
+        {"fresh_memory", static_cast<int>(request.fresh_memory)},
         {"memory", static_cast<std::uint64_t>(request.limits.memory_mib) << 20U},
         {"cpu_seconds", static_cast<std::uint64_t>(std::ceil(request.limits.wall_seconds)) + 1}};
     return job.dump();

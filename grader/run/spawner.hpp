@@ -15,6 +15,7 @@
 #include "model/recording.hpp"
 #include "model/verdict.hpp"
 #include "run/descriptor.hpp"
+#include "run/fresh_memory.hpp"
 
 namespace umbral::grader {
 
@@ -30,9 +31,9 @@ struct RunRequest {
     WantedTensors wanted{};  ///< of what it records, all that is looked at; empty for everything
     CostLimit costs{};       ///< work on these counted costs only, to measure them from outside; without a table on all
     Inquiry inquiry{};       ///< what is to be told of its questions, of trusted solutions only; and its inputs' grain
-    PassedOver passed_over{};  ///< questions that the student's code is not asked
-    bool zeros = false;        ///< memory that was never written holds zeros, instead of nonsense (fresh_memory.hpp)
-    unsigned mutant = 0;       ///< of a trusted library that holds mutants, the one to run; 0 for what all others are
+    PassedOver passed_over{};                          ///< questions that the student's code is not asked
+    FreshMemory fresh_memory = FreshMemory::nonsense;  ///< what memory holds that was never written
+    unsigned mutant = 0;  ///< of a trusted library that holds mutants, the one to run; 0 for what all others are
     std::vector<std::string> roots{};  ///< folders of this machine that no text of the run may show (run_text.hpp)
 };
 

@@ -82,6 +82,12 @@ void by_hand(Recorder& out)
 void textures(Random& random, Recorder& out)
 {
     for (const int size : {2, 8, 16, 32}) record_mipmap(out, random_texture(random, size, size));
+    // Light, and what is no colour: numbers above 1 and below 0.
+    for (const int size : {4, 8}) {
+        Grid<glm::vec4> texture = random_texture(random, size, size);
+        for (glm::vec4& texel : texture.cells) texel = 8.0F * texel - 2.0F;
+        record_mipmap(out, texture);
+    }
 }
 
 // 0 if there is an answer, 1 if the texture is refused as the interface says, 2 if in another way.

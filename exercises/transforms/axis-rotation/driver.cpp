@@ -109,6 +109,7 @@ void record_chains(Random& random, Recorder& out)
         if (i % 5 == 0) turns[1].axis = glm::vec3(0);
         if (i % 5 == 1) turns[0].angle = std::numeric_limits<float>::infinity();
         if (i % 5 == 2) turns[1].axis.y = std::numeric_limits<float>::quiet_NaN();
+        if (i % 5 == 3) turns[i % 2].angle = 0;
         out.append("matrix", ask<compose_rotations>(out, turns));
     }
 }

@@ -48,8 +48,13 @@ void record_known(Recorder& out)
     sheared[1][0] = 0.5F;
     const glm::mat4 stretched = glm::scale(glm::mat4(1), {2, 1, 1});
     const glm::mat4 moved = glm::translate(glm::mat4(1), {3, -4, 5});
-    for (const glm::mat4& model : {stretched, sheared, moved, glm::mat4(1), moved * stretched,
-                                   glm::scale(glm::mat4(1), {1, 2, 4}), sheared * stretched})
+    // Without an entry in the diagonal, or without a positive one.
+    const glm::mat4 axes_changed({0, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, 0}, {0, 0, 0, 1});
+    const glm::mat4 half_turn = glm::scale(glm::mat4(1), {-1, 1, -1});
+    const glm::mat4 inside_out = glm::scale(glm::mat4(1), {-2, -1, -3});
+    for (const glm::mat4& model :
+         {stretched, sheared, moved, glm::mat4(1), moved * stretched, glm::scale(glm::mat4(1), {1, 2, 4}),
+          sheared * stretched, axes_changed, half_turn, inside_out, axes_changed * inside_out})
         for (const glm::vec3& normal : {glm::vec3(1, 1, 0), {0, 1, 0}, {1, 0, 0}, {0, 3, 4}})
             record(model, normalize(normal), out);
 }
