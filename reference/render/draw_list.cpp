@@ -92,6 +92,7 @@ DrawList make_draw_list(const scene::Scene& scene, int width, int height, bool f
             visibility(list.meshes[draw.mesh], list.projection * draw.model_view, guard_band(width, height));
         if (draw.material.texture && (for_rays || draw.visibility != Visibility::outside))
             draw.texture = textures.place(*draw.material.texture);
+        if (draw.material.bump && for_rays) draw.bump = textures.place(*draw.material.bump);
         list.draws.push_back(std::move(draw));
     }
     return list;

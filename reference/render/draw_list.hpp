@@ -46,6 +46,7 @@ struct Draw {
     bool specular = false;  ///< its material has a specular colour
     scene::Material material;
     std::optional<std::size_t> texture;  ///< place in DrawList::textures, where it can be seen
+    std::optional<std::size_t> bump;     ///< place in DrawList::textures of heights; for rays
 };
 
 /// A scene prepared for one aspect ratio: what the renderers take. All of them read the same matrices and vertices, so

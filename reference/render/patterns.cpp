@@ -109,4 +109,23 @@ glm::vec3 bricks(const scene::Texture& texture, const glm::vec2& uv)
     return glm::clamp(glm::mix(mortar, burnt * (1 + 0.16F * rough), glm::smoothstep(0.05F, 0.1F, edge)), 0.0F, 1.0F);
 }
 
+glm::vec3 pores(const scene::Texture& texture, const glm::vec2& uv)
+{
+    const glm::vec2 place = uv * static_cast<float>(texture.cells);
+    const glm::ivec2 cell(glm::floor(place));
+    float depth = 0;
+    // A dimple reaches no farther than a cell beyond its own.
+    for (int y = cell.y - 1; y <= cell.y + 1; ++y)
+        for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
+            const int column = wrapped(x, texture.cells);
+            const int row = wrapped(y, texture.cells);
+            const auto random = [&](std::uint32_t which) { return random_at(column, row, which); };
+            const glm::vec2 centre = glm::vec2(x, y) + 0.2F + 0.6F * glm::vec2(random(5), random(6));
+            const float radius = 0.45F + 0.3F * random(7);
+            const float from_edge = std::max(0.0F, 1 - dot(place - centre, place - centre) / (radius * radius));
+            depth = std::max(depth, (0.6F + 0.4F * random(8)) * from_edge * from_edge);
+        }
+    return glm::mix(texture.first, texture.second, depth);
+}
+
 }

@@ -21,4 +21,7 @@ namespace umbral::render {
 /// Layers of bricks, every other one by half a brick aside; they join themselves above if their number is even.
 [[nodiscard]] glm::vec3 bricks(const scene::Texture& texture, const glm::vec2& uv);
 
+/// Round dimples, as in the peel of an orange, one in each cell, not all as deep.
+[[nodiscard]] glm::vec3 pores(const scene::Texture& texture, const glm::vec2& uv);
+
 }

@@ -13,41 +13,9 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Where a sheet over the unit square of (u, v) is joined to itself.
-struct Seams {
-    bool u = false;      ///< u = 1 is u = 0
-    bool v = false;      ///< v = 1 is v = 0
-    bool poles = false;  ///< the rows v = 0 and v = 1 are a point each
-};
-
-/// `columns` x `rows` cells (add_cells); `place` gives a position in double.
-template <class Place>
-Surface sheet(int columns, int rows, Seams seams, const Place& place)
-{
-    Surface surface;
-    std::vector<unsigned> index;  // of the position at each corner of the sheet
-    for (int j = 0; j <= rows; ++j) {
-        for (int i = 0; i <= columns; ++i) {
-            const glm::dvec2 uv(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
-            surface.uvs.emplace_back(uv);
-            const bool joined_u = (seams.u && i == columns) || (seams.poles && i > 0 && (j == 0 || j == rows));
-            if (seams.v && j == rows) {
-                index.push_back(index[static_cast<std::size_t>(i)]);
-            } else if (joined_u) {
-                index.push_back(index[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns + 1)]);
-            } else {
-                index.push_back(static_cast<unsigned>(surface.mesh.positions.size()));
-                surface.mesh.positions.emplace_back(place(uv));
-            }
-        }
-    }
-    add_cells(surface, index, 0, columns, rows);
-    return surface;
-}
-
 Surface make(const scene::Sphere& sphere)
 {
-    return sheet(sphere.sectors, sphere.rings, {.u = true, .poles = true}, [](const glm::dvec2& uv) {
+    return sheet(sphere.sectors, sphere.rings, {.u = true, .south = true, .north = true}, [](const glm::dvec2& uv) {
         const double latitude = (uv.y - 0.5) * std::numbers::pi;
         const double radius = uv.y == 0 || uv.y == 1 ? 0 : std::cos(latitude);
         return glm::dvec3(radius * std::sin(turn * uv.x), std::sin(latitude), radius * std::cos(turn * uv.x));

@@ -44,6 +44,7 @@ glm::vec3 color_at(const scene::Texture& texture, const Place& place)
         case scene::TextureKind::wood: return wood(texture, place.uv);
         case scene::TextureKind::marble: return marble(texture, place.uv);
         case scene::TextureKind::bricks: return bricks(texture, place.uv);
+        case scene::TextureKind::pores: return pores(texture, place.uv);
         case scene::TextureKind::uv_grid: break;
     }
     return uv_grid(place);

@@ -96,7 +96,7 @@ Part parse_part(const Field& field, const Names& names, const Scene& scene)
     if (const Field sides = field.member("sides"); sides.given())
         instance.sides = static_cast<Sides>(sides.one_of({"front", "both"}));
     const Material& material = scene.materials[instance.material];
-    if (material.texture && !has_uvs(scene.geometries[instance.geometry]))
+    if ((material.texture || material.bump) && !has_uvs(scene.geometries[instance.geometry]))
         field.member("material")
             .refuse("a material without a texture, as geometry \"" + scene.geometries[instance.geometry].name +
                     "\" has no uvs");

@@ -9,14 +9,17 @@ namespace umbral::scene {
 inline constexpr std::size_t maximum_file_bytes = std::size_t{1} << 24U;
 inline constexpr std::size_t maximum_lights = 16;
 inline constexpr std::size_t maximum_items = 1024;  ///< textures, materials, geometries, groups, or parts of one group
-inline constexpr std::size_t maximum_instances = 16384;     ///< of all groups together
-inline constexpr std::size_t maximum_transforms = 64;       ///< of one instance, or one group's use
-inline constexpr std::size_t maximum_nesting = 16;          ///< of groups
-inline constexpr std::size_t maximum_profile = 4096;        ///< points of a revolution
-inline constexpr double maximum_seconds = 3600;             ///< of a film or a period
-inline constexpr int maximum_depth = 64;                    ///< of mirrors and glass; bounces likewise
-inline constexpr std::size_t maximum_vertices = 1'000'000;  ///< written out for one geometry; triangles likewise
-inline constexpr int maximum_subdivisions = 1024;           ///< rings, sectors, rows or columns of a generated one
+inline constexpr std::size_t maximum_instances = 16384;      ///< of all groups together
+inline constexpr std::size_t maximum_transforms = 64;        ///< of one instance, or one group's use
+inline constexpr std::size_t maximum_nesting = 16;           ///< of groups
+inline constexpr std::size_t maximum_profile = 4096;         ///< points of a revolution
+inline constexpr double maximum_seconds = 3600;              ///< of a film or a period
+inline constexpr int maximum_depth = 64;                     ///< of mirrors and glass; bounces likewise
+inline constexpr std::size_t maximum_vertices = 1'000'000;   ///< written out for one geometry; triangles likewise
+inline constexpr int maximum_subdivisions = 1024;            ///< rings, sectors, rows or columns of a generated one
+inline constexpr int minimum_cells = 8;                      ///< along a side of a distance field's grid
+inline constexpr int maximum_cells = 256;                    ///< likewise
+inline constexpr std::size_t field_triangles_per_cell = 30;  ///< of one side of that grid, at most half as many
 inline constexpr std::size_t maximum_triangles = std::size_t{1}
                                                  << 23U;  ///< of all geometries together, and of all instances together
 inline constexpr int maximum_texture_size = 4096;

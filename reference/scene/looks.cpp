@@ -51,7 +51,7 @@ Texture parse_texture(const Field& field)
     field.allow_only({"kind", "size", "cells", "colors", "filter", "wrap"});
     Texture texture;
     texture.kind = static_cast<TextureKind>(
-        field.member("kind").one_of({"checker", "stripes", "uv-grid", "wood", "marble", "bricks"}));
+        field.member("kind").one_of({"checker", "stripes", "uv-grid", "wood", "marble", "bricks", "pores"}));
     texture.size = field.member("size").integer(1, maximum_texture_size);
     texture.cells = field.member("cells").integer(1, maximum_texture_size);
     const Field colors = field.member("colors");
@@ -70,7 +70,7 @@ Texture parse_texture(const Field& field)
 Material parse_material(const Field& field, const std::vector<std::string>& textures)
 {
     field.allow_only({"emission", "ambient", "diffuse", "specular", "exponent", "texture", "texture_scale", "mirror",
-                      "transmit", "index"});
+                      "transmit", "index", "bump", "bump_height"});
     Material material;
     material.emission = color_or(field.member("emission"), material.emission);
     material.ambient = color_or(field.member("ambient"), material.ambient);
@@ -83,6 +83,12 @@ Material parse_material(const Field& field, const std::vector<std::string>& text
     material.mirror = color_or(field.member("mirror"), material.mirror, 1);
     material.transmit = color_or(field.member("transmit"), material.transmit, 1);
     material.index = real_or(field.member("index"), 1, 4, material.index);
+    const Field bump = field.member("bump");
+    const Field height = field.member("bump_height");
+    if (bump.given() != height.given())
+        field.refuse("\"bump\" (a texture of heights) and \"bump_height\" (how far they reach) together");
+    if (bump.given()) material.bump = bump.one_of(textures);
+    material.bump_height = real_or(height, -1000, 1000, 0);
     return material;
 }
 

@@ -46,7 +46,8 @@ enum class TextureKind {
     uv_grid,
     wood,    ///< rings of a trunk that is cut along, their grain along v; `cells` boards side by side
     marble,  ///< veins of the second colour in the first; `cells`: how fine
-    bricks   ///< of the first colour, each a little different, in mortar of the second; `cells` layers
+    bricks,  ///< of the first colour, each a little different, in mortar of the second; `cells` layers
+    pores    ///< round dimples, the second colour at their bottom, in the first; `cells` a side, each a little aside
 };
 
 /// A texture that is computed when the scene is prepared. All join themselves without a seam.
@@ -70,10 +71,12 @@ struct Material {
     glm::vec3 specular{0};
     float exponent = 1;                                 ///< of the highlight, ≥ 0
     std::optional<std::size_t> texture = std::nullopt;  ///< place in Scene::textures
-    glm::vec2 texture_scale{1};                         ///< what (u, v) are multiplied by
+    glm::vec2 texture_scale{1};                         ///< what (u, v) are multiplied by, for heights too
     glm::vec3 mirror{0};                                ///< share of light that is reflected as by a mirror. Rays only
     glm::vec3 transmit{0};                              ///< share of light that is let through. Rays only
     float index = 1;                                    ///< of refraction, inside; in [1, 4]. Rays only
+    std::optional<std::size_t> bump = std::nullopt;     ///< place in Scene::textures of heights, their red. Rays only
+    float bump_height = 0;  ///< how far red 1 lies above red 0, in the world; negative: below. Rays only
 };
 
 struct Translate {

@@ -70,7 +70,28 @@ struct Revolution {
     int sectors = 64;
 };
 
-using Shape = std::variant<Sphere, Torus, Plane, Wave, Triangles, Box, Cylinder, Cone, Disc, Revolution>;
+/// Newell's teapot: it stands on y = 0, its body has radius 1, its spout points along x, its knob is 1.575 high. Each
+/// of its four parts shows the whole unit square: u goes round it, v up its side, or along handle and spout from the
+/// body. As Newell left it, it is open: between lid and rim, and where handle and spout end.
+struct Teapot {
+    int subdivisions = 12;  ///< of each of its 32 patches, along both sides; 2 or more
+};
+
+/// Surfaces that are known by how far a place is from them; within the cube from -1 to 1.
+enum class FieldKind {
+    mandelbulb,  ///< the set of z -> z^8 + c in three dimensions by White and Nylander, thickened a little
+    hare         ///< a sitting hare of round parts that flow into each other; it looks along x, and sits on y = -0.95
+};
+
+/// The triangles of such a surface, closed, on a grid over the cube. (u, v) are those of the unit sphere round the
+/// origin, in the same direction.
+struct DistanceField {
+    FieldKind field = FieldKind::mandelbulb;
+    int cells = 96;  ///< of the grid, along each side
+};
+
+using Shape =
+    std::variant<Sphere, Torus, Plane, Wave, Triangles, Box, Cylinder, Cone, Disc, Revolution, Teapot, DistanceField>;
 
 struct Geometry {
     std::string name;

@@ -96,16 +96,33 @@ Shape parse_revolution(const Field& field)
     return revolution;
 }
 
+Shape parse_teapot(const Field& field)
+{
+    field.allow_only({"kind", "subdivisions"});
+    return Teapot{subdivisions(field.member("subdivisions"), 2, Teapot{}.subdivisions)};
+}
+
+Shape parse_distance_field(const Field& field)
+{
+    field.allow_only({"kind", "field", "cells"});
+    DistanceField surface;
+    surface.field = static_cast<FieldKind>(field.member("field").one_of({"mandelbulb", "hare"}));
+    if (const Field cells = field.member("cells"); cells.given())
+        surface.cells = cells.integer(minimum_cells, maximum_cells);
+    return surface;
+}
+
 }
 
 Shape parse_shape(const Field& field)
 {
     constexpr Shape (*parsers[])(const Field&) = {
-        parse_sphere, parse_torus,           parse_plane,       parse_wave,        parse_triangles,
-        parse_box,    parse_round<Cylinder>, parse_round<Cone>, parse_round<Disc>, parse_revolution};
+        parse_sphere,      parse_torus,      parse_plane,           parse_wave,
+        parse_triangles,   parse_box,        parse_round<Cylinder>, parse_round<Cone>,
+        parse_round<Disc>, parse_revolution, parse_teapot,          parse_distance_field};
     static_assert(std::size(parsers) == std::variant_size_v<Shape>);
-    return parsers[field.member("kind").one_of(
-        {"sphere", "torus", "plane", "wave", "triangles", "box", "cylinder", "cone", "disc", "revolution"})](field);
+    return parsers[field.member("kind").one_of({"sphere", "torus", "plane", "wave", "triangles", "box", "cylinder",
+                                                "cone", "disc", "revolution", "teapot", "distance-field"})](field);
 }
 
 std::size_t triangle_count(const Shape& shape)
@@ -125,6 +142,11 @@ std::size_t triangle_count(const Shape& shape)
         std::size_t operator()(const Revolution& one) const
         {
             return of(static_cast<int>(one.profile.size()) - 1, one.sectors);
+        }
+        std::size_t operator()(const Teapot& teapot) const { return 32 * of(teapot.subdivisions, teapot.subdivisions); }
+        std::size_t operator()(const DistanceField& one) const
+        {
+            return field_triangles_per_cell * of(one.cells, one.cells);
         }
     };
     return std::visit(Count{sheet}, shape);

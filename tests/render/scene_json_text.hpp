@@ -31,7 +31,7 @@ inline nlohmann::json document()
     "shiny": {"emission": [0, 0, 0], "ambient": [0.1, 0.1, 0.1], "diffuse": [0.5, 0.5, 0.5], "specular": [1, 1, 1],
     "exponent": 40,
               "texture": "squares", "texture_scale": [2, 2], "mirror": [0.1, 0.1, 0.1], "transmit": [0, 0, 0.5],
-              "index": 1.5}
+              "index": 1.5, "bump": "oak", "bump_height": 0.1}
   },
   "geometries": {
     "ball": {"kind": "sphere", "rings": 8, "sectors": 16},
@@ -41,7 +41,9 @@ inline nlohmann::json document()
     "tri": {"kind": "triangles", "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]],
             "uvs": [[0, 0], [1, 0], [0, 1]]},
     "vase": {"kind": "revolution", "profile": [[0, 0], [1, 0], [1, 2]], "sectors": 8},
-    "wheel": {"kind": "cylinder", "sectors": 8}
+    "wheel": {"kind": "cylinder", "sectors": 8},
+    "pot": {"kind": "teapot", "subdivisions": 3},
+    "statue": {"kind": "distance-field", "field": "hare", "cells": 16}
   },
   "groups": {
     "cart": [{"name": "left", "geometry": "wheel", "material": "dull",

@@ -23,9 +23,9 @@ TEST(SceneFile, is_read_as_it_is_written)
     EXPECT_TRUE(scene.lights[1].positional);
     EXPECT_EQ(scene.lights[1].color, glm::vec3(1));
     ASSERT_EQ(scene.textures.size(), 4U);
-    ASSERT_EQ(scene.geometries.size(), 7U);
-    EXPECT_EQ(scene.geometries[4].name, "tri");
-    EXPECT_EQ(std::get<Triangles>(scene.geometries[4].shape).triangles[0], glm::uvec3(0, 1, 2));
+    ASSERT_EQ(scene.geometries.size(), 9U);
+    EXPECT_EQ(scene.geometries[6].name, "tri");
+    EXPECT_EQ(std::get<Triangles>(scene.geometries[6].shape).triangles[0], glm::uvec3(0, 1, 2));
     ASSERT_EQ(scene.instances.size(), 6U) << "two things, and the four wheels of a train";
     EXPECT_EQ(scene.geometries[scene.instances[0].geometry].name, "ball");
     EXPECT_EQ(scene.materials[scene.instances[1].material].name, "shiny");
@@ -67,6 +67,11 @@ TEST(SceneFile, is_refused_with_the_place_and_both_values)
         {"/textures/map/colors", {{0, 0, 0}, {1, 1, 1}}, {"textures.map.colors", "no colors"}},
         {"/materials/shiny/texture", "wood", {"materials.shiny.texture", "\"squares\"", "\"wood\""}},
         {"/materials/shiny/exponent", "high", {"materials.shiny.exponent", "a number", "\"high\""}},
+        {"/materials/dull/bump", "oak", {"materials.dull", "\"bump\"", "\"bump_height\"", "together"}},
+        {"/materials/shiny/bump", "bark", {"materials.shiny.bump", "\"oak\"", "\"bark\""}},
+        {"/geometries/pot/subdivisions", 1, {"geometries.pot.subdivisions", "from 2 to 1024"}},
+        {"/geometries/statue/field", "horse", {"geometries.statue.field", "\"hare\"", "\"horse\""}},
+        {"/geometries/statue/cells", 257, {"geometries.statue.cells", "from 8 to 256"}},
         {"/geometries/ball/rings", 1, {"geometries.ball.rings", "from 2 to 1024"}},
         {"/geometries/ball/tube", 0.2, {"geometries.ball.tube", "known are: kind, rings, sectors"}},
         {"/geometries/tri/triangles/0/2", 3, {"geometries.tri.triangles[0][2]", "from 0 to 2", "got 3"}},

@@ -16,14 +16,15 @@ struct RayCounts {
     std::uint64_t mirrored = 0;
     std::uint64_t refracted = 0;
     std::uint64_t bounced = 0;
+    std::uint64_t bumped = 0;  ///< no rays: normals that a bump map bent
 };
 
-inline constexpr std::array<std::uint64_t RayCounts::*, 6> ray_kinds = {&RayCounts::camera,    &RayCounts::shadow,
-                                                                        &RayCounts::soft,      &RayCounts::mirrored,
-                                                                        &RayCounts::refracted, &RayCounts::bounced};
-inline constexpr std::array<const char*, 6> ray_kind_names = {
-    "camera rays",   "shadow rays",    "rays to parts of lights",
-    "mirrored rays", "refracted rays", "rays between surfaces"};
+inline constexpr std::array<std::uint64_t RayCounts::*, 7> ray_kinds = {
+    &RayCounts::camera,    &RayCounts::shadow,  &RayCounts::soft,  &RayCounts::mirrored,
+    &RayCounts::refracted, &RayCounts::bounced, &RayCounts::bumped};
+inline constexpr std::array<const char*, 7> ray_kind_names = {
+    "camera rays",    "shadow rays",           "rays to parts of lights",  "mirrored rays",
+    "refracted rays", "rays between surfaces", "normals bent by bump maps"};
 
 inline void operator+=(RayCounts& sum, const RayCounts& more)
 {

@@ -26,7 +26,7 @@ public:
         if (effort.local_only)
             lens_radius_ = 0;
         else
-            reach_ = {world.list->depth, world.list->bounces, true};
+            reach_ = {world.list->depth, world.list->bounces, true, true};
         const glm::mat4& projection = world.list->projection;
         slope_ = {1 / projection[0][0], 1 / projection[1][1]};
     }

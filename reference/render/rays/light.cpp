@@ -4,6 +4,8 @@
 #include <cmath>
 #include <umbral/raytracing/reflect_refract.hpp>
 
+#include "render/rays/bump.hpp"
+
 namespace umbral::render::rays {
 namespace {
 
@@ -30,8 +32,12 @@ public:
 
     Arrived follow(const Ray& ray, const Budget& budget)
     {
-        const std::optional<Seen> seen = look(world_, ray);
+        std::optional<Seen> seen = look(world_, ray);
         if (!seen) return {};
+        if (reach_.bumps && seen->draw->bump) {
+            ++counts_.bumped;
+            seen->normal = bumped(world_, *seen, ray.direction);
+        }
         glm::vec3 light = local(*seen, ray);
         if (budget.bounces > 0) light += from_surfaces(*seen, budget);
         if (budget.depth > 0) light += mirrored_and_refracted(*seen, ray, budget);

@@ -18,6 +18,7 @@ struct Reach {
     int depth = 0;         ///< mirrors and panes of glass that light may meet
     int bounces = 0;       ///< between other surfaces
     bool shadows = false;  ///< or every light reaches every surface that faces it
+    bool bumps = false;    ///< normals are bent by bump maps
 };
 
 /// Follows a ray: local illumination with shadows, mirrors and glass, and light from other surfaces. With bounces,

@@ -48,6 +48,10 @@ std::vector<RayEffect> ray_effects(const scene::Scene& scene)
                    first_of(scene.materials, "material",
                             [](const Material& material) { return material.transmit != glm::vec3(0); }),
                    " lets light through", "no material lets light through"),
+            effect("bump",
+                   first_of(scene.materials, "material",
+                            [](const Material& material) { return material.bump.has_value(); }),
+                   " has a bump map", "no material has a bump map"),
             {"lens", camera.lens_radius > 0,
              camera.lens_radius > 0 ? fmt::format("the camera's lens has a radius of {}", camera.lens_radius)
                                     : "the camera is a pinhole"},

@@ -37,6 +37,7 @@ Seen seen_at(const World& world, const Ray& ray, const raytrace::Hit& hit)
     const glm::vec3 weights(1 - hit.u - hit.v, hit.u, hit.v);
     Seen seen;
     seen.draw = &world.list->draws[face.draw];
+    seen.triangle = hit.triangle;
     seen.position = weights.x * a.position + weights.y * b.position + weights.z * c.position;
     seen.uv = weights.x * a.uv + weights.y * b.uv + weights.z * c.uv;
     seen.lift = rounding * std::max({largest(a.position), largest(b.position), largest(c.position)});

@@ -30,9 +30,10 @@ struct World {
 /// What a ray sees of a surface.
 struct Seen {
     const Draw* draw = nullptr;
-    glm::vec3 position{0};  ///< rounded, but within `lift` of the triangle
-    glm::vec3 face{0};      ///< unit: the triangle's own normal, on the side that the ray comes from
-    glm::vec3 normal{0};    ///< unit: the interpolated one, on that side too
+    std::uint32_t triangle = 0;  ///< place in World::faces
+    glm::vec3 position{0};       ///< rounded, but within `lift` of the triangle
+    glm::vec3 face{0};           ///< unit: the triangle's own normal, on the side that the ray comes from
+    glm::vec3 normal{0};         ///< unit: the interpolated one, on that side too
     glm::vec2 uv{0};
     glm::vec3 smoothed{0};     ///< `position` lifted to the curved surface that the normals tell of; for shadows
     float lift = 0;            ///< rays that leave the surface begin this far from it

@@ -1,0 +1,16 @@
+#include "render/fields/fields.hpp"
+
+#include "render/fields/shapes.hpp"
+
+namespace umbral::render::fields {
+
+Distance field_of(scene::FieldKind kind)
+{
+    switch (kind) {
+        case scene::FieldKind::mandelbulb: return mandelbulb;
+        case scene::FieldKind::hare: break;
+    }
+    return hare;
+}
+
+}
