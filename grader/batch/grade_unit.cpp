@@ -203,8 +203,10 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
         beside_the_grade(result, [&] {
             result.explanations = explain_unit(worker, exercise, result, cases);
             // What else would seem to explain them is chance.
-            if (auto unset = by_unset_values(worker, exercise, built, result, cases))
-                result.explanations = {*std::move(unset)};
+            if (auto unset = by_unset_values(worker, exercise, built, result, cases)) {
+                result.explanations = {std::move(unset->explanation)};
+                result.message += unset->warnings;
+            }
         });
     if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, options, result);
     if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);

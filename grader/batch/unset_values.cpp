@@ -9,6 +9,7 @@
 #include "build/with_zeros.hpp"
 #include "judge/explain/thresholds.hpp"
 #include "judge/judges.hpp"
+#include "text/printable.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 /// Each is run twice.
 constexpr std::size_t most_cases = 4;
 constexpr std::size_t most_warnings = 2;
+constexpr std::size_t most_letters = 160;
 /// Only chance could have it otherwise: one that two runs which differ, and two which do not, leave room for.
 constexpr double confidence_of_difference = 0.99;
 
@@ -36,10 +38,8 @@ std::vector<FailingCase> failing_cases(const Exercise& exercise, const UnitResul
             continue;
         auto at = std::ranges::find(found, check.case_name, &FailingCase::name);
         if (at == found.end()) at = found.insert(found.end(), {check.case_name, one.hidden});
-        at->values.merge([&] {
-            const std::vector<std::string> values = values_of(check);
-            return std::set<std::string>(values.begin(), values.end());
-        }());
+        const std::vector<std::string> values = values_of(check);
+        at->values.insert(values.begin(), values.end());
     }
     std::ranges::stable_sort(found, std::less<>(), &FailingCase::hidden);
     if (found.size() > most_cases) found.resize(most_cases);
@@ -48,6 +48,8 @@ std::vector<FailingCase> failing_cases(const Exercise& exercise, const UnitResul
 
 bool differ(const RunOutcome& a, const RunOutcome& b, const FailingCase& of)
 {
+    // The build with zeros is slower.
+    if (a.verdict == Verdict::timeout || b.verdict == Verdict::timeout) return false;
     if (a.verdict != b.verdict) return true;
     return std::ranges::any_of(of.values, [&](const std::string& value) {
         const Tensor* in_a = tensor_of(a, value);
@@ -56,7 +58,7 @@ bool differ(const RunOutcome& a, const RunOutcome& b, const FailingCase& of)
     });
 }
 
-/// " (sphere.cpp:3:9: 'sum' is used uninitialized)" for the first of the compiler's warnings; empty if there is none.
+/// "g++: sphere.cpp:3:9: 'sum' is used uninitialized" for the first of the compiler's warnings of this kind.
 std::string quoted(const std::string& warnings)
 {
     constexpr std::string_view sign = " warning:";
@@ -67,14 +69,15 @@ std::string quoted(const std::string& warnings)
         const std::size_t at = line.find(sign);
         if (at == std::string::npos || line.find("uninitialized") == std::string::npos) continue;
         line.erase(at, sign.size());
-        all += fmt::format("{}{}", count++ == 0 ? "" : "; ", line.substr(0, line.rfind(" [-W")));
+        all += fmt::format("g++: {}\n", one_line(line.substr(0, line.rfind(" [-W")), most_letters));
+        ++count;
     }
-    return all.empty() ? "" : fmt::format(" The compiler sees such a one: {}.", all);
+    return all;
 }
 
 }
 
-std::optional<Explanation> by_unset_values(Worker& worker, const Exercise& exercise, const Built& built,
+std::optional<UnsetValues> by_unset_values(Worker& worker, const Exercise& exercise, const Built& built,
                                            const UnitResult& result, const CaseResults& cases)
 {
     const bool explained = std::ranges::any_of(result.explanations, [](const Explanation& one) {
@@ -90,19 +93,15 @@ std::optional<Explanation> by_unset_values(Worker& worker, const Exercise& exerc
     nonsense.fresh_memory = FreshMemory::lasting_nonsense;
     for (const FailingCase& one : failing) {
         const CaseResult& graded = cases.at(one.name);
-        if (graded.student.verdict == Verdict::timeout) continue;
         const auto run = [&](const Built& what) { return worker.run(exercise, what, one.name, graded.seed); };
         const RunOutcome first = run(nonsense);
         if (!differ(first, run(*zeros), one)) continue;
         if (differ(first, run(nonsense), one)) return std::nullopt;
-        return Explanation{"uninitialized",
-                           "Your program reads a variable, or memory, to which it never gave a value: where that holds "
-                           "zeros instead, its answers are different." +
-                               quoted(zeros->message),
-                           confidence_of_difference,
-                           1,
-                           false,
-                           one.hidden};
+        const char* const sentence =
+            "Your program reads a variable, or memory, to which it never gave a value: where that holds zeros instead, "
+            "its answers are different.";
+        return UnsetValues{{"uninitialized", sentence, confidence_of_difference, 1, false, one.hidden},
+                           one.hidden ? "" : quoted(zeros->message)};
     }
     return std::nullopt;
 }
