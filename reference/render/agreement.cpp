@@ -60,7 +60,7 @@ std::vector<std::string> differences_of(const DrawList& list, const EffectSet& e
             "to the subpixel grid, which moves edges by less than that");
     all.emplace_back(
         "rays: they meet triangles where these are; rasterisers move corners to 1/256 of a pixel first. Shadows, "
-        "mirrors, glass, lenses and light between surfaces, which rays alone draw, are left out here");
+        "mirrors, glass, bump maps, lenses and light between surfaces, which rays alone draw, are left out here");
     if (any_seen(list, [](const Draw& d) { return d.specular && d.material.exponent > fixed_function_exponent; }))
         all.emplace_back("exponents: OpenGL's fixed function takes 128 at most, and draws larger ones as that");
     if (any_seen(list, [](const Draw& d) { return d.texture && d.material.emission != glm::vec3(0); }))

@@ -56,7 +56,8 @@ constexpr std::array<Renderer, 5> renderers = {{
      true, by_fixed_function},
     {"vertices", "the engine's rasteriser, light at each vertex: what gl-fixed should be",
      "none is: it always has all of them", false, with_light_at_vertices},
-    {"raytrace", "the engine's ray tracer: shadows, mirrors, glass, lenses, lights with a size, indirect light",
+    {"raytrace",
+     "the engine's ray tracer: shadows, mirrors, glass, bump maps, lenses, lights with a size, indirect light",
      "rays of an effect are followed only from where a material, a light or the camera asks for them", false, by_rays,
      true},
 }};

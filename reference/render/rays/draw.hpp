@@ -24,7 +24,7 @@ struct Effort {
 /// Pixels that lie evenly over a picture, one in `every` of them, in rows that do not follow its columns.
 [[nodiscard]] bool is_drawn(int every, int x, int y);
 
-/// Draws by following rays (light.hpp): shadows, mirrors, glass, lenses, lights that have a size, light between
+/// Draws by following rays (light.hpp): shadows, mirrors, glass, bump maps, lenses, lights with a size, light between
 /// surfaces. Depth and ids are those of the first ray, from the middle of the lens. The picture is the same, bit by
 /// bit, whatever the number of threads. Throws std::invalid_argument if a side is not 1 to 16384 pixels, or if there
 /// are no rays. What was followed is added to `counts`, unless that is null.
