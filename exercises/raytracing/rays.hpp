@@ -14,6 +14,15 @@ namespace umbral::raytracing {
 inline constexpr float endless = std::numeric_limits<float>::infinity();
 inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
+/// Factors for the end of an interval that lies just beyond an exact root, or just before it: hundreds of times nearer
+/// than a hundredth, and a hundred ulp away, so that rounding decides nothing.
+inline constexpr float barely_more = 1 + 0x1p-16F;
+inline constexpr float barely_less = 1 - 0x1p-16F;
+
+/// The size of a figure whose numbers are small integers times a power of two: exact at any of these sizes, from 1e-6
+/// to 4096, so that only tolerances that are lengths tell them apart.
+inline float exact_size(Random& random) { return std::ldexp(1.0F, static_cast<int>(random.below(33)) - 20); }
+
 /// One unit in the last place (float) of a positive number.
 inline double ulp_of(double value)
 {

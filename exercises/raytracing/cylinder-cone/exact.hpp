@@ -99,7 +99,7 @@ inline std::vector<Ray> parallel(Quadric quadric, Random& random)
 }
 
 /// Level rays that meet a rim or the apex, or touch the surface, and rays down the axis through the apex. Those that
-/// miss pass a sixteenth beyond, or have an interval that ends there.
+/// miss pass a sixteenth or less beyond, or have an interval that ends there.
 inline std::vector<Ray> at_the_rims(Quadric quadric, Random& random)
 {
     std::vector<Ray> rays;
@@ -107,14 +107,15 @@ inline std::vector<Ray> at_the_rims(Quadric quadric, Random& random)
         const std::uint32_t quarters = random.below(4);
         const float speed = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
         const float away = 2 + 0.5F * static_cast<float>(random.below(5));
+        const float beyond = i % 8 < 4 ? 0.0625F : 0x1p-16F;
         Ray hit{{away, 0, 0}, {-speed, 0, 0}};
         Ray miss = hit;
-        miss.origin.y = -0.0625F;
+        miss.origin.y = -beyond;
         switch (i % 4) {
             case 0: break;
             case 1:
                 hit.origin.y = 1;
-                miss.origin.y = 1.0625F;
+                miss.origin.y = 1 + beyond;
                 break;
             case 2: {
                 hit.origin.y = miss.origin.y = 0.25F * static_cast<float>(random.below(4));
@@ -133,7 +134,7 @@ inline std::vector<Ray> at_the_rims(Quadric quadric, Random& random)
                 } else {
                     hit.origin.y = 1;
                     hit.t_min = miss.t_min = away / speed;
-                    miss.origin.y = 1.0625F;
+                    miss.origin.y = 1 + beyond;
                 }
         }
         add_pair(rays, turned(hit, quarters), turned(miss, quarters), random);
@@ -158,8 +159,10 @@ inline std::vector<Ray> at_the_ends(Quadric quadric, Random& random)
         };
         switch (i % 6) {
             case 0: add_pair(rays, level(away, -1, entry, endless), level(away, -1, entry, exit), random); break;
-            case 1: add_pair(rays, level(away, -1, 0, 1.0625F * entry), level(away, -1, 0, entry), random); break;
-            case 2: add_pair(rays, level(away, -1, entry, 2 * exit), level(away, -1, exit, endless), random); break;
+            case 1: add_pair(rays, level(away, -1, 0, barely_more * entry), level(away, -1, 0, entry), random); break;
+            case 2:
+                add_pair(rays, level(away, -1, entry, barely_more * exit), level(away, -1, exit, endless), random);
+                break;
             case 3: add_pair(rays, level(away, 1, -2 * exit, 0), level(away, 1, -entry, endless), random); break;
             case 4: add_pair(rays, level(radius, -1, 0, endless), level(radius, 1, 0, endless), random); break;
             default: add_pair(rays, level(radius, 1, -1, 1), level(radius, 1, -2 * radius / speed, 0), random);

@@ -41,7 +41,7 @@ std::vector<DiscShot> by_hand()
 // Rays along an axis onto discs across it, with small integers times a power of two: all that decides is exact.
 DiscShot exact_shot(Random& random, glm::vec2 place, float height, float radius)
 {
-    const float scale = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+    const float scale = exact_size(random);
     const glm::vec3 centre = scale * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
     const int along = static_cast<int>(random.below(3));
     glm::vec3 normal(0);
@@ -116,10 +116,10 @@ std::vector<DiscShot> at_the_ends(Random& random)
         DiscShot from_before = begins_there;
         from_before.ray.t_min = -1;
         switch (i % 5) {
-            case 0: add_pair(shots, in(2, endless), in(3, endless), random); break;
-            case 1: add_pair(shots, in(0, 3.125F), in(0, 3), random); break;
-            case 2: add_pair(shots, turned(-4, endless), turned(-3, endless), random); break;
-            case 3: add_pair(shots, turned(-endless, -2), turned(-endless, -3), random); break;
+            case 0: add_pair(shots, in(3 * barely_less, endless), in(3, endless), random); break;
+            case 1: add_pair(shots, in(0, 3 * barely_more), in(0, 3), random); break;
+            case 2: add_pair(shots, turned(-3 * barely_more, endless), turned(-3, endless), random); break;
+            case 3: add_pair(shots, turned(-endless, -3 * barely_less), turned(-endless, -3), random); break;
             default: add_pair(shots, from_before, begins_there, random);
         }
     }

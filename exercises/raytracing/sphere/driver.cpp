@@ -81,7 +81,7 @@ std::vector<BallShot> tangent(Random& random)
 {
     std::vector<BallShot> shots;
     for (int i = 0; i < 60; ++i) {
-        const float radius = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const float radius = exact_size(random);
         const glm::vec3 centre = radius * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
         const int along = static_cast<int>(random.below(3));
         const int aside = (along + 1 + static_cast<int>(random.below(2))) % 3;
@@ -106,7 +106,7 @@ std::vector<BallShot> at_the_ends(Random& random)
 {
     std::vector<BallShot> shots;
     for (int i = 0; i < 80; ++i) {
-        const float radius = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const float radius = exact_size(random);
         const glm::vec3 centre = radius * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
         const auto axis = random.below(3);
         glm::vec3 direction(0);
@@ -122,9 +122,9 @@ std::vector<BallShot> at_the_ends(Random& random)
         touching_at_the_end.ray.t_min = 0;
         switch (i % 8) {
             case 0: add_pair(shots, in(2, endless), in(4, endless), random); break;
-            case 1: add_pair(shots, in(3, 5), in(3, 4), random); break;
-            case 2: add_pair(shots, in(0, 2.125F), in(0, 2), random); break;
-            case 3: add_pair(shots, in(2, 4.125F), in(2, 4), random); break;
+            case 1: add_pair(shots, in(4 * barely_less, 5), in(3, 4), random); break;
+            case 2: add_pair(shots, in(0, 2 * barely_more), in(0, 2), random); break;
+            case 3: add_pair(shots, in(2, 4 * barely_more), in(2, 4), random); break;
             case 4: add_pair(shots, from(-3, -5, endless), from(-3, -2, endless), random); break;
             case 5: add_pair(shots, from(-3, -4, 0), from(-3, -4, -2), random); break;
             case 6: add_pair(shots, from(0, -endless, endless), from(0, -1, 1), random); break;
@@ -140,7 +140,7 @@ std::vector<BallShot> from_surface(Random& random)
 {
     std::vector<BallShot> shots;
     for (int i = 0; i < 20; ++i) {
-        const float radius = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const float radius = exact_size(random);
         const glm::vec3 centre = radius * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
         const auto along = random.below(3);
         glm::vec3 outwards(0);

@@ -52,7 +52,7 @@ std::vector<TriangleShot> by_hand()
 /// all numbers are exact in every formula. It meets it at `height` lengths of its direction.
 TriangleShot exact_shot(Random& random, glm::vec2 quarters, float height)
 {
-    const float scale = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+    const float scale = exact_size(random);
     const glm::vec3 corner = scale * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
     const int along = static_cast<int>(random.below(3));
     glm::vec3 x(0);
@@ -98,9 +98,9 @@ std::vector<TriangleShot> intervals(Random& random)
             case 0: add_pair(shots, ahead, behind, random); break;
             case 1: add_pair(shots, in(ahead, 2.75F, endless), in(ahead, 3.25F, endless), random); break;
             case 2: add_pair(shots, in(ahead, 0, 3.25F), in(ahead, 0, 2.75F), random); break;
-            case 3: add_pair(shots, in(ahead, 2, endless), in(ahead, 3, endless), random); break;
-            case 4: add_pair(shots, in(ahead, 0, 4), in(ahead, 0, 3), random); break;
-            case 5: add_pair(shots, in(behind, -endless, -2), in(behind, -3, -2), random); break;
+            case 3: add_pair(shots, in(ahead, 3 * barely_less, endless), in(ahead, 3, endless), random); break;
+            case 4: add_pair(shots, in(ahead, 0, 3 * barely_more), in(ahead, 0, 3), random); break;
+            case 5: add_pair(shots, in(behind, -3 * barely_more, -2), in(behind, -3, -2), random); break;
             case 6: add_pair(shots, in(ahead, -4, endless), in(behind, -2, endless), random); break;
             default: add_pair(shots, in(there, -1, 1), there, random);
         }
