@@ -125,7 +125,8 @@ void require_a_working_compiler(const Toolchain& tools, const Exercise& exercise
 }
 
 /// Compiles; if that fails without a word about the student's files, makes sure that it is not the machine, and
-/// compiles once more.
+/// compiles once more. What a machine lacks may come and go (a limit of processes that others use up), so that the
+/// files fail each time and those of the canary never: where the tools say again that they lack it, they are believed.
 Compilation compile_surely(const Toolchain& tools, const Exercise& exercise, const Sources& files,
                            const ScratchFolder& work)
 {
@@ -135,7 +136,11 @@ Compilation compile_surely(const Toolchain& tools, const Exercise& exercise, con
     require_a_working_compiler(tools, exercise);
     for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
     compilation = compile(tools, exercise, files, work.path());
-    if (compilation.outcome == Compilation::Outcome::unexplained) require_a_working_compiler(tools, exercise);
+    if (compilation.outcome != Compilation::Outcome::unexplained) return compilation;
+    if (compilation.lacks_machine)
+        throw std::runtime_error(fmt::format("the compiler lacks what this machine should give it: {}",
+                                             one_line(compilation.diagnostics, 1024)));
+    require_a_working_compiler(tools, exercise);
     return compilation;
 }
 

@@ -23,18 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What compilers, assemblers and linkers print when the machine is at its end, not the student.
-constexpr std::array<std::string_view, 10> machine_troubles{"No space left on device",
-                                                            "Disk quota exceeded",
-                                                            "Read-only file system",
-                                                            "Input/output error",
-                                                            "Too many open files",
-                                                            "Resource temporarily unavailable",
-                                                            "Killed signal",
-                                                            "Cannot fork",
-                                                            "cannot fork",
-                                                            "vfork: "};
-
 /// The compiler on the student's files, up to what it is to do with them.
 ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercise, const Sources& files,
                                  const fs::path& work, const std::vector<std::string>& task)
@@ -172,9 +160,8 @@ Outcome outcome_of(const ConfinedResult& result, const Sources& files)
 {
     if (ran_out_of_processor_time(result) || result.stopped == Stopped::too_much_disk) return Outcome::too_expensive;
     // What the machine lacks may also show as an error in a student's line.
-    const bool machine = std::ranges::any_of(
-        machine_troubles, [&](std::string_view sign) { return result.output.find(sign) != std::string::npos; });
-    return result.stopped == Stopped::no && !machine && blames_own_file(result.output, files)
+    return result.stopped == Stopped::no && !mentions_machine_trouble(result.output) &&
+                   blames_own_file(result.output, files)
                ? Outcome::refused_by_compiler
                : Outcome::unexplained;
 }
@@ -187,8 +174,9 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
     Compilation compilation = look_through(tools, exercise, files, work);
     if (compilation.outcome != Compilation::Outcome::built && compilation.outcome != Compilation::Outcome::unexplained)
         return compilation;
-    for (const std::string& word : {std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,-z,lazy"),
-                                    std::string("-o"), library_name})
+    for (const std::string& word :
+         {std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,--no-threads"),
+          std::string("-Wl,--no-fork"), std::string("-Wl,-z,lazy"), std::string("-o"), library_name})
         task.push_back(word);
     ConfinedResult result = run_confined(compiler_command(tools, exercise, files, work, task));
     if (result.exit_status == confinement_failed)
@@ -197,6 +185,7 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
     if (result.exit_status != 0 || !fs::is_regular_file(fs::symlink_status(library))) {
         result.output = without_our_paths(std::move(result.output), tools, work);
         compilation.outcome = outcome_of(result, files);
+        compilation.lacks_machine = tools_are_in_trouble(result.output);
         compilation.diagnostics = diagnostics_of(tools, result);
         return compilation;
     }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+namespace umbral::grader {
+
+/// Does what g++, its assembler or its linker printed hold a sign that the machine lacks something: room on the disk,
+/// processes, open files? Signs in lines about a student's file count too: "sphere.cpp:1: error: cannot open …: Too
+/// many open files". A student can write such words, so this is a reason to try again, and no proof.
+[[nodiscard]] bool mentions_machine_trouble(std::string_view output);
+
+/// Is there such a sign in a line that one of the tools prints of itself, "collect2: fatal error: …" or "  what(): …",
+/// and not of a student's file, nor in a quoted line of it? Then the files are not at fault. A tool that was killed is
+/// no such sign: files may take all the memory that there is.
+[[nodiscard]] bool tools_are_in_trouble(std::string_view output);
+
+}

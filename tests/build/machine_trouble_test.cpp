@@ -1,0 +1,39 @@
+#include "build/machine_trouble.hpp"
+
+#include <gtest/gtest.h>
+
+namespace umbral::grader::test {
+namespace {
+
+TEST(MachineTrouble, what_a_tool_says_of_itself_is_believed)
+{
+    for (const char* const output :
+         {"terminate called after throwing an instance of 'std::runtime_error'\n"
+          "  what():  pthread_create has failed: Resource temporarily unavailable\n"
+          "collect2: fatal error: ld terminated with signal 6 [Aborted]\ncompilation terminated.\n",
+          "g++: fatal error: cannot execute '/usr/lib/gcc/cc1plus': vfork: Resource temporarily unavailable\n",
+          "mold: fatal: cannot write to an output file: Input/output error",
+          "/tmp/ccbNoDhr.s: Fatal error: can't write 41 bytes to section: 'No space left on device'\n"}) {
+        EXPECT_TRUE(tools_are_in_trouble(output)) << output;
+        EXPECT_TRUE(mentions_machine_trouble(output)) << output;
+    }
+}
+
+TEST(MachineTrouble, what_a_student_can_write_is_no_proof)
+{
+    for (const char* const output :
+         {"sphere.cpp:1:2: error: #error Resource temporarily unavailable\n",
+          "sphere.cpp:1:2: error: expected ';'\n    1 | collect2: Resource temporarily unavailable\n",
+          "sphere.cpp:3:1: fatal error: cannot open x.h: Too many open files\n"}) {
+        EXPECT_FALSE(tools_are_in_trouble(output)) << output;
+        EXPECT_TRUE(mentions_machine_trouble(output)) << output;
+    }
+    // Templates that take all the memory end the compiler, too.
+    EXPECT_FALSE(tools_are_in_trouble("g++: fatal error: Killed signal terminated program cc1plus\n"));
+    EXPECT_TRUE(mentions_machine_trouble("g++: fatal error: Killed signal terminated program cc1plus\n"));
+    EXPECT_FALSE(mentions_machine_trouble("sphere.cpp:1:2: error: expected ';'\n"));
+    EXPECT_FALSE(tools_are_in_trouble(""));
+}
+
+}
+}
