@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -11,6 +9,7 @@
 
 #include "build/compiler_files.hpp"
 #include "build/counted.hpp"
+#include "build/machine_trouble.hpp"
 #include "build/source_scan.hpp"
 #include "build/student_header.hpp"
 #include "model/caps.hpp"

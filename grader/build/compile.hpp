@@ -21,10 +21,10 @@ struct Compilation {
         unexplained           ///< failed without a diagnostic in the student's files: the machine may be in trouble
     };
     Outcome outcome = Outcome::unexplained;
-    bool lacks_machine = false;                    ///< the tools say so of themselves: no processes, no room …
     std::optional<std::filesystem::path> library;  ///< if built
     std::string diagnostics;  ///< for the student: the first errors, or if built warnings, with the student's own file
                               ///< names
+    bool lacks_machine = false;  ///< the tools say so of themselves: no processes, no room …
 };
 
 /// What becomes of functions that nothing of the unit calls: they stay in the library, as two definitions of one name
