@@ -5,9 +5,10 @@
 #   mistakes/*.so   known wrong solutions, loaded only to explain a failing result
 #   exports.map, exports.txt   the names that a student's library may define: those of the reference object, no other
 #
+#   answers        an empty file, made when all but the mistakes are there
 #   built          an empty file, made last: the unit can be used
 #
-# The target unit-<topic>-<unit> makes all of it.
+# The target unit-<topic>-<unit> makes all of it, answers-<topic>-<unit> all but the mistakes, which are most of it.
 #
 # Units lie below UMBRAL_EXERCISES_ROOT, their solutions below UMBRAL_REFERENCE_ROOT; tests that bring units of their
 # own set both.
@@ -106,13 +107,24 @@ function(umbral_unit_library target folder name)
   target_link_libraries(${target} PRIVATE umbral-framework)
 endfunction()
 
-# umbral_finish_unit(ID FOLDER PART…): the target unit-<id>, and the file that says that all parts are there. With it
-# comes what a unit is
-# graded with.
-function(umbral_finish_unit id folder)
-  add_custom_command(OUTPUT ${folder}/built COMMAND ${CMAKE_COMMAND} -E touch ${folder}/built DEPENDS ${ARGN} VERBATIM)
-  add_custom_target(unit-${id} ALL DEPENDS ${folder}/built)
-  add_dependencies(unit-${id} unit-kit)
+# umbral_finish_unit(UNIT ANSWERS MISTAKES): the targets of a unit, and the files that say that all parts are there.
+# With them comes what a unit is graded with.
+function(umbral_finish_unit unit answers mistakes)
+  string(REPLACE "/" "-" id ${unit})
+  set(folder ${UMBRAL_UNITS_DIR}/${unit})
+  add_custom_command(OUTPUT ${folder}/answers COMMAND ${CMAKE_COMMAND} -E touch ${folder}/answers DEPENDS ${answers}
+    VERBATIM)
+  add_custom_target(answers-${id} ALL DEPENDS ${folder}/answers)
+  add_dependencies(answers-${id} unit-kit)
+  add_custom_command(OUTPUT ${folder}/built COMMAND ${CMAKE_COMMAND} -E touch ${folder}/built
+    DEPENDS ${folder}/answers ${mistakes} VERBATIM)
+  if(unit IN_LIST UMBRAL_MISTAKES_ON_DEMAND)
+    set_target_properties(${mistakes} PROPERTIES EXCLUDE_FROM_ALL ON)
+    add_custom_target(unit-${id} DEPENDS ${folder}/built)
+  else()
+    add_custom_target(unit-${id} ALL DEPENDS ${folder}/built)
+  endif()
+  add_dependencies(unit-${id} answers-${id})
 endfunction()
 
 # umbral_add_unit(TOPIC/UNIT)
@@ -158,7 +170,7 @@ function(umbral_add_unit unit)
     return()
   endif()
   if(NOT ${reference}.cpp IN_LIST expected)
-    umbral_finish_unit(${id} ${folder} ${parts})
+    umbral_finish_unit(${unit} "${parts}" "")
     return()
   endif()
   set(counted)
@@ -197,6 +209,7 @@ function(umbral_add_unit unit)
   list(TRANSFORM interfaces PREPEND "SHELL:-include ")
   file(GLOB mistakes CONFIGURE_DEPENDS ${source}/mistakes/*.cpp ${source}/mistakes/*.change)
   file(GLOB alternatives CONFIGURE_DEPENDS ${source}/alternatives/*.cpp)
+  set(compiled)
   foreach(mistake IN LISTS mistakes)
     get_filename_component(name ${mistake} NAME_WE)
     if(mistake MATCHES "[.]change$")
@@ -207,7 +220,7 @@ function(umbral_add_unit unit)
       set(mistake ${derived})
     endif()
     umbral_unit_library(mistake-${id}-${name} ${folder}/mistakes ${name} ${mistake})
-    list(APPEND parts mistake-${id}-${name})
+    list(APPEND compiled mistake-${id}-${name})
     set_target_properties(mistake-${id}-${name} PROPERTIES CXX_CLANG_TIDY "")  # wrong on purpose
     # As a student's file, with the precompiled header, which is also why NDEBUG must go: it takes a fifth of the time.
     target_compile_options(mistake-${id}-${name} PRIVATE ${UMBRAL_STUDENT_FLAGS} -UNDEBUG ${counted}
@@ -219,10 +232,10 @@ function(umbral_add_unit unit)
     set_target_properties(mistake-${id}-${name} PROPERTIES LINK_DEPENDS ${folder}/exports.map)
     add_dependencies(mistake-${id}-${name} exports-${id})
   endforeach()
-  umbral_finish_unit(${id} ${folder} ${parts})
+  umbral_finish_unit(${unit} "${parts}" "${compiled}")
   # What students may call of the units in `uses` is read from their exports.
   foreach(other IN LISTS used)
     string(REPLACE "/" "-" other ${other})
-    add_dependencies(unit-${id} exports-${other})
+    add_dependencies(answers-${id} exports-${other})
   endforeach()
 endfunction()

@@ -247,7 +247,8 @@ Finding expect_reference(const std::filesystem::path& reference, const Exercise&
             missing.empty() ? "" : "expected " + missing + ", which is not there"};
 }
 
-void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, const Report& report)
+void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, const Report& report,
+                   KnownMistakes mistakes)
 {
     const auto guarded = [&](const std::string& subject, const auto& make) {
         try {
@@ -275,11 +276,12 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
             report(finding);
         }
     });
-    guarded("mistakes", [&] {
-        const std::vector<KnownSolution> mistakes = mistakes_of(reference, exercise);
-        for (const Finding& finding : expect_rubric(exercise, mistakes, seed)) report(finding);
-        for (const KnownSolution& mistake : mistakes) report(expect_mistake(worker, exercise, mistake, seed));
-    });
+    if (mistakes == KnownMistakes::graded)
+        guarded("mistakes", [&] {
+            const std::vector<KnownSolution> known = mistakes_of(reference, exercise);
+            for (const Finding& finding : expect_rubric(exercise, known, seed)) report(finding);
+            for (const KnownSolution& mistake : known) report(expect_mistake(worker, exercise, mistake, seed));
+        });
     guarded("controls", [&] {
         for (const Finding& finding : expect_controls(worker, exercise, seed)) report(finding);
     });

@@ -34,6 +34,9 @@ struct Finding {
 /// names what was expected.
 [[nodiscard]] Finding expect_reference(const std::filesystem::path& reference, const Exercise& exercise, unsigned seed);
 
+/// Whether a unit's known mistakes are graded: most of the time that a unit takes.
+enum class KnownMistakes { graded, passed_over };
+
 /// Proves that a unit's checks discriminate, with the inputs of one seed: the reference and every alternative get all
 /// points, the stub, every control and the forger none, every mistake its declared share, told by its own hint; of a
 /// rubric each line has a mistake that costs points there and in no other line; the reference is within its guarantee
@@ -42,6 +45,6 @@ struct Finding {
 /// if one is missing. Without a reference, or where it finishes not all cases that the checks name, nothing else is
 /// looked at.
 void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed,
-                   const std::function<void(const Finding&)>& report);
+                   const std::function<void(const Finding&)>& report, KnownMistakes mistakes = KnownMistakes::graded);
 
 }

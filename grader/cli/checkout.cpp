@@ -23,12 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_built(const Application& application, const Exercise& unit)
+// The file that tells that the parts are there, and the target that makes them (cmake/UmbralUnit.cmake).
+bool is_built(const Application& application, const Exercise& unit, UnitParts parts)
 {
-    return fs::exists(unit_folder(application.tools, unit.id) / "built");
+    return fs::exists(unit_folder(application.tools, unit.id) / (parts == UnitParts::all ? "built" : "answers"));
 }
 
-std::string target_of(const Exercise& unit) { return "unit-" + unit.topic + "-" + unit.name; }
+std::string target_of(const Exercise& unit, UnitParts parts)
+{
+    return (parts == UnitParts::all ? "unit-" : "answers-") + unit.topic + "-" + unit.name;
+}
 
 /// The lines of a build's log that say what is wrong, or its last ones.
 std::string errors_in(const fs::path& log)
@@ -132,15 +136,15 @@ void have_header(const Application& application)
 
 }
 
-void have_built(const Application& application, std::span<const Exercise> units)
+void have_built(const Application& application, std::span<const Exercise> units, UnitParts parts)
 {
     if (application.layout.installed) return have_header(application);
     std::vector<std::string> names;
     std::vector<std::string> targets;
     for (const Exercise& unit : units) {
-        if (is_built(application, unit)) continue;
+        if (is_built(application, unit, parts)) continue;
         names.push_back(unit.name);
-        targets.push_back(target_of(unit));
+        targets.push_back(target_of(unit, parts));
     }
     if (targets.empty()) return;
     say(application, fmt::format("building {} for the first time: {}",

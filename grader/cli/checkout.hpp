@@ -12,9 +12,12 @@ namespace umbral::grader {
 // further programs by the commands that need them. A line on the standard error stream says what is being built. Both
 // throw std::runtime_error, with the compiler's first errors, if it cannot be.
 
-/// Builds those of the units that were not built yet; in an installation the precompiled header, if this compiler has
-/// none yet.
-void have_built(const Application& application, std::span<const Exercise> units);
+/// What is needed of a unit: its answers and driver, or also its known mistakes.
+enum class UnitParts { answers, all };
+
+/// Builds those of the units whose parts were not built yet; in an installation the precompiled header, if this
+/// compiler has none yet.
+void have_built(const Application& application, std::span<const Exercise> units, UnitParts parts = UnitParts::all);
 
 /// Builds the program `name` if it was not built yet. Its path. Throws UsageError in an installation that does not hold
 /// it.

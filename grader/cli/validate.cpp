@@ -27,6 +27,7 @@ struct Options {
     std::size_t jobs = default_jobs();
     bool json = false;
     bool quiet = false;
+    bool without_mistakes = false;
     std::string table;
     bool mutants = false;
     bool slips = false;
@@ -59,7 +60,7 @@ void validate(Application& application, const Options& options)
         if (!options.json) print(reference, paint);
         return true;
     });
-    have_built(application, exercises);
+    have_built(application, exercises, options.without_mistakes ? UnitParts::answers : UnitParts::all);
     // Units that may run longest begin first, so that none of them runs alone at the end.
     std::vector<const Exercise*> order;
     for (const Exercise& exercise : exercises) order.push_back(&exercise);
@@ -68,12 +69,14 @@ void validate(Application& application, const Options& options)
     // The slowest units have the most seeds to wait for: seeds are shared out, not units.
     Crew(application.tools, options.jobs)
         .share_out(exercises.size() * options.seeds, [&](Worker& worker, std::size_t index) {
-            validate_unit(worker, *order[index / options.seeds], static_cast<unsigned>(index % options.seeds),
-                          [&](const Finding& finding) {
-                              const std::lock_guard lock(mutex);
-                              findings.push_back(finding);
-                              if (!options.json && (!options.quiet || !finding.holds)) print(finding, paint);
-                          });
+            validate_unit(
+                worker, *order[index / options.seeds], static_cast<unsigned>(index % options.seeds),
+                [&](const Finding& finding) {
+                    const std::lock_guard lock(mutex);
+                    findings.push_back(finding);
+                    if (!options.json && (!options.quiet || !finding.holds)) print(finding, paint);
+                },
+                options.without_mistakes ? KnownMistakes::passed_over : KnownMistakes::graded);
         });
     // Workers finish in any order; what other programs read has one.
     std::ranges::stable_sort(findings, {}, [](const Finding& finding) { return std::tie(finding.unit, finding.seed); });
@@ -114,6 +117,8 @@ void add_validate(Command parser, Application& application)
     command.option("--seeds", options->seeds, "How many sets of random inputs").between(1, most_seeds).with_default();
     command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();
     command.flag("--quiet", options->quiet, "Print only what fails");
+    command.flag("--without-mistakes", options->without_mistakes,
+                 "Not the known mistakes: only that right work gets everything, controls and stub nothing");
     command.flag("--json", options->json, "As JSON");
     command.option("--table", options->table, "Write what each mistake got, and what it is told, as Markdown")
         .called("FILE");
@@ -129,6 +134,8 @@ void add_validate(Command parser, Application& application)
             return validate_mutants(application,
                                     {options->units, options->jobs, options->json, options->quiet, options->markdown,
                                      options->slips ? MutantFamily::slips : MutantFamily::syntax});
+        if (options->without_mistakes && !options->table.empty())
+            throw UsageError("--table tells what each mistake got; take --without-mistakes away");
         if (!options->markdown.empty())
             throw UsageError("--markdown goes with --mutants or --slips; mistakes have --table");
         validate(application, *options);
