@@ -34,6 +34,26 @@ TEST(Validation, names_a_mistyped_case_first)
         << findings.front().message;
 }
 
+TEST(Validation, passes_over_mistakes_and_nothing_else)
+{
+    const test::Workbench bench;
+    Worker worker(bench.tools());
+    std::map<KnownMistakes, std::set<std::string>> subjects;
+    for (const KnownMistakes mistakes : {KnownMistakes::graded, KnownMistakes::passed_over})
+        validate_unit(
+            worker, bench.exercise("raytracing/sphere"), 0,
+            [&](const Finding& finding) {
+                EXPECT_TRUE(finding.holds) << finding.subject << ": " << finding.message;
+                subjects[mistakes].insert(finding.subject);
+            },
+            mistakes);
+    EXPECT_GT(std::erase_if(subjects[KnownMistakes::graded],
+                            [](const std::string& subject) { return subject.starts_with("mistake: "); }),
+              5U);
+    EXPECT_EQ(subjects[KnownMistakes::passed_over], subjects[KnownMistakes::graded]);
+    EXPECT_TRUE(subjects[KnownMistakes::passed_over].contains("stub"));
+}
+
 TEST(Validation, names_the_path_of_a_missing_reference)
 {
     const test::Workbench bench;

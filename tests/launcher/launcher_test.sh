@@ -59,4 +59,25 @@ expect "units that were built are built again" grep -q 'cmake --build --preset r
 expect "tests build everything" grep -q 'cmake --build --preset release --target all' "$work/calls"
 expect "tests need more packages" grep -qE 'apt-get install .*libglm-dev .*absent' "$work/calls"
 expect "a command that is there needs no package" sh -c "! grep -qE ' present( |$)' '$work/calls'"
+
+# Two of six units are the third of a commit; every unit is of one third in three commits.
+mkdir -p "$work/project/exercises/transforms/hook" "$work/project/exercises/meshes/area" "$work/project/exercises/meshes/ply" \
+    "$work/project/exercises/meshes/revolution" "$work/project/exercises/pipeline/clip-line"
+for unit in transforms/hook meshes/area meshes/ply meshes/revolution pipeline/clip-line; do
+    : >"$work/project/exercises/$unit/exercise.json"
+done
+: >"$work/thirds"
+for count in 0 1 2; do
+    printf '#!/bin/sh\necho %s\n' "$((count + 900))" >"$work/fakes/git"
+    chmod +x "$work/fakes/git"
+    : >"$work/calls"
+    (cd "$work/project" && ./umbral test) >"$work/printed" 2>&1 || true
+    third=$(sed -n 's/.*-DUMBRAL_MISTAKES=\([^ ]*\).*/\1/p' "$work/calls")
+    expect "two of six units are a third, got $third" [ "$(printf '%s\n' "$third" | tr ';' '\n' | wc -l)" -eq 2 ]
+    printf '%s\n' "$third" | tr ';' '\n' >>"$work/thirds"
+done
+expect "three thirds are all units" [ "$(sort -u "$work/thirds" | wc -l)" -eq 6 ]
+: >"$work/calls"
+(cd "$work/project" && ./umbral test --all) >"$work/printed" 2>&1 || true
+expect "--all compiles all mistakes" grep -qF -- '-DUMBRAL_MISTAKES=*/*' "$work/calls"
 exit $failed
