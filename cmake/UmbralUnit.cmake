@@ -24,6 +24,15 @@ set(UMBRAL_UNITS_DIR ${CMAKE_BINARY_DIR}/units)
 set(UMBRAL_EXERCISES_ROOT ${PROJECT_SOURCE_DIR}/exercises)
 set(UMBRAL_REFERENCE_ROOT ${PROJECT_SOURCE_DIR}/reference)
 
+# The units whose mistakes and tests `all` leaves out.
+list(TRANSFORM UMBRAL_WHOLE_UNITS APPEND "/exercise.json" OUTPUT_VARIABLE whole_units)
+list(TRANSFORM whole_units PREPEND ${UMBRAL_EXERCISES_ROOT}/)
+file(GLOB whole_units CONFIGURE_DEPENDS RELATIVE ${UMBRAL_EXERCISES_ROOT} ${whole_units})
+file(GLOB UMBRAL_PARTIAL_UNITS CONFIGURE_DEPENDS RELATIVE ${UMBRAL_EXERCISES_ROOT}
+  ${UMBRAL_EXERCISES_ROOT}/*/*/exercise.json)
+list(REMOVE_ITEM UMBRAL_PARTIAL_UNITS "" ${whole_units})
+list(TRANSFORM UMBRAL_PARTIAL_UNITS REPLACE "/exercise.json$" "")
+
 # The flags of students' files, in one place: the precompiled header works only with exactly these.
 set(UMBRAL_STUDENT_FLAGS -std=c++20 -g -O1 -fPIC -fno-gnu-unique -ffp-contract=off -D_GLIBCXX_ASSERTIONS)
 # What must not be right by chance, where the compiler has it:
@@ -118,7 +127,7 @@ function(umbral_finish_unit unit answers mistakes)
   add_dependencies(answers-${id} unit-kit)
   add_custom_command(OUTPUT ${folder}/built COMMAND ${CMAKE_COMMAND} -E touch ${folder}/built
     DEPENDS ${folder}/answers ${mistakes} VERBATIM)
-  if(unit IN_LIST UMBRAL_MISTAKES_ON_DEMAND)
+  if(unit IN_LIST UMBRAL_PARTIAL_UNITS)
     set_target_properties(${mistakes} PROPERTIES EXCLUDE_FROM_ALL ON)
     add_custom_target(unit-${id} DEPENDS ${folder}/built)
   else()

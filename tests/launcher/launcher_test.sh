@@ -72,12 +72,12 @@ for count in 0 1 2; do
     chmod +x "$work/fakes/git"
     : >"$work/calls"
     (cd "$work/project" && ./umbral test) >"$work/printed" 2>&1 || true
-    third=$(sed -n 's/.*-DUMBRAL_MISTAKES=\([^ ]*\).*/\1/p' "$work/calls")
+    third=$(sed -n 's/.*-DUMBRAL_WHOLE_UNITS=\([^ ]*\).*/\1/p' "$work/calls")
     expect "two of six units are a third, got $third" [ "$(printf '%s\n' "$third" | tr ';' '\n' | wc -l)" -eq 2 ]
     printf '%s\n' "$third" | tr ';' '\n' >>"$work/thirds"
 done
 expect "three thirds are all units" [ "$(sort -u "$work/thirds" | wc -l)" -eq 6 ]
 : >"$work/calls"
 (cd "$work/project" && ./umbral test --all) >"$work/printed" 2>&1 || true
-expect "--all compiles all mistakes" grep -qF -- '-DUMBRAL_MISTAKES=*/*' "$work/calls"
+expect "--all compiles all mistakes" grep -qF -- '-DUMBRAL_WHOLE_UNITS=*/*' "$work/calls"
 exit $failed
