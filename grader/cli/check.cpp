@@ -91,6 +91,19 @@ std::map<std::string, Sources> texts_of_units(const std::vector<Exercise>& exerc
     return texts;
 }
 
+/// Builds what the units are graded with: known mistakes, which explain what is wrong, only of those that hold more
+/// than the stub, for a workspace holds a hundred others.
+void build_for(const Application& application, const std::vector<Exercise>& exercises,
+               const std::map<std::string, Sources>& texts)
+{
+    std::vector<Exercise> untouched;
+    std::vector<Exercise> begun;
+    for (const Exercise& exercise : exercises)
+        (equals_stub(texts.at(exercise.id), exercise) ? untouched : begun).push_back(exercise);
+    have_built(application, begun);
+    have_built(application, untouched, UnitParts::answers);
+}
+
 std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const fs::path& root)
 {
     std::vector<fs::path> folders{root};
@@ -124,6 +137,7 @@ std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const f
             if (now.at(exercise.id) != known.at(exercise.id)) changed.push_back(exercise);
         known = std::move(now);
         if (changed.empty()) continue;
+        build_for(application, changed, known);
         if (!options.json && isatty(STDOUT_FILENO) != 0) fmt::print("\x1b[2J\x1b[H");
         (void)check_once(application, crew, changed, options);
         say(fmt::format("{:.2f} s after the save. Watching; Ctrl+C ends.",
@@ -143,7 +157,7 @@ void check(Application& application, const Options& options)
     }
     expect_writable(options.html);
     const std::vector<Exercise> exercises = units_to_check(application, options);
-    have_built(application, exercises);
+    build_for(application, exercises, texts_of_units(exercises, options.folder));
     Crew crew(application.tools, options.jobs);
     if (options.watch) watch(application, crew, exercises, options);
     application.exit_status = check_once(application, crew, exercises, options);

@@ -43,7 +43,7 @@ void make_workspace(const Application& application, const Options& options)
     const std::vector<Exercise> exercises =
         options.units.empty() ? application.readable() : application.chosen(options.units);
     make_folder(root);
-    have_built(application, exercises);
+    have_built(application, exercises, UnitParts::answers);
     Worker worker(application.tools);
     for (const Exercise& exercise : exercises) make_unit(worker, exercise, root / exercise.id);
     as_given([&] { copy_framework(application.tools, exercises, root); });
