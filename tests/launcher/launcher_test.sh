@@ -48,10 +48,13 @@ expect "a failed build leaves no stamp" [ ! -e "$work/project/build/release/stam
 # A unit that somebody asked for once is kept up to date; one that is gone is not asked for.
 mkdir -p "$work/project/build/release/units/meshes/weld" "$work/project/build/release/units/meshes/gone" "$work/project/exercises/meshes/weld"
 : >"$work/project/build/release/units/meshes/weld/built"
+mkdir -p "$work/project/build/release/units/meshes/area" "$work/project/exercises/meshes/area"
+: >"$work/project/build/release/units/meshes/area/answers"
+: >"$work/project/exercises/meshes/area/exercise.json"
 : >"$work/project/build/release/units/meshes/gone/built"
 : >"$work/project/exercises/meshes/weld/exercise.json"
 (cd "$work/project" && ./umbral list) >"$work/printed" 2>&1 || true
-expect "units that were built are built again" grep -q 'cmake --build --preset release --target program unit-meshes-weld *$' "$work/calls"
+expect "units that were built are built again, with mistakes or without" grep -q 'cmake --build --preset release --target program answers-meshes-area unit-meshes-weld *$' "$work/calls"
 
 # A command of that name will do instead of its package; without one the package is installed.
 : >"$work/calls"
