@@ -136,6 +136,13 @@ void have_header(const Application& application)
 
 }
 
+bool are_built(const Application& application, std::span<const Exercise> units)
+{
+    return application.layout.installed || std::ranges::all_of(units, [&](const Exercise& unit) {
+               return is_built(application, unit, UnitParts::all);
+           });
+}
+
 void have_built(const Application& application, std::span<const Exercise> units, UnitParts parts)
 {
     if (application.layout.installed) return have_header(application);

@@ -42,7 +42,7 @@ void refuse_weak_sandbox(const Fingerprint& machine, bool allowed)
         "newer with both, or add --allow-weak-sandbox if you trust every submission");
 }
 
-/// The units of which some submission has a file.
+/// The units of which some submission has a file; maybe none.
 std::vector<Exercise> handed_in(const Application& application, const std::vector<Exercise>& exercises,
                                 const GradeCommand& command)
 {
@@ -55,7 +55,6 @@ std::vector<Exercise> handed_in(const Application& application, const std::vecto
     std::vector<Exercise> result;
     for (std::size_t i = 0; i < exercises.size(); ++i)
         if (seen[i]) result.push_back(exercises[i]);
-    if (result.empty()) throw UsageError(fmt::format("{}: nobody handed in a file of any unit", command.submissions));
     return result;
 }
 
@@ -145,8 +144,15 @@ void grade_and_print(Application& application, const GradeCommand& command)
     try {
         expect_distinct(command.submissions, command.out);
         std::vector<Exercise> exercises = application.chosen(command.units);
-        if (command.handed_in) exercises = handed_in(application, exercises, command);
-        have_built(application, exercises);
+        if (command.handed_in || !are_built(application, exercises)) {
+            // Known mistakes explain what is wrong: they are built of units that somebody handed in.
+            const std::vector<Exercise> begun = handed_in(application, exercises, command);
+            if (command.handed_in && begun.empty())
+                throw UsageError(fmt::format("{}: nobody handed in a file of any unit", command.submissions));
+            have_built(application, begun);
+            if (command.handed_in) exercises = begun;
+        }
+        have_built(application, exercises, UnitParts::answers);
         // Reports hold the values of hidden checks: they are nobody else's to read.
         umask(S_IRWXG | S_IRWXO);
         make_folder(command.out);
