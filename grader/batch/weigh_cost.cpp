@@ -1,9 +1,14 @@
 #include "batch/weigh_cost.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <umbral/record/cost.hpp>
+#include <utility>
 
+#include "judge/cost/answers.hpp"
 #include "judge/cost/cost.hpp"
 #include "judge/cost/outside_cost.hpp"
 #include "judge/judges.hpp"
@@ -30,6 +35,13 @@ struct Side {
                       std::numeric_limits<double>::max()};
 };
 
+/// In which row the answers to the work are wrong, if in any.
+std::optional<std::size_t> wrong_answer(const Check& check, const RunOutcome& student, const RunOutcome& reference)
+{
+    const std::string name = check.value + std::string(cost_answers_suffix);
+    return first_wrong_answer(tensor_of(student, name), tensor_of(reference, name));
+}
+
 std::optional<std::string> measured_objection(Worker& worker, const Exercise& exercise, const Check& check,
                                               const Built& built, std::uint64_t seed, const std::vector<double>& sizes,
                                               std::string_view names)
@@ -38,16 +50,20 @@ std::optional<std::string> measured_objection(Worker& worker, const Exercise& ex
     Side reference{nullptr};
     bool left_out = false;
     const auto take = [&](Side& side, std::size_t count, double OutsideCost::*least) {
-        const RunOutcome run = worker.run_limited(exercise, side.built, check.case_name, seed, {check.value, count});
+        RunOutcome run = worker.run_limited(exercise, side.built, check.case_name, seed, {check.value, count});
         const Tensor* table = tensor_of(run, check.value);
         left_out = left_out || (table == nullptr ? 0 : table->rows) != count;
         side.least.*least = std::min(side.least.*least, milliseconds_of(run));
+        return run;
     };
     for (int i = 0; i < runs; ++i)
-        for (Side* side : {&student, &reference}) {
-            take(*side, 0, &OutsideCost::nothing);
-            take(*side, sizes_to_compare(sizes), &OutsideCost::first_sizes);
-            take(*side, sizes.size(), &OutsideCost::all_sizes);
+        for (const auto& [count, least] : {std::pair{std::size_t{0}, &OutsideCost::nothing},
+                                           {sizes_to_compare(sizes), &OutsideCost::first_sizes},
+                                           {sizes.size(), &OutsideCost::all_sizes}}) {
+            const RunOutcome theirs = take(student, count, least);
+            const RunOutcome ours = take(reference, count, least);
+            // Whoever notices that the work is measured, and not looked at, could leave it.
+            left_out = left_out || wrong_answer(check, theirs, ours);
         }
     if (left_out) return "when the work was asked for again, to measure its time, it was not done";
     return objection_from_outside(student.least, reference.least, sizes, parameters_of<CostParameters>(check).growth,
@@ -58,11 +74,14 @@ std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise
                                         const Built& built, const CaseResult& one)
 {
     const RunOutcome& reference = worker.trusted(exercise, Answers::reference, check.case_name, one.seed);
-    if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
     const auto cost = cost_of(*tensor_of(reference, check.value));
     if (!cost) throw std::runtime_error("check '" + check.name + "': the reference recorded no table of costs");
     std::vector<double> sizes;
     for (const CostRow& row : *cost) sizes.push_back(row.size);
+    if (const auto row = wrong_answer(check, one.student, reference))
+        return fmt::format("the answer for the size {} is not right: work that leads to no right answer earns nothing",
+                           count_text(sizes[std::min(*row, sizes.size() - 1)]));
+    if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
     // What ran beside may have cost one side more than the other: who loses points was too slow twice.
     const std::string_view names = text_of(expected_of(check, reference).names);
     if (!measured_objection(worker, exercise, check, built, one.seed, sizes, names)) return std::nullopt;

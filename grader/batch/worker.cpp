@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <umbral/record/cost.hpp>
 
 #include "batch/ask_question.hpp"
 #include "batch/case_results.hpp"
@@ -83,6 +84,7 @@ WantedTensors Worker::wanted(const Exercise& exercise, const std::string& case_n
             std::size_t& most = wanted[value];
             most = std::max(most, most_cells(check, tensor == nullptr ? 0 : tensor->cells()));
             wanted[value + std::string(refusals::suffix)] = refusals::most_bytes;
+            if (judge_of(check).counts_work) wanted[value + std::string(cost_answers_suffix)] = most;
         }
     }
     return wanted;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <utility>
 
@@ -85,6 +86,23 @@ CppToken CppTokens::next()
         return take(CppToken::Kind::number, size);
     }
     if (c == '"' || c == '\'') return take_string(0);
+    return take_other();
+}
+
+CppToken CppTokens::take_other()
+{
+    struct Digraph {
+        std::string_view written;
+        std::string_view meant;
+    };
+    constexpr std::array<Digraph, 4> digraphs{{{"<:", "["}, {":>", "]"}, {"<%", "{"}, {"%>", "}"}}};
+    // As the language has it: "<::" begins with no digraph, unless another : or > follows.
+    const bool scope = text_.starts_with("<::") && at(3) != ':' && at(3) != '>';
+    for (const Digraph& one : digraphs) {
+        if (scope || !text_.starts_with(one.written)) continue;
+        text_.remove_prefix(one.written.size());
+        return {CppToken::Kind::other, one.meant};
+    }
     return take(CppToken::Kind::other, 1);
 }
 

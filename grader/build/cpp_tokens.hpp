@@ -9,7 +9,7 @@ namespace umbral::grader {
 struct CppToken {
     enum class Kind { end, name, string, number, other, directive };
     Kind kind = Kind::end;
-    std::string_view text;  ///< as written; of a directive the whole line
+    std::string_view text;  ///< as written, but of a digraph what it stands for; of a directive the whole line
     /// Of a string the characters between the quotes, as written; a raw string's characters, too.
     [[nodiscard]] std::string_view content() const;
 };
@@ -29,6 +29,7 @@ public:
 
 private:
     CppToken take(CppToken::Kind kind, std::size_t size);
+    CppToken take_other();
     CppToken take_directive();
     CppToken take_string(std::size_t prefix);
     CppToken take_raw_string(std::size_t prefix);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "build/cpp_tokens.hpp"
 #include "model/caps.hpp"
@@ -38,12 +39,17 @@ constexpr std::array<std::string_view, 8> attributes{"section",
 /// Attributes that name another symbol: a plain name is harmless, since every symbol is inspected.
 constexpr std::array<std::string_view, 3> naming_attributes{"alias", "ifunc", "weakref"};
 
-/// A name as assemblers take it, which can hold no directive.
+/// Names that may stand before an assembler statement: before a label there is a declaration, with other names.
+constexpr std::array<std::string_view, 13> before_statements{
+    "if",        "else",   "do",     "while",         "for",           "switch",     "constexpr",
+    "consteval", "extern", "export", "__extension__", "__attribute__", "__attribute"};
+
+/// A name as assemblers take it, which can hold no directive and no version.
 bool is_plain_name(std::string_view text)
 {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
     return !text.empty() && letter(text.front()) && std::ranges::all_of(text, [&](char c) {
-        return letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '@' || c == '$';
+        return letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '$';
     });
 }
 
@@ -75,8 +81,37 @@ public:
 private:
     void advance()
     {
-        before_ = current_;
+        // Directives may stand between any two tokens.
+        if (current_.kind != Kind::directive) {
+            before_ = current_;
+            follow(before_);
+        }
         current_ = tokens_.next();
+    }
+
+    /// Keeps in mind whether a declaration has begun: whether, since the statement began, there was a name outside of
+    /// brackets that begins one.
+    void follow(const CppToken& token)
+    {
+        const std::string_view text = token.text;
+        if (text == "{" || text == "}") {
+            declares_ = false;
+            if (text == "{") {
+                outer_depths_.push_back(depth_);
+                depth_ = 0;
+            } else if (!outer_depths_.empty()) {
+                depth_ = outer_depths_.back();
+                outer_depths_.pop_back();
+            }
+        } else if (text == "(" || text == "[") {
+            ++depth_;
+        } else if (text == ")" || text == "]") {
+            depth_ = std::max(0, depth_ - 1);
+        } else if (depth_ == 0 && (text == ";" || text == ":")) {
+            declares_ = false;
+        } else if (depth_ == 0 && token.kind == Kind::name && text != "alignas" && !contains(before_statements, text)) {
+            declares_ = true;
+        }
     }
 
     void object(std::string what) { found_ = fmt::format("{}: {}", tokens_.place(), std::move(what)); }
@@ -95,9 +130,9 @@ private:
     void check_asm()
     {
         // A label stands behind the name of what it labels, or its brackets.
-        constexpr std::array<std::string_view, 2> before_statement{"else", "do"};
-        const bool behind_a_name = before_.text == ")" || before_.text == "]" ||
-                                   (before_.kind == Kind::name && !contains(before_statement, before_.text));
+        const bool behind_a_name =
+            declares_ && (before_.text == ")" || before_.text == "]" ||
+                          (before_.kind == Kind::name && !contains(before_statements, before_.text)));
         advance();
         while (current_.kind == Kind::name && contains(asm_qualifiers, current_.text)) advance();
         if (current_.text != "(") return object("assembler is not allowed");
@@ -153,6 +188,9 @@ private:
     std::string_view header_;
     CppToken before_;
     CppToken current_;
+    bool declares_ = false;
+    int depth_ = 0;                  ///< of brackets that are open, within the innermost braces
+    std::vector<int> outer_depths_;  ///< and within those around them
     std::optional<std::string> found_;
 };
 

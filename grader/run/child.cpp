@@ -126,6 +126,7 @@ void confine(const ChildSetup& setup, const Job& job)
                               .descriptors = 16,
                               .no_children = true});
     sandbox::drop_privileges();
+    sandbox::drop_capabilities();
     sandbox::confine_files({});
     sandbox::install(setup.filter);
 }

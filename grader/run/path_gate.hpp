@@ -23,8 +23,9 @@ class PathRules {
 public:
     PathRules(std::filesystem::path directory, std::span<const std::string> rules);
 
-    /// May `path` be asked for? A relative one counts from the working directory. `..` is taken out before, as text:
-    /// links are followed by the kernel, within what Landlock allows. The folders above a rule's are known to exist.
+    /// May `path` be asked for? A relative one counts from the working directory. `..` is taken out before, as
+    /// the kernel does it; other links are followed by the kernel, within what Landlock allows. The folders above a
+    /// rule's are known to exist.
     [[nodiscard]] bool admits(std::string_view path) const;
 
 private:

@@ -21,9 +21,30 @@ std::string without_old_roots(std::string path)
     return path;
 }
 
+/// Without `..`, as the kernel takes it out: behind a link it is the folder above the one that the link leads to.
+fs::path without_parents(const fs::path& path)
+{
+    fs::path result;
+    for (const fs::path& part : path) {
+        if (part == "." || part.empty()) continue;
+        if (part != "..") {
+            result /= part;
+            continue;
+        }
+        std::error_code unknown;
+        if (fs::is_symlink(result, unknown)) {
+            fs::path target = fs::canonical(result, unknown);
+            // Of one that leads nowhere there is nothing above.
+            if (!unknown) result = std::move(target);
+        }
+        result = result.parent_path();
+    }
+    return result;
+}
+
 std::string normal(const fs::path& path)
 {
-    std::string text = path.lexically_normal().string();
+    std::string text = without_parents(path).lexically_normal().string();
     while (text.size() > 1 && text.back() == '/') text.pop_back();
     return without_old_roots(std::move(text));
 }

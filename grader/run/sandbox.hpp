@@ -30,6 +30,10 @@ void confine_files(std::span<const FileRule> rules);
 /// Sets no_new_privs: exec can no longer raise privileges. Throws std::system_error.
 void drop_privileges();
 
+/// Gives up all capabilities: root without them is like anybody. Some calls that every program makes do more for root:
+/// madvise takes pages of memory away from the machine. Throws std::system_error.
+void drop_capabilities();
+
 /// New user, network, IPC and UTS namespaces (and a process namespace for children) for this process, as far as the
 /// kernel lets us. Returns the names of those entered.
 std::vector<std::string> enter_namespaces(bool processes);

@@ -1,4 +1,7 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "run/path_gate.hpp"
 
@@ -35,6 +38,29 @@ TEST(PathRules, nothing_else)
                              "../work-2/x", "/tmp/work-10", "/tmp/work-1/../work-2", "/proc/self/fd/1", "/dev/nul",
                              "/dev/stdin", "//etc//passwd", "/opt/umbral/reference"})
         EXPECT_FALSE(rules.admits(path)) << path;
+}
+
+// A folder above a link is not the one above its target: /usr/bin/X11, a link to its own folder, told what lies in
+// /usr.
+TEST(PathRules, parents_behind_links_are_those_of_their_targets)
+{
+    namespace fs = std::filesystem;
+    const fs::path root = fs::canonical(fs::temp_directory_path()) / ("umbral-path-rules-" + std::to_string(getpid()));
+    fs::create_directories(root / "shown/deep");
+    fs::create_directories(root / "elsewhere/folder");
+    fs::create_directory_symlink("../elsewhere/folder", root / "shown/link");
+    fs::create_directory_symlink(".", root / "shown/itself");
+    fs::create_symlink("nowhere", root / "shown/broken");
+    const std::string shown = (root / "shown").string();
+    const std::vector<std::string> rule{shown};
+    const PathRules there("/tmp/work-1", rule);
+    for (const char* path :
+         {"/deep/../file", "/link", "/link/file", "/itself/../shown/file", "/deep/.././deep//../file"})
+        EXPECT_TRUE(there.admits(shown + path)) << path;
+    for (const char* path : {"/link/../secret", "/itself/../secret", "/itself/itself/.././secret",
+                             "/deep/../link/./../secret", "/itself//../secret", "/itself/deep/../../secret/x"})
+        EXPECT_FALSE(there.admits(shown + path)) << path;
+    fs::remove_all(root);
 }
 
 }

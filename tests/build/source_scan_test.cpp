@@ -21,6 +21,25 @@ TEST(Assembler, is_found_in_every_spelling)
         EXPECT_NE(found_in(text).find("assembler is not allowed"), std::string::npos) << text;
 }
 
+// A statement of one plain word is no label of what stands before it.
+TEST(Assembler, is_no_label_where_nothing_is_declared)
+{
+    for (const char* text :
+         {"void f() { if (x) asm(\"ret\"); }", "void f() { while (a(b)) asm(\"ret\"); }",
+          "void f() { for (int i = 0; i < 1; ++i) asm(\"ret\"); }", "void f() { switch (x) asm(\"ret\"); }",
+          "void f() { if constexpr (true) asm(\"ret\"); }", "void f() { g([] { asm(\"ret\"); }); }",
+          "void f() { int x = ({ [[]] asm(\"ret\"); 1; }); }", "[[maybe_unused]] asm(\"ret\");",
+          "alignas(8) asm(\"ret\");", "__attribute__((unused)) asm(\"ret\");", "__extension__ asm(\"ret\");",
+          "extern \"C\" asm(\"ret\");", "int f() { return 1; } asm(\"ret\");", "void f() { label: asm(\"ret\"); }",
+          "void f() { if (x) do asm(\"ret\"); while (0); }", "int f() asm(\"f@VERSION\");"})
+        EXPECT_NE(found_in(text).find("assembler is not allowed"), std::string::npos) << text;
+    for (const char* text :
+         {"int f(int x) asm(\"f_1\");", "int a[2] asm(\"a_1\"), b asm(\"b_1\");", "std::size_t f() asm(\"f_1\");",
+          "extern \"C\" { extern int f(int) __asm__(\"\" \"f_1\") __attribute__((pure)); }",
+          "void f() { register long x asm(\"rax\"); }", "int x;\n# 90 \"a.hpp\"\nint f()\n# 92 \"a.hpp\"\nasm(\"g\");"})
+        EXPECT_EQ(found_in(text), "") << text;
+}
+
 TEST(Assembler, plain_labels_and_the_compilers_own_are_allowed)
 {
     EXPECT_EQ(found_in("extern int sigpause(int) __asm__ (\"\" \"__xpg_sigpause\");"), "");
@@ -52,6 +71,9 @@ TEST(Assembler, may_not_come_in_by_attributes_and_directives)
           "[[gnu::section(\"x\")]] int x;", "[[using gnu: noinline, naked]] void f();",
           "__attribute__((no_sanitize_coverage)) void f();", "[[gnu::no_sanitize(\"x\")]] void f();",
           "__attribute__((alias(\"a\\nb\"))) int f();", "__attribute__((symver(\"a@b\"))) int f();", "#ident \"x\"",
+          "<:<:gnu::section(\"x\"):>:> int x;", "[<:gnu::section(\"x\")]:> int x;",
+          "[\n# 90 \"a.cpp\"\n[gnu::section(\"x\")]] int x;", "[\n#pragma x\n<:gnu::naked:>] void f();",
+          "__attribute__\n#pragma x\n((section(\"x\"))) int x;", "__attribute__((alias(\"a@b\"))) int f();",
           "#sccs \"x\"", "# ident \"x\"", "#pragma GCC pch_preprocess \"other.gch\""})
         EXPECT_NE(found_in(text), "") << text;
 }
@@ -60,10 +82,10 @@ TEST(Assembler, ordinary_code_is_allowed)
 {
     for (const char* text :
          {"int section = 1; int alias[2][3]; x[section[0]];", "__attribute__((always_inline)) int f();",
-          "[[nodiscard]] int naked();", "__attribute__((weakref(\"plain_name\"))) int f();",
-          "#pragma GCC optimize(\"O3\")", "#pragma once", "# 12 \"a.cpp\" 2",
-          "#pragma GCC pch_preprocess \"/build/student.hpp.gch\"", "", "[[", "__attribute__", "__attribute__((", "\"",
-          "R\"("})
+          "[[nodiscard]] int naked();", "std::vector<::naked> x; a<::b[1]; int c<:2:>; f<:<:0:>:>;",
+          "__attribute__((weakref(\"plain_name\"))) int f();", "#pragma GCC optimize(\"O3\")", "#pragma once",
+          "# 12 \"a.cpp\" 2", "#pragma GCC pch_preprocess \"/build/student.hpp.gch\"", "", "[[", "__attribute__",
+          "__attribute__((", "\"", "R\"("})
         EXPECT_EQ(found_in(text), "") << text;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "explaining.hpp"
+#include "judge/cost/answers.hpp"
 #include "judge/cost/cost.hpp"
 
 namespace umbral::grader::test {
@@ -131,6 +132,23 @@ TEST(Costs, controls_and_mistakes)
     EXPECT_FALSE(same(power(2), power(1)));
     EXPECT_TRUE(same(power(0, 1), power(0, 2))) << "both return at once";
     EXPECT_FALSE(same(power(0, 1), power(2)));
+}
+
+// Work is counted for answers that are right: whoever gives up on large problems saves it.
+TEST(CostAnswers, are_right_row_by_row)
+{
+    const Tensor expected = floats({10, 0.5, 20, 0.25, 40, 0.125}, 2);
+    const auto wrong = [&](const Tensor& yours) { return first_wrong_answer(&yours, &expected); };
+    const float nan = std::nanf("");
+    EXPECT_EQ(wrong(expected), std::nullopt);
+    EXPECT_EQ(wrong(floats({10, 0.5002F, 20, 0.25, 40.02F, 0.125}, 2)), std::nullopt) << "sums in another order";
+    EXPECT_EQ(wrong(floats({10, 0.5, 21, 0.25, 40, 0.125}, 2)), 1U);
+    EXPECT_EQ(wrong(floats({10, 0.5, 20, 0.25, 40, nan}, 2)), 2U);
+    EXPECT_EQ(wrong(floats({10, 0.5, 20, 0.25}, 2)), 2U) << "a row is missing";
+    EXPECT_EQ(wrong(floats({10, 0.5, 20, 0.25, 40, 0.125, 80, 1}, 2)), 3U) << "one too many";
+    EXPECT_EQ(wrong(floats({10, 20, 40}, 1)), 0U);
+    EXPECT_EQ(first_wrong_answer(nullptr, &expected), 0U);
+    EXPECT_EQ(first_wrong_answer(&expected, nullptr), std::nullopt) << "where the driver records none";
 }
 
 }

@@ -26,10 +26,22 @@ TEST(Printable, replaces_what_terminals_obey)
 TEST(Printable, replaces_what_turns_or_hides_text)
 {
     // All of Unicode's property Bidi_Control, and what no reader can see: letters as tags among them.
-    for (const std::string one : {"\u061C", "\u200E", "\u200F", "\u202A", "\u202B", "\u202C",     "\u202D",    "\u202E",
-                                  "\u2066", "\u2067", "\u2068", "\u2069", "\u00AD", "\u180E",     "\u200B",    "\u2060",
-                                  "\u206A", "\u2028", "\u2029", "\uFEFF", "\uFFF9", "\U000E0041", "\U000E007F"})
+    for (const std::string one :
+         {"\u061C", "\u200E", "\u200F", "\u202A",     "\u202B",     "\u202C",     "\u202D",     "\u202E",    "\u2066",
+          "\u2067", "\u2068", "\u2069", "\u00AD",     "\u180E",     "\u200B",     "\u2060",     "\u206A",    "\u2028",
+          "\u2029", "\uFEFF", "\uFFF9", "\U000E0041", "\U000E007F", "\u034F",     "\u115F",     "\u17B4",    "\u180B",
+          "\u3164", "\uFE00", "\uFE0F", "\uFFA0",     "\U0001BCA0", "\U0001D173", "\U000E0100", "\U000E01EF"})
         EXPECT_EQ(printable("a" + one + "b", plenty), "a\uFFFDb");
+}
+
+// Towers of accents reach over the lines above and below.
+TEST(Printable, keeps_few_marks_on_a_letter)
+{
+    const std::string mark = "\u0301";
+    std::string tower = "a";
+    for (int i = 0; i < 4; ++i) tower += mark;
+    EXPECT_EQ(printable(tower + "b" + mark, plenty), tower + "b" + mark);
+    EXPECT_EQ(printable(tower + mark + "\u0489b" + mark, plenty), tower + "\uFFFD\uFFFDb" + mark);
 }
 
 TEST(Printable, replaces_each_byte_of_invalid_utf8)

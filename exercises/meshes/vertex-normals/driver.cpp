@@ -1,3 +1,4 @@
+#include <kit/amount.hpp>
 #include <limits>
 #include <umbral/meshes/normals.hpp>
 #include <umbral/record/ask.hpp>
@@ -139,8 +140,8 @@ void record_work(Random& random, Recorder& out)
     for (const std::uint32_t side : {11U, 16U, 22U, 32U, 45U}) {
         const IndexedMesh mesh = hills(side, side, random);
         record_cost(out, "blocks", mesh.triangles.size(), [&] {
-            (void)ask<face_normals>(out, mesh);
-            (void)ask<vertex_normals>(out, mesh);
+            const std::vector<glm::vec3> faces = ask<face_normals>(out, mesh);
+            return Amount().in_order(faces).in_order(ask<vertex_normals>(out, mesh));
         });
     }
 }

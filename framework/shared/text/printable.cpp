@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
+/// So many marks may stand on one letter: no language has more, and more reach over the lines above and below.
+constexpr int most_marks = 4;
+
 /// Control characters, and those that reorder or hide the text around them.
 bool is_harmful(char32_t code)
 {
@@ -21,10 +24,12 @@ bool is_harmful(char32_t code)
 std::string printable(std::string_view text, std::size_t limit)
 {
     std::string result;
+    int marks = 0;
     while (!text.empty()) {
         const Character character = first_character(text);
-        const std::string_view shown =
-            character.valid && !is_harmful(character.code) ? text.substr(0, character.size) : replacement;
+        marks = character.valid && cells_of(character.code) == 0 ? marks + 1 : 0;
+        const bool harmful = !character.valid || is_harmful(character.code) || marks > most_marks;
+        const std::string_view shown = harmful ? replacement : text.substr(0, character.size);
         if (shown.size() > limit - result.size())
             return result + fmt::format("\n[cut here: {} more bytes]", text.size());
         result += shown;

@@ -53,10 +53,15 @@ Character first_character(std::string_view text)
 
 bool is_deceptive(char32_t code)
 {
-    const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
-    return within(0x80, 0x9F) || code == 0xAD || code == 0x61C || code == 0x180E || within(0x200B, 0x200F) ||
-           within(0x2028, 0x202E) || within(0x2060, 0x206F) || code == 0xFEFF || within(0xFFF9, 0xFFFB) ||
-           within(0xE0000, 0xE007F);
+    // Unicode's properties Default_Ignorable_Code_Point and Bidi_Control, C1 controls, line separators, and marks of
+    // annotations.
+    constexpr std::array deceptive = {Range{0x80, 0x9F},       Range{0xAD, 0xAD},       Range{0x34F, 0x34F},
+                                      Range{0x61C, 0x61C},     Range{0x115F, 0x1160},   Range{0x17B4, 0x17B5},
+                                      Range{0x180B, 0x180F},   Range{0x200B, 0x200F},   Range{0x2028, 0x202E},
+                                      Range{0x2060, 0x206F},   Range{0x3164, 0x3164},   Range{0xFE00, 0xFE0F},
+                                      Range{0xFEFF, 0xFEFF},   Range{0xFFA0, 0xFFA0},   Range{0xFFF0, 0xFFFB},
+                                      Range{0x1BCA0, 0x1BCA3}, Range{0x1D173, 0x1D17A}, Range{0xE0000, 0xE0FFF}};
+    return is_in(deceptive, code);
 }
 
 int cells_of(char32_t code) { return is_in(combining, code) ? 0 : is_in(wide, code) ? 2 : 1; }

@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <umbral/record/recorder.hpp>
 #include <utility>
+#include <vector>
 
 namespace umbral {
 
@@ -43,15 +46,32 @@ void limit_costs(CostLimit limit);
 /// Is the next row of this table of costs to be worked on? Yes, unless a limit leaves it out.
 [[nodiscard]] bool cost_is_wanted(const Recorder& out, std::string_view table);
 
+/// Behind the name of a table of costs: what the answers to its work amounted to.
+inline constexpr std::string_view cost_answers_suffix = ".answers";
+
 /// Runs `work`, the unit on a problem of this size, and records what it took as the row (size, blocks) of the table
 /// `name`. Does neither where cost_is_wanted says no.
+///
+/// `work` returns some numbers that every right answer leads to, always as many: sizes and sums, say (kit/amount.hpp).
+/// They become a row of the table `<name>.answers`: where they differ from the reference's the cost earns nothing,
+/// since whoever gives up early saves work. Without a result nobody looks at the answers: only for work whose answers
+/// are looked at elsewhere, for the same problems.
 template <class Work>
 void record_cost(Recorder& out, std::string_view name, std::size_t size, Work&& work)
 {
     if (!cost_is_wanted(out, name)) return;
     const std::uint64_t before = blocks_executed();
-    std::forward<Work>(work)();
-    out.append(name, glm::dvec2(static_cast<double>(size), static_cast<double>(blocks_executed() - before)));
+    const auto take_down = [&] {
+        out.append(name, glm::dvec2(static_cast<double>(size), static_cast<double>(blocks_executed() - before)));
+    };
+    if constexpr (std::is_void_v<std::invoke_result_t<Work>>) {
+        std::forward<Work>(work)();
+        take_down();
+    } else {
+        const std::vector<float> answers = std::forward<Work>(work)();
+        take_down();
+        out.append(std::string(name) + std::string(cost_answers_suffix), std::span<const float>(answers));
+    }
 }
 
 }
