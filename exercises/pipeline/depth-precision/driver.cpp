@@ -44,7 +44,7 @@ void record_back(Recorder& out)
         for (const std::uint32_t code : {1U, 65534U, 0U, 65535U, 32768U, 52454U})
             for (const bool reversed : {false, true})
                 out.append("eye", ask<eye_depth>(out, {n, f, reversed}, code, 16));
-    for (const std::uint32_t code : {0U, 1U, 127U, 254U})
+    for (const std::uint32_t code : {0U, 1U, 127U, 254U, 255U})
         for (const bool reversed : {false, true})
             out.append("eye", ask<eye_depth>(out, {0.5, infinity, reversed}, reversed ? 255 - code : code, 8));
 }
@@ -55,13 +55,23 @@ struct Camera {
     int bits;
 };
 
+/// One in five without a far plane; 1 to 32 bits.
 Camera random_camera(Random& random)
 {
     const double n = std::exp2(-20 + 28 * random.uniform_double());
-    const double f = n * std::exp2(1 + 15 * random.uniform_double());
-    const double distance = n * std::pow(f / n, 0.02 + 0.96 * random.uniform_double());
+    const double range = random.below(5) == 0 ? 40 : 1 + 15 * random.uniform_double();
+    const double f = range == 40 ? infinity : n * std::exp2(range);
+    const double distance = n * std::exp2(range * (0.02 + 0.96 * random.uniform_double()));
     const bool reversed = random.below(2) == 0;
-    return {{n, f, reversed}, distance, 8 + 8 * static_cast<int>(random.below(3))};
+    return {{n, f, reversed}, distance, 1 + static_cast<int>(random.below(32))};
+}
+
+/// Any code, the first and the last of them more often.
+std::uint32_t random_code(Random& random, double last)
+{
+    const std::uint32_t border = random.below(12);
+    const double inside = random.uniform_double();
+    return static_cast<std::uint32_t>(border == 0 ? 0 : border == 1 ? last : std::floor(inside * (last + 1)));
 }
 
 // Codes are asked for in the middle between two halves, so that they do not hang on the last digits of the depth.
@@ -70,9 +80,9 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 300; ++i) {
         const auto& [range, distance, bits] = random_camera(random);
         out.append("window", ask<window_depth>(out, range, -distance));
-        const std::uint32_t code = random.below(1U << static_cast<unsigned>(bits));
-        out.append("eye", ask<eye_depth>(out, range, code, bits));
         const double last = std::ldexp(1.0, bits) - 1;
+        const std::uint32_t code = random_code(random, last);
+        out.append("eye", ask<eye_depth>(out, range, code, bits));
         out.append("codes", ask<depth_code>(out, (code + 0.8 * (random.uniform_double() - 0.5)) / last, bits));
     }
 }
@@ -103,11 +113,16 @@ void record_fighting(Random& random, Recorder& out)
     // Exactly at the border: the whole range is one step. And between the border and the far plane.
     append(out, "begin", ask<fighting_distance>(out, {1, 2}, 1, 1));
     append(out, "begin", ask<fighting_distance>(out, {1, 1000}, 10, 500));
-    for (int i = 0; i < 100; ++i) {
-        const Camera camera = random_camera(random);
-        const auto& [n, f, reversed] = camera.range;
-        const double gap = i % 2 == 0 ? n * std::exp2(random.uniform(-14, 6)) : (f - n) * random.uniform_double();
-        append(out, "begin", ask<fighting_distance>(out, camera.range, camera.bits, gap));
+    for (int i = 0; i < 150; ++i) {
+        auto [range, distance, bits] = random_camera(random);
+        const double n = range.near_plane;
+        double gap = n * std::exp2(random.uniform(-14, 6));
+        if (i % 3 == 1) gap = (std::isinf(range.far_plane) ? distance : range.far_plane - n) * random.uniform_double();
+        // The far plane up to two gaps behind where the fighting begins: on either side of the border.
+        const double begin = std::sqrt(gap * gap / 4 + gap * n * (std::ldexp(1.0, bits) - 1)) - gap / 2;
+        const double beyond = 2 * gap * random.uniform_double();
+        if (i % 3 == 2) range.far_plane = std::max(begin, n) + beyond;
+        append(out, "begin", ask<fighting_distance>(out, range, bits, gap));
     }
 }
 
