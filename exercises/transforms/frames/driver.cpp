@@ -1,3 +1,4 @@
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <umbral/record/ask.hpp>
@@ -107,7 +108,7 @@ void record_kinds(Random& random, Recorder& out)
         if (kind == 0 && variant % 2 == 1) axis_of(frame, one) += 0.3F * sign * axis_of(frame, (one + 1) % 3);
         if (kind == 1 && variant % 2 == 0) frame.x *= 1.5F, frame.z *= 0.01F;
         if (kind == 1 && variant % 2 == 1) axis_of(frame, one) *= random.below(2) == 0 ? 1.5F : 0.75F;
-        const float size = variant % 8 < 4 ? 1.0F : variant % 8 < 6 ? 1e-4F : variant % 8 == 6 ? 1e-25F : 1e25F;
+        const float size = std::array{1.0F, 1e-4F, 1e-25F, 1e25F}.at(static_cast<std::size_t>(variant / 2 % 4));
         if (kind == 0 || (kind == 1 && variant % 2 == 0))
             for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis *= size;
         if (kind == 2 && variant % 2 == 0) axis_of(frame, one) = glm::vec3(0);
@@ -176,9 +177,13 @@ void record_coplanar(Random& random, Recorder& out)
         if (i % 8 > 3) make_nearly_parallel(frame, (off + 1) % 3, (off + 2) % 3);
         frame.z = frame.x + frame.y;
         if (i % 2 != 0) frame.z[off] += i % 4 == 1 ? 0x1p-23F : -0x1p-23F;
-        // Powers of two round nothing.
-        for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z})
-            *axis *= i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p-103F : 0x1p126F;
+        // Powers of two round nothing, also where the vectors have different ones.
+        const auto size = [&](int every) {
+            return std::array{1.0F, 0x1p-103F, 0x1p126F}.at(static_cast<std::size_t>(i / every % 3));
+        };
+        frame.x *= size(1);
+        frame.y *= size(i < 60 ? 1 : 3);
+        frame.z *= size(i < 60 ? 1 : 9);
         out.append("sign", ask<orientation>(out, frame));
     }
 }
