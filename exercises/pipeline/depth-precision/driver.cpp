@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <umbral/record/driver.hpp>
@@ -14,6 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Rows of one number, or nothing: doubles have no table of their own for that.
 void append(Recorder& out, const char* name, const std::optional<double>& value)
 {
+    out.columns(name, "is there, distance");
     out.append(name, value ? glm::dvec2(1, *value) : glm::dvec2(0, 0));
 }
 
@@ -104,6 +107,18 @@ void record_resolution(Random& random, Recorder& out)
     }
 }
 
+/// A far plane that lies so far beyond the place where the fighting begins; that place depends on the far plane a
+/// little.
+double far_plane_at_the_border(double n, int bits, double gap, double beyond)
+{
+    double f = infinity;
+    for (int i = 0; i < 8; ++i) {
+        const double product = gap * n / (1 - n / f) * (std::ldexp(1.0, bits) - 1);
+        f = std::max(n, std::sqrt(gap * gap / 4 + product) - gap / 2) + beyond;
+    }
+    return f;
+}
+
 void record_fighting(Random& random, Recorder& out)
 {
     for (const auto& [n, f] : {std::pair(0.01, 1000.0), {0.2, 400.0}, {1.0, infinity}})
@@ -117,11 +132,9 @@ void record_fighting(Random& random, Recorder& out)
         auto [range, distance, bits] = random_camera(random);
         const double n = range.near_plane;
         double gap = n * std::exp2(random.uniform(-14, 6));
-        if (i % 3 == 1) gap = (std::isinf(range.far_plane) ? distance : range.far_plane - n) * random.uniform_double();
-        // The far plane up to two gaps behind where the fighting begins: on either side of the border.
-        const double begin = std::sqrt(gap * gap / 4 + gap * n * (std::ldexp(1.0, bits) - 1)) - gap / 2;
-        const double beyond = 2 * gap * random.uniform_double();
-        if (i % 3 == 2) range.far_plane = std::max(begin, n) + beyond;
+        if (i % 3 == 1)
+            gap = (std::isinf(range.far_plane) ? distance : range.far_plane - n) * 3 * random.uniform_double();
+        if (i % 3 == 2) range.far_plane = far_plane_at_the_border(n, bits, gap, 2 * gap * random.uniform_double());
         append(out, "begin", ask<fighting_distance>(out, range, bits, gap));
     }
 }
