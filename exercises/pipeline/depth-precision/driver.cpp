@@ -13,11 +13,19 @@ using namespace pipeline;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Rows of one number, or nothing: doubles have no table of their own for that.
+// Rows of one number, or nothing: doubles have no table of their own for that. A relative error is one of the row's
+// largest number, so what says that there is something is 0.
 void append(Recorder& out, const char* name, const std::optional<double>& value)
 {
-    out.columns(name, "is there, distance");
-    out.append(name, value ? glm::dvec2(1, *value) : glm::dvec2(0, 0));
+    out.columns(name, "nothing, distance");
+    out.append(name, value ? glm::dvec2(0, *value) : glm::dvec2(1, 0));
+}
+
+// Infinity is no number that a check can compare with.
+void append_eye(Recorder& out, double z_eye)
+{
+    out.columns("eye", "infinite, z_eye");
+    out.append("eye", std::isinf(z_eye) ? glm::dvec2(std::copysign(1, z_eye), 0) : glm::dvec2(0, z_eye));
 }
 
 // The course's cameras, and one that a hand can work out: n = 1, f = 3.
@@ -45,11 +53,10 @@ void record_back(Recorder& out)
 {
     for (const auto& [n, f] : {std::pair(0.2, 400.0), {0.01, 1000.0}, {1.0, 3.0}})
         for (const std::uint32_t code : {1U, 65534U, 0U, 65535U, 32768U, 52454U})
-            for (const bool reversed : {false, true})
-                out.append("eye", ask<eye_depth>(out, {n, f, reversed}, code, 16));
+            for (const bool reversed : {false, true}) append_eye(out, ask<eye_depth>(out, {n, f, reversed}, code, 16));
     for (const std::uint32_t code : {0U, 1U, 127U, 254U, 255U})
         for (const bool reversed : {false, true})
-            out.append("eye", ask<eye_depth>(out, {0.5, infinity, reversed}, reversed ? 255 - code : code, 8));
+            append_eye(out, ask<eye_depth>(out, {0.5, infinity, reversed}, reversed ? 255 - code : code, 8));
 }
 
 struct Camera {
@@ -85,7 +92,7 @@ void record_random(Random& random, Recorder& out)
         out.append("window", ask<window_depth>(out, range, -distance));
         const double last = std::ldexp(1.0, bits) - 1;
         const std::uint32_t code = random_code(random, last);
-        out.append("eye", ask<eye_depth>(out, range, code, bits));
+        append_eye(out, ask<eye_depth>(out, range, code, bits));
         out.append("codes", ask<depth_code>(out, (code + 0.8 * (random.uniform_double() - 0.5)) / last, bits));
     }
 }
@@ -149,8 +156,8 @@ void record_extremes(Random& random, Recorder& out)
         out.append("near", ask<window_depth>(out, {n, f}, -n * (1 + beside)));
         out.append("far", ask<window_depth>(out, {n, f, true}, std::isinf(f) ? -n / beside : -f * (1 - beside)));
         const std::uint32_t steps = random.below(1000);
-        out.append("eye", ask<eye_depth>(out, {n, f}, 4294967294U - steps, 32));
-        out.append("eye", ask<eye_depth>(out, {n, f}, random.below(4294967295U), 32));
+        append_eye(out, ask<eye_depth>(out, {n, f}, 4294967294U - steps, 32));
+        append_eye(out, ask<eye_depth>(out, {n, f}, random.below(4294967295U), 32));
         append(out, "begin",
                ask<fighting_distance>(out, {n, infinity}, 16, n * std::pow(10, 5 + 4 * random.uniform_double())));
     }
