@@ -116,7 +116,8 @@ void record_many(Random& random, Recorder& out)
 void record_planes(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
-        const float unit = std::ldexp(1.0F, static_cast<int>(random.below(80)) - 40);
+        // Layers that are thicker than 1 among them.
+        const float unit = std::ldexp(1.0F, static_cast<int>(random.below(80)) - 40) * (i % 16 == 10 ? 0x1p40F : 1.0F);
         const auto whole = [&] { return static_cast<float>(random.below(17)) - 8; };
         const float a = whole();
         const float b = whole();
@@ -139,7 +140,7 @@ void record_planes(Random& random, Recorder& out)
         for (const bool is_flat : {flat_first, !flat_first}) {
             std::vector<glm::vec3> points = is_flat && i % 8 != 2 ? flat : solid;
             glm::vec3 thickness(1);
-            if (i % 8 == 2 && is_flat) thickness[i / 8 % 3] = 0x1p-36F;
+            if (i % 8 == 2 && is_flat) thickness[i / 8 % 3] = 0x1p-36F, thickness[(i / 8 + 1) % 3] = 16;
             // What is thin lies where its thickness is not rounded away.
             const glm::vec3 shift = i % 8 == 2 ? glm::vec3(0) : glm::vec3(16, -7, 5);
             for (glm::vec3& point : points) point = unit * (thickness * point + shift);
