@@ -119,7 +119,7 @@ const Driver driver = {
          for (int i = 0; i < 25; ++i) {
              const Profile profile = some_profile(c.random);
              const std::uint32_t copies = 4 + c.random.below(12);
-             record_whole(out, profile, copies, random_unit(c.random, -18, 12));
+             record_whole(out, profile, copies, random_unit(c.random, -40, 40));
          }
          out.text("triangles.names", names_of_triangles);
      }},

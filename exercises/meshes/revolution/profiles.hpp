@@ -25,7 +25,8 @@ inline Profile semicircle(int points)
     return profile;
 }
 
-/// Any profile that goes up and down, in and out; some points lie on the axis, some stand twice.
+/// Any profile that goes up and down, in and out; some points lie on the axis or just beside it, some stand twice, and
+/// one profile in four ends where it began.
 inline Profile some_profile(Random& random)
 {
     Profile profile{{random.uniform(0.5F, 2), random.uniform(-1, 1)}};
@@ -35,9 +36,11 @@ inline Profile some_profile(Random& random)
         glm::vec2 next(std::abs(profile.back().x + step.x) + 0.125F, profile.back().y + step.y);
         if (kind == 0) next = profile.back();
         if (kind == 1) next.x = 0;
+        if (kind == 2) next.x = 0x1p-15F * random.uniform(0.5F, 1);
         profile.push_back(next);
     }
     profile.emplace_back(1.5F, profile.back().y + 1);
+    if (random.below(4) == 0) profile.push_back(profile.front());
     return profile;
 }
 

@@ -10,7 +10,9 @@ namespace {
 using namespace pipeline;
 
 constexpr int functions = 8;
-constexpr int tile = 6;  // pixels of the small buffers that stand side by side in what is recorded
+// Columns and rows of the small buffers that stand side by side in what is recorded; not square.
+constexpr int tile_width = 7;
+constexpr int tile_height = 5;
 
 DepthFunction function(int i) { return static_cast<DepthFunction>(i); }
 
@@ -93,7 +95,7 @@ float random_depth(Random& random, const Levels& levels)
 // the last bit of these floats is free.
 Grid<float> random_depths(Random& random, Recorder& out, const Levels& levels)
 {
-    Grid<float> depths(tile, tile);
+    Grid<float> depths(tile_width, tile_height);
     for (float& depth : depths.cells)
         depth = ask<stored_depth>(out, levels.format, levels.at(static_cast<double>(random.below(3)) - 1));
     return depths;
@@ -103,8 +105,8 @@ std::vector<Fragment> random_fragments(Random& random, const Levels& levels, int
 {
     std::vector<Fragment> fragments;
     for (int i = 0; i < count; ++i) {
-        const int x = static_cast<int>(random.below(tile));
-        const int y = static_cast<int>(random.below(tile));
+        const int x = static_cast<int>(random.below(tile_width));
+        const int y = static_cast<int>(random.below(tile_height));
         const float depth = random_depth(random, levels);
         const float u = random.uniform();
         const float v = (1 - u) * random.uniform();
@@ -116,17 +118,17 @@ std::vector<Fragment> random_fragments(Random& random, const Levels& levels, int
 /// One tile of the buffer that is recorded as "depths", which the last `questions` calls led to.
 void put(Recorder& out, const Grid<float>& result, Grid<float>& into, int column, int row, unsigned questions = 1)
 {
-    out.tile("depths", column * tile, row * tile, tile, tile, questions);
-    const Grid<float> from = of_size(result, tile, tile);
-    for (int y = 0; y < tile; ++y)
-        for (int x = 0; x < tile; ++x) into.at(column * tile + x, row * tile + y) = from.at(x, y);
+    out.tile("depths", column * tile_width, row * tile_height, tile_width, tile_height, questions);
+    const Grid<float> from = of_size(result, tile_width, tile_height);
+    for (int y = 0; y < tile_height; ++y)
+        for (int x = 0; x < tile_width; ++x) into.at(column * tile_width + x, row * tile_height + y) = from.at(x, y);
 }
 
 // All functions in all states: which fragments are left, and what the buffers hold afterwards.
 void record_tests(Random& random, Recorder& out, int fragments_each)
 {
     const std::vector<DepthState> all = states();
-    Grid<float> after(functions * tile, static_cast<int>(all.size()) * tile);
+    Grid<float> after(functions * tile_width, static_cast<int>(all.size()) * tile_height);
     out.text("left.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (int column = 0; column < functions; ++column) {
@@ -148,9 +150,9 @@ void record_tests(Random& random, Recorder& out, int fragments_each)
 
 void record_colors(Recorder& out, const char* name, std::size_t scenario, const Layer& layer)
 {
-    const Grid<glm::vec3> colors = of_size(layer.colors, tile, tile);
-    for (int y = 0; y < tile; ++y)
-        for (int x = 0; x < tile; ++x) {
+    const Grid<glm::vec3> colors = of_size(layer.colors, tile_width, tile_height);
+    for (int y = 0; y < tile_height; ++y)
+        for (int x = 0; x < tile_width; ++x) {
             const glm::vec3 color = colors.at(x, y);
             if (color == glm::vec3(0)) continue;
             const std::array row = {
@@ -159,18 +161,19 @@ void record_colors(Recorder& out, const char* name, std::size_t scenario, const 
         }
 }
 
-glm::vec3 random_color(Random& random) { return 0.1F + 0.9F * glm::abs(random.in_cube()); }
+// Light, which may be more than a screen shows.
+glm::vec3 random_color(Random& random) { return 0.1F + 1.9F * glm::abs(random.in_cube()); }
 
 void record_drawing(Random& random, Recorder& out)
 {
     const std::vector<DepthState> all = states();
-    Grid<float> after(2 * tile, static_cast<int>(all.size()) * tile);
+    Grid<float> after(2 * tile_width, static_cast<int>(all.size()) * tile_height);
     out.text("colours.names", "picture");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (const ShadeModel model : {ShadeModel::flat, ShadeModel::smooth}) {
             const int column = model == ShadeModel::flat ? 0 : 1;
             const Levels levels = random_levels(random, all[row].format);
-            Layer layer{{tile, tile}, random_depths(random, out, levels)};
+            Layer layer{{tile_width, tile_height}, random_depths(random, out, levels)};
             for (int triangle = 0; triangle < 3; ++triangle) {
                 const glm::vec3 a = random_color(random);
                 const glm::vec3 b = random_color(random);
@@ -186,7 +189,7 @@ void record_drawing(Random& random, Recorder& out)
 void record_merging(Random& random, Recorder& out)
 {
     const std::vector<DepthState> all = states();
-    Grid<float> after(functions * tile, static_cast<int>(all.size()) * tile);
+    Grid<float> after(functions * tile_width, static_cast<int>(all.size()) * tile_height);
     out.text("colours.names", "call");
     for (std::size_t row = 0; row < all.size(); ++row)
         for (int column = 0; column < functions; ++column) {
@@ -194,7 +197,7 @@ void record_merging(Random& random, Recorder& out)
             state.function = function(column);
             const Levels levels = random_levels(random, state.format);
             const auto layer = [&] {
-                Layer result{{tile, tile}, random_depths(random, out, levels)};
+                Layer result{{tile_width, tile_height}, random_depths(random, out, levels)};
                 for (glm::vec3& color : result.colors.cells) color = random_color(random);
                 return result;
             };

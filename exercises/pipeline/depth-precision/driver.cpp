@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <umbral/record/driver.hpp>
@@ -11,10 +13,19 @@ using namespace pipeline;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Rows of one number, or nothing: doubles have no table of their own for that.
+// Rows of one number, or nothing: doubles have no table of their own for that. A relative error is one of the row's
+// largest number, so what says that there is something is 0.
 void append(Recorder& out, const char* name, const std::optional<double>& value)
 {
-    out.append(name, value ? glm::dvec2(1, *value) : glm::dvec2(0, 0));
+    out.columns(name, "nothing, distance");
+    out.append(name, value ? glm::dvec2(0, *value) : glm::dvec2(1, 0));
+}
+
+// Infinity is no number that a check can compare with.
+void append_eye(Recorder& out, double z_eye)
+{
+    out.columns("eye", "infinite, z_eye");
+    out.append("eye", std::isinf(z_eye) ? glm::dvec2(std::copysign(1, z_eye), 0) : glm::dvec2(0, z_eye));
 }
 
 // The course's cameras, and one that a hand can work out: n = 1, f = 3.
@@ -42,11 +53,10 @@ void record_back(Recorder& out)
 {
     for (const auto& [n, f] : {std::pair(0.2, 400.0), {0.01, 1000.0}, {1.0, 3.0}})
         for (const std::uint32_t code : {1U, 65534U, 0U, 65535U, 32768U, 52454U})
-            for (const bool reversed : {false, true})
-                out.append("eye", ask<eye_depth>(out, {n, f, reversed}, code, 16));
-    for (const std::uint32_t code : {0U, 1U, 127U, 254U})
+            for (const bool reversed : {false, true}) append_eye(out, ask<eye_depth>(out, {n, f, reversed}, code, 16));
+    for (const std::uint32_t code : {0U, 1U, 127U, 254U, 255U})
         for (const bool reversed : {false, true})
-            out.append("eye", ask<eye_depth>(out, {0.5, infinity, reversed}, reversed ? 255 - code : code, 8));
+            append_eye(out, ask<eye_depth>(out, {0.5, infinity, reversed}, reversed ? 255 - code : code, 8));
 }
 
 struct Camera {
@@ -55,13 +65,23 @@ struct Camera {
     int bits;
 };
 
+/// One in five without a far plane; 1 to 32 bits.
 Camera random_camera(Random& random)
 {
     const double n = std::exp2(-20 + 28 * random.uniform_double());
-    const double f = n * std::exp2(1 + 15 * random.uniform_double());
-    const double distance = n * std::pow(f / n, 0.02 + 0.96 * random.uniform_double());
+    const double range = random.below(5) == 0 ? 40 : 1 + 15 * random.uniform_double();
+    const double f = range == 40 ? infinity : n * std::exp2(range);
+    const double distance = n * std::exp2(range * (0.02 + 0.96 * random.uniform_double()));
     const bool reversed = random.below(2) == 0;
-    return {{n, f, reversed}, distance, 8 + 8 * static_cast<int>(random.below(3))};
+    return {{n, f, reversed}, distance, 1 + static_cast<int>(random.below(32))};
+}
+
+/// Any code, the first and the last of them more often.
+std::uint32_t random_code(Random& random, double last)
+{
+    const std::uint32_t border = random.below(12);
+    const double inside = random.uniform_double();
+    return static_cast<std::uint32_t>(border == 0 ? 0 : border == 1 ? last : std::floor(inside * (last + 1)));
 }
 
 // Codes are asked for in the middle between two halves, so that they do not hang on the last digits of the depth.
@@ -70,9 +90,9 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 300; ++i) {
         const auto& [range, distance, bits] = random_camera(random);
         out.append("window", ask<window_depth>(out, range, -distance));
-        const std::uint32_t code = random.below(1U << static_cast<unsigned>(bits));
-        out.append("eye", ask<eye_depth>(out, range, code, bits));
         const double last = std::ldexp(1.0, bits) - 1;
+        const std::uint32_t code = random_code(random, last);
+        append_eye(out, ask<eye_depth>(out, range, code, bits));
         out.append("codes", ask<depth_code>(out, (code + 0.8 * (random.uniform_double() - 0.5)) / last, bits));
     }
 }
@@ -94,6 +114,18 @@ void record_resolution(Random& random, Recorder& out)
     }
 }
 
+/// A far plane that lies so far beyond the place where the fighting begins; that place depends on the far plane a
+/// little.
+double far_plane_at_the_border(double n, int bits, double gap, double beyond)
+{
+    double f = infinity;
+    for (int i = 0; i < 8; ++i) {
+        const double product = gap * n / (1 - n / f) * (std::ldexp(1.0, bits) - 1);
+        f = std::max(n, std::sqrt(gap * gap / 4 + product) - gap / 2) + beyond;
+    }
+    return f;
+}
+
 void record_fighting(Random& random, Recorder& out)
 {
     for (const auto& [n, f] : {std::pair(0.01, 1000.0), {0.2, 400.0}, {1.0, infinity}})
@@ -103,11 +135,14 @@ void record_fighting(Random& random, Recorder& out)
     // Exactly at the border: the whole range is one step. And between the border and the far plane.
     append(out, "begin", ask<fighting_distance>(out, {1, 2}, 1, 1));
     append(out, "begin", ask<fighting_distance>(out, {1, 1000}, 10, 500));
-    for (int i = 0; i < 100; ++i) {
-        const Camera camera = random_camera(random);
-        const auto& [n, f, reversed] = camera.range;
-        const double gap = i % 2 == 0 ? n * std::exp2(random.uniform(-14, 6)) : (f - n) * random.uniform_double();
-        append(out, "begin", ask<fighting_distance>(out, camera.range, camera.bits, gap));
+    for (int i = 0; i < 150; ++i) {
+        auto [range, distance, bits] = random_camera(random);
+        const double n = range.near_plane;
+        double gap = n * std::exp2(random.uniform(-14, 6));
+        if (i % 3 == 1)
+            gap = (std::isinf(range.far_plane) ? distance : range.far_plane - n) * 3 * random.uniform_double();
+        if (i % 3 == 2) range.far_plane = far_plane_at_the_border(n, bits, gap, 2 * gap * random.uniform_double());
+        append(out, "begin", ask<fighting_distance>(out, range, bits, gap));
     }
 }
 
@@ -121,8 +156,8 @@ void record_extremes(Random& random, Recorder& out)
         out.append("near", ask<window_depth>(out, {n, f}, -n * (1 + beside)));
         out.append("far", ask<window_depth>(out, {n, f, true}, std::isinf(f) ? -n / beside : -f * (1 - beside)));
         const std::uint32_t steps = random.below(1000);
-        out.append("eye", ask<eye_depth>(out, {n, f}, 4294967294U - steps, 32));
-        out.append("eye", ask<eye_depth>(out, {n, f}, random.below(4294967295U), 32));
+        append_eye(out, ask<eye_depth>(out, {n, f}, 4294967294U - steps, 32));
+        append_eye(out, ask<eye_depth>(out, {n, f}, random.below(4294967295U), 32));
         append(out, "begin",
                ask<fighting_distance>(out, {n, infinity}, 16, n * std::pow(10, 5 + 4 * random.uniform_double())));
     }

@@ -1,3 +1,4 @@
+#include <kit/magnitude.hpp>
 #include <limits>
 #include <numbers>
 #include <umbral/record/ask.hpp>
@@ -46,8 +47,8 @@ void record_random(Random& random, Recorder& out)
         const glm::vec3 centre = 8.0F * random.in_cube();
         const glm::vec3 direction = random.uniform(0.5F, 4) * random.unit_vector();
         out.append("rotation", ask<rotation_about_point>(out, centre, random_turn(random)));
-        out.append("scaling", ask<scaling_about_point>(out, centre, 2.0F * random.in_cube()));
-        out.append("along", ask<scaling_along>(out, centre, direction, random.uniform(-2, 2)));
+        out.append("scaling", ask<scaling_about_point>(out, centre, 5.0F * random.in_cube()));
+        out.append("along", ask<scaling_along>(out, centre, direction, random.uniform(-4, 4)));
         out.append("point", ask<reflection_in_point>(out, centre));
         out.append("line", ask<reflection_in_line>(out, centre, direction));
         out.append("plane", ask<reflection_in_plane>(out, centre, direction));
@@ -132,11 +133,13 @@ glm::vec3 whole_vector(Random& random)
     return {v[turns], v[(turns + 1) % 3], v[(turns + 2) % 3]};
 }
 
-// Opposite vectors in pairs with equal ones, in random order; and vectors that are nearly either, down to 1e-6.
+// Opposite vectors of any lengths in pairs with equal ones, in random order; and vectors that are nearly either, down
+// to 1e-6.
 void record_opposite(Random& random, Recorder& out)
 {
     for (int i = 0; i < 24; ++i) {
-        const glm::vec3 from = i < 3 ? glm::vec3(i == 0, i == 1, i == 2) : whole_vector(random);
+        const glm::vec3 from =
+            random_unit(random, -40, 40) * (i < 3 ? glm::vec3(i == 0, i == 1, i == 2) : whole_vector(random));
         const auto factor = static_cast<float>(1 + random.below(7));
         const bool first = random.below(2) == 1;
         for (const bool opposite : {first, !first})

@@ -25,6 +25,22 @@ glm::dmat4 some_affine_map(Random& random)
     return map;
 }
 
+/// One time in three onto a plane, a line or a point, across axes of the world: a map that is affine and has no
+/// inverse.
+glm::dmat4 sometimes_flattened(glm::dmat4 map, Random& random)
+{
+    const std::uint32_t kept = random.below(3);
+    const std::uint32_t axes = 1 + random.below(3);
+    const std::uint32_t first = random.below(3);
+    if (kept != 0) return map;
+    for (std::uint32_t i = 0; i < axes; ++i)
+        for (int column = 0; column < 3; ++column) map[column][static_cast<int>((first + i) % 3)] = 0;
+    return map;
+}
+
+/// The same in other units of length.
+glm::dmat4 scaled(const glm::dmat4& map, double size) { return glm::scale(glm::dmat4(1), glm::dvec3(size)) * map; }
+
 /// Corners of a tetrahedron that leans, and `more` points about it.
 std::vector<glm::vec3> some_points(Random& random, std::size_t more)
 {
@@ -71,7 +87,8 @@ void record_known(Recorder& out)
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 80; ++i) {
-        record_matrix(out, pairs_of(some_points(random, 0), some_affine_map(random)));
+        const std::vector<glm::vec3> points = some_points(random, 0);
+        record_matrix(out, pairs_of(points, sometimes_flattened(some_affine_map(random), random)));
         std::array<glm::vec3, 4> corners;
         for (glm::vec3& corner : corners) corner = 4.0F * random.in_cube();
         out.append("defect", ask<parallelogram_defect>(out, corners));
@@ -99,7 +116,8 @@ void record_many(Random& random, Recorder& out)
 void record_planes(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
-        const float unit = std::ldexp(1.0F, static_cast<int>(random.below(80)) - 40);
+        // Layers that are thicker than 1 among them.
+        const float unit = std::ldexp(1.0F, static_cast<int>(random.below(80)) - 40) * (i % 16 == 10 ? 0x1p40F : 1.0F);
         const auto whole = [&] { return static_cast<float>(random.below(17)) - 8; };
         const float a = whole();
         const float b = whole();
@@ -116,11 +134,13 @@ void record_planes(Random& random, Recorder& out)
         if (i % 8 == 1) flat.assign(4, flat.front());
         if (i == 0) flat.clear();
         const bool flat_first = random.below(2) == 1;
-        const glm::dmat4 map = some_affine_map(random);
+        // Images may be of any size, or flat themselves: only the points count.
+        const double size = std::ldexp(1.0, static_cast<int>(random.below(60)) - 30);
+        const glm::dmat4 map = sometimes_flattened(scaled(some_affine_map(random), size), random);
         for (const bool is_flat : {flat_first, !flat_first}) {
             std::vector<glm::vec3> points = is_flat && i % 8 != 2 ? flat : solid;
             glm::vec3 thickness(1);
-            if (i % 8 == 2 && is_flat) thickness[i / 8 % 3] = 0x1p-36F;
+            if (i % 8 == 2 && is_flat) thickness[i / 8 % 3] = 0x1p-36F, thickness[(i / 8 + 1) % 3] = 16;
             // What is thin lies where its thickness is not rounded away.
             const glm::vec3 shift = i % 8 == 2 ? glm::vec3(0) : glm::vec3(16, -7, 5);
             for (glm::vec3& point : points) point = unit * (thickness * point + shift);
@@ -238,7 +258,7 @@ void record_all_sizes(Random& random, Recorder& out)
         const float size = std::pow(10.0F, random.uniform(-6, 6));
         std::vector<glm::vec3> points = some_points(random, i % 2 == 0 ? 0 : 4);
         for (glm::vec3& point : points) point *= size;
-        record_matrix(out, pairs_of(points, some_affine_map(random)));
+        record_matrix(out, pairs_of(points, scaled(some_affine_map(random), std::pow(10, random.uniform(-6, 6)))));
     }
 }
 

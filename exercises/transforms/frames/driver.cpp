@@ -1,3 +1,4 @@
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <umbral/record/ask.hpp>
@@ -62,12 +63,14 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// Cartesian frames that have been turned too often: off by a thousandth, so that the transpose is the inverse no more.
+// Cartesian frames that have been turned too often: off by a thousandth, or by less than the threshold of 1e-4 up to
+// which they are still called Cartesian. The transpose is the inverse no more.
 void record_drifted(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
         Frame frame = cartesian(8.0F * random.in_cube(), random);
-        for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis += 2e-3F * random.unit_vector();
+        for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z})
+            *axis += (i % 2 == 0 ? 2e-3F : 4e-5F) * random.unit_vector();
         out.append("inverse", ask<inverse_of_frame>(out, frame));
     }
 }
@@ -87,22 +90,32 @@ void record_orientation(Random& random, Recorder& out)
     }
 }
 
+glm::vec3& axis_of(Frame& frame, std::uint32_t axis) { return axis == 0 ? frame.x : axis == 1 ? frame.y : frame.z; }
+
+// All five, of all sizes: a volume of 1e-14 is not 0, and squares of lengths may be no floats. Oblique ones of which
+// one pair of vectors leans, and orthogonal ones of which one vector is not unit, beside those of which all do and are.
 void record_kinds(Random& random, Recorder& out)
 {
     const glm::vec3 origin(1, 2, 3);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 120; ++i) {
+        const int kind = i % 5;
+        const int variant = i / 5;
         Frame frame = cartesian(origin, random);
-        const bool mirrored = random.below(2) == 1;
         const Frame skew = oblique(origin, random);
-        if (i % 5 == 0) frame = skew;
-        // Small ones too: a volume of 1e-14 is not 0.
-        const float size = i % 2 == 0 ? 1.0F : 1e-4F;
-        if (i % 5 == 1) frame.x *= 1.5F * size, frame.y *= size, frame.z *= 0.01F * size;
-        if (i % 5 == 2 && i % 2 == 0) frame.z = glm::vec3(0);
-        if (i % 5 == 2 && i % 2 == 1) frame.x.y = frame.y.y = frame.z.y = 0;
-        if (mirrored) frame.y = -frame.y;
+        const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
+        const std::uint32_t one = random.below(3);
+        if (kind == 0 && variant % 2 == 0) frame = skew;
+        if (kind == 0 && variant % 2 == 1) axis_of(frame, one) += 0.3F * sign * axis_of(frame, (one + 1) % 3);
+        if (kind == 1 && variant % 2 == 0) frame.x *= 1.5F, frame.z *= 0.01F;
+        if (kind == 1 && variant % 2 == 1) axis_of(frame, one) *= random.below(2) == 0 ? 1.5F : 0.75F;
+        const float size = std::array{1.0F, 1e-4F, 1e-25F, 1e25F}.at(static_cast<std::size_t>(variant / 2 % 4));
+        if (kind == 0 || (kind == 1 && variant % 2 == 0))
+            for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z}) *axis *= size;
+        if (kind == 2 && variant % 2 == 0) axis_of(frame, one) = glm::vec3(0);
+        if (kind == 2 && variant % 2 == 1) frame.x.y = frame.y.y = frame.z.y = 0;
+        if (sign < 0) frame.y = -frame.y;
         // As far off as a long chain of turns leaves a frame.
-        if (i % 5 > 2) frame.x *= 1.00001F;
+        if (kind > 2) frame.x *= 1.00001F;
         out.append("kind", static_cast<std::int32_t>(ask<classify_frame>(out, frame)));
     }
 }
@@ -164,9 +177,13 @@ void record_coplanar(Random& random, Recorder& out)
         if (i % 8 > 3) make_nearly_parallel(frame, (off + 1) % 3, (off + 2) % 3);
         frame.z = frame.x + frame.y;
         if (i % 2 != 0) frame.z[off] += i % 4 == 1 ? 0x1p-23F : -0x1p-23F;
-        // Powers of two round nothing.
-        for (glm::vec3* axis : {&frame.x, &frame.y, &frame.z})
-            *axis *= i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p-103F : 0x1p126F;
+        // Powers of two round nothing, also where the vectors have different ones.
+        const auto size = [&](int every) {
+            return std::array{1.0F, 0x1p-103F, 0x1p126F}.at(static_cast<std::size_t>(i / every % 3));
+        };
+        frame.x *= size(1);
+        frame.y *= size(i < 60 ? 1 : 3);
+        frame.z *= size(i < 60 ? 1 : 9);
         out.append("sign", ask<orientation>(out, frame));
     }
 }
