@@ -123,7 +123,9 @@ void record_random(Random& random, Recorder& out)
         const StereoScreen screen = random_screen(random);
         record(out, screen);
         record_parallax(out, screen, screen.distance * random.uniform(0.1F, 10));
-        record_distance(out, screen, screen.eye_separation * random.uniform(-8, 0.9F));
+        const float unit = i % 3 == 0 ? std::pow(10.0F, random.uniform(-9, -5)) : 1.0F;
+        const StereoScreen other = in_units(screen, unit);
+        record_distance(out, other, other.eye_separation * random.uniform(-8, 0.9F));
         const StereoPair pair = given_pair(screen, random);
         record_disparity(out, pair, point_before(screen, random));
     }
