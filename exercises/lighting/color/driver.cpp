@@ -43,6 +43,10 @@ void by_hand(Recorder& out)
                                              {{10, 100, 200}},
                                              {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {255, 128, 64}}};
     for (const std::vector<glm::u8vec3>& pixels : sets) record_mean(out, pixels);
+    // Black and white in turns, more of them than a byte can count.
+    std::vector<glm::u8vec3> many(300);
+    for (std::size_t i = 0; i < many.size(); i += 2) many[i] = glm::u8vec3(255);
+    record_mean(out, many);
 }
 
 // All codes, and back again. The channels run against each other.
