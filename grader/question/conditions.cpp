@@ -64,14 +64,15 @@ void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<Candid
         return;
     }
     all.push_back(of_one(words + " is not finite", i, cost, [](double x) { return !is_finite(x); }));
+    all.push_back(of_one(words + " is finite", i, cost + 1, is_finite));
     all.push_back(of_one(words + " is 0", i, cost, [](double x) { return x == 0; }));
-    all.push_back(of_one(words + " is not 0", i, cost, [](double x) { return x != 0 && is_finite(x); }));
+    all.push_back(of_one(words + " is not 0", i, cost, [](double x) { return x != 0; }));
     all.push_back(of_one(words + " is negative", i, cost, [](double x) { return x < 0; }));
     all.push_back(of_one(words + " is 0 or negative", i, cost + 1, [](double x) { return x <= 0; }));
     if (fact.kind == Fact::Kind::product) return;
     all.push_back(of_one(words + " is positive", i, cost, [](double x) { return x > 0; }));
     all.push_back(of_one(words + " is 1", i, cost + 1, [](double x) { return std::abs(x - 1) < alike; }));
-    all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return std::abs(x - 1) >= alike; }));
+    all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < alike); }));
     const bool whole =
         std::ranges::all_of(fact.values, [](double x) { return std::isfinite(x) && x == std::round(x); });
     if (!whole) return;
@@ -125,7 +126,9 @@ void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vec
     const int cost = (fact.component ? 5 : 4) + (fact.kind == Fact::Kind::number ? 0 : 1);
     all.push_back({fmt::format("{} is {} {:.6g}", fact.words, best_below ? "less than" : "at least", bound),
                    [i, bound, best_below](const std::vector<Fact>& others, std::size_t question) {
-                       return (others[i].values[question] < bound) == best_below;
+                       // What is not a number is neither.
+                       const double value = others[i].values[question];
+                       return best_below ? value < bound : value >= bound;
                    },
                    cost, bound != 0});
 }

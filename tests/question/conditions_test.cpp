@@ -75,6 +75,22 @@ TEST(Conditions, find_signs_zeros_and_bounds_in_the_simplest_words)
               "sphere.radius is at least 1");
 }
 
+// What is not a number is not 0 either, and neither less nor more than any bound.
+TEST(Conditions, say_of_numbers_that_are_none_what_is_true_of_them)
+{
+    QuestionTable table{{"light"}, {}};
+    for (int i = 0; i < 48; ++i)
+        table.numbers.push_back({i % 2 == 0 ? std::nan("") : 0.1 + 0.01 * static_cast<double>(i)});
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return std::isfinite(row[0]); })),
+              "light is positive");
+    for (std::vector<double>& row : table.numbers)
+        if (row[0] > 0.4) row[0] -= 1;
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return std::isfinite(row[0]); })),
+              "light is finite");
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return !(row[0] < 0); })), "nothing");
+    EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[0] > 0; })), "light is positive");
+}
+
 // Such a bound means something only if it parts other questions too.
 TEST(Conditions, say_whether_a_bound_was_put_between_these_very_questions)
 {

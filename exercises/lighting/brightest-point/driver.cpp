@@ -55,7 +55,7 @@ void by_hand(Recorder& out)
     const Sphere unit;
     for (const glm::vec3& point : {glm::vec3(0, 1, 0), {1, 0, 0}, {-1, 0, 0}, {0.6F, 0.8F, 0}, {0.28F, 0.96F, 0}})
         record_is_seen(out, unit, point, {2, 0, 0});
-    for (const glm::vec3& point : {glm::vec3(7, 1, 3), {1, 7, 3}, {4, 5, -2}, {5, 4, 5}})
+    for (const glm::vec3& point : {glm::vec3(6, 6, 4), {2, 7, 7}, {5, 3, 8}, {2, 6, 0}})
         record_is_seen(out, {{2, 3, 4}, 5}, point, {12, 9, 3});
 }
 
@@ -99,7 +99,8 @@ void record_directions(Random& random, Recorder& out)
     }
 }
 
-// Points of the horizon, and the same ones with the eye a little higher or lower; whole numbers, so that n·v is exact.
+// Points of the horizon, and the same ones with the eye a little higher or lower; whole numbers, so that n·v is exact,
+// or such numbers over a power of two.
 void record_horizon(Random& random, Recorder& out)
 {
     const glm::vec3 triples[] = {{3, 4, 0}, {0, 4, -3}, {-4, 0, 3}, {0, 5, 0}, {-3, 0, -4}, {5, 0, 0}};
@@ -108,9 +109,12 @@ void record_horizon(Random& random, Recorder& out)
         const glm::vec3 centre(random.below(9), random.below(9), random.below(9));
         const glm::vec3 tangent = n.y == 0 ? glm::vec3(0, 1, 0) : glm::vec3(n.y, -n.x, 0);
         const glm::vec3 eye = centre + n + (2.0F + static_cast<float>(random.below(5))) * tangent;
+        const float unit = std::exp2(-static_cast<float>(i % 3 == 0 ? random.below(16) : 0U));
         const bool first = random.below(2) == 0;
-        for (const bool seen : {first, !first})
-            record_is_seen(out, {centre, 5}, centre + n, seen ? eye + n / 64.0F : i % 2 == 0 ? eye : eye - n / 64.0F);
+        for (const bool seen : {first, !first}) {
+            const glm::vec3 from = seen ? eye + n / 64.0F : i % 2 == 0 ? eye : eye - n / 64.0F;
+            record_is_seen(out, {unit * centre, 5 * unit}, unit * (centre + n), unit * from);
+        }
     }
 }
 

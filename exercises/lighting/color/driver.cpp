@@ -43,6 +43,10 @@ void by_hand(Recorder& out)
                                              {{10, 100, 200}},
                                              {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {255, 128, 64}}};
     for (const std::vector<glm::u8vec3>& pixels : sets) record_mean(out, pixels);
+    // Black and white in turns, more of them than a byte can count.
+    std::vector<glm::u8vec3> many(300);
+    for (std::size_t i = 0; i < many.size(); i += 2) many[i] = glm::u8vec3(255);
+    record_mean(out, many);
 }
 
 // All codes, and back again. The channels run against each other.
@@ -100,8 +104,8 @@ void at_random(Random& random, Recorder& out)
         std::vector<glm::u8vec3> pixels(2 + random.below(4));
         for (glm::u8vec3& pixel : pixels) pixel = random_pixel(random);
         record_mean(out, pixels);
-        if (i % 15 != 0) continue;
-        // As many pixels with the same first one; and more of them than a byte can count.
+        if (i % 2 != 0) continue;
+        // As many pixels with the same first one; and, mostly, more of them than a byte can count.
         pixels.back() = glm::u8vec3(255) - pixels.back();
         record_mean(out, pixels);
         pixels.resize(200 + random.below(400));
@@ -190,6 +194,11 @@ void to_the_last_digit(Random& random, Recorder& out)
         const float light = std::exp2(random.uniform(-8, 0));
         out.append("encoded", ask<encode_srgb>(out, dark * light));
         out.append("decoded", ask<decode_srgb>(out, dark * random.uniform(0.05F, 1)));
+        if (i % 4 != 1) continue;
+        // Close to where the line ends: the curve beside it is another one, by a thousandth and less.
+        const float aside = (i % 8 == 1 ? 0.1F : -0.1F) * std::exp2(random.uniform(-10, 0));
+        out.append("encoded", ask<encode_srgb>(out, 0.0031308F * (1 + aside)));
+        out.append("decoded", ask<decode_srgb>(out, 0.04045F * (1 + aside)));
     }
 }
 

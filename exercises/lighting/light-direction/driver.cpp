@@ -53,6 +53,8 @@ void by_hand(Recorder& out)
         record_direction(out, angles);
     for (const LightAngles& angles : {LightAngles{30, 0}, {0, 30}, {90, 60}, {-90, -30}, {45, 45}, {360, 30}, {450, 0}})
         record_direction(out, angles);
+    // Beyond the poles it is the other side.
+    for (const LightAngles& angles : {LightAngles{0, 120}, {90, -135}, {-60, 180}}) record_direction(out, angles);
     const glm::vec3 directions[] = {{0, 0, 1},  {1, 0, 0},  {0, 0, -1}, {-1, 0, 0}, {0, 1, 0},   {0, -1, 0},
                                     {1, 0, 1},  {-1, 0, 1}, {0, 2, 2},  {0, -3, 3}, {-2, 0, -2}, {0, 0, 0},
                                     {0, 0, 25}, {0, 7, -7}, {-4, 0, 0}, {0, -5, 0}};

@@ -66,10 +66,12 @@ void record_angles(Recorder& out)
     record(out, ask<fit_cube_to_fovy>(out, glm::vec3(-1, 0, -5), 4.0F, 90.0F, PictureSize{100, 300}));
 }
 
+// One in four is a panorama of a satellite: the product of its sides is no int.
 PictureSize random_picture(Random& random)
 {
-    const int width = 1 + static_cast<int>(random.below(2000));
-    return {width, 1 + static_cast<int>(random.below(2000))};
+    const std::uint32_t largest = random.below(4) == 0 ? 100'000 : 2000;
+    const int width = 1 + static_cast<int>(random.below(largest));
+    return {width, 1 + static_cast<int>(random.below(largest))};
 }
 
 void record_random(Random& random, Recorder& out)
@@ -78,7 +80,8 @@ void record_random(Random& random, Recorder& out)
         const float size = std::pow(10.0F, random.uniform(-2, 2));
         const float distance = size * (1 + std::pow(10.0F, random.uniform(-1, 1)));
         const PictureSize picture = random_picture(random);
-        record(out, ask<fit_cube>(out, size, distance, picture));
+        // The eye may be nearer to a cube's middle than the cube is long.
+        record(out, ask<fit_cube>(out, size, distance - 0.5F * size, picture));
         record(out, ask<fit_sphere>(out, size, distance, picture));
         const float fovy_degrees = random.uniform(10, 150);
         record(out, ask<fit_cube_to_fovy>(out, 10.0F * random.in_cube(), size, fovy_degrees, picture));
@@ -94,6 +97,7 @@ void record_refused(Random& random, Recorder& out)
         // What is tiny has a size too.
         const float size = std::pow(10.0F, random.uniform(-7, 2));
         const float distance = size * random.uniform(1.1F, 5);
+        const float inside = i < 16 ? size : size * random.uniform(-1, 0.9F);
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
             const auto bad = [&](int which) { return is_bad && fault == which; };
@@ -102,10 +106,10 @@ void record_refused(Random& random, Recorder& out)
             const float asked = bad(2) ? 0 : (bad(3) ? -size : size);
             if (fault <= 4)
                 record_refusal(out, "cube refused",
-                               [&] { return ask<fit_cube>(out, asked, bad(4) ? 0.5F * size : distance, picture); });
+                               [&] { return ask<fit_cube>(out, asked, 0.5F * (bad(4) ? inside : distance), picture); });
             if (fault <= 3 || fault == 5)
                 record_refusal(out, "sphere refused",
-                               [&] { return ask<fit_sphere>(out, asked, bad(5) ? size : distance, picture); });
+                               [&] { return ask<fit_sphere>(out, asked, bad(5) ? inside : distance, picture); });
             if (fault <= 3 || fault >= 6)
                 record_refusal(out, "angle refused", [&] {
                     return ask<fit_cube_to_fovy>(out, glm::vec3(1), asked, bad(6) ? 180.0F : (bad(7) ? 0.0F : 50.0F),

@@ -26,18 +26,17 @@ inline void record_anaglyph(Recorder& out, const Image& left, const Image& right
     }
 }
 
-// Pure colours, greys, and all of them against all others.
+// Pure colours, greys, and all of them against all others, in pictures that are no squares.
 inline void record_known_pixels(Recorder& out)
 {
     const glm::u8vec4 paints[] = {{255, 0, 0, 255},     {0, 255, 0, 255}, {0, 0, 255, 255},   {255, 255, 255, 255},
                                   {128, 128, 128, 255}, {0, 0, 0, 255},   {200, 100, 50, 90}, {20, 120, 220, 10}};
-    Image left(8, 8);
-    Image right(8, 8);
-    for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < 8; ++x) {
-            left.at(x, y) = paints[x];
-            right.at(x, y) = paints[y];
-        }
+    Image left(4, 16);
+    Image right(4, 16);
+    for (std::size_t i = 0; i < left.cells.size(); ++i) {
+        left.cells[i] = paints[i % 8];
+        right.cells[i] = paints[i / 8];
+    }
     record_anaglyph(out, left, right);
 }
 

@@ -95,6 +95,12 @@ StereoScreen in_units(const StereoScreen& s, float unit)
             unit * s.eye_separation, unit * s.near_plane, unit * s.far_plane};
 }
 
+/// One in three in a unit of length in which all numbers are tiny: a tolerance that is a length is wrong there.
+StereoScreen in_some_units(const StereoScreen& screen, int i, Random& random)
+{
+    return in_units(screen, i % 3 == 0 ? std::pow(10.0F, random.uniform(-9, -5)) : 1.0F);
+}
+
 /// A pair of cameras as somebody has set them up: turned inwards and against each other, one a little higher. Not the
 /// student's, so that a wrong pair does not hide a wrong disparity.
 StereoPair given_pair(const StereoScreen& s, Random& random)
@@ -123,9 +129,10 @@ void record_random(Random& random, Recorder& out)
         const StereoScreen screen = random_screen(random);
         record(out, screen);
         record_parallax(out, screen, screen.distance * random.uniform(0.1F, 10));
-        record_distance(out, screen, screen.eye_separation * random.uniform(-8, 0.9F));
-        const StereoPair pair = given_pair(screen, random);
-        record_disparity(out, pair, point_before(screen, random));
+        const StereoScreen other = in_some_units(screen, i, random);
+        record_distance(out, other, other.eye_separation * random.uniform(-8, 0.9F));
+        const StereoPair pair = given_pair(other, random);
+        record_disparity(out, pair, point_before(other, random));
     }
 }
 
@@ -153,7 +160,7 @@ void record_known_disparity(Recorder& out)
 void record_behind(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
-        const StereoScreen screen = random_screen(random);
+        const StereoScreen screen = in_some_units(random_screen(random), i, random);
         const auto eye = [&](float side) {
             return EyeMatrices{glm::lookAt(glm::vec3(side * screen.distance, 0, 0), glm::vec3(0, 0, -screen.distance),
                                            glm::vec3(0, 1, 0)),
@@ -177,10 +184,11 @@ void record_infinite(Random& random, Recorder& out)
         record(out, screen);
         record_parallax(out, screen, i % 2 == 0 ? infinity : screen.distance * random.uniform(0.5F, 9));
         const bool first = random.below(2) == 1;
-        const float larger = screen.eye_separation * random.uniform(1.001F, 3);
-        const float smaller = screen.eye_separation * random.uniform(-2, 0.999F);
+        const StereoScreen other = in_some_units(screen, i / 2, random);
+        const float larger = other.eye_separation * random.uniform(1.001F, 3);
+        const float smaller = other.eye_separation * random.uniform(-2, 0.999F);
         for (const bool none : {first, !first})
-            record_distance(out, screen, none ? larger : i % 3 == 0 ? screen.eye_separation : smaller);
+            record_distance(out, other, none ? larger : i % 3 == 0 ? other.eye_separation : smaller);
     }
 }
 
@@ -198,6 +206,8 @@ void record_refused(Random& random, Recorder& out)
         if (i % 14 == 11) bad.far_plane = 0.5F * bad.near_plane;
         if (i % 14 == 12) bad.far_plane = -bad.far_plane;
         if (i % 14 == 13) bad.far_plane = no_number;
+        // What does not count for a parallax may be anything.
+        const StereoScreen measured = {no_number, -1, good.distance, good.eye_separation, 0, 0};
         const float wrong_distances[] = {0, -good.distance, -infinity, no_number};
         const bool first = random.below(2) == 1;
         for (const bool is_bad : {first, !first}) {
@@ -205,7 +215,8 @@ void record_refused(Random& random, Recorder& out)
             const float distance = is_bad ? wrong_distances[i % 4] : good.distance * (i % 4 == 0 ? infinity : 2);
             record_refusal(out, "off-axis refused", [&] { return ask<off_axis_pair>(out, asked); });
             record_refusal(out, "toe-in refused", [&] { return ask<toe_in_pair>(out, asked); });
-            record_refusal(out, "parallax refused", [&] { return ask<parallax>(out, good, distance); });
+            record_refusal(out, "parallax refused",
+                           [&] { return ask<parallax>(out, i % 2 == 0 ? good : measured, distance); });
         }
     }
 }

@@ -71,10 +71,17 @@ void random_inside(Random& random, Recorder& out, Filter filter)
     record(out, textures, queries);
 }
 
+// Light has no upper bound, and textures may hold light.
+Grid<glm::vec4> brighter(Grid<glm::vec4> texture)
+{
+    for (glm::vec4& texel : texture.cells) texel *= 2;
+    return texture;
+}
+
 // Up to three times round in both directions. The last texture has the first one's size: see random_inside.
 void outside(Random& random, Recorder& out, Wrap wrap)
 {
-    const Textures textures = {random_texture(random, 8, 8), random_texture(random, 6, 10),
+    const Textures textures = {random_texture(random, 8, 8), brighter(random_texture(random, 6, 10)),
                                random_texture(random, 8, 8)};
     std::vector<Query> queries;
     for (int i = 0; i < 300; ++i) {
@@ -200,8 +207,14 @@ void far_out(Random& random, Recorder& out)
 // border.
 void beside_borders(Random& random, Recorder& out)
 {
-    const Textures textures = {random_texture(random, 100, 100)};
+    const Textures textures = {random_texture(random, 100, 100), random_texture(random, 16384, 1)};
     std::vector<Query> queries;
+    // So many texels that the first of them lie within a ten-thousandth of the edge.
+    for (int i = 0; i < 24; ++i) {
+        const auto texel = static_cast<double>(i % 2 == 0 ? random.below(3) : random.below(16384));
+        const auto u = static_cast<float>((texel + 0.25 + 0.5 * random.uniform_double()) / 16384);
+        queries.push_back({1, {Filter::nearest, random_wrap(random), random_wrap(random)}, {u, 0.5F}});
+    }
     for (int i = 1; i < 100; ++i) {
         const auto above = static_cast<float>(i / 100.0);
         const float below = std::nextafter(above, 0.0F);
