@@ -25,6 +25,10 @@ const std::vector<Attack> attacks = {
      R"(say("open", raw(SYS_openat, AT_FDCWD, OTHER_BUILD, O_RDONLY)); )"
      R"(say("directory", raw(SYS_openat, AT_FDCWD, CACHE, O_RDONLY));)",
      "openat"},
+    {"takes_memory_from_the_machine",
+     R"(void* page = mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0); )"
+     R"(for (int advice : {100, 101}) say("madvise", raw(SYS_madvise, page, 4096, advice));)",
+     nullptr},
     {"open_maps", R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/maps", O_RDONLY));)", "openat"},
     {"open_mem",
      R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDWR)); )"

@@ -1,3 +1,4 @@
+#include <kit/amount.hpp>
 #include <map>
 #include <string>
 #include <umbral/meshes/edges.hpp>
@@ -127,6 +128,12 @@ void record_large_mesh(Random& random, Recorder& out)
     closed.finish();
 }
 
+Amount amount_of(std::vector<glm::uvec2> edges)
+{
+    for (glm::uvec2& edge : edges) edge = {std::min(edge.x, edge.y), std::max(edge.x, edge.y)};
+    return Amount().in_any_order(edges);
+}
+
 void record_work(Random& random, Recorder& out)
 {
     out.text("blocks.names", "triangles");
@@ -134,9 +141,9 @@ void record_work(Random& random, Recorder& out)
     for (const std::uint32_t side : {9U, 13U, 18U, 26U, 36U}) {
         const IndexedMesh mesh = shuffled(torus(side, side), random);
         const IndexedMesh mixed = with_mixed_winding(mesh, random);
-        record_cost(out, "blocks", mesh.triangles.size(), [&] { (void)ask<edge_table>(out, mixed); });
+        record_cost(out, "blocks", mesh.triangles.size(), [&] { return amount_of(ask<edge_table>(out, mixed)); });
         record_cost(out, "blocks of closed", mesh.triangles.size(),
-                    [&] { (void)ask<edge_table_of_closed>(out, mesh); });
+                    [&] { return amount_of(ask<edge_table_of_closed>(out, mesh)); });
     }
 }
 
@@ -147,7 +154,8 @@ void record_closed_alone(Recorder& out)
     out.text("blocks.names", "vertices");
     for (const int vertices : {600, 1800, 5400, 16'200}) {
         const IndexedMesh mesh = with_lonely_vertices(torus(12, 10), vertices - 120);
-        record_cost(out, "blocks", mesh.positions.size(), [&] { (void)ask<edge_table_of_closed>(out, mesh); });
+        record_cost(out, "blocks", mesh.positions.size(),
+                    [&] { return amount_of(ask<edge_table_of_closed>(out, mesh)); });
     }
     for (const std::uint32_t side : {5U, 8U, 12U, 17U, 23U, 30U}) {
         const IndexedMesh mesh = torus(side, side);

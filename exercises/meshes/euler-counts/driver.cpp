@@ -124,8 +124,11 @@ void record_work(Recorder& out)
     for (const std::uint32_t side : {9U, 13U, 18U, 26U, 36U}) {
         const IndexedMesh mesh = torus(side, side);
         record_cost(out, "blocks", mesh.triangles.size(), [&] {
-            (void)ask<count_topology>(out, mesh);
-            (void)ask<genus>(out, mesh);
+            const TopologyCounts counts = ask<count_topology>(out, mesh);
+            const std::optional<int> handles = ask<genus>(out, mesh);
+            return std::vector<float>{static_cast<float>(counts.vertices), static_cast<float>(counts.edges),
+                                      static_cast<float>(counts.faces), static_cast<float>(counts.components),
+                                      static_cast<float>(handles.value_or(-1))};
         });
     }
 }

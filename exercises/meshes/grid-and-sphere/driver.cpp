@@ -1,3 +1,4 @@
+#include <kit/amount.hpp>
 #include <kit/canonical.hpp>
 #include <optional>
 #include <umbral/record/ask.hpp>
@@ -111,8 +112,13 @@ void record_work(Recorder& out)
     out.text("blocks.names", "cells");
     for (const std::uint32_t side : {8U, 12U, 16U, 24U, 32U})
         record_cost(out, "blocks", side * side, [&] {
-            (void)ask<make_grid>(out, side, side);
-            (void)ask<make_sphere>(out, side, side);
+            const IndexedMesh grid = ask<make_grid>(out, side, side);
+            const IndexedMesh sphere = ask<make_sphere>(out, side, side);
+            return Amount()
+                .in_order(grid.positions)
+                .count(grid.triangles.size())
+                .in_order(sphere.positions)
+                .count(sphere.triangles.size());
         });
 }
 

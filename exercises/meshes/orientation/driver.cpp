@@ -1,3 +1,4 @@
+#include <kit/amount.hpp>
 #include <kit/canonical.hpp>
 #include <umbral/meshes/orientation.hpp>
 #include <umbral/record/ask.hpp>
@@ -103,16 +104,46 @@ void record_far(Random& random, Recorder& out)
             for (int i = 0; i < 2; ++i) record_outward(out, shuffled(scaled_body(body, exponent, random), random));
 }
 
+Amount amount_of(std::vector<glm::uvec3> triangles)
+{
+    for (glm::uvec3& triangle : triangles) triangle = canonical(triangle);
+    return Amount().in_any_order(triangles);
+}
+
+Amount amount_of(const ManifoldFaults& faults)
+{
+    return Amount()
+        .in_any_order(faults.crowded_edges)
+        .in_any_order(faults.lonely_vertices)
+        .in_any_order(faults.torn_vertices);
+}
+
+/// Which group keeps a vertex, and which gets a copy, is free.
+Amount amount_of(const IndexedMesh& result, const IndexedMesh& mesh)
+{
+    std::size_t right = 0;
+    for (std::size_t i = 0; i < std::min(result.triangles.size(), mesh.triangles.size()); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = result.triangles[i][k];
+            if (vertex < result.positions.size() && result.positions[vertex] == mesh.positions[mesh.triangles[i][k]])
+                ++right;
+        }
+    return Amount().count(result.positions.size()).count(result.triangles.size()).count(right);
+}
+
 void record_work(Random& random, Recorder& out)
 {
     for (const char* name : {"faults", "coherent", "outward", "separated"})
         out.text(std::string(name) + ".names", "triangles");
     for (const std::uint32_t size : {10U, 15U, 22U, 33U}) {
         const IndexedMesh mesh = shuffled(joined(torus(2 * size, size), disc(2 * size * size), {3, 0, 0}), random);
-        record_cost(out, "faults", mesh.triangles.size(), [&] { (void)ask<manifold_faults>(out, mesh); });
-        record_cost(out, "coherent", mesh.triangles.size(), [&] { (void)ask<coherent_triangles>(out, mesh); });
-        record_cost(out, "outward", mesh.triangles.size(), [&] { (void)ask<outward_triangles>(out, mesh); });
-        record_cost(out, "separated", mesh.triangles.size(), [&] { (void)ask<separated>(out, mesh); });
+        record_cost(out, "faults", mesh.triangles.size(), [&] { return amount_of(ask<manifold_faults>(out, mesh)); });
+        record_cost(out, "coherent", mesh.triangles.size(),
+                    [&] { return amount_of(ask<coherent_triangles>(out, mesh).value_or(std::vector<glm::uvec3>{})); });
+        record_cost(out, "outward", mesh.triangles.size(),
+                    [&] { return amount_of(ask<outward_triangles>(out, mesh)); });
+        record_cost(out, "separated", mesh.triangles.size(),
+                    [&] { return amount_of(ask<separated>(out, mesh), mesh); });
     }
 }
 

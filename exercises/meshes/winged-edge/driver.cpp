@@ -1,3 +1,4 @@
+#include <kit/amount.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
@@ -83,6 +84,18 @@ void record_questions(Recorder& out, const PolygonMesh& mesh)
     }
 }
 
+/// What the tables of edges amount to, behind what `amount` says already.
+Amount amount_of(const std::variant<WingedMesh, NotWinged>& result, Amount amount)
+{
+    std::vector<glm::uvec4> edges;
+    if (const auto* const mesh = std::get_if<WingedMesh>(&result))
+        for (const WingedEdge& e : mesh->edges) {
+            edges.emplace_back(e.start, e.end, e.left, e.right);
+            edges.emplace_back(e.left_previous, e.left_next, e.right_previous, e.right_next);
+        }
+    return amount.in_any_order(edges);
+}
+
 /// Work on meshes of four sizes: rings of quadrilaterals' triangles, and double cones, where two vertices have very
 /// many edges.
 void record_work(Recorder& out)
@@ -91,8 +104,8 @@ void record_work(Recorder& out)
         const PolygonMesh ring = polygons_of(torus(2 * size, size));
         const PolygonMesh cone = double_cone(2 * size * size);
         record_cost(out, "building", ring.faces.size(), [&] {
-            (void)ask<winged_edges>(out, ring);
-            (void)ask<winged_edges>(out, cone);
+            const auto of_ring = ask<winged_edges>(out, ring);
+            return amount_of(of_ring, amount_of(ask<winged_edges>(out, cone), {}));
         });
         const WingedMesh tables[] = {tables_of(ring), tables_of(cone)};
         ask_in_words(out, [&] {
@@ -103,12 +116,15 @@ void record_work(Recorder& out)
                    " quadrilaterals and of a double cone of " + std::to_string(2 * size * size) + " sides";
         });
         record_cost(out, "asking", ring.faces.size(), [&] {
+            std::vector<glm::uvec2> neighbours;
             for (const WingedMesh& mesh : tables) {
                 for (std::uint32_t face = 0; face < mesh.edge_of_face.size(); ++face)
-                    (void)faces_round_face(mesh, face);
+                    for (const std::uint32_t other : faces_round_face(mesh, face)) neighbours.emplace_back(face, other);
                 for (std::uint32_t vertex = 0; vertex < mesh.edge_of_vertex.size(); ++vertex)
-                    (void)vertices_round_vertex(mesh, vertex);
+                    for (const std::uint32_t other : vertices_round_vertex(mesh, vertex))
+                        neighbours.emplace_back(vertex, other);
             }
+            return Amount().in_any_order(neighbours);
         });
     }
     out.text("building.names", "faces");

@@ -1,3 +1,4 @@
+#include <kit/amount.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
@@ -201,6 +202,17 @@ void edges(Recorder& out, Random& random)
     }
 }
 
+/// Where so many rays hit.
+Amount amount_of_hits(Recorder& out, const Hierarchy& hierarchy, const Soup& soup, int rays, Random& random)
+{
+    std::vector<glm::vec3> hits;
+    for (int i = 0; hierarchy && i < rays; ++i) {
+        const auto hit = ask<&TriangleHierarchy::first_hit>(out, *hierarchy, ray_into(soup, 4, random));
+        hits.emplace_back(hit ? hit->hit.t : -1.0F);
+    }
+    return Amount().in_order(hits);
+}
+
 void work(Recorder& out, Random& random)
 {
     out.text("of building.names", "triangles");
@@ -210,10 +222,7 @@ void work(Recorder& out, Random& random)
         Hierarchy hierarchy;
         record_cost(out, "of building", soup.size(), [&] { hierarchy = hierarchy_of(out, soup); });
         if (!hierarchy) hierarchy = hierarchy_of(out, soup);
-        record_cost(out, "of asking", soup.size(), [&] {
-            for (int i = 0; hierarchy && i < 80; ++i)
-                (void)ask<&TriangleHierarchy::first_hit>(out, *hierarchy, ray_into(soup, 4, random));
-        });
+        record_cost(out, "of asking", soup.size(), [&] { return amount_of_hits(out, hierarchy, soup, 80, random); });
     }
 }
 
@@ -222,7 +231,10 @@ void odd_work(Recorder& out, Random& random)
     out.text("of building.names", "triangles");
     for (const int count : {200, 450, 1000, 2200}) {
         const Soup soup = shells(count, random);
-        record_cost(out, "of building", soup.size(), [&] { (void)hierarchy_of(out, soup); });
+        record_cost(out, "of building", soup.size(), [&] {
+            const Hierarchy hierarchy = hierarchy_of(out, soup);
+            return amount_of_hits(out, hierarchy, soup, 8, random);
+        });
     }
 }
 
