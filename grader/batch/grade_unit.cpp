@@ -8,6 +8,7 @@
 #include <umbral/core/random.hpp>
 
 #include "batch/case_results.hpp"
+#include "batch/curve.hpp"
 #include "batch/evidence.hpp"
 #include "batch/explain_unit.hpp"
 #include "batch/long_questions.hpp"
@@ -208,6 +209,7 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
                 result.message += unset->warnings;
             }
         });
+    beside_the_grade(result, [&] { result.curve = curve_of(worker, exercise, result, cases); });
     if (!options.artefacts.empty()) save_pictures(worker, exercise, cases, options, result);
     if (detail != nullptr) add_evidence(worker, exercise, cases, options, result, *detail);
     if (explains && options.questions)

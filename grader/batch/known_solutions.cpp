@@ -102,6 +102,10 @@ std::vector<KnownSolution> read_folder(const fs::path& reference, const Exercise
     for (const auto& entry : fs::directory_iterator(exercise.folder / folder)) {
         const std::string text = read_text(entry.path());
         const Header header = solution_header(text);
+        if (header.contains("knob") && (!exercise.knob || exercise.knob->name != header.at("knob")))
+            throw std::runtime_error(fmt::format("{}: expected no 'knob: {}', since exercise.json has {}",
+                                                 entry.path().string(), header.at("knob"),
+                                                 exercise.knob ? "the knob " + exercise.knob->name : "none"));
         KnownSolution solution = read(entry.path(), header);
         solution.name = entry.path().stem().string();
         solution.file = entry.path();

@@ -241,6 +241,17 @@ const RunOutcome& Worker::run_mistake(const Exercise& exercise, const std::strin
     });
 }
 
+const RunOutcome& Worker::run_setting(const Exercise& exercise, const std::string& library,
+                                      const std::string& case_name, std::uint64_t seed)
+{
+    return known(exercise, "setting " + library, case_name, seed, [&] {
+        RunRequest wanted = request(exercise, case_name, seed);
+        wanted.solution = library_of(exercise, library);
+        wanted.wanted = this->wanted(exercise, case_name, seed);
+        return spawner(exercise.gl).run(wanted);
+    });
+}
+
 const CheckBasis& Worker::basis(const Exercise& exercise, const Check& check, std::uint64_t seed)
 {
     const std::string key = key_of(exercise, "basis of " + check.name, check.case_name, seed);

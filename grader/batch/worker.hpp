@@ -103,6 +103,11 @@ public:
                                                 const Sources& sources, const std::string& case_name,
                                                 std::uint64_t seed);
 
+    /// The recording of a solution in C++ that is a setting of the unit's knob, by its library's name
+    /// ("mistakes/in_float"); kept as well.
+    [[nodiscard]] const RunOutcome& run_setting(const Exercise& exercise, const std::string& library,
+                                                const std::string& case_name, std::uint64_t seed);
+
 private:
     [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
     [[nodiscard]] RunRequest students_request(const Exercise& exercise, const Built& built,

@@ -9,6 +9,7 @@
 
 #include "judge/judges.hpp"
 #include "manifest/check_fields.hpp"
+#include "manifest/knob.hpp"
 #include "manifest/marks.hpp"
 #include "manifest/recorded_values.hpp"
 #include "manifest/units.hpp"
@@ -226,7 +227,7 @@ Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
 {
     const Field root(json, where);
     root.allow_only({"format", "version", "id", "files", "points", "uses", "forbid", "gl", "gl_calls", "glfw", "title",
-                     "course", "order", "limits", "rubric", "checks"});
+                     "course", "order", "limits", "rubric", "knob", "checks"});
     if (root.member("format").text(40) != "umbral-exercise") root.member("format").refuse("\"umbral-exercise\"");
     (void)root.member("version").integer(1, 1);
 
@@ -248,6 +249,7 @@ Exercise parse_exercise(const nlohmann::json& json, const std::string& where)
     exercise.limits = read_limits(root.member("limits"), exercise.gl);
     exercise.rubric = read_rubric(root.member("rubric"));
     exercise.checks = read_checks(root.member("checks"), exercise.rubric.size());
+    exercise.knob = read_unit_knob(root.member("knob"), exercise);
     exercise.counts_work =
         std::ranges::any_of(exercise.checks, [](const Check& check) { return judge_of(check).counts_work; });
 

@@ -21,8 +21,8 @@ struct Change {
 };
 
 /// Keys that a solution's first lines may have.
-inline constexpr std::string_view solution_keys[] = {"mistake", "alternative", "credit", "hint",
-                                                     "verdict", "rubric",      "from",   "file"};
+inline constexpr std::string_view solution_keys[] = {"mistake", "alternative", "credit", "hint", "verdict",
+                                                     "rubric",  "from",        "file",   "knob"};
 
 /// The lines "key: value" that a text begins with, with or without "//" before them; a line without a key goes on with
 /// the value before it. Ends at the first line of code ("---" is one), or where comments were and are no more.

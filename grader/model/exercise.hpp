@@ -57,6 +57,16 @@ struct Check {
     std::optional<Relation> relation{};
 };
 
+/// Which knob of `umbral bench accuracy` the unit turns, and where its error and its time are seen. Both cases are
+/// visible ones.
+struct UnitKnob {
+    std::string name;       ///< "ray-sphere"
+    std::string check;      ///< whose error is taken: "far away/t"
+    std::string case_name;  ///< whose time is taken: "picture"
+
+    friend bool operator==(const UnitKnob&, const UnitKnob&) = default;
+};
+
 /// A line of the rubric by which a course marks a unit.
 struct RubricLine {
     std::string words;  ///< as the course puts them
@@ -94,6 +104,7 @@ struct Exercise {
     Limits limits;
     std::vector<Check> checks;
     std::vector<RubricLine> rubric;  ///< empty, or each check belongs to a line and each line's checks sum up to it
+    std::optional<UnitKnob> knob;    ///< reports show where on its curve a student's choice lies
     std::string digest;              ///< SHA-256 of what decides the score: manifest/unit_digest.hpp
 
     /// Is the unit written in C++ (and not in GLSL only)?

@@ -100,6 +100,7 @@ json unit(const UnitResult& value, Detail detail)
                 {"explanation", list(value.explanations, explanation)},
                 {"stdout", text(value.output)}};
     if (!value.rubric.empty()) result["rubric"] = list(value.rubric, rubric_score);
+    if (detail == Detail::for_report && value.curve) result["curve"] = to_json(*value.curve);
     if (value.unscored != 0) result["unscored"] = value.unscored;
     // As text: readers that hold numbers in a double would round a 64-bit seed.
     if (detail == Detail::for_report) result["seed"] = std::to_string(value.seed);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/curve.hpp"
 #include "model/exercise.hpp"
 #include "model/verdict.hpp"
 
@@ -81,6 +82,8 @@ struct UnitResult {
     /// Would it come out so again? Not where a compiler or a run ended for want of time or memory that a machine under
     /// load may have taken: such a result is shown, and asked for again the next time. In no file.
     bool settled = true;
+    std::optional<UnitCurve>
+        curve{};               ///< of a unit with a knob, where the student's place on it is known; not in class.json
     Millipoints unscored = 0;  ///< of a grader fault: the points that are in no sum because of it
 };
 

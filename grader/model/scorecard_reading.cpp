@@ -116,7 +116,7 @@ UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& 
 {
     const Field field(json, where);
     field.allow_only({"id", "digest", "verdict", "score", "max_score", "seconds", "reference_seconds", "checks",
-                      "message", "explanation", "stdout", "seed", "unscored", "rubric"});
+                      "message", "explanation", "stdout", "seed", "unscored", "rubric", "curve"});
     UnitResult result;
     result.id = text(field.member("id"));
     result.digest = text(field.member("digest"));
@@ -133,6 +133,7 @@ UnitResult unit_result_from_json(const nlohmann::json& json, const std::string& 
         result.explanations.push_back(explanation(one));
     result.output = text(field.member("stdout"));
     result.seed = seed(field.member("seed"));
+    if (const Field curve = field.member("curve"); curve.given()) result.curve = curve_from_json(curve);
     if (const Field unscored = field.member("unscored"); unscored.given()) result.unscored = points(unscored);
     return result;
 }

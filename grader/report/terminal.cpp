@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "report/curve_plot.hpp"
 #include "report/details.hpp"
 #include "report/hidden.hpp"
 #include "report/layout.hpp"
@@ -119,6 +120,36 @@ int failing_hidden(const SubmissionResult& submission)
     return count;
 }
 
+/// Where the student's choices lie on the curves of the units' knobs: drawn for one unit, one sentence each for
+/// several.
+std::string curves(const SubmissionResult& submission, int width, const Paint& paint)
+{
+    std::string text;
+    for (const UnitResult& unit : submission.units) {
+        if (!unit.curve) continue;
+        const UnitCurve& curve = *unit.curve;
+        std::vector<std::string> lines =
+            wrap(fmt::format("{}: {}", paint.safe(submission.units.size() == 1 ? "accuracy" : unit.id),
+                             shown_sentence(curve, paint)),
+                 width);
+        if (submission.units.size() == 1) {
+            lines.emplace_back();
+            for (std::string& line : curve_plot(curve, width, paint)) lines.push_back(std::move(line));
+            lines.emplace_back();
+            for (const std::string& line :
+                 wrap(paint.safe(
+                          fmt::format("Error of {} over time of {}; it gives no points. More: umbral bench accuracy {}",
+                                      curve.check, curve.case_name, curve.knob)),
+                      width))
+                lines.push_back(paint(Tone::quiet, line));
+        }
+        if (text.empty() || submission.units.size() == 1) text += '\n';
+        for (const std::string& line : lines)
+            text += line.empty() ? "\n" : fmt::format("{}{}\n", std::string(margin, ' '), line);
+    }
+    return text;
+}
+
 std::string summary(const SubmissionResult& submission, const Paint& paint)
 {
     const auto open = std::ranges::count_if(submission.units, [](const UnitResult& unit) { return !all_right(unit); });
@@ -161,6 +192,7 @@ std::string terminal_report(const SubmissionResult& submission, const TerminalSt
                 Tone::plain, paint);
     for (const UnitResult& unit : shown.units)
         if (!all_right(unit)) text += unit_details(unit, width, paint);
+    text += curves(shown, width - 2 * margin, paint);
     for (const UnitResult& unit : shown.units)
         for (const std::string& sentence : seeds_of_noise(unit))
             for (const std::string& line : wrap(paint.safe(unit.id + ": " + sentence), width - 2 * margin))

@@ -13,6 +13,7 @@ inline nlohmann::json manifest()
         "uses": ["transforms/rotation", "lighting/lambert"], "forbid": ["glm::lookAt", "operator new"], "gl": true,
         "title": {"en": "Phong", "es": "Sombreado de Phong"}, "course": ["problem 4.1"], "order": 12.5,
         "limits": {"wall_seconds": 7.5, "memory_mib": 1024},
+        "knob": {"name": "ray-sphere", "check": "views/matrix", "case": "picture"},
         "checks": [
             {"case": "head-on", "value": "t", "judge": "numbers", "points": 2.005, "hard": true, "pairs": true,
              "tolerance": {"absolute": 1e-6, "relative": 2e-6, "ulps": 4, "band_ulps": 2}, "full": 0.9, "zero": 0.5,

@@ -47,6 +47,8 @@ inline SubmissionResult submission()
                                     {"mistake: far_root", "You return the far root.", 0.5}},
                    .output = "hello\n",
                    .seed = 18446744073709551615U};
+    ran.curve = UnitCurve{"ray-sphere", "head-on/t",     "picture",
+                          "ulp",        {"", 2.5, 0.25}, {{"school formula", 4000, 0.125}, {"reference", 0.5, 0.25}}};
     UnitResult absent{.id = "lighting/phong",
                       .digest = std::string(64, 'b'),
                       .verdict = Verdict::missing,

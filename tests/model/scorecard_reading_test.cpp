@@ -46,6 +46,11 @@ TEST(UnitResultFromJson, gives_back_every_field)
     EXPECT_EQ(read.message, everything().message);
     EXPECT_EQ(read.seed, everything().seed);
     EXPECT_EQ(read.unscored, 4000);
+    ASSERT_TRUE(read.curve);
+    EXPECT_EQ(read.curve->check, "head-on/t");
+    EXPECT_EQ(read.curve->yours.error, 2.5);
+    EXPECT_EQ(read.curve->others.at(0).name, "school formula");
+    EXPECT_EQ(read.curve->others.at(1).seconds, 0.25);
     ASSERT_EQ(read.rubric.size(), 1U);
     EXPECT_EQ(read.rubric[0].words, "Texturas");
     EXPECT_EQ(read.rubric[0].score, 500);

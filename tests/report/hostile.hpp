@@ -17,6 +17,7 @@ inline SubmissionResult hostile_submission(const std::string& text)
     UnitResult unit = unit_result(text, Verdict::partial, {check, check_result(text + "2", 500, 500)});
     unit.message = text;
     unit.output = text;
+    unit.curve = UnitCurve{text, text, text, text, {text, 1, 0.001}, {{text, 1e300, 1e-300}, {"reference", 0, 1e300}}};
     unit.explanations = {{text, text, 1}, {text, text, 0.5}};
     return submission_result(text, {unit});
 }

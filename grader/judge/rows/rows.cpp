@@ -143,7 +143,7 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     std::size_t wrong = 0;
     std::size_t missing = 0;
     std::size_t extra = 0;
-    bool finite = true;
+    std::size_t not_finite = 0;
     std::vector<double> errors;
     std::optional<std::size_t> first_wrong;
     std::optional<std::size_t> worst_wrong;
@@ -155,7 +155,7 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
             const Row row = compare_row(check, student, expected, i, kind);
             ++rows;
             if (row.comparable && std::isfinite(row.error)) errors.push_back(row.error);
-            if (!std::isfinite(row.error)) finite = false;
+            if (!std::isfinite(row.error)) ++not_finite;
             if (row.right) continue;
             unit_right = false;
             ++wrong;
@@ -171,7 +171,7 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
 
     Judgement result;
     result.right = static_cast<double>(units - wrong_units) / static_cast<double>(units);
-    if (finite && (!errors.empty() || wrong == 0))
+    if (not_finite == 0 && (!errors.empty() || wrong == 0))
         result.error = errors.empty() ? 0.0 : *std::max_element(errors.begin(), errors.end());
     result.metrics["rows"] = static_cast<double>(rows);
     result.metrics["wrong"] = static_cast<double>(wrong);
@@ -183,6 +183,7 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
         result.metrics["missing_hits"] = static_cast<double>(missing);
         result.metrics["false_hits"] = static_cast<double>(extra);
     }
+    if (not_finite > 0) result.metrics["not_finite"] = static_cast<double>(not_finite);
     add_quantiles(std::move(errors), result.metrics);
     if (!first_wrong) return result;
 

@@ -18,6 +18,9 @@ inline constexpr char number_slot = '\x01';
 [[nodiscard]] Markup check_article(const CheckResult& check, const CheckDetail& detail, const Markup& anchor,
                                    bool with_points = true);
 
+/// Where the student's choice lies on the curve of the unit's knob: its sentence, a plot, and the figures.
+[[nodiscard]] Markup curve_section(const UnitCurve& curve);
+
 /// Evidence of each kind.
 [[nodiscard]] Markup picture_evidence(const PictureEvidence& evidence, const Markup& anchor);
 [[nodiscard]] Markup rows_evidence(const RowsEvidence& evidence);

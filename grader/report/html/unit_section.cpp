@@ -171,6 +171,7 @@ Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition ed
         return result;
     }
     result += time_bars(unit.seconds, unit.reference_seconds);
+    if (unit.curve) result += curve_section(*unit.curve);
     const Details details{detail, edition};
     const Sorted checks = sorted(unit, details);
     for (std::size_t i = 0; i < checks.articles.size(); ++i)

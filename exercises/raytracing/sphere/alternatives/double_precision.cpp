@@ -1,4 +1,5 @@
 // alternative: the school formula in double: squares of floats are exact there
+// knob: ray-sphere
 #include <cmath>
 #include <umbral/raytracing/intersect.hpp>
 

@@ -2,6 +2,7 @@
 // credit: 75..85
 // hint: From far away b² and 4ac agree in all their digits, so their difference is noise. Measure how far the ray
 // passes the centre instead.
+// knob: ray-sphere
 #include <cmath>
 #include <umbral/raytracing/intersect.hpp>
 

@@ -1,4 +1,5 @@
 // alternative: Cramer's rule, as T. Möller and B. Trumbore wrote it, in double
+// knob: ray-triangle
 #include <umbral/raytracing/triangle.hpp>
 
 namespace umbral::raytracing {

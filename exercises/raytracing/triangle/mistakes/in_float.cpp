@@ -2,6 +2,7 @@
 // credit: 70..97
 // hint: Two triangles that share an edge must agree on which side of it the ray passes. In float each rounds on its
 // own, and some rays pass between them. Compute in double, or with the same numbers for both.
+// knob: ray-triangle
 #include <umbral/raytracing/triangle.hpp>
 
 namespace umbral::raytracing {
