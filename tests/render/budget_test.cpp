@@ -46,6 +46,17 @@ TEST(Budget, twelve_rays_are_the_weighted_mean_of_eight_and_four)
     EXPECT_NEAR(noise_of(model, 12), std::sqrt(0.32 * 0.32 + 0.4 * 0.4) / 12, 1e-12);
 }
 
+TEST(Budget, an_uneven_number_of_rays_that_was_measured_is_not_put_together)
+{
+    Model model{{{1, 0.4}, {2, 0.2}, {4, 0.05}}, {{0, 0, 1}}, {{0, 0, 1}}, 1};
+    EXPECT_NEAR(noise_of(model, 3), std::sqrt(0.4 * 0.4 + 0.4 * 0.4) / 3, 1e-12);
+    EXPECT_EQ(cheapest(model, 0.1).setting.rays, 4);
+    model.uneven = {{3, 0.09}};
+    EXPECT_EQ(noise_of(model, 3), 0.09);
+    EXPECT_EQ(cheapest(model, 0.1).setting.rays, 3);
+    EXPECT_NEAR(noise_of(model, 6), std::sqrt(0.2 * 0.2 + 0.4 * 0.4) / 6, 1e-12) << "other numbers are as before";
+}
+
 TEST(Budget, chooses_what_trying_every_setting_chooses)
 {
     Random random(seed);

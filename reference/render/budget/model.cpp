@@ -91,6 +91,8 @@ double noise_slope(const Model& model)
 
 double noise_of(const Model& model, int rays)
 {
+    if (const auto measured = std::ranges::find(model.uneven, rays, &Noise::rays); measured != model.uneven.end())
+        return measured->error;
     double sum = 0;
     for (int part = 1; part <= rays; part *= 2)
         if ((rays & part) != 0) sum += std::pow(part * noise_of_power(model, part), 2);

@@ -31,10 +31,11 @@ struct Cut {
 };
 
 struct Model {
-    std::vector<Noise> noise;  ///< by increasing rays, at least one, the first of one ray; errors may be 0
-    std::vector<Cut> depths;   ///< at least one
-    std::vector<Cut> bounces;  ///< at least one
-    double ray_seconds = 0;    ///< of one ray through every pixel, nothing cut off; > 0
+    std::vector<Noise> noise;        ///< by increasing rays, at least one, the first of one ray; errors may be 0
+    std::vector<Cut> depths;         ///< at least one
+    std::vector<Cut> bounces;        ///< at least one
+    double ray_seconds = 0;          ///< of one ray through every pixel, nothing cut off; > 0
+    std::vector<Noise> uneven = {};  ///< measured numbers of rays that are no power of two; may be empty
 };
 
 /// How the noise falls with the rays: the slope of its logarithm against theirs, by least squares over the last points
@@ -43,7 +44,8 @@ struct Model {
 
 /// Of a power of two between measured numbers of rays straight in logarithms, beyond them by the slope, never more for
 /// more rays. Other numbers are made of powers of two, each a net of its own, and as if independent: 12 rays have the
-/// noise of the mean of 8 and 4, weighted so. That is why 16 rays may be less noisy than 20.
+/// noise of the mean of 8 and 4, weighted so. That is why 16 rays may be less noisy than 20. What was measured of such
+/// a number stands instead.
 [[nodiscard]] double noise_of(const Model& model, int rays);
 
 /// What may be chosen: 4, 5, 6, 7 times each power of two, and fewer; 1 to most_rays, increasing.
