@@ -43,11 +43,12 @@ void record_pixels(Recorder& out, Random& random)
         const double x = between(-100, 140 * 64, random) / 64.0 - 9;
         record_pixel(out, {x, between(-100, 140 * 64, random) / 64.0 - 20}, window, framebuffer);
     }
-    record_pixel(out, {5, 6}, {0, 0}, {0, 0});
-    record_pixel(out, {5, 6}, {0, 200}, {0, 400});
-    record_pixel(out, {5, 6}, {200, 0}, {400, 0});
-    record_pixel(out, {5, 6}, {1, 1}, {0, 0});
-    record_pixel(out, {5, 6}, {0, 0}, {64, 64});
+    // Minimised: any of the four sizes is 0, at least one.
+    for (int zeros = 1; zeros < 16; ++zeros) {
+        const auto size = [&](int which) { return (zeros >> which & 1) != 0 ? 0 : between(1, 640, random); };
+        const glm::ivec2 window{size(0), size(1)};
+        record_pixel(out, {5, 6}, window, {size(2), size(3)});
+    }
     record_pixel(out, {0.5, 0.75}, {1, 1}, {1, 1});
 }
 
@@ -61,12 +62,17 @@ void record_linear(Recorder& out)
             out.append("world", ask<pixel_in_world>(out, pixel, shown, glm::ivec2(4, 2)));
 }
 
+/// One in four is mirrored, in each direction on its own.
 ViewLimits random_limits(Random& random)
 {
+    const auto length = [&] {
+        const double unsigned_length = between(0.5, 30.0, random);
+        return random.below(4) == 0 ? -unsigned_length : unsigned_length;
+    };
     const double left = between(-20.0, 20.0, random);
     const double bottom = between(-20.0, 20.0, random);
-    const double width = between(0.5, 30.0, random);
-    return {left, left + width, bottom, bottom + between(0.5, 30.0, random)};
+    const double width = length();
+    return {left, left + width, bottom, bottom + length()};
 }
 
 void record_random_linear(Recorder& out, Random& random)
@@ -102,12 +108,27 @@ SnapCamera random_camera(Random& random)
     return {view, random.below(3) == 0 ? orthographic : perspective, size};
 }
 
-void record_point(Recorder& out, const SnapCamera& camera, glm::ivec2 pixel, const SnapPlane& plane)
+/// The same camera in a world so many times as large, a power of two: exactly the same picture.
+SnapCamera in_a_world_of(double size, SnapCamera camera)
 {
-    const std::optional<glm::dvec3> point =
-        ask<point_on_plane>(out, pixel, camera.size, camera.view, camera.projection, plane);
+    const auto factor = static_cast<float>(size);
+    camera.view[3] = glm::vec4(factor * glm::vec3(camera.view[3]), 1);
+    if (camera.projection[3][3] == 0) {
+        camera.projection[3][2] *= factor;
+    } else {
+        for (int i = 0; i < 3; ++i) camera.projection[i] /= factor;
+    }
+    return camera;
+}
+
+/// In a world that is so many times as large as the one that is recorded.
+void record_point(Recorder& out, const SnapCamera& camera, glm::ivec2 pixel, const SnapPlane& plane, double size = 1)
+{
+    const SnapCamera sized = in_a_world_of(size, camera);
+    const std::optional<glm::dvec3> point = ask<point_on_plane>(out, pixel, sized.size, sized.view, sized.projection,
+                                                                SnapPlane{plane.normal, size * plane.offset});
     constexpr const char* names[] = {"x", "y", "z"};
-    for (int i = 0; i < 3; ++i) out.append(names[i], as_row(point ? std::optional((*point)[i]) : std::nullopt));
+    for (int i = 0; i < 3; ++i) out.append(names[i], as_row(point ? std::optional((*point)[i] / size) : std::nullopt));
 }
 
 /// By hand: cameras without rotation, the floor, walls, normals that are not unit; planes behind, along the ray, and
@@ -138,10 +159,12 @@ void record_planes(Recorder& out)
             for (const glm::ivec2& pixel : {glm::ivec2(0, 3), {3, 1}, {2, 2}}) record_point(out, camera, pixel, plane);
 }
 
-/// Pairs in random order: a plane through a point in front of a pixel, and the same one behind it.
+/// Pairs in random order: a plane through a point in front of a pixel, and the same one behind it, or one along the ray
+/// where the camera sees what is behind too. Half of the worlds are of another size, down to a millionth.
 void record_random_planes(Recorder& out, Random& random)
 {
     for (int i = 0; i < 200; ++i) {
+        const double size = i % 2 == 0 ? 1 : std::exp2(between(-20, 12, random));
         const SnapCamera camera = random_camera(random);
         const glm::ivec2 pixel(between(-20, camera.size.x + 20, random), between(-20, camera.size.y + 20, random));
         const glm::dmat4 to_world = glm::inverse(glm::dmat4(camera.projection) * glm::dmat4(camera.view));
@@ -157,14 +180,15 @@ void record_random_planes(Recorder& out, Random& random)
         const glm::dvec3 normal = between(0.2, 5.0, random) * (random.below(2) == 0 ? lean : -lean);
         const bool sees_behind = camera.projection[3][3] == 1;
         const double distance = between(0.5, 12.0, random);
-        const glm::dvec3 seen = nearest + distance * glm::normalize(ahead);
+        const double behind_or_beyond = sees_behind ? -distance : 20 * distance;
+        const glm::dvec3 seen = nearest + (i % 4 < 2 ? distance : behind_or_beyond) * glm::normalize(ahead);
         const glm::dvec3 unseen = nearest - (5 + 3 * distance) * glm::normalize(ahead);
         const bool first = random.below(2) == 0;
         for (const bool hit : {first, !first}) {
             const glm::dvec3 through = hit ? seen : unseen;
             const SnapPlane along{glm::cross(ahead, glm::dvec3(1, 2, 3)), 7};
             const SnapPlane plane = !hit && sees_behind ? along : SnapPlane{normal, glm::dot(normal, through)};
-            record_point(out, camera, pixel, plane);
+            record_point(out, camera, pixel, plane, size);
         }
     }
 }
@@ -219,7 +243,10 @@ void record_random_angles(Recorder& out, Random& random)
     for (int i = 0; i < 100; ++i) {
         const glm::dvec2 reference(between(0.0, 640.0, random), between(0.0, 480.0, random));
         const double x = between(-50.0, 690.0, random);
-        out.append("angle", as_row(ask<entered_angle>(out, reference, glm::dvec2(x, between(-50.0, 530.0, random)))));
+        glm::dvec2 cursor(x, between(-50.0, 530.0, random));
+        // Cursors have fractions: the way may be as short as a thousandth, or a millionth.
+        if (i % 3 == 0) cursor = reference + (cursor - reference) * std::exp2(between(-30.0, -10.0, random));
+        out.append("angle", as_row(ask<entered_angle>(out, reference, cursor)));
     }
 }
 
