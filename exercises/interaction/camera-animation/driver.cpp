@@ -51,7 +51,10 @@ void record_before_and_after(Recorder& out, Random& random)
     for (int i = 0; i < 20; ++i) {
         CameraFlight flight = random_flight(random);
         if (i % 4 == 0) flight.duration = 0;
-        const float beside = random.uniform(0.01F, 2) * (flight.duration + 0.5F);
+        // Over in a few microseconds, or milliseconds: no time is too short to count.
+        if (i % 4 == 1) flight.duration = std::pow(10.0F, random.uniform(-6, -2));
+        if (i % 5 == 0) flight.eye_from = glm::vec3(0);
+        const float beside = random.uniform(0.01F, 2) * (flight.duration > 0 ? flight.duration : 0.5F);
         for (const float seconds : {-beside, 0.0F, flight.duration, flight.duration + beside, -0.0F})
             record(out, flight, seconds);
         record(out, flight, i % 2 == 0 ? infinity : -infinity);
