@@ -56,13 +56,13 @@ void record_random(Recorder& out, Random& random)
     }
 }
 
-// Pixels that a drag comes to outside of the window.
+// Pixels that a drag comes to outside of the window; and far beyond, where twice the pixel is no int any more.
 void record_outside(Recorder& out, Random& random)
 {
     for (int i = 0; i < 60; ++i) {
         const PickView view = random_pick_view(random);
         glm::ivec2 pixel = random_pixel(view.picture, random);
-        const int beyond = random_between(1, 1500, random);
+        const int beyond = i % 3 == 2 ? random_between(1, (1 << 30) - 1000, random) : random_between(1, 1500, random);
         pixel[i % 2] = i % 4 < 2 ? -beyond : view.picture[i % 2] - 1 + beyond;
         record_ray(out, view, pixel);
     }
