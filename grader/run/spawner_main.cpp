@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -22,6 +23,7 @@
 #include "run/child.hpp"
 #include "run/descriptor.hpp"
 #include "run/machine_trouble.hpp"
+#include "run/processor_wait.hpp"
 #include "run/protocol.hpp"
 #ifdef UMBRAL_WITH_GL
 #include "run/warm_gl.hpp"
@@ -58,16 +60,25 @@ std::uint64_t kills_for_memory()
     return 0;
 }
 
+/// How many times its limit a run may take on a machine that is busy with others.
+constexpr double patience = 8;
+
 /// Waits for the run or for its time to be over; a grader that is gone ends everything. The student's time begins when
-/// the eventfd `confined` says that the run has entered its sandbox; before, only our own code runs.
+/// the eventfd `confined` says that the run has entered its sandbox; before, only our own code runs. What the run waits
+/// for a processor is not its time: a class on all processors, and a student's other programs, would cost right work
+/// its points.
 protocol::Ended supervise(pid_t run, int confined, double wall_seconds)
 {
     auto start = Clock::now();
     double allowed = protocol::seconds_to_confine;
     const Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, run, 0)));
+    const ProcessorWait waited(process.get());
+    double waited_before = 0;
     protocol::Ended ended;
     for (;;) {
-        const double left = allowed - seconds_since(start);
+        const double spent = seconds_since(start);
+        double left = allowed - spent;
+        if (left <= 0) left = std::min(allowed + waited.seconds() - waited_before, patience * allowed) - spent;
         if (left <= 0) {
             ended.timed_out = 1;
             kill(run, SIGKILL);
@@ -79,6 +90,7 @@ protocol::Ended supervise(pid_t run, int confined, double wall_seconds)
         if (ready > 0 && (watched[2].revents & POLLIN) != 0) {
             start = Clock::now();
             allowed = wall_seconds;
+            waited_before = waited.seconds();
             confined = -1;
         }
         if (watched[0].revents != 0) break;

@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <thread>
 
+#include "busy_machine.hpp"
 #include "raw_calls.hpp"
 #include "support/workbench.hpp"
 
@@ -167,6 +169,28 @@ TEST_F(SpawnerTest, starts_again_when_it_was_killed)
         EXPECT_EQ(after.verdict, Verdict::ok) << after.message;
         EXPECT_EQ(after.recording.tensors, before.recording.tensors);
     }
+}
+
+/// How many turns of an empty loop take so much time of a processor.
+long turns_in(double seconds)
+{
+    constexpr long some = 20'000'000;
+    const std::clock_t start = std::clock();
+    for (volatile long i = 0; i < some; i = i + 1) {
+    }
+    return static_cast<long>(seconds * CLOCKS_PER_SEC / static_cast<double>(std::clock() - start) * some);
+}
+
+// Right work that computes for less than its time is right, however busy the machine is.
+TEST_F(SpawnerTest, waiting_for_a_processor_is_no_time_of_the_run)
+{
+    const BusyMachine busy;
+    const std::string loop = "    static bool done = false;\n    for (volatile long i = 0; !done && i < " +
+                             std::to_string(turns_in(0.5)) + "; i = i + 1) {}\n    done = true;";
+    const RunOutcome outcome = run_and_recover(sphere_with("", loop));
+    EXPECT_EQ(outcome.verdict, Verdict::ok) << outcome.message;
+    EXPECT_GT(outcome.wall_seconds, 1) << "or it shows nothing";
+    EXPECT_LT(outcome.cpu_seconds, 1);
 }
 
 TEST_F(SpawnerTest, a_program_that_is_none_is_told)
