@@ -47,13 +47,37 @@ void record_formats(Recorder& out)
             out.append("depth", ask<stored_depth>(out, format, depth));
 }
 
-// Depths of all sizes; what comes back is recorded as its code, the nearest whole number.
+// A code, and the float that is stored for it: nothing if that is more than two ulp from it.
+struct Code {
+    double number;
+    std::optional<float> stored;
+};
+
+// The code nearest to a depth, behind its neighbours: a function that stores all depths alike has not found it.
+std::array<Code, 3> codes_around(Recorder& out, DepthFormat format, float depth)
+{
+    const double last = last_code(format);
+    const double nearest = std::nearbyint(depth * last);
+    const auto code = [&](double number) {
+        const double exact = number / last;
+        const float stored = ask<stored_depth>(out, format, static_cast<float>(exact));
+        const bool near = std::abs(stored - exact) <= std::ldexp(exact, -22);
+        return Code{number, near ? std::optional(stored) : std::nullopt};
+    };
+    return {code(nearest - 1), code(nearest + 1), code(nearest)};
+}
+
+// Depths of all sizes. What comes back is recorded as the code that is stored so, -1 if none around is: an ulp beside
+// the nearest float, a code of 24 bits may lie at its neighbour's.
 void record_codes(Random& random, Recorder& out)
 {
     for (int i = 0; i < 600; ++i) {
         const float depth = std::exp2(-8 * random.uniform() * random.uniform());
         const DepthFormat format = i % 4 == 0 ? DepthFormat::unorm16 : DepthFormat::unorm24;
-        out.append("code", std::nearbyint(double{ask<stored_depth>(out, format, depth)} * double{last_code(format)}));
+        const std::array<Code, 3> codes = codes_around(out, format, depth);
+        const float stored = ask<stored_depth>(out, format, depth);
+        const auto found = std::ranges::find(codes, stored, &Code::stored);
+        out.append("code", found == codes.end() ? -1 : found->number);
     }
 }
 
