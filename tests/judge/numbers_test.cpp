@@ -27,7 +27,7 @@ TEST(Numbers, whole_ones_are_told_digit_by_digit)
     const Judgement ids = numbers(floats({10074125}), floats({66051}), ulps(0));
     EXPECT_EQ(ids.first_difference->yours, "10074125");
     EXPECT_EQ(ids.first_difference->expected, "66051");
-    // Beyond 2^24 a float holds whole numbers only: what looks like an id there is rounding.
+    // Codes have up to 32 bits. What is whole beyond them is rounding.
     EXPECT_EQ(numbers(floats({4294967808.0F}), floats({-3e20F}), ulps(0)).first_difference->yours, "4.29497e+09");
     EXPECT_EQ(numbers(floats({16777218}), floats({-3e20F}), ulps(0)).first_difference->yours, "16777218");
     EXPECT_EQ(numbers(floats({16777216}), floats({1000000.5F}), ulps(0)).first_difference->yours, "16777216");
