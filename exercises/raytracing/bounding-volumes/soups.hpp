@@ -27,13 +27,6 @@ inline Soup random_soup(Random& random, int count, float size)
     return soup;
 }
 
-/// The same triangles, so many times as large.
-inline Soup sized(Soup soup, float size)
-{
-    for (Triangle& triangle : soup) triangle = {size * triangle.v0, size * triangle.v1, size * triangle.v2};
-    return soup;
-}
-
 inline void shuffle(Soup& soup, Random& random)
 {
     for (std::size_t i = soup.size(); i > 1; --i)
