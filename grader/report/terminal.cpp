@@ -136,12 +136,11 @@ std::string curves(const SubmissionResult& submission, int width, const Paint& p
             lines.emplace_back();
             for (std::string& line : curve_plot(curve, width, paint)) lines.push_back(std::move(line));
             lines.emplace_back();
-            for (const std::string& line :
-                 wrap(paint.safe(
-                          fmt::format("Error of {} over time of {}; it gives no points. More: umbral bench accuracy {}",
-                                      curve.check, curve.case_name, curve.knob)),
-                      width))
-                lines.push_back(paint(Tone::quiet, line));
+            // A command stands whole in a line of its own.
+            for (const std::string& said :
+                 {fmt::format("Error of {} over time of {}; it gives no points. More:", curve.check, curve.case_name),
+                  "umbral bench accuracy " + curve.knob})
+                for (const std::string& line : wrap(paint.safe(said), width)) lines.push_back(paint(Tone::quiet, line));
         }
         if (text.empty() || submission.units.size() == 1) text += '\n';
         for (const std::string& line : lines)

@@ -18,6 +18,7 @@ json with_checks(const json& checks)
     double points = 0;
     for (const json& check : checks) points += check["points"].get<double>();
     manifest["checks"] = checks;
+    manifest.erase("knob");  // it names one of the others
     manifest["points"] = points;
     return manifest;
 }

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <thread>
 #include <vector>
 
@@ -17,8 +18,7 @@ public:
         for (unsigned i = 0; i < 4 * std::thread::hardware_concurrency(); ++i) {
             const pid_t child = fork();
             if (child == 0)
-                for (volatile unsigned turns = 0;; turns = turns + 1) {
-                }
+                for (std::atomic<unsigned> turns = 0;;) ++turns;
             children_.push_back(child);
         }
     }

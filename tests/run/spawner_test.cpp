@@ -176,8 +176,8 @@ long turns_in(double seconds)
 {
     constexpr long some = 20'000'000;
     const std::clock_t start = std::clock();
-    for (volatile long i = 0; i < some; i = i + 1) {
-    }
+    volatile long i = 0;
+    while (i < some) i = i + 1;
     return static_cast<long>(seconds * CLOCKS_PER_SEC / static_cast<double>(std::clock() - start) * some);
 }
 
