@@ -54,7 +54,7 @@ public:
     [[nodiscard]] std::optional<CurvePoint> setting(const std::string& name)
     {
         return point(shown_name(name), [&](const std::string& case_name, std::uint64_t seed) -> const RunOutcome& {
-            return worker_.run_setting(exercise_, name, case_name, seed);
+            return worker_.run_known(exercise_, name, {}, case_name, seed);
         });
     }
 

@@ -34,7 +34,7 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
         for (Candidate& candidate : candidates) {
             const KnownSolution& mistake = *candidate.mistake;
             const RunOutcome& run =
-                worker.run_mistake(exercise, mistake.name, mistake.sources, group.name, group.result->seed);
+                worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, group.name, group.result->seed);
             candidate.fits_here = false;
             for (const FailingCheck& one : group.checks) {
                 const Resemblance said = says_of(one, *group.result, run);

@@ -136,13 +136,6 @@ CaseResult run_case(Worker& worker, const Exercise& exercise, const Built& built
     return one;
 }
 
-std::size_t bytes_of(const Sources& files)
-{
-    std::size_t bytes = 0;
-    for (const auto& [name, text] : files) bytes += name.size() + text.size();
-    return bytes;
-}
-
 /// Was this run stopped by the clock while it hardly computed? It may have waited, or the machine may have been busy
 /// with others.
 bool was_starved(const RunOutcome& run, const Limits& limits)

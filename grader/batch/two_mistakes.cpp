@@ -115,8 +115,8 @@ std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exerc
             if (!well_formed(*check.student) || check.expected == nullptr || !well_formed(*check.expected)) continue;
             MistakenCheck mistaken{&check};
             for (const KnownSolution& mistake : mistakes) {
-                const RunOutcome& run =
-                    worker.run_mistake(exercise, mistake.name, mistake.sources, group.name, group.result->seed);
+                const RunOutcome& run = worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources,
+                                                         group.name, group.result->seed);
                 const Tensor* tensor = run.verdict == Verdict::ok ? observed(*check.check, run) : nullptr;
                 mistaken.by_mistake.push_back(tensor == nullptr ? std::nullopt : std::optional(*tensor));
             }

@@ -122,7 +122,7 @@ RunRequest Worker::trusted_request(const Exercise& exercise, Answers solution, c
 
 RunOutcome Worker::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
 {
-    if (!built.mistake.empty()) return run_mistake(exercise, built.mistake, built.sources, case_name, seed);
+    if (!built.mistake.empty()) return run_known(exercise, "mistakes/" + built.mistake, built.sources, case_name, seed);
     const RunRequest wanted = students_request(exercise, built, case_name, seed);
     return spawner(exercise.gl).run(wanted);
 }
@@ -229,24 +229,13 @@ RunOutcome Worker::answer(const Exercise& exercise, Answers solution, const std:
     return answer_of(exercise, library_of(exercise, to_string(solution)), driver);
 }
 
-const RunOutcome& Worker::run_mistake(const Exercise& exercise, const std::string& name, const Sources& sources,
-                                      const std::string& case_name, std::uint64_t seed)
+const RunOutcome& Worker::run_known(const Exercise& exercise, const std::string& library, const Sources& sources,
+                                    const std::string& case_name, std::uint64_t seed)
 {
-    return known(exercise, "mistake " + name, case_name, seed, [&] {
+    return known(exercise, library, case_name, seed, [&] {
         RunRequest wanted = request(exercise, case_name, seed);
-        if (exercise.is_cpp()) wanted.solution = library_of(exercise, "mistakes/" + name);
+        if (exercise.is_cpp()) wanted.solution = library_of(exercise, library);
         wanted.sources = texts_of(sources);
-        wanted.wanted = this->wanted(exercise, case_name, seed);
-        return spawner(exercise.gl).run(wanted);
-    });
-}
-
-const RunOutcome& Worker::run_setting(const Exercise& exercise, const std::string& library,
-                                      const std::string& case_name, std::uint64_t seed)
-{
-    return known(exercise, "setting " + library, case_name, seed, [&] {
-        RunRequest wanted = request(exercise, case_name, seed);
-        wanted.solution = library_of(exercise, library);
         wanted.wanted = this->wanted(exercise, case_name, seed);
         return spawner(exercise.gl).run(wanted);
     });

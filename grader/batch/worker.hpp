@@ -98,15 +98,10 @@ public:
     /// What the trusted recordings decide of a check: worked out once.
     [[nodiscard]] const CheckBasis& basis(const Exercise& exercise, const Check& check, std::uint64_t seed);
 
-    /// The recording of one of the unit's mistakes, compiled when the project was built; kept as well.
-    [[nodiscard]] const RunOutcome& run_mistake(const Exercise& exercise, const std::string& name,
-                                                const Sources& sources, const std::string& case_name,
-                                                std::uint64_t seed);
-
-    /// The recording of a solution in C++ that is a setting of the unit's knob, by its library's name
-    /// ("mistakes/in_float"); kept as well.
-    [[nodiscard]] const RunOutcome& run_setting(const Exercise& exercise, const std::string& library,
-                                                const std::string& case_name, std::uint64_t seed);
+    /// The recording of a solution that was compiled when the project was built, by its library's name
+    /// ("mistakes/in_float"), or of shaders, which `sources` holds; kept as well.
+    [[nodiscard]] const RunOutcome& run_known(const Exercise& exercise, const std::string& library,
+                                              const Sources& sources, const std::string& case_name, std::uint64_t seed);
 
 private:
     [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;

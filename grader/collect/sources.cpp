@@ -58,6 +58,13 @@ Sources texts_of(const Sources& files)
     return texts;
 }
 
+std::size_t bytes_of(const Sources& files)
+{
+    std::size_t bytes = 0;
+    for (const auto& [name, text] : files) bytes += name.size() + text.size();
+    return bytes;
+}
+
 bool is_stub(std::string_view text, const Exercise& exercise, const std::string& name)
 {
     return essence(text) == essence(read_text(exercise.folder / name));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -21,6 +22,9 @@ void write_text(const std::filesystem::path& file, std::string_view text);
 
 /// The files that no compiler reads: what the driver gets as text, such as shaders.
 [[nodiscard]] Sources texts_of(const Sources& files);
+
+/// How much they hold, names and all.
+[[nodiscard]] std::size_t bytes_of(const Sources& files);
 
 /// Are these the stubs of the unit, but for white space and comments?
 [[nodiscard]] bool equals_stub(const Sources& files, const Exercise& exercise);

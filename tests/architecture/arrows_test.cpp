@@ -98,6 +98,7 @@ TEST(Arrows, judges_are_known_by_their_records)
         "grader/cli/compare.cpp judge/image/rule.hpp",           // compares two files of pictures
         "grader/batch/weigh_cost.cpp judge/cost/cost.hpp",       // weighs counts against processor time
         "grader/batch/weigh_cost.cpp judge/cost/outside_cost.hpp",
+        "grader/batch/weigh_cost.cpp judge/cost/answers.hpp",
         "grader/judge/noise/noise.cpp judge/events/events.hpp",  // names of quantities are written like names of events
     };
     for (const Include& include : includes_below("grader")) {

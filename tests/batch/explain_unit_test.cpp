@@ -32,7 +32,7 @@ protected:
 
     RunOutcome run(const KnownSolution& mistake, const std::string& name, std::uint64_t seed)
     {
-        return worker.run_mistake(exercise, mistake.name, mistake.sources, name, seed);
+        return worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, name, seed);
     }
 
     /// A submission whose cases were answered as given, judged.

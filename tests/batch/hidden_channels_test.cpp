@@ -186,7 +186,8 @@ TEST_F(HiddenCases, an_explanation_that_only_they_lead_to_is_not_for_students)
             CaseResult one;
             one.seed = SeedPlan{}.seed_of(exercise, check.case_name);
             one.hidden = check.hidden;
-            one.student = worker.run_mistake(exercise, mistake.name, mistake.sources, check.case_name, one.seed);
+            one.student =
+                worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, check.case_name, one.seed);
             const CheckResult judged =
                 judge_check(check, one, worker.trusted(exercise, judged_against(check), check.case_name, one.seed),
                             worker.trusted(exercise, Answers::reference, check.case_name, one.seed));
