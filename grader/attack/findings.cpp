@@ -24,8 +24,8 @@ const Json* unit_in(const Json& report, const std::string& id)
     return nullptr;
 }
 
-/// The first control character, as a number; -1 if there is none. Also what turns the direction of writing or is
-/// not seen, in UTF-8.
+/// The first control character, as a number; -1 if there is none. Also what turns the direction of writing, is not
+/// seen, or towers over the lines above, in UTF-8.
 int control_character(const std::string& text)
 {
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -34,8 +34,10 @@ int control_character(const std::string& text)
         if (c == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0)
             return static_cast<unsigned char>(text[i + 1]);
     }
-    for (const char* const turn : {"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c", "\u202d", "\u202e",
-                                   "\u2066", "\u2067", "\u2068", "\u2069", "\u206a", "\u180e", "\ufff9", "\U000e0041"})
+    for (const char* const turn : {"\u061c",     "\u200e",     "\u200f", "\u202a", "\u202b",
+                                   "\u202c",     "\u202d",     "\u202e", "\u2066", "\u2067",
+                                   "\u2068",     "\u2069",     "\u206a", "\u180e", "\ufff9",
+                                   "\U000e0041", "\U000e0148", "\u3164", "\ufe01", "\u0301\u0301\u0301\u0301\u0301"})
         if (text.find(turn) != std::string::npos) return 0x202e;
     return -1;
 }
