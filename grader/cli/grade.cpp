@@ -42,12 +42,22 @@ void refuse_weak_sandbox(const Fingerprint& machine, bool allowed)
         "newer with both, or add --allow-weak-sandbox if you trust every submission");
 }
 
+/// The folders of the class. What is wrong with them, or with the roster, is a UsageError.
+std::vector<SubmissionFolder> folders_of(const GradeCommand& command)
+{
+    try {
+        return class_folder(command.submissions, command.roster).submissions;
+    } catch (const std::exception& error) {
+        throw UsageError(error.what());
+    }
+}
+
 /// The units of which some submission has a file; maybe none.
 std::vector<Exercise> handed_in(const Application& application, const std::vector<Exercise>& exercises,
                                 const GradeCommand& command)
 {
     std::vector<bool> seen(exercises.size(), false);
-    for (const SubmissionFolder& submission : class_folder(command.submissions, command.roster).submissions) {
+    for (const SubmissionFolder& submission : folders_of(command)) {
         const SubmittedFiles files = read_submission(submission.folder, exercises, archive_tools(application.tools));
         for (std::size_t i = 0; i < exercises.size(); ++i)
             seen[i] = seen[i] || !collect(files, exercises[i]).files.empty();
