@@ -115,7 +115,6 @@ std::optional<UnitCurve> curve_of(Worker& worker, const Exercise& exercise, cons
     add(settings.trusted("reference", Answers::reference));
     if (check.hard) add(settings.trusted("oracle", Answers::oracle));
     for (const std::string& name : settings_of(worker.tools(), exercise)) add(settings.setting(name));
-    std::ranges::stable_sort(curve.others, {}, &CurvePoint::seconds);
     return curve.others.empty() ? std::nullopt : std::optional(std::move(curve));
 }
 

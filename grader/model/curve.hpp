@@ -24,7 +24,7 @@ struct UnitCurve {
     std::string case_name;  ///< whose time it is: "picture"
     std::string unit;       ///< of the errors: "ulp", "relative", or nothing
     CurvePoint yours;
-    std::vector<CurvePoint> others;  ///< at least one, each of another name, quickest first
+    std::vector<CurvePoint> others;  ///< at least one, each of another name, in an order that no time decides
 };
 
 /// Are all numbers such as a curve can be drawn from?
