@@ -101,6 +101,10 @@ struct StudentsEdition {
 StudentsEdition edition_of(UnitResult unit, const html::UnitDetail& detail)
 {
     unit.seconds = unit.reference_seconds = 0;
+    if (unit.curve) {
+        unit.curve->yours.seconds = 1;
+        for (CurvePoint& other : unit.curve->others) other.seconds = 1;
+    }
     SubmissionResult submission{"ada", 0, 0, {std::move(unit)}};
     add_up(submission);
     return {to_json(without_hidden_values(submission), {}).dump(1),
