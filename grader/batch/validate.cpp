@@ -7,6 +7,7 @@
 #include <set>
 
 #include "batch/case_results.hpp"
+#include "batch/column_findings.hpp"
 #include "batch/known_solutions.hpp"
 #include "batch/related.hpp"
 #include "batch/rubric_findings.hpp"
@@ -284,6 +285,9 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
         });
     guarded("controls", [&] {
         for (const Finding& finding : expect_controls(worker, exercise, seed)) report(finding);
+    });
+    guarded("columns", [&] {
+        for (const Finding& finding : expect_columns(worker, exercise, options_for(seed).seeds, seed)) report(finding);
     });
     guarded("stub", [&] {
         const UnitResult stub = grade_unit(worker, exercise, {stub_sources(exercise), {}, ""}, options_for(seed));

@@ -148,7 +148,7 @@ void record_work(Random& random, Recorder& out)
 }
 
 // The second function asks nothing of vertices, and needs no memory but its result. A row is the number of edges, and
-// how many pieces of memory were held at once: a vector that grows holds two.
+// how many pieces of memory were held at once: a vector that grows holds two, and up to three are as good as none.
 void record_closed_alone(Recorder& out)
 {
     out.text("blocks.names", "vertices");
@@ -157,11 +157,13 @@ void record_closed_alone(Recorder& out)
         record_cost(out, "blocks", mesh.positions.size(),
                     [&] { return amount_of(ask<edge_table_of_closed>(out, mesh)); });
     }
+    constexpr std::int64_t free_pieces = 3;
+    out.text("edges and memory.names", "edges, pieces of memory");
     for (const std::uint32_t side : {5U, 8U, 12U, 17U, 23U, 30U}) {
         const IndexedMesh mesh = torus(side, side);
         const AllocationCount memory;
         const std::vector<glm::uvec2> edges = ask<edge_table_of_closed>(out, mesh);
-        out.append("edges and memory", glm::vec2(edges.size(), memory.most()));
+        out.append("edges and memory", glm::vec2(edges.size(), std::max(memory.most(), free_pieces)));
     }
 }
 
