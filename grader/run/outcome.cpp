@@ -144,11 +144,19 @@ bool killed_from_outside(const protocol::Ended& ended, const Limits& limits)
            ended.cpu_seconds < limits.wall_seconds;
 }
 
+/// Why a run may have taken all its time: one that hardly computed was no loop.
+std::string asked_of_late(const protocol::Ended& ended, const Limits& limits)
+{
+    if (2 * ended.cpu_seconds >= limits.wall_seconds) return "is there a loop that never ends?";
+    return fmt::format("it computed for {:.1f} s only, so it waited: for a lock, an input, or a time to pass?",
+                       ended.cpu_seconds);
+}
+
 End ended_early(const protocol::Ended& ended, const Recording& recording, const Limits& limits)
 {
     if (ended.timed_out != 0)
         return {Verdict::timeout,
-                fmt::format("stopped after {:g} s: is there a loop that never ends?", limits.wall_seconds)};
+                fmt::format("stopped after {:g} s: {}", limits.wall_seconds, asked_of_late(ended, limits))};
     if (WIFSIGNALED(ended.wait_status)) {
         const int signal = WTERMSIG(ended.wait_status);
         if (killed_from_outside(ended, limits) && ended.out_of_memory_kill != 0)

@@ -55,6 +55,18 @@ TEST(Outcome, only_a_finished_run_with_status_0_is_ok)
     EXPECT_EQ(verdict(late, true, recording(finished)), Verdict::timeout);
 }
 
+TEST(Outcome, a_run_that_waited_is_not_asked_for_an_endless_loop)
+{
+    protocol::Ended late = killed(SIGKILL);
+    late.timed_out = 1;
+    late.cpu_seconds = 4.9;
+    EXPECT_EQ(judge_end(late, true, recording(nothing), "", {}).message,
+              "stopped after 5 s: is there a loop that never ends?");
+    late.cpu_seconds = 0.2;
+    EXPECT_EQ(judge_end(late, true, recording(nothing), "", {}).message,
+              "stopped after 5 s: it computed for 0.2 s only, so it waited: for a lock, an input, or a time to pass?");
+}
+
 TEST(Outcome, only_a_run_that_never_reached_its_sandbox_is_our_fault)
 {
     for (std::uint32_t stage = 0; stage <= 5; ++stage) {
