@@ -69,6 +69,37 @@ inline std::vector<Glance> glances_by_hand()
     return all;
 }
 
+/// The same with one of its three vectors, which `turn` chooses, of another length: 1/16 to 16.
+inline Glance with_another_length(Random& random, Glance glance, int turn)
+{
+    glm::vec3& one = turn % 3 == 0 ? glance.normal : turn % 3 == 1 ? glance.l : glance.v;
+    one *= std::exp2(random.uniform(-4, 4));
+    return glance;
+}
+
+/// One glance, the same with light and viewer exchanged, which changes nothing, and another viewer, which does.
+struct Exchange {
+    Glance straight;
+    Glance exchanged;
+    Glance another;
+};
+
+/// The cosines of light and viewer with the normal lie between `low` and `high`: the viewer is in front of the surface,
+/// too, since only then the two can be exchanged.
+inline Exchange random_exchange(Random& random, float low, float high)
+{
+    Exchange made;
+    made.straight = random_glance(random, 1, 20, 0.7F);
+    const glm::vec3 normal = made.straight.normal;
+    made.straight.l = round_about(random, normal, random.uniform(low, high));
+    made.straight.v = round_about(random, normal, random.uniform(low, high));
+    made.exchanged = made.straight;
+    std::swap(made.exchanged.l, made.exchanged.v);
+    made.another = made.exchanged;
+    made.another.v = round_about(random, normal, random.uniform(low, high));
+    return made;
+}
+
 /// A question about all the light that a surface sends to the eye.
 struct Shine {
     SurfacePoint at;
@@ -77,6 +108,20 @@ struct Shine {
     glm::vec3 global_ambient{0};
     glm::vec3 eye{0};
 };
+
+/// Sums that a hand can do: a sun, a lamp, both and none on a floor, seen from three places.
+inline std::vector<Shine> shines_by_hand(float exponent)
+{
+    const Material material{{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}, {0.5F, 1, 0.25F}, exponent};
+    const Light sun{{0, 0.6F, 0.8F, 0}, {1, 0.5F, 2}};
+    const Light lamp{{4, 0, 4, 1}, {0.5F, 1, 0.25F}};
+    const std::vector<Light> sets[] = {{}, {sun}, {lamp}, {sun, lamp}, {lamp, sun}};
+    std::vector<Shine> all;
+    for (const std::vector<Light>& lights : sets)
+        for (const glm::vec3& eye : {glm::vec3(0, -3, 5), {0, 0, 3}, {-4, 0, 4}})
+            all.push_back({{{0, 0, 1}, {0, 0, 1}}, material, lights, glm::vec3(0.2F), eye});
+    return all;
+}
 
 /// Lights in front of the surface, mostly up to three, and before them now and then one behind it; the eye is where it
 /// sees one of their highlights.
@@ -96,6 +141,14 @@ inline Shine random_shine(Random& random)
         shine.lights.insert(shine.lights.begin(), random_light(random, other_side, 0.1F));
     }
     vary_colors(random, shine.lights);
+    return shine;
+}
+
+/// The same under lights that are up to 10,000 times as bright, each by a factor of its own.
+inline Shine bright_shine(Random& random)
+{
+    Shine shine = random_shine(random);
+    for (Light& light : shine.lights) light.color *= std::pow(10.0F, random.uniform(0, 4));
     return shine;
 }
 

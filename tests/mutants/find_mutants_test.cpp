@@ -1,43 +1,22 @@
-#include "mutants/find_mutants.hpp"
-
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
 
-#include "support/temporary_folder.hpp"
+#include "changes.hpp"
 
 namespace umbral::grader::test {
 namespace {
 
-std::set<std::string> changes_of(const std::string& source)
+std::set<std::string> mutants_of(const std::string& source)
 {
-    const umbral::test::TemporaryFolder folder;
-    const std::string file = folder.path() / "source.cpp";
-    std::ofstream(file) << source;
-    std::set<std::string> changes;
-    for (const Mutant& mutant : find_mutants(parse(file, {"-std=c++20"})))
-        changes.insert(mutant.kind + ": " + mutant.change);
-    return changes;
+    return changes_of([](const auto& parsed) { return find_mutants(parsed); }, source);
 }
 
-struct Expected {
-    const char* name;
-    const char* source;
-    std::vector<const char*> changes;
-};
+class Operators : public testing::TestWithParam<ExpectedChanges> {};
 
-class Operators : public testing::TestWithParam<Expected> {};
+TEST_P(Operators, are_found) { expect_found(mutants_of(GetParam().source), GetParam()); }
 
-TEST_P(Operators, are_found)
-{
-    const std::set<std::string> changes = changes_of(GetParam().source);
-    std::string all;
-    for (const std::string& change : changes) all += change + '\n';
-    for (const char* change : GetParam().changes) EXPECT_TRUE(changes.contains(change)) << change << " of\n" << all;
-}
-
-const std::vector<Expected> expected = {
+const std::vector<ExpectedChanges> expected = {
     {"comparison", "bool f(int a, int b) { return a < b; }", {"comparison: a < b → a <= b"}},
     {"arithmetic",
      "float f(float a, float b) { return a + b / a; }",
@@ -74,8 +53,8 @@ INSTANTIATE_TEST_SUITE_P(All, Operators, testing::ValuesIn(expected),
 
 TEST(FindMutants, leaves_out_what_the_compiler_computes)
 {
-    EXPECT_TRUE(changes_of("constexpr int a = 1 + 2; int b[3]; enum { d = 4 };").empty());
-    for (const std::string& change : changes_of("constexpr int f(int x) { return x + 1; }\nint g(int x) { static "
+    EXPECT_TRUE(mutants_of("constexpr int a = 1 + 2; int b[3]; enum { d = 4 };").empty());
+    for (const std::string& change : mutants_of("constexpr int f(int x) { return x + 1; }\nint g(int x) { static "
                                                 "constexpr int c = 5; switch (x) { case 7: return c; } return x; }"))
         for (const char* constant : {"x + 1", "5", "7"}) EXPECT_EQ(change.find(constant), std::string::npos) << change;
 }
@@ -83,12 +62,12 @@ TEST(FindMutants, leaves_out_what_the_compiler_computes)
 TEST(FindMutants, leaves_declarations_whole_but_for_their_arguments)
 {
     const std::set<std::string> changes =
-        changes_of("struct V { V(int, int); int x; };\nint f(int a, int b) { V v(a + b, 2); return v.x; }");
+        mutants_of("struct V { V(int, int); int x; };\nint f(int a, int b) { V v(a + b, 2); return v.x; }");
     EXPECT_TRUE(changes.contains("arithmetic: a + b → a - b"));
     for (const std::string& change : changes) EXPECT_EQ(change.find("v(a"), std::string::npos) << change;
 }
 
-TEST(FindMutants, names_what_cannot_be_parsed) { EXPECT_THROW((void)changes_of("int f( {"), std::runtime_error); }
+TEST(FindMutants, names_what_cannot_be_parsed) { EXPECT_THROW((void)mutants_of("int f( {"), std::runtime_error); }
 
 }
 }

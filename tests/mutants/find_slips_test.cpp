@@ -1,42 +1,22 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
 
-#include "mutants/find_mutants.hpp"
-#include "support/temporary_folder.hpp"
+#include "changes.hpp"
 
 namespace umbral::grader::test {
 namespace {
 
 std::set<std::string> slips_of(const std::string& source)
 {
-    const umbral::test::TemporaryFolder folder;
-    const std::string file = folder.path() / "source.cpp";
-    std::ofstream(file) << source;
-    std::set<std::string> changes;
-    for (const Mutant& mutant : find_slips(parse(file, {"-std=c++20"})))
-        changes.insert(mutant.kind + ": " + mutant.change);
-    return changes;
+    return changes_of([](const auto& parsed) { return find_slips(parsed); }, source);
 }
 
-struct Expected {
-    const char* name;
-    const char* source;
-    std::vector<const char*> changes;
-};
+class Slips : public testing::TestWithParam<ExpectedChanges> {};
 
-class Slips : public testing::TestWithParam<Expected> {};
+TEST_P(Slips, are_found) { expect_found(slips_of(GetParam().source), GetParam()); }
 
-TEST_P(Slips, are_found)
-{
-    const std::set<std::string> changes = slips_of(GetParam().source);
-    std::string all;
-    for (const std::string& change : changes) all += change + '\n';
-    for (const char* change : GetParam().changes) EXPECT_TRUE(changes.contains(change)) << change << " of\n" << all;
-}
-
-const std::vector<Expected> expected = {
+const std::vector<ExpectedChanges> expected = {
     {"tolerance",
      "bool f(float a, float b) { return a < b || a == 0; }",
      {"tolerance: a < b → a + 1e-4F < b", "tolerance: a < b → a - 1e-4F < b",

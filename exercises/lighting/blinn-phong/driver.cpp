@@ -35,13 +35,7 @@ void by_hand(Recorder& out)
     for (const auto& [l, v] : pairs) record_half(out, l, v);
     for (const Glance& glance : glances_by_hand()) record(out, glance);
 
-    const Material material{{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}, {0.5F, 1, 0.25F}, 4};
-    const Light sun{{0, 0.6F, 0.8F, 0}, {1, 0.5F, 2}};
-    const Light lamp{{4, 0, 4, 1}, {0.5F, 1, 0.25F}};
-    const std::vector<Light> sets[] = {{}, {sun}, {lamp}, {sun, lamp}, {lamp, sun}};
-    for (const std::vector<Light>& lights : sets)
-        for (const glm::vec3& eye : {glm::vec3(0, -3, 5), {0, 0, 3}, {-4, 0, 4}})
-            record(out, Shine{{{0, 0, 1}, {0, 0, 1}}, material, lights, glm::vec3(0.2F), eye});
+    for (const Shine& shine : shines_by_hand(4)) record(out, shine);
 }
 
 void at_random(Random& random, Recorder& out)
@@ -76,9 +70,7 @@ void behind(Random& random, Recorder& out)
 void lengths(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
-        Glance glance = random_glance(random, 1, 40);
-        glm::vec3& one = i % 3 == 0 ? glance.normal : i % 3 == 1 ? glance.l : glance.v;
-        one *= std::exp2(random.uniform(-4, 4));
+        const Glance glance = with_another_length(random, random_glance(random, 1, 40), i);
         record(out, glance);
         if (i % 3 != 0) record_half(out, glance.l, glance.v);
     }
@@ -110,26 +102,16 @@ void degenerate(Random& random, Recorder& out)
 
 void bright(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 30; ++i) {
-        Shine shine = random_shine(random);
-        for (Light& light : shine.lights) light.color *= std::pow(10.0F, random.uniform(0, 4));
-        record(out, shine);
-    }
+    for (int i = 0; i < 30; ++i) record(out, bright_shine(random));
 }
 
-// Light and viewer exchanged; and another viewer.
 void record_laws(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
-        Glance glance = random_glance(random, 1, 20, 0.7F);
-        // The viewer in front of the surface, too: only then are the two alike.
-        glance.l = round_about(random, glance.normal, random.uniform(0.6F, 0.9F));
-        glance.v = round_about(random, glance.normal, random.uniform(0.6F, 0.9F));
-        record(out, glance, "straight");
-        std::swap(glance.l, glance.v);
-        record(out, glance, "exchanged");
-        glance.v = round_about(random, glance.normal, random.uniform(0.6F, 0.9F));
-        record(out, glance, "another");
+        const Exchange exchange = random_exchange(random, 0.6F, 0.9F);
+        record(out, exchange.straight, "straight");
+        record(out, exchange.exchanged, "exchanged");
+        record(out, exchange.another, "another");
     }
 }
 
