@@ -58,12 +58,18 @@ int random_between(int low, int high, Random& random)
     return low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low + 1)));
 }
 
+// Mostly a window's; now and then as wide or as high as a poster's, of which parts are drawn one by one.
+int random_size(Random& random)
+{
+    return random.below(8) == 0 ? random_between(40'000, 1 << 20, random) : random_between(20, 900, random);
+}
+
 Viewport random_viewport(Random& random)
 {
     const int left = random_between(-50, 500, random);
     const int bottom = random_between(-50, 500, random);
-    const int width = random_between(20, 900, random);
-    const int height = random_between(20, 900, random);
+    const int width = random_size(random);
+    const int height = random_size(random);
     const float near_depth = random.uniform(0, 0.45F);
     const float far_depth = random.uniform(0.55F, 1);
     return random.below(4) == 0 ? Viewport{left, bottom, width, height, far_depth, near_depth}

@@ -72,8 +72,8 @@ void record_total(Random& random, Recorder& out)
         record_refracted(out, random.below(2) == 0 ? total_glance(random) : refracted_glance(random));
 }
 
-// Light that arrives nearly along the normal, exactly along it, or along the surface; and media that are the same.
-// Every second v is not unit.
+// Light that arrives nearly along the normal, exactly along it, or along the surface; and media that are the same, or
+// nearly so. Every second v is not unit.
 void record_edges(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
@@ -96,8 +96,9 @@ void record_edges(Random& random, Recorder& out)
             case 2: add(random.below(2) == 0 ? near_normal : -near_normal, n, outside, inside); break;
             case 3: add(across, n, rare, dense); break;
             default: {
-                const glm::vec3 v = random.unit_vector();
-                add(v, random.unit_vector(), dense, dense);
+                const glm::vec3 v = normalize(n + random.uniform(-1.5F, 1.5F) * across);
+                const float other = i / 15 % 2 == 0 ? dense : dense * random.uniform(1.001F, 1.01F);
+                add(random.below(2) == 0 ? v : -v, n, dense, other);
             }
         }
         record_mirrored(out, i % 2 == 0 ? across : near_normal, n);
