@@ -54,10 +54,12 @@ void record_by_hand(Recorder& out)
             record(camera, 4, 2, place);
 }
 
+// Targets right before the eye and far away: how far is no part of the answer.
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
-        const PrimaryCamera camera = random_camera(random, 5.0F * random.in_cube(), random.uniform(0.5F, 8));
+        const PrimaryCamera camera =
+            random_camera(random, 5.0F * random.in_cube(), std::pow(10.0F, random.uniform(-3, 3)));
         const int width = 1 + static_cast<int>(random.below(800));
         const int height = std::max(1, width * 3 / static_cast<int>(2 + random.below(5)));
         record_direction(out, camera, width, height, random_place(random, width, height));
@@ -70,7 +72,7 @@ void record_shapes(Random& random, Recorder& out)
     const glm::ivec2 sizes[] = {{1, 1}, {7, 3}, {3, 7}, {1, 500}, {500, 1}, {1920, 1080}, {2, 3}, {5, 5}};
     for (int i = 0; i < 80; ++i) {
         PrimaryCamera camera = random_camera(random, random.in_cube(), 1);
-        camera.fovy = i % 2 == 0 ? random.uniform(0.05F, 0.4F) : random.uniform(1.6F, 2.8F);
+        camera.fovy = i % 2 == 0 ? random.uniform(0.05F, 0.4F) : random.uniform(1.6F, 2.97F);
         const glm::ivec2 size = sizes[i % 8];
         record_direction(out, camera, size.x, size.y, random_place(random, size.x, size.y));
     }
@@ -118,15 +120,28 @@ void record_samples(Random& random, Recorder& out)
     };
     record(0, 0, 1);
     record(3, 5, 2);
+    record(7, 1, 9);
+    record(0, 6, 16);
     for (int i = 0; i < 12; ++i)
         record(static_cast<int>(random.below(640)), static_cast<int>(random.below(480)), 1 + i % 5);
 }
 
-// Small pictures of light that changes fast within a pixel, so that each sample counts, and is as bright as light can
-// be.
+// Light as bright as the sun beside a lamp's, the same everywhere: the mean is this light.
+void record_sun(Recorder& out)
+{
+    const glm::vec3 sun(65'536, 20'000, 1.25F);
+    ask_in_words(out, [] { return "render_picture(camera, 3, 2, 4, light of {65536, 20000, 1.25} everywhere)"; });
+    const Grid<glm::vec3> picture = render_picture({}, 3, 2, 4, [&](const Ray&) { return sun; });
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 3; ++x)
+            for (int channel = 0; channel < 3; ++channel)
+                out.append("sun", picture.contains(x, y) ? picture.at(x, y)[channel] : not_a_number);
+}
+
+// Small pictures of light that changes fast within a pixel, so that each sample counts.
 void record_rendered(Random& random, Recorder& out)
 {
-    const glm::ivec3 kinds[] = {{1, 1, 1}, {5, 3, 1}, {3, 4, 2}, {4, 2, 3}, {2, 2, 5}, {6, 1, 4}};
+    const glm::ivec3 kinds[] = {{1, 1, 1}, {5, 3, 1}, {3, 4, 2}, {4, 2, 3}, {2, 2, 5}, {6, 1, 4}, {1, 2, 9}};
     for (const glm::ivec3& kind : kinds) {
         const PrimaryCamera camera = random_camera(random, 2.0F * random.in_cube(), 3);
         const glm::vec3 waves = 25.0F * random.unit_vector();
@@ -147,6 +162,7 @@ void record_rendered(Random& random, Recorder& out)
             for (int x = 0; x < kind.x; ++x)
                 out.append("light", picture.contains(x, y) ? picture.at(x, y) : glm::vec3(not_a_number));
     }
+    record_sun(out);
 }
 
 void record_picture(Recorder& out)
