@@ -41,9 +41,11 @@ void record_known_angles(Recorder& out)
         record_angle(out, fovx, aspect);
 }
 
+// Planes at usual distances, and every fourth time at any: metres are not the only unit.
 Lens random_lens(Random& random)
 {
-    const float near_plane = std::pow(10.0F, random.uniform(-2, 1));
+    const float decades = random.below(4) == 0 ? random.uniform(-6, 7) : random.uniform(-2, 1);
+    const float near_plane = std::pow(10.0F, decades);
     return {random.uniform(10, 150), random.uniform(0.4F, 3), near_plane,
             near_plane * std::pow(10.0F, random.uniform(0.2F, 5))};
 }
@@ -71,7 +73,7 @@ void record_refused(Random& random, Recorder& out)
         if (i % 12 == 8) bad.near_plane = 0;
         if (i % 12 == 9) bad.near_plane = -1;
         if (i % 12 == 10) bad.far_plane = bad.near_plane;
-        if (i % 12 == 11) bad.far_plane = 0.5F * bad.near_plane;
+        if (i % 12 == 11) bad.far_plane = i < 12 ? no_number : 0.5F * bad.near_plane;
         if (i % 12 == 0 || i % 12 == 2) close.fovy_degrees = 1e-6F;
         if (i % 12 == 1 || i % 12 == 3) close.fovy_degrees = std::nextafter(180.0F, 0.0F);
         if (i % 12 == 5) close.aspect = 1e-6F;

@@ -64,7 +64,7 @@ std::vector<DiscShot> at_the_rim(Random& random)
         const glm::vec2 place = places[i % 6];
         const DiscShot miss = exact_shot(random, place, 3, 5);
         DiscShot hit = miss;
-        hit.disc.radius *= 1.015625F;
+        hit.disc.radius *= i % 2 == 0 ? 1.015625F : barely_more;
         add_pair(shots, hit, miss, random);
     }
     return shots;
@@ -126,7 +126,8 @@ std::vector<DiscShot> at_the_ends(Random& random)
     return shots;
 }
 
-// Rays parallel to the disc, beside it and in its plane; the twin leans towards the disc by an eighth.
+// Rays parallel to the disc, beside it and in its plane; the twin leans towards the disc by an eighth, or by so little
+// that it takes a small number for 0 to call it parallel.
 std::vector<DiscShot> parallel(Random& random)
 {
     std::vector<DiscShot> shots;
@@ -137,12 +138,13 @@ std::vector<DiscShot> parallel(Random& random)
         for (int axis = 0; axis < 3; ++axis)
             if (down[axis] != 0) aside[(axis + 1 + i % 2) % 3] = i % 4 < 2 ? length(down) : -length(down);
         DiscShot hit = upright;
+        const float slope = i % 5 < 3 ? 0.125F : 0x1p-18F;
         hit.ray.origin -= 2.0F * aside;
-        hit.ray.direction = aside + 0.125F * down;
-        hit.ray.origin += 0.875F * down;
+        hit.ray.direction = aside + slope * down;
+        hit.ray.origin += (1 - slope) * down;
         DiscShot miss = hit;
         miss.ray.direction = aside;
-        if (i % 3 > 0) miss.ray.origin += 0.125F * down;  // into the plane, on the way through the disc
+        if (i % 3 > 0) miss.ray.origin += slope * down;  // into the plane, on the way through the disc
         if (i % 3 > 1) miss.ray.t_min = -endless;
         add_pair(shots, hit, miss, random);
     }
