@@ -66,12 +66,12 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// Pictures of all shapes, and fields of view from narrow to very wide.
+// Pictures of all shapes, and fields of view from narrow to very wide, at what is near and far.
 void record_shapes(Random& random, Recorder& out)
 {
     const glm::ivec2 sizes[] = {{1, 1}, {7, 3}, {3, 7}, {1, 500}, {500, 1}, {1920, 1080}, {2, 3}, {5, 5}};
     for (int i = 0; i < 80; ++i) {
-        PrimaryCamera camera = random_camera(random, random.in_cube(), 1);
+        PrimaryCamera camera = random_camera(random, random.in_cube(), std::pow(10.0F, random.uniform(-3, 3)));
         camera.fovy = i % 2 == 0 ? random.uniform(0.05F, 0.4F) : random.uniform(1.6F, 2.97F);
         const glm::ivec2 size = sizes[i % 8];
         record_direction(out, camera, size.x, size.y, random_place(random, size.x, size.y));
