@@ -48,16 +48,23 @@ inline glm::ivec2 random_pixel(Random& random, const GlassFrame& frame)
     return {x, along(frame.light.height)};
 }
 
-/// A depth of one of a hundred steps, so that many are alike, and some are exactly what the frame has; or no number.
+/// A depth of one of a hundred steps or one float behind it, so that many are alike, or nearly; some far beyond; some
+/// exactly what the frame has, or one float before or behind that; or no number.
 inline float random_depth(Random& random, const GlassFrame& frame, const glm::ivec2& pixel)
 {
+    constexpr float endless = std::numeric_limits<float>::infinity();
     const std::uint32_t kind = random.below(20);
     const float step = static_cast<float>(random.below(100)) / 100;
+    const float beside = random.below(2) == 0 ? -endless : endless;
     if (kind == 0) return std::numeric_limits<float>::quiet_NaN();
-    if (kind == 1) return std::numeric_limits<float>::infinity();
-    if (kind == 2) return random.below(3) == 0 ? -std::numeric_limits<float>::infinity() : -step;
-    if (kind <= 4 && frame.depths.contains(pixel.x, pixel.y)) return frame.depths.at(pixel.x, pixel.y);
-    return step;
+    if (kind == 1) return endless;
+    if (kind == 2) return random.below(3) == 0 ? -endless : -step;
+    if (kind == 3) return 1000 * step;
+    if (kind <= 7 && frame.depths.contains(pixel.x, pixel.y)) {
+        const float there = frame.depths.at(pixel.x, pixel.y);
+        return kind <= 5 ? there : std::nextafter(there, beside);
+    }
+    return kind < 12 ? std::nextafter(step, endless) : step;
 }
 
 inline GlassFragment random_glass(Random& random, const GlassFrame& frame)
