@@ -144,25 +144,25 @@ bool killed_from_outside(const protocol::Ended& ended, const Limits& limits)
            ended.cpu_seconds < limits.wall_seconds;
 }
 
-/// Why a run may have taken all its time: one that hardly computed was no loop.
-std::string asked_of_late(const protocol::Ended& ended, const Limits& limits)
+/// Of a run that took all its time. Says nothing that another run of the same code might say otherwise: whether its
+/// limit of computing or that of all its time ended a loop is chance.
+End too_late(const Limits& limits, bool waited)
 {
-    if (2 * ended.cpu_seconds >= limits.wall_seconds) return "is there a loop that never ends?";
-    return fmt::format("it computed for {:.1f} s only, so it waited: for a lock, an input, or a time to pass?",
-                       ended.cpu_seconds);
+    return {Verdict::timeout,
+            fmt::format("stopped after {:g} s{}", limits.wall_seconds,
+                        waited ? ", in which it hardly computed: does it wait for a lock, an input, or a time to pass?"
+                               : ": is there a loop that never ends?")};
 }
 
 End ended_early(const protocol::Ended& ended, const Recording& recording, const Limits& limits)
 {
-    if (ended.timed_out != 0)
-        return {Verdict::timeout,
-                fmt::format("stopped after {:g} s: {}", limits.wall_seconds, asked_of_late(ended, limits))};
+    if (ended.timed_out != 0) return too_late(limits, 2 * ended.cpu_seconds < limits.wall_seconds);
     if (WIFSIGNALED(ended.wait_status)) {
         const int signal = WTERMSIG(ended.wait_status);
         if (killed_from_outside(ended, limits) && ended.out_of_memory_kill != 0)
             return killed_for_memory(ended, limits);
         if (signal == SIGXCPU || (signal == SIGKILL && ended.cpu_seconds >= limits.wall_seconds))
-            return {Verdict::timeout, fmt::format("stopped after {:.1f} s of computing", ended.cpu_seconds)};
+            return too_late(limits, false);
         if (signal == SIGSYS)
             return {Verdict::blocked,
                     "the sandbox stopped a system call that was made with all signals blocked, as starting a thread "

@@ -64,7 +64,19 @@ TEST(Outcome, a_run_that_waited_is_not_asked_for_an_endless_loop)
               "stopped after 5 s: is there a loop that never ends?");
     late.cpu_seconds = 0.2;
     EXPECT_EQ(judge_end(late, true, recording(nothing), "", {}).message,
-              "stopped after 5 s: it computed for 0.2 s only, so it waited: for a lock, an input, or a time to pass?");
+              "stopped after 5 s, in which it hardly computed: does it wait for a lock, an input, or a time to pass?");
+}
+
+// Which of the two limits ends a loop is chance: the same work must be told the same.
+TEST(Outcome, a_loop_is_told_the_same_whichever_limit_ended_it)
+{
+    protocol::Ended late = killed(SIGKILL);
+    late.timed_out = 1;
+    late.cpu_seconds = 4.7;
+    protocol::Ended spent = killed(SIGXCPU);
+    spent.cpu_seconds = 4.9;
+    EXPECT_EQ(judge_end(late, true, recording(nothing), "", {}).message,
+              judge_end(spent, true, recording(nothing), "", {}).message);
 }
 
 TEST(Outcome, only_a_run_that_never_reached_its_sandbox_is_our_fault)
