@@ -29,7 +29,7 @@ struct Options {
 void shorten(Options& options)
 {
     options.seeds = 1;
-    if (options.units.empty()) options.units = {"about-a-point"};
+    if (options.units.empty()) options.units = {"frames"};
 }
 
 nlohmann::json to_json(const ExplainedWork& work)
@@ -95,7 +95,7 @@ void add_bench_explanations(Command bench, Application& application)
     command.option("--jobs", options->jobs, "How many at a time").between(1, most_jobs).with_default();
     command.option("--json", options->json, "Write everything that was said, too").called("FILE");
     command.flag("--quick", options->quick,
-                 "A look of some seconds: one set of inputs, of about-a-point if no other unit is named");
+                 "A look of some seconds: one set of inputs, of frames if no other unit is named");
     command.footer(
         "Exit status: 0 the targets are met (95 % right; less than 1 % wrong of work that matches no reason), 1 they "
         "are not.");
