@@ -4,8 +4,29 @@
 #include <tuple>
 
 #include "batch/related.hpp"
+#include "judge/cost/answers.hpp"
+#include "judge/judges.hpp"
+
+#include <umbral/record/cost.hpp>
 
 namespace umbral::grader {
+namespace {
+
+/// Of a cost that earns nothing because the answers to the counted work are wrong: the check of these answers, since
+/// the work itself may be as it should. Nothing for other checks.
+std::optional<Check> check_of_answers(const Check& check, const RunOutcome& student, const RunOutcome& expected)
+{
+    if (!judge_of(check).counts_work) return std::nullopt;
+    Check answers = check;
+    answers.value += cost_answers_suffix;
+    if (!first_wrong_answer(tensor_of(student, answers.value), tensor_of(expected, answers.value))) return std::nullopt;
+    answers.judge = JudgeKind{"numbers"};
+    answers.tolerance = {};
+    answers.tolerance.absolute = answers.tolerance.relative = answer_tolerance;
+    return answers;
+}
+
+}
 
 std::vector<CaseChecks> checks_by_case(Worker& worker, const Exercise& exercise, const UnitResult& result,
                                        const CaseResults& cases, std::list<Check>& plain)
@@ -21,9 +42,14 @@ std::vector<CaseChecks> checks_by_case(Worker& worker, const Exercise& exercise,
         if (declared.relation && !fails) continue;
         const RunOutcome& expected =
             worker.trusted(exercise, judged_against(declared), declared.case_name, group.result->seed);
-        const Check& check = declared.relation
-                                 ? plain.emplace_back(against_reference(declared, group.result->student, expected))
-                                 : declared;
+        const auto shown = [&]() -> const Check& {
+            if (declared.relation)
+                return plain.emplace_back(against_reference(declared, group.result->student, expected));
+            if (auto answers = check_of_answers(declared, group.result->student, expected); fails && answers)
+                return plain.emplace_back(std::move(*answers));
+            return declared;
+        };
+        const Check& check = shown();
         const Expected side = expected_of(check, expected);
         group.checks.push_back({&check, observed(check, group.result->student), side.value, side.margin, fails});
         group.failing += fails ? 1 : 0;

@@ -264,4 +264,20 @@ TEST_F(CountedWork, honest_work_is_believed_under_load)
     }
 }
 
+// The work is as it should be, and what it led to is wrong: what the answers amount to says by which mistake.
+TEST_F(CountedWork, a_cost_lost_for_wrong_answers_is_explained_by_them)
+{
+    const Exercise normals = bench.exercise("meshes/vertex-normals");
+    const auto known = mistakes_of(bench.tools().reference, normals);
+    const auto inwards = std::ranges::find(known, "inwards", &KnownSolution::name);
+    ASSERT_NE(inwards, known.end());
+    const UnitResult result = grade_mistake(worker, normals, *inwards, {});
+    const auto cost = std::ranges::find(result.checks, JudgeKind{"cost"}, &CheckResult::kind);
+    ASSERT_NE(cost, result.checks.end());
+    EXPECT_EQ(cost->score, 0) << cost->message;
+    ASSERT_FALSE(result.explanations.empty());
+    EXPECT_EQ(result.explanations.front().name, "mistake: inwards");
+    EXPECT_GT(result.explanations.front().confidence, 0.9) << "nothing is left that it does not explain";
+}
+
 }

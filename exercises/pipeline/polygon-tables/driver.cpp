@@ -1,3 +1,4 @@
+#include <kit/amount.hpp>
 #include <kit/canonical.hpp>
 #include <kit/drawing.hpp>
 #include <map>
@@ -106,9 +107,10 @@ void record_work(Recorder& out)
     out.text("blocks.names", "sides");
     for (const std::uint32_t sides : {128U, 256U, 512U, 1024U})
         record_cost(out, "blocks", sides, [&] {
-            (void)ask<polygon_loop>(out, sides);
-            (void)ask<polygon_segments>(out, sides);
-            (void)ask<polygon_fan>(out, sides);
+            const std::vector<glm::vec2> loop = ask<polygon_loop>(out, sides);
+            const std::vector<glm::vec2> segments = ask<polygon_segments>(out, sides);
+            const IndexedPolygon fan = ask<polygon_fan>(out, sides);
+            return Amount().count(loop.size()).count(segments.size()).count(fan.positions.size());
         });
 }
 

@@ -7,12 +7,9 @@
 namespace umbral::grader {
 namespace {
 
-/// Sums of floats in another order differ by less, and other answers by more.
-constexpr double tolerance = 1e-3;
-
 bool is_close(double number, double expected)
 {
-    return std::abs(number - expected) <= tolerance * (1 + std::abs(expected));
+    return std::abs(number - expected) <= answer_tolerance * (1 + std::abs(expected));
 }
 
 }
