@@ -4,29 +4,9 @@
 #include <tuple>
 
 #include "batch/related.hpp"
-#include "judge/cost/answers.hpp"
-#include "judge/judges.hpp"
-
-#include <umbral/record/cost.hpp>
+#include "batch/weigh_cost.hpp"
 
 namespace umbral::grader {
-namespace {
-
-/// Of a cost that earns nothing because the answers to the counted work are wrong: the check of these answers, since
-/// the work itself may be as it should. Nothing for other checks.
-std::optional<Check> check_of_answers(const Check& check, const RunOutcome& student, const RunOutcome& expected)
-{
-    if (!judge_of(check).counts_work) return std::nullopt;
-    Check answers = check;
-    answers.value += cost_answers_suffix;
-    if (!first_wrong_answer(tensor_of(student, answers.value), tensor_of(expected, answers.value))) return std::nullopt;
-    answers.judge = JudgeKind{"numbers"};
-    answers.tolerance = {};
-    answers.tolerance.absolute = answers.tolerance.relative = answer_tolerance;
-    return answers;
-}
-
-}
 
 std::vector<CaseChecks> checks_by_case(Worker& worker, const Exercise& exercise, const UnitResult& result,
                                        const CaseResults& cases, std::list<Check>& plain)

@@ -105,4 +105,15 @@ void weigh_costs(Worker& worker, const Exercise& exercise, const Built& built, c
     }
 }
 
+std::optional<Check> check_of_answers(const Check& check, const RunOutcome& student, const RunOutcome& expected)
+{
+    if (!judge_of(check).counts_work || !wrong_answer(check, student, expected)) return std::nullopt;
+    Check answers = check;
+    answers.value += cost_answers_suffix;
+    answers.judge = JudgeKind{"numbers"};
+    answers.tolerance = {};
+    answers.tolerance.absolute = answers.tolerance.relative = answer_tolerance;
+    return answers;
+}
+
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "batch/case_results.hpp"
 #include "batch/worker.hpp"
 
@@ -14,5 +16,10 @@ namespace umbral::grader {
 /// beside. Throws std::runtime_error for a fault of ours.
 void weigh_costs(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
                  UnitResult& result);
+
+/// Of a cost that earns nothing because the answers to the counted work are wrong: a check of what these amount to, for
+/// explanations, since the work itself may be as it should. Nothing for other checks, or if the answers are right.
+[[nodiscard]] std::optional<Check> check_of_answers(const Check& check, const RunOutcome& student,
+                                                    const RunOutcome& expected);
 
 }
