@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include "scene_json_text.hpp"
 
+#include "scene_json_text.hpp"
 #include "support/schema.hpp"
 
 namespace umbral::scene::test {
