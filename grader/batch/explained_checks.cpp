@@ -25,9 +25,8 @@ std::vector<CaseChecks> checks_by_case(Worker& worker, const Exercise& exercise,
         const auto shown = [&]() -> const Check& {
             if (declared.relation)
                 return plain.emplace_back(against_reference(declared, group.result->student, expected));
-            if (auto answers = check_of_answers(declared, group.result->student, expected); fails && answers)
-                return plain.emplace_back(std::move(*answers));
-            return declared;
+            auto answers = fails ? check_of_answers(declared, group.result->student, expected) : std::nullopt;
+            return answers ? plain.emplace_back(std::move(*answers)) : declared;
         };
         const Check& check = shown();
         const Expected side = expected_of(check, expected);
