@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "judge/controls.hpp"
 #include "judge/rows/columns.hpp"
 #include "judge/rows/tensor_view.hpp"
 
@@ -20,14 +21,6 @@ struct Spoiling {
     double factor;
 };
 constexpr Spoiling spoilings[] = {{"be 0", 0}, {"have the other sign", -1}};
-
-double largest(const TensorView& view, std::size_t column)
-{
-    double found = 0;
-    for (std::size_t row = 0; row < view.cells(); ++row)
-        if (view.present(row)) found = std::max(found, std::abs(view.cell(row)[column]));
-    return found;
-}
 
 /// May the column's values be multiplied by the factor, and no row is wrong of those whose value says something?
 bool excuses(const Check& check, const Expected& expected, const TensorView& view, std::size_t column, double least,
@@ -53,8 +46,10 @@ std::string column_complaint(const Check& check, const Expected& expected)
     if (!has_single_rows(check, expected.value, expected.value)) return "";
     const TensorView view(*expected.value);
     if (view.components() < 2 || !all_finite(view.values())) return "";
+    const ComponentStatistics statistics = component_statistics(*expected.value);
     std::vector<double> most(view.components());
-    for (std::size_t column = 0; column < most.size(); ++column) most[column] = largest(view, column);
+    for (std::size_t column = 0; column < most.size(); ++column)
+        most[column] = std::max(std::abs(statistics.low[column]), std::abs(statistics.high[column]));
     const double of_table = *std::ranges::max_element(most);
     std::vector<std::string> names = column_names(text_of(expected.names), view.components());
     if (names.empty())
