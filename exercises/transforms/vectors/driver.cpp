@@ -110,7 +110,7 @@ void record_nearly_parallel(Random& random, Recorder& out)
             const float factor = random.uniform(0.5F, 2) * (i % 4 == 3 ? -1.0F : 1.0F);
             const glm::vec3 b = factor * (a + angle * length(a) * aside);
             out.append("cross", ask<cross_product>(out, a, b));
-            if (factor > 0) out.append("angle", ask<angle_between>(out, a, b));
+            out.append("angle", ask<angle_between>(out, a, b));
             out.append("perpendicular", ask<perpendicular_part>(out, a, b));
         }
     }
