@@ -1,6 +1,7 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "../estimates.hpp"
 #include "questions.hpp"
 
 namespace umbral {
@@ -17,9 +18,11 @@ void record_lenses(Recorder& out, const std::vector<LensQuestion>& lenses)
 {
     for (const auto& [camera, size, place, lens] : lenses) {
         const Ray ray = ask<lens_ray>(out, camera, size, place, lens);
-        out.append("origin", ray.origin);
+        // Where the ray begins, and its interval, whose end no number tells.
+        out.append("origin", std::array{ray.origin.x, ray.origin.y, ray.origin.z, ray.t_min, 1 / ray.t_max});
         out.append("direction", ray.direction);
     }
+    out.text("origin.names", numbered_names({"x", "y", "z", "t_min", "1 / t_max"}));
 }
 
 void record_disc(Random& random, Recorder& out)
@@ -27,9 +30,9 @@ void record_disc(Random& random, Recorder& out)
     for (int replicate = 0; replicate < 500; ++replicate) {
         Random own = own_random(random);
         constexpr int points = 16;
-        std::array<float, 8> row{};
+        std::array<float, 9> row{};
         for (int i = 0; i < points; ++i) {
-            const std::array<float, 8> values = disc_values(ask<disc_point>(out, own));
+            const std::array<float, 9> values = disc_values(ask<disc_point>(out, own));
             for (std::size_t j = 0; j < row.size(); ++j) row[j] += values[j] / points;
         }
         out.append("moments", row);
@@ -83,12 +86,30 @@ void record_means(Random& random, Recorder& out)
     for (int replicate = 0; replicate < 400; ++replicate) {
         std::vector<float> row;
         for (const PixelQuestion& question : questions) {
-            const glm::vec3 light = asked_light(out, question, 12, random);
+            const glm::vec3 light = asked_light(out, question, question.samples, random);
             row.insert(row.end(), {light.r, light.g, light.b});
         }
         out.append("light", row);
     }
     out.text("light.names", numbered_names(names));
+}
+
+// The same numbers give the same answer; and many samples give their mean, not one of them.
+void record_promises(Random& random, Recorder& out)
+{
+    for (const PixelQuestion& question : promised_pixels()) {
+        introduce(out, question.scene, "scene");
+        record_estimate(out, random, [&](int samples, Random& own) {
+            return ask<pixel_light>(out, question.scene, question.camera, question.size, question.pixel, samples, own)
+                .r;
+        });
+    }
+    const StillLife scene = penumbra_scene();
+    introduce(out, scene, "penumbra_scene");
+    const PenumbraQuestion lit = penumbra_questions().front();
+    record_estimate(out, random, [&](int samples, Random& own) {
+        return ask<lamp_light>(out, scene, lit.at, lit.lamp, lit.time, samples, own);
+    });
 }
 
 void record_picture(Random& random, Recorder& out, const StillLife& scene, const LensCamera& camera, int side,
@@ -121,6 +142,7 @@ const Driver driver = {
     {"penumbra", [](Case& c, Recorder& out) { record_penumbra(c.random, out); }},
     {"sharp", [](Case& c, Recorder& out) { record_sharp(c.random, out); }},
     {"means", [](Case& c, Recorder& out) { record_means(c.random, out); }},
+    {"promises", [](Case& c, Recorder& out) { record_promises(c.random, out); }},
     {"secret", [](Case& c, Recorder& out) { record_secret(c.random, out); }},
     {"picture",
      [](Case& c, Recorder& out) { record_picture(c.random, out, goal_still_life(), goal_camera(), 96, 16); }},

@@ -53,13 +53,13 @@ inline std::vector<LensQuestion> random_lenses(Random& random, int count)
 }
 
 /// Shares and moments of points of the disc, for their means.
-inline std::array<float, 8> disc_values(const glm::vec2& point)
+inline std::array<float, 9> disc_values(const glm::vec2& point)
 {
     const float square = dot(point, point);
-    return {point.x,           point.y,
-            point.x * point.x, point.y * point.y,
-            point.x * point.y, square > 0.5F ? 1.0F : 0.0F,
-            point.x * square,  point.x > 0 && point.y > 0 ? 1.0F : 0.0F};
+    return {point.x, point.y, point.x * point.x, point.y * point.y, point.x * point.y, square > 0.5F ? 1.0F : 0.0F,
+            point.x * square, point.x > 0 && point.y > 0 ? 1.0F : 0.0F,
+            // Beyond the rim by more than roundings.
+            square > 1.0001F ? 1.0F : 0.0F};
 }
 
 inline std::vector<std::string> disc_names()
@@ -71,7 +71,8 @@ inline std::vector<std::string> disc_names()
             "x times y",
             "The share of points in the outer half of the area",
             "x times the squared radius",
-            "The share of points with positive x and y"};
+            "The share of points with positive x and y",
+            "The share of points beyond the rim"};
 }
 
 /// A question about the light of a lamp, at a time.
@@ -110,6 +111,7 @@ inline std::vector<PenumbraQuestion> penumbra_questions()
             {"The light in the shadow", at({-1, 0, 0}, up), over, 0},
             {"The light on a tilted surface", at({1.25F, 0.5F, 1}, {-1, 1, -1}), over, 0},
             {"The light on a wall beside the lamp", at({1, 1.5F, 0.25F}, {-1, 0, 0}), over, 0},
+            {"The light on a surface whose horizon cuts the lamp", at({0.2F, 0.75F, 0.2F}, {1, 0, 0}), over, 0},
             {"The light near the lamp", at({0.25F, 1.6F, 0.1F}, up), over, 0},
             {"The light behind the lamp", at({0, 3, 0}, {0, -1, 0}), over, 0},
             {"The light behind the lamp on what faces away", at({0, 3, 0}, up), over, 0},
@@ -125,6 +127,7 @@ struct PixelQuestion {
     LensCamera camera;
     PictureSize size;
     glm::ivec2 pixel;
+    int samples = 12;
 };
 
 /// Four panels that shine, so large that each pixel sees one of them: no chance takes part.
@@ -193,6 +196,7 @@ inline std::vector<PixelQuestion> mean_pixels()
     const StillLife beyond = flying_ball({-0.43F, -0.43F, -6}, 0.09F, glm::vec3(0));
     return {
         {"a pixel across an upright edge", half_plane(4, false), turned, size, {3, 3}},
+        {"a pixel across an upright edge, by one ray", half_plane(4, false), turned, size, {3, 3}, 1},
         {"a pixel across a level edge", half_plane(4, true), turned, size, {4, 4}},
         {"an edge out of focus", half_plane(5, false), lens, size, {4, 4}},
         {"a level edge before the focus", half_plane(1, true), lens, size, {4, 4}},
@@ -201,6 +205,11 @@ inline std::vector<PixelQuestion> mean_pixels()
         {"a ball that comes late",
          flying_ball({-2.0F, 0.1F, -4}, 0.6F, {2, 0, 0}),
          camera({0, 2, 0.5F, 1.5F}),
+         size,
+         {4, 3}},
+        {"a ball while the shutter is open for a moment only",
+         flying_ball({-1.6F, 0.1F, -4}, 0.3F, {2, 0, 0}),
+         camera({0, 2, 0.8F, 0.8F}),
          size,
          {4, 3}},
         {"a small ball behind the focus", flying_ball({0.2F, -0.2F, -6}, 0.45F, {0, 0, 0}), camera(both), size, {4, 4}},
@@ -217,6 +226,13 @@ inline std::vector<PixelQuestion> mean_pixels()
         {"a ball that the lens does not see", beyond, camera(both), PictureSize{800, 800}, {400, 400}},
         {"a table under two lamps and a ball", lit, camera({0.1F, 3, 0, 1}), size, {4, 6}},
         {"the shadow of a ball that flies by", lit, camera({0, 3, -0.5F, 0.5F}), size, {4, 7}}};
+}
+
+/// Pixels whose rays all differ a little, without long tails: of a table under two lamps.
+inline std::vector<PixelQuestion> promised_pixels()
+{
+    const std::vector<PixelQuestion> pixels = mean_pixels();
+    return {pixels.end() - 2, pixels.end()};
 }
 
 }

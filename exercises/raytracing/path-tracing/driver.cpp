@@ -2,6 +2,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../cast.hpp"
+#include "../estimates.hpp"
 #include "../rays.hpp"
 #include "questions.hpp"
 
@@ -102,6 +103,17 @@ Grid<glm::vec3> rendered(Random& random, Recorder& out, const DiffuseRoom& room,
     return picture;
 }
 
+// The same numbers give the same answer; and many samples give their mean, not one of them.
+void record_promises(Random& random, Recorder& out)
+{
+    for (const RoomView& view : promised_views()) {
+        introduce(out, view.room, view.name);
+        record_estimate(out, random, [&](int samples, Random& own) {
+            return ask<path_light>(out, view.room, view.ray, view.bounces, samples, own).g;
+        });
+    }
+}
+
 void record_secret(Random& random, Recorder& out)
 {
     for (const auto& [name, bounces] : {std::pair{"two bounces", 2}, {"all bounces", all_bounces}}) {
@@ -129,6 +141,7 @@ const Driver driver = {
     {"directions", [](Case& c, Recorder& out) { record_directions(c.random, out); }},
     {"one bounce", [](Case& c, Recorder& out) { record_views(c.random, out, one_bounce(), 256); }},
     {"furnace", [](Case& c, Recorder& out) { record_views(c.random, out, furnaces(), 256); }},
+    {"promises", [](Case& c, Recorder& out) { record_promises(c.random, out); }},
     {"secret", [](Case& c, Recorder& out) { record_secret(c.random, out); }},
     {"picture", [](Case& c, Recorder& out) { record_picture(c.random, out, 96, 16); }},
     {"goal", [](Case& c, Recorder& out) { record_picture(c.random, out, 240, 64); }},

@@ -193,7 +193,9 @@ inline std::vector<RoomView> one_bounce()
         floor_view("a lamp that is turned away, under the sky", {glm::vec3(0.3F), glm::vec3(0.9F)}, {turned}),
         floor_view("a lamp behind a screen", {}, {over}),
         floor_view("a glowing ball beside a lamp", {}, {over}),
-        floor_view("a lamp that mirrors the floor's light", {}, {})};
+        floor_view("a lamp that mirrors the floor's light", {}, {}),
+        floor_view("a small strong lamp near the floor", {},
+                   {{{-0.15F, 0.5F, -0.15F}, {0.3F, 0, 0}, {0, 0, 0.3F}, {200, 120, 160}}})};
     views[4].room.add(SolidQuad{{-2, 0.5F, -2}, {1.75F, 0, 0}, {0, 0, 4}}, Paint{glm::vec3(0)});
     views[5].room.add(SolidBall{{1.2F, 0.8F, -0.3F}, 0.7F}, Paint{glm::vec3(0.5F), {1, 2, 0.5F}});
     views[6].room.add_lamp(over, {0.9F, 0.6F, 0.3F});
@@ -210,6 +212,15 @@ inline RoomView furnace(const char* name, const glm::vec3& albedo, int bounces, 
     return view;
 }
 
+/// Views whose estimates spread without long tails, for what is promised of all of them.
+inline std::vector<RoomView> promised_views()
+{
+    std::vector<RoomView> views = one_bounce();
+    views.erase(views.begin() + 3, views.end());
+    views[0].bounces = all_bounces;
+    return views;
+}
+
 /// Albedos stay below 3/4 where all bounces count: with uniform directions and survival by albedo, the variance of an
 /// estimate is infinite beyond.
 inline std::vector<RoomView> furnaces()
@@ -218,7 +229,9 @@ inline std::vector<RoomView> furnaces()
                                 furnace("a furnace, two bounces", {0.4F, 0.8F, 0.6F}, 2, 8),
                                 furnace("a furnace, six bounces", {0.7F, 0.5F, 0.6F}, 6, 8),
                                 furnace("a furnace, all bounces", {0.6F, 0.3F, 0.5F}, all_bounces, 8),
-                                furnace("a bright furnace, all bounces", {0.7F, 0.65F, 0.5F}, all_bounces, 8)};
+                                furnace("a furnace of red and blue, six bounces", {0.45F, 0, 0.3F}, 6, 8),
+                                // The eleventh reflection is still a fiftieth of its light: found by many paths.
+                                furnace("a bright furnace, all bounces", {0.7F, 0.65F, 0.5F}, all_bounces, 512)};
     // Two colours that shine on each other, and a lamp among them.
     RoomView box{"a closed box, all bounces", DiffuseRoom(), Ray{{0.2F, 0.9F, 0.8F}, {-0.5F, -0.6F, -1}}, all_bounces,
                  8};
