@@ -212,12 +212,12 @@ inline RoomView furnace(const char* name, const glm::vec3& albedo, int bounces, 
     return view;
 }
 
-/// Views whose estimates spread without long tails, for what is promised of all of them.
+/// Views whose estimates all differ a little, without long tails, however they are made: lamps may be missed.
 inline std::vector<RoomView> promised_views()
 {
-    std::vector<RoomView> views = one_bounce();
-    views.erase(views.begin() + 3, views.end());
-    views[0].bounces = all_bounces;
+    std::vector<RoomView> views{floor_view("the sky on the floor", {{0.2F, 0.4F, 0.6F}, {1.5F, 1, 0.5F}}, {}),
+                                floor_view("a sky with a dark zenith", {{1, 0.8F, 0.9F}, {0.1F, 0.2F, 0.3F}}, {})};
+    views[1].bounces = all_bounces;
     return views;
 }
 

@@ -88,25 +88,29 @@ float thrown_by(Recorder& out, const SceneGraph& graph, std::size_t limit)
 // In pairs: what is in order, and what is not by one.
 void record_limits(Recorder& out, Random& random)
 {
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 42; ++i) {
         SceneGraph good = random_chain(random, false);
         // Nothing leads to this node.
-        if (i % 2 == 0) good.nodes.push_back({node(9999), {Entry::Kind::transformation, 77}});
+        if (random.below(2) == 0) good.nodes.push_back({node(9999), {Entry::Kind::transformation, 77}});
         SceneGraph bad = good;
         std::size_t good_limit = plenty;
         std::size_t bad_limit = plenty;
         const auto count = static_cast<std::uint32_t>(good.nodes.size());
-        const std::uint32_t what = random.below(5);
+        const auto what = static_cast<std::uint32_t>(i % 7);
         if (what == 0) bad.root = count;
         if (what == 1) bad.nodes[bad.root].push_back(node(count + random.below(1000)));
         if (what == 2) bad.nodes[bad.root].push_back({Entry::Kind::transformation, 2});
-        if (what > 2) {
-            const std::uint32_t levels = 2 + random.below(6);
+        // An object may have any name.
+        if (what == 3) bad.nodes[bad.root].push_back(node(~0U)), good.nodes[good.root].push_back(object(~0U));
+        if (what == 4) good = {{}, {{}}, 0}, bad = {}, good_limit = 0;
+        if (what > 4) {
+            // One object, at least; a limit may be 0.
+            const std::uint32_t levels = 1 + i / 7;
             good = bad = doubling(levels, {object(1)});
             good_limit = std::size_t{1} << (levels - 1);
             bad_limit = good_limit - 1;
             // 2^64 objects, one more than fits in a number of 64 bits.
-            if (what == 4) bad = doubling(65, {object(1)}), bad_limit = plenty;
+            if (what == 6) bad = doubling(65, {object(1)}), bad_limit = plenty;
         }
         const bool good_first = random.below(2) == 0;
         for (const bool is_good : {good_first, !good_first})
