@@ -17,19 +17,24 @@ namespace umbral::grader {
 namespace {
 
 /// How many questions a case is asked, by what one of them costs: what is tried must take no longer than people wait,
-/// about a second for a case. Structs of many vectors can be misunderstood in hundreds of ways; pictures cost a hundred
-/// times what numbers do, and say less.
+/// about a second for a case. Structs of many vectors can be misunderstood in hundreds of ways: of them `least` are
+/// asked if that takes `most_seconds` at most, and `fewest` whatever it takes. Pictures cost a hundred times what
+/// numbers do, and say less.
 struct Patience {
     double seconds;
+    double most_seconds;
+    std::size_t fewest;
     std::size_t least;
     std::size_t most;
 };
-constexpr Patience for_numbers{.seconds = 1, .least = 200, .most = 1500};
-constexpr Patience for_pictures{.seconds = 1, .least = 8, .most = 24};
+constexpr Patience for_numbers{.seconds = 1, .most_seconds = 3, .fewest = 8, .least = 200, .most = 1500};
+constexpr Patience for_pictures{.seconds = 1, .most_seconds = 1, .fewest = 8, .least = 8, .most = 24};
 constexpr std::size_t most_cases = 3;
 
-/// A case that passes is asked only if it is small: it can speak against a question, but others do too.
+/// A case that passes is asked only if it is small and takes no longer than this for all questions: it can speak
+/// against a question, but others do too.
 constexpr std::size_t most_passing_cells = 10'000;
+constexpr double most_passing_seconds = 1;
 
 /// What one run can hold.
 constexpr std::size_t most_tensors = 240;
@@ -70,7 +75,8 @@ std::size_t room(const RunOutcome& plain, const Limits& limits)
 }
 
 /// Asks one case each of the questions, as many as a run can hold at a time. Where a run does not end well, its
-/// questions are asked in halves, until the one that does not bear asking is alone.
+/// questions are asked in halves, until the one that does not bear asking is alone: some never end, such as a vector
+/// without length.
 void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group, std::span<Candidate> candidates)
 {
     if (candidates.empty()) return;
@@ -84,7 +90,9 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
     }
     Inquiry inquiry;
     for (const Candidate& candidate : candidates) inquiry.others.push_back(candidate.question);
-    const RunOutcome run = worker.inquire(exercise, Answers::reference, group.name, group.result->seed, inquiry);
+    const Limits limits = limits_for(exercise.limits, plain.cpu_seconds * static_cast<double>(1 + candidates.size()));
+    const RunOutcome run =
+        worker.inquire(exercise, Answers::reference, group.name, group.result->seed, inquiry, limits);
     if (run.verdict != Verdict::ok && candidates.size() > 1) {
         weigh_all(worker, exercise, group, candidates.first(candidates.size() / 2));
         weigh_all(worker, exercise, group, candidates.subspan(candidates.size() / 2));
@@ -103,8 +111,9 @@ void weigh_all(Worker& worker, const Exercise& exercise, const CaseChecks& group
 std::size_t questions_in_time(const RunOutcome& plain)
 {
     const Patience& patience = draws(plain) ? for_pictures : for_numbers;
-    return static_cast<std::size_t>(std::clamp(patience.seconds / std::max(plain.cpu_seconds, 1e-4),
-                                               double(patience.least), double(patience.most)));
+    const double cost = std::max(plain.cpu_seconds, 1e-4);
+    const double least = std::clamp(patience.most_seconds / cost, double(patience.fewest), double(patience.least));
+    return static_cast<std::size_t>(std::clamp(patience.seconds / cost, least, double(patience.most)));
 }
 
 /// Those that a failing check of this case speaks for.
@@ -119,6 +128,14 @@ std::vector<Candidate> fitting(Worker& worker, const Exercise& exercise, const C
     weigh_all(worker, exercise, group, found);
     std::erase_if(found, std::not_fn(&Candidate::fits));
     return found;
+}
+
+/// Would asking so many questions of a case that passes take longer than it may?
+bool is_too_long(Worker& worker, const Exercise& exercise, const CaseChecks& group, std::size_t questions)
+{
+    if (group.cells > most_passing_cells) return true;
+    const RunOutcome& plain = worker.trusted(exercise, Answers::reference, group.name, group.result->seed);
+    return plain.cpu_seconds * static_cast<double>(questions) > most_passing_seconds;
 }
 
 /// Of questions that fit alike, the one that is most easily mistaken for what was asked: an argument that is not looked
@@ -212,7 +229,7 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     std::size_t weighed = 0;
     for (const CaseChecks& group : asked) {
         undecided -= group.failing;
-        if (group.failing == 0 && group.cells > most_passing_cells) continue;
+        if (group.failing == 0 && is_too_long(worker, exercise, group, candidates.size())) continue;
         if (weighed++ == most_cases) keep_first_of_equals(candidates);
         weigh_all(worker, exercise, group, candidates);
         std::erase_if(candidates, [&](const Candidate& one) {

@@ -160,10 +160,11 @@ const RunOutcome& Worker::trusted(const Exercise& exercise, Answers solution, co
 }
 
 RunOutcome Worker::inquire(const Exercise& exercise, Answers solution, const std::string& case_name, std::uint64_t seed,
-                           const Inquiry& inquiry)
+                           const Inquiry& inquiry, const std::optional<Limits>& limits)
 {
     RunRequest wanted = trusted_request(exercise, solution, case_name, seed);
     wanted.inquiry = inquiry;
+    if (limits) wanted.limits = *limits;
     return spawner(exercise.gl).run(wanted);
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,9 +67,11 @@ public:
                                             std::uint64_t seed);
 
     /// Runs one case with a trusted solution, which also tells what `inquiry` wants to know of its questions, or
-    /// answers others in their place: then it may end as any run may. Nothing is kept.
+    /// answers others in their place: then it may end as any run may, or not at all, and may have limits of its own.
+    /// Nothing is kept.
     [[nodiscard]] RunOutcome inquire(const Exercise& exercise, Answers solution, const std::string& case_name,
-                                     std::uint64_t seed, const Inquiry& inquiry);
+                                     std::uint64_t seed, const Inquiry& inquiry,
+                                     const std::optional<Limits>& limits = std::nullopt);
 
     /// The reference's questions in one case, without their code; remembered as other trusted runs are, but on no disk.
     [[nodiscard]] const QuestionLog& questions(const Exercise& exercise, const std::string& case_name,

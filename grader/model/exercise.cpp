@@ -4,6 +4,12 @@
 
 namespace umbral::grader {
 
+Limits limits_for(Limits limits, double seconds)
+{
+    limits.wall_seconds = std::min(limits.wall_seconds, 1 + 8 * seconds);
+    return limits;
+}
+
 bool Exercise::is_cpp() const
 {
     return std::any_of(files.begin(), files.end(),

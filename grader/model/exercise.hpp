@@ -79,6 +79,10 @@ struct Limits {
     int memory_mib = 512;
 };
 
+/// The limits for a run that takes about `seconds`, if it ends at all: a second and eight times that, which busy
+/// machines need, and no more than `limits`. For what is tried many times, and of which nobody knows whether it ends.
+[[nodiscard]] Limits limits_for(Limits limits, double seconds);
+
 /// A unit as its folder describes it.
 struct Exercise {
     std::string id;  ///< "topic/unit"

@@ -14,7 +14,7 @@ namespace {
 /// What a mutant may take: it hangs or it does not, and many of them are tried.
 Exercise with_short_limits(Exercise exercise, double reference_seconds)
 {
-    exercise.limits.wall_seconds = std::min(exercise.limits.wall_seconds, 1 + 8 * reference_seconds);
+    exercise.limits = limits_for(exercise.limits, reference_seconds);
     return exercise;
 }
 

@@ -164,5 +164,14 @@ TEST(LoadUnits, says_where_there_are_none)
         std::string::npos);
 }
 
+TEST(LimitsFor, leave_a_busy_machine_its_time_and_never_more_than_the_unit_has)
+{
+    const Limits unit{5, 256};
+    EXPECT_DOUBLE_EQ(limits_for(unit, 0).wall_seconds, 1);
+    EXPECT_DOUBLE_EQ(limits_for(unit, 0.25).wall_seconds, 3);
+    EXPECT_DOUBLE_EQ(limits_for(unit, 60).wall_seconds, 5);
+    EXPECT_EQ(limits_for(unit, 0.25).memory_mib, 256);
+}
+
 }
 }

@@ -48,6 +48,8 @@ inline std::vector<Probe> edges()
     add(ahead, 0, {{0.6F, 0, 0.8F, 0}});
     add({half, 0, -half}, 0, {{1, 0, 0, 0}});
     add(away, 0, {{1, 0, 0, 0}});
+    // Exponents below 1, and one that is no whole number.
+    for (const float shininess : {0.125F, 0.5F, 2.5F}) add(ahead, shininess, {{0.96F, 0, 0.28F, 0}});
     // A negative cosine under other exponents: no highlight, and no power of a negative number.
     for (const float shininess : {1.0F, 2.0F, 2.5F, 5.0F, 128.0F}) add(away, shininess, {{1, 0, 0, 0}});
     add(away, 5, {{4, 0, -4, 1}});

@@ -176,7 +176,7 @@ inline Material random_material(Random& random)
     material.ambient = random_color(random, 0.02F, 0.25F);
     material.diffuse = random_color(random, 0.15F, 0.8F);
     material.specular = random_color(random, 0.2F, 0.7F);
-    material.shininess = std::exp2(random.uniform(0, 7));
+    material.shininess = std::exp2(random.uniform(-2, 7));
     return material;
 }
 
