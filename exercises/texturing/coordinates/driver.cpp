@@ -56,7 +56,8 @@ std::vector<Corners> triangles_by_hand()
         {{{1, 0, 0}, {1, 0, 1}, {0, 2, 2}}},    {{{-1, 0, 1}, {-1, 0, -1}, {-1, 1, -1}}},
         {{{0, 0, -2}, {-3, 0, 3}, {-1, 0, 1}}}, {{{-1, 0, 0}, {-1, 0, -1}, {0, 1, -1}}},
         {{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}},    {{{-1, 0, 1}, {0, -2, 0}, {-1, 0, -1}}},
-        {{{0, 3, 0}, {0, -1, 0}, {-1, 0, -1}}}, {{{0, 1, 0}, {0, 2, 0}, {0, -1, 0}}}};
+        {{{0, 3, 0}, {0, -1, 0}, {-1, 0, -1}}}, {{{0, 1, 0}, {0, 2, 0}, {0, -1, 0}}},
+        {{{0, 0, -1}, {0, 1, 0}, {-1, 0, 0}}},  {{{0, 0, 1}, {1, 0, 0}, {0, 0, 0}}}};
     std::vector<Corners> triangles = large;
     for (const Corners& corners : large) {
         constexpr float size = 1.0F / (1 << 20);
@@ -153,9 +154,11 @@ Corners triangle_at(Random& random, float longitude)
 
 float zero_of_any_sign(Random& random) { return random.below(2) == 0 ? 0.0F : -0.0F; }
 
+// North, south, or, one of five times, the origin.
 glm::vec3 pole(Random& random)
 {
-    const float height = random.uniform(0.5F, 2) * (random.below(2) == 0 ? 1.0F : -1.0F);
+    constexpr float sides[] = {1, -1, 1, -1, 0};
+    const float height = random.uniform(0.5F, 2) * sides[random.below(5)];
     const float x = zero_of_any_sign(random);
     return {x, height, zero_of_any_sign(random)};
 }
@@ -187,12 +190,12 @@ void seam(Random& random, Recorder& out)
     record_triangles(out, triangles);
 }
 
-// One corner on the axis, in the triangle's middle or at its end; two; all.
+// One corner on the axis, in the triangle's middle or at its end; two; all. Every other triangle lies near the seam.
 void poles(Random& random, Recorder& out)
 {
     std::vector<Corners> triangles;
     for (int i = 0; i < 80; ++i) {
-        Corners corners = triangle_at(random, random.uniform(-pi, pi));
+        Corners corners = triangle_at(random, i % 2 == 0 ? random.uniform(-pi, pi) : pi + random.uniform(-0.4F, 0.4F));
         const std::uint32_t first = random.below(3);
         corners[first] = pole(random);
         if (i % 10 == 0) corners[(first + 1) % 3] = pole(random);

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <umbral/record/ask.hpp>
@@ -37,14 +38,15 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// Only the direction of the axis counts. Squares of these lengths are no floats.
+// Only the direction of the axis counts. Squares of these lengths are no floats. Half of the vectors are as long as the
+// axis.
 void record_lengths(Random& random, Recorder& out)
 {
     for (const float size : {1e-37F, 1e-30F, 1e-22F, 1e-5F, 1e5F, 1e22F, 1e30F, 1e37F}) {
         for (int i = 0; i < 20; ++i) {
             const AxisAngle turn{size * random.unit_vector(), random.uniform(-pi, pi)};
             out.append("matrix", ask<rotation_matrix>(out, turn));
-            const glm::vec3 vector = random.unit_vector();
+            const glm::vec3 vector = (i % 2 == 0 ? 1 : size) * random.unit_vector();
             out.append("vector", ask<rotate_vector>(out, vector, turn));
         }
     }
@@ -90,7 +92,7 @@ void record_nothing(Random& random, Recorder& out)
 // Matrices that are the identity in every entry that a picture would show: each entry counts to its own last digits.
 void record_tiny(Random& random, Recorder& out)
 {
-    for (const float angle : {1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F, 1e-7F, 1e-8F}) {
+    for (const float angle : {1e-2F, 1e-3F, 1e-4F, 1e-5F, 1e-6F, 1e-7F, 1e-8F, 1e-12F}) {
         for (int i = 0; i < 40; ++i) {
             const bool flat = i % 2 == 0;
             out.append("entries",
@@ -110,6 +112,8 @@ void record_chains(Random& random, Recorder& out)
         if (i % 5 == 1) turns[0].angle = std::numeric_limits<float>::infinity();
         if (i % 5 == 2) turns[1].axis.y = std::numeric_limits<float>::quiet_NaN();
         if (i % 5 == 3) turns[i % 2].angle = 0;
+        if (i % 2 == 1) turns.back().axis *= std::exp2(random.uniform(-100, 100));
+        if (i % 3 == 1) turns.front().angle *= 1e5F;
         out.append("matrix", ask<compose_rotations>(out, turns));
     }
 }
