@@ -118,13 +118,16 @@ FlatTriangle random_triangle(Random& random)
     return random.below(2) == 0 ? triangle : made_smaller(triangle, random);
 }
 
-// Corners on a line, or in one place: in the texture. In space they lie anywhere. One of four is small, but sound.
+// Corners on a line, or in one place: in the texture. In space they lie anywhere. One of four is small, but sound, and
+// one has its corners on a line in space alone, so that there are tangents.
 void degenerate(Random& random, Recorder& out)
 {
     for (int i = 0; i < 40; ++i) {
         FlatTriangle triangle = large_triangle(random);
         if (i % 4 == 0) {
             triangle = made_smaller(triangle, random);
+        } else if (i % 4 == 1) {
+            triangle.positions[2] = 2.0F * triangle.positions[1] - triangle.positions[0];
         } else {
             const auto steps = static_cast<float>(random.below(4));
             triangle.coordinates = {
@@ -134,7 +137,8 @@ void degenerate(Random& random, Recorder& out)
     }
 }
 
-// A normal, and tangents in the surface: of lengths up to `stretch` times each other, at 30 degrees or more.
+// A normal, and tangents of lengths up to `stretch` times each other, at 30 degrees or more. As those of triangles
+// whose normals are interpolated, they lean: their plane is not the one across the normal.
 struct Frame {
     glm::vec3 n;
     Tangents tangents;
@@ -152,8 +156,11 @@ Frame random_frame(Random& random, float stretch)
     const auto at = [&](float turned, float length) {
         return length * (std::cos(turned) * side + std::sin(turned) * front);
     };
-    frame.tangents.u = at(angle, std::pow(stretch, random.uniform(-1, 1)));
-    frame.tangents.v = at(angle + between, std::pow(stretch, random.uniform(-1, 1)));
+    for (glm::vec3* tangent : {&frame.tangents.u, &frame.tangents.v}) {
+        const float length = std::pow(stretch, random.uniform(-1, 1));
+        *tangent = at(tangent == &frame.tangents.u ? angle : angle + between, length);
+        *tangent += random.uniform(-0.6F, 0.6F) * length * frame.n;
+    }
     return frame;
 }
 
