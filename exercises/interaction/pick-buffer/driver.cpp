@@ -129,6 +129,13 @@ void record_nearest(Recorder& out, Random& random)
             records.back().min_depth = least;
             records[records.size() / 2].min_depth = least;
         }
+        // One is nearer than another by a single step, of which a float knows nothing.
+        if (i % 3 == 1 && !records.empty()) {
+            for (SelectionRecord& one : records) one.min_depth = (1U << 31U) + one.min_depth / 2;
+            const std::uint32_t least = (1U << 30U) + random.below(1U << 29U);
+            records[records.size() / 2].min_depth = least + 1;
+            records.back().min_depth = least;
+        }
         record(records);
     }
 }
@@ -173,8 +180,11 @@ void record_again(Recorder& out, Random& random)
         for (int round = 0; round < 3; ++round) {
             for (const NameCommand& command : random_commands(random, 20))
                 carry_out(out, random.below(2) == 0 ? *first : *second, command);
-            record_end(out, *first, 24);
-            if (round == 1) record_end(out, *second, 24);
+            // Both end, and only then is what they left looked at.
+            const int first_count = record_count(out, *first);
+            const int second_count = round == 1 ? record_count(out, *second) : 0;
+            record_words(out, *first, first_count, 24);
+            if (round == 1) record_words(out, *second, second_count, 24);
         }
     }
 }
@@ -196,20 +206,26 @@ void record_depths(Recorder& out, Random& random)
     }
 }
 
-// Buffers that the records fill to the last word, and their twins that are one word too small; and what comes after.
+// Buffers that the records fill to the last word, and their twins that are too small, for the last record or for the
+// first one alone; and what comes after.
 void record_overflow(Recorder& out, Random& random)
 {
     for (int i = 0; i < 24; ++i) {
+        // In every other one the first record is the largest, and the only one for which the small buffer has no room.
+        const bool first_largest = i % 2 == 1;
         const std::uint32_t depth = random.below(4);
-        const std::uint32_t times = 1 + random.below(3);
-        const std::size_t needed = std::size_t{times} * (3 + depth);
+        const std::uint32_t first_depth = first_largest ? 8 + random.below(4) : depth;
+        const std::uint32_t times = first_largest ? 2 : 1 + random.below(3);
+        const std::size_t needed = 3 + first_depth + std::size_t{times - 1} * (3 + depth);
+        const std::size_t too_small = first_largest ? 2 + first_depth : needed - 1;
         const bool first = random.below(2) == 0;
         for (const bool fits : {first, !first}) {
-            const auto buffer = ask_new<make_selection_buffer>(out, "buffer", fits ? needed : needed - 1);
+            const auto buffer = ask_new<make_selection_buffer>(out, "buffer", fits ? needed : too_small);
             if (!buffer) continue;
             for (std::uint32_t k = 0; k < times; ++k) {
                 carry_out(out, *buffer, init());
-                for (std::uint32_t name = 0; name < depth; ++name) carry_out(out, *buffer, push(10 * k + name));
+                for (std::uint32_t name = 0; name < (k == 0 ? first_depth : depth); ++name)
+                    carry_out(out, *buffer, push(10 * k + name));
                 carry_out(out, *buffer, note(0.25, 0.75));
             }
             out.append("overflow", static_cast<float>(ask<&SelectionBuffer::finish>(out, *buffer)));

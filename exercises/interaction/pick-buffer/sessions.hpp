@@ -73,13 +73,24 @@ inline void carry_out(Recorder& out, SelectionBuffer& buffer, const NameCommand&
 }
 
 /// Ends the selection: the number of records, and the buffer's first words, -1 where it has none.
-inline void record_end(Recorder& out, SelectionBuffer& buffer, std::size_t words)
+inline int record_count(Recorder& out, SelectionBuffer& buffer)
 {
     const int count = ask<&SelectionBuffer::finish>(out, buffer);
     out.append("records", static_cast<float>(count));
+    return count;
+}
+
+/// The first words of a buffer whose selection ended with `count` records.
+inline void record_words(Recorder& out, const SelectionBuffer& buffer, int count, std::size_t words)
+{
     const std::span<const std::uint32_t> written = ask<&SelectionBuffer::words>(out, buffer);
     const std::size_t known = count < 0 ? 0 : written.size();
     for (std::size_t i = 0; i < words; ++i) out.append("words", i < known ? static_cast<double>(written[i]) : -1.0);
+}
+
+inline void record_end(Recorder& out, SelectionBuffer& buffer, std::size_t words)
+{
+    record_words(out, buffer, record_count(out, buffer), words);
 }
 
 /// A record's words, as OpenGL writes them.
