@@ -23,13 +23,14 @@ struct Habits {
     bool by_window = false;    ///< what ends all asks the window to close instead
 };
 
-/// First its code, then how many events the program had heard by then.
+/// First its code, then how many events the program had heard by then; of the flags that are left, which ones are set.
 using LoopRow = std::array<float, 2>;
 
 /// What rows are called behind which their session stands: a number from 1 on.
 inline constexpr std::string_view loop_row_names =
     "1 draw: events heard, session\n2 frame shown: events heard, session\n3 update: events heard, session\n"
-    "4 returned: events heard, session\n5 stopped: events heard, session\n";
+    "4 returned: events heard, session\n5 stopped: events heard, session\n"
+    "6 flags left: finish + 2 redraw + 4 animate, session\n";
 
 class LoggedProgram final : public ScriptedProgram {
 public:
@@ -54,7 +55,12 @@ public:
     }
 
     void shown() { log(2); }
-    void returned() { log(4); }
+    void returned()
+    {
+        log(4);
+        const int left = (flags.finish ? 1 : 0) + (flags.redraw ? 2 : 0) + (flags.animate ? 4 : 0);
+        rows.push_back({6, static_cast<float>(left)});
+    }
     void stopped() { log(5); }
 
     std::vector<LoopRow> rows;
