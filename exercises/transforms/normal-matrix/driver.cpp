@@ -1,3 +1,4 @@
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -91,26 +92,29 @@ void record_flattened(Random& random, Recorder& out)
     }
 }
 
-// The determinant of these is no float, though each entry is.
+// The determinant of these is no float, though each entry is. Normals may have any length.
 void record_sizes(Random& random, Recorder& out)
 {
     for (const float size : {1e-36F, 1e-25F, 1e-20F, 1e-14F, 1e13F, 1e20F, 1e30F, 1e36F}) {
         for (int i = 0; i < 20; ++i) {
             const glm::mat4 model = random_model(i % 4 == 0, random);
-            const glm::vec3 normal = random.unit_vector();
+            const float length = i % 2 == 0 ? 1 : std::pow(10.0F, random.uniform(-30, 30));
+            const glm::vec3 normal = length * random.unit_vector();
             record(model * glm::scale(glm::mat4(1), glm::vec3(size)), normal, out);
         }
     }
 }
 
 // Turned, pressed to 1e-4 … 1e-8 of the thickness, turned again: what rounding leaves decides on which side the outside
-// is.
+// is. Half of them are not turned first, so that one column is short; of these half are narrow too, as needles are.
 void record_nearly_flat(Random& random, Recorder& out)
 {
     for (const float thickness : {1e-4F, 1e-6F, 1e-7F, 1e-8F}) {
         for (int i = 0; i < 20; ++i) {
             const glm::mat4 after = turned(random);
-            const glm::mat4 model = glm::scale(after, {1, 1, thickness}) * turned(random);
+            const glm::mat4 before = turned(random);
+            const float width = i % 4 == 3 ? std::sqrt(thickness) : 1;
+            const glm::mat4 model = glm::scale(after, {1, width, thickness}) * (i % 2 == 1 ? glm::mat4(1) : before);
             const glm::vec3 normal = random.unit_vector();
             record(model, normal, out);
         }
