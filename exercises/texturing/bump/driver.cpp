@@ -137,8 +137,7 @@ void degenerate(Random& random, Recorder& out)
     }
 }
 
-// A normal, and tangents of lengths up to `stretch` times each other, at 30 degrees or more. As those of triangles
-// whose normals are interpolated, they lean: their plane is not the one across the normal.
+// A normal, and tangents in the surface: of lengths up to `stretch` times each other, at 30 degrees or more.
 struct Frame {
     glm::vec3 n;
     Tangents tangents;
@@ -156,11 +155,8 @@ Frame random_frame(Random& random, float stretch)
     const auto at = [&](float turned, float length) {
         return length * (std::cos(turned) * side + std::sin(turned) * front);
     };
-    for (glm::vec3* tangent : {&frame.tangents.u, &frame.tangents.v}) {
-        const float length = std::pow(stretch, random.uniform(-1, 1));
-        *tangent = at(tangent == &frame.tangents.u ? angle : angle + between, length);
-        *tangent += random.uniform(-0.6F, 0.6F) * length * frame.n;
-    }
+    frame.tangents.u = at(angle, std::pow(stretch, random.uniform(-1, 1)));
+    frame.tangents.v = at(angle + between, std::pow(stretch, random.uniform(-1, 1)));
     return frame;
 }
 
