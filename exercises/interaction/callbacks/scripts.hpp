@@ -155,6 +155,10 @@ inline constexpr const char* keys = R"(
 2.8 key A press
 2.9 key A release
 3.0 key LEFT_SUPER press
+3.02 key R press
+3.04 key R release
+3.06 key 3 press
+3.08 key 3 release
 3.1 key ESCAPE press
 )";
 
