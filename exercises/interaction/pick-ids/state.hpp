@@ -130,7 +130,10 @@ inline constexpr const char* state_columns =
     "GL_TEXTURE_BINDING_2D, GL_LIGHTING, GL_TEXTURE_2D, GL_FOG, GL_BLEND, GL_ALPHA_TEST, GL_DITHER, GL_SCISSOR_TEST, "
     "GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_TEST, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, "
     "GL_SHADE_MODEL, GL_MATRIX_MODE, GL_MODELVIEW_STACK_DEPTH, GL_PROJECTION_STACK_DEPTH, GL_ATTRIB_STACK_DEPTH, "
-    "GL_VERTEX_ARRAY, GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY_BINDING, GL_PACK_ALIGNMENT, GL_VIEWPORT/4, "
+    "GL_VERTEX_ARRAY, GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY_BINDING, GL_PACK_ALIGNMENT, GL_CULL_FACE_MODE, "
+    "GL_FRONT_FACE, "
+    "GL_ALPHA_TEST_FUNC, GL_STENCIL_FUNC, GL_BLEND_SRC, GL_BLEND_DST, GL_LOGIC_OP_MODE, GL_VIEWPORT/4, "
+    "GL_SCISSOR_BOX/4, "
     "GL_COLOR_WRITEMASK/4, "
     "GL_POLYGON_MODE/2, GL_COLOR_CLEAR_VALUE/4, GL_DEPTH_CLEAR_VALUE, GL_DEPTH_RANGE/2, GL_CURRENT_COLOR/4, "
     "GL_MODELVIEW_MATRIX/16, GL_PROJECTION_MATRIX/16, glGetError";
@@ -169,9 +172,17 @@ inline std::vector<float> state_row()
                               GL_VERTEX_ARRAY,
                               GL_ARRAY_BUFFER_BINDING,
                               GL_VERTEX_ARRAY_BINDING,
-                              GL_PACK_ALIGNMENT})
+                              GL_PACK_ALIGNMENT,
+                              GL_CULL_FACE_MODE,
+                              GL_FRONT_FACE,
+                              GL_ALPHA_TEST_FUNC,
+                              GL_STENCIL_FUNC,
+                              GL_BLEND_SRC,
+                              GL_BLEND_DST,
+                              GL_LOGIC_OP_MODE})
         append(name, 1);
     append(GL_VIEWPORT, 4);
+    append(GL_SCISSOR_BOX, 4);
     append(GL_COLOR_WRITEMASK, 4);
     append(GL_POLYGON_MODE, 2);
     append(GL_COLOR_CLEAR_VALUE, 4);
