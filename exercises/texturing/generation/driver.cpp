@@ -128,11 +128,21 @@ void state(Case& c, Recorder& out)
         glMatrixMode(GL_MODELVIEW);
         glLoadMatrixf(value_ptr(random_modelview(c.random)));
         constexpr std::array modes = {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE};
-        glMatrixMode(static_cast<GLenum>(modes[c.random.below(3)]));
         c.random.below(2) == 0 ? glEnable(GL_TEXTURE_2D) : glDisable(GL_TEXTURE_2D);
         glActiveTexture(GL_TEXTURE0 + c.random.below(4));
+        for (const GLenum other : {GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q})
+            c.random.below(2) == 0 ? glEnable(other) : glDisable(other);
+        // Room for one matrix more.
+        glMatrixMode(GL_MODELVIEW);
+        GLint most = 0;
+        glGetIntegerv(GL_MAX_MODELVIEW_STACK_DEPTH, &most);
+        const int pushed = round % 2 == 0 ? 0 : most - 2;
+        for (int i = 0; i < pushed; ++i) glPushMatrix();
+        glMatrixMode(static_cast<GLenum>(modes[c.random.below(3)]));
         set(out, generator);
         record_state(out);
+        glMatrixMode(GL_MODELVIEW);
+        for (int i = 0; i < pushed; ++i) glPopMatrix();
     }
     glActiveTexture(GL_TEXTURE0);
 }
