@@ -111,9 +111,8 @@ std::vector<ClipTriangle> limits()
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     return {
-        {glm::vec4(1, 0, 0, 1),
-         {-0.5F, 0.5F, 0, 1},
-         {-0.25F, -0.5F, 0, 1}},  // a corner on the right side, the rest inside
+        // A corner on the right side, the rest inside.
+        {glm::vec4(1, 0, 0, 1), {-0.5F, 0.5F, 0, 1}, {-0.25F, -0.5F, 0, 1}},
         {glm::vec4(1, 0, 0, 1), {-0.5F, 3, 0, 1}, {-0.25F, -0.5F, 0, 1}},   // … and another above
         {glm::vec4(1, 0, 0, 1), {1.5F, 0.5F, 0, 1}, {1.25F, -0.5F, 0, 1}},  // … the rest outside: nothing
         {glm::vec4(1, 0, 0, 1), {1, 0.5F, 0, 1}, {2, 0, 0, 1}},             // a side on it, the rest outside: nothing
@@ -180,8 +179,7 @@ std::vector<ClipTriangle> behind(Random& random, int count)
     return triangles;
 }
 
-/// Round the edge of the volume where two planes meet: three corners of what is left are new, one of them on the edge.
-/// Its other numbers are far from 1 and -1.
+/// Round an edge of the volume: of three new corners one lies on it. Its other numbers are far from 1 and -1.
 ClipTriangle round_an_edge(Random& random, int axis)
 {
     const float side = random.below(2) == 0 ? 1 : -1;
