@@ -40,7 +40,7 @@ inline Triangle random_attributes(Random& random, const std::array<glm::vec2, 3>
 {
     Triangle triangle{};
     for (std::size_t i = 0; i < 3; ++i) triangle[i] = random_vertex(random, positions[i]);
-    const float unit = random_unit(random, -60, 60);  // weights are the same in whatever unit w is counted
+    const float unit = random_unit(random, -16, 4);
     for (WindowVertex& vertex : triangle) vertex.inverse_w *= unit;
     return triangle;
 }

@@ -49,6 +49,9 @@ std::vector<Triangle> random_triangles(Random& random, int count, int width, int
         if (i % 5 == 4)
             for (std::size_t k = 0; k < 3; ++k) corners[k] = triangles.back()[k].position;
         triangles.push_back(random_attributes(random, corners));
+        // Weights are the same in whatever unit w is counted.
+        const float unit = i % 8 == 3 ? random_unit(random, -60, 60) : 1;
+        for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= unit;
     }
     return triangles;
 }
