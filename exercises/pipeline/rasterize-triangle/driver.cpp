@@ -32,7 +32,7 @@ std::vector<Triangle> by_hand()
         triangle({0.5F, 0.5F}, {0.5F + 1.0F / 256, 0.5F}, {0.5F, 0.5F + 1.0F / 256}),  // the least that there is
         triangle({1, 1}, {7, 2}, {2, 7}),
     };
-    for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= 0x1p-15F;  // far away, in small units
+    for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= 0x1p-40F;  // far away, in small units
     return triangles;
 }
 
