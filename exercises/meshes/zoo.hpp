@@ -207,6 +207,19 @@ inline std::vector<Sample> tame_meshes()
             {"two sheets", joined(flat_sheet(2, 2), flat_sheet(1, 3), {0, 1, 0})}};
 }
 
+/// A mesh and its copy, whose vertices have numbers that are 65,536 larger: two numbers of vertices do not fit into 32
+/// bits. The vertices between belong to no triangle.
+inline IndexedMesh with_far_copy(IndexedMesh mesh)
+{
+    constexpr std::uint32_t far = 65536;
+    const std::size_t count = mesh.positions.size();
+    mesh.positions.resize(far + count, glm::vec3(0));
+    std::copy_n(mesh.positions.begin(), count, mesh.positions.begin() + far);
+    for (std::size_t i = 0, old = mesh.triangles.size(); i < old; ++i)
+        mesh.triangles.push_back(mesh.triangles[i] + far);
+    return mesh;
+}
+
 /// One of each kind that is not orientable, not a manifold, or not what one expects of a mesh.
 inline std::vector<Sample> wild_meshes()
 {

@@ -203,6 +203,33 @@ inline std::array<glm::vec2, 3> unrounded_triangle(Random& random, int size)
     return shuffled(random, corners);
 }
 
+/// Half a box whose sides lie on rows and columns of centres once its corners are rounded, and beside them before: a
+/// box of pixels that is found from unrounded corners loses them.
+inline std::array<glm::vec2, 3> half_box_beside_centres(Random& random, int size)
+{
+    const float left = on_grid(random, 0, size - 8, 1);
+    const glm::vec2 low(left, on_grid(random, 0, size - 8, 1));
+    const float width = on_grid(random, 1, 6, 1);
+    const glm::vec2 high = low + glm::vec2(width, on_grid(random, 1, 6, 1));
+    std::array<glm::vec2, 4> corners = {low, {high.x, low.y}, high, {low.x, high.y}};
+    std::rotate(corners.begin(), corners.begin() + random.below(4), corners.end());
+    for (glm::vec2& corner : corners)
+        for (int axis = 0; axis < 2; ++axis) corner[axis] += 0.5F + random.uniform(-0.49F, 0.49F) / 256;
+    return {corners[0], corners[1], corners[2]};
+}
+
+/// Corners within 3/256 of a centre: the triangle covers that pixel or none.
+inline std::array<glm::vec2, 3> speck(Random& random, int width, int height)
+{
+    const float column = on_grid(random, 0, width - 1, 1) + 0.5F;
+    const glm::vec2 centre(column, on_grid(random, 0, height - 1, 1) + 0.5F);
+    std::array<glm::vec2, 3> corners{};
+    for (glm::vec2& corner : corners)
+        for (int axis = 0; axis < 2; ++axis)
+            corner[axis] = centre[axis] + static_cast<float>(static_cast<int>(random.below(7)) - 3) / 256;
+    return corners;
+}
+
 /// Draws all triangles and takes down what they cover: rows [triangle, x, y], with the three weights and the depth if
 /// asked for. Of triangles that cover a pixel at most, several together count as one: else their boxes would tell what
 /// they cover.

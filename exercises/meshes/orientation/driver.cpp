@@ -85,6 +85,8 @@ void record_windings(Random& random, Recorder& out)
             record_coherent(out, with_mixed_winding(shuffled(mesh, random), random));
         }
     }
+    record_coherent(out, with_mixed_winding(with_far_copy(octahedron()), random));
+    record_coherent(out, with_mixed_winding(moebius(7), random));
 }
 
 void record_outward(Recorder& out, const IndexedMesh& mesh)

@@ -49,6 +49,7 @@ void record_known_strips(Recorder& out)
     record_decoded(out, log, "restart after an even number", {0, 1, 2, 3, r, 4, 5, 6, 7});
     record_decoded(out, log, "restart after an odd number", {0, 1, 2, 3, 4, r, 5, 6, 7, 8});
     record_decoded(out, log, "restarts of no use", {r, r, 0, 1, r, 2, r, 3, 4, 5, 6, r});
+    record_decoded(out, log, "large numbers that are no restarts", {65535, 1, 65536, 2, 0x80000000U, 3, r - 1, 4, 5});
     log.finish();
 }
 
@@ -57,7 +58,8 @@ Strip random_strip(Random& random, std::uint32_t length)
     Strip strip;
     for (std::uint32_t i = 0; i < length; ++i) strip.push_back(random.below(40));
     for (std::uint32_t i = 1; i < length; ++i)
-        if (random.below(8) == 0) strip[i] = strip[i - 1];
+        if (const std::uint32_t repeats = random.below(8); repeats < 2 && repeats < i)
+            strip[i] = strip[i - 1 - repeats];
     return strip;
 }
 
@@ -175,6 +177,12 @@ void record_coordinates(Random& random, Recorder& out)
             strips.push_back(random_strip(random, random.below(12)));
         record(positions, strips);
     }
+    // More vertices than numbers of 32 bits can count.
+    for (const std::uint64_t vertices :
+         {std::uint64_t{400'000'000}, std::uint64_t{3'000'000'000}, std::uint64_t{1} << 33}) {
+        const StripBytes bytes = ask<strip_bytes>(out, vertices, std::vector<Strip>{{0, 1, 2, 3}});
+        out.append("bytes", glm::vec2(bytes.coordinates, bytes.indexed));
+    }
 }
 
 std::vector<Sample> odd_meshes(Random& random)
@@ -186,6 +194,7 @@ std::vector<Sample> odd_meshes(Random& random)
         mesh.triangles.insert(mesh.triangles.end(), {{0, 1, 1}, {2, 0, 2}});
         mesh = shuffled(mesh, random);
     }
+    meshes.push_back({"two rings, with numbers 65,536 apart", with_far_copy(torus(4, 3))});
     return meshes;
 }
 

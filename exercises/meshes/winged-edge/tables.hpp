@@ -119,7 +119,8 @@ inline std::vector<PolygonMesh> no_bodies()
     std::vector<PolygonMesh> meshes;
     for (const Sample& sample : wild_meshes())
         if (!sample.mesh.positions.empty()) meshes.push_back(polygons_of(sample.mesh));
-    for (const IndexedMesh& open : {flat_sheet(3, 2), tube(5, 2), disc(6), book(1), book(2)})
+    for (const IndexedMesh& open :
+         {flat_sheet(3, 2), tube(5, 2), disc(6), book(1), book(2), with_far_copy(tetrahedron())})
         meshes.push_back(polygons_of(open));
     const PolygonMesh good = prism(5);
     const auto changed = [&](auto change) {

@@ -59,12 +59,16 @@ ClipTriangle in_unit(const ClipTriangle& triangle, float unit)
     return {unit * triangle[0], unit * triangle[1], unit * triangle[2]};
 }
 
+/// A unit of clip coordinates. Homogeneous ones have none of their own, so it may be any: squares of these are no
+/// floats.
+float clip_unit(Random& random) { return random_unit(random, -90, 90); }
+
 /// With `units`, each triangle is asked about in a unit of its own, and positions are recorded without it.
 void record(Recorder& out, const std::vector<ClipTriangle>& triangles, Random* units = nullptr)
 {
     name_corners(out, {"positions", "weights"});
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const float unit = units == nullptr ? 1 : random_unit(*units, -24, 10);
+        const float unit = units == nullptr ? 1 : clip_unit(*units);
         const std::vector<ClipVertex> polygon = clipped(out, in_unit(triangles[i], unit));
         const std::vector<ClipVertex> positions = by_position(polygon);
         for (std::size_t k = 0; k < positions.size(); ++k) {
@@ -107,9 +111,8 @@ std::vector<ClipTriangle> limits()
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     return {
-        {glm::vec4(1, 0, 0, 1),
-         {-0.5F, 0.5F, 0, 1},
-         {-0.25F, -0.5F, 0, 1}},  // a corner on the right side, the rest inside
+        // A corner on the right side, the rest inside.
+        {glm::vec4(1, 0, 0, 1), {-0.5F, 0.5F, 0, 1}, {-0.25F, -0.5F, 0, 1}},
         {glm::vec4(1, 0, 0, 1), {-0.5F, 3, 0, 1}, {-0.25F, -0.5F, 0, 1}},   // … and another above
         {glm::vec4(1, 0, 0, 1), {1.5F, 0.5F, 0, 1}, {1.25F, -0.5F, 0, 1}},  // … the rest outside: nothing
         {glm::vec4(1, 0, 0, 1), {1, 0.5F, 0, 1}, {2, 0, 0, 1}},             // a side on it, the rest outside: nothing
@@ -137,6 +140,9 @@ std::vector<ClipTriangle> limits()
         // A corner so little beyond the side that the two new ones are the same floats: three corners are left.
         {glm::vec4(1 + 0x1p-23F, 0.75F, 0, 1), {-0.5F, 0.875F, 0, 1}, {-0.5F, 0.625F, 0, 1}},
         {glm::vec4(-0.5F, 0.625F, 0, 1), {1 + 0x1p-23F, 0.75F, 0, 1}, {-0.5F, 0.875F, 0, 1}},
+        // Two corners that differ in w only, and one whose numbers are finite, but not their sum.
+        {glm::vec4(0.25F, 0.25F, 0, 1), {0.25F, 0.25F, 0, 2}, {-0.5F, 0.5F, 0, 1}},
+        {glm::vec4(0x1p126F, 0x1p125F, 0x1p126F, 0x1p127F), {-0.5F, 0.5F, 0, 1}, {0, -0.5F, 0.25F, 1}},
     };
 }
 
@@ -173,8 +179,7 @@ std::vector<ClipTriangle> behind(Random& random, int count)
     return triangles;
 }
 
-/// Round the edge of the volume where two planes meet: three corners of what is left are new, one of them on the edge.
-/// Its other numbers are far from 1 and -1.
+/// Round an edge of the volume: of three new corners one lies on it. Its other numbers are far from 1 and -1.
 ClipTriangle round_an_edge(Random& random, int axis)
 {
     const float side = random.below(2) == 0 ? 1 : -1;
@@ -213,8 +218,7 @@ void record_on_planes(Random& random, Recorder& out)
         ClipTriangle triangle = {random_corner(random, 0.9F), random_corner(random, 0.9F), random_corner(random, 0.9F)};
         const float beyond = side * random.uniform(1.1F, 4);
         triangle[random.below(3)][axis] = beyond * 4;
-        const std::vector<ClipVertex> polygon =
-            by_position(clipped(out, in_unit(triangle, random_unit(random, -24, 10))));
+        const std::vector<ClipVertex> polygon = by_position(clipped(out, in_unit(triangle, clip_unit(random))));
         for (std::size_t k = 0; k < polygon.size(); ++k)
             append(out, "along", i, k, std::array{polygon[k].position[axis] / polygon[k].position.w});
     }

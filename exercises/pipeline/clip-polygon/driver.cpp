@@ -67,10 +67,12 @@ std::vector<Task> by_hand()
     return tasks;
 }
 
-// Concave: a comb whose teeth reach in, a letter whose arms do, one round two corners of the window, a star.
+// Concave: a comb whose teeth reach in, a letter whose arms do, one round two corners of the window, a star. Then a
+// hook round a corner of the window, which does not come in again: whether its bridge leads to that corner and back
+// depends on which of the two sides is cut to first.
 std::vector<Task> concave()
 {
-    return {
+    std::vector<Task> tasks = {
         {{{10, 1}, {3, 1.5F}, {10, 2}, {10, 3}, {2, 3.5F}, {10, 4}, {10, 5}, {4, 6}, {10, 7}, {12, 7}, {12, 1}},
          square},
         {{{-3, 1}, {5, 1}, {5, 2.5F}, {-1, 2.5F}, {-1, 5}, {6, 5}, {6, 7}, {-3, 7}}, square},
@@ -78,6 +80,12 @@ std::vector<Task> concave()
         {{{4, 11}, {3, 5}, {-3, 5.5F}, {2, 3}, {1, -3}, {4.5F, 2}, {8, -2}, {6, 3.25F}, {11, 5}, {5, 5.25F}}, square},
         {{{-2, 6}, {-2, -2}, {6, -2}, {3, 3}, {1, -1}, {-1, 1}, {3.5F, 3.5F}}, triangle},
     };
+    Polygon window = square;
+    for (std::size_t first = 0; first < window.size(); ++first) {
+        tasks.push_back({{{4, 3}, {12, 3}, {12, 12}, {4, 12}, {4, 10}, {10, 10}, {10, 5}, {4, 5}}, window});
+        std::rotate(window.begin(), window.begin() + 1, window.end());
+    }
+    return tasks;
 }
 
 // The same ones again, very small and very large.
@@ -147,6 +155,10 @@ std::vector<Task> borders()
         {{{3, 6.75F}, {3, 5}, {8 + 0x1p-20F, 6}}, square},
         {{{1, 1}, {1, 1}, {6, 2}, {3, 7}}, square},  // a corner twice in a row: once is left
         {{{1, 1}, {6, 2}, {3, 7}, {1, 1}}, square},
+        {{{1, 1}, {4, 1}, {7, 1}, {4, 6}}, square},  // a corner in the middle of a straight side stays
+        {{{8, 2}, {8, 4}, {8, 6}, {4, 3}}, square},  // … also on a side of the window
+        {{{1, 1}, {7, 2}, {5, 6}, {2, nan}}, square},
+        {{{1, 1}, {7, 2}, {3, 5}}, {{0, 0}, {8, 0}, {8, 8}, {0, nan}}},
     };
 }
 
@@ -156,7 +168,8 @@ std::vector<Task> random_tasks(Random& random, int count, bool with_concave)
     for (int i = 0; i < count; ++i) {
         const bool rough = with_concave && i % 2 == 0;
         Polygon polygon = random_polygon(random, 3 + random.below(rough ? 9 : 5), rough ? 1.0F : 0.0F);
-        tasks.push_back({std::move(polygon), random_window(random, 3 + random.below(5)), random_unit(random, -24, 12)});
+        const std::uint32_t sides = 3 + random.below(i % 8 == 7 ? 14 : 5);
+        tasks.push_back({std::move(polygon), random_window(random, sides), random_unit(random, -24, 12)});
     }
     return tasks;
 }

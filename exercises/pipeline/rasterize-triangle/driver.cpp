@@ -32,7 +32,7 @@ std::vector<Triangle> by_hand()
         triangle({0.5F, 0.5F}, {0.5F + 1.0F / 256, 0.5F}, {0.5F, 0.5F + 1.0F / 256}),  // the least that there is
         triangle({1, 1}, {7, 2}, {2, 7}),
     };
-    for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= 0x1p-15F;  // far away, in small units
+    for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= 0x1p-40F;  // far away, in small units
     return triangles;
 }
 
@@ -45,7 +45,13 @@ std::vector<Triangle> random_triangles(Random& random, int count, int width, int
             corner.x = on_grid(random, -width / 4, width + width / 4, 16);
             corner.y = on_grid(random, -height / 4, height + height / 4, 16);
         }
+        // Sometimes the same corners as before, with other numbers.
+        if (i % 5 == 4)
+            for (std::size_t k = 0; k < 3; ++k) corners[k] = triangles.back()[k].position;
         triangles.push_back(random_attributes(random, corners));
+        // Weights are the same in whatever unit w is counted.
+        const float unit = i % 8 == 3 ? random_unit(random, -60, 60) : 1;
+        for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= unit;
     }
     return triangles;
 }
@@ -68,65 +74,112 @@ std::vector<Triangle> shared_edges(Random& random)
     return with_attributes(random, all);
 }
 
-// Triangles that must leave no trace, between ones that must.
-std::vector<Triangle> nothing(Random& random)
+/// Spoils a corner in one of `spoilings` ways: nothing may be drawn of a triangle that has it.
+constexpr int spoilings = 13;
+void spoil(WindowVertex& vertex, int how)
 {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    std::vector<Triangle> triangles;
-    for (int i = 0; i < 15; ++i) {
-        triangles.push_back(triangle({1, 1}, {7, 1.5F}, {2, 7}));
-        Triangle none = triangle({1, 1}, {7, 1}, {1, 7});
-        switch (i) {
-            case 0: none[1].position.x = nan; break;
-            case 1: none[2].position.y = nan; break;
-            case 2: none[0].depth = nan; break;
-            case 3: none[1].inverse_w = nan; break;
-            case 4: none[2].inverse_w = 0; break;
-            case 5: none[0].inverse_w = -1; break;
-            case 6: none[0].position.y = -infinity; break;
-            case 7: none[2].position.x = 16385; break;
-            case 8: none[2].position = {5.5F, 1}; break;
-            case 9:
-                none[1].position = {3.5F, 3.5F}, none[2].position = {6.5F, 6.5F}, none[0].position = {0.5F, 0.5F};
-                break;
-            case 10: none[0].position = none[1].position = none[2].position = {2.5F, 2.5F}; break;
-            case 11: none[0].position.x = -16385; break;
-            case 12: none[1].position.y = 16385; break;
-            case 13: none[2].position.y = -16385; break;
-            default: none = triangle({-9, -9}, {-1, -9}, {-9, -1});
+    switch (how) {
+        case 0: vertex.position.x = nan; break;
+        case 1: vertex.position.y = nan; break;
+        case 2: vertex.depth = nan; break;
+        case 3: vertex.inverse_w = nan; break;
+        case 4: vertex.inverse_w = 0; break;
+        case 5: vertex.inverse_w = -1; break;
+        case 6: vertex.position.y = -infinity; break;
+        case 7: vertex.position.x = 16385; break;
+        case 8: vertex.position.x = -16385; break;
+        case 9: vertex.position.y = 16385; break;
+        case 10: vertex.position.y = -16385; break;
+        case 11: vertex.inverse_w = -0x1p-100F; break;
+        default: vertex.position.x = infinity;
+    }
+}
+
+// Triangles that must leave no trace, between ones that must.
+std::vector<Triangle> nothing(Random& random)
+{
+    std::vector<Triangle> none = {
+        triangle({1, 1}, {7, 1}, {5.5F, 1}),
+        triangle({0.5F, 0.5F}, {3.5F, 3.5F}, {6.5F, 6.5F}),
+        triangle({2.5F, 2.5F}, {2.5F, 2.5F}, {2.5F, 2.5F}),
+        triangle({-9, -9}, {-1, -9}, {-9, -1}),
+    };
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        for (int how = 0; how < spoilings; ++how) {
+            none.push_back(triangle({1, 1}, {7, 1}, {1, 7}));
+            spoil(none.back()[corner], how);
         }
-        triangles.push_back(none);
+    std::vector<Triangle> triangles;
+    for (const Triangle& next : none) {
+        triangles.push_back(triangle({1, 1}, {7, 1.5F}, {2, 7}));
+        triangles.push_back(next);
         const float x = on_grid(random, 2, 6, 4);
         triangles.push_back(triangle({x, 0.25F}, {7.25F, 7.25F}, {0.25F, 7.25F}));
     }
     return triangles;
 }
 
+/// Asks about a triangle in a picture of its own size; what it covers belongs to triangle `number`.
+void cover(Recorder& out, std::size_t number, const Triangle& next, int width, int height)
+{
+    std::vector<Fragment> fragments;
+    ask<rasterize_triangle>(out, next, width, height, fragments);
+    for (const Fragment& fragment : fragments)
+        out.append("coverage", glm::vec3(static_cast<float>(number), static_cast<float>(fragment.pixel.x),
+                                         static_cast<float>(fragment.pixel.y)));
+}
+
+// A picture without pixels shows nothing.
+void record_nothing(Random& random, Recorder& out)
+{
+    const std::vector<Triangle> triangles = nothing(random);
+    record(out, triangles, 8, 8, false);
+    for (std::size_t i = 0; i < 3; ++i)
+        cover(out, triangles.size() + i, triangle({-1, -1}, {7, -1}, {-1, 7}), i == 0 ? 8 : 0, i == 1 ? 8 : 0);
+}
+
 std::vector<Triangle> unrounded(Random& random)
 {
     std::vector<std::array<glm::vec2, 3>> corners;
     for (int i = 0; i < 250; ++i) corners.push_back(unrounded_triangle(random, 24));
+    for (int i = 0; i < 150; ++i) corners.push_back(half_box_beside_centres(random, 24));
     return with_attributes(random, corners);
 }
 
 void guard_band(Random& random, Recorder& out)
 {
     std::vector<std::array<glm::vec2, 3>> corners;
-    for (int i = 0; i < 40; ++i) corners.push_back(huge_triangle(random, 40, 24, false));
-    for (int i = 0; i < 160; ++i) corners.push_back(huge_triangle(random, 40, 24, true));
+    constexpr int width = 24;  // a picture that is higher than wide
+    constexpr int height = 40;
+    for (int i = 0; i < 40; ++i) corners.push_back(huge_triangle(random, width, height, false));
+    for (int i = 0; i < 160; ++i) corners.push_back(huge_triangle(random, width, height, true));
     // Corners exactly on its border, which belongs to it.
     for (const glm::vec2 corner : {glm::vec2(16384, 3), {-16384, 5}, {7, 16384}, {9, -16384}})
         corners.push_back(
-            {corner, glm::vec2(2, 2), corner.x < 10 && corner.x > -10 ? glm::vec2(30, 2) : glm::vec2(2, 20)});
-    record(out, with_attributes(random, corners), 40, 24, false);
+            {corner, glm::vec2(2, 2), corner.x < 10 && corner.x > -10 ? glm::vec2(20, 2) : glm::vec2(2, 30)});
+    const std::vector<Triangle> triangles = with_attributes(random, corners);
+    record(out, triangles, width, height, false);
+    // At the far end of the widest and of the highest picture that there are.
+    for (std::size_t i = 0; i < 20; ++i) {
+        const bool wide = i % 2 == 0;
+        const float end = on_grid(random, 8190, 16380, 256);
+        const auto corner = [&](float along, float across) {
+            return wide ? glm::vec2(end + along, across) : glm::vec2(across, end + along);
+        };
+        const Triangle far_off = triangle(corner(0, 0.25F), corner(3, 2.75F), corner(-3, 2.5F));
+        cover(out, triangles.size() + i, far_off, wide ? 16384 : 3, wide ? 3 : 16384);
+    }
 }
 
-// So thin that most cover one pixel or none: each fragment hangs on the last of 47 bits. Twenty-five make a group.
+// So thin or small that most cover one pixel or none: each fragment of a needle hangs on the last of 47 bits.
+// Twenty-five make a group.
 void needles(Random& random, Recorder& out)
 {
     std::vector<std::array<glm::vec2, 3>> corners;
     for (int i = 0; i < 300; ++i) corners.push_back(needle(random, 40, 24, 16000, random.below(2) == 0));
+    for (int i = 0; i < 150; ++i) corners.push_back(speck(random, 40, 24));
     record(out, with_attributes(random, corners), 40, 24, false, 25);
     out.text("coverage.names", "group of needles");
 }
@@ -197,8 +250,8 @@ void laws(Random& random, Recorder& out)
 void record_list(Random& random, Recorder& out)
 {
     std::vector<Fragment> fragments = {{{3, 2}, 0.5F, {1, 0, 0}}};
-    for (const Triangle& next : random_triangles(random, 8, 12, 10))
-        ask<rasterize_triangle>(out, next, 12, 10, fragments);
+    for (const Triangle& next : random_triangles(random, 8, 10, 14))
+        ask<rasterize_triangle>(out, next, 10, 14, fragments);
     fragments.resize(std::min<std::size_t>(fragments.size(), 2000));
     for (const Fragment& fragment : fragments)
         out.append("rows", glm::vec3(1, static_cast<float>(fragment.pixel.x), static_cast<float>(fragment.pixel.y)));
@@ -216,9 +269,9 @@ void record_picture(Recorder& out)
 
 const Driver driver = {
     {"by hand", [](Case&, Recorder& out) { record(out, by_hand(), 8, 8, true); }},
-    {"random", [](Case& c, Recorder& out) { record(out, random_triangles(c.random, 40, 48, 36), 48, 36, true); }},
+    {"random", [](Case& c, Recorder& out) { record(out, random_triangles(c.random, 40, 50, 38), 50, 38, true); }},
     {"shared edges", [](Case& c, Recorder& out) { record(out, shared_edges(c.random), 32, 32, false); }},
-    {"nothing", [](Case& c, Recorder& out) { record(out, nothing(c.random), 8, 8, false); }},
+    {"nothing", [](Case& c, Recorder& out) { record_nothing(c.random, out); }},
     {"between grid points", [](Case& c, Recorder& out) { record(out, unrounded(c.random), 24, 24, false); }},
     {"guard band", [](Case& c, Recorder& out) { guard_band(c.random, out); }},
     {"needles", [](Case& c, Recorder& out) { needles(c.random, out); }},

@@ -49,7 +49,7 @@ Box in_unit(const Box& box, float unit) { return {unit * box.low, unit * box.hig
 Box box_in_any_unit(Random& random, float away)
 {
     const Box box = random_box(random, away);
-    return in_unit(box, random_unit(random, -16, 16));
+    return in_unit(box, random_unit(random, -60, 60));
 }
 
 void random_matrices(Case& c, Recorder& out)
@@ -66,7 +66,7 @@ void odd_boxes(Case& c, Recorder& out)
         if (i % 4 == 1) std::swap(box.low[axis], box.high[axis]);
         if (i % 4 == 3) box.high[axis] = box.low[axis];
         const glm::vec3 point = 0.5F * (box.low + box.high) + 0.3F * c.random.in_cube();
-        const float unit = random_unit(c.random, -16, 16);
+        const float unit = random_unit(c.random, -60, 60);
         out.append("projection", ask<projection_of>(out, in_unit(box, unit)));
         out.append("ndc", ask<ndc_of>(out, in_unit(box, unit), unit * point));
     }
@@ -92,7 +92,9 @@ void known_regions(Case&, Recorder& out)
 void random_regions(Case& c, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
-        const Box contents = box_in_any_unit(c.random, 4);
+        Box contents = box_in_any_unit(c.random, 4);
+        const auto mirrored = static_cast<glm::vec3::length_type>(c.random.below(3));
+        if (i % 3 == 1) std::swap(contents.low[mirrored], contents.high[mirrored]);
         const int width = 1 + static_cast<int>(c.random.below(2000));
         record(out, contents, width, 1 + static_cast<int>(c.random.below(2000)));
     }
