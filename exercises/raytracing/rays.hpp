@@ -23,6 +23,15 @@ inline constexpr float barely_less = 1 - 0x1p-16F;
 /// to 4096, so that only tolerances that are lengths tell them apart.
 inline float exact_size(Random& random) { return std::ldexp(1.0F, static_cast<int>(random.below(33)) - 20); }
 
+/// The same points of the same line, by a direction that is `length` times as long: t counts in it.
+inline Ray counted_in(Ray ray, float length)
+{
+    ray.direction *= length;
+    ray.t_min /= length;
+    ray.t_max /= length;
+    return ray;
+}
+
 /// One unit in the last place (float) of a positive number.
 inline double ulp_of(double value)
 {

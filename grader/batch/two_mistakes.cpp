@@ -127,6 +127,29 @@ std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exerc
     return all;
 }
 
+/// Does the student err in half of the cells or more in which `mistake` alone of the two errs? Nobody makes a mistake
+/// in a few of its cells and is right in the others. One that is not to be seen at all may be made in other cases.
+bool errs_where(const MistakenCheck& mistaken, std::size_t mistake, std::size_t other)
+{
+    const Tensor& student = *mistaken.check->student;
+    const Tensor& expected = *mistaken.check->expected;
+    const Tensor& its = *mistaken.by_mistake[mistake];
+    const Tensor& others = *mistaken.by_mistake[other];
+    if (!same_shape(student, expected) || !same_shape(student, its) || !same_shape(student, others)) return true;
+    const TensorView yours(student);
+    const TensorView right(expected);
+    const TensorView wrong(its);
+    const TensorView beside(others);
+    std::size_t all = 0;
+    std::size_t taken = 0;
+    for (std::size_t cell = 0; cell < right.cells(); ++cell) {
+        if (alike(wrong, right, cell) || !alike(beside, right, cell)) continue;
+        ++all;
+        if (alike(yours, wrong, cell)) ++taken;
+    }
+    return taken == 0 || 2 * taken >= all;
+}
+
 bool speaks_for(const MistakenCheck& mistaken, std::size_t mistake)
 {
     const std::optional<Tensor>& its = mistaken.by_mistake[mistake];
@@ -146,6 +169,7 @@ std::optional<Tally> weigh_pair(const std::vector<MistakenCheck>& all, std::size
         if (said.says == Says::against_it) return std::nullopt;
         tally += said;
         if (said.says != Says::for_it) continue;
+        if (!errs_where(one, a, b) || !errs_where(one, b, a)) return std::nullopt;
         needs_a = needs_a || !speaks_for(one, b);
         needs_b = needs_b || !speaks_for(one, a);
     }

@@ -17,9 +17,10 @@ constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 
 using Size = glm::ivec2;
 
-// Square at first, wide, high, the sizes of a minimised window; and each activated twice, in targets of their own.
-constexpr Size sizes[] = {{640, 480}, {300, 300}, {100, 400}, {0, 0}, {1920, 1080}, {0, 77},  {640, 0},
-                          {-5, 100},  {1, 4},     {7, 3},     {3, 7}, {320, -240},  {-8, -8}, {2, 1}};
+// Square at first, wide, high, the sizes of a minimised window, and some whose product is no int or whose ratio is
+// extreme; and each activated twice, in targets of their own.
+constexpr Size sizes[] = {{640, 480}, {300, 300}, {100, 400}, {0, 0},         {1920, 1080}, {0, 77},  {640, 0},
+                          {-5, 100},  {1, 400},   {7000, 3},  {60000, 40000}, {320, -240},  {-8, -8}, {2, 1}};
 
 template <class AnyCamera>
 void record_viewports(Recorder& out, AnyCamera& camera)
@@ -103,7 +104,7 @@ Orbit random_orbit(Random& random)
 {
     const float a = random.uniform(-360, 360);
     const float b = random.uniform(-180, 180);
-    return {a, b, std::pow(10.0F, random.uniform(-1, 2))};
+    return {a, b, std::pow(10.0F, random.uniform(-3, 5))};
 }
 
 Size random_size(Random& random)

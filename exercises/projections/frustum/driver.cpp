@@ -61,6 +61,14 @@ glm::mat4 given_matrix(const ViewVolume& v)
     return glm::frustum(v.left, v.right, v.bottom, v.top, v.near_plane, v.far_plane);
 }
 
+/// Every third time a frustum a thousand million times as large, or as small, at most.
+ViewVolume frustum_of_any_size(int kind, Random& random)
+{
+    const ViewVolume v = random_frustum(random);
+    const float size = kind % 3 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(61)) - 30) : 1.0F;
+    return {size * v.left, size * v.right, size * v.bottom, size * v.top, size * v.near_plane, size * v.far_plane};
+}
+
 // A point of the frustum, or beside it.
 glm::vec3 point_before_the_eye(const ViewVolume& v, Random& random)
 {
@@ -98,8 +106,8 @@ void record_mirrored(Random& random, Recorder& out)
 
 void record_infinite(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 30; ++i) {
-        ViewVolume volume = random_frustum(random);
+    for (unsigned i = 0; i < 30; ++i) {
+        ViewVolume volume = with_sides_exchanged(random_frustum(random), i % 4);
         volume.far_plane = infinity;
         record(out, volume);
     }
@@ -134,7 +142,7 @@ void record_refused(Random& random, Recorder& out)
                 bad.far_plane = 0;
                 close.far_plane = 1e-30F;
                 break;
-            default: bad.far_plane = -bad.far_plane;
+            default: bad.far_plane = i < 14 ? -bad.far_plane : -infinity;
         }
         if (i / 7 % 2 == 1) good = close;
         const bool first = random.below(2) == 1;
@@ -205,12 +213,12 @@ const Driver driver = {
     {"known points", [](Case&, Recorder& out) { record_known_points(out); }},
     {"random",
      [](Case& c, Recorder& out) {
-         for (int i = 0; i < 100; ++i) record(out, random_frustum(c.random));
+         for (int i = 0; i < 100; ++i) record(out, frustum_of_any_size(i, c.random));
      }},
     {"random points",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 100; ++i) {
-             const ViewVolume volume = random_frustum(c.random);
+             const ViewVolume volume = frustum_of_any_size(i, c.random);
              record_point(out, given_matrix(volume), point_before_the_eye(volume, c.random));
          }
      }},

@@ -23,11 +23,12 @@ void record_angle(Recorder& out, float alpha_degrees)
     out.append("foreshortening", ask<foreshortening_of>(out, alpha_degrees));
 }
 
-// Cavalier and cabinet to the right, upwards and between; no lean at all; the opposite direction. In the last box
-// bottom and top, near and far are exchanged.
+// Cavalier and cabinet to the right, upwards and between; no lean at all; the opposite direction. In the last two boxes
+// bottom and top, near and far are exchanged; one begins at the viewer.
 void record_known(Recorder& out)
 {
-    const ViewVolume boxes[] = {{-1, 1, -1, 1, -1, 1}, {0, 4, 0, 2, 1, 9}, {-1, 3, 2, -2, 8, 4}};
+    const ViewVolume boxes[] = {
+        {-1, 1, -1, 1, -1, 1}, {0, 4, 0, 2, 1, 9}, {-2, 2, -1, 1, 0, 8}, {-1, 3, 2, -2, 8, 4}, {-2, 2, 1, -1, 4, 0}};
     for (const ViewVolume& box : boxes)
         for (const Lean& lean :
              {Lean{0, 1}, {90, 1}, {45, 1}, {30, 0.5F}, {45, 0.5F}, {60, 0}, {0, -0.5F}, {180, 0.75F}, {-90, 2}})
@@ -35,16 +36,18 @@ void record_known(Recorder& out)
     for (const float alpha : {45.0F, 63.434949F, 90.0F, 60.0F, 30.0F, 26.565051F}) record_angle(out, alpha);
 }
 
-Lean random_lean(Random& random)
+// Angles of up to two turns; every fourth time depths are a hundred times as long as they are, or a hundredth.
+Lean random_lean(Random& random, bool any_length)
 {
-    const float angle = random.uniform(-360, 360);
-    return {angle, random.uniform(-1.5F, 1.5F)};
+    const float angle = random.uniform(-720, 720);
+    const float length = random.uniform(-1.5F, 1.5F);
+    return {angle, any_length ? length * std::exp2(random.uniform(-6, 6)) : length};
 }
 
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
-        const Lean lean = random_lean(random);
+        const Lean lean = random_lean(random, i % 4 == 0);
         record(out, with_sides_exchanged(random_box(random), random.below(8)), lean);
         record_angle(out, random.uniform(5, 89));
     }

@@ -26,12 +26,14 @@ struct Direction {
     float roll_degrees;
 };
 
-ViewParameters record_view(Recorder& out, const glm::vec3& target, float distance, const Direction& from)
+/// `size` is a power of two: the normal is recorded in this unit.
+ViewParameters record_view(Recorder& out, const glm::vec3& target, float distance, const Direction& from,
+                           float size = 1)
 {
     const ViewParameters view =
-        ask<view_from>(out, target, distance, from.azimuth_degrees, from.elevation_degrees, from.roll_degrees);
+        ask<view_from>(out, target, size * distance, from.azimuth_degrees, from.elevation_degrees, from.roll_degrees);
     out.append("target", view.target);
-    out.append("normal", view.normal);
+    out.append("normal", view.normal / size);
     out.append("up", view.up);
     return view;
 }
@@ -84,7 +86,8 @@ void record_random(Random& random, Recorder& out)
         record_frame(out, random_view(random));
         const glm::vec3 target = 5.0F * random.in_cube();
         const float distance = random.uniform(0.5F, 10);
-        record_view(out, target, distance, random_direction(random, 180));
+        const float size = i % 4 == 0 ? std::ldexp(1.0F, static_cast<int>(random.below(61)) - 30) : 1;
+        record_view(out, target, distance, random_direction(random, 180), size);
     }
 }
 

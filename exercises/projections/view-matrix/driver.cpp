@@ -33,6 +33,17 @@ std::vector<Placement> random_cameras(Random& random, int count)
     return cameras;
 }
 
+// Every fourth in a world that is as much as 2^60 times as small, or a thousand times as large.
+std::vector<Placement> in_worlds_of_any_size(std::vector<Placement> cameras, Random& random)
+{
+    for (std::size_t i = 0; i < cameras.size(); i += 4) {
+        const float size = std::ldexp(1.0F, static_cast<int>(random.below(71)) - 60);
+        cameras[i].eye *= size;
+        cameras[i].target *= size;
+    }
+    return cameras;
+}
+
 // Only the direction of `up` counts.
 std::vector<Placement> long_and_short_up(Random& random)
 {
@@ -107,7 +118,8 @@ std::vector<Placement> degenerate(Random& random)
 
 const Driver driver = {
     {"known", [](Case&, Recorder& out) { record(out, known()); }},
-    {"random", [](Case& c, Recorder& out) { record(out, random_cameras(c.random, 500)); }},
+    {"random",
+     [](Case& c, Recorder& out) { record(out, in_worlds_of_any_size(random_cameras(c.random, 500), c.random)); }},
     {"long and short up", [](Case& c, Recorder& out) { record(out, long_and_short_up(c.random)); }},
     {"far eye", [](Case& c, Recorder& out) { record(out, far_eyes(c.random)); }},
     {"almost parallel up", [](Case& c, Recorder& out) { record(out, almost_parallel(c.random)); }},

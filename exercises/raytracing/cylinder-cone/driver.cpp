@@ -28,16 +28,22 @@ void record_both(Random& random, Recorder& out, MakeRays rays)
     record_cone(out, rays(Quadric::cone, random));
 }
 
-// Places on both surfaces, within, without, above and below.
+// Places on both surfaces, within, without, above and below. Of those far away the values are divided by what their
+// squares have as a factor, a power of two: they are as exact as the others.
 void record_fields(Random& random, Recorder& out)
 {
     std::vector<glm::vec3> places = {{1, 0.5F, 0},       {0, 0, -1},        {0, 1, 0},     {0.5F, 0.5F, 0},
                                      {0, 3, 2},          {0, 0.5F, 3},      {2, 0.25F, 1}, {0, 0, 0},
                                      {0.25F, -1, -1.5F}, {-0.75F, 2, 0.5F}, {0, -2, 3},    {0.5F, 0.75F, 0.25F}};
     for (int i = 0; i < 60; ++i) places.push_back(3.0F * random.in_cube());
-    for (const glm::vec3& place : places) {
-        out.append("cylinder", ask<unit_cylinder_field>(out, place));
-        out.append("cone", ask<unit_cone_field>(out, place));
+    const auto record_at = [&](const glm::vec3& place, float factor) {
+        out.append("cylinder", ask<unit_cylinder_field>(out, place) / factor);
+        out.append("cone", ask<unit_cone_field>(out, place) / factor);
+    };
+    for (const glm::vec3& place : places) record_at(place, 1);
+    for (int i = 0; i < 30; ++i) {
+        const float size = std::ldexp(1.0F, 1 + static_cast<int>(random.below(20)));
+        record_at(3.0F * size * random.in_cube(), size * size);
     }
 }
 

@@ -143,14 +143,15 @@ inline std::vector<Ray> at_the_rims(Quadric quadric, Random& random)
 }
 
 /// Points at an end of the interval, which do not count; and rays that begin on the surface. At half its height the
-/// level rays have two points, at exactly known t.
+/// level rays have two points, at exactly known t. Half of the directions are of any length.
 inline std::vector<Ray> at_the_ends(Quadric quadric, Random& random)
 {
     std::vector<Ray> rays;
     const float radius = quadric == Quadric::cylinder ? 1 : 0.5F;
     for (int i = 0; i < 100; ++i) {
         const std::uint32_t quarters = random.below(4);
-        const float speed = std::ldexp(1.0F, static_cast<int>(random.below(5)) - 2);
+        const int most = i / 6 % 2 == 0 ? 2 : 20;
+        const float speed = std::ldexp(1.0F, static_cast<int>(random.below(2 * most + 1)) - most);
         const float away = 2 + 0.5F * static_cast<float>(random.below(5));
         const float entry = (away - radius) / speed;
         const float exit = (away + radius) / speed;

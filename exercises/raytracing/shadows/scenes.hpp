@@ -85,7 +85,7 @@ inline glm::vec4 random_light(const SurfaceSite& site, const glm::dvec3& towards
                               Random& random)
 {
     reach = site.size * (2 + 4 * random.uniform_double());
-    if (is_sun) return {std::exp2(random.uniform(-4, 4)) * glm::vec3(towards), 0};
+    if (is_sun) return {std::exp2(random.uniform(-24, 8)) * glm::vec3(towards), 0};
     return {glm::vec3(site.point + reach * towards), 1};
 }
 
@@ -111,7 +111,7 @@ inline ShadowTriangle triangle_across(const SurfaceSite& site, const glm::dvec3&
 
 /// A pair: a point with an open way to the light, past two balls, and the same with a caster on it. Every second of
 /// those is a triangle. What stood in the way stands beside it, beyond the lamp or below the point where there is
-/// light.
+/// light. In the way of a sun it may be a mountain far away.
 inline void add_light_pair(std::vector<LightQuestion>& questions, const SurfaceSite& site, double sine, int kind,
                            Random& random)
 {
@@ -119,11 +119,13 @@ inline void add_light_pair(std::vector<LightQuestion>& questions, const SurfaceS
     const glm::dvec3 towards = direction_above(site, sine, random);
     double reach = 0;
     LightQuestion lit{site.rounded, random_light(site, towards, is_sun, reach, random), site.own};
+    const double larger = is_sun && site.size < 1e3 ? std::exp2(random.uniform(0, 14)) : 1;
+    reach *= larger;
     for (int i = 0; i < 2; ++i)
         lit.casters.balls.push_back(ball_beside(site, towards, reach * (0.3 + 0.4 * random.uniform_double()),
-                                                site.size * 0.3, 1.2 + random.uniform_double(), random));
+                                                larger * site.size * 0.3, 1.2 + random.uniform_double(), random));
     LightQuestion dark = lit;
-    const double radius = site.size * (0.05 + 0.1 * random.uniform_double());
+    const double radius = larger * site.size * (0.05 + 0.1 * random.uniform_double());
     const double distance = reach * (0.3 + 0.5 * random.uniform_double());
     if (kind % 2 == 0)
         dark.casters.balls.push_back(

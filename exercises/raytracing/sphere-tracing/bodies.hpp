@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <umbral/raytracing/sphere_tracing.hpp>
@@ -46,6 +47,12 @@ inline DistanceFunction half_space(const glm::vec3& unit_normal, float height)
     return counted([=](const glm::vec3& p) {
         return static_cast<float>(dot(glm::dvec3(unit_normal), glm::dvec3(p)) - double{height});
     });
+}
+
+/// All points beyond x; before it the distance is said to be no more than a step.
+inline DistanceFunction in_steps(float x, float step)
+{
+    return counted([=](const glm::vec3& p) { return std::min(step, x - p.x); });
 }
 
 /// Near to nothing anywhere.

@@ -49,6 +49,7 @@ void random_distances(Recorder& out, Random& random)
     }
 }
 
+// Within the box, before the mouths of its tunnels on all sides, and far away.
 void sponge(Recorder& out, Random& random)
 {
     for (const glm::vec3 p : {glm::vec3(0, 0, 0),
@@ -58,11 +59,14 @@ void sponge(Recorder& out, Random& random)
                               {0.9F, 0.8F, 0.7F},
                               {0, 0, 3},
                               {3, 5, 1},
-                              {-2.0F / 3, 2.0F / 3, 1}})
+                              {-2.0F / 3, 2.0F / 3, 1},
+                              {-1.125F, 0.125F, 0},
+                              {0.125F, -1.0625F, -0.0625F},
+                              {-0.125F, 0.0625F, -1.25F}})
         for (int level = 0; level <= 2; ++level) out.append("distance", ask<menger_distance>(out, p, level));
     for (int i = 0; i < 300; ++i) {
-        const glm::vec3 p = (i % 5 == 0 ? 2.5F : i % 5 == 1 ? 9.0F : 1.0F) * random.in_cube();
-        out.append("distance", ask<menger_distance>(out, p, static_cast<int>(random.below(7))));
+        const glm::vec3 p = (i % 5 == 0 ? 1.25F : i % 5 == 1 ? 9.0F : 1.0F) * random.in_cube();
+        out.append("distance", ask<menger_distance>(out, p, i % 3 == 0 ? 6 : static_cast<int>(random.below(7))));
     }
 }
 
@@ -105,6 +109,8 @@ void traces_by_hand(Recorder& out)
     record(out, {{{0, 8, 0}, {0, -2, 0}}, {ball(), ground()}, limits});
     record(out, {{{0, 8, 0}, {0, -2, 0}, 1.75F}, {ball(), ground()}, limits});
     record(out, {{{0, 3, 0}, {0, 1, 0}, -2}, {half_space({0, -1, 0}, -2)}, limits});
+    // Both are within the tolerance of the last point; the second one is nearer.
+    record(out, {down, {ground(), half_space({0, 1, 0}, 0x1p-11F)}, {0x1p-10F, 64}});
 }
 
 void random_traces(Recorder& out, Random& random)
@@ -163,6 +169,13 @@ void limits(Recorder& out, Random& random)
                 break;
             }
             case 3:
+                if (i % 16 == 3) {
+                    const int steps = 100 + static_cast<int>(random.below(1000));
+                    const auto body = [&] { return in_steps(static_cast<float>(steps) / 64, 1.0F / 64); };
+                    record_pair(out, {{{0, 0, 0}, axis}, {body()}, {1e-4F, steps + 1}},
+                                {{{0, 0, 0}, axis}, {body()}, {1e-4F, steps}}, random);
+                    break;
+                }
                 record_pair(out, {{{0, 0, 0}, axis}, {halving()}, {tolerance, j}},
                             {{{0, 0, 0}, axis}, {halving()}, {tolerance, j - 1}}, random);
                 break;

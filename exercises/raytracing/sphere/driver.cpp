@@ -101,7 +101,7 @@ std::vector<BallShot> tangent(Random& random)
 
 // A point at an end of the interval does not count; where the interval begins behind the origin, points there do. All
 // numbers are small integers times a power of two, so that every formula finds the roots exactly: they are one length
-// of the direction before and behind the one that the ray begins at.
+// of the direction before and behind the one that the ray begins at. Half of the directions are of any length.
 std::vector<BallShot> at_the_ends(Random& random)
 {
     std::vector<BallShot> shots;
@@ -112,8 +112,9 @@ std::vector<BallShot> at_the_ends(Random& random)
         glm::vec3 direction(0);
         direction[axis] = random.below(2) == 0 ? radius : -radius;
         const Sphere ball{centre, radius};
+        const float length = i / 8 % 2 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(41)) - 20);
         const auto from = [&](float middle, float t_min, float t_max) {
-            return BallShot{Ray{centre - middle * direction, direction, t_min, t_max}, ball};
+            return BallShot{counted_in({centre - middle * direction, direction, t_min, t_max}, length), ball};
         };
         const auto in = [&](float t_min, float t_max) { return from(3, t_min, t_max); };
         BallShot touching = from(0, -1, endless);

@@ -81,28 +81,31 @@ std::vector<TriangleShot> at_the_edges(Random& random)
 }
 
 // Where the interval (t_min, t_max) decides: the triangle lies behind, before t_min, or beyond t_max. A point at an end
-// of it does not count; where it begins behind the origin, points there do.
+// of it does not count; where it begins behind the origin, points there do. Half of the directions are of any length.
 std::vector<TriangleShot> intervals(Random& random)
 {
     std::vector<TriangleShot> shots;
     for (int i = 0; i < 160; ++i) {
         const TriangleShot ahead = exact_shot(random, {1, 1 + i % 2}, 3);
         const TriangleShot behind = exact_shot(random, {1, 1 + i % 2}, -3);
-        const TriangleShot there = exact_shot(random, {1, 1 + i % 2}, 0);
-        const auto in = [](TriangleShot shot, float t_min, float t_max) {
+        // Every second time at a corner: there the ray begins where the triangle does.
+        const TriangleShot there = exact_shot(random, i % 16 == 7 ? glm::vec2(0) : glm::vec2(1, 2), 0);
+        const float length = i / 8 % 2 == 0 ? 1 : std::ldexp(1.0F, static_cast<int>(random.below(81)) - 40);
+        const auto in = [&](TriangleShot shot, float t_min, float t_max) {
             shot.ray.t_min = t_min;
             shot.ray.t_max = t_max;
+            shot.ray = counted_in(shot.ray, length);
             return shot;
         };
         switch (i % 8) {
-            case 0: add_pair(shots, ahead, behind, random); break;
+            case 0: add_pair(shots, in(ahead, 0, endless), in(behind, 0, endless), random); break;
             case 1: add_pair(shots, in(ahead, 2.75F, endless), in(ahead, 3.25F, endless), random); break;
             case 2: add_pair(shots, in(ahead, 0, 3.25F), in(ahead, 0, 2.75F), random); break;
             case 3: add_pair(shots, in(ahead, 3 * barely_less, endless), in(ahead, 3, endless), random); break;
             case 4: add_pair(shots, in(ahead, 0, 3 * barely_more), in(ahead, 0, 3), random); break;
             case 5: add_pair(shots, in(behind, -3 * barely_more, -2), in(behind, -3, -2), random); break;
             case 6: add_pair(shots, in(ahead, -4, endless), in(behind, -2, endless), random); break;
-            default: add_pair(shots, in(there, -1, 1), there, random);
+            default: add_pair(shots, in(there, -1, 1), in(there, 0, endless), random);
         }
     }
     return shots;
@@ -141,7 +144,7 @@ std::vector<TriangleShot> sizes(Random& random)
         const std::size_t kind = i / 2 % 3;
         if (kind < 2) ray.direction *= std::pow(10.0F, random.uniform(-6, 6));
         if (kind == 0) continue;
-        const float scale = std::exp2(std::floor(i % 4 < 2 ? random.uniform(-16, -12) : random.uniform(12, 20)));
+        const float scale = std::exp2(std::floor(i % 4 < 2 ? random.uniform(-30, -12) : random.uniform(12, 30)));
         ray.origin *= scale;
         for (glm::vec3* corner : {&triangle.v0, &triangle.v1, &triangle.v2}) *corner *= scale;
     }

@@ -91,6 +91,7 @@ void sky_and_surface(Recorder& out, Random& random)
         world.levels = 1 + static_cast<int>(random.below(4));
         const glm::vec3 way = random.unit_vector();
         world.balls.push_back({5.0F * way, 1, matt(random)});
+        if (i % 5 == 0) world.balls.back().material.local.emission *= std::exp2(random.uniform(4, 14));
         const glm::vec3 aside(perpendicular_to(glm::dvec3(way), random));
         Ray ray{0.5F * aside, way};
         if (i % 4 == 0) ray.direction = random.unit_vector();

@@ -69,7 +69,7 @@ inline Look look_at_panel(const Material& material, Random& random)
 }
 
 /// A light and a ball in its way, and one that is not: beyond the light, behind the panel, or beside. The panel itself
-/// is in nobody's way.
+/// is in nobody's way. Every third lamp is in its way by a small globe of its own.
 inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
 {
     Look dark = look_at_panel(matt(random), random);
@@ -85,6 +85,7 @@ inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
     const float between = is_place ? random.uniform(0.25F, 0.75F) * distance : random.uniform(1, 60);
     ball.centre = dark.hit.position + between * way;
     Look lit = dark;
+    const float small = std::exp2(random.uniform(-8, -3));
     const float aside = 1.5F * ball.radius;
     const glm::vec3 beside(aside * glm::vec3(perpendicular_to(glm::dvec3(way), random)));
     switch (kind / 2 % 4) {
@@ -94,6 +95,7 @@ inline void add_shadow_pair(std::vector<Look>& looks, int kind, Random& random)
     }
     Ball blocking = ball;
     blocking.centre = dark.hit.position + between * way;
+    if (kind % 6 == 0) blocking = {glm::vec3(dark.world.sources.back().position), small, ball.material};
     dark.world.balls.push_back(blocking);
     lit.world.balls.push_back(ball);
     const bool swapped = random.below(2) == 1;
