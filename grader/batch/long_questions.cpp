@@ -1,9 +1,9 @@
 #include "batch/long_questions.hpp"
 
 #include <filesystem>
-#include <fstream>
+#include <span>
 
-#include "batch/pictures.hpp"
+#include "batch/artefacts.hpp"
 #include "question/log.hpp"
 
 namespace umbral::grader {
@@ -42,12 +42,14 @@ void save_long_questions(Worker& worker, const Exercise& exercise, const CaseRes
         if (check.hidden || !found.first_difference || found.first_difference->question.empty()) continue;
         const std::string code = in_full(worker, exercise, check, cases.at(check.case_name), *found.first_difference);
         if (code.empty() || code == found.first_difference->question || code.size() > most_bytes) continue;
-        std::error_code failed;
-        std::filesystem::create_directories(options.artefacts, failed);
         const std::filesystem::path file = options.artefacts / artefact_name(exercise, check, ".txt");
-        std::ofstream stream(file);
-        // A file too few disturbs nobody: the question itself is shown.
-        if (!(stream << code << '\n').flush()) continue;
+        const std::string text = code + '\n';
+        try {
+            write_artefact(file, std::as_bytes(std::span(text)));
+        } catch (const std::exception&) {
+            continue;  // a file too few disturbs nobody: the question itself is shown
+        }
+        std::error_code failed;
         found.artefacts["question"] = std::filesystem::relative(file, options.relative_to, failed).string();
         ++saved;
     }

@@ -1,9 +1,9 @@
 #include "batch/pictures.hpp"
 
-#include <algorithm>
 #include <array>
 #include <umbral/core/png.hpp>
 
+#include "batch/artefacts.hpp"
 #include "batch/related.hpp"
 #include "judge/judges.hpp"
 #include "judge/picture/to_image.hpp"
@@ -11,14 +11,6 @@
 #include "run/run_text.hpp"
 
 namespace umbral::grader {
-
-std::string artefact_name(const Exercise& exercise, const Check& check, const char* extension)
-{
-    std::string name = exercise.id + "-" + check.name + extension;
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
-    return name;
-}
 
 void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& cases, const GradeOptions& options,
                    UnitResult& result)
@@ -36,7 +28,7 @@ void save_pictures(Worker& worker, const Exercise& exercise, const CaseResults& 
             check, one.student, worker.trusted(exercise, judged_against(check), check.case_name, one.seed));
         if (student == nullptr || expected.tensor == nullptr || !can_be_drawn(check, *expected.tensor)) continue;
         try {
-            std::filesystem::create_directories(options.artefacts);
+            make_artefact_folder(options.artefacts);
             const std::filesystem::path file = options.artefacts / artefact_name(exercise, check, ".png");
             write_png(file, triptych(to_image(*student, check), to_image(*expected.tensor, check), expected.words,
                                      judge_of(check).look == Look::light ? check.judge : image_kind()));

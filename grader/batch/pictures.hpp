@@ -1,16 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <umbral/core/grid.hpp>
 
 #include "batch/case_results.hpp"
 #include "batch/grade_unit.hpp"
 
 namespace umbral::grader {
-
-/// What the file of a check is called, among those of all units: "raytracing-sphere-far-away-t.png".
-[[nodiscard]] std::string artefact_name(const Exercise& exercise, const Check& check, const char* extension);
 
 /// Writes a triptych (yours, reference, difference) for every failing picture that is not hidden, and one for a unit
 /// that passes; notes their paths in the result. A picture that cannot be written is left out: points do not depend on

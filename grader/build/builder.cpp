@@ -42,7 +42,7 @@ std::vector<std::string> lines_of(const fs::path& file)
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("8\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
+    std::string all = fmt::format("9\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
                                   exercise.gl_calls, exercise.glfw, exercise.counts_work, tools.compiler,
                                   fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
@@ -134,9 +134,18 @@ Compilation compile_surely(const Toolchain& tools, const Exercise& exercise, con
     if (compilation.outcome != Compilation::Outcome::unexplained) return compilation;
     // With what the first attempt left on the disk: if it is full, it is full now.
     require_a_working_compiler(tools, exercise);
-    for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
-    compilation = compile(tools, exercise, files, work.path());
+    const auto again = [&](Diagnostics diagnostics) {
+        for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
+        return compile(tools, exercise, files, work.path(), UnusedCode::kept, diagnostics);
+    };
+    compilation = again(Diagnostics::plain);
     if (compilation.outcome != Compilation::Outcome::unexplained) return compilation;
+    // Words of the files' own, in a message of the compiler's, may look like those of a tool in trouble.
+    if (compilation.lacks_machine) {
+        const Compilation heard = again(Diagnostics::json);
+        if (heard.outcome == Compilation::Outcome::built) return heard;
+        compilation.lacks_machine = heard.lacks_machine;
+    }
     if (compilation.lacks_machine)
         throw std::runtime_error(fmt::format("the compiler lacks what this machine should give it: {}",
                                              one_line(compilation.diagnostics, 1024)));

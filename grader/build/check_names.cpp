@@ -79,6 +79,10 @@ std::optional<Objection> check_words(const Sources& files, const Exercise& exerc
 {
     for (const auto& [file, text] : files) {
         const std::string bare = without_comments(text);
+        // Two halves make a forbidden name for whoever compiles, and none for whoever reads.
+        if (!exercise.forbid.empty() && bare.find("##") != std::string::npos)
+            return Objection{Verdict::forbidden,
+                             fmt::format("{}: words put together by ## are not allowed in this unit", one_line(file))};
         for (const std::string& name : exercise.forbid)
             if (holds_word(bare, name))
                 return Objection{Verdict::forbidden,

@@ -204,10 +204,11 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
 }
 
 Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work,
-                    UnusedCode unused)
+                    UnusedCode unused, Diagnostics diagnostics)
 {
     const std::string script = (unit_folder(tools, exercise.id) / "exports.map").string();
     std::vector<std::string> task{"-Wl,--version-script=" + script};
+    if (diagnostics == Diagnostics::json) task.emplace_back("-fdiagnostics-format=json");
     if (unused == UnusedCode::left_out)
         task.insert(task.begin(), {"-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"});
     if (exercise.counts_work)

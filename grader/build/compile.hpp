@@ -31,11 +31,16 @@ struct Compilation {
 /// that the linker must see, or are left out, so that they are not held against the file that they stand in.
 enum class UnusedCode { kept, left_out };
 
+/// How the compiler writes down what it says. As JSON, whatever the files put into a message, line feeds too, stays
+/// within a text: a line that begins with a tool's name is the tool's own.
+enum class Diagnostics { plain, json };
+
 /// Writes `files` into the empty folder `work` and makes `work/student.so` of its .cpp files, in confinement: the
 /// compiler sees the folder, what it needs of the system, and the framework's headers. Exported are exactly the names
 /// in the unit's exports.map. Throws std::runtime_error if the files cannot be written or the compiler cannot be run.
 [[nodiscard]] Compilation compile(const Toolchain& tools, const Exercise& exercise, const Sources& files,
-                                  const std::filesystem::path& work, UnusedCode unused = UnusedCode::kept);
+                                  const std::filesystem::path& work, UnusedCode unused = UnusedCode::kept,
+                                  Diagnostics diagnostics = Diagnostics::plain);
 
 /// Makes `work/driver.so` of the files as `compile` makes a student's library: in the same confinement, with the same
 /// flags. It may export anything, and finds the unit's functions where it is loaded. Throws as `compile` does.

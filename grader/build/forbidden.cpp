@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "build/header_texts.hpp"
 #include "build/spelling.hpp"
 #include "model/caps.hpp"
 #include "model/forbidden_families.hpp"
@@ -16,12 +18,23 @@ bool matches_any(std::string_view text, const std::vector<std::string_view>& pat
     return std::ranges::any_of(patterns, [&](std::string_view pattern) { return matches_pattern(text, pattern); });
 }
 
-/// "glm/gtx/transform.inl" of "/usr/include/glm/gtx/transform.inl".
-std::string_view below_include(std::string_view path)
+/// "glm/gtx/transform.inl" of "/usr/include/glm/gtx/../gtx/transform.inl", which is how an include may be written.
+std::string below_include(const std::string& path)
 {
     constexpr std::string_view folder = "/include/";
-    const std::size_t at = path.rfind(folder);
-    return at == std::string_view::npos ? path : path.substr(at + folder.size());
+    std::string plain = std::filesystem::path(path).lexically_normal().string();
+    const std::size_t at = plain.rfind(folder);
+    return at == std::string::npos ? plain : plain.substr(at + folder.size());
+}
+
+/// Does this function's name lie in GLM's headers?
+bool is_of_glm(std::string_view header) { return header.starts_with("glm/"); }
+
+/// "unProject*" of "glm::unProject*".
+std::string_view last_part(std::string_view pattern)
+{
+    const std::size_t colon = pattern.rfind("::");
+    return colon == std::string_view::npos ? pattern : pattern.substr(colon + 2);
 }
 
 std::string sentence(std::string_view name, const ForbiddenFamily* family)
@@ -65,16 +78,30 @@ std::string qualified_name(std::string_view signature)
 std::optional<std::string> find_forbidden(const Inspection& inspection, const std::vector<std::string>& forbid)
 {
     if (forbid.empty()) return std::nullopt;
+    HeaderTexts headers;
+    std::optional<std::string> renamed;
     for (const InspectedFunction& function : inspection.functions) {
-        const std::string name = qualified_name(function.name);
+        const std::string header = below_include(function.file);
+        const bool of_glm = is_of_glm(header);
+        // A long type in what a function returns can leave nothing of its name, and a header can be read in a scope of
+        // one's own: of GLM's functions the last name counts.
+        const std::string bare = qualified_name(function.bare);
+        std::string name = qualified_name(function.name);
+        if (of_glm && (!name.starts_with("glm::") || last_part(name) != bare)) name = "glm::" + bare;
         for (const std::string& entry : forbid) {
             const ForbiddenFamily* family = forbidden_family(entry);
-            if (family == nullptr && matches_pattern(name, entry)) return sentence(name, nullptr);
-            if (family == nullptr || matches_any(name, family->except) ||
-                !matches_any(below_include(function.file), family->headers))
+            if (family == nullptr &&
+                (matches_pattern(name, entry) || (of_glm && matches_pattern(bare, last_part(entry)))))
+                return sentence(name, nullptr);
+            if (family == nullptr || matches_any(name, family->except) || !matches_any(header, family->headers))
                 continue;
             return sentence(name, family);
         }
+        if (of_glm && !renamed && !headers.declares(function))
+            renamed = fmt::format(
+                "{} is a function of GLM's by another name ({}:{}): its headers are to be read as "
+                "they are written",
+                one_line(name), one_line(header), function.line);
     }
     for (const InspectedSymbol& symbol : inspection.undefined)
         for (const std::string& entry : forbid) {
@@ -82,7 +109,7 @@ std::optional<std::string> find_forbidden(const Inspection& inspection, const st
             if (family == nullptr ? matches_pattern(symbol.name, entry) : matches_any(symbol.name, family->symbols))
                 return sentence(symbol.name, family);
         }
-    return std::nullopt;
+    return renamed;
 }
 
 }

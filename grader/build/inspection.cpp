@@ -40,7 +40,8 @@ std::optional<Inspection> inspect(const Toolchain& tools, const std::filesystem:
     Inspection inspection;
     inspection.missing = json.at("missing");
     for (const auto& pair : json.at("undefined")) inspection.undefined.push_back({pair.at(0), pair.at(1)});
-    for (const auto& pair : json.at("functions")) inspection.functions.push_back({pair.at(0), pair.at(1)});
+    for (const auto& one : json.at("functions"))
+        inspection.functions.push_back({one.at(0), one.at(1), one.at(2), one.at(3), one.at(4)});
     inspection.uncounted = json.at("uncounted");
     return inspection;
 }

@@ -20,6 +20,9 @@ struct InspectedSymbol {
 struct InspectedFunction {
     std::string name;  ///< as C++ writes it, at most caps::name bytes
     std::string file;  ///< where it is declared, as the compiler knew it
+    int line = 0;      ///< the place of its name there, counted from 1; 0 where nothing says it
+    int column = 0;
+    std::string bare;  ///< its name without scope and template arguments: "rotate", "operator*"
 };
 
 /// What a built library says about itself. It was made from hostile sources, so it is read by umbral-inspect in

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "inspect/counted_code.hpp"
 #include "inspect/demangle.hpp"
@@ -37,7 +38,16 @@ private:
     bool overflown_ = false;
 };
 
-using Pair = std::pair<std::string, std::string>;
+/// A function as debug information describes it.
+struct Function {
+    std::string name;  ///< as C++ writes it
+    std::string file;  ///< where it is declared, with the place of its name there
+    int line = 0;
+    int column = 0;
+    std::string bare;  ///< without scope and arguments: what is left if a long type cuts the name before it comes
+
+    auto operator<=>(const Function&) const = default;
+};
 
 std::string cut(const char* name, std::size_t limit) { return {name, strnlen(name, limit)}; }
 
@@ -109,58 +119,87 @@ bool has_code(Dwarf_Die* die)
 
 /// The functions of a file's debug information, and what became of each.
 struct Functions {
-    Names<Pair> used;      ///< left code: has an address, or was inlined into one that has
-    Names<Pair> left_out;  ///< was inlined only into functions that the linker left out
-    Names<Pair> unplaced;  ///< was inlined, and nothing says where
+    Names<Function> used;      ///< left code: has an address, or was inlined into one that has
+    Names<Function> left_out;  ///< was inlined only into functions that the linker left out
+    Names<Function> unplaced;  ///< was inlined, and nothing says where
 
     [[nodiscard]] bool overflown() const { return used.overflown() || left_out.overflown() || unplaced.overflown(); }
 };
 
-void add_function(Dwarf_Die* die, Names<Pair>& functions)
+std::string bare_name(Dwarf_Die* die)
 {
     Dwarf_Attribute attribute;
-    const char* const file = dwarf_decl_file(die);
+    const char* const text = dwarf_formstring(dwarf_attr_integrate(die, DW_AT_name, &attribute));
+    if (text == nullptr) return {};
+    const std::string name = cut(text, caps::name);
+    return name.starts_with("operator") ? name : name.substr(0, name.find('<'));
+}
+
+void add_function(Dwarf_Die* die, Names<Function>& functions)
+{
+    Dwarf_Attribute attribute;
     for (const unsigned kind : {DW_AT_linkage_name, DW_AT_MIPS_linkage_name, DW_AT_name}) {
         if (dwarf_attr_integrate(die, kind, &attribute) == nullptr) continue;
-        if (const char* name = dwarf_formstring(&attribute))
-            functions.add({demangled(name, caps::name), file == nullptr ? "" : cut(file, caps::symbol)});
+        const char* const name = dwarf_formstring(&attribute);
+        if (name == nullptr) return;
+        const char* const file = dwarf_decl_file(die);
+        Function function{demangled(name, caps::name), file == nullptr ? "" : cut(file, caps::symbol), 0, 0,
+                          bare_name(die)};
+        if (dwarf_decl_line(die, &function.line) != 0) function.line = 0;
+        if (dwarf_decl_column(die, &function.column) != 0) function.column = 0;
+        functions.add(std::move(function));
         return;
     }
 }
 
-/// `left_out`: the code round `parent` is not in the file. Depth is bounded, since a forged tree could be as deep as
-/// its file is long.
-void walk(Dwarf_Die* parent, int depth, bool left_out, Functions& functions)
+/// Looks at everything in a unit, whatever it lies in and however deep: code in a union, or in a hundred blocks, is
+/// code too. False if the tree is deeper than any that a compiler writes, as a forged one may be.
+bool walk(Dwarf_Die* unit, Functions& functions)
 {
-    Dwarf_Die die;
-    if (depth > 64 || dwarf_child(parent, &die) != 0) return;
-    do {
-        const int tag = dwarf_tag(&die);
-        bool gone = left_out;
+    constexpr std::size_t deepest = 65536;
+    struct Place {
+        Dwarf_Die die;
+        bool left_out;  ///< the code round it is not in the file
+    };
+    std::vector<Place> path;
+    Dwarf_Die first;
+    if (dwarf_child(unit, &first) != 0) return true;
+    path.push_back({first, false});
+    while (!path.empty() && !functions.overflown()) {
+        Place& here = path.back();
+        const int tag = dwarf_tag(&here.die);
+        bool gone = here.left_out;
         if (tag == DW_TAG_subprogram) {
-            const bool has_addresses = dwarf_hasattr(&die, DW_AT_low_pc) != 0 || dwarf_hasattr(&die, DW_AT_ranges) != 0;
-            gone = has_addresses && !has_code(&die);
+            const bool has_addresses =
+                dwarf_hasattr(&here.die, DW_AT_low_pc) != 0 || dwarf_hasattr(&here.die, DW_AT_ranges) != 0;
+            gone = has_addresses && !has_code(&here.die);
             if (has_addresses)
-                add_function(&die, gone ? functions.left_out : functions.used);
-            else if (dwarf_hasattr(&die, DW_AT_inline) != 0)
-                add_function(&die, functions.unplaced);
+                add_function(&here.die, gone ? functions.left_out : functions.used);
+            else if (dwarf_hasattr(&here.die, DW_AT_inline) != 0)
+                add_function(&here.die, functions.unplaced);
         } else if (tag == DW_TAG_inlined_subroutine) {
-            add_function(&die, gone ? functions.left_out : functions.used);
+            add_function(&here.die, gone ? functions.left_out : functions.used);
         }
-        if (tag == DW_TAG_namespace || tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine ||
-            tag == DW_TAG_structure_type || tag == DW_TAG_class_type || tag == DW_TAG_lexical_block)
-            walk(&die, depth + 1, gone, functions);
-    } while (!functions.overflown() && dwarf_siblingof(&die, &die) == 0);
+        Dwarf_Die child;
+        if (dwarf_child(&here.die, &child) == 0) {
+            if (path.size() == deepest) return false;
+            path.push_back({child, gone});
+            continue;
+        }
+        // The next one that was not seen yet: behind this one, or behind what it lies in.
+        while (!path.empty() && dwarf_siblingof(&path.back().die, &path.back().die) != 0) path.pop_back();
+    }
+    return true;
 }
 
 /// Those that left code, or all. One of which nothing says where it was inlined left some: what it did may have become
 /// part of others' code.
-Names<Pair> functions_in(const Functions& found, bool all)
+Names<Function> functions_in(const Functions& found, bool all)
 {
-    Names<Pair> functions = found.used;
-    for (const Pair& function : found.unplaced.all())
+    Names<Function> functions = found.used;
+    for (const Function& function : found.unplaced.all())
         if (all || !found.left_out.all().contains(function)) functions.add(function);
-    for (const Pair& function : found.left_out.all())
+    for (const Function& function : found.left_out.all())
         if (all) functions.add(function);
     return functions;
 }
@@ -178,21 +217,22 @@ std::string names_as_json(Elf* elf, Dwarf* dwarf, const std::vector<std::string>
     const bool all = !missing.empty();
     if (all) add_symbols(elf, true, symbols);
     Functions found;
+    bool walked = true;
     const bool whole = for_each_unit(dwarf, [&](Dwarf_Die* unit) {
-        walk(unit, 0, false, found);
+        walked = walk(unit, found) && walked;
         return false;
     });
-    const Names<Pair> functions = functions_in(found, all);
-    if (!whole || functions.all().empty() || functions.overflown() || found.overflown() ||
+    const Names<Function> functions = functions_in(found, all);
+    if (!whole || !walked || functions.all().empty() || functions.overflown() || found.overflown() ||
         symbols.defined.overflown() || symbols.undefined.overflown())
         return {};
     nlohmann::json undefined = nlohmann::json::array();
     for (const std::string& name : symbols.undefined.all())
         undefined.push_back({name, demangled(name.c_str(), caps::name)});
-    const nlohmann::json json = {{"missing", missing},
-                                 {"undefined", undefined},
-                                 {"functions", functions.all()},
-                                 {"uncounted", uncounted_code(elf)}};
+    nlohmann::json used = nlohmann::json::array();
+    for (const Function& one : functions.all()) used.push_back({one.name, one.file, one.line, one.column, one.bare});
+    const nlohmann::json json = {
+        {"missing", missing}, {"undefined", undefined}, {"functions", used}, {"uncounted", uncounted_code(elf)}};
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

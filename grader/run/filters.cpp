@@ -54,15 +54,41 @@ Filter program(const Context& rules)
 
 /// What computing, drawing in software and printing to an open descriptor need.
 constexpr std::array always = {
-    SCMP_SYS(read),          SCMP_SYS(write),        SCMP_SYS(readv),          SCMP_SYS(writev),
-    SCMP_SYS(pread64),       SCMP_SYS(lseek),        SCMP_SYS(close),          SCMP_SYS(fstat),
-    SCMP_SYS(mmap),          SCMP_SYS(mprotect),     SCMP_SYS(munmap),         SCMP_SYS(mremap),
-    SCMP_SYS(madvise),       SCMP_SYS(brk),          SCMP_SYS(futex),          SCMP_SYS(exit),
-    SCMP_SYS(exit_group),    SCMP_SYS(rt_sigreturn), SCMP_SYS(rt_sigprocmask), SCMP_SYS(restart_syscall),
-    SCMP_SYS(clock_gettime), SCMP_SYS(clock_getres), SCMP_SYS(gettimeofday),   SCMP_SYS(time),
-    SCMP_SYS(getpid),        SCMP_SYS(gettid),       SCMP_SYS(getuid),         SCMP_SYS(geteuid),
-    SCMP_SYS(getrandom),     SCMP_SYS(sched_yield),  SCMP_SYS(nanosleep),      SCMP_SYS(clock_nanosleep),
-    SCMP_SYS(getrusage),     SCMP_SYS(sysinfo),      SCMP_SYS(uname),          SCMP_SYS(sched_getaffinity),
+    SCMP_SYS(read),
+    SCMP_SYS(write),
+    SCMP_SYS(readv),
+    SCMP_SYS(writev),
+    SCMP_SYS(pread64),
+    SCMP_SYS(lseek),
+    SCMP_SYS(close),
+    SCMP_SYS(fstat),
+    SCMP_SYS(mprotect),
+    SCMP_SYS(munmap),
+    SCMP_SYS(mremap),
+    SCMP_SYS(madvise),
+    SCMP_SYS(brk),
+    SCMP_SYS(futex),
+    SCMP_SYS(exit),
+    SCMP_SYS(exit_group),
+    SCMP_SYS(rt_sigreturn),
+    SCMP_SYS(rt_sigprocmask),
+    SCMP_SYS(restart_syscall),
+    SCMP_SYS(clock_gettime),
+    SCMP_SYS(clock_getres),
+    SCMP_SYS(gettimeofday),
+    SCMP_SYS(time),
+    SCMP_SYS(getpid),
+    SCMP_SYS(gettid),
+    SCMP_SYS(getuid),
+    SCMP_SYS(geteuid),
+    SCMP_SYS(getrandom),
+    SCMP_SYS(sched_yield),
+    SCMP_SYS(nanosleep),
+    SCMP_SYS(clock_nanosleep),
+    SCMP_SYS(getrusage),
+    SCMP_SYS(sysinfo),
+    SCMP_SYS(uname),
+    SCMP_SYS(sched_getaffinity),
 };
 
 /// Innocent programs ask these without need (is stdout a terminal?): they get an error, and are not reported.
@@ -85,6 +111,12 @@ Filter run_filter()
     // word.
     check(seccomp_attr_set(rules.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_TRAP), "seccomp_attr_set");
     for (const int call : always) check(seccomp_rule_add(rules.get(), SCMP_ACT_ALLOW, call, 0), "seccomp_rule_add");
+    // Memory of its own only. Pages of shared memory stay as long as one of them is mapped, and count nowhere once they
+    // are not: a run could take all that the machine has, beyond any limit. MAP_SHARED_VALIDATE has the same bit.
+    constexpr unsigned flags = 3;
+    check(seccomp_rule_add(rules.get(), SCMP_ACT_ALLOW, SCMP_SYS(mmap), 1,
+                           SCMP_CMP(flags, SCMP_CMP_MASKED_EQ, MAP_SHARED, 0)),
+          "seccomp_rule_add");
     for (const int call : quietly_refused)
         check(seccomp_rule_add(rules.get(), SCMP_ACT_ERRNO(EPERM), call, 0), "seccomp_rule_add");
     return program(rules);

@@ -99,6 +99,18 @@ TEST_F(BrokenCompiler, is_nobodys_compile_error_and_heals)
     EXPECT_EQ(to_string(built().verdict), "ok");
 }
 
+// A text with line feeds can hold lines that begin as those of the compiler's own.
+TEST_F(Cache, what_the_files_make_the_compiler_say_is_no_trouble_of_the_machine)
+{
+    for (const char* const words :
+         {"cc1plus: fatal error: error writing to /tmp/x.s: No space left on device", "  what():  Too many open files",
+          "g++: fatal error: cannot execute cc1plus: vfork: Resource temporarily unavailable"}) {
+        const std::string failing = text + "static_assert(sizeof(int) == 5, \"no\\n" + words + "\");\n";
+        const Built refused = build(bench.tools(), bench.exercise("raytracing/sphere"), {{"sphere.cpp", failing}});
+        EXPECT_EQ(to_string(refused.verdict), "compile_error") << words;
+    }
+}
+
 TEST_F(Cache, endless_templates_are_stopped_by_processor_time)
 {
     Toolchain tools = bench.tools();

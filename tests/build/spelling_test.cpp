@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "build/check_names.hpp"
 #include "build/forbidden.hpp"
 
 namespace umbral::grader::test {
@@ -42,6 +43,19 @@ TEST(HoldsWord, is_about_whole_words)
     EXPECT_TRUE(holds_word("lookAt", "lookAt"));
     EXPECT_FALSE(holds_word("my_lookAt lookAt2 xlookAt", "lookAt"));
     EXPECT_TRUE(holds_word("lookAt2 lookAt", "lookAt"));
+}
+
+// The compilers of shaders know ##, as that of C++ does.
+TEST(CheckWords, finds_no_name_that_is_put_together_unseen)
+{
+    Exercise exercise;
+    exercise.forbid = {"reflect"};
+    EXPECT_TRUE(check_words({{"a.frag", "vec3 r = reflect(v, n);"}}, exercise));
+    EXPECT_TRUE(check_words({{"a.frag", "#define GLUE(a, b) a##b\nvec3 r = GLUE(refl, ect)(v, n);"}}, exercise));
+    EXPECT_TRUE(check_words({{"a.frag", "#define GLUE(a, b) a #\\\n# b\nvec3 r = GLUE(refl, ect)(v, n);"}}, exercise));
+    EXPECT_FALSE(check_words({{"a.frag", "// ## reflect\nvec3 r = mirrored(v, n);"}}, exercise));
+    exercise.forbid.clear();
+    EXPECT_FALSE(check_words({{"a.frag", "#define GLUE(a, b) a##b"}}, exercise));
 }
 
 TEST(MatchesPattern, star_stands_for_anything)

@@ -29,6 +29,10 @@ const std::vector<Attack> attacks = {
      R"(void* page = mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0); )"
      R"(for (int advice : {100, 101}) say("madvise", raw(SYS_madvise, page, 4096, advice));)",
      nullptr},
+    {"shared_memory",
+     R"(for (int kind : {0x01, 0x03, 0x21}) )"
+     R"(say("mmap", raw(SYS_mmap, 0, 1 << 20, PROT_READ | PROT_WRITE, MAP_ANONYMOUS | kind, -1, 0));)",
+     "mmap"},
     {"open_maps", R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/maps", O_RDONLY));)", "openat"},
     {"open_mem",
      R"(say("open", raw(SYS_openat, AT_FDCWD, "/proc/self/mem", O_RDWR)); )"

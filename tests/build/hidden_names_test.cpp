@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "support/workbench.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+/// An attack that uses what is forbidden, where debug information is not looked at or names something else.
+struct Hidden {
+    const char* attack;
+    const char* file;
+    const char* found;  ///< what the message must name
+};
+
+void PrintTo(const Hidden& hidden, std::ostream* stream) { *stream << hidden.attack; }
+
+class HiddenNames : public testing::TestWithParam<Hidden> {};
+
+TEST_P(HiddenNames, are_found)
+{
+    const Workbench bench;
+    const std::filesystem::path file = GetParam().file;
+    const std::string text =
+        project_file("tests/attacks/forbidden/" + std::string(GetParam().attack) + "/" + file.string());
+    const Built built =
+        build(bench.tools(), bench.exercise(file.parent_path().string()), {{file.filename().string(), text}});
+    EXPECT_EQ(to_string(built.verdict), "forbidden") << built.message;
+    EXPECT_NE(built.message.find(GetParam().found), std::string::npos) << built.message;
+}
+
+constexpr const char* rotation = "transforms/axis-rotation/axis_rotation.cpp";
+constexpr const char* reflection = "raytracing/reflect-refract/reflect_refract.cpp";
+INSTANTIATE_TEST_SUITE_P(
+    All, HiddenNames,
+    testing::Values(Hidden{"rotate-below-blocks", rotation, "glm::rotate is not allowed"},
+                    Hidden{"rotate-in-union", rotation, "glm::rotate is not allowed"},
+                    Hidden{"rotate-by-dotted-path", rotation, "glm::rotateNormalizedAxis is not allowed"},
+                    Hidden{"rotate-called-identity", rotation, "by another name (glm/gtx/rotate_normalized_axis.inl:"},
+                    Hidden{"reflect-renamed", reflection, "by another name (glm/detail/func_geometric.inl:"},
+                    Hidden{"reflect-of-long-type", reflection, "glm::reflect is not allowed"},
+                    Hidden{"products-of-quaternions", "transforms/vectors/vectors.cpp", "is not allowed"},
+                    Hidden{"mix-of-quaternions", "interaction/keyframes/keyframes.cpp", "glm::mix is not allowed"}),
+    [](const auto& one) {
+        std::string name = one.param.attack;
+        std::ranges::replace(name, '-', '_');
+        return name;
+    });
+
+}
+}
