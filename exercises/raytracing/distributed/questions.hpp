@@ -111,13 +111,13 @@ inline std::vector<PenumbraQuestion> penumbra_questions()
             {"The light in the shadow", at({-1, 0, 0}, up), over, 0},
             {"The light on a tilted surface", at({1.25F, 0.5F, 1}, {-1, 1, -1}), over, 0},
             {"The light on a wall beside the lamp", at({1, 1.5F, 0.25F}, {-1, 0, 0}), over, 0},
-            {"The light on a surface whose horizon cuts the lamp", at({0.2F, 0.75F, 0.2F}, {1, 0, 0}), over, 0},
             {"The light near the lamp", at({0.25F, 1.6F, 0.1F}, up), over, 0},
             {"The light behind the lamp", at({0, 3, 0}, {0, -1, 0}), over, 0},
             {"The light behind the lamp on what faces away", at({0, 3, 0}, up), over, 0},
             {"The light from the side", at({2.5F, 0, -0.5F}, up), aside, 0.25F},
             {"The light before the ball has come", at({1.9F, 0, 0.1F}, up), over, 0},
-            {"The light while the ball is there", at({1.9F, 0, 0.1F}, up), over, 1}};
+            {"The light while the ball is there", at({1.9F, 0, 0.1F}, up), over, 1},
+            {"The light on a surface whose horizon cuts the lamp", at({0.2F, 0.75F, 0.2F}, {1, 0, 0}), over, 0}};
 }
 
 /// A question about one pixel.

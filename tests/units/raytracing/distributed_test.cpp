@@ -121,6 +121,10 @@ TEST(Distributed, penumbras_have_the_light_of_what_is_seen_of_the_lamp)
     check(6, over);
     check(7, over);
     check(10, scene.lamps()[1]);
+    AreaLamp above_horizon = over;
+    above_horizon.corner.x = 0.2F;
+    above_horizon.edge_a.x = 0.3F;
+    check(13, above_horizon);
     for (const std::size_t dark : {std::size_t{4}, std::size_t{8}, std::size_t{9}}) {
         const PenumbraQuestion& question = questions[dark];
         Random random(1);
