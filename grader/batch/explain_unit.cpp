@@ -31,11 +31,17 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
 
     for (const CaseChecks& group : groups) {
         undecided -= group.failing;
+        // A mistake that explains runs to its end: none is like a run that the clock stopped.
+        const bool stopped = group.result->student.verdict == Verdict::timeout;
         for (Candidate& candidate : candidates) {
+            candidate.fits_here = false;
+            if (stopped) {
+                for (std::size_t i = 0; i < group.checks.size(); ++i) candidate.tally += not_alike;
+                continue;
+            }
             const KnownSolution& mistake = *candidate.mistake;
             const RunOutcome& run =
                 worker.run_known(exercise, "mistakes/" + mistake.name, mistake.sources, group.name, group.result->seed);
-            candidate.fits_here = false;
             for (const FailingCheck& one : group.checks) {
                 const Resemblance said = says_of(one, *group.result, run);
                 candidate.tally += said;

@@ -21,7 +21,8 @@ constexpr std::size_t most_letters = 160;
 /// Only chance could have it otherwise: one that two runs which differ, and two which do not, leave room for.
 constexpr double confidence_of_difference = 0.99;
 
-/// A case, and the values that its failing checks look at. Counted work may depend on how variables are filled.
+/// A case, and the values that its failing checks look at. Counted work may depend on how variables are filled. A case
+/// that was stopped by the clock would be stopped again, whatever variables hold, and is not run.
 struct FailingCase {
     std::string name;
     bool hidden = false;
@@ -34,7 +35,8 @@ std::vector<FailingCase> failing_cases(const Exercise& exercise, const UnitResul
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
         const CaseResult& one = cases.at(check.case_name);
-        if (result.checks[i].score == result.checks[i].max_score || !one.reached || judge_of(check).counts_work)
+        if (result.checks[i].score == result.checks[i].max_score || !one.reached || judge_of(check).counts_work ||
+            one.student.verdict == Verdict::timeout)
             continue;
         auto at = std::ranges::find(found, check.case_name, &FailingCase::name);
         if (at == found.end()) at = found.insert(found.end(), {check.case_name, one.hidden});
