@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -16,8 +17,8 @@ namespace umbral {
 
 /// A way to misunderstand an argument: "negated", "in degrees". `make` changes the value in place.
 struct Change {
-    std::string_view name;
-    void (*make)(void* value);
+    std::string_view name{};
+    void (*make)(void* value) = nullptr;
 };
 
 /// A part of a question's arguments that can be misunderstood as a whole: a number, a vector, a matrix, a list.
@@ -37,6 +38,16 @@ template <class Value, class Function>
 constexpr Change change(std::string_view name, Function /*unused*/)
 {
     return {name, [](void* value) { Function{}(*static_cast<Value*>(value)); }};
+}
+
+template <std::size_t First, std::size_t Second>
+constexpr std::array<Change, First + Second> joined(const std::array<Change, First>& one,
+                                                    const std::array<Change, Second>& other)
+{
+    std::array<Change, First + Second> all{};
+    std::copy(one.begin(), one.end(), all.begin());
+    std::copy(other.begin(), other.end(), all.begin() + First);
+    return all;
 }
 
 template <class Value>
@@ -68,6 +79,10 @@ struct ChangesOf<Number> {
         change<Number>("without its sign", [](Number& x) { x = x < 0 ? -x : x; }),
         change<Number>("taken as infinity", [](Number& x) { x = std::numeric_limits<Number>::infinity(); }),
         change<Number>("squared", [](Number& x) { x *= x; }),
+        change<Number>("subtracted from 1", [](Number& x) { x = 1 - x; }),
+        change<Number>("replaced by its reciprocal", [](Number& x) { x = 1 / x; }),
+        change<Number>("limited to [0, 1]", [](Number& x) { x = glm::clamp(x, Number(0), Number(1)); }),
+        change<Number>("rounded towards 0", [](Number& x) { x = std::trunc(x); }),
     };
 };
 
@@ -137,22 +152,19 @@ struct ChangesOf<Vector> {
                 change<Vector>("without the signs of its components", [](Vector& v) { v = glm::abs(v); }),
                 change<Vector>("with x negated", [](Vector& v) { v.x = -v.x; }),
                 change<Vector>("with y negated", [](Vector& v) { v.y = -v.y; }),
+                change<Vector>("with y subtracted from 1", [](Vector& v) { v.y = 1 - v.y; }),
+                change<Vector>("limited to [0, 1]", [](Vector& v) { v = glm::clamp(v, Vector(0), Vector(1)); }),
+                change<Vector>("rounded towards 0", [](Vector& v) { v = glm::trunc(v); }),
             };
             if constexpr (Vector::length() < 3)
                 return real;
             else
-                return std::array{real[0],
-                                  real[1],
-                                  real[2],
-                                  real[3],
-                                  real[4],
-                                  real[5],
-                                  real[6],
-                                  real[7],
-                                  real[8],
+                return joined(real,
+                              std::array{
                                   change<Vector>("with y and z exchanged", [](Vector& v) { std::swap(v.y, v.z); }),
                                   change<Vector>("with x and z exchanged", [](Vector& v) { std::swap(v.x, v.z); }),
-                                  change<Vector>("with z negated", [](Vector& v) { v.z = -v.z; })};
+                                  change<Vector>("with z negated", [](Vector& v) { v.z = -v.z; }),
+                              });
         }
     }();
 };
@@ -196,12 +208,23 @@ struct ChangesOf<std::vector<Element>> {
                          [](List& list) {
                              if (!list.empty()) list.pop_back();
                          }),
+            change<List>("beginning with its second element, the first one last",
+                         [](List& list) {
+                             if (!list.empty()) std::rotate(list.begin(), list.begin() + 1, list.end());
+                         }),
+            change<List>("with its last element twice",
+                         [](List& list) {
+                             if (!list.empty()) list.push_back(Element(list.back()));
+                         }),
+            change<List>("with its first element at its end as well",
+                         [](List& list) {
+                             if (!list.empty()) list.push_back(Element(list.front()));
+                         }),
         };
         if constexpr (std::is_same_v<Element, glm::uvec3>)
-            return std::array{common[0], common[1], common[2],
-                              change<List>("with each triangle turned round", [](List& list) {
-                                  for (Element& element : list) turn_round(element);
-                              })};
+            return joined(common, std::array{change<List>("with each triangle turned round", [](List& list) {
+                              for (Element& element : list) turn_round(element);
+                          })});
         else
             return common;
     }();
