@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/config.hpp"
 #include "cli/paths.hpp"
+#include "judge/explain/explain.hpp"
 #include "judge/image/rule.hpp"
 #include "judge/judge.hpp"
 #include "judge/picture/image_difference.hpp"
@@ -18,6 +19,7 @@
 #include "judge/statistics/stochastic.hpp"
 #include "report/html/pages.hpp"
 #include "report/paint.hpp"
+#include "report/reasons.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -44,6 +46,7 @@ struct Found {
     bool agree = false;
     CheckResult result;
     std::optional<WorstRegion> worst;
+    std::vector<Explanation> reasons{};  ///< what was done to one picture to make the other, best first
 };
 
 CheckResult blank(const Options& options)
@@ -96,6 +99,8 @@ Found compare(const Check& check, const Tensor& yours, const Tensor& reference, 
         options.stochastic ? by_tiles(check, yours, reference, options) : by_pixels(check, yours, reference, options);
     found.result.score = found.agree ? found.result.max_score : 0;
     found.worst = worst_region(check, yours, reference);
+    if (!found.agree && !options.stochastic)
+        found.reasons = ranked(explain_by_transform({{&check, &yours, &reference}}));
     return found;
 }
 
@@ -109,7 +114,11 @@ void print_json(const Found& found, const Options& options)
                         {"agree", found.agree},
                         {"message", found.result.message},
                         {"metrics", found.result.metrics},
-                        {"worst", nullptr}};
+                        {"worst", nullptr},
+                        {"why", nlohmann::json::array()}};
+    for (const Explanation& reason : found.reasons)
+        json["why"].push_back(
+            {{"name", reason.name}, {"sentence", reason.sentence}, {"confidence", reason.confidence}});
     if (found.worst) {
         const Window& worst = found.worst->worst;
         json["worst"] = {{"x", worst.x}, {"y", worst.y}, {"width", worst.width}, {"height", worst.height}};
@@ -140,6 +149,9 @@ void print_text(const Application& application, const Found& found, const Option
         fmt::print("    {:<28}{} x {} pixels from ({}, {})\n", "they differ most in", worst.width, worst.height,
                    worst.x, worst.y);
     }
+    for (const Explanation& reason : main_reasons(found.reasons))
+        fmt::print("\n    Why: {} ({}{})\n", paint.safe(reason.sentence), sure_words(reason.confidence),
+                   reason.ambiguous ? " one of these" : "");
     if (!options.html.empty()) fmt::print("\n    {}\n", paint.safe(options.html));
     fmt::print("\n");
 }
@@ -160,7 +172,7 @@ void run(Application& application, const Options& options)
             detail.why = fmt::format("a right picture fails once in {:.0f}: noise explains everything else",
                                      1 / stochastic_alpha);
         write_output(options.html, html::comparison_html({options.yours, options.reference, found.result, detail,
-                                                          found.agree, config::version}));
+                                                          found.reasons, found.agree, config::version}));
     }
     if (options.json)
         print_json(found, options);

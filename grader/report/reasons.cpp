@@ -12,17 +12,16 @@ const char* sure_words(double confidence)
     return confidence >= thresholds::least_sure ? "probably" : "perhaps";
 }
 
-std::span<const Explanation> main_reasons(const UnitResult& unit)
+std::span<const Explanation> main_reasons(std::span<const Explanation> all)
 {
-    const std::span<const Explanation> all = unit.explanations;
     if (all.empty() || !all.front().ambiguous) return all.first(std::min<std::size_t>(all.size(), 1));
     const auto end = std::ranges::find(all, false, &Explanation::ambiguous);
     return all.first(static_cast<std::size_t>(end - all.begin()));
 }
 
-std::span<const Explanation> other_reasons(const UnitResult& unit)
+std::span<const Explanation> other_reasons(std::span<const Explanation> all)
 {
-    return std::span(unit.explanations).subspan(main_reasons(unit).size());
+    return all.subspan(main_reasons(all).size());
 }
 
 std::string readable_reason(const Explanation& explanation)

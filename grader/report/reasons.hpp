@@ -11,11 +11,13 @@ namespace umbral::grader {
 /// measurement.
 [[nodiscard]] const char* sure_words(double confidence);
 
-/// Those that match equally well, of which one is the reason: one explanation, several if it is ambiguous, none if
-/// there is none.
-[[nodiscard]] std::span<const Explanation> main_reasons(const UnitResult& unit);
+/// Of explanations, best first, those that match equally well, of which one is the reason: one explanation, several if
+/// it is ambiguous, none if there is none.
+[[nodiscard]] std::span<const Explanation> main_reasons(std::span<const Explanation> all);
+[[nodiscard]] inline auto main_reasons(const UnitResult& unit) { return main_reasons(unit.explanations); }
 /// What else it may be, less likely.
-[[nodiscard]] std::span<const Explanation> other_reasons(const UnitResult& unit);
+[[nodiscard]] std::span<const Explanation> other_reasons(std::span<const Explanation> all);
+[[nodiscard]] inline auto other_reasons(const UnitResult& unit) { return other_reasons(unit.explanations); }
 
 /// "mistake: far_root" as people read it: "far root".
 [[nodiscard]] std::string readable_reason(const Explanation& explanation);

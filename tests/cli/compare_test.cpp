@@ -76,6 +76,36 @@ TEST_F(Compare, a_shifted_picture_does_not_and_says_where)
     EXPECT_LE(json.at("worst").at("x").get<int>() + json.at("worst").at("width").get<int>(), 96);
 }
 
+TEST_F(Compare, says_what_was_done_to_a_picture)
+{
+    save("a.png", disc(0));
+    const auto with = [](auto change) {
+        Image image = disc(0);
+        change(image);
+        return image;
+    };
+    save("bgr.png", with([](Image& image) {
+             for (glm::u8vec4& cell : image.cells) std::swap(cell.x, cell.z);
+         }));
+    save("upside_down.png", with([](Image& image) {
+             const Image upright = image;
+             for (int y = 0; y < image.height; ++y)
+                 for (int x = 0; x < image.width; ++x) image.at(x, y) = upright.at(x, image.height - 1 - y);
+         }));
+    save("moved.png", disc(3));
+    const auto why = [&](const char* name) {
+        const auto json = nlohmann::json::parse(compare(name, "a.png", "--json").text);
+        return json.at("why").empty() ? std::string() : json.at("why").at(0).at("name").get<std::string>();
+    };
+    EXPECT_EQ(why("a.png"), "");
+    EXPECT_EQ(why("bgr.png"), "red and blue swapped");
+    EXPECT_EQ(why("upside_down.png"), "flipped vertically");
+    EXPECT_EQ(why("moved.png"), "shifted");
+    const Printed printed = compare("bgr.png", "a.png", "--html '" + (folder_ / "page.html").string() + "'");
+    EXPECT_NE(printed.text.find("Why: Red and blue are swapped"), std::string::npos) << printed.text;
+    EXPECT_NE(read(folder_ / "page.html").find("Red and blue are swapped"), std::string::npos);
+}
+
 TEST_F(Compare, other_sizes_do_not_agree_and_say_so)
 {
     save("a.png", disc(0));

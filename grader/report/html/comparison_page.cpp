@@ -15,6 +15,7 @@ std::string comparison_html(const Comparison& comparison)
         "class=\"of-reference\"><dt>reference</dt><dd>{}</dd></div></dl>\n</section>\n",
         comparison.agree ? "The pictures agree" : "The pictures do not agree", comparison.yours, comparison.reference);
     document.main += "<section class=\"unit\" aria-label=\"Comparison\">\n<h2 class=\"aside\">Comparison</h2>\n";
+    document.main += why_section(comparison.reasons);
     document.main += check_article(comparison.check, comparison.detail, "c1", false);
     document.main += "</section>\n";
     document.footer =

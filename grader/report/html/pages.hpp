@@ -53,6 +53,7 @@ struct Comparison {
     std::string reference;
     CheckResult check;
     CheckDetail detail;
+    std::vector<Explanation> reasons;  ///< why they do not agree, best first
     bool agree = false;
     std::string version;
 };

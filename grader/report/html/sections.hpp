@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "report/html/pages.hpp"
@@ -13,6 +14,9 @@ inline constexpr char number_slot = '\x01';
 /// One unit of a report: verdict, why, what was printed, time, and its checks; with number_slot in its anchors ("u1",
 /// "u1-c1").
 [[nodiscard]] Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition edition);
+
+/// What the reason probably is, of explanations that are listed best first, and what else it may be.
+[[nodiscard]] Markup why_section(std::span<const Explanation> explanations);
 
 /// One check that is not right, or is worth a look: its words, its error and its evidence.
 [[nodiscard]] Markup check_article(const CheckResult& check, const CheckDetail& detail, const Markup& anchor,

@@ -5,38 +5,10 @@
 #include "report/html/bars.hpp"
 #include "report/html/sections.hpp"
 #include "report/paint.hpp"
-#include "report/reasons.hpp"
 #include "report/reruns.hpp"
 
 namespace umbral::grader::html {
 namespace {
-
-Markup why(const UnitResult& unit)
-{
-    const auto reasons = main_reasons(unit);
-    if (reasons.empty()) return {};
-    const char* sure = sure_words(reasons.front().confidence);
-    Markup result = "<div class=\"why\"><h3>Why</h3>\n";
-    if (reasons.size() == 1) {
-        result += markup("<p class=\"hint\">{}</p>\n<p class=\"sure\">That is {} the reason.</p>\n",
-                         reasons.front().sentence, sure);
-    } else {
-        for (std::size_t i = 0; i < reasons.size(); ++i)
-            result += markup("<p class=\"hint\"><span class=\"sure\">{}</span> {}</p>\n",
-                             i == 0 ? "Either:" : "Or:", reasons[i].sentence);
-        result += markup("<p class=\"sure\">It is {} one of these: they give the same results here.</p>\n", sure);
-    }
-    const auto others = other_reasons(unit);
-    if (!others.empty()) {
-        result += "<p class=\"sure\">It may also be:</p>\n<ul>\n";
-        for (const Explanation& other : others)
-            result +=
-                markup("<li>{} <span class=\"sure\">({})</span></li>\n", other.sentence, sure_words(other.confidence));
-        result += "</ul>\n";
-    }
-    result += "</div>\n";
-    return result;
-}
 
 /// `code`: columns matter, as in a compiler's message; otherwise long lines are broken.
 Markup text_block(std::string_view heading, std::string_view text, bool code)
@@ -163,7 +135,7 @@ Markup unit_section(const UnitResult& unit, const UnitDetail& detail, Edition ed
         kind_of(verdict), number, detail.title.empty() ? unit.id : detail.title, unit.id, verdict_chip(verdict),
         points_text(unit.score), points_text(unit.max_score));
     result += rubric_table(unit);
-    result += why(unit);
+    result += why_section(unit.explanations);
     result += text_block(heading_of_message(verdict), unit.message, verdict == Verdict::compile_error);
     result += text_block("What the program printed", unit.output, false);
     if (never_ran(verdict)) {
