@@ -52,6 +52,70 @@ TEST(ExplainImages, one_error_one_explanation)
     EXPECT_EQ(first(image, each_colour(right, [](double v) { return v - 0.1; }), right), "too dark by a constant");
 }
 
+/// The sentence of the first explanation.
+std::string told(const Tensor& student, const Tensor& expected)
+{
+    const auto found = explain(image, student, expected);
+    return found.empty() ? "nothing" : found.front().sentence;
+}
+
+TEST(ExplainImages, a_quarter_of_a_turn_either_way)
+{
+    const Tensor right = balls();
+    const int last = static_cast<int>(right.rows) - 1;
+    const auto at = [&](auto place) { return repaint(right, [&](int x, int y) { return place(x, y); }); };
+    EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, last - y, x); }), right), "turned by 90 degrees");
+    EXPECT_EQ(first(image, at([&](int x, int y) { return pixel(right, y, last - x); }), right), "turned by 90 degrees");
+}
+
+TEST(ExplainImages, what_was_done_to_channels)
+{
+    const Tensor right = balls();
+    const auto as = [&](auto change) {
+        return repaint(right, [&](int x, int y) { return change(pixel(right, x, y)); });
+    };
+    EXPECT_EQ(told(as([](Colour c) {
+                       return Colour{c.g, c.b, c.r, c.a};
+                   }),
+                   right),
+              "Your colours are right, but in another order: the expected red, green and blue are your blue, red and "
+              "green.");
+    EXPECT_EQ(told(as([](Colour c) {
+                       return Colour{c.r, 0, c.b, c.a};
+                   }),
+                   right),
+              "Your picture is right but for its green, which is 0 everywhere.");
+    EXPECT_EQ(told(as([](Colour c) {
+                       return Colour{c.r, 0, 0, c.a};
+                   }),
+                   right),
+              "Your picture is right but for its green and blue, which are 0 everywhere.");
+    EXPECT_EQ(told(as([](Colour c) {
+                       return Colour{c.g, c.g, c.g, c.a};
+                   }),
+                   right),
+              "Your picture is grey: all three channels hold the expected green.");
+    const auto luma = [](Colour c) { return byte(0.299 * c.r + 0.587 * c.g + 0.114 * c.b); };
+    EXPECT_EQ(told(as([&](Colour c) {
+                       return Colour{luma(c), luma(c), luma(c), c.a};
+                   }),
+                   right),
+              "Your picture is grey: all three channels hold 0.3 of the expected red, 0.6 of the green and 0.1 of the "
+              "blue.");
+    EXPECT_EQ(told(as([](Colour c) { return Colour{0, 0, 0, c.a}; }), right), "nothing") << "black is no channel lost";
+}
+
+TEST(ExplainImages, powers_and_ranges_of_levels)
+{
+    const Tensor right = balls();
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return std::pow(v, 1 / 1.8); }), right), "to a power");
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return v * v; }), right), "to a power");
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return 0.5 * v + 0.5; }), right), "another range");
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return 2 * v - 0.5; }), right), "another range")
+        << "clamped at both ends";
+    EXPECT_EQ(first(image, each_colour(right, [](double v) { return 0.5 - 0.5 * v; }), right), "another range");
+}
+
 TEST(ExplainImages, differences_of_a_level_or_two_are_no_change_of_light)
 {
     EXPECT_EQ(first(image, each_colour(balls(), [](double v) { return v - 1.0 / 255; }), balls()), "none");

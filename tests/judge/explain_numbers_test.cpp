@@ -168,6 +168,33 @@ TEST(ExplainNumbers, a_passing_check_of_the_same_value_speaks_against_what_would
     EXPECT_TRUE(explain_by_transform({passing}).empty());
 }
 
+TEST(ExplainNumbers, what_is_lost_is_recognised)
+{
+    EXPECT_EQ(first_after([](float v) { return std::abs(v); }), "sign lost");
+    EXPECT_EQ(first_after([](float v) { return std::max(v, 0.0F); }), "limited below");
+    EXPECT_EQ(first_after([](float v) { return std::min(v, 1.0F); }), "limited above");
+    EXPECT_EQ(first_after([](float v) { return std::clamp(v, 0.0F, 1.0F); }), "limited to [0, 1]");
+    EXPECT_EQ(first_after([](float v) { return std::trunc(v); }), "fractions cut off");
+    EXPECT_EQ(first_after([](float v) { return std::round(v); }), "rounded to whole numbers");
+    EXPECT_EQ(first_after([](float v) { return 1 - v; }), "subtracted from 1");
+
+    Random random(seed);
+    std::vector<std::uint32_t> indices(60);
+    for (std::uint32_t& index : indices) index = random.below(200'000);
+    std::vector<std::uint32_t> short_ones = indices;
+    for (std::uint32_t& index : short_ones) index %= 65536;
+    EXPECT_EQ(first(numbers, grid(1, 60, short_ones), grid(1, 60, indices)), "16 bits");
+}
+
+TEST(ExplainNumbers, a_constant_answer_is_nothing_that_was_lost)
+{
+    EXPECT_EQ(first_after([](float) { return 0.0F; }), "none");
+    EXPECT_EQ(first_after([](float) { return 1.0F; }), "none");
+    const auto fractions = values_of(40, -0.9F, 0.9F);
+    EXPECT_EQ(first(numbers, floats(changed(fractions, [](float v) { return std::trunc(v); })), floats(fractions)),
+              "none");
+}
+
 TEST(ExplainNumbers, there_are_many_and_each_has_its_own_name_and_sentence)
 {
     std::vector<std::string> names;

@@ -30,7 +30,8 @@ struct NamedTransform {
     std::string (*describe)(const Check& check, const Tensor& student, const Tensor& expected) = nullptr;
     /// What is fitted to the result (a factor, an order, a shift) could have been another: so much less says an
     /// agreement. A fitted transform fits right results too, as no transform at all, so that passing checks say nothing
-    /// about it.
+    /// about it. Negative where values that the transform leaves alone, and that are right, say more than those that it
+    /// changes.
     double fitted_bits = 0;
 };
 

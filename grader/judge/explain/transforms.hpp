@@ -12,6 +12,10 @@ namespace umbral::grader {
 [[nodiscard]] std::vector<NamedTransform> matrix_transforms();
 [[nodiscard]] std::vector<NamedTransform> number_transforms();
 [[nodiscard]] std::vector<NamedTransform> image_transforms();
+/// Of numbers, what cannot be undone but is recognised: signs, fractions or high bits that are lost.
+[[nodiscard]] std::vector<NamedTransform> recognised_transforms();
+/// Of pictures, what was done to their channels.
+[[nodiscard]] std::vector<NamedTransform> channel_transforms();
 
 using CellMap = std::function<void(std::span<double> student, std::span<const double> expected)>;
 

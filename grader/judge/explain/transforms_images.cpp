@@ -58,6 +58,16 @@ Result turn(const Check& check, const Tensor& student, const Tensor&)
     });
 }
 
+/// Which of the two ways it was turned is found out.
+Result turn_by_quarter(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    if (!is_grid(check) || student.rows != student.columns) return std::nullopt;
+    const std::uint32_t last = student.rows - 1;
+    Tensor left = rearranged(student, [last](std::uint32_t x, std::uint32_t y) { return At{y, last - x}; });
+    Tensor right = rearranged(student, [last](std::uint32_t x, std::uint32_t y) { return At{last - y, x}; });
+    return distance(left, expected) < distance(right, expected) ? std::move(left) : std::move(right);
+}
+
 Result swap_axes(const Check& check, const Tensor& student, const Tensor&)
 {
     if (!is_grid(check) || student.rows != student.columns) return std::nullopt;
@@ -217,6 +227,9 @@ std::vector<NamedTransform> image_transforms()
          flip_horizontally},
         {"turned by 180 degrees", "Your picture is turned upside down and mirrored: both axes have the wrong sign.",
          turn},
+        {"turned by 90 degrees",
+         "Your picture is turned by a quarter: x and y are swapped, and one of them has the wrong sign.",
+         turn_by_quarter, nullptr, 1},
         {"x and y swapped", "Your picture is mirrored at its diagonal: x and y (or width and height) are swapped.",
          swap_axes},
         {"red and blue swapped", "Red and blue are swapped: you write BGR where RGB is expected.", swap_red_blue},
@@ -226,6 +239,7 @@ std::vector<NamedTransform> image_transforms()
         {"ids off by one", "Your ids are all one off: count from the same number as the statement does.", shift_ids,
          nullptr, 1},
     };
+    for (NamedTransform& one : channel_transforms()) all.push_back(std::move(one));
     for (NamedTransform& tone : tone_transforms()) all.push_back(std::move(tone));
     return all;
 }

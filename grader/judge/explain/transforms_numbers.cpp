@@ -31,6 +31,7 @@ double to_degrees(double v) { return v / degree; }
 double invert(double v) { return 1 / v; }
 double root(double v) { return std::copysign(std::sqrt(std::abs(v)), v); }
 double square(double v) { return v * v; }
+double from_one(double v) { return 1 - v; }
 double clamp_below(double v) { return std::max(v, 0.0); }
 
 Result normalise(const Check& check, const Tensor& student, const Tensor& expected)
@@ -162,7 +163,7 @@ Result drop_negative(const Check& check, const Tensor& student, const Tensor& ex
 
 std::vector<NamedTransform> number_transforms()
 {
-    return {
+    std::vector<NamedTransform> all = {
         {"negated",
          "Your values have the opposite sign: look for a difference taken the wrong way round, or a direction that "
          "points the other way.",
@@ -183,10 +184,13 @@ std::vector<NamedTransform> number_transforms()
         {"squared", "Your values are the squares of the expected ones: a square root is missing.", each_value<root>},
         {"root taken", "Your values are the square roots of the expected ones: the square was expected.",
          each_value<square>},
+        {"subtracted from 1", "Your values are 1 minus the expected ones.", each_value<from_one>},
         {"scaled", "Your values differ from the expected ones by a constant factor.", unscale, describe_factor, 6},
         {"off by a constant", "Your values differ from the expected ones by a constant.", remove_offset,
          describe_offset, 6},
     };
+    for (NamedTransform& one : recognised_transforms()) all.push_back(std::move(one));
+    return all;
 }
 
 }

@@ -25,10 +25,14 @@ struct Range {
     [[nodiscard]] double normal(double value) const { return (value - low) / (high - low); }
 };
 
+bool has_fractions(const Tensor& tensor)
+{
+    return tensor.element == Element::float32 || tensor.element == Element::float64;
+}
+
 Range range_of(const Check& check, const Tensor& tensor)
 {
-    if (tensor.element == Element::float32 || tensor.element == Element::float64)
-        return {check.range_low, check.range_high};
+    if (has_fractions(tensor)) return {check.range_low, check.range_high};
     return {0, 255};
 }
 
@@ -119,6 +123,98 @@ std::string describe_light(const Check& check, const Tensor& student, const Tens
                   : std::string{};
 }
 
+double apart(const ValuePair& pair, double tone) { return std::abs(pair.student - std::clamp(tone, 0.0, 1.0)); }
+
+/// Do nearly all of the pairs look as this tone makes them?
+template <class Tone>
+bool explains(const std::vector<ValuePair>& pairs, Tone tone)
+{
+    const auto explained = std::ranges::count_if(
+        pairs, [&](const ValuePair& pair) { return apart(pair, tone(pair.expected)) <= rounding; });
+    return 100 * explained >= 99 * std::ssize(pairs);
+}
+
+/// The power of the expected light that the student's is, if it is not what sRGB would make of it, or next to none.
+std::optional<double> light_power(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    if (!has_colours(check)) return std::nullopt;
+    const auto pairs = free_values(check, student, expected);
+    if (!telling(pairs) || explains(pairs, srgb_encoded) || explains(pairs, srgb_decoded)) return std::nullopt;
+    std::vector<double> powers;
+    for (const ValuePair& pair : pairs)
+        if (pair.student > 0.1 && pair.expected > 0.1 && pair.expected < 0.9)
+            powers.push_back(std::log(pair.student) / std::log(pair.expected));
+    const auto power = median(std::move(powers));
+    if (!power || std::abs(*power - 1) < 0.1 || *power < 0.1 || *power > 10) return std::nullopt;
+    return power;
+}
+
+Result undo_power(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    const auto power = light_power(check, student, expected);
+    if (!power) return std::nullopt;
+    return recognise(check, student, expected, [p = *power](double v) { return std::pow(std::max(v, 0.0), p); });
+}
+
+std::string describe_power(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    const auto power = light_power(check, student, expected);
+    return power
+               ? fmt::format(
+                     "Your picture has the expected levels to the power of {:.2g}: too {} in its middle tones, as by a "
+                     "gamma that is used once too often or left out.",
+                     *power, *power < 1 ? "bright" : "dark")
+               : std::string{};
+}
+
+struct Line {
+    double factor = 1;
+    double offset = 0;
+};
+
+/// Factor and offset, by least squares, where neither alone would do.
+std::optional<Line> light_line(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    if (!has_colours(check)) return std::nullopt;
+    const auto pairs = free_values(check, student, expected);
+    if (!telling(pairs)) return std::nullopt;
+    ValuePair mean;
+    for (const ValuePair& pair : pairs) mean.student += pair.student, mean.expected += pair.expected;
+    mean.student /= static_cast<double>(pairs.size());
+    mean.expected /= static_cast<double>(pairs.size());
+    double products = 0;
+    double squares = 0;
+    for (const ValuePair& pair : pairs) {
+        products += (pair.student - mean.student) * (pair.expected - mean.expected);
+        squares += (pair.expected - mean.expected) * (pair.expected - mean.expected);
+    }
+    const double factor = products / squares;
+    const Line line{factor, mean.student - factor * mean.expected};
+    constexpr double least = 0.05;
+    const bool inverted = std::abs(line.factor + 1) < least && std::abs(line.offset - 1) < least;
+    if (!(std::abs(line.factor) >= least && std::abs(line.factor) <= 8) || std::abs(line.factor - 1) < least ||
+        std::abs(line.offset) < least || inverted)
+        return std::nullopt;
+    return line;
+}
+
+Result undo_line(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    const auto line = light_line(check, student, expected);
+    if (!line) return std::nullopt;
+    return recognise(check, student, expected, [l = *line](double v) { return l.factor * v + l.offset; });
+}
+
+std::string describe_line(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    const auto line = light_line(check, student, expected);
+    return line ? fmt::format(
+                      "Your picture has {:.2g} times the expected levels {} {:.2g} (of 1): look for a change of range, "
+                      "such as x / 2 + 1 / 2, that is missing or too much.",
+                      line->factor, line->offset < 0 ? "minus" : "plus", std::abs(line->offset))
+                : std::string{};
+}
+
 std::optional<double> light_offset(const Check& check, const Tensor& student, const Tensor& expected)
 {
     if (!has_colours(check)) return std::nullopt;
@@ -148,6 +244,8 @@ std::string describe_light_offset(const Check& check, const Tensor& student, con
 
 }
 
+double one_level_of(const Tensor& tensor) { return has_fractions(tensor) ? one_level : 1; }
+
 std::vector<NamedTransform> tone_transforms()
 {
     return {
@@ -163,6 +261,8 @@ std::vector<NamedTransform> tone_transforms()
          6},
         {"too dark by a constant", "Your picture differs from the expected one by a constant light.",
          remove_light_offset, describe_light_offset, 6},
+        {"to a power", "Your picture has the expected levels to a power.", undo_power, describe_power, 6},
+        {"another range", "Your picture has the expected levels in another range.", undo_line, describe_line, 12},
     };
 }
 

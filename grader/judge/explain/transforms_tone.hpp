@@ -11,4 +11,7 @@ namespace umbral::grader {
 /// levels), it is replaced by that.
 [[nodiscard]] std::vector<NamedTransform> tone_transforms();
 
+/// One of 255 levels, in the numbers of this picture: 1 where they are codes, 1 / 255 where they are fractions.
+[[nodiscard]] double one_level_of(const Tensor& tensor);
+
 }
