@@ -135,6 +135,9 @@ TEST(Image, other_sizes_types_and_presence_are_wrong)
 {
     EXPECT_EQ(image(balls(64), balls(128)).right, 0);
     EXPECT_NE(image(balls(64), balls(128)).message.find("64 x 64"), std::string::npos);
+    const Tensor black = repaint(balls(), [](int, int) { return Colour{0, 0, 0, 255}; });
+    EXPECT_TRUE(image(black, balls()).message.starts_with("Every pixel of the picture is (0, 0, 0, 255): nothing"))
+        << image(black, balls()).message;
     Tensor three = balls();
     three.components = 3;
     three.bytes.resize(three.count());

@@ -53,6 +53,15 @@ std::string pixel_text(const Tensor& picture, int x, int y)
     return cell_text(TensorView(Tensor{picture.element, 1, 1, picture.components, {start, start + size}, {}}), 0);
 }
 
+/// Have all pixels one value?
+bool is_plain(const Tensor& picture)
+{
+    const std::size_t size = size_of(picture.element) * picture.components;
+    return picture.bytes.size() >= size &&
+           std::equal(picture.bytes.begin() + static_cast<std::ptrdiff_t>(size), picture.bytes.end(),
+                      picture.bytes.begin());
+}
+
 Judgement identical()
 {
     Judgement result;
@@ -108,7 +117,10 @@ Judgement judge_image(const Check& check, const Tensor& student_tensor, const Te
     if (result.right >= 1) return result;
 
     const auto region = worst_region(check, student_tensor, expected_tensor);
-    result.message = "The picture differs: " + complaint(rule);
+    const bool blank = is_plain(student_tensor) && !is_plain(expected_tensor);
+    result.message = blank ? fmt::format("Every pixel of the picture is {}: nothing else was drawn",
+                                         pixel_text(student_tensor, 0, 0))
+                           : "The picture differs: " + complaint(rule);
     if (region) {
         result.message += fmt::format("; look round pixel ({}, {})", region->peak_x, region->peak_y);
         result.first_difference = Difference{fmt::format("pixel ({}, {})", region->peak_x, region->peak_y),
