@@ -186,6 +186,25 @@ TEST(ExplainNumbers, what_is_lost_is_recognised)
     EXPECT_EQ(first(numbers, grid(1, 60, short_ones), grid(1, 60, indices)), "16 bits");
 }
 
+TEST(ExplainNumbers, rows_in_another_order)
+{
+    const auto right = values_of(40);
+    auto rows = right;
+    std::reverse(rows.begin(), rows.end());
+    EXPECT_EQ(first(numbers, floats(rows), floats(right)), "rows in reverse order");
+    rows = right;
+    std::rotate(rows.begin(), rows.end() - 1, rows.end());
+    EXPECT_EQ(first(numbers, floats(rows), floats(right)), "rows one too late");
+    rows = right;
+    rows.erase(rows.begin());
+    rows.push_back(0);
+    EXPECT_EQ(first(numbers, floats(rows), floats(right)), "rows one too early");
+    const auto points = vectors(false);
+    std::vector<float> late = points;
+    std::rotate(late.begin(), late.end() - 3, late.end());
+    EXPECT_EQ(first(numbers, floats(late, 3), floats(points, 3)), "rows one too late");
+}
+
 TEST(ExplainNumbers, a_constant_answer_is_nothing_that_was_lost)
 {
     EXPECT_EQ(first_after([](float) { return 0.0F; }), "none");

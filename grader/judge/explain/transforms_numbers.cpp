@@ -148,6 +148,38 @@ std::string describe_offset(const Check& check, const Tensor& student, const Ten
                : std::string{};
 }
 
+/// So many rows must be in another order: fewer are too soon alike.
+constexpr std::uint32_t enough_rows = 8;
+
+/// The student's row `from(i)` in place of row i; where there is none, the expected one.
+template <class From>
+Result moved_rows(const Check& check, const Tensor& student, const Tensor& expected, From from)
+{
+    if (!is_numbers(check) || student.columns != 1 || student.rows < enough_rows) return std::nullopt;
+    Tensor result = expected;
+    const std::size_t size = size_of(student.element) * student.components;
+    for (std::int64_t row = 0; row < student.rows; ++row) {
+        const std::int64_t source = from(row);
+        if (source < 0 || source >= student.rows) continue;
+        std::copy_n(student.bytes.begin() + source * static_cast<std::ptrdiff_t>(size), size,
+                    result.bytes.begin() + row * static_cast<std::ptrdiff_t>(size));
+        if (!student.present.empty())
+            result.present[static_cast<std::size_t>(row)] = student.present[static_cast<std::size_t>(source)];
+    }
+    return result;
+}
+
+Result reverse_rows(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    return moved_rows(check, student, expected, [&](std::int64_t row) { return student.rows - 1 - row; });
+}
+
+template <std::int64_t by>
+Result rows_moved_by(const Check& check, const Tensor& student, const Tensor& expected)
+{
+    return moved_rows(check, student, expected, [](std::int64_t row) { return row + by; });
+}
+
 // What lies behind the origin, taken for a hit, made absent.
 Result drop_negative(const Check& check, const Tensor& student, const Tensor& expected)
 {
@@ -184,6 +216,12 @@ std::vector<NamedTransform> number_transforms()
         {"squared", "Your values are the squares of the expected ones: a square root is missing.", each_value<root>},
         {"root taken", "Your values are the square roots of the expected ones: the square was expected.",
          each_value<square>},
+        {"rows in reverse order", "Your rows are the expected ones in reverse order: the last one comes first.",
+         reverse_rows},
+        {"rows one too late", "Each of your rows is the expected one of the row before: they come one too late.",
+         rows_moved_by<1>},
+        {"rows one too early", "Each of your rows is the expected one of the row after: they come one too early.",
+         rows_moved_by<-1>},
         {"subtracted from 1", "Your values are 1 minus the expected ones.", each_value<from_one>},
         {"scaled", "Your values differ from the expected ones by a constant factor.", unscale, describe_factor, 6},
         {"off by a constant", "Your values differ from the expected ones by a constant.", remove_offset,
