@@ -65,7 +65,7 @@ Sample sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
     const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) { return one.second.size(); });
     if (most == by_kind.end()) return result;
     const auto& [kind, some] = *most;
-    result.answers = {answers.components, answers.columns, {}, {}};
+    result.answers = {answers.components, answers.keys, answers.columns, {}, {}};
     for (const AskedAnswer* const one : some) result.answers.answers.push_back(one->answer);
     if (kind == nullptr) return result;
     const std::vector<std::string> parameters = parameter_names(asked.headers, kind->function);

@@ -224,10 +224,10 @@ void add_question_before(const AnswerTable& table, const Pairs& wrong, std::vect
     if (different.size() >= least_wrong) found.emplace_back("is the right one to the question before");
 }
 
-/// Which numbers of a row are wrong; empty if most of them are.
+/// Which numbers of a row are wrong; empty if most of what it says is.
 std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which)
 {
-    if (which.empty() || which.size() > most_named || 2 * which.size() > table.components) return "";
+    if (which.empty() || which.size() > most_named || 2 * which.size() > table.components - table.keys) return "";
     std::vector<std::string> names;
     for (const std::size_t i : which)
         names.push_back(i < table.columns.size() ? table.columns[i] : fmt::format("number {}", i));
