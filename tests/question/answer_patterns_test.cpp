@@ -68,9 +68,11 @@ TEST(AnswerPatterns, do_not_say_that_all_differs_but_what_a_row_is_about)
     EXPECT_NE(first(corners), "");
     corners.keys = 3;
     EXPECT_EQ(first(corners), "");
-    corners = table(6, [](Row right) { return Row{right[0], right[1], right[2], right[3], -9 - right[4], right[5]}; });
+    corners =
+        table(6, [](Row right) { return Row{right[0], right[1], right[2], right[3], right[4] * right[4], right[5]}; });
     corners.keys = 3;
-    EXPECT_NE(first(corners), "");
+    corners.columns.clear();
+    EXPECT_EQ(first(corners), "differs in its number 2 only");
 }
 
 TEST(AnswerPatterns, say_which_rows_of_a_list_are_missing_or_too_many)
