@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <kit/magnitude.hpp>
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <umbral/interaction/orbit_camera.hpp>
@@ -54,19 +55,36 @@ inline double random_pixels(Random& random, double reach)
     return std::floor(64 * reach * (2 * random.uniform_double() - 1)) / 64;
 }
 
-/// A camera somewhere within 3 of the origin, 2 to 8 away from its target.
+/// A camera somewhere within 3 of the origin, 2 to 8 away from its target, in any unit of length; of four one stands at
+/// a limit of its pitch, and of four one may come closer to 90 degrees than others.
 inline OrbitCameraSettings random_settings(Random& random)
 {
     OrbitCameraSettings settings;
-    settings.target = 3.0 * glm::dvec3(random.in_cube());
-    settings.distance = 2 + 6 * random.uniform_double();
+    const double unit = random_unit(random, -8, 8);
+    settings.target = 3 * unit * glm::dvec3(random.in_cube());
+    settings.distance = unit * (2 + 6 * random.uniform_double());
     settings.yaw = 6 * random.uniform_double() - 3;
     settings.pitch = 2 * random.uniform_double() - 1;
-    settings.min_distance = 0.5;
-    settings.max_distance = 20;
+    settings.min_distance = 0.5 * unit;
+    settings.max_distance = 20 * unit;
     settings.max_pitch = 1.05 + 0.45 * random.uniform_double();
+    if (random.below(4) == 0) settings.max_pitch = 1.56;
+    if (random.below(4) == 0) settings.pitch = std::copysign(settings.max_pitch, settings.pitch);
     settings.viewport_height = 300 + static_cast<int>(random.below(900));
     return settings;
+}
+
+/// A new size, or one time in three one that is none.
+inline CameraEvent random_resize(Random& random, int width, int height)
+{
+    switch (random.below(15)) {
+        case 0: return resize(0, 0);
+        case 1: return resize(0, height);
+        case 2: return resize(width, 0);
+        case 3: return resize(-width, height);
+        case 4: return resize(width, -height);
+        default: return resize(width, height);
+    }
 }
 
 /// A session: mostly drags, then the wheel, and now and then a new size of the window (or none of it), a reset, and
@@ -88,7 +106,7 @@ inline std::vector<CameraEvent> random_session(Random& random, int count)
         else if (kind < 17)
             events.push_back(scroll(steps));
         else if (kind == 17)
-            events.push_back(random.below(3) == 0 ? resize(0, 0) : resize(width, height));
+            events.push_back(random_resize(random, width, height));
         else if (kind == 18)
             events.push_back(random.below(2) == 0 ? drag(x, odd) : scroll(odd));
         else if (i % 4 == 0)

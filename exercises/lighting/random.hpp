@@ -35,13 +35,15 @@ inline std::uint32_t random_light_count(Random& random)
     return random.below(12) == 0 ? 9 + random.below(4) : 1 + random.below(3);
 }
 
-/// Lights become dimmer where there are many, and of eight one has a single channel.
+/// Lights become dimmer where there are many; of eight one has a single channel, and of sixteen one is out.
 inline void vary_colors(Random& random, std::vector<Light>& lights)
 {
     for (Light& light : lights) {
         if (lights.size() > 4) light.color *= 0.25F;
         const std::uint32_t channel = random.below(3);
-        if (random.below(8) != 0) continue;
+        const std::uint32_t kind = random.below(16);
+        if (kind == 2) light.color = glm::vec3(0);
+        if (kind > 1) continue;
         const float kept = light.color[static_cast<int>(channel)];
         light.color = glm::vec3(0);
         light.color[static_cast<int>(channel)] = kept;

@@ -127,6 +127,7 @@ AskedAnswers asked_answers(Worker& worker, const AskedCheck& asked, std::uint64_
     const Expected expected = expected_of(check, run);
     if (expected.value == nullptr) return answers;
     answers.components = expected.value->components;
+    answers.keys = judge_of(check).keys;
     answers.columns = names_of_columns(check, expected.names, answers.components);
     const RunOutcome& student = asked.runs.plain(seed);
     if (student.verdict != Verdict::ok) return answers;

@@ -34,6 +34,7 @@ struct AskedAnswer {
 struct AskedAnswers {
     std::vector<AskedAnswer> all{};
     std::size_t components = 1;
+    std::size_t keys = 0;                ///< of them, those that say what the row is about
     std::vector<std::string> columns{};  ///< what the numbers of a row are called
     bool optional = false;               ///< an answer may be that there is none
 };

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t least_of_fixed = 6;  ///< questions on either side, where no fresh ones can confirm a condition
 /// Something that is so for 1 answer of 100 but one is found out with these many; few are asked at a time.
 constexpr std::size_t enough_answers = 200;
+constexpr std::size_t most_in_vector = 4;
 constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs
 constexpr std::size_t most_confirmed = 6;
 constexpr const char* right_answer = "the right answer";
@@ -65,7 +66,7 @@ Sample sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
     const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) { return one.second.size(); });
     if (most == by_kind.end()) return result;
     const auto& [kind, some] = *most;
-    result.answers = {answers.components, answers.columns, {}, {}};
+    result.answers = {answers.components, answers.keys, answers.columns, {}, {}};
     for (const AskedAnswer* const one : some) result.answers.answers.push_back(one->answer);
     if (kind == nullptr) return result;
     const std::vector<std::string> parameters = parameter_names(asked.headers, kind->function);
@@ -161,8 +162,10 @@ std::optional<Condition> common_condition(Samples& samples)
     if (!condition) return std::nullopt;
     const Sample& fresh = samples.fresh(1);
     const bool same = fresh.table.names == seen.table.names && fresh.table.numbers == seen.table.numbers;
-    // Where a case always asks the same, nothing can say that the bound is more than a number between them.
-    if (same && condition->fitted) return std::nullopt;
+    // Where a case always asks the same, nothing can say that the bound is more than a number between them, nor that
+    // one of the many entries of a right matrix has more to do with it than another.
+    const bool by_chance = condition->fitted || (condition->of_answer && seen.answers.components > most_in_vector);
+    if (same && by_chance) return std::nullopt;
     const bool holds = same ? has_both(wrong, least_of_fixed) && condition->right_where == 0 &&
                                   condition->wrong_where == condition->wrong
                             : is_confirmed(*condition, samples);

@@ -77,6 +77,7 @@ struct JudgeRecord {
 
     // What is recorded.
     bool free_rows = false;                    ///< numbers of rows may differ
+    std::size_t keys = 0;                      ///< numbers at the beginning of a row that say what it is about
     bool nothing_is_empty = false;             ///< recorded row by row: nothing at all is an empty table
     bool plain_values = true;                  ///< the values themselves are compared, and not what is counted in them
     std::size_t more_cells = caps::rows_more;  ///< so many more than expected are read

@@ -224,13 +224,17 @@ void add_question_before(const AnswerTable& table, const Pairs& wrong, std::vect
     if (different.size() >= least_wrong) found.emplace_back("is the right one to the question before");
 }
 
-/// Which numbers of a row are wrong; empty if most of them are.
+/// Which numbers of a row are wrong; empty if most of what it says is.
 std::string place_of(const AnswerTable& table, const std::vector<std::size_t>& which)
 {
-    if (which.empty() || which.size() > most_named || 2 * which.size() > table.components) return "";
+    if (which.empty() || which.size() > most_named || 2 * which.size() > table.components - table.keys) return "";
+    // Nobody can count along a row whose numbers have no names, and that begins with what is no number of its own.
+    if (table.keys > 0 && table.columns.empty() && which.size() > 1) return "";
     std::vector<std::string> names;
     for (const std::size_t i : which)
-        names.push_back(i < table.columns.size() ? table.columns[i] : fmt::format("number {}", i));
+        names.push_back(i < table.columns.size()            ? table.columns[i]
+                        : table.keys > 0 && i >= table.keys ? fmt::format("its number {}", i - table.keys + 1)
+                                                            : fmt::format("number {}", i));
     return which.size() == 1 ? fmt::format("differs in {} only", names.front())
                              : fmt::format("differs in nothing but {}", fmt::join(names, ", "));
 }

@@ -18,6 +18,7 @@ struct AnswerPair {
 /// The answers to several questions.
 struct AnswerTable {
     std::size_t components = 1;          ///< numbers in a row
+    std::size_t keys = 0;                ///< of them, the first ones: what the row is about, and not what it says
     std::vector<std::string> columns{};  ///< what they are called; empty if there is only one
     std::vector<AnswerPair> answers{};
     std::vector<Fact> facts{};  ///< what is told of the questions, in the same order; may be empty

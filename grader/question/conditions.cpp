@@ -17,8 +17,9 @@ using Test = std::function<bool(const std::vector<Fact>&, std::size_t)>;
 struct Candidate {
     std::string words;
     Test holds;
-    int cost = 0;         ///< how far-fetched: of several that part alike, the cheapest is said
-    bool fitted = false;  ///< as in Condition
+    int cost = 0;            ///< how far-fetched: of several that part alike, the cheapest is said
+    bool fitted = false;     ///< as in Condition
+    bool of_answer = false;  ///< likewise
 };
 
 Candidate of_one(std::string words, std::size_t fact, int cost, bool (*test)(double))
@@ -168,7 +169,7 @@ void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j
 
 Condition measured(const Candidate& candidate, const std::vector<Fact>& facts, const std::vector<bool>& wrong)
 {
-    Condition condition{candidate.words, candidate.holds, candidate.fitted};
+    Condition condition{candidate.words, candidate.holds, candidate.fitted, candidate.of_answer};
     for (std::size_t i = 0; i < wrong.size(); ++i) {
         const bool holds = candidate.holds(facts, i);
         ++(wrong[i] ? condition.wrong : condition.right);
@@ -230,7 +231,7 @@ void offer_joined(const std::vector<Candidate>& candidates, const std::vector<Fa
                                  [one = a.holds, other = b.holds](const std::vector<Fact>& all, std::size_t question) {
                                      return one(all, question) && other(all, question);
                                  },
-                                 joining + a.cost + b.cost, a.fitted || b.fitted};
+                                 joining + a.cost + b.cost, a.fitted || b.fitted, a.of_answer || b.of_answer};
             Condition joined = measured(both, facts, wrong);
             // Each must be needed, and together they must hold without exception: two say more by chance than one.
             const std::size_t needed = std::max(least_questions, joined.right / 10);
@@ -258,8 +259,10 @@ std::optional<Condition> simplest_condition(const std::vector<Fact>& facts, cons
     if (count < least || wrong.size() - count < least) return std::nullopt;
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < facts.size(); ++i) {
+        const std::size_t before = candidates.size();
         add_plain(facts, i, candidates);
         add_threshold(facts, i, wrong, candidates);
+        for (std::size_t k = before; k < candidates.size(); ++k) candidates[k].of_answer = facts[i].answer;
         for (std::size_t j = i + 1; j < facts.size(); ++j) add_comparison(facts, i, j, candidates);
     }
     Found found;

@@ -16,6 +16,7 @@ struct Condition {
     /// Does it hold? Takes facts of other questions of the same kind, and which of them to look at.
     std::function<bool(const std::vector<Fact>& facts, std::size_t question)> holds;
     bool fitted = false;          ///< holds a bound that was put between these very questions
+    bool of_answer = false;       ///< tells of the right answer's numbers, and not of the question's alone
     std::size_t wrong = 0;        ///< questions with wrong answers …
     std::size_t wrong_where = 0;  ///< … and those of them for which it holds
     std::size_t right = 0;

@@ -16,7 +16,7 @@ using Row = std::vector<double>;
 template <class Wrong>
 AnswerTable table(std::size_t components, Wrong wrong, std::size_t rows = 1)
 {
-    AnswerTable made{components, {}, {}, {}};
+    AnswerTable made{components, 0, {}, {}, {}};
     if (components > 1) made.columns = {"x", "y", "z"};
     for (int i = 0; i < 12; ++i) {
         Row right;
@@ -57,6 +57,24 @@ TEST(AnswerPatterns, say_which_number_of_a_row_differs)
     EXPECT_EQ(first(table(3, [](Row right) { return Row{right[0] * right[0], right[1] * right[1], right[2]}; })), "");
 }
 
+TEST(AnswerPatterns, do_not_say_that_all_differs_but_what_a_row_is_about)
+{
+    // Corners: polygon, -, corner, x, y, z.
+    const auto spoilt = [](Row right) {
+        for (std::size_t i = 3; i < right.size(); ++i) right[i] *= right[i];
+        return right;
+    };
+    AnswerTable corners = table(6, spoilt);
+    EXPECT_NE(first(corners), "");
+    corners.keys = 3;
+    EXPECT_EQ(first(corners), "");
+    corners =
+        table(6, [](Row right) { return Row{right[0], right[1], right[2], right[3], right[4] * right[4], right[5]}; });
+    corners.keys = 3;
+    corners.columns.clear();
+    EXPECT_EQ(first(corners), "differs in its number 2 only");
+}
+
 TEST(AnswerPatterns, say_which_rows_of_a_list_are_missing_or_too_many)
 {
     const auto cut = [](Row right) { return Row(right.begin(), right.end() - 1); };
@@ -95,7 +113,7 @@ TEST(AnswerPatterns, say_nothing_of_few_wrong_answers)
 template <class Wrong>
 AnswerTable asked_table(std::size_t components, Wrong wrong)
 {
-    AnswerTable made{components, {}, {}, {}};
+    AnswerTable made{components, 0, {}, {}, {}};
     if (components == 3) made.columns = {"x", "y", "z"};
     for (const char* const name : {"t", "v.x", "v.y", "v.z"}) made.facts.push_back({name, Fact::Kind::number});
     made.facts.push_back({"the length of v", Fact::Kind::length});

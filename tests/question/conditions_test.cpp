@@ -102,6 +102,19 @@ TEST(Conditions, say_whether_a_bound_was_put_between_these_very_questions)
     EXPECT_FALSE(fitted(wrong_where(table, [](const auto& row) { return row[4] < 0; })));
 }
 
+TEST(Conditions, say_whether_they_tell_of_the_right_answer)
+{
+    QuestionTable table = rays(2);
+    const auto of_answer = [&](const std::vector<bool>& wrong) {
+        return simplest_condition(facts_of(table), wrong)->of_answer;
+    };
+    const auto wrong = wrong_where(table, [](const auto& row) { return row[6] < 0; });
+    EXPECT_FALSE(of_answer(wrong));
+    table.answers = 6;
+    EXPECT_TRUE(of_answer(wrong));
+    EXPECT_FALSE(of_answer(wrong_where(table, [](const auto& row) { return row[4] < 0; })));
+}
+
 TEST(Conditions, join_two_where_one_does_not_do)
 {
     const QuestionTable table = rays(3);

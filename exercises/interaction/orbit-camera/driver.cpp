@@ -61,10 +61,11 @@ std::vector<CameraEvent> wheel()
 // The same drags in windows of other sizes; one that is minimised keeps the last good size.
 std::vector<CameraEvent> windows()
 {
-    return {drag(100, 50), resize(640, 800), drag(100, 50),     resize(1600, 200), drag(20, 10), resize(0, 0),
-            drag(20, 10),  resize(300, 0),   drag(20, 10),      resize(0, 77),     drag(20, 10), resize(-5, -5),
-            drag(5, -5),   resize(333, 555), drag(-60, -12.5),  reset(),           drag(30, 30), resize(1, 250),
-            drag(10, 5),   resize(640, 1),   drag(0.25, 0.125), resize(640, 480),  drag(30, -20)};
+    return {drag(100, 50),     resize(640, 800), drag(100, 50),    resize(1600, 200), drag(20, 10), resize(0, 0),
+            drag(20, 10),      resize(300, 0),   drag(20, 10),     resize(0, 77),     drag(20, 10), resize(-5, -5),
+            drag(5, -5),       resize(333, 555), drag(-60, -12.5), reset(),           drag(30, 30), resize(1, 250),
+            drag(10, 5),       resize(-5, 300),  drag(3, -8),      resize(300, -5),   drag(5, 2),   resize(640, 1),
+            drag(0.25, 0.125), resize(640, 480), drag(30, -20)};
 }
 
 std::vector<CameraEvent> nonsense()

@@ -204,7 +204,8 @@ void record_random(Recorder& out, Random& random)
     }
 }
 
-// A million units from the world's origin; and points so nearly above the camera that only their digits say where.
+// A million units from the world's origin; points so nearly above the camera that only their digits say where; and
+// points too near and too far.
 void record_far(Recorder& out, Random& random)
 {
     for (int i = 0; i < 24; ++i) {
@@ -213,11 +214,19 @@ void record_far(Recorder& out, Random& random)
         settings.mode = static_cast<CameraMode>(random.below(3));
         record(out, settings, random_steps(random, 10, settings.attention));
     }
-    for (const double sine : {1e-3, 1e-4, 1e-5, 2e-6, 5e-7}) {
+    for (const double away : {0.25, 4.0, 64.0})
+        for (const double sine : {1e-3, 1e-4, 1e-5, 2e-6, 5e-7}) {
+            const ThreeModeSettings settings = random_three_mode(random, 0.5);
+            const double angle = random_length(random, pi);
+            const glm::dvec3 aside(sine * std::sin(angle), random.below(2) == 0 ? 1 : -1, sine * std::cos(angle));
+            record(out, settings, {look_toward(observer_of(settings) + away * aside)});
+        }
+    for (int i = 0; i < 10; ++i) {
         const ThreeModeSettings settings = random_three_mode(random, 0.5);
-        const double angle = random_length(random, pi);
-        const glm::dvec3 aside(4 * sine * std::sin(angle), random.below(2) == 0 ? 4 : -4, 4 * sine * std::cos(angle));
-        record(out, settings, {look_toward(observer_of(settings) + aside)});
+        const double share = random.uniform_double();
+        const double away =
+            i % 2 == 0 ? settings.min_distance * (0.1 + 0.9 * share) : settings.max_distance * (1 + share);
+        record(out, settings, {look_toward(observer_of(settings) + away * glm::dvec3(random.unit_vector()))});
     }
 }
 

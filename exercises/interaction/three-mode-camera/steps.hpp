@@ -54,13 +54,15 @@ inline glm::dvec3 random_point(Random& random, double reach)
     return {x, y, random_length(random, reach)};
 }
 
-/// A camera within `reach` of the origin in each direction, 2 to 6 away from what it looks at.
+/// A camera within `reach` of the origin in each direction, 2 to 6 away from what it looks at; of six one stands at a
+/// pole.
 inline ThreeModeSettings random_three_mode(Random& random, double reach = 3)
 {
     ThreeModeSettings settings;
     settings.attention = random_point(random, reach);
     settings.azimuth = random_length(random, 3);
     settings.elevation = random_length(random, 1.2);
+    if (random.below(6) == 0) settings.elevation = std::copysign(std::numbers::pi / 2, settings.elevation);
     settings.distance = 2 + 4 * random.uniform_double();
     settings.min_distance = 0.25 + 0.75 * random.uniform_double();
     settings.max_distance = 12 + 8 * random.uniform_double();
@@ -69,7 +71,7 @@ inline ThreeModeSettings random_three_mode(Random& random, double reach = 3)
 }
 
 /// Steps in all modes, within about 10 of `middle`: mostly turns and moves, then steps backwards and forwards, other
-/// modes, points to look at, and nonsense.
+/// modes, points to look at, some of them too far, and nonsense.
 inline std::vector<ThreeModeStep> random_steps(Random& random, int count, const glm::dvec3& middle = glm::dvec3(0))
 {
     constexpr double nonsense[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
@@ -79,7 +81,7 @@ inline std::vector<ThreeModeStep> random_steps(Random& random, int count, const 
         const double right = random_length(random, 0.7);
         const double up = random_length(random, 0.5);
         const double back = random_length(random, 2);
-        const glm::dvec3 point = middle + random_point(random, 4);
+        const glm::dvec3 point = middle + random_point(random, random.below(4) == 0 ? 40 : 4);
         const double odd = nonsense[random.below(2)];
         if (kind < 10)
             steps.push_back(move_xy(right, up));

@@ -48,10 +48,13 @@ Question random_question(Random& random, std::uint32_t count)
     Question q{at, random_partial_material(random), {}, random_color(random)};
     for (std::uint32_t i = 0; i < count; ++i) q.lights.push_back(random_light(random, q.at, 0.05F));
     vary_colors(random, q.lights);
+    // Two lights may be one lamp.
+    if (count > 1 && random.below(8) == 0) q.lights.back().position = q.lights.front().position;
     return q;
 }
 
-// Lights on the side of the normal, so that each of them counts.
+// Lights on the side of the normal, so that each of them counts; but a lamp that is taken for a sun, or a sun for a
+// lamp.
 void at_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
@@ -59,10 +62,13 @@ void at_random(Random& random, Recorder& out)
         record(out, q);
         out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
         if (i % 15 != 0) continue;
-        // The same but for one coordinate of the place, for whoever remembers what was asked before.
-        q.at.position[i / 15 % 3] += 0.125F;
-        record(out, q);
-        out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
+        // The same but for one coordinate of the place or of the light, for whoever remembers what was asked before.
+        for (const bool moved : {true, false}) {
+            float& w = q.lights.front().position.w;
+            moved ? q.at.position[i / 15 % 3] += 0.125F : w = 1 - w;
+            record(out, q);
+            out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
+        }
     }
 }
 
@@ -84,7 +90,7 @@ void lengths(Random& random, Recorder& out)
     for (int i = 0; i < 60; ++i) {
         Question q = random_question(random, 1);
         if (i % 2 == 0) {
-            q.at.normal *= std::exp2(random.uniform(-4, 4));
+            q.at.normal *= i % 8 == 0 ? random.uniform(0.998F, 1.002F) : std::exp2(random.uniform(-4, 4));
         } else {
             const glm::vec3 direction = q.at.normal + 0.5F * random.unit_vector();
             q.lights[0] = light_towards(q.at, direction, i % 4 == 1, std::exp2(random.uniform(-5, 5)));
@@ -133,7 +139,7 @@ void grazing(Random& random, Recorder& out)
         q.material = {{}, {}, random_color(random)};
         const glm::vec3 n = normalize(q.at.normal);
         const glm::vec3 aside = normalize(cross(n, random.unit_vector()));
-        const float cosine = std::pow(10.0F, random.uniform(-5, -2));
+        const float cosine = std::pow(10.0F, random.uniform(-6.5F, -2));
         q.lights = {light_towards(q.at, aside + cosine * n, i % 2 == 0, random.uniform(20, 200))};
         record(out, q);
     }

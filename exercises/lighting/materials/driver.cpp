@@ -35,7 +35,7 @@ void activations(Recorder& out, Random& random, const std::vector<Recipe>& all)
     for (const Recipe& recipe : all) {
         ask_in_words(out, [&] { return code_of(recipe) + "->activate(pipeline);"; });
         record_activation(out, random, make_material(recipe.reflection, recipe.texture));
-        const float k[] = {random.uniform(), random.uniform(), random.uniform(), random.uniform(1, 60)};
+        const float k[] = {random.uniform(), random.uniform(), random.uniform(), any_material(random).shininess};
         ask_in_words(out, [&] {
             std::string text = "make_gray_material(";
             for (const float number : k) text += literal::of_value(number, false, literal::in_full) + ", ";
@@ -126,9 +126,16 @@ void record_graph(Recorder& out, Random& random, MaterialGraph graph,
     ask_in_words(out, [&] { return code_of(graph) + (lighting ? "" : " // context.lighting is false"); });
     draw_graph(graph, context);
     record_drawn(out, pipeline);
-    out.append("pointer", context.material == standard.get() ? 1.0F : context.material == nullptr ? 0.0F : 2.0F);
     // A graph of nothing draws nothing, and leaves all as it was: only together with what was drawn is that an answer.
-    out.append("pointer", static_cast<float>(pipeline.drawn.size()));
+    const float left[] = {context.material == standard.get() ? 1.0F
+                          : context.material == nullptr      ? 0.0F
+                                                             : 2.0F,
+                          pipeline.now.reflection.diffuse.b, static_cast<float>(pipeline.now.texture),
+                          static_cast<float>(pipeline.drawn.size())};
+    out.columns("pointer",
+                "context.material (1 the default one, 0 none, 2 another), diffuse blue on the pipeline, texture on the "
+                "pipeline, objects drawn");
+    out.append("pointer", std::span<const float>(left));
 }
 
 void graphs(Recorder& out, Random& random, int count, bool lighting)

@@ -17,6 +17,17 @@ struct Recipe {
     std::shared_ptr<SharedTexture> texture;
 };
 
+/// No two of its colours are alike. Of three materials one has numbers from the ends of what is allowed.
+inline Material any_material(Random& random)
+{
+    Material material = random_material(random);
+    const std::uint32_t kind = random.below(9);
+    if (kind == 0) material.emission *= 40.0F;
+    if (kind == 1) material.shininess = random.below(2) == 0 ? 0 : random.uniform(0, 1);
+    if (kind == 2) material.shininess = random.below(2) == 0 ? 10'000 : random.uniform(128, 9000);
+    return material;
+}
+
 /// Materials that are all different, every second one with a texture; of the textures two materials share each.
 inline std::vector<Recipe> recipes(Random& random, std::uint32_t count)
 {
@@ -24,7 +35,7 @@ inline std::vector<Recipe> recipes(Random& random, std::uint32_t count)
     std::shared_ptr<SharedTexture> texture;
     for (std::uint32_t i = 0; i < count; ++i) {
         if (i % 4 == 0) texture = std::make_shared<NamedTexture>(1 + i);
-        all.push_back({random_material(random), i % 2 == 0 ? texture : nullptr});
+        all.push_back({any_material(random), i % 2 == 0 ? texture : nullptr});
     }
     return all;
 }

@@ -41,7 +41,8 @@ inline BallScene matt()
     return scene;
 }
 
-/// Three mirrors that see each other, as deep as the levels allow.
+/// Three mirrors that see each other, as deep as the levels allow. With one level the lamp is below the floor, which
+/// throws a shadow upwards.
 inline BallScene mirrors(int levels)
 {
     BallScene scene;
@@ -53,6 +54,10 @@ inline BallScene mirrors(int levels)
     scene.balls.push_back({{0.3F, 3.4F, 0.6F, 0.5F}, {0.3F, 0.25F, 0.1F}, 0.2F});
     scene.light_position = {0.3F, 2.4F, 1.0F};
     scene.floor_mirror = 0.3F;
+    if (levels == 1) {
+        scene.light_position = {0.5F, -2.5F, 2.2F};
+        scene.floor_radius = 1.2F;
+    }
     scene.levels = levels;
     return scene;
 }
@@ -98,7 +103,8 @@ inline void give_random_light(Random& random, RayLook& look)
     look.half_height = random.uniform(0.3F, 0.8F);
 }
 
-/// Rays into random scenes, most of them aimed at a ball or the floor; few levels, so that rounding does not grow.
+/// Rays into random scenes, most of them aimed at a ball or the floor; in most few levels, so that rounding does not
+/// grow. Of three lamps one hangs lower than others, between the balls, inside one, or below the floor.
 inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count)
 {
     std::vector<OneRay<BallScene>> rays;
@@ -106,7 +112,7 @@ inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count
         OneRay<BallScene> ray;
         BallScene& scene = ray.scene;
         give_random_light(random, scene.look);
-        const std::uint32_t balls = random.below(6);
+        const std::uint32_t balls = random.below(9);
         for (std::uint32_t k = 0; k < balls; ++k) {
             const float radius = random.uniform(0.3F, 1);
             const glm::vec3 place = 1.8F * random.in_cube();
@@ -120,13 +126,19 @@ inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count
         scene.floor_radius = random.uniform(2, 9);
         scene.light_color = random_color(random, 1) + glm::vec3(0.2F);
         const glm::vec3 lamp = 3.0F * random.in_cube();
-        scene.light_position = {lamp.x, 4 + std::abs(lamp.y), lamp.z};
-        scene.levels = 1 + static_cast<int>(random.below(3));
+        scene.light_position = {lamp.x, random.below(3) == 0 ? lamp.y : 4 + std::abs(lamp.y), lamp.z};
+        scene.levels = 1 + static_cast<int>(random.below(i % 3 == 0 ? 6 : 3));
         // The eye is farther away than any ball reaches.
         const float turn = random.uniform(0, 6.28F);
         scene.look.eye = {5 * std::cos(turn), random.uniform(0.5F, 3), 5 * std::sin(turn)};
         scene.look.target = glm::vec3(0, 0.7F, 0) + random.in_cube();
         ray.place = {random.uniform(-1.2F, 1.2F), random.uniform(-1, 1)};
+        if (i % 2 == 0 && !scene.balls.empty()) {
+            // At the last ball in the list, wherever its border is.
+            const glm::vec4& ball = scene.balls.back().sphere;
+            scene.look.target = glm::vec3(ball) + 0.7F * ball.w * random.in_cube();
+            ray.place *= 0.05F;
+        }
         rays.push_back(ray);
     }
     return rays;
@@ -139,7 +151,7 @@ inline std::vector<OneRay<SpongeScene>> random_sponge_rays(Random& random, int c
         OneRay<SpongeScene> ray;
         SpongeScene& scene = ray.scene;
         give_random_light(random, scene.look);
-        scene.depth = static_cast<int>(random.below(3));
+        scene.depth = static_cast<int>(random.below(i % 3 == 0 ? 5 : 3));
         scene.ball = glm::vec4(random.in_cube(), random.uniform(0.3F, 1.1F));
         scene.sponge_color = random_color(random, 0.8F) + glm::vec3(0.1F);
         scene.ball_color = random_color(random, 0.8F) + glm::vec3(0.1F);

@@ -40,7 +40,7 @@ void record_pictures(Case& what, Recorder& out)
 
 void record_pairs(Case& what, Recorder& out)
 {
-    record_colors(out, probe_pairs(what.random, 120, 0.05, 0.15), *compile_shadows(what));
+    record_colors(out, probe_pairs(what.random, 120, 0.05, 0.05), *compile_shadows(what));
 }
 
 }

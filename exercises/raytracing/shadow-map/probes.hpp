@@ -34,7 +34,8 @@ inline glm::mat4 random_placement(Random& random)
     return glm::scale(matrix, glm::vec3(1.1F) + 0.6F * random.in_cube());
 }
 
-/// A lamp or a sun, as often; its frustum is neither square nor, half of the time, symmetric.
+/// A lamp or a sun, as often; its frustum is neither square nor, half of the time, symmetric. Of four one has near and
+/// far planes that most points are not between.
 inline MapLight random_light(Random& random)
 {
     const glm::vec3 place = 4.0F * random.in_cube();
@@ -44,11 +45,14 @@ inline MapLight random_light(Random& random)
     const float aside = random.below(2) == 0 ? 0.0F : random.uniform(-0.5F, 0.5F);
     const bool is_sun = random.below(2) == 0;
     MapLight light = is_sun ? sun_from(random.unit_vector(), place, glm::vec2(1)) : lamp_at(place, target, 60);
-    const float size = is_sun ? 3.0F : 0.05F;
+    const bool thin = random.below(4) == 0;
+    const float near = thin ? 4.0F : is_sun ? 0.1F : 0.05F;
+    const float far = thin ? 5.0F : 60.0F;
+    const float size = is_sun ? 3.0F : near;
     const float left = size * wide * (aside - 1);
     const float right = size * wide * (aside + 1);
-    light.projection = is_sun ? glm::ortho(left, right, -size * high, size * high, 0.1F, 60.0F)
-                              : glm::frustum(left, right, -size * high, size * high, 0.05F, 60.0F);
+    light.projection = is_sun ? glm::ortho(left, right, -size * high, size * high, near, far)
+                              : glm::frustum(left, right, -size * high, size * high, near, far);
     light.color = glm::vec3(0.7F) + 0.3F * random.in_cube();
     light.ambient = glm::vec3(0.12F) + 0.08F * random.in_cube();
     const auto columns = static_cast<int>(2 + random.below(20));

@@ -19,13 +19,42 @@ void append_corners(Recorder& out, std::string_view name, float first, float sec
                                                            polygon[i].y, polygon[i].z}));
 }
 
+FlatPolygon asked(Recorder& out, const ShadowTask& task)
+{
+    const auto& [light, caster, receiver, unit] = task;
+    return times(ask<shadow_polygon>(out, times(light, unit), times(caster, unit), times(receiver, unit)), 1 / unit);
+}
+
+std::vector<MirrorView> asked(Recorder& out, const MirrorTask& task)
+{
+    std::vector<FlatPolygon> mirrors;
+    for (const FlatPolygon& mirror : task.mirrors) mirrors.push_back(times(mirror, task.unit));
+    std::vector<MirrorView> views = ask<mirror_views>(out, task.unit * task.eye, mirrors, task.levels);
+    views.resize(std::min<std::size_t>(views.size(), 60));
+    for (MirrorView& view : views) {
+        view.eye /= task.unit;
+        view.window = times(std::move(view.window), 1 / task.unit);
+    }
+    return views;
+}
+
+// The same ones again, very small and very large.
+template <class Task>
+std::vector<Task> in_all_sizes(std::vector<Task> tasks)
+{
+    for (std::size_t i = 0, count = tasks.size(); i < count; ++i) {
+        tasks.push_back(tasks[i]);
+        tasks.back().unit = i % 2 == 0 ? 0x1p-16F : 0x1p16F;
+    }
+    return tasks;
+}
+
 // Rows [task, 0, corner, x, y, z].
 void record_shadows(Recorder& out, const std::vector<ShadowTask>& tasks)
 {
     out.text("corners.names", "shadow: -, corner");
     for (std::size_t i = 0; i < tasks.size(); ++i)
-        append_corners(out, "corners", static_cast<float>(i), 0,
-                       ask<shadow_polygon>(out, tasks[i].light, tasks[i].caster, tasks[i].receiver));
+        append_corners(out, "corners", static_cast<float>(i), 0, asked(out, tasks[i]));
 }
 
 // A path as one number: the digits of its mirrors, from 1 on.
@@ -43,8 +72,7 @@ void record_views(Recorder& out, const std::vector<MirrorTask>& tasks)
     out.text("eyes.names", "task: place in the list, path");
     out.text("windows.names", "task: path, corner");
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-        std::vector<MirrorView> views = ask<mirror_views>(out, tasks[i].eye, tasks[i].mirrors, tasks[i].levels);
-        views.resize(std::min<std::size_t>(views.size(), 60));
+        const std::vector<MirrorView> views = asked(out, tasks[i]);
         const auto task = static_cast<float>(i);
         for (std::size_t k = 0; k < views.size(); ++k) {
             const float path = path_number(views[k].path);
@@ -96,12 +124,12 @@ void record_matrices(Case& what, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_shadows(out, shadows_by_hand()); }},
-    {"without", [](Case&, Recorder& out) { record_shadows(out, without_shadow()); }},
+    {"by hand", [](Case&, Recorder& out) { record_shadows(out, in_all_sizes(shadows_by_hand())); }},
+    {"without", [](Case&, Recorder& out) { record_shadows(out, in_all_sizes(without_shadow())); }},
     {"random", [](Case& c, Recorder& out) { record_shadows(out, random_shadows(c.random)); }},
     {"far", [](Case& c, Recorder& out) { record_shadows(out, far_shadows(c.random)); }},
     {"matrices", record_matrices},
-    {"two mirrors", [](Case&, Recorder& out) { record_views(out, mirrors_by_hand()); }},
+    {"two mirrors", [](Case&, Recorder& out) { record_views(out, in_all_sizes(mirrors_by_hand())); }},
     {"halls", [](Case& c, Recorder& out) { record_views(out, random_halls(c.random)); }},
     {"gallery", [](Case&, Recorder& out) { out.image("colours", gallery_picture(out, 400, 300)); }},
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <kit/magnitude.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/raytracing/shadow_polygons.hpp>
 #include <vector>
@@ -14,7 +15,20 @@ struct ShadowTask {
     glm::vec4 light;
     FlatPolygon caster;
     FlatPolygon receiver;
+    float unit = 1;  ///< what lengths are multiplied by for the unit, and divided by afterwards; a power of two
 };
+
+inline FlatPolygon times(FlatPolygon polygon, float factor)
+{
+    for (glm::vec3& corner : polygon) corner *= factor;
+    return polygon;
+}
+
+/// A lamp's place; the length of a sun's direction means nothing, and stays.
+inline glm::vec4 times(const glm::vec4& light, float factor)
+{
+    return light.w == 0 ? light : glm::vec4(factor * glm::vec3(light), 1);
+}
 
 /// Two unit vectors that make a right-handed frame with the unit vector `normal`.
 struct PlaneFrame {
@@ -64,13 +78,14 @@ inline ShadowTask random_shadow(Random& random, int kind)
     const glm::vec3 normal = random.unit_vector();
     const float size = random.uniform(0.8F, 1.6F);
     ShadowTask task;
-    task.receiver = random_convex(random, middle, normal, size, 3 + random.below(4));
+    task.receiver = random_convex(random, middle, normal, size, 3 + random.below(kind % 4 == 1 ? 10 : 4));
     const float side = random.below(2) == 0 ? 1.0F : -1.0F;
     const PlaneFrame frame = frame_of(normal);
     const float height = random.uniform(2, 4);
     const glm::vec3 away = side * height * normal + random.uniform(-2, 2) * frame.u + random.uniform(-2, 2) * frame.v;
     const bool is_sun = random.below(2) == 0;
-    task.light = is_sun ? glm::vec4(random.uniform(0.3F, 2) * away, 0) : glm::vec4(middle + away, 1);
+    task.light = is_sun ? glm::vec4(random.uniform(0.3F, 2) * random_unit(random, -20, 20) * away, 0)
+                        : glm::vec4(middle + away, 1);
     const float share = kind % 5 == 4 && !is_sun ? 0.8F : kind % 3 == 2 ? 0.1F : random.uniform(0.25F, 0.55F);
     const glm::vec3 target = middle + 0.6F * size * (random.uniform(-1, 1) * frame.u + random.uniform(-1, 1) * frame.v);
     const glm::vec3 place = target + share * (middle + away - target);
@@ -79,6 +94,7 @@ inline ShadowTask random_shadow(Random& random, int kind)
     const float reach = share == 0.8F ? 1.3F : 0.8F;
     task.caster = random_convex(random, place, normalize(tilt), reach, 3 + random.below(4));
     if (random.below(2) == 0) task.caster = turned_over(task.caster);
+    task.unit = random_unit(random, -20, 20);
     return task;
 }
 
@@ -86,6 +102,7 @@ inline ShadowTask random_shadow(Random& random, int kind)
 inline ShadowTask far_shadow(Random& random)
 {
     ShadowTask task = random_shadow(random, 0);
+    task.unit = 1;
     const glm::vec3 move = random.uniform(1000, 4000) * random.unit_vector();
     const float away = std::exp2(random.uniform(12, 20));
     for (FlatPolygon* polygon : {&task.caster, &task.receiver})
@@ -103,7 +120,7 @@ inline glm::vec4 random_plane(Random& random)
 {
     const glm::vec3 normal = random.unit_vector();
     const float away = random.uniform(-4, 4);
-    return random.uniform(0.3F, 3) * glm::vec4(normal, away);
+    return random.uniform(0.3F, 3) * random_unit(random, -30, 30) * glm::vec4(normal, away);
 }
 
 /// One question put to mirror_views.
@@ -111,12 +128,13 @@ struct MirrorTask {
     glm::vec3 eye;
     std::vector<FlatPolygon> mirrors;
     int levels;
+    float unit = 1;  ///< as of ShadowTask
 };
 
 /// A few mirrors round the eye, most of them turned towards it.
 inline MirrorTask random_mirrors(Random& random, std::size_t count, int levels)
 {
-    MirrorTask task{0.3F * random.in_cube(), {}, levels};
+    MirrorTask task{0.3F * random.in_cube(), {}, levels, random_unit(random, -20, 20)};
     for (std::size_t i = 0; i < count; ++i) {
         const glm::vec3 middle = random.uniform(1.5F, 2.5F) * random.unit_vector();
         const glm::vec3 normal = normalize(-middle + 0.5F * random.in_cube());

@@ -82,7 +82,7 @@ inline std::vector<MirrorTask> mirrors_by_hand()
         {{1, 1, 1}, {left}, 1},
         {{1, 1, 1}, {left, right}, 1},
         {{1, 1, 1}, {left, right}, 2},
-        {{1, 1.5F, 2}, {right, left}, 4},
+        {{1, 1.5F, 2}, {right, left}, 6},
         {{1, 1, 1}, {left, right}, 0},
         {{2, 1, 1}, {left, back}, 3},
         {{1, 1, 1}, {left, turned_over(left)}, 2},
@@ -97,6 +97,8 @@ inline std::vector<MirrorTask> mirrors_by_hand()
         {{1, 1, 1}, {left, rectangle({-0.5F, 0, 0}, {0, 2, 0}, {0, 0, -2})}, 2},
         {{1.5F, 1, 1}, {left, rectangle({-0.75F, 0, 2}, {0, 2, 0}, {0, 0, -2}), right}, 3},
         {{2, 1, 1.5F}, {rectangle({-1, 0, 3}, {0, 2, 0}, {-0.5F, 0, -2}), left}, 2},
+        // The narrow one is seen in the wide one, but not in its part that is seen in the narrow one.
+        {{1, 1, 0.5F}, {rectangle({0, 0, 1}, {0, 2, 0}, {0, 0, 2}), rectangle({4, 0, -6}, {0, 0, 15}, {0, 2, 0})}, 4},
         {{2, 1, 0.5F}, {left, rectangle({2, -1, -1}, {0, 4, 0}, {-4, 0, 4})}, 3},  // one through the other's plane
     };
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kit/magnitude.hpp>
+
 #include "stage.hpp"
 
 /// What the cases of texturing/projected show.
@@ -202,7 +204,17 @@ inline glm::vec3 at_picture(const Projector& projector, glm::vec2 place, float d
     return glm::vec3(inverse(projector.view) * glm::vec4(eye, 1));
 }
 
-/// In the beam, beside it, and behind the projector, 2 % from the beam's border at least.
+/// The same point with lengths in another unit: its colour is the same.
+inline Point in_unit(Point point, float unit)
+{
+    point.projector.position *= unit;
+    point.place *= unit;
+    for (glm::mat4* const matrix : {&point.projector.view, &point.model})
+        (*matrix)[3] = glm::vec4(unit * glm::vec3((*matrix)[3]), 1);
+    return point;
+}
+
+/// In the beam, beside it, and behind the projector, 2 % from the beam's border at least, in any unit of length.
 inline std::vector<Point> random_points(Random& random, int count)
 {
     std::vector<Point> points;
@@ -219,7 +231,7 @@ inline std::vector<Point> random_points(Random& random, int count)
             glm::normalize(random.unit_vector() + 1.3F * glm::normalize(point.projector.position - point.place));
         point.color = glm::vec3(0.6F) + 0.35F * random.in_cube();
         point.model = random_model(random);
-        points.push_back(point);
+        points.push_back(in_unit(point, random_unit(random, -10, 10)));
     }
     return points;
 }
@@ -241,7 +253,9 @@ inline std::vector<Point> edges()
         add({2 * x, 0.5F, -2}, -back);                        // faces away
         add({x, 0, -1}, glm::normalize(glm::vec3(1, 0, x)));  // grazing
         add({0.02F * x, 0.01F, -0.03F}, back);                // nearer than the projector's near plane
+        add({2e-4F * x, 1e-4F, -3e-4F}, back);                // … all but in it
         add({100 * x, 20, -160}, back);                       // farther than its far plane
+        add({1e4F * x, 2e3F, -1.6e4F}, back);                 // much farther
         add({30 * x, 0, -1}, back);                           // beside the beam, far
         add({0, -30 * x, -1}, back);
     }

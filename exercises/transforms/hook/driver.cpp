@@ -153,6 +153,7 @@ std::vector<Ends> hard_pairs(Random& random)
         const glm::vec2 place(random.in_cube());
         const glm::vec2 way(random.in_cube());
         add(place, place);
+        add({0, 0}, way);
         add({0, 0}, 1e-30F * way);
         add({0, 0}, 1e-22F * way);
         add(1e20F * place, 1e20F * way);

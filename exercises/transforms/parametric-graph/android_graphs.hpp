@@ -36,17 +36,36 @@ inline bool is_complete(const AndroidGraph& android)
 
 inline Start standing() { return {.color = {0.2F, 0.7F, 0.3F}}; }
 
+/// Questions to its root begin with this line and all that moved it since.
+inline AndroidGraph new_android(Recorder& out, const std::string& name, const AndroidParts& parts)
+{
+    AndroidGraph android = ask<make_android_graph>(out, parts);
+    if (Questions* const questions = out.questions(); questions != nullptr && android.root)
+        questions->set_object(android.root.get(), name + ".root",
+                              "const AndroidGraph " + name + " = make_android_graph(parts);");
+    return android;
+}
+
+/// Writes to one of its matrices, by the name that questions call it by.
+inline void pose(Recorder& out, const AndroidGraph& android, glm::mat4* matrix, const std::string& name,
+                 const glm::mat4& motion)
+{
+    *matrix = motion;
+    if (Questions* const questions = out.questions())
+        questions->add_line(android.root.get(), "*" + name + " = " + literal::of_value(motion, true, {}) + ";");
+}
+
 // At rest; again while another one moves, and that one.
 inline void record_android(Recorder& out)
 {
     record_solid_names(out);
-    const AndroidGraph android = ask<make_android_graph>(out, android_parts());
+    const AndroidGraph android = new_android(out, "android", android_parts());
     if (!is_complete(android)) return;
     record_solids(out, android, standing(), "order");
-    const AndroidGraph other = ask<make_android_graph>(out, android_parts());
+    const AndroidGraph other = new_android(out, "other", other_android_parts());
     if (!is_complete(other)) return;
-    *other.limb = glm::scale(glm::mat4(1), {1, 0.5F, 1});
-    *other.left_arm = glm::rotate(glm::mat4(1), -1.25F, glm::vec3(1, 0, 0));
+    pose(out, other, other.limb, "other.limb", glm::scale(glm::mat4(1), {1, 0.5F, 1}));
+    pose(out, other, other.left_arm, "other.left_arm", glm::rotate(glm::mat4(1), -1.25F, glm::vec3(1, 0, 0)));
     record_solids(out, android, standing());
     record_solids(out, other, standing());
 }
@@ -55,22 +74,23 @@ inline void record_android(Recorder& out)
 inline void record_android_moves(Recorder& out, Random& random)
 {
     record_solid_names(out);
-    const AndroidGraph one = ask<make_android_graph>(out, android_parts());
-    const AndroidGraph other = ask<make_android_graph>(out, android_parts());
+    const AndroidGraph one = new_android(out, "one", android_parts());
+    const AndroidGraph other = new_android(out, "other", other_android_parts());
     if (!is_complete(one) || !is_complete(other)) return;
     glm::mat4* const matrices[] = {one.left_arm, one.right_arm, one.head, one.limb};
+    const char* const names[] = {"one.left_arm", "one.right_arm", "one.head", "one.limb"};
     const auto motion = [&](int i) {
         const float angle = random.uniform(0.3F, 1.5F);
         if (i == 3) return glm::scale(glm::mat4(1), {1, random.uniform(0.6F, 1.4F), 1});
         return glm::rotate(glm::mat4(1), angle, i == 2 ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
     };
     for (int i = 0; i < 4; ++i) {
-        *matrices[i] = motion(i);
+        pose(out, one, matrices[i], names[i], motion(i));
         record_solids(out, one, standing());
-        *matrices[i] = glm::mat4(1);
+        pose(out, one, matrices[i], names[i], glm::mat4(1));
     }
     for (int round = 0; round < 8; ++round) {
-        for (int i = 0; i < 4; ++i) *matrices[i] = motion(i);
+        for (int i = 0; i < 4; ++i) pose(out, one, matrices[i], names[i], motion(i));
         record_solids(out, one, standing());
         record_solids(out, other, standing());
     }

@@ -19,7 +19,8 @@ void record_names(Recorder& out)
 {
     out.text("drawn.names",
              "1 an object: its number, x axis, y axis, z axis, origin\n"
-             "2 afterwards: depth of the stack, x axis, y axis, z axis, origin\n");
+             "2 afterwards: depth of the stack, x axis, y axis, z axis, origin\n"
+             "3 an exception went on: its number, -/12\n");
 }
 
 /// Code 1, or 2 afterwards; a number; and the upper three rows of a matrix, column by column.
@@ -46,7 +47,8 @@ void draw(Recorder& out, const GraphNode& node, const Start& start = {.depth = 1
     introduce(out, drawn, start);
     try {
         ask<&GraphNode::draw>(out, node, drawn);
-    } catch (const Torn&) {
+    } catch (const Torn& torn) {
+        append_matrix(out, 3, static_cast<float>(torn.number), glm::dmat4(0));
     }
     record_drawn(out, drawn);
 }
@@ -85,12 +87,17 @@ void record_node(Recorder& out)
     add(out, *outer, inner);
     draw(out, *inner);
     draw(out, *outer, {.modelview = move(0, 0, 7), .depth = 2});
-    add(out, *inner, numbered(4));
+    // The same object twice in a row, and a matrix that changes nothing.
+    const std::shared_ptr<const Drawable> twice = numbered(4);
+    add(out, *inner, twice);
+    add(out, *inner, twice);
+    add(out, *inner, move(0, 0));
+    add(out, *inner, move(0, 0));
     draw(out, *outer);
     draw(out, *empty);
 }
 
-// A part that throws, two nodes deep.
+// A part that throws, one node and two deep.
 void record_torn(Recorder& out)
 {
     record_names(out);
@@ -101,7 +108,7 @@ void record_torn(Recorder& out)
         ask<&GraphNode::add_object>(out, *node, numbered(1));
         ask<&GraphNode::add_transformation>(out, *node, move(1, 2, 3));
     }
-    ask<&GraphNode::add_object>(out, *inner, painted([](Pipeline&) { throw Torn(); }));
+    ask<&GraphNode::add_object>(out, *inner, painted([](Pipeline&) { throw Torn{7}; }));
     ask<&GraphNode::add_object>(out, *outer, inner);
     draw(out, *inner, {.depth = 2});
     draw(out, *outer, {.modelview = scale(2, 2), .depth = 3});
@@ -193,6 +200,26 @@ void record_refused(Recorder& out, Random& random)
     out.append("refused", came_of_matrix_at(out, *node, 0));
 }
 
+/// Questions to its root begin with this line and all that moved it since.
+FacadeGraph new_facade(Recorder& out, const std::string& name, int first_part, float height, float angle)
+{
+    FacadeGraph facade = ask<make_facade>(out, numbered_facade(first_part), height, angle);
+    if (Questions* const questions = out.questions(); questions != nullptr && facade.root)
+        questions->set_object(facade.root.get(), name + ".root",
+                              "const FacadeGraph " + name + " = make_facade(parts, " +
+                                  literal::of_value(height, true, {}) + ", " + literal::of_value(angle, true, {}) +
+                                  ");");
+    return facade;
+}
+
+/// A line of what was done to it.
+void note(Recorder& out, const FacadeGraph& facade, const std::string& before, const auto& value,
+          const std::string& after)
+{
+    if (Questions* const questions = out.questions())
+        questions->add_line(facade.root.get(), before + literal::of_value(value, true, {}) + after);
+}
+
 /// False, with nothing recorded, if there is no facade to draw.
 bool draw(Recorder& out, const FacadeGraph& facade, const Start& start = {.depth = 1})
 {
@@ -204,8 +231,11 @@ bool draw(Recorder& out, const FacadeGraph& facade, const Start& start = {.depth
 void record_facade(Recorder& out)
 {
     record_names(out);
+    // Each of parts of its own.
+    int part = 1;
     for (const auto& [height, angle] : {std::pair{1.5F, 0.0F}, {3.0F, 0.0F}, {1.5F, 1.5F}, {0.75F, -0.25F}}) {
-        const FacadeGraph facade = ask<make_facade>(out, numbered_facade(), height, angle);
+        const FacadeGraph facade = new_facade(out, "facade", part, height, angle);
+        part += 3;
         draw(out, facade);
     }
 }
@@ -214,17 +244,30 @@ void record_facade(Recorder& out)
 void record_facade_moves(Recorder& out, Random& random)
 {
     record_names(out);
-    const FacadeGraph facades[] = {ask<make_facade>(out, numbered_facade(), 1.5F, 0.0F),
-                                   ask<make_facade>(out, numbered_facade(), 2.0F, 0.5F)};
+    const FacadeGraph facades[] = {new_facade(out, "first", 1, 1.5F, 0), new_facade(out, "second", 4, 2, 0.5F)};
     for (int i = 0; i < 24; ++i) {
-        const FacadeGraph& facade = facades[random.below(2)];
-        const float height = random.uniform(0.5F, 4);
-        const float angle = random.uniform(-3, 3);
+        const std::uint32_t which = random.below(2);
+        const FacadeGraph& facade = facades[which];
+        const std::string name = which == 0 ? "first" : "second";
+        const float height = random.uniform(0.5F, 4) * (random.below(4) == 0 ? 0.05F : 1.0F);
+        const float angle = random.uniform(-3, 3) * (random.below(4) == 0 ? 8.0F : 1.0F);
         if (!facade.root || facade.rotation == nullptr || facade.stretch == nullptr) return;
-        if (i % 4 != 1) ask<set_facade_height>(out, facade, height);
-        if (i % 4 != 2) ask<set_facade_angle>(out, facade, angle);
-        if (i % 4 == 3) *facade.rotation = turn(angle, {0, 0, 1}) * scale(2, 2);
-        if (i % 8 == 7) *facade.stretch = scale(0.5F, height);
+        if (i % 4 != 1) {
+            ask<set_facade_height>(out, facade, height);
+            note(out, facade, "set_facade_height(" + name + ", ", height, ");");
+        }
+        if (i % 4 != 2) {
+            ask<set_facade_angle>(out, facade, angle);
+            note(out, facade, "set_facade_angle(" + name + ", ", angle, ");");
+        }
+        if (i % 4 == 3) {
+            *facade.rotation = move(0.5F, -1, 2) * turn(angle, {0, 0, 1}) * scale(2, 2, 2);
+            note(out, facade, "*" + name + ".rotation = ", *facade.rotation, ";");
+        }
+        if (i % 8 == 7) {
+            *facade.stretch = scale(0.5F, height);
+            note(out, facade, "*" + name + ".stretch = ", *facade.stretch, ";");
+        }
         for (const FacadeGraph& each : facades) draw(out, each, random_start(random));
     }
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 #include <umbral/transforms/parametric_graph.hpp>
 
 #include "../recording_pipeline.hpp"
@@ -36,23 +35,40 @@ inline std::shared_ptr<const Drawable> numbered(int number)
     });
 }
 
-/// What a part throws that cannot be drawn.
-class Torn : public std::runtime_error {
-public:
-    Torn() : std::runtime_error("this part cannot be drawn") {}
+/// What a part throws that cannot be drawn: of any type, and no std::exception.
+struct Torn {
+    int number = 0;
 };
 
-inline FacadeParts numbered_facade() { return {numbered(1), numbered(2), numbered(3)}; }
+/// House, door and window have these numbers.
+inline FacadeParts numbered_facade(int first = 1)
+{
+    return {numbered(first), numbered(first + 1), numbered(first + 2)};
+}
+
+/// A solid in a colour of its own. Neutral.
+inline std::shared_ptr<const Drawable> in_color(Primitive primitive, const glm::vec3& color)
+{
+    return painted([primitive, color](Pipeline& pipeline) {
+        const glm::vec3 before = pipeline.color();
+        pipeline.set_color(color);
+        pipeline.draw(primitive);
+        pipeline.set_color(before);
+    });
+}
 
 inline AndroidParts android_parts()
 {
     return {painted([](Pipeline& pipeline) { pipeline.draw(Primitive::half_sphere); }),
-            painted([](Pipeline& pipeline) { pipeline.draw(Primitive::cylinder); }), painted([](Pipeline& pipeline) {
-                const glm::vec3 before = pipeline.color();
-                pipeline.set_color(glm::vec3(1));
-                pipeline.draw(Primitive::half_sphere);
-                pipeline.set_color(before);
-            })};
+            painted([](Pipeline& pipeline) { pipeline.draw(Primitive::cylinder); }),
+            in_color(Primitive::half_sphere, glm::vec3(1))};
+}
+
+/// Of other objects than all other androids.
+inline AndroidParts other_android_parts()
+{
+    return {in_color(Primitive::half_sphere, {0.7F, 0.2F, 0.1F}), in_color(Primitive::cylinder, {0.1F, 0.3F, 0.8F}),
+            in_color(Primitive::half_sphere, {1, 1, 0.5F})};
 }
 
 }

@@ -10,6 +10,7 @@ constinit const JudgeRecord events_judge{
     .place = 0,
     .compares = "sequences of events",
     .free_rows = true,
+    .keys = 1,
     .nothing_is_empty = true,
     .judge = [](const Question& q) { return judge_events(q.check, q.student, q.expected, q.names); },
     .resemblance = same_events,

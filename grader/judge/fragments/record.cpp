@@ -38,6 +38,7 @@ constinit const JudgeRecord fragments_judge{
     .place = 0,
     .compares = "fragments by their pixels",
     .free_rows = true,
+    .keys = 3,
     .nothing_is_empty = true,
     .judge = [](const Question& q) { return judge_fragments(q.check, q.student, q.expected, q.names, !q.briefly); },
     .controls = fragment_controls,
