@@ -226,7 +226,8 @@ void record_far(Recorder& out, Random& random)
         const double share = random.uniform_double();
         const double away =
             i % 2 == 0 ? settings.min_distance * (0.1 + 0.9 * share) : settings.max_distance * (1 + share);
-        record(out, settings, {look_toward(observer_of(settings) + away * glm::dvec3(random.unit_vector()))});
+        record(out, settings,
+               {look_toward(observer_of(settings) + away * glm::dvec3(random.unit_vector())), move_z(1)});
     }
 }
 
