@@ -220,6 +220,21 @@ inline IndexedMesh with_far_copy(IndexedMesh mesh)
     return mesh;
 }
 
+/// The same mesh, whose vertices get four kinds of numbers in random order: from 0, `step`, 2 `step` and 3 `step` on.
+///
+/// Two vertices packed into one number by that step, as a * step + b, or cut at it, are the same for many other edges.
+/// The vertices between belong to no triangle.
+inline IndexedMesh spread(const IndexedMesh& mesh, std::uint32_t step, Random& random)
+{
+    const IndexedMesh ordered = shuffled(mesh, random);
+    const auto place = [step](std::uint32_t vertex) { return vertex / 4 + vertex % 4 * step; };
+    const auto count = static_cast<std::uint32_t>(mesh.positions.size());
+    IndexedMesh result{std::vector<glm::vec3>(3 * step + count, glm::vec3(0)), ordered.triangles};
+    for (std::uint32_t i = 0; i < count; ++i) result.positions[place(i)] = ordered.positions[i];
+    for (glm::uvec3& t : result.triangles) t = {place(t.x), place(t.y), place(t.z)};
+    return result;
+}
+
 /// One of each kind that is not orientable, not a manifold, or not what one expects of a mesh.
 inline std::vector<Sample> wild_meshes()
 {

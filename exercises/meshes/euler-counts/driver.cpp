@@ -163,8 +163,9 @@ const Driver driver = {
     {"genus", [](Case& c, Recorder& out) { record_genera(c.random, out); }},
     {"no faces", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
     {"large indices",
-     [](Case&, Recorder& out) {
+     [](Case& c, Recorder& out) {
          for (const std::uint32_t slices : {3U, 8U, 60U}) record_counts(out, cones_with_large_indices(slices));
+         record_counts(out, spread(tube(9, 7), 100'000, c.random));
      }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
     {"picture", [](Case&, Recorder& out) { out.image("colours", draw_gallery(out)); }},

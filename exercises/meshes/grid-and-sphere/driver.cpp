@@ -28,15 +28,36 @@ struct Shape {
     [[nodiscard]] std::size_t triangles() const { return 2 * columns * (sphere ? rows - 1 : rows); }
 };
 
-void record_shapes(Recorder& out, const std::vector<Shape>& shapes)
+std::string name_of(const Shape& shape)
+{
+    return (shape.sphere ? "sphere " : "grid ") + std::to_string(shape.columns) + " x " + std::to_string(shape.rows);
+}
+
+// Of a shape with more vertices than 16 bits count, the triangles that have one of the last ten.
+void record_last_triangles(Recorder& out, const Shape& shape, float code)
+{
+    std::vector<glm::uvec3> triangles = shape.make(out).triangles;
+    const std::size_t first = shape.vertices() - 10;
+    std::erase_if(triangles, [&](const glm::uvec3& t) { return std::max({t.x, t.y, t.z}) < first; });
+    record_indices(out, "triangles", code, triangles, shape.sphere ? shape.columns : 20);
+}
+
+// Their positions and triangles; of the large ones only some triangles.
+void record_shapes(Recorder& out, const std::vector<Shape>& shapes, const std::vector<Shape>& large = {})
 {
     std::string names;
+    const auto name = [&](std::size_t i, const Shape& shape) {
+        names += std::to_string(i) + " triangle of the " + name_of(shape) + "\n";
+    };
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         const IndexedMesh mesh = shapes[i].make(out);
         record_rows(out, "positions", mesh.positions, shapes[i].vertices());
         record_indices(out, "triangles", static_cast<float>(i), mesh.triangles, shapes[i].triangles());
-        names += std::to_string(i) + (shapes[i].sphere ? " triangle of the sphere " : " triangle of the grid ") +
-                 std::to_string(shapes[i].columns) + " x " + std::to_string(shapes[i].rows) + "\n";
+        name(i, shapes[i]);
+    }
+    for (std::size_t i = 0; i < large.size(); ++i) {
+        record_last_triangles(out, large[i], static_cast<float>(shapes.size() + i));
+        name(shapes.size() + i, large[i]);
     }
     out.text("triangles.names", names);
 }
@@ -178,7 +199,10 @@ const Driver driver = {
      [](Case&, Recorder& out) {
          record_shapes(out, {{true, 4, 2}, {true, 3, 3}, {true, 6, 4}, {true, 12, 9}});
      }},
-    {"random", [](Case& c, Recorder& out) { record_shapes(out, random_shapes(c.random)); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         record_shapes(out, random_shapes(c.random), {{false, 1000, 70}, {true, 12, 6000}});
+     }},
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"voxels", [](Case&, Recorder& out) { record_voxels(out); }},
     {"border", [](Case& c, Recorder& out) { record_border(c.random, out); }},

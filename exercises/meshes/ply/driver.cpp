@@ -115,6 +115,12 @@ void record_known(Recorder& out)
                 "z\nend_header\n16777217 -1 0\n+16777219 -32768 255\n",
                 {{{16777216, -1, 0}, {16777220, -32768, 255}}, {}});
     for (const std::string& file : odd_files()) record_read(out, file, four_corners);
+    // More vertices than 16 bits count; of them all only the faces are recorded.
+    std::string many =
+        "ply\nformat ascii 1.0\nelement vertex 70000\nproperty float x\nproperty float y\nproperty float "
+        "z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
+    for (int i = 0; i < 70'000; ++i) many += "0 0 0\n";
+    record_read(out, many + "3 0 65535 65536\n4 69999 65537 1 2\n", {{}, {{0, 65535, 65536}, {69999, 65537, 1, 2}}});
 }
 
 void record_dialects(std::initializer_list<PlyFormat> kinds, Random& random, Recorder& out)
@@ -234,6 +240,11 @@ void record_writing(Random& random, Recorder& out)
         for (std::uint32_t i = 0; i < corners; ++i) large.faces.back().push_back(299 - i);
         for (const PlyFormat format : formats) record_written(out, large, format);
     }
+    // Nor does a vertex fit 16 bits that stands behind so many others.
+    PolygonMesh many{std::vector<glm::vec3>(70'000), {{0, 65535, 65536}}};
+    for (std::uint32_t i = 0; i < 60; ++i) many.faces.push_back({69'999 - i, 65'537 + i, i});
+    for (const PlyFormat format : formats)
+        record_faces(out, decoded(ask<write_ply>(out, many, format), format).faces, many);
 }
 
 void record_in_locale(Random& random, Recorder& out)

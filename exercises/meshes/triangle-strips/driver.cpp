@@ -16,7 +16,7 @@ void record_grids(Recorder& out)
 {
     StripLog log(out, "strips");
     for (const auto& [columns, rows] :
-         {std::pair{1U, 1U}, {1U, 4U}, {5U, 1U}, {2U, 3U}, {8U, 4U}, {3U, 7U}, {0U, 3U}, {4U, 0U}}) {
+         {std::pair{1U, 1U}, {1U, 4U}, {5U, 1U}, {2U, 3U}, {8U, 4U}, {3U, 7U}, {0U, 3U}, {4U, 0U}, {70'000U, 2U}}) {
         log.begin("grid of " + std::to_string(columns) + " x " + std::to_string(rows) + ": strip, vertex");
         const std::vector<Strip> strips = ask<grid_strips>(out, columns, rows);
         for (std::uint32_t i = 0; i < std::min<std::size_t>(strips.size(), 20); ++i)
@@ -53,10 +53,10 @@ void record_known_strips(Recorder& out)
     log.finish();
 }
 
-Strip random_strip(Random& random, std::uint32_t length)
+Strip random_strip(Random& random, std::uint32_t length, std::uint32_t first = 0)
 {
     Strip strip;
-    for (std::uint32_t i = 0; i < length; ++i) strip.push_back(random.below(40));
+    for (std::uint32_t i = 0; i < length; ++i) strip.push_back(first + random.below(40));
     for (std::uint32_t i = 1; i < length; ++i)
         if (const std::uint32_t repeats = random.below(8); repeats < 2 && repeats < i)
             strip[i] = strip[i - 1 - repeats];
@@ -67,7 +67,7 @@ void record_random_strips(Random& random, Recorder& out)
 {
     StripLog log(out, "triangles");
     for (int i = 0; i < 20; ++i) {
-        Strip strip = random_strip(random, 30);
+        Strip strip = random_strip(random, 30, i % 2 * 70'000);
         for (std::uint32_t& index : strip)
             if (random.below(10) == 0) index = restart_index;
         record_decoded(out, log, "random strip", strip);
@@ -90,11 +90,17 @@ void record_joined(Random& random, Recorder& out)
     record("two strips of odd length", {{0, 1, 2}, {4, 5, 6, 7, 8}});
     record("strips of one to five indices", {{9}, {0, 1, 2, 3}, {4, 5}, {6, 7, 8}, {}, {1, 3, 5, 7, 9}});
     record("a strip that begins where the last one ended", {{0, 1, 2}, {2, 3, 4}, {4, 5, 6, 7}});
+    record("one strip of two indices", {{4, 5}});
     record("none", {});
-    for (int i = 0; i < 12; ++i) {
+    // Every second one at large numbers; some strips begin where the last one ended.
+    for (int i = 0; i < 20; ++i) {
         std::vector<Strip> strips;
-        for (std::uint32_t count = 1 + random.below(6); count > 0; --count)
-            strips.push_back(random_strip(random, random.below(9)));
+        for (std::uint32_t count = 1 + random.below(6); count > 0; --count) {
+            Strip strip = random_strip(random, 2 + random.below(8), i % 2 * 70'000);
+            if (!strip.empty() && !strips.empty() && !strips.back().empty() && random.below(3) == 0)
+                strip.front() = strips.back().back();
+            strips.push_back(strip);
+        }
         record("random strips", strips);
     }
     log.finish();
@@ -191,10 +197,14 @@ std::vector<Sample> odd_meshes(Random& random)
     meshes.push_back({"any winding", with_mixed_winding(torus(7, 5), random)});
     for (auto& [name, mesh] : meshes) {
         if (mesh.triangles.empty()) continue;
-        mesh.triangles.insert(mesh.triangles.end(), {{0, 1, 1}, {2, 0, 2}});
+        // Two that nobody draws, and one that is there once more.
+        const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+        mesh.triangles.insert(mesh.triangles.end(), {{0, 1, 1}, {2, 0, 2}, mesh.triangles[random.below(count)]});
         mesh = shuffled(mesh, random);
     }
     meshes.push_back({"two rings, with numbers 65,536 apart", with_far_copy(torus(4, 3))});
+    meshes.push_back({"a ring, with numbers 65,536 apart", spread(torus(9, 7), 65'536, random)});
+    meshes.push_back({"a tube, with numbers 100,000 apart", spread(tube(9, 7), 100'000, random)});
     return meshes;
 }
 

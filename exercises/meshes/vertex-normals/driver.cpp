@@ -19,6 +19,17 @@ void record(Recorder& out, const IndexedMesh& mesh)
     for (const glm::vec3& normal : ask<vertex_normals>(out, mesh)) out.append("vertices", normal);
 }
 
+// Behind more vertices than 16 bits count, which no triangle has and nobody records.
+void record_behind_others(Recorder& out, IndexedMesh mesh)
+{
+    constexpr std::uint32_t others = 70'000;
+    mesh.positions.insert(mesh.positions.begin(), others, glm::vec3(0));
+    for (glm::uvec3& triangle : mesh.triangles) triangle += others;
+    for (const glm::vec3& normal : ask<face_normals>(out, mesh)) out.append("faces", normal);
+    const std::vector<glm::vec3> normals = ask<vertex_normals>(out, mesh);
+    for (std::size_t i = others; i < normals.size(); ++i) out.append("vertices", normals[i]);
+}
+
 // Meshes whose normals a student can work out by hand.
 void record_known(Recorder& out)
 {
@@ -48,6 +59,7 @@ void record_random(Random& random, Recorder& out)
         record(out, mesh);
     }
     record(out, trefoil(40, 7, 0.4));
+    record_behind_others(out, hills(12, 9, random));
 }
 
 // The places of a sheet's vertices are multiples of 1/64, so that degenerate triangles are exactly degenerate in any

@@ -54,7 +54,8 @@ std::vector<glm::vec2> random_face(Random& random, std::size_t count)
     std::vector<glm::vec2> corners;
     for (std::size_t i = 0; i < count; ++i) {
         const float angle = 6.2831853F * (static_cast<float>(i) + random.uniform(0, 0.7F)) / static_cast<float>(count);
-        corners.push_back(centre + radius * glm::vec2(std::cos(angle), std::sin(angle)));
+        const float reach = radius * (count < 5 ? 1.0F : random.uniform(0.2F, 1));  // of five or more: a star
+        corners.push_back(centre + reach * glm::vec2(std::cos(angle), std::sin(angle)));
     }
     return corners;
 }
@@ -64,10 +65,10 @@ void record_sides(Random& random, Recorder& out)
 {
     for (std::size_t i = 0; i < 150; ++i) record_both_sides(random, out, random_face(random, 3 + i % 5));
     // Hardly any area, but some: thousandths of a pixel wide, in the first pixel.
-    for (std::size_t i = 0; i < 20; ++i) {
+    for (std::size_t i = 0; i < 60; ++i) {
         std::vector<glm::vec2> corners = random_face(random, 3 + i % 5);
         const glm::vec2 first = corners[0];
-        for (glm::vec2& corner : corners) corner = 0.02F + 0x1p-17F * (corner - first);
+        for (glm::vec2& corner : corners) corner = 0.02F + 0x1p-18F * (corner - first);
         record_both_sides(random, out, corners);
     }
     for (int i = 0; i < 50; ++i) {
@@ -98,38 +99,77 @@ void record_needles(Random& random, Recorder& out)
             const auto corners = needle(random, 640, 480, reach, true);
             record_both_sides(random, out, {corners.begin(), corners.end()});
         }
-    for (int i = 0; i < 100; ++i) record_both_sides(random, out, from_the_origin(random));
+    for (int i = 0; i < 300; ++i) record_both_sides(random, out, from_the_origin(random));
 }
 
 constexpr PrimitiveType all_types[] = {points,         lines,        line_strip, line_loop,  triangles,
                                        triangle_strip, triangle_fan, quads,      quad_strip, polygon};
 
+// What a draw is asked to assemble, and where its vertices lie.
+struct Vertices {
+    std::vector<std::uint32_t> sequence;
+    std::vector<glm::vec2> places;
+};
+
+// So many vertices in their order, on the whole screen.
+Vertices in_order(Random& random, std::uint32_t count) { return {counted(count), random_places(random, count)}; }
+
+// A sequence of any of a few vertices, so that many faces name one twice.
+Vertices of_few(Random& random, std::uint32_t count, std::uint32_t vertices)
+{
+    return {random_sequence(random, count, vertices), random_places(random, vertices)};
+}
+
+// The same at the end of a large mesh: 16 bits do not number its vertices.
+Vertices behind_a_mesh(Random& random, std::uint32_t count)
+{
+    Vertices result = of_few(random, count, count);
+    constexpr std::uint32_t before = 70'000;
+    for (std::uint32_t& vertex : result.sequence) vertex += before;
+    result.places.insert(result.places.begin(), before, glm::vec2(320, 240));
+    return result;
+}
+
 void record_modes(Random& random, Recorder& out)
 {
     int draw = 0;
     for (const PrimitiveType type : all_types)
-        for (const PolygonMode mode : {PolygonMode::point, PolygonMode::line, PolygonMode::fill}) {
-            const std::vector<glm::vec2> places = random_places(random, 9);
-            record_draw(out, draw++, ask<draw_list>(out, type, counted(9), places, Culling::none, mode), 30);
-        }
+        for (const PolygonMode mode : {PolygonMode::point, PolygonMode::line, PolygonMode::fill})
+            for (const Vertices& vertices : {in_order(random, 9), of_few(random, 9, 5), behind_a_mesh(random, 9)})
+                record_draw(out, draw++,
+                            ask<draw_list>(out, type, vertices.sequence, vertices.places, Culling::none, mode), 30);
     out.text("list.names", draw_names(draw));
 }
 
-// Twelve vertices in their order; or any of thirty, some of them twice, on a coarse grid, so that faces without area
-// are among them.
+// Vertices in their order; of a few; of many on a coarse grid, so that faces without area are among them; within a
+// pixel or two; and behind a mesh.
+Vertices culled(Random& random, int kind)
+{
+    Vertices result;
+    switch (kind) {
+        case 0: return in_order(random, 12);
+        case 1: return of_few(random, 12, 5);
+        case 2:
+            result = of_few(random, 24, 30);
+            for (glm::vec2& place : result.places) place = 128.0F * glm::round(place / 128.0F);
+            return result;
+        case 3:
+            result = of_few(random, 12, 12);
+            for (glm::vec2& place : result.places) place = 200.0F + place / 256.0F;
+            return result;
+        default: return behind_a_mesh(random, 12);
+    }
+}
+
 void record_culling(Random& random, Recorder& out)
 {
     int draw = 0;
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 10; ++i)
         for (const PrimitiveType type : all_types) {
-            const bool ordered = i % 2 == 0;
-            std::vector<glm::vec2> places = random_places(random, ordered ? 12 : 30);
-            if (!ordered)
-                for (glm::vec2& place : places) place = 128.0F * glm::round(place / 128.0F);
-            const std::vector<std::uint32_t> sequence = ordered ? counted(12) : random_sequence(random, 12, 30);
+            const Vertices vertices = culled(random, i % 5);
             const auto culling = static_cast<Culling>(1 + random.below(2));
             const auto mode = static_cast<PolygonMode>(random.below(3));
-            record_draw(out, draw++, ask<draw_list>(out, type, sequence, places, culling, mode), 40);
+            record_draw(out, draw++, ask<draw_list>(out, type, vertices.sequence, vertices.places, culling, mode), 40);
         }
     out.text("list.names", draw_names(draw));
 }

@@ -27,6 +27,13 @@ inline Soup random_soup(Random& random, int count, float size)
     return soup;
 }
 
+/// The same triangles, so many times as large.
+inline Soup sized(Soup soup, float size)
+{
+    for (Triangle& triangle : soup) triangle = {size * triangle.v0, size * triangle.v1, size * triangle.v2};
+    return soup;
+}
+
 inline void shuffle(Soup& soup, Random& random)
 {
     for (std::size_t i = soup.size(); i > 1; --i)
@@ -168,7 +175,7 @@ inline void add_box_pair(std::vector<BoxShot>& shots, int kind, Random& random)
     } else if (kind % 5 == 4) {
         hit.ray = {middle, glm::vec3(-from)};
     }
-    const float longer = std::exp2(kind % 3 == 0 ? random.uniform(-30, 30) : random.uniform(-8, 8));
+    const float longer = std::exp2(kind % 3 == 0 ? random.uniform(-60, 60) : random.uniform(-8, 8));
     for (Ray* ray : {&hit.ray, &miss.ray}) {
         ray->direction *= longer;
         ray->t_min /= longer;
