@@ -30,20 +30,6 @@ void record(Recorder& out, const ThreeModeSettings& settings, const std::vector<
     }
 }
 
-// Cameras as they are made, with matrices that a student can work out by hand.
-std::vector<ThreeModeSettings> beginnings()
-{
-    return {{},
-            {.azimuth = pi / 2},
-            {.azimuth = pi, .distance = 2},
-            {.azimuth = -pi / 2, .distance = 5},
-            {.elevation = pi / 6, .distance = 4},
-            {.elevation = -pi / 6, .distance = 4},
-            {.attention = {1, 2, 3}, .distance = 7},
-            {.attention = {-4, 0.5, 2}, .azimuth = pi / 4, .elevation = -pi / 4, .distance = 10},
-            {.attention = {0, 1, 0}, .azimuth = 2.5, .elevation = 1.2, .distance = 2.5}};
-}
-
 ThreeModeSettings leaning(CameraMode mode)
 {
     return {.attention = {1, -2, 0.5}, .azimuth = 0.5, .elevation = 0.3, .distance = 4, .mode = mode};

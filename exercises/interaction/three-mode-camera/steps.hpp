@@ -97,4 +97,19 @@ inline std::vector<ThreeModeStep> random_steps(Random& random, int count, const 
     return steps;
 }
 
+/// Cameras as they are made, with matrices that a student can work out by hand.
+inline std::vector<ThreeModeSettings> beginnings()
+{
+    constexpr double pi = std::numbers::pi;
+    return {{},
+            {.azimuth = pi / 2},
+            {.azimuth = pi, .distance = 2},
+            {.azimuth = -pi / 2, .distance = 5},
+            {.elevation = pi / 6, .distance = 4},
+            {.elevation = -pi / 6, .distance = 4},
+            {.attention = {1, 2, 3}, .distance = 7},
+            {.attention = {-4, 0.5, 2}, .azimuth = pi / 4, .elevation = -pi / 4, .distance = 10},
+            {.attention = {0, 1, 0}, .azimuth = 2.5, .elevation = 1.2, .distance = 2.5}};
+}
+
 }
