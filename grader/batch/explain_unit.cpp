@@ -21,6 +21,10 @@ struct Candidate {
     bool fits_here = false;  ///< a failing check of the case looked at speaks for it
 };
 
+/// Drawing costs a hundred times what numbers do, and a unit's mistakes may be thirty: one that so many checks speak
+/// against, and none for, is not tried on the other cases.
+constexpr std::size_t enough_against = 2;
+
 std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, const std::vector<CaseChecks>& groups,
                                      std::span<const KnownSolution> mistakes)
 {
@@ -49,7 +53,8 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
             }
         }
         std::erase_if(candidates, [&](const Candidate& one) {
-            return most_confidence(one.tally, undecided) < thresholds::least_sure;
+            const bool unlike = exercise.gl && one.tally.for_it == 0 && one.tally.against_it >= enough_against;
+            return unlike || most_confidence(one.tally, undecided) < thresholds::least_sure;
         });
         // A unit's mistakes may be many and slow: one that fits no failing check of a case is out, as long as another
         // fits there.

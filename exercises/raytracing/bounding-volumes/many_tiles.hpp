@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <umbral/raytracing/bounding_volumes.hpp>
 #include <umbral/record/ask.hpp>
@@ -18,7 +19,7 @@ inline void many(Recorder& out, Random& random)
         const glm::vec3 corner(i % in_a_row, i / in_a_row, 0);
         tiles.push_back({corner, corner + glm::vec3(0.75F, 0, 0), corner + glm::vec3(0, 0.75F, 0)});
     }
-    const Hierarchy hierarchy = make_triangle_hierarchy(tiles);
+    const std::unique_ptr<TriangleHierarchy> hierarchy = make_triangle_hierarchy(tiles);
     for (int i = 0; i < 30; ++i) {
         const std::uint32_t tile = i % 2 == 0 ? 0xFFFF + random.below(in_a_row + 2) : random.below(0xFFFF);
         const Ray ray{tiles[tile].v0 + glm::vec3(0.25F, 0.25F, 3), {0, 0, -1}};
