@@ -22,7 +22,7 @@ inline constexpr std::size_t printed = std::size_t{16} << 10U;  ///< bytes that 
 inline constexpr std::size_t unit_sources = std::size_t{2}
                                             << 20U;  ///< bytes of the files that are taken of one unit, together
 inline constexpr std::size_t preprocessed = std::size_t{32}
-                                            << 20U;             ///< bytes of a unit's files with all that they include
+                                            << 20U;            ///< bytes of a unit's files with all that they include
 inline constexpr std::size_t library = std::size_t{8} << 20U;  ///< bytes of a compiled unit
 inline constexpr std::size_t build_folder =
     std::size_t{96} << 20U;  ///< bytes that building a unit may leave on the disk while it lasts

@@ -57,9 +57,8 @@ std::string pixel_text(const Tensor& picture, int x, int y)
 bool is_plain(const Tensor& picture)
 {
     const std::size_t size = size_of(picture.element) * picture.components;
-    return picture.bytes.size() >= size &&
-           std::equal(picture.bytes.begin() + static_cast<std::ptrdiff_t>(size), picture.bytes.end(),
-                      picture.bytes.begin());
+    return picture.bytes.size() >= size && std::equal(picture.bytes.begin() + static_cast<std::ptrdiff_t>(size),
+                                                      picture.bytes.end(), picture.bytes.begin());
 }
 
 Judgement identical()
