@@ -48,7 +48,7 @@ Judgement judge_buffer(const Check& check, const Tensor& student, const Tensor& 
     const std::size_t extra = cells.count(CellState::extra);
     const std::size_t other = cells.count(CellState::other);
     const std::size_t wrong = missing + extra + other;
-    const bool measured = expected.element == Element::float32 || expected.element == Element::float64;
+    const bool measured = is_real(expected.element);
 
     Judgement result;
     result.right = content == 0 ? 1.0 : static_cast<double>(content - wrong) / static_cast<double>(content);

@@ -120,7 +120,7 @@ std::string whole_lines(const BufferCells& cells, bool rows)
 
 BufferKind kind_of(const Tensor& expected, const BufferCells& cells)
 {
-    const bool measured = expected.element == Element::float32 || expected.element == Element::float64;
+    const bool measured = is_real(expected.element);
     if (!measured) {
         if (expected.components != 1) return BufferKind::cells;
         const auto values = cells.expected.values();

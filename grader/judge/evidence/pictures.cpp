@@ -91,8 +91,7 @@ Magnified magnify(const Check& check, const Pair& pair, const Window& window, st
 
 bool is_measured(const Check& check, const Tensor& tensor)
 {
-    return judge_of(check).look != Look::values || tensor.element == Element::float32 ||
-           tensor.element == Element::float64;
+    return judge_of(check).look != Look::values || is_real(tensor.element);
 }
 
 /// Pictures of different or no size: both are shown, and why they cannot be compared.

@@ -18,9 +18,7 @@ double told_by(double bits) { return 1 - std::exp2(-bits / thresholds::bits_scal
 /// The different wrong values that two results share.
 class SharedValues {
 public:
-    explicit SharedValues(Element element) : bits_(element == Element::float32 || element == Element::float64 ? 6 : 3)
-    {
-    }
+    explicit SharedValues(Element element) : bits_(is_real(element) ? 6 : 3) {}
 
     void add(std::size_t component, double value)
     {

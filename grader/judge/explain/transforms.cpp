@@ -4,9 +4,12 @@
 #include <cmath>
 #include <set>
 
+#include "judge/judges.hpp"
 #include "judge/rows/tensor_view.hpp"
 
 namespace umbral::grader {
+
+bool has_colours(const Check& check) { return judge_of(check).look == Look::colours; }
 
 Tensor map_cells(const Tensor& student, const Tensor& expected, const CellMap& change)
 {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +18,26 @@ namespace umbral::grader {
 [[nodiscard]] std::vector<NamedTransform> recognised_transforms();
 /// Of pictures, what was done to their channels.
 [[nodiscard]] std::vector<NamedTransform> channel_transforms();
+
+/// Is it a picture of colours?
+[[nodiscard]] bool has_colours(const Check& check);
+
+/// The student's cells in other places: in each the one that stands at `from(cell)`, an optional index, with its
+/// presence; where that is none, the cell of `rest`. Both tensors have one shape.
+template <class From>
+[[nodiscard]] Tensor moved_cells(const Tensor& student, const Tensor& rest, From from)
+{
+    Tensor result = rest;
+    const std::size_t size = size_of(student.element) * student.components;
+    for (std::size_t to = 0; to < student.cells(); ++to) {
+        const std::optional<std::size_t> source = from(to);
+        if (!source) continue;
+        std::copy_n(student.bytes.begin() + static_cast<std::ptrdiff_t>(*source * size), size,
+                    result.bytes.begin() + static_cast<std::ptrdiff_t>(to * size));
+        if (!student.present.empty()) result.present[to] = student.present[*source];
+    }
+    return result;
+}
 
 using CellMap = std::function<void(std::span<double> student, std::span<const double> expected)>;
 

@@ -16,24 +16,17 @@ namespace {
 
 using Result = std::optional<Tensor>;
 
-bool has_colours(const Check& check) { return judge_of(check).look == Look::colours; }
 bool is_grid(const Check& check) { return has_colours(check) || judge_of(check).look == Look::values; }
 
 // The picture whose pixel (x, y) is the student's at source(x, y).
 template <class Source>
 Tensor rearranged(const Tensor& student, Source source)
 {
-    Tensor result = student;
-    const std::size_t size = size_of(student.element) * student.components;
-    for (std::uint32_t y = 0; y < student.rows; ++y)
-        for (std::uint32_t x = 0; x < student.columns; ++x) {
-            const std::size_t to = std::size_t{y} * student.columns + x;
-            const auto [sx, sy] = source(x, y);
-            const std::size_t from = std::size_t{sy} * student.columns + sx;
-            std::memcpy(result.bytes.data() + to * size, student.bytes.data() + from * size, size);
-            if (!student.present.empty()) result.present[to] = student.present[from];
-        }
-    return result;
+    return moved_cells(student, student, [&](std::size_t cell) {
+        const auto [x, y] = source(static_cast<std::uint32_t>(cell % student.columns),
+                                   static_cast<std::uint32_t>(cell / student.columns));
+        return std::optional(std::size_t{y} * student.columns + x);
+    });
 }
 
 using At = std::pair<std::uint32_t, std::uint32_t>;
@@ -137,19 +130,13 @@ Result unshift(const Check& check, const Tensor& student, const Tensor& expected
     if (!is_grid(check) || student.rows < 3 * largest_shift || student.columns < 3 * largest_shift) return std::nullopt;
     const Shift shift = best_shift(student, expected);
     if (shift.x == 0 && shift.y == 0) return std::nullopt;
-    Tensor result = expected;
-    const std::size_t size = size_of(student.element) * student.components;
-    for (int y = 0; y < static_cast<int>(student.rows); ++y)
-        for (int x = 0; x < static_cast<int>(student.columns); ++x) {
-            const int sx = x + shift.x;
-            const int sy = y + shift.y;
-            if (sx < 0 || sy < 0 || sx >= static_cast<int>(student.columns) || sy >= static_cast<int>(student.rows))
-                continue;
-            const std::size_t to = static_cast<std::size_t>(y) * student.columns + static_cast<std::size_t>(x);
-            const std::size_t from = static_cast<std::size_t>(sy) * student.columns + static_cast<std::size_t>(sx);
-            std::memcpy(result.bytes.data() + to * size, student.bytes.data() + from * size, size);
-        }
-    return result;
+    const auto columns = static_cast<int>(student.columns);
+    return moved_cells(student, expected, [&](std::size_t cell) -> std::optional<std::size_t> {
+        const int x = static_cast<int>(cell) % columns + shift.x;
+        const int y = static_cast<int>(cell) / columns + shift.y;
+        if (x < 0 || y < 0 || x >= columns || y >= static_cast<int>(student.rows)) return std::nullopt;
+        return static_cast<std::size_t>(y) * student.columns + static_cast<std::size_t>(x);
+    });
 }
 
 std::string describe_shift(const Check&, const Tensor& student, const Tensor& expected)
@@ -172,9 +159,7 @@ std::string describe_shift(const Check&, const Tensor& student, const Tensor& ex
 // Depth counted from the other end: 1 - z, -z, or mirrored in the expected range; infinite cells stay.
 Result invert_depth(const Check& check, const Tensor& student, const Tensor& expected)
 {
-    if (judge_of(check).look != Look::values ||
-        (student.element != Element::float32 && student.element != Element::float64))
-        return std::nullopt;
+    if (judge_of(check).look != Look::values || !is_real(student.element)) return std::nullopt;
     double low = INFINITY;
     double high = -INFINITY;
     for (const ValuePair& pair : value_pairs(expected, expected))

@@ -156,17 +156,11 @@ template <class From>
 Result moved_rows(const Check& check, const Tensor& student, const Tensor& expected, From from)
 {
     if (!is_numbers(check) || student.columns != 1 || student.rows < enough_rows) return std::nullopt;
-    Tensor result = expected;
-    const std::size_t size = size_of(student.element) * student.components;
-    for (std::int64_t row = 0; row < student.rows; ++row) {
-        const std::int64_t source = from(row);
-        if (source < 0 || source >= student.rows) continue;
-        std::copy_n(student.bytes.begin() + source * static_cast<std::ptrdiff_t>(size), size,
-                    result.bytes.begin() + row * static_cast<std::ptrdiff_t>(size));
-        if (!student.present.empty())
-            result.present[static_cast<std::size_t>(row)] = student.present[static_cast<std::size_t>(source)];
-    }
-    return result;
+    return moved_cells(student, expected, [&](std::size_t row) -> std::optional<std::size_t> {
+        const std::int64_t source = from(static_cast<std::int64_t>(row));
+        if (source < 0 || source >= student.rows) return std::nullopt;
+        return static_cast<std::size_t>(source);
+    });
 }
 
 Result reverse_rows(const Check& check, const Tensor& student, const Tensor& expected)

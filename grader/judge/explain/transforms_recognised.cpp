@@ -17,9 +17,24 @@ constexpr std::size_t enough_values = 4;
 
 bool near(double a, double b) { return a == b || std::abs(a - b) <= 1e-5 * std::max(std::abs(a), std::abs(b)); }
 
-/// What cannot be undone is recognised: where the student's value is what `change` makes of the expected one, it
-/// becomes the expected one. Nothing where that changes no value, leaves none as it is, or is true of few different
-/// ones.
+bool equal(double a, double b) { return a == b; }
+
+/// The student's tensor with the expected value wherever the student's is `same` as what `change` makes of it; and with
+/// what `change` makes of the expected value wherever the student's is that, though it should not be.
+template <double (*change)(double), bool (*same)(double, double)>
+Tensor undone(const Tensor& student, const Tensor& expected)
+{
+    return map_cells(student, expected, [](std::span<double> row, std::span<const double> target) {
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (same(row[i], change(target[i])))
+                row[i] = target[i];
+            else if (same(row[i], target[i]))
+                row[i] = change(target[i]);
+    });
+}
+
+/// What cannot be undone is recognised. Nothing where that changes no value, leaves none as it is, or is true of few
+/// different ones.
 template <double (*change)(double), bool at_both_ends = false>
 Result recognised(const Check& check, const Tensor& student, const Tensor& expected)
 {
@@ -32,13 +47,7 @@ Result recognised(const Check& check, const Tensor& student, const Tensor& expec
     }
     if (changed.empty() || left.empty() || changed.size() + left.size() < enough_values) return std::nullopt;
     if (at_both_ends && (*changed.begin() > 0 || *changed.rbegin() < 0)) return std::nullopt;
-    return map_cells(student, expected, [](std::span<double> row, std::span<const double> target) {
-        for (std::size_t i = 0; i < row.size(); ++i)
-            if (near(row[i], change(target[i])))
-                row[i] = target[i];
-            else if (near(row[i], target[i]))
-                row[i] = change(target[i]);
-    });
+    return undone<change, near>(student, expected);
 }
 
 double without_sign(double v) { return std::abs(v); }
@@ -64,13 +73,7 @@ Result whole(const Check& check, const Tensor& student, const Tensor& expected)
         cut = cut || pair.student != pair.expected;
     }
     if (!cut || results.size() < enough_values) return std::nullopt;
-    return map_cells(student, expected, [](std::span<double> row, std::span<const double> target) {
-        for (std::size_t i = 0; i < row.size(); ++i)
-            if (row[i] == change(target[i]))
-                row[i] = target[i];
-            else if (row[i] == target[i])
-                row[i] = change(target[i]);
-    });
+    return undone<change, equal>(student, expected);
 }
 
 double cut_off(double v) { return std::trunc(v); }

@@ -25,18 +25,11 @@ struct Range {
     [[nodiscard]] double normal(double value) const { return (value - low) / (high - low); }
 };
 
-bool has_fractions(const Tensor& tensor)
-{
-    return tensor.element == Element::float32 || tensor.element == Element::float64;
-}
-
 Range range_of(const Check& check, const Tensor& tensor)
 {
-    if (has_fractions(tensor)) return {check.range_low, check.range_high};
+    if (is_real(tensor.element)) return {check.range_low, check.range_high};
     return {0, 255};
 }
-
-bool has_colours(const Check& check) { return judge_of(check).look == Look::colours; }
 
 // Alpha carries no light.
 std::size_t colours(const Tensor& tensor) { return tensor.components < 3 ? 1 : 3; }
@@ -244,7 +237,7 @@ std::string describe_light_offset(const Check& check, const Tensor& student, con
 
 }
 
-double one_level_of(const Tensor& tensor) { return has_fractions(tensor) ? one_level : 1; }
+double one_level_of(const Tensor& tensor) { return is_real(tensor.element) ? one_level : 1; }
 
 std::vector<NamedTransform> tone_transforms()
 {

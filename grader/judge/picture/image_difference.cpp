@@ -15,7 +15,7 @@ namespace {
 // Levels per unit of the values; 0 where values are names and any difference is the whole difference.
 double levels_per_unit(const Check& check, const Tensor& tensor, const TensorView& expected)
 {
-    const bool measured = tensor.element == Element::float32 || tensor.element == Element::float64;
+    const bool measured = is_real(tensor.element);
     if (judge_of(check).look == Look::colours) return measured ? 255 / (check.range_high - check.range_low) : 1;
     if (!measured) return 0;
     double low = INFINITY;

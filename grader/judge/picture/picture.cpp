@@ -10,8 +10,6 @@
 namespace umbral::grader {
 namespace {
 
-bool is_float(const Tensor& tensor) { return tensor.element == Element::float32 || tensor.element == Element::float64; }
-
 // The number of channels is a constant, so that reading every fourth byte becomes vector code.
 template <std::size_t channels, class Value, class Convert>
 void split_channels(const Tensor& tensor, Picture& picture, Convert convert)
@@ -57,7 +55,7 @@ void repeat_border(Picture& picture)
 
 void check_picture(const Check& check, const Tensor& tensor)
 {
-    const bool floats = is_float(tensor);
+    const bool floats = is_real(tensor.element);
     const std::uint32_t channels = tensor.components;
     if ((!floats && tensor.element != Element::uint8) || (channels != 1 && channels != 3 && channels != 4) ||
         tensor.cells() == 0)
@@ -108,7 +106,7 @@ bool complete(const Tensor& tensor)
 {
     if (std::any_of(tensor.present.begin(), tensor.present.end(), [](std::uint8_t present) { return present == 0; }))
         return false;
-    return !is_float(tensor) || all_finite(to_doubles(tensor));
+    return !is_real(tensor.element) || all_finite(to_doubles(tensor));
 }
 
 }

@@ -7,6 +7,7 @@
 #include "judge/judges.hpp"
 #include "judge/picture/srgb.hpp"
 #include "judge/picture/to_image.hpp"
+#include "judge/rows/tensor_view.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -84,7 +85,7 @@ glm::u8vec4 colour_of(const Tensor& tensor, const Check& check, std::size_t cell
 Image to_image(const Tensor& tensor, const Check& check)
 {
     const bool ids = tensor.element == Element::int32 || tensor.element == Element::uint32;
-    const bool floats = tensor.element == Element::float32 || tensor.element == Element::float64;
+    const bool floats = is_real(tensor.element);
     if (ids ? tensor.components != 1 : tensor.components != 1 && tensor.components != 3 && tensor.components != 4)
         refuse(check, std::string("expected ") + (ids ? "1 channel" : "1, 3 or 4 channels") + ", got " +
                           std::to_string(tensor.components));

@@ -33,6 +33,12 @@ private:
     std::vector<std::uint8_t> present_;
 };
 
+/// Are its values measured, and not counted or names?
+[[nodiscard]] constexpr bool is_real(Element element)
+{
+    return element == Element::float32 || element == Element::float64;
+}
+
 /// All values of a well-formed tensor.
 [[nodiscard]] std::vector<double> to_doubles(const Tensor& tensor);
 
