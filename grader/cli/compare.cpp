@@ -149,9 +149,11 @@ void print_text(const Application& application, const Found& found, const Option
         fmt::print("    {:<28}{} x {} pixels from ({}, {})\n", "they differ most in", worst.width, worst.height,
                    worst.x, worst.y);
     }
-    for (const Explanation& reason : main_reasons(found.reasons))
-        fmt::print("\n    Why: {} ({}{})\n", paint.safe(reason.sentence), sure_words(reason.confidence),
-                   reason.ambiguous ? " one of these" : "");
+    const char* label = "\n    Why: ";
+    for (const std::string& sentence : reason_sentences(found.reasons)) {
+        fmt::print("{}{}\n", label, paint.safe(sentence));
+        label = "         ";
+    }
     if (!options.html.empty()) fmt::print("\n    {}\n", paint.safe(options.html));
     fmt::print("\n");
 }

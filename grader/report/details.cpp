@@ -112,12 +112,10 @@ void add_pattern(Block& block, const UnitResult& unit, const std::vector<const C
 
 void add_reasons(Block& block, const UnitResult& unit)
 {
-    const auto reasons = main_reasons(unit);
-    for (std::size_t i = 0; i < reasons.size(); ++i) {
-        const char* lead = reasons.size() == 1 ? "" : i == 0 ? "Either: " : "or: ";
-        const std::string sure =
-            fmt::format(" ({}{})", sure_words(reasons[i].confidence), reasons.size() == 1 ? "" : " one of these");
-        block.sentence(i == 0 ? "why" : "", lead + reasons[i].sentence + (i + 1 == reasons.size() ? sure : ""));
+    const char* label = "why";
+    for (const std::string& sentence : reason_sentences(unit.explanations)) {
+        block.sentence(label, sentence);
+        label = "";
     }
 }
 

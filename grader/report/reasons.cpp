@@ -1,5 +1,7 @@
 #include "report/reasons.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "judge/explain/thresholds.hpp"
@@ -22,6 +24,20 @@ std::span<const Explanation> main_reasons(std::span<const Explanation> all)
 std::span<const Explanation> other_reasons(std::span<const Explanation> all)
 {
     return all.subspan(main_reasons(all).size());
+}
+
+std::vector<std::string> reason_sentences(std::span<const Explanation> all)
+{
+    const auto reasons = main_reasons(all);
+    std::vector<std::string> sentences;
+    for (std::size_t i = 0; i < reasons.size(); ++i) {
+        const char* lead = reasons.size() == 1 ? "" : i == 0 ? "Either: " : "or: ";
+        sentences.push_back(lead + reasons[i].sentence);
+    }
+    if (!reasons.empty())
+        sentences.back() +=
+            fmt::format(" ({}{})", sure_words(reasons.back().confidence), reasons.size() == 1 ? "" : " one of these");
+    return sentences;
 }
 
 std::string readable_reason(const Explanation& explanation)

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "model/scorecard.hpp"
 
@@ -18,6 +19,9 @@ namespace umbral::grader {
 /// What else it may be, less likely.
 [[nodiscard]] std::span<const Explanation> other_reasons(std::span<const Explanation> all);
 [[nodiscard]] inline auto other_reasons(const UnitResult& unit) { return other_reasons(unit.explanations); }
+
+/// The main reasons as sentences, with "Either: " and "or: " before several, and how sure it is after the last.
+[[nodiscard]] std::vector<std::string> reason_sentences(std::span<const Explanation> all);
 
 /// "mistake: far_root" as people read it: "far root".
 [[nodiscard]] std::string readable_reason(const Explanation& explanation);
