@@ -65,7 +65,10 @@ void at_random(Random& random, Recorder& out)
         // The same but for one coordinate of the place or of the light, for whoever remembers what was asked before.
         for (const bool moved : {true, false}) {
             float& w = q.lights.front().position.w;
-            moved ? q.at.position[i / 15 % 3] += 0.125F : w = 1 - w;
+            if (moved)
+                q.at.position[i / 15 % 3] += 0.125F;
+            else
+                w = 1 - w;
             record(out, q);
             out.append("towards", ask<direction_to_light>(out, q.lights.front(), q.at.position));
         }
