@@ -104,7 +104,7 @@ function(umbral_driver_headers)
     "// Holds the precompiled headers of the drivers.\n")
   add_library(umbral-driver-headers STATIC ${CMAKE_BINARY_DIR}/driver-headers.cpp)
   target_link_libraries(umbral-driver-headers PRIVATE umbral-framework umbral-warnings)
-  target_compile_options(umbral-driver-headers PRIVATE $<$<CONFIG:Release>:-O1>)
+  umbral_compile_quickly(umbral-driver-headers)
   target_precompile_headers(umbral-driver-headers PRIVATE <algorithm> <array> <cmath> <glm/glm.hpp>
     <glm/gtc/matrix_transform.hpp> <numbers> <optional> <span> <string> <umbral/record/ask.hpp>
     <umbral/record/driver.hpp> <vector>)
@@ -153,8 +153,8 @@ function(umbral_add_unit unit)
   target_link_options(driver-${id} PRIVATE -Wl,-Bsymbolic -s)
   target_precompile_headers(driver-${id} REUSE_FROM umbral-driver-headers)
   # g++ 12 finds texts that are put together too long for their place where <string> is precompiled (GCC bug 105651).
-  # -O1 takes three quarters of the time of -O2, and what drivers do themselves takes none.
-  target_compile_options(driver-${id} PRIVATE $<$<CONFIG:Release>:-O1> -Wno-array-bounds -Wno-stringop-overflow)
+  target_compile_options(driver-${id} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
+  umbral_compile_quickly(driver-${id})
   foreach(other IN LISTS used)
     umbral_reference_objects(${other} objects)
     target_link_libraries(driver-${id} PRIVATE ${objects})
