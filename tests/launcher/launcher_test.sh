@@ -63,23 +63,26 @@ expect "tests build everything" grep -q 'cmake --build --preset release --target
 expect "tests need more packages" grep -qE 'apt-get install .*libglm-dev .*absent' "$work/calls"
 expect "a command that is there needs no package" sh -c "! grep -qE ' present( |$)' '$work/calls'"
 
-# Two of six units are the third of a commit; every unit is of one third in three commits.
+# One of six units has its turn with a commit, and each has one in six commits; the engine has two.
 mkdir -p "$work/project/exercises/transforms/hook" "$work/project/exercises/meshes/area" "$work/project/exercises/meshes/ply" \
     "$work/project/exercises/meshes/revolution" "$work/project/exercises/pipeline/clip-line"
 for unit in transforms/hook meshes/area meshes/ply meshes/revolution pipeline/clip-line; do
     : >"$work/project/exercises/$unit/exercise.json"
 done
-: >"$work/thirds"
-for count in 0 1 2; do
+: >"$work/turns"
+: >"$work/engine"
+for count in 0 1 2 3 4 5; do
     printf '#!/bin/sh\necho %s\n' "$((count + 900))" >"$work/fakes/git"
     chmod +x "$work/fakes/git"
     : >"$work/calls"
     (cd "$work/project" && ./umbral test) >"$work/printed" 2>&1 || true
-    third=$(sed -n 's/.*-DUMBRAL_WHOLE_UNITS=\([^ ]*\).*/\1/p' "$work/calls")
-    expect "two of six units are a third, got $third" [ "$(printf '%s\n' "$third" | tr ';' '\n' | wc -l)" -eq 2 ]
-    printf '%s\n' "$third" | tr ';' '\n' >>"$work/thirds"
+    turn=$(sed -n 's/.*-DUMBRAL_WHOLE_UNITS=\([^ ]*\).*/\1/p' "$work/calls")
+    expect "one of six units has its turn, got $turn" [ "$(printf '%s\n' "$turn" | tr ';' '\n' | wc -l)" -eq 1 ]
+    printf '%s\n' "$turn" >>"$work/turns"
+    grep -oE -- '-DUMBRAL_TEST_ENGINE=ON' "$work/calls" >>"$work/engine" || true
 done
-expect "three thirds are all units" [ "$(sort -u "$work/thirds" | wc -l)" -eq 6 ]
+expect "six turns are all units" [ "$(sort -u "$work/turns" | wc -l)" -eq 6 ]
+expect "the engine has two turns of six" [ "$(wc -l <"$work/engine")" -eq 2 ]
 : >"$work/calls"
 (cd "$work/project" && ./umbral test --all) >"$work/printed" 2>&1 || true
 expect "--all compiles all mistakes" grep -qF -- '-DUMBRAL_WHOLE_UNITS=*/*' "$work/calls"
