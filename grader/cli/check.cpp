@@ -16,6 +16,7 @@
 #include "cli/commands.hpp"
 #include "cli/paths.hpp"
 #include "cli/watch.hpp"
+#include "mutants/build_mutants.hpp"
 #include "report/html/pages.hpp"
 
 namespace umbral::grader {
@@ -50,6 +51,19 @@ std::vector<Exercise> units_to_check(const Application& application, const Optio
     return chosen;
 }
 
+/// For units with something wrong that nothing explains: how its place can be found.
+std::string how_to_locate(const std::vector<Exercise>& exercises, const SubmissionResult& result)
+{
+    std::string text;
+    for (const UnitResult& unit : result.units) {
+        const auto exercise = std::ranges::find(exercises, unit.id, &Exercise::id);
+        const bool wrong = unit.verdict == Verdict::partial || unit.verdict == Verdict::wrong;
+        if (wrong && unit.explanations.empty() && exercise != exercises.end() && can_have_mutants(*exercise))
+            text += fmt::format("`umbral locate {}` looks for the line of your file that is wrong.\n", exercise->name);
+    }
+    return text.empty() ? text : "\n" + text;
+}
+
 /// One pass over some units, printed. Says how it went by an exit status.
 int check_once(Application& application, Crew& crew, const std::vector<Exercise>& exercises, const Options& options)
 {
@@ -69,7 +83,7 @@ int check_once(Application& application, Crew& crew, const std::vector<Exercise>
         fmt::print("{}\n", to_json(result, checked.fingerprint)
                                .dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
     } else {
-        fmt::print("{}", terminal_report(result, application.style));
+        fmt::print("{}{}", terminal_report(result, application.style), how_to_locate(exercises, result));
         if (checked.kept > 0 && !options.watch)
             fmt::print("\n{} of {} unit{} unchanged since the last check, and not run again (--fresh runs all).\n",
                        checked.kept, exercises.size(), exercises.size() == 1 ? "" : "s");

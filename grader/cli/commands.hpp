@@ -17,6 +17,7 @@ void add_check(Command parser, Application& application);
 void add_hint(Command parser, Application& application);
 void add_reset(Command parser, Application& application);
 void add_ask(Command parser, Application& application);
+void add_locate(Command parser, Application& application);
 void add_debug(Command parser, Application& application);
 void add_render(Command parser, Application& application);
 void add_compare(Command parser, Application& application);
@@ -28,9 +29,9 @@ void add_bench(Command parser, Application& application);
 void add_doctor(Command parser, Application& application);
 
 /// All commands, in the order of --help.
-inline constexpr std::array add_commands{add_list,     add_new,     add_new_unit, add_check,   add_hint,  add_reset,
-                                         add_ask,      add_debug,   add_render,   add_compare, add_grade, add_demo,
-                                         add_validate, add_refresh, add_bench,    add_doctor};
+inline constexpr std::array add_commands{add_list, add_new,      add_new_unit, add_check,  add_hint,    add_reset,
+                                         add_ask,  add_locate,   add_debug,    add_render, add_compare, add_grade,
+                                         add_demo, add_validate, add_refresh,  add_bench,  add_doctor};
 
 // Added to the command bench.
 void add_bench_explanations(Command bench, Application& application);

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <memory>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -22,32 +21,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const std::string& word)
+/// Options, as of the compiler, in the order of MutantFamily.
+constexpr std::array<const char*, 3> families{"", "--slips", "--repairs"};
+
+/// A program to run in `work` on the source there, with what a compiler of it reads.
+ConfinedCommand command_in(const fs::path& work, const Toolchain& tools)
 {
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
+    ConfinedCommand command;
+    command.confine = tools.programs / "umbral-confine";
+    command.directory = work;
+    command.cpu_seconds = 4 * tools.compile_seconds;
+    command.wall_seconds = 16 * tools.compile_seconds;
+    command.output_limit = std::size_t{16} << 20U;
+    command.read = compiler_files(tools.compiler);
+    command.read.push_back(tools.framework.string());
+    return command;
 }
 
-/// What umbral-mutate prints. Its words are the build's own.
-std::string found_by(const fs::path& finder, MutantFamily family, const fs::path& source, const Toolchain& tools)
+std::vector<Mutant> find(const fs::path& finder, MutantFamily family, const std::string& source, const Toolchain& tools,
+                         const Exercise& exercise, const fs::path& work)
 {
-    std::string command =
-        quoted(finder.string()) + (family == MutantFamily::slips ? " --slips " : " ") + quoted(source.string());
-    for (const std::string& flag : tools.flags)
-        if (flag.starts_with("-std=") || flag.starts_with("-D")) command += " " + quoted(flag);
-    command += " " + quoted("-I" + tools.framework.string()) + " 2>&1";
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "re"), &pclose);
-    std::string text;
-    std::array<char, 4096> part{};
-    for (std::size_t got = 0; pipe && (got = std::fread(part.data(), 1, part.size(), pipe.get())) > 0;)
-        text.append(part.data(), got);
-    return text;
-}
-
-std::vector<Mutant> find(const fs::path& finder, MutantFamily family, const fs::path& source, const Toolchain& tools)
-{
-    const std::string text = found_by(finder, family, source, tools);
+    // libclang would take the compiler's precompiled form of the header for its own.
+    Toolchain own = tools;
+    own.student_header = work / tools.student_header.filename();
+    write_text(own.student_header, read_text(tools.student_header));
+    write_text(work / "source.cpp", source);
+    ConfinedCommand command = command_in(work, tools);
+    command.read.push_back(finder.string());
+    // libclang's own headers, and where it looks for those of the C++ library.
+    for (const char* folder :
+         {"/usr/lib/gcc", "/usr/include", "/usr/lib/llvm-14", "/usr/lib/llvm-15", "/usr/lib/llvm-16"})
+        if (fs::exists(folder)) command.read.emplace_back(folder);
+    command.arguments = {finder.string()};
+    if (const std::string option = families.at(static_cast<std::size_t>(family)); !option.empty())
+        command.arguments.push_back(option);
+    command.arguments.emplace_back("source.cpp");
+    std::ranges::copy_if(tools.flags, std::back_inserter(command.arguments),
+                         [](const std::string& flag) { return flag.starts_with("-std=") || flag.starts_with("-D"); });
+    const std::vector<std::string> headers = read_first(own, exercise);
+    command.arguments.insert(command.arguments.end(), headers.begin(), headers.end());
+    const std::string text = run_confined(command).output;
     const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     if (!json.is_array()) throw std::runtime_error(fmt::format("{}: {}", finder.filename().string(), text));
     std::vector<Mutant> mutants;
@@ -61,14 +74,7 @@ std::vector<Mutant> find(const fs::path& finder, MutantFamily family, const fs::
 ConfinedResult compile(const Toolchain& tools, const Exercise& exercise, const std::string& text, const fs::path& work)
 {
     write_text(work / "mutants.cpp", text);
-    ConfinedCommand command;
-    command.confine = tools.programs / "umbral-confine";
-    command.directory = work;
-    command.cpu_seconds = 4 * tools.compile_seconds;
-    command.wall_seconds = 16 * tools.compile_seconds;
-    command.output_limit = std::size_t{16} << 20U;
-    command.read = compiler_files(tools.compiler);
-    command.read.push_back(tools.framework.string());
+    ConfinedCommand command = command_in(work, tools);
     command.read.push_back(tools.student_header.parent_path().string());
     command.arguments = {tools.compiler};
     command.arguments.insert(command.arguments.end(), tools.flags.begin(), tools.flags.end());
@@ -117,21 +123,20 @@ std::set<unsigned> blamed(const std::string& output, const std::string& source, 
 }
 
 BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, MutantFamily family,
-                           const fs::path& finder, const fs::path& source, const fs::path& work)
+                           const fs::path& finder, const std::string& source, const fs::path& work)
 {
     constexpr int most_attempts = 60;
     BuiltMutants built;
-    built.mutants = find(finder, family, source, tools);
+    built.mutants = find(finder, family, source, tools, exercise, work);
     const std::size_t found = built.mutants.size();
-    const std::string text = read_text(source);
     for (int attempt = 0;; ++attempt) {
-        const ConfinedResult result = compile(tools, exercise, with_mutants(text, built.mutants), work);
+        const ConfinedResult result = compile(tools, exercise, with_mutants(source, built.mutants), work);
         if (result.exit_status == 0) break;
-        const std::set<unsigned> wrong = blamed(result.output, text, built.mutants);
+        const std::set<unsigned> wrong = blamed(result.output, source, built.mutants);
         const std::size_t left_out =
             std::erase_if(built.mutants, [&](const Mutant& mutant) { return wrong.contains(mutant.number); });
         if (left_out == 0 || attempt == most_attempts)
-            throw std::runtime_error(fmt::format("{}: the reference does not compile with its mutants: {}", exercise.id,
+            throw std::runtime_error(fmt::format("{}: the source does not compile with its mutants: {}", exercise.id,
                                                  result.output.substr(0, 2000)));
     }
     built.not_compiled = found - built.mutants.size();

@@ -10,18 +10,24 @@
 
 namespace umbral::grader {
 
-/// A reference's mutants, compiled into one library.
+/// Mutants are of one C++ file: is the unit one?
+[[nodiscard]] inline bool can_have_mutants(const Exercise& exercise)
+{
+    return exercise.is_cpp() && exercise.files.size() == 1;
+}
+
+/// A source's mutants, compiled into one library.
 struct BuiltMutants {
     std::vector<Mutant> mutants;
     std::size_t not_compiled = 0;  ///< found, but of types that do not fit, or in what the compiler computes
     std::filesystem::path library;
 };
 
-/// Finds the mutants of this family of the reference in the file `source` by the program `finder` (umbral-mutate) and
-/// compiles it with all that compile into the folder `work`. Throws std::runtime_error with the compiler's words if it
-/// cannot be done.
+/// Finds the mutants of this family of `source`, a unit's only C++ file, by the program `finder` (umbral-mutate) and
+/// compiles it with all that compile into the folder `work`. Both run confined, so that the source may be anybody's.
+/// Throws std::runtime_error with the compiler's words if it cannot be done.
 [[nodiscard]] BuiltMutants build_mutants(const Toolchain& tools, const Exercise& exercise, MutantFamily family,
-                                         const std::filesystem::path& finder, const std::filesystem::path& source,
+                                         const std::filesystem::path& finder, const std::string& source,
                                          const std::filesystem::path& work);
 
 }

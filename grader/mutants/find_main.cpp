@@ -1,5 +1,5 @@
-// umbral-mutate [--slips] FILE FLAG…: the mutants of a C++ file, compiled with these flags, as JSON. It reads the
-// project's own references, and links libclang, which nothing else needs.
+// umbral-mutate [--slips | --repairs] FILE FLAG…: the mutants of a C++ file, compiled with these flags, as JSON. It
+// links libclang, which nothing else needs, and reads students' files too: it runs confined.
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -10,12 +10,13 @@
 int main(int count, char** words)
 try {
     using namespace umbral::grader;
-    const bool slips = count > 1 && std::string_view(words[1]) == "--slips";
-    const int file = slips ? 2 : 1;
-    if (count <= file) throw std::runtime_error("usage: umbral-mutate [--slips] FILE FLAG…");
+    const std::string_view family = count > 1 && std::string_view(words[1]).starts_with("--") ? words[1] : "";
+    const auto find = family == "--slips" ? find_slips : family == "--repairs" ? find_repairs : find_mutants;
+    const int file = family.empty() ? 1 : 2;
+    if (count <= file) throw std::runtime_error("usage: umbral-mutate [--slips | --repairs] FILE FLAG…");
     const Syntax syntax = parse(words[file], {words + file + 1, words + count});
     nlohmann::json list = nlohmann::json::array();
-    for (const Mutant& mutant : slips ? find_slips(syntax) : find_mutants(syntax))
+    for (const Mutant& mutant : find(syntax))
         list.push_back({{"number", mutant.number},
                         {"form", static_cast<int>(mutant.form)},
                         {"begin", mutant.begin},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mutants/expressions.hpp"
+
 namespace umbral::grader {
 namespace {
 
@@ -12,16 +14,11 @@ public:
 
     void function(const Node& function)
     {
-        if (function.children.empty() || function.children.back().kind != CXCursor_CompoundStmt) return;
-        const Node& body = function.children.back();
-        const std::string_view head =
-            std::string_view(syntax_.text).substr(function.begin, body.begin - function.begin);
-        // What the compiler computes has no run that could be given a number.
-        if (head.find("constexpr") != std::string_view::npos || head.find("consteval") != std::string_view::npos)
-            return;
-        if (function.kind != CXCursor_Constructor && body.children.size() > 1)
-            insert(body, function.type == "void" ? "return;" : "return {};");
-        visit(body, false);
+        const Node* const body = running_body(syntax_, function);
+        if (body == nullptr) return;
+        if (function.kind != CXCursor_Constructor && body->children.size() > 1)
+            insert(*body, function.type == "void" ? "return;" : "return {};");
+        visit(*body, false);
     }
 
     [[nodiscard]] std::vector<Mutant> found() && { return std::move(mutants_); }
@@ -31,10 +28,7 @@ private:
     void visit(const Node& node, bool in_double, bool declares = false)
     {
         const std::string_view text = syntax_.of(node);
-        if (node.kind == CXCursor_DeclStmt &&
-            (text.starts_with("constexpr") || text.starts_with("static") || text.starts_with("using")))
-            return;
-        if (node.kind == CXCursor_StaticAssert || node.kind == CXCursor_TypeAliasDecl) return;
+        if (has_no_run(syntax_, node)) return;
         statements(node);
         conditions(node);
         if (!declares) mutate_expression(syntax_, node, mutants_);

@@ -17,23 +17,15 @@ namespace umbral::grader {
 /// for arguments of the same sizes and numbers.
 [[nodiscard]] std::vector<Mutant> find_slips(const Syntax& syntax);
 
+/// What students may have to change where their own work is wrong: all of these, and what undoes common oversights: a
+/// sign, a unit vector, the other form of a matrix, half or twice an angle, half a pixel, one more or less, rounding, a
+/// comparison the other way round, any other component or variable of the same type.
+[[nodiscard]] std::vector<Mutant> find_repairs(const Syntax& syntax);
+
 /// Sorted by their places, and numbered from 1.
 [[nodiscard]] std::vector<Mutant> numbered(std::vector<Mutant> mutants);
 
-/// The two operands of a binary operator, also of an overloaded one, and the operator between them; `left` is null of
-/// what is none.
-struct Binary {
-    const Node* left = nullptr;
-    const Node* right = nullptr;
-    std::string word;
-};
-[[nodiscard]] Binary binary_of(const Syntax& syntax, const Node& node);
-
 /// The changes of an expression itself, not of its parts: see operators.cpp for which.
 void mutate_expression(const Syntax& syntax, const Node& node, std::vector<Mutant>& mutants);
-
-/// A mutant of `node` in the form of an expression.
-void add_change(const Syntax& syntax, const Node& node, const char* kind, const std::string& replacement,
-                std::vector<Mutant>& mutants);
 
 }

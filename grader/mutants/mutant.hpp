@@ -9,10 +9,11 @@ namespace umbral::grader {
 /// What kind of changes are looked for.
 enum class MutantFamily {
     syntax,  ///< one sign of the language after the other
-    slips    ///< what students write instead
+    slips,   ///< what students write instead
+    repairs  ///< what may mend a student's own work
 };
 
-/// A small change of a reference's source, made at run time where the run is given its number.
+/// A small change of a source, a reference's or a student's, made at run time where the run is given its number.
 struct Mutant {
     /// How the change is written into the source.
     enum class Form {

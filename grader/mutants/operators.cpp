@@ -2,19 +2,13 @@
 #include <array>
 #include <utility>
 
+#include "mutants/expressions.hpp"
 #include "mutants/find_mutants.hpp"
 
 namespace umbral::grader {
 namespace {
 
 using Text = std::string_view;
-
-std::string trimmed(Text text)
-{
-    const std::size_t first = text.find_first_not_of(" \t\n");
-    if (first == Text::npos) return "";
-    return std::string(text.substr(first, text.find_last_not_of(" \t\n") - first + 1));
-}
 
 /// What stands for an operator instead, and what such a change is called.
 struct Exchange {
@@ -146,32 +140,6 @@ void mutate_index(const Syntax& syntax, const Node& node, std::vector<Mutant>& m
                mutants);
 }
 
-}
-
-Binary binary_of(const Syntax& syntax, const Node& node)
-{
-    const bool overloaded = node.kind == CXCursor_CallExpr && Text(node.called).starts_with("operator");
-    if (node.kind != CXCursor_BinaryOperator && node.kind != CXCursor_CompoundAssignOperator && !overloaded) return {};
-    std::vector<const Node*> operands;
-    for (const Node& child : node.children)
-        if (!overloaded || child.called != node.called || child.end - child.begin > 3) operands.push_back(&child);
-    if (operands.size() != 2 || operands[0]->end > operands[1]->begin) return {};
-    const Text between = Text(syntax.text).substr(operands[0]->end, operands[1]->begin - operands[0]->end);
-    return {operands[0], operands[1], trimmed(between)};
-}
-
-void add_change(const Syntax& syntax, const Node& node, const char* kind, const std::string& replacement,
-                std::vector<Mutant>& mutants)
-{
-    Mutant mutant;
-    mutant.begin = node.begin;
-    mutant.end = node.end;
-    mutant.line = node.line;
-    mutant.replacement = replacement;
-    mutant.kind = kind;
-    mutant.change = std::string(syntax.of(node)) + " → " + replacement;
-    mutant.gives_nothing = node.type == "void";
-    mutants.push_back(std::move(mutant));
 }
 
 void mutate_expression(const Syntax& syntax, const Node& node, std::vector<Mutant>& mutants)

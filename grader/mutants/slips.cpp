@@ -1,37 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <initializer_list>
 #include <set>
 
+#include "mutants/expressions.hpp"
 #include "mutants/find_mutants.hpp"
 
 namespace umbral::grader {
 namespace {
 
-bool is_real(const std::string& type) { return type == "float" || type == "double"; }
-
-bool is_vector(const std::string& type) { return type.starts_with("glm::vec<") || type.starts_with("vec<"); }
-
-bool is_number(const std::string& type)
-{
-    return is_real(type) || type == "bool" || type.ends_with("int") || type.ends_with("long") ||
-           type.ends_with("char") || type.ends_with("short");
-}
-
-bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names)
-{
-    return std::ranges::find(names, name) != names.end();
-}
-
-/// May the value be negative, and above 1? Of what is called that is known of few functions.
-bool has_any_size(const Syntax& syntax, const Node& node)
-{
-    if (node.kind == CXCursor_BinaryOperator) return true;
-    if (node.called == "dot" && node.children.size() > 2)
-        return syntax.of(node.children[node.children.size() - 1]) != syntax.of(node.children[node.children.size() - 2]);
-    return is_one_of(node.called, {"determinant", "tan", "atan", "atan2", "pow", "mix", "lerp", "fma"});
-}
+/// What gives a vector of any length.
+constexpr std::array<std::string_view, 5> joined{"operator+", "operator-", "operator*", "cross", "mix"};
 
 /// What is copied and not changed: y where x is written.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> components{
@@ -44,12 +23,8 @@ public:
 
     void function(const Node& function)
     {
-        if (function.children.empty() || function.children.back().kind != CXCursor_CompoundStmt) return;
-        const Node& body = function.children.back();
-        const std::string_view head =
-            std::string_view(syntax_.text).substr(function.begin, body.begin - function.begin);
-        if (head.find("constexpr") != std::string_view::npos || head.find("consteval") != std::string_view::npos)
-            return;
+        const Node* const body = running_body(syntax_, function);
+        if (body == nullptr) return;
         variables_.clear();
         std::vector<std::string> parameters;
         for (const Node& child : function.children)
@@ -57,8 +32,8 @@ public:
                 parameters.push_back(child.called);
                 variables_.push_back({child.called, child.type});
             }
-        answers_as_before(function, body, parameters);
-        visit(body, false);
+        answers_as_before(function, *body, parameters);
+        visit(*body, false);
     }
 
     [[nodiscard]] std::vector<Mutant> found() && { return std::move(mutants_); }
@@ -73,10 +48,7 @@ private:
     void visit(const Node& node, bool in_value)
     {
         const std::string_view text = syntax_.of(node);
-        if (node.kind == CXCursor_StaticAssert || node.kind == CXCursor_TypeAliasDecl) return;
-        if (node.kind == CXCursor_DeclStmt &&
-            (text.starts_with("constexpr") || text.starts_with("static") || text.starts_with("using")))
-            return;
+        if (has_no_run(syntax_, node)) return;
         const bool is_scope = node.kind == CXCursor_CompoundStmt || node.kind == CXCursor_ForStmt ||
                               node.kind == CXCursor_CXXForRangeStmt || node.kind == CXCursor_LambdaExpr;
         const std::size_t outside = variables_.size();
@@ -120,7 +92,7 @@ private:
     void limited(const Node& node)
     {
         const std::string text(syntax_.of(node));
-        if (is_vector(node.type) && is_one_of(node.called, {"operator+", "operator-", "operator*", "cross", "mix"}))
+        if (is_vector(node.type) && std::ranges::find(joined, std::string_view(node.called)) != joined.end())
             add_change(syntax_, node, "normalised", "glm::normalize(" + text + ")", mutants_);
         if (!is_real(node.type) || !has_any_size(syntax_, node)) return;
         add_change(syntax_, node, "limited", "std::abs(" + text + ")", mutants_);

@@ -61,7 +61,7 @@ UnitMutants try_unit(Crew& crew, MutantFamily family, const std::filesystem::pat
     UnitMutants unit{exercise.id, source.lexically_relative(tools.reference).string(), {}, 0};
     const std::vector<Equivalent> entries = equivalents_of(exercise.folder, family);
     const ScratchFolder work(tools.cache);
-    const BuiltMutants built = build_mutants(tools, exercise, family, finder, source, work.path());
+    const BuiltMutants built = build_mutants(tools, exercise, family, finder, read_text(source), work.path());
     unit.not_compiled = built.not_compiled;
     for (const Mutant& mutant : built.mutants) unit.mutants.push_back({mutant, {}});
     CaseOrder order(exercise.cases());
@@ -99,7 +99,7 @@ void try_units(Crew& crew, MutantFamily family, const std::filesystem::path& fin
                std::span<const Exercise> exercises, unsigned seed, const std::function<void(const UnitMutants&)>& done)
 {
     for (const Exercise& exercise : exercises) {
-        if (!exercise.is_cpp()) continue;
+        if (!can_have_mutants(exercise)) continue;
         try {
             done(try_unit(crew, family, finder, exercise, seed));
         } catch (const std::exception& error) {

@@ -25,8 +25,8 @@ TEST(Commands, help_names_every_command_and_the_exit_statuses)
 {
     const Printed printed = umbral("--help");
     EXPECT_EQ(printed.status, 0);
-    for (const char* word : {"list", "new", "check", "ask", "debug", "grade", "validate", "refresh", "doctor", "demo",
-                             "hint", "reset", "Exit status"})
+    for (const char* word : {"list", "new", "check", "ask", "locate", "debug", "grade", "validate", "refresh", "doctor",
+                             "demo", "hint", "reset", "Exit status"})
         EXPECT_NE(printed.text.find(word), std::string::npos) << word;
 }
 

@@ -147,7 +147,7 @@ std::vector<UnforeseenBug> explain_unforeseen(Worker& worker, const Exercise& ex
     const ScratchFolder work(worker.tools().cache);
     const std::filesystem::path source = reference_files(worker.tools().reference, exercise).begin()->second;
     const BuiltMutants built =
-        build_mutants(worker.tools(), exercise, MutantFamily::syntax, finder, source, work.path());
+        build_mutants(worker.tools(), exercise, MutantFamily::syntax, finder, read_text(source), work.path());
     Random random(case_seed("unforeseen", "", "", exercise.id, "", plan.seed));
     const std::vector<Mutant> mutants = shuffled(built.mutants, random);
     Trial trial(worker, exercise, built.library);

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+#include "cli/application.hpp"
+#include "cli/built_work.hpp"
+#include "cli/checkout.hpp"
+#include "cli/commands.hpp"
+#include "mutants/repair_words.hpp"
+#include "mutants/try_repairs.hpp"
+#include "report/paint.hpp"
+
+namespace umbral::grader {
+namespace {
+
+struct Options {
+    std::string unit;
+    std::string folder = ".";
+    bool show = false;
+    unsigned attempt = 0;
+    unsigned seconds = 60;
+    std::size_t jobs = default_jobs();
+};
+
+/// So many places are shown.
+constexpr std::size_t most_places = 3;
+
+/// The line of a change, with the line before it, and the changed part underlined.
+std::string excerpt(const Paint& paint, const std::string& source, const Mutant& change)
+{
+    const std::size_t line_begin = change.begin == 0 ? 0 : source.rfind('\n', change.begin - 1) + 1;
+    const std::size_t line_end = std::min(source.find('\n', change.begin), source.size());
+    std::string text;
+    if (line_begin > 0) {
+        const std::size_t before = line_begin < 2 ? 0 : source.rfind('\n', line_begin - 2) + 1;
+        text += fmt::format("{:5} | {}\n", change.line - 1, paint.safe(source.substr(before, line_begin - 1 - before)));
+    }
+    text += fmt::format("{:5} | {}\n", change.line, paint.safe(source.substr(line_begin, line_end - line_begin)));
+    const std::size_t length = std::max<std::size_t>(std::min(change.end, line_end) - change.begin, 1);
+    // As wide as what stands before: tabs stay tabs.
+    std::string margin;
+    for (std::size_t i = line_begin; i < change.begin; ++i) margin += source[i] == '\t' ? '\t' : ' ';
+    return text + fmt::format("{:5} | {}{}\n", "", margin, paint(Tone::bad, std::string(length, '^')));
+}
+
+void print_repair(const Paint& paint, const std::string& file, const std::string& source, const Repair& repair,
+                  std::size_t wrong, bool show)
+{
+    const std::string mends =
+        repair.mends.size() == wrong
+            ? (wrong == 1 ? std::string("the wrong check") : fmt::format("all {} wrong checks", wrong))
+            : fmt::format("{} of {} wrong checks", repair.mends.size(), wrong);
+    fmt::print("{}: a small change here makes {} right.\n\n",
+               paint.safe(fmt::format("{}:{}", file, repair.change.line)), mends);
+    fmt::print("{}\n", excerpt(paint, source, repair.change));
+    fmt::print("{}\n", words_of_repair(repair.change));
+    if (show) fmt::print("{}\n", paint.safe(fmt::format("The change: {}", repair.change.change)));
+    fmt::print("\n");
+}
+
+void locate(Application& application, const Options& options)
+{
+    const Exercise exercise = application.chosen({options.unit}).front();
+    if (!can_have_mutants(exercise))
+        throw UsageError(fmt::format("{} is not one C++ file: umbral debug runs a case of it", exercise.id));
+    const BuiltWork work = built_work(application, exercise, options.folder);
+    const std::filesystem::path finder = have_program(application, "umbral-mutate");
+    const auto began = std::chrono::steady_clock::now();
+    const ScratchFolder scratch(application.tools.cache);
+    const auto& [file, source] = *work.files.begin();
+    const BuiltMutants built =
+        build_mutants(application.tools, exercise, MutantFamily::repairs, finder, source, scratch.path());
+    Crew crew(application.tools, options.jobs);
+    const RepairSearch search =
+        try_repairs(crew, exercise, built, {static_cast<double>(options.seconds), options.attempt});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const Paint paint(application.style);
+    if (search.wrong.empty()) {
+        fmt::print("Nothing is wrong in {}: there is nothing to look for.\n", exercise.id);
+        return;
+    }
+    application.exit_status = exit_not_right;
+    const std::size_t shown = std::min(search.repairs.size(), most_places);
+    for (std::size_t i = 0; i < shown; ++i)
+        print_repair(paint, file, source, search.repairs[i], search.wrong.size(), options.show);
+    if (search.repairs.empty())
+        fmt::print(
+            "No small change of one place makes a wrong check right: more than one thing is wrong, or something "
+            "is missing.\n`umbral debug {}` stops where it first goes wrong.\n",
+            exercise.name);
+    if (search.repairs.size() > 1)
+        fmt::print("One of these changes is enough; {} places were found.\n", search.repairs.size());
+    if (shown > 0 && !options.show) fmt::print("--show says which change.\n");
+    fmt::print("{}\n", paint(Tone::quiet, fmt::format("{} of {} changes tried on inputs of two seeds, {:.0f} s",
+                                                      search.tried, built.mutants.size(), seconds)));
+}
+
+}
+
+void add_locate(Command parser, Application& application)
+{
+    auto options = std::make_shared<Options>();
+    const Command command =
+        parser.command("locate", "Looks for the line of your file where a small change would make wrong checks right");
+    command.option("UNIT", options->unit, "Which unit").required();
+    command.option("--dir", options->folder, "The workspace").with_default();
+    command.flag("--show", options->show, "Also says which change");
+    command.option("--attempt", options->attempt, "The number that `umbral check` had").with_default();
+    command.option("--seconds", options->seconds, "Look no longer than this").between(1, 3600).with_default();
+    command.option("--jobs", options->jobs, "Changes tried at a time").between(1, most_jobs).with_default();
+    command.runs([&application, options] { locate(application, *options); });
+}
+
+}

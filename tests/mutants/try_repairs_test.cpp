@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include "mutants/repair_words.hpp"
+#include "mutants/try_repairs.hpp"
+#include "support/workbench.hpp"
+
+namespace umbral::grader::test {
+namespace {
+
+/// Where a sphere.cpp with this change of a right one can be mended.
+class TryRepairs : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        if (!std::filesystem::exists(finder_)) GTEST_SKIP() << "libclang-14-dev is not installed: NOTHING WAS LOCATED";
+    }
+
+    RepairSearch search(const std::string& right, const std::string& wrong)
+    {
+        std::string text = project_file("exercises/raytracing/sphere/alternatives/double_precision.cpp");
+        const std::size_t at = text.find(right);
+        if (at == std::string::npos) throw std::runtime_error("no '" + right + "' in the alternative");
+        line_ = 1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+        text.replace(at, right.size(), wrong);
+        const Exercise exercise = bench_.exercise("raytracing/sphere");
+        Crew crew(bench_.tools(), 2);
+        return try_repairs(
+            crew, exercise,
+            build_mutants(bench_.tools(), exercise, MutantFamily::repairs, finder_, text, bench_.folder()),
+            {.seconds = 20});
+    }
+
+    /// The changes that were found in the line that is wrong.
+    [[nodiscard]] std::vector<std::string> there(const RepairSearch& found) const
+    {
+        std::vector<std::string> changes;
+        for (const Repair& one : found.repairs)
+            if (one.change.line == line_) changes.push_back(one.change.change);
+        return changes;
+    }
+
+    Workbench bench_;
+    std::filesystem::path finder_ = bench_.tools().programs / "umbral-mutate";
+    std::size_t line_ = 0;
+};
+
+TEST_F(TryRepairs, find_the_line_of_a_sign)
+{
+    const RepairSearch found = search("- glm::dvec3(sphere.centre)", "+ glm::dvec3(sphere.centre)");
+    EXPECT_FALSE(found.wrong.empty());
+    ASSERT_EQ(there(found).size(), 1U);
+    EXPECT_EQ(found.repairs.front().mends.size(), found.wrong.size());
+    EXPECT_GT(found.tried, 50U);
+}
+
+TEST_F(TryRepairs, find_a_missing_square_and_a_wrong_field)
+{
+    EXPECT_EQ(there(search("t < ray.t_max", "t < ray.t_min")).size(), 1U);
+    EXPECT_EQ(there(search("ray.t_min < t &&", "ray.t_min < t ||")).size(), 1U);
+}
+
+TEST_F(TryRepairs, find_nothing_where_nothing_is_wrong_or_no_small_change_helps)
+{
+    EXPECT_TRUE(search("const double a", "const double a").wrong.empty());
+    const RepairSearch missing = search("if (discriminant < 0) return std::nullopt;", "return std::nullopt;");
+    EXPECT_FALSE(missing.wrong.empty());
+    EXPECT_TRUE(there(missing).empty());
+}
+
+TEST(RepairWords, say_where_to_look_without_the_change)
+{
+    Mutant change;
+    change.kind = "comparison";
+    change.change = "a < b → a <= b";
+    EXPECT_NE(words_of_repair(change).find("comparison"), std::string::npos);
+    EXPECT_EQ(words_of_repair(change).find("<="), std::string::npos);
+    change.kind = "none of the kinds";
+    EXPECT_EQ(words_of_repair(change), "Look at this.");
+}
+
+}
+}
