@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "mutants/repair_words.hpp"
 #include "mutants/try_repairs.hpp"
+#include "report/layout.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {
@@ -39,11 +40,13 @@ std::string excerpt(const Paint& paint, const std::string& source, const Mutant&
         text += fmt::format("{:5} | {}\n", change.line - 1, paint.safe(source.substr(before, line_begin - 1 - before)));
     }
     text += fmt::format("{:5} | {}\n", change.line, paint.safe(source.substr(line_begin, line_end - line_begin)));
-    const std::size_t length = std::max<std::size_t>(std::min(change.end, line_end) - change.begin, 1);
-    // As wide as what stands before: tabs stay tabs.
-    std::string margin;
-    for (std::size_t i = line_begin; i < change.begin; ++i) margin += source[i] == '\t' ? '\t' : ' ';
-    return text + fmt::format("{:5} | {}{}\n", "", margin, paint(Tone::bad, std::string(length, '^')));
+    // As wide as what is shown.
+    const auto width = [&](std::size_t begin, std::size_t end) {
+        return static_cast<std::size_t>(display_width(paint.safe(source.substr(begin, end - begin))));
+    };
+    const std::size_t length = std::max<std::size_t>(width(change.begin, std::min(change.end, line_end)), 1);
+    return text + fmt::format("{:5} | {}{}\n", "", std::string(width(line_begin, change.begin), ' '),
+                              paint(Tone::bad, std::string(length, '^')));
 }
 
 void print_repair(const Paint& paint, const std::string& file, const std::string& source, const Repair& repair,
