@@ -72,6 +72,11 @@ void locate(Application& application, const Options& options)
     const BuiltWork work = built_work(application, exercise, options.folder);
     const std::filesystem::path finder = have_program(application, "umbral-mutate");
     const auto began = std::chrono::steady_clock::now();
+    if (equals_stub(work.files, exercise)) {
+        fmt::print("{} is the stub as it was: there is nothing to look for yet.\n", exercise.id);
+        application.exit_status = exit_not_right;
+        return;
+    }
     const ScratchFolder scratch(application.tools.cache);
     const auto& [file, source] = *work.files.begin();
     const BuiltMutants built =
