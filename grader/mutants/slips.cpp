@@ -13,12 +13,6 @@ bool is_real(const std::string& type) { return type == "float" || type == "doubl
 
 bool is_vector(const std::string& type) { return type.starts_with("glm::vec<") || type.starts_with("vec<"); }
 
-bool is_number(const std::string& type)
-{
-    return is_real(type) || type == "bool" || type.ends_with("int") || type.ends_with("long") ||
-           type.ends_with("char") || type.ends_with("short");
-}
-
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names)
 {
     return std::ranges::find(names, name) != names.end();
@@ -214,8 +208,11 @@ private:
         if (function.kind != CXCursor_FunctionDecl || parameters.empty() || function.type == "void" ||
             function.type.find('&') != std::string::npos)
             return;
-        // Numbers are told apart.
-        if (std::ranges::all_of(variables_, is_number, &Variable::type)) return;
+        // Numbers and enumerators are told apart.
+        const auto is_told_apart = [](const Node& child) {
+            return child.kind != CXCursor_ParmDecl || child.called.empty() || child.is_number;
+        };
+        if (std::ranges::all_of(function.children, is_told_apart)) return;
         std::string list;
         for (const std::string& name : parameters) list += (list.empty() ? "" : ", ") + name;
         const std::string name = function.called.substr(0, function.called.find('('));

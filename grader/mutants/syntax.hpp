@@ -19,6 +19,7 @@ struct Node {
     std::string type;     ///< of expressions, without const: "float"; of functions what they return
     std::string called;   ///< what is called or named: "operator+", "sin"
     std::string sibling;  ///< of a field that is named: the next one of its struct of the same type
+    bool is_number = false;  ///< its type is one of numbers, or an enumeration
     std::vector<Node> children;
 };
 
