@@ -27,10 +27,6 @@ namespace umbral::grader {
 {
     return type.ends_with("int") || type.ends_with("long") || type.ends_with("char") || type.ends_with("short");
 }
-[[nodiscard]] inline bool is_number(const std::string& type)
-{
-    return is_real(type) || is_integer(type) || type == "bool";
-}
 
 /// May the value be negative, and above 1? Of what is called that is known of few functions.
 [[nodiscard]] bool has_any_size(const Syntax& syntax, const Node& node);

@@ -186,8 +186,11 @@ private:
         if (function.kind != CXCursor_FunctionDecl || parameters.empty() || function.type == "void" ||
             function.type.find('&') != std::string::npos)
             return;
-        // Numbers are told apart.
-        if (std::ranges::all_of(variables_, is_number, &Variable::type)) return;
+        // Numbers and enumerators are told apart.
+        const auto is_told_apart = [](const Node& child) {
+            return child.kind != CXCursor_ParmDecl || child.called.empty() || child.is_number;
+        };
+        if (std::ranges::all_of(function.children, is_told_apart)) return;
         std::string list;
         for (const std::string& name : parameters) list += (list.empty() ? "" : ", ") + name;
         const std::string name = function.called.substr(0, function.called.find('('));

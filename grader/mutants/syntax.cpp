@@ -47,6 +47,13 @@ std::string type_of(CXCursor cursor)
     return name.starts_with("const ") ? name.substr(6) : name;
 }
 
+bool is_number(CXCursor cursor)
+{
+    CXType type = clang_getCanonicalType(clang_getCursorType(cursor));
+    if (type.kind == CXType_LValueReference) type = clang_getCanonicalType(clang_getPointeeType(type));
+    return (type.kind >= CXType_Bool && type.kind <= CXType_LongDouble) || type.kind == CXType_Enum;
+}
+
 /// The fields of a struct of one type, in their order.
 struct Fields {
     CXType type;
@@ -95,6 +102,7 @@ CXChildVisitResult take(CXCursor cursor, CXCursor /*parent*/, CXClientData data)
               type_of(cursor),
               taken(clang_getCursorSpelling(cursor)),
               kind == CXCursor_MemberRefExpr ? sibling_of(cursor) : "",
+              is_number(cursor),
               children_of(cursor, visit.file)};
     // Casts and temporaries that the compiler added.
     if (kind == CXCursor_UnexposedExpr && node.children.size() == 1)

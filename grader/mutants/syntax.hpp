@@ -16,9 +16,10 @@ struct Node {
     std::size_t begin = 0;  ///< offsets in the source
     std::size_t end = 0;
     std::size_t line = 0;
-    std::string type;     ///< of expressions, without const: "float"; of functions what they return
-    std::string called;   ///< what is called or named: "operator+", "sin"
-    std::string sibling;  ///< of a field that is named: the next one of its struct of the same type
+    std::string type;        ///< of expressions, without const: "float"; of functions what they return
+    std::string called;      ///< what is called or named: "operator+", "sin"
+    std::string sibling;     ///< of a field that is named: the next one of its struct of the same type
+    bool is_number = false;  ///< its type is one of numbers, or an enumeration
     std::vector<Node> children;
 };
 

@@ -44,9 +44,12 @@ INSTANTIATE_TEST_SUITE_P(All, Slips, testing::ValuesIn(expected),
 
 TEST(FindSlips, changes_nothing_that_would_be_the_same)
 {
-    // Statements that do not depend on each other, whole numbers, variables of other types, functions of numbers alone.
+    // Statements that do not depend on each other, whole numbers, variables of other types, functions of numbers and
+    // enumerators alone.
     EXPECT_EQ(slips_of("int f(int a, double b) { int c; a += 1; c = 2; return a < c ? a : c; }"),
               (std::set<std::string>{"variable: a → c", "variable: c → a"}));
+    EXPECT_EQ(slips_of("enum class Kind { one, two }; int f(Kind kind, const Kind& other) { return kind == other; }"),
+              (std::set<std::string>{"variable: kind → other", "variable: other → kind"}));
 }
 
 TEST(FindSlips, a_loops_head_keeps_its_variables)

@@ -41,13 +41,23 @@ IndexedMesh mixture(const std::vector<Sample>& meshes, Random& random)
     return shuffled(with_lonely_vertices(mesh, static_cast<int>(random.below(4))), random);
 }
 
+// One triangle comes twice, the second time right behind the first, from the same corner or another one.
+IndexedMesh with_one_twice(IndexedMesh mesh, Random& random)
+{
+    if (mesh.triangles.empty()) return mesh;
+    const auto first = mesh.triangles.begin() + random.below(static_cast<std::uint32_t>(mesh.triangles.size()));
+    const glm::uvec3 t = *first;
+    mesh.triangles.insert(first + 1, random.below(2) == 0 ? t : glm::uvec3(t.y, t.z, t.x));
+    return mesh;
+}
+
 void record_random(Random& random, Recorder& out)
 {
     const std::vector<Sample> tame = tame_meshes();
     const std::vector<Sample> wild = wild_meshes();
     for (int i = 0; i < 40; ++i) {
-        const IndexedMesh mesh = mixture(i % 2 == 0 ? tame : wild, random);
-        record_counts(out, with_mixed_winding(mesh, random));
+        const IndexedMesh mesh = with_mixed_winding(mixture(i % 2 == 0 ? tame : wild, random), random);
+        record_counts(out, i % 4 < 2 ? mesh : with_one_twice(mesh, random));
     }
 }
 
@@ -60,12 +70,14 @@ void record_genera(Random& random, Recorder& out)
                                                   projective_plane(),  book(3 + round),
                                                   bow_tie(),           cubes_at_an_edge(),
                                                   cubes_at_a_corner(), with_mixed_winding(torus(6 + round, 5), random)};
-        for (const IndexedMesh& mesh : without) {
+        const auto record_pair = [&](const IndexedMesh& mesh) {
             const IndexedMesh other = mixture(tame, random);
             const bool first = random.below(2) == 1;
-            record_genus(out, first ? other : shuffled(mesh, random));
-            record_genus(out, first ? shuffled(mesh, random) : other);
-        }
+            record_genus(out, first ? other : mesh);
+            record_genus(out, first ? mesh : other);
+        };
+        for (const IndexedMesh& mesh : without) record_pair(shuffled(mesh, random));
+        record_pair(with_one_twice(mixture(tame, random), random));
     }
 }
 

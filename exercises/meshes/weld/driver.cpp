@@ -90,7 +90,7 @@ void record_special(Case& c, Recorder& out)
 void record_isolated(Random& random, Recorder& out)
 {
     for (const IndexedMesh& mesh : {IndexedMesh{}, with_lonely_vertices({}, 3), cube(), shuffled(torus(5, 4), random),
-                                    with_lonely_vertices(hills(4, 3, random), 3)}) {
+                                    with_lonely_vertices(hills(4, 3, random), 3), with_coinciding_corners(random)}) {
         const Soup soup = ask<isolated_triangles>(out, mesh);
         for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i)
             out.append("corners", i < soup.size() ? soup[i] : glm::vec3(0));
@@ -114,12 +114,11 @@ void record_work(Random& random, Recorder& out)
     out.text("blocks.names", "corners");
     out.text("blocks in a diagonal plane.names", "corners");
     for (const std::uint32_t side : {13U, 19U, 26U, 37U, 52U}) {
-        const Soup soup = soup_of(shuffled(torus(side, side), random));
+        // Of any size: a grid that is fine enough for a model in metres holds all of one in kilometres in a cell.
+        Soup soup = soup_of(shuffled(torus(side, side), random));
+        for (glm::vec3& corner : soup) corner *= 0x1p-20F;
         record_cost(out, "blocks", soup.size(), [&] { return amount_of(ask<weld>(out, soup), soup); });
-        // Side² cells, more and more of them in a row: who hashes rows alike takes time n^1.75, and who compares all
-        // corners n².
-        const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(side)));
-        const Soup diagonal = diagonal_soup(side * side / rows, rows, random);
+        const Soup diagonal = aligned_soup(side * side, random);
         record_cost(out, "blocks in a diagonal plane", diagonal.size(),
                     [&] { return amount_of(ask<weld>(out, diagonal), diagonal); });
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
@@ -79,7 +80,8 @@ inline Soup soup_of_broken_corners(Random& random)
 /// 60 triangles whose corners are at 27 places: one in nine has two corners in one place, or all three.
 inline Soup soup_of_few_places(Random& random)
 {
-    const auto coordinate = [&] { return static_cast<float>(random.below(3)) - 1; };
+    constexpr std::array coordinates{-1.0F, 1.0F, 2.0F};
+    const auto coordinate = [&] { return coordinates.at(random.below(3)); };
     Soup soup;
     for (int i = 0; i < 180; ++i) {
         const float x = coordinate();
@@ -89,14 +91,34 @@ inline Soup soup_of_few_places(Random& random)
     return soup;
 }
 
-/// A strip in the plane x = y, as every model has that is turned by 45 degrees: whatever is made of x and y by
-/// exclusive or is 0.
-inline Soup diagonal_soup(std::uint32_t columns, std::uint32_t rows, Random& random)
+/// 3 `cells` squares. Two of three lie in the plane x = y, as every model has that is turned by 45 degrees: whatever is
+/// made of x and y by exclusive or is 0 there. The others are strips along each of the axes. All have two rows or one,
+/// so that who hashes a row alike, because coordinates cancel or one is forgotten, takes time n².
+inline Soup aligned_soup(std::uint32_t cells, Random& random)
 {
-    return soup_of(sheet(columns, rows, [&](std::uint32_t column, std::uint32_t row) {
-        const float along = static_cast<float>(column) + 0.5F * random.uniform();
-        return glm::vec3(along, along, static_cast<float>(row));
-    }));
+    IndexedMesh mesh;
+    const auto add = [&](std::uint32_t columns, std::uint32_t rows, const auto& place) {
+        mesh = joined(mesh, sheet(columns, rows, [&](std::uint32_t column, std::uint32_t row) {
+                          return place(static_cast<float>(column) + 0.5F * random.uniform(), static_cast<float>(row));
+                      }));
+    };
+    add(cells, 2, [](float along, float row) { return glm::vec3(along, along, row); });
+    for (int axis = 0; axis < 3; ++axis)
+        add(cells / 3, 1, [&](float along, float row) {
+            glm::vec3 corner(row - 9);
+            corner[axis] = along;
+            return corner;
+        });
+    return soup_of(shuffled(mesh, random));
+}
+
+/// Triangles that name a vertex twice or three times among others, and two vertices in one place.
+inline IndexedMesh with_coinciding_corners(Random& random)
+{
+    IndexedMesh mesh = octahedron();
+    mesh.positions.push_back(mesh.positions.front());
+    mesh.triangles.insert(mesh.triangles.end(), {{0, 0, 1}, {2, 3, 2}, {4, 5, 5}, {3, 3, 3}, {6, 0, 2}});
+    return shuffled(mesh, random);
 }
 
 }

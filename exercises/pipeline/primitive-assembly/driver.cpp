@@ -141,8 +141,17 @@ void record_modes(Random& random, Recorder& out)
     out.text("list.names", draw_names(draw));
 }
 
+// Corners of needles, which are triangles; of others they make large faces.
+Vertices of_needles(Random& random)
+{
+    Vertices result{counted(12), {}};
+    for (int i = 0; i < 4; ++i)
+        for (const glm::vec2& corner : needle(random, 640, 480, 4000, true)) result.places.push_back(corner);
+    return result;
+}
+
 // Vertices in their order; of a few; of many on a coarse grid, so that faces without area are among them; within a
-// pixel or two; and behind a mesh.
+// pixel or two; of needles; and behind a mesh.
 Vertices culled(Random& random, int kind)
 {
     Vertices result;
@@ -157,6 +166,7 @@ Vertices culled(Random& random, int kind)
             result = of_few(random, 12, 12);
             for (glm::vec2& place : result.places) place = 200.0F + place / 256.0F;
             return result;
+        case 4: return of_needles(random);
         default: return behind_a_mesh(random, 12);
     }
 }
@@ -164,9 +174,9 @@ Vertices culled(Random& random, int kind)
 void record_culling(Random& random, Recorder& out)
 {
     int draw = 0;
-    for (int i = 0; i < 10; ++i)
+    for (int i = 0; i < 12; ++i)
         for (const PrimitiveType type : all_types) {
-            const Vertices vertices = culled(random, i % 5);
+            const Vertices vertices = culled(random, i % 6);
             const auto culling = static_cast<Culling>(1 + random.below(2));
             const auto mode = static_cast<PolygonMode>(random.below(3));
             record_draw(out, draw++, ask<draw_list>(out, type, vertices.sequence, vertices.places, culling, mode), 40);

@@ -1,6 +1,7 @@
 #include <limits>
 #include <umbral/record/driver.hpp>
 
+#include "../support.hpp"
 #include "laws.hpp"
 #include "scenery.hpp"
 
@@ -58,13 +59,37 @@ std::vector<Call> several(int count, const Make& make)
     return calls;
 }
 
+/// The same with so many vertices before its own: 16 bits may not count them.
+Call behind_others(Call call, unsigned others)
+{
+    call.vertices.insert(call.vertices.begin(), others, {{0, 0, -2}, {1, 1, 1}});
+    for (glm::uvec3& triangle : call.triangles) triangle += others;
+    return call;
+}
+
 constexpr std::array modes = {PolygonMode::fill, PolygonMode::line, PolygonMode::point};
 
-// All three ways in turn, in all three modes, in front of the camera and about it; every other call in flat colours.
+/// Needles of thousands of pixels in the largest viewport, on multiples of 1/256 pixel, which float holds exactly.
+Call needles(Random& random)
+{
+    constexpr float half = 8192;
+    std::vector<glm::vec3> places;
+    for (int i = 0; i < 6; ++i)
+        for (const glm::vec2& corner : needle(random, 32, 24, 2000, true))
+            places.emplace_back(corner.x / half, -corner.y / half, random.uniform(-0.9F, 0.9F));
+    Call call = on_paper(places);
+    call.width = 32;
+    call.height = 24;
+    call.state.viewport = {-8192, -8192, 16384, 16384, 0, 1};
+    return call;
+}
+
+// All three ways in turn, in all three modes, in front of the camera, about it, and needles; every other call in flat
+// colours.
 std::vector<Call> culling(Random& random)
 {
-    return several(18, [&](int i) {
-        Call call = i < 9 ? in_front(random, 5) : about_the_camera(random, 5);
+    return several(27, [&](int i) {
+        Call call = i < 9 ? in_front(random, 5) : i < 18 ? about_the_camera(random, 5) : needles(random);
         call.state.culling =
             std::array{Culling::back, Culling::front, Culling::none}.at(static_cast<std::size_t>(i % 3));
         call.state.mode = modes.at(static_cast<std::size_t>(i / 3 % 3));
@@ -73,10 +98,13 @@ std::vector<Call> culling(Random& random)
     });
 }
 
+// Of every fourth call all triangles reach to the horizon: what is seen of them has nearly the weights of one corner.
 std::vector<Call> nets(Random& random, PolygonMode mode, int count)
 {
     return several(count, [&](int i) {
         Call call = i % 4 == 0 ? in_front(random, 4) : about_the_camera(random, 4);
+        for (std::size_t k = 0; i % 4 == 1 && k < call.vertices.size(); ++k)
+            if (k % 3 != 0) call.vertices[k].position *= 10'000.0F;
         call.state.mode = mode;
         return call;
     });
@@ -103,9 +131,19 @@ Call past_whole_rows()
     return call;
 }
 
-// In a viewport of 8 x 8 pixels within a picture of 12 x 12: corners in halves of a pixel, from border to border. So
-// ends of lines lie on centres, and sides and points on the viewport's own borders. Every third call is culled. Two
-// calls have other viewports.
+/// Halves of a pixel, from border to border of 8, or, every third, beside them by 1/512 pixel, which is a tie, or less:
+/// rounded to 1/256 they are halves again.
+float beside_a_half(Random& random)
+{
+    const float half = 0.5F * static_cast<float>(random.below(17));
+    const float off = static_cast<float>(1 + random.below(2)) / 1024;
+    const std::uint32_t side = random.below(6);
+    return glm::clamp(side == 0 ? half - off : side == 1 ? half + off : half, 0.0F, 8.0F);
+}
+
+// In a viewport of 8 x 8 pixels within a picture of 12 x 12: corners in halves of a pixel or beside them. So ends of
+// lines lie on centres, and sides and points on the viewport's own borders. Every third call is culled. Two calls have
+// other viewports.
 std::vector<Call> borders(Random& random)
 {
     const auto in_viewport = [](const std::vector<glm::vec3>& places, int i) {
@@ -126,12 +164,15 @@ std::vector<Call> borders(Random& random)
         in_viewport({{8, 1, 0}, {3, 8, 0}, {0, 0, 0}}, 3),
         // Triangles of half a pixel show a face too: lines, once either face is culled.
         in_viewport({{3, 3, 0}, {3.5F, 4, 0}, {4, 3, 0}}, 2), in_viewport({{3, 3, 0}, {4, 3, 0}, {3.5F, 4, 0}}, 5),
+        // So do those of a hundredth of a pixel: points.
+        in_viewport({{3, 3, 0}, {3 + 2.0F / 256, 3 + 4.0F / 256, 0}, {3 + 4.0F / 256, 3, 0}}, 11),
+        in_viewport({{3, 3, 0}, {3 + 4.0F / 256, 3, 0}, {3 + 2.0F / 256, 3 + 4.0F / 256, 0}}, 11),
         above_and_beside_the_picture(), past_whole_rows()};
     for (int i = 0; i < 24; ++i) {
         std::vector<glm::vec3> places(6);
         for (glm::vec3& place : places) {
-            place.x = 0.5F * static_cast<float>(random.below(17));
-            place.y = 0.5F * static_cast<float>(random.below(17));
+            place.x = beside_a_half(random);
+            place.y = beside_a_half(random);
             place.z = random.uniform(-0.9F, 0.9F);
         }
         calls.push_back(in_viewport(places, i));
@@ -205,7 +246,10 @@ void record_picture(Recorder& out)
 
 const Driver driver = {
     {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
-    {"random", [](Case& c, Recorder& out) { record(out, several(20, [&](int) { return in_front(c.random, 6); })); }},
+    {"random",
+     [](Case& c, Recorder& out) {
+         record(out, several(20, [&](int i) { return behind_others(in_front(c.random, 6), i % 4 == 3 ? 70'000 : 0); }));
+     }},
     {"about the camera",
      [](Case& c, Recorder& out) { record(out, several(20, [&](int) { return about_the_camera(c.random, 5); })); }},
     {"culling", [](Case& c, Recorder& out) { record(out, culling(c.random)); }},

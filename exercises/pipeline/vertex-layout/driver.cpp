@@ -51,6 +51,8 @@ void record_mixed(Recorder& out)
         {{unsigned_short, 3}, {unsigned_int, 1}, {unsigned_byte, 2}},
         {{unsigned_byte, 4, true}, {unsigned_short, 4}},
         {floats(3), {float64, 2}, floats(1)},
+        {{unsigned_byte, 1}, {unsigned_short, 1}, {unsigned_byte, 2}, floats(2), {unsigned_byte, 3}},
+        {{unsigned_short, 3}, {unsigned_short, 1}, {unsigned_byte, 1}, {unsigned_byte, 3, true}},
     };
     for (const std::vector<VertexAttribute>& attributes : all)
         for (const std::uint64_t vertices : {3U, 5U}) record_layouts(out, attributes, vertices);
@@ -81,11 +83,13 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-// More than 4 GiB: sizes still below 2^53, which a double holds exactly.
+// More than 4 GiB, and of every other two more vertices than 32 bits count: sizes still below 2^53, which a double
+// holds exactly.
 void record_large(Random& random, Recorder& out)
 {
     for (int i = 0; i < 12; ++i) {
-        const std::uint64_t vertices = 200'000'000 + std::uint64_t{4} * random.below(1'000'000'000);
+        std::uint64_t vertices = 200'000'000 + std::uint64_t{4} * random.below(1'000'000'000);
+        if (i % 4 < 2) vertices += std::uint64_t{1 + random.below(8)} << 32U;
         record_layouts(out, i % 2 == 0 ? course_vertex : random_attributes(random, 5), vertices);
     }
 }
@@ -116,7 +120,9 @@ void record_any_layout(Random& random, Recorder& out, bool zeros)
         const std::vector<VertexAttribute> attributes = random_attributes(random, 5);
         const std::uint64_t vertices = 2 + random.below(5);
         const VertexLayout from = some_layout(random, attributes, vertices, zeros ? 1 : 6, zeros && i % 3 != 0);
-        const VertexLayout to = some_layout(random, attributes, vertices, zeros ? 1 : 6, zeros && i % 3 != 1);
+        VertexLayout to = some_layout(random, attributes, vertices, zeros ? 1 : 6, zeros && i % 3 != 1);
+        // The layout that it has already: what stands in the gaps stays behind.
+        if (!zeros && i % 4 == 0) to = from;
         record_repacked(random, out, attributes, vertices, from, to);
     }
 }
@@ -133,7 +139,10 @@ void record_fetched(Random& random, Recorder& out, const VertexAttribute& attrib
         for (std::uint64_t i = 0; i < attribute.components; ++i) {
             const std::uint64_t place = offset + vertex * stride + i * size;
             const std::uint32_t whole = vertex == 0 ? std::numeric_limits<std::uint32_t>::max() : random.bits();
-            const double real = 100 * (random.uniform_double() - 0.5);
+            // Every other one of any size; doubles also too small for a float.
+            const int smallest = attribute.type == ComponentType::float64 ? -60 : -30;
+            const double exponent = vertex % 2 == 0 ? 2 : smallest + (38 - smallest) * random.uniform_double();
+            const double real = std::pow(10.0, exponent) * (random.uniform_double() - 0.5);
             switch (attribute.type) {
                 case ComponentType::unsigned_byte: put(buffer, place, static_cast<std::uint8_t>(whole)); break;
                 case ComponentType::unsigned_short: put(buffer, place, static_cast<std::uint16_t>(whole)); break;

@@ -163,10 +163,19 @@ void record_far_cuts(Random& random, Recorder& out)
     }
 }
 
+/// In the plane of the seam, with either zero, or right beside it; behind the eye or before it, a metre away or a hair.
+glm::vec3 beside_the_seam(Random& random)
+{
+    const float aside = random.below(2) == 0 ? 0 : std::pow(10.0F, random.uniform(-5, -3));
+    const float x = random.below(2) == 0 ? aside : -aside;
+    const glm::vec3 point(x, random.uniform(-1, 1), random.below(4) == 0 ? -1 : 1);
+    return (random.below(2) == 0 ? 5e-5F : 1.0F) * point;
+}
+
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
-        record(out, random_point(random));
+        record(out, i % 3 == 0 ? beside_the_seam(random) : random_point(random));
         const glm::vec3 a = random_point(random);
         record_angle(out, a, random_point(random));
     }
@@ -204,7 +213,9 @@ void record_random_seams(Random& random, Recorder& out)
     for (int i = 0; i < 200; ++i) {
         const auto angle = [&] { return random.uniform(-pi, pi); };
         const float first = angle();
-        const float second = angle();
+        // One in four is nearly, or hardly more than, half a turn away.
+        const float half = (first > 0 ? -pi : pi) * (1 + (random.below(2) == 0 ? 1e-5F : -1e-5F));
+        const float second = i % 4 == 0 ? first + half : angle();
         record_seam(out, {first, second, angle()});
     }
 }

@@ -51,6 +51,8 @@ void record_pictures(Recorder& out)
                                        {641, 640},
                                        {640, 641},
                                        {7, 7},
+                                       {20'001, 20'000},
+                                       {20'000, 20'001},
                                        {2, 1}}) {
         record(out, ask<fit_cube>(out, 2.0F, 4.0F, picture));
         record(out, ask<fit_sphere>(out, 3.0F, 5.0F, picture));
@@ -112,7 +114,9 @@ void record_refused(Random& random, Recorder& out)
                                [&] { return ask<fit_sphere>(out, asked, bad(5) ? inside : distance, picture); });
             if (fault <= 3 || fault >= 6)
                 record_refusal(out, "angle refused", [&] {
-                    return ask<fit_cube_to_fovy>(out, glm::vec3(1), asked, bad(6) ? 180.0F : (bad(7) ? 0.0F : 50.0F),
+                    // Next to nothing, and nearly 180 degrees, are angles too.
+                    const float good = i < 16 ? 50.0F : fault % 2 == 0 ? 179.99995F : 5e-5F;
+                    return ask<fit_cube_to_fovy>(out, glm::vec3(1), asked, bad(6) ? 180.0F : (bad(7) ? 0.0F : good),
                                                  picture);
                 });
         }

@@ -123,14 +123,29 @@ glm::vec3 point_before(const StereoScreen& s, Random& random)
     return depth * glm::vec3(random.uniform(-0.5F, 0.5F), random.uniform(-0.5F, 0.5F), -1);
 }
 
+/// The same viewer before another screen: only the eyes and the distance stay.
+StereoScreen another_screen(const StereoScreen& s, Random& random)
+{
+    StereoScreen other = random_screen(random);
+    other.distance = s.distance;
+    other.eye_separation = s.eye_separation;
+    return other;
+}
+
 void record_random(Random& random, Recorder& out)
 {
+    StereoScreen screen{};
     for (int i = 0; i < 60; ++i) {
-        const StereoScreen screen = random_screen(random);
+        screen = i % 4 == 1 ? another_screen(screen, random) : random_screen(random);
         record(out, screen);
         record_parallax(out, screen, screen.distance * random.uniform(0.1F, 10));
         const StereoScreen other = in_some_units(screen, i, random);
-        record_distance(out, other, other.eye_separation * random.uniform(-8, 0.9F));
+        const float seen = other.eye_separation * random.uniform(-8, 0.9F);
+        record_distance(out, other, seen);
+        // The same parallax at another distance.
+        StereoScreen farther = other;
+        farther.distance *= 1.5F;
+        if (i % 4 == 1) record_distance(out, farther, seen);
         const StereoPair pair = given_pair(other, random);
         record_disparity(out, pair, point_before(other, random));
     }

@@ -119,6 +119,9 @@ void edges(Recorder& out)
     for (const float off : {1e-4F, 1e-3F, 4e-3F, 0.012F, 0.05F})
         for (const float turned : {0.0F, 1.2F, 2.9F, 4.0F})
             out.append("beside", ask<sphere_place>(out, almost_back(off, turned)));
+    for (const float off : {-5e-5F, 5e-5F})
+        for (const glm::vec3& direction : {glm::vec3(off, 0, -1), {0, off, -1}})
+            out.append("beside", ask<sphere_place>(out, direction));
     for (const glm::vec2 uv : {glm::vec2(0, 0),
                                {1, 0},
                                {1, 0.5F},
@@ -128,7 +131,12 @@ void edges(Recorder& out)
                                {0.99F, 0.8F},
                                {0.9F, 0.5F},
                                {0.5F, 0.3F},
-                               {0.3F, 0.6F}})
+                               {0.3F, 0.6F},
+                               // Within the rim and without it, by less than a twenty-thousandth.
+                               {1 - 0x1p-16F, 0.5F},
+                               {0.5F, 0x1p-16F},
+                               {0.8F, 0.900015F},
+                               {0.099985F, 0.2F}})
         out.append("directions", ask<sphere_direction>(out, uv));
     for (const float u : {-0.75F, 1.25F, 2.5F, -1.0F})
         out.append("directions", ask<panorama_direction>(out, {u, 0.375F}));

@@ -58,8 +58,8 @@ struct DrawList {
     std::vector<glm::uvec3> triangles;
 };
 
-/// Assembles a sequence, leaves out faces by the side that they show, and turns the rest into what the mode asks for.
-/// `window[v]` is vertex v's place.
+/// Assembles a sequence, leaves out faces by the side that they show, as is_front_facing tells it, and turns the rest
+/// into what the mode asks for. `window[v]` is vertex v's place.
 ///
 /// Points and segments are what they are, in every mode; nothing culls them. A face becomes its corners (`point`), its
 /// closed outline (`line`, without diagonals), or triangles from the corner that is first in the sequence to every

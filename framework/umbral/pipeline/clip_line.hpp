@@ -6,8 +6,8 @@
 
 namespace umbral::pipeline {
 
-/// A rectangle of the plane with its borders, y up: low.x <= x <= high.x, low.y <= y <= high.y. `low` is not beyond
-/// `high`; it may equal it.
+/// A rectangle of the plane with its borders, y up: low.x <= x <= high.x, low.y <= y <= high.y. All four numbers
+/// are finite; `low` is not beyond `high`, and may equal it.
 struct ClipWindow {
     glm::vec2 low;
     glm::vec2 high;
@@ -25,10 +25,10 @@ struct LineSegment {
 /// The part of a segment inside the window, in the same direction; nothing if they share no point.
 ///
 /// An end inside stays as it is; a new end lies exactly on a border, and in the window. A segment that touches the
-/// window in one point gives that point twice; a point (from = to) is in it or not. Nothing comes of numbers that are
-/// NaN or infinite. Guarantee of the reference: the reversed segment gives the same ends, bit by bit. For coordinates
-/// up to 2^20 times the window's, new ends are within one ulp of its largest coordinate, and hit or miss is right if
-/// the line passes every corner by 2^-24 of one ulp or more. Course: Cohen-Sutherland.
+/// window in one point gives that point twice; a point (from = to) is in it or not. Nothing comes of a segment with
+/// a number that is NaN or infinite. Guarantee of the reference: the reversed segment gives the same ends, bit by bit.
+/// For coordinates up to 2^20 times the window's, new ends are within one ulp of its largest coordinate, and hit or
+/// miss is right if the line passes every corner by 2^-24 of one ulp or more. Course: Cohen-Sutherland.
 [[nodiscard]] std::optional<LineSegment> clip_segment(const ClipWindow& window, const LineSegment& segment);
 
 }
