@@ -247,7 +247,9 @@ UnitResult grade_handed(Worker& worker, const Exercise& exercise, const Handed& 
                             bytes >> 10U, caps::unit_sources >> 10U));
         if (equals_stub(handed.files, exercise))
             return without_points(exercise, Verdict::not_implemented, "the file is still the stub");
-        return judged_in_full(worker, exercise, build(worker.tools(), exercise, handed.files), options, detail);
+        Toolchain tools = worker.tools();
+        if (options.compile_budget) tools.budget = std::make_shared<UnitBudget>(options.compile_budget);
+        return judged_in_full(worker, exercise, build(tools, exercise, handed.files), options, detail);
     });
     // A fault's message is kept as it is: others look for its cause in it.
     if (!handed.notes.empty() && result.verdict != Verdict::grader_fault)
