@@ -40,6 +40,7 @@ Part grade_part(Worker& worker, const SubmissionPlan& plan, const Exercise& exer
     options.seeds.course = plan.plan.grading.course;
     options.seeds.student = student;
     options.seeds.attempt = plan.plan.grading.attempt;
+    options.other_inputs = true;
     options.explain = plan.plan.explain;
     options.show_hidden = plan.plan.instructor_edition;
     options.relative_to = folder;

@@ -23,6 +23,7 @@ struct GradeOptions {
     std::filesystem::path artefacts;    ///< where pictures go; empty for none
     std::filesystem::path relative_to;  ///< pictures are named relative to this in the report
     std::shared_ptr<CompileBudget> compile_budget{};  ///< of the submission; null: no bound but each compiler's own
+    bool other_inputs = false;                        ///< visible cases must earn their points with secret inputs too
     bool show_hidden = false;                         ///< evidence of hidden checks too: for instructors only
 };
 

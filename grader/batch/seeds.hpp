@@ -23,6 +23,11 @@ struct SeedPlan {
     [[nodiscard]] std::uint64_t seed_of(const Exercise& exercise, const std::string& case_name) const;
     /// The seed with which a borderline case is run again: as secret, and unrelated to it.
     [[nodiscard]] std::uint64_t fresh_seed_of(const Exercise& exercise, const std::string& case_name) const;
+    /// A seed of a visible case that is as secret as a hidden one's: other inputs, of which there may be several.
+    [[nodiscard]] std::uint64_t other_seed_of(const Exercise& exercise, const std::string& case_name,
+                                              unsigned number) const;
+    /// Another seed of a visible case that is the same for all.
+    [[nodiscard]] std::uint64_t public_seed_of(const Exercise& exercise, const std::string& case_name) const;
 };
 
 /// SHA-256 over names and texts.
