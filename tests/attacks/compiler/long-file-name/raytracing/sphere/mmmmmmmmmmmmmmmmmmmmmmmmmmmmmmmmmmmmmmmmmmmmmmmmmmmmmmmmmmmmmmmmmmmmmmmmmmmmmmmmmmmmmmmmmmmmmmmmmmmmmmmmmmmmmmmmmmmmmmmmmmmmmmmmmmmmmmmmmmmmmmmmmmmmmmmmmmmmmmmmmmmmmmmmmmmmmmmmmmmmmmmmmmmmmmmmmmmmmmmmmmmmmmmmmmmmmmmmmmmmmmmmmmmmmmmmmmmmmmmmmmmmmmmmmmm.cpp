@@ -1,0 +1,1 @@
+int of_a_long_name = 1;
