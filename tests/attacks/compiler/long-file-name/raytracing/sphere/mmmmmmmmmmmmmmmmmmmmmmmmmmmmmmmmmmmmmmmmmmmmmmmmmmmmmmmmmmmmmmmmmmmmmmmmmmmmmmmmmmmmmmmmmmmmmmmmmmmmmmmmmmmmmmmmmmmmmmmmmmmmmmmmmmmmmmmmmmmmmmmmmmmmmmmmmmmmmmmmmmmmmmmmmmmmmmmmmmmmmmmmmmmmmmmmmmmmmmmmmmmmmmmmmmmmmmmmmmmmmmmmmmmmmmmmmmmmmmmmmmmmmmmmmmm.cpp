@@ -1,1 +1,0 @@
-int of_a_long_name = 1;
