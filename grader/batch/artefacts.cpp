@@ -1,10 +1,8 @@
 #include "batch/artefacts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
-#include <umbral/core/png.hpp>
+
+#include "store/sent_folder.hpp"
 
 namespace umbral::grader {
 
@@ -18,16 +16,13 @@ std::string artefact_name(const Exercise& exercise, const Check& check, const ch
 
 void make_artefact_folder(const std::filesystem::path& folder)
 {
-    std::filesystem::create_directories(folder);
-    if (!std::filesystem::is_directory(std::filesystem::symlink_status(folder)))
-        throw std::runtime_error(
-            fmt::format("{} is a link: nothing is written where it leads; remove it", folder.string()));
+    make_folder_below(folder.parent_path(), folder.filename());
 }
 
 void write_artefact(const std::filesystem::path& file, std::span<const std::byte> bytes)
 {
-    make_artefact_folder(file.parent_path());
-    write_file_atomically(file, bytes);
+    const std::filesystem::path folder = file.parent_path();
+    write_file_below(folder.parent_path(), folder.filename() / file.filename(), bytes);
 }
 
 }

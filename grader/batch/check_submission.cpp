@@ -82,9 +82,10 @@ struct Part {
 };
 
 Part check_unit(Worker& worker, const Exercise& exercise, const Handed& handed, const CheckPlan& plan,
-                const fs::path& workspace)
+                const fs::path& workspace, const std::shared_ptr<CompileBudget>& compile_budget)
 {
     GradeOptions options;
+    options.compile_budget = compile_budget;
     options.seeds.attempt = plan.attempt;
     options.explain = plan.explain;
     options.relative_to = workspace;
@@ -111,6 +112,7 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
     if (!plan.fresh) crew.keep_runs(keys);
 
     std::vector<Part> parts(exercises.size());
+    const auto compile_budget = std::make_shared<CompileBudget>();
     crew.share_out(exercises.size(), [&](Worker& worker, std::size_t i) {
         const Exercise& exercise = exercises[i];
         const Handed handed = collect(submitted, exercise);
@@ -120,7 +122,7 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
             parts[i] = {std::move(last->unit.result), std::move(last->section), true};
             return;
         }
-        parts[i] = check_unit(worker, exercise, handed, plan, workspace);
+        parts[i] = check_unit(worker, exercise, handed, plan, workspace, compile_budget);
         const UnitResult& result = parts[i].result;
         mark_used(entry_of(runs_folder(tools.cache), keys->of_unit(exercise)));
         const bool lasting = result.settled && result.verdict != Verdict::grader_fault;

@@ -31,13 +31,16 @@ UnitResult fault_of(const Exercise& exercise, const std::string& what)
 }
 
 Part grade_part(Worker& worker, const SubmissionPlan& plan, const Exercise& exercise, const Handed& handed,
-                const std::string& student, const fs::path& folder)
+                const std::string& student, const fs::path& folder,
+                const std::shared_ptr<CompileBudget>& compile_budget)
 {
     GradeOptions options;
+    options.compile_budget = compile_budget;
     options.seeds.secret = plan.secret;
     options.seeds.course = plan.plan.grading.course;
     options.seeds.student = student;
     options.seeds.attempt = plan.plan.grading.attempt;
+    options.other_inputs = true;
     options.explain = plan.plan.explain;
     options.show_hidden = plan.plan.instructor_edition;
     options.relative_to = folder;
@@ -113,6 +116,7 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
     }
     std::vector<Part> parts(plan.exercises.size());
     std::vector<std::string> changes(parts.size());
+    const auto compile_budget = std::make_shared<CompileBudget>();
     std::mutex mutex;
     crew.share_out(parts.size(), [&](Worker& worker, std::size_t i) {
         const Exercise& exercise = plan.exercises[i];
@@ -127,7 +131,7 @@ Graded grade_submission(Crew& crew, const SubmissionPlan& plan, const Submission
             }
         Part& part = parts[i];
         if (submitted) {
-            part = grade_part(worker, plan, exercise, handed, submission.id, folder);
+            part = grade_part(worker, plan, exercise, handed, submission.id, folder, compile_budget);
         } else {
             part.unit.machine = machine_digest(plan.plan.fingerprint);
             part.unit.result = fault_of(exercise, trouble);

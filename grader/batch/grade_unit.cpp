@@ -12,13 +12,13 @@
 #include "batch/evidence.hpp"
 #include "batch/explain_unit.hpp"
 #include "batch/long_questions.hpp"
-#include "batch/past_crashes.hpp"
+#include "batch/other_inputs.hpp"
 #include "batch/pictures.hpp"
 #include "batch/questions.hpp"
 #include "batch/rerun.hpp"
+#include "batch/student_case.hpp"
 #include "batch/unset_values.hpp"
 #include "batch/weigh_cost.hpp"
-#include "build/inspection.hpp"
 #include "model/caps.hpp"
 #include "model/digest.hpp"
 #include "model/faults.hpp"
@@ -120,22 +120,6 @@ std::string printed_text(const Exercise& exercise, const CaseResults& cases)
     return printable(text, caps::printed);
 }
 
-/// The student's run of one case. Throws std::runtime_error for a fault of the grader's.
-CaseResult run_case(Worker& worker, const Exercise& exercise, const Built& built, const std::string& name,
-                    const GradeOptions& options)
-{
-    CaseResult one;
-    one.seed = options.seeds.seed_of(exercise, name);
-    one.hidden = is_hidden_case(exercise, name);
-    one.student = worker.run(exercise, built, name, one.seed);
-    if (one.student.verdict == Verdict::grader_fault) throw std::runtime_error(one.student.message);
-    if (one.student.verdict == Verdict::crashed && !one.student.recording.frames.empty() && !built.library.empty())
-        one.place = place_of(worker.tools(), built.library, one.student.recording.frames);
-    go_past_crashes(worker, exercise, built, name, one);
-    if (options.explain) one.asked = question_of_end(worker, exercise, name, one);
-    return one;
-}
-
 /// Was this run stopped by the clock while it hardly computed? It may have waited, or the machine may have been busy
 /// with others.
 bool was_starved(const RunOutcome& run, const Limits& limits)
@@ -166,9 +150,10 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
     }
     CaseResults cases;
     for (const std::string& name : shuffled_cases(exercise, options.seeds))
-        cases.emplace(name, may_run_another(cases)
-                                ? run_case(worker, exercise, built, name, options)
-                                : not_reached(options.seeds.seed_of(exercise, name), is_hidden_case(exercise, name)));
+        cases.emplace(
+            name, may_run_another(cases)
+                      ? run_case(worker, exercise, built, name, options.seeds.seed_of(exercise, name), options.explain)
+                      : not_reached(options.seeds.seed_of(exercise, name), is_hidden_case(exercise, name)));
     UnitResult result = without_points(exercise, Verdict::wrong, "");
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
@@ -179,6 +164,7 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
     }
     rerun_borderline(worker, exercise, built, cases, options, result);
     weigh_costs(worker, exercise, built, cases, result);
+    if (options.other_inputs) expect_the_same_of_other_inputs(worker, exercise, built, cases, options, result);
     for (const CheckResult& check : result.checks) result.score += check.score;
     // How long a hidden case took is up to its run, and may tell its inputs.
     for (const auto& [name, one] : cases) {
@@ -247,7 +233,9 @@ UnitResult grade_handed(Worker& worker, const Exercise& exercise, const Handed& 
                             bytes >> 10U, caps::unit_sources >> 10U));
         if (equals_stub(handed.files, exercise))
             return without_points(exercise, Verdict::not_implemented, "the file is still the stub");
-        return judged_in_full(worker, exercise, build(worker.tools(), exercise, handed.files), options, detail);
+        Toolchain tools = worker.tools();
+        if (options.compile_budget) tools.budget = std::make_shared<UnitBudget>(options.compile_budget);
+        return judged_in_full(worker, exercise, build(tools, exercise, handed.files), options, detail);
     });
     // A fault's message is kept as it is: others look for its cause in it.
     if (!handed.notes.empty() && result.verdict != Verdict::grader_fault)

@@ -1,5 +1,7 @@
 #include "batch/seeds.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
@@ -8,12 +10,17 @@
 namespace umbral::grader {
 namespace {
 
+/// Everybody knows this one.
+std::uint64_t visible_seed(const SeedPlan& plan, const Exercise& exercise, const std::string& words)
+{
+    return case_seed("visible", plan.course, "", exercise.id, words, plan.attempt);
+}
+
 /// `word` tells seeds of one case apart; the name of a case is one line, so that no other case has this one's.
 std::uint64_t seed_for(const SeedPlan& plan, const Exercise& exercise, const std::string& case_name,
                        const std::string& word)
 {
-    if (!is_hidden_case(exercise, case_name))
-        return case_seed("visible", plan.course, "", exercise.id, case_name + word, plan.attempt);
+    if (!is_hidden_case(exercise, case_name)) return visible_seed(plan, exercise, case_name + word);
     const std::string work = plan.work.empty() ? "" : "\nwork " + plan.work;
     return case_seed(plan.secret, plan.course, plan.student, exercise.id, case_name + word + work, plan.attempt);
 }
@@ -28,6 +35,16 @@ std::uint64_t SeedPlan::seed_of(const Exercise& exercise, const std::string& cas
 std::uint64_t SeedPlan::fresh_seed_of(const Exercise& exercise, const std::string& case_name) const
 {
     return seed_for(*this, exercise, case_name, "\nagain");
+}
+
+std::uint64_t SeedPlan::other_seed_of(const Exercise& exercise, const std::string& case_name, unsigned number) const
+{
+    return case_seed(secret, course, "", exercise.id, fmt::format("{}\nother inputs {}", case_name, number), attempt);
+}
+
+std::uint64_t SeedPlan::public_seed_of(const Exercise& exercise, const std::string& case_name) const
+{
+    return visible_seed(*this, exercise, case_name + "\nother inputs");
 }
 
 std::string work_digest(const Sources& files)

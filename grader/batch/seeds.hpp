@@ -23,6 +23,13 @@ struct SeedPlan {
     [[nodiscard]] std::uint64_t seed_of(const Exercise& exercise, const std::string& case_name) const;
     /// The seed with which a borderline case is run again: as secret, and unrelated to it.
     [[nodiscard]] std::uint64_t fresh_seed_of(const Exercise& exercise, const std::string& case_name) const;
+    /// A seed of a visible case that follows from the secret: other inputs, of which there may be several. The same for
+    /// all students, so that the reference answers them once for a class; of a run with them nothing is told but
+    /// points.
+    [[nodiscard]] std::uint64_t other_seed_of(const Exercise& exercise, const std::string& case_name,
+                                              unsigned number) const;
+    /// Another seed of a visible case that is the same for all.
+    [[nodiscard]] std::uint64_t public_seed_of(const Exercise& exercise, const std::string& case_name) const;
 };
 
 /// SHA-256 over names and texts.

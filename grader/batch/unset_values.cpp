@@ -89,7 +89,7 @@ std::optional<UnsetValues> by_unset_values(Worker& worker, const Exercise& exerc
     if (explained || built.files.empty()) return std::nullopt;
     const std::vector<FailingCase> failing = failing_cases(exercise, result, cases);
     if (failing.empty()) return std::nullopt;
-    const std::optional<Built> zeros = build_with_zeros(worker.tools(), exercise, built.files);
+    const std::optional<Built> zeros = build_with_zeros(worker.tools(), exercise, built);
     if (!zeros || zeros->verdict != Verdict::ok) return std::nullopt;
     Built nonsense = built;
     nonsense.fresh_memory = FreshMemory::lasting_nonsense;

@@ -42,7 +42,7 @@ std::vector<std::string> lines_of(const fs::path& file)
 std::string content_key(const Toolchain& tools, const Exercise& exercise, const Sources& files)
 {
     const fs::path header = tools.student_header.string() + ".gch";
-    std::string all = fmt::format("9\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
+    std::string all = fmt::format("10\n{}\n{}\n{}{}{}{}\n{}\n{}\n{}\n", exercise.id, exercise.digest, exercise.gl,
                                   exercise.gl_calls, exercise.glfw, exercise.counts_work, tools.compiler,
                                   fmt::join(tools.flags, " "), fmt::join(exercise.forbid, " "));
     all += fmt::format("{} {}\n", fs::file_size(header), fs::last_write_time(header).time_since_epoch().count());
@@ -64,6 +64,7 @@ std::optional<Built> kept(const fs::path& folder)
     try {
         built.verdict = verdict_from(json.at("verdict").get<std::string>());
         built.message = json.at("message").get<std::string>();
+        built.compile_seconds = json.at("compile_seconds").get<double>();
         if (built.verdict != Verdict::ok) return built;
         built.library = folder / "student.so";
         std::error_code missing;
@@ -79,7 +80,8 @@ Built keep(const Built& built, const fs::path& work, const fs::path& folder)
 {
     for (const auto& entry : fs::directory_iterator(work))
         if (entry.path().filename() != "student.so") fs::remove_all(entry.path());
-    nlohmann::json json = {{"verdict", to_string(built.verdict)}, {"message", built.message}};
+    nlohmann::json json = {
+        {"verdict", to_string(built.verdict)}, {"message", built.message}, {"compile_seconds", built.compile_seconds}};
     if (built.verdict == Verdict::ok) json["bytes"] = fs::file_size(work / "student.so");
     std::ofstream(work / "result.json") << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
     fs::create_directories(folder.parent_path());
@@ -117,8 +119,10 @@ void require_a_working_compiler(const Toolchain& tools, const Exercise& exercise
 {
     const ScratchFolder work(tools.cache);
     require_room(work.path());
+    Toolchain unbounded = tools;
+    unbounded.budget.reset();
     const Compilation canary =
-        compile(tools, exercise, {{"canary.cpp", "int canary(int x) { return x + 1; }\n"}}, work.path());
+        compile(unbounded, exercise, {{"canary.cpp", "int canary(int x) { return x + 1; }\n"}}, work.path());
     if (canary.outcome == Compilation::Outcome::built) return;
     throw std::runtime_error(fmt::format("the compiler fails on this machine, whatever it compiles: {}",
                                          one_line(canary.diagnostics, 1024)));
@@ -195,7 +199,9 @@ Built without_unused_code(const Toolchain& tools, const Exercise& exercise, cons
     for (const auto& entry : fs::directory_iterator(work.path())) fs::remove_all(entry.path());
     const Compilation compilation = compile(tools, exercise, files, work.path(), UnusedCode::left_out);
     Built built;
-    if (!compilation.library || !look_at(tools, exercise, *compilation.library, built)) return refused;
+    if (compilation.library && look_at(tools, exercise, *compilation.library, built)) return built;
+    built = refused;
+    built.repeatable = compilation.outcome != Compilation::Outcome::too_expensive;
     return built;
 }
 
@@ -222,6 +228,18 @@ Built compile_fresh(const Toolchain& tools, const Exercise& exercise, const Sour
     return may_be_unused ? without_unused_code(tools, exercise, files, work, built) : built;
 }
 
+/// The same, with the time that it took.
+Built compile_measured(const Toolchain& tools, const Exercise& exercise, const Sources& files,
+                       const ScratchFolder& work)
+{
+    Toolchain measured = tools;
+    if (!measured.budget) measured.budget = std::make_shared<UnitBudget>();
+    const double before = measured.budget->taken();
+    Built built = compile_fresh(measured, exercise, files, work);
+    built.compile_seconds = measured.budget->taken() - before;
+    return built;
+}
+
 }
 
 Built build(const Toolchain& tools, const Exercise& exercise, const Sources& files)
@@ -239,12 +257,15 @@ Built build(const Toolchain& tools, const Exercise& exercise, const Sources& fil
     if (auto result = kept(folder)) {
         mark_used(folder);
         built = *std::move(result);
+        // As if it had been compiled now: what a submission gets depends on nobody else's.
+        if (tools.budget) tools.budget->take(built.compile_seconds);
     } else {
         prune_now_and_then(tools);
         const ScratchFolder work(tools.cache);
-        built = compile_fresh(tools, exercise, files, work);
+        built = compile_measured(tools, exercise, files, work);
         if (built.repeatable) built = keep(built, work.path(), folder);
     }
+    built.budget = tools.budget;
     built.sources = texts_of(files);
     built.files = files;
     return built;

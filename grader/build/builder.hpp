@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "build/submission.hpp"
@@ -20,7 +21,9 @@ struct Built {
     Sources sources;                          ///< the texts that are not C++, for the run
     Sources files;                            ///< all that it was built from; empty of an adopted library
     FreshMemory fresh_memory = FreshMemory::nonsense;  ///< in its runs
-    std::string mistake;     ///< the unit's known mistake that it is, whose runs serve explanations too; empty for none
+    std::string mistake;  ///< the unit's known mistake that it is, whose runs serve explanations too; empty for none
+    double compile_seconds = 0;            ///< of processor time that it took to compile, when that was
+    std::shared_ptr<UnitBudget> budget{};  ///< for what is compiled of the files later: with_zeros.hpp
     bool repeatable = true;  ///< would it come out so on every machine? Not if the compiler ran out of time, or failed
                              ///< without saying why
 };

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "build/compiler_files.hpp"
@@ -22,6 +24,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of the compiler's processes so many may take all the time that each may.
+constexpr double most_processes = 4;
+/// So many times as long as it computes may it take: a loaded machine is nobody's fault.
+constexpr double busy_machine = 4;
+
+/// Runs the compiler, and counts what it took. One that was stopped for that has taken all that it might, one that
+/// waited without end the time for which it was let wait.
+ConfinedResult run_compiler(const Toolchain& tools, const ConfinedCommand& command)
+{
+    using Stopped = ConfinedResult::Stopped;
+    ConfinedResult result = run_confined(command);
+    double taken = result.cpu_seconds;
+    if (result.stopped == Stopped::out_of_processor_time) taken = std::max(taken, command.cpu_seconds);
+    if (result.stopped == Stopped::out_of_wall_time) taken = std::max(taken, result.wall_seconds / busy_machine);
+    if (tools.budget) tools.budget->take(taken);
+    return result;
+}
+
 /// The compiler on the student's files, up to what it is to do with them.
 ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercise, const Sources& files,
                                  const fs::path& work, const std::vector<std::string>& task)
@@ -29,8 +49,10 @@ ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercis
     ConfinedCommand command;
     command.confine = tools.programs / "umbral-confine";
     command.directory = work;
-    command.cpu_seconds = tools.compile_seconds;
-    command.wall_seconds = 4 * tools.compile_seconds;
+    const double left = tools.budget ? tools.budget->left() : std::numeric_limits<double>::infinity();
+    command.cpu_seconds = std::min(left, tools.compile_seconds);
+    command.all_cpu_seconds = std::min(left, most_processes * tools.compile_seconds);
+    command.wall_seconds = busy_machine * command.all_cpu_seconds;
     command.disk_limit = caps::build_folder;
     command.read = compiler_files(tools.compiler);
     // Of the unit only the version script: beside it lie the libraries with the answers.
@@ -110,21 +132,11 @@ namespace {
 using Outcome = Compilation::Outcome;
 using Stopped = ConfinedResult::Stopped;
 
-/// Looks through the files as the compiler sees them. Built only says that nothing is in the way. Files that cannot be
-/// preprocessed are unexplained: compiling says what is wrong with them.
-Compilation look_through(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+/// Is so little time left that no compiler gets anywhere with it?
+bool has_no_time(const Toolchain& tools)
 {
-    ConfinedCommand command = compiler_command(tools, exercise, files, work, {"-E", "-fpch-preprocess", "-w"});
-    command.output_limit = caps::preprocessed;
-    command.stop_at_limit = true;
-    const ConfinedResult result = run_confined(command);
-    if (result.stopped == Stopped::too_much_output)
-        return {Outcome::refused_by_compiler, {}, "your files include more text than the compiler is given"};
-    if (result.exit_status != 0)
-        return {Outcome::unexplained, {}, "your files cannot be looked through before they are compiled"};
-    if (auto assembler = find_assembler(result.output, tools.student_header.string() + ".gch"))
-        return {Outcome::not_allowed, {}, *std::move(assembler)};
-    return {Outcome::built, {}, ""};
+    constexpr double least = 0.1;
+    return tools.budget && tools.budget->left() < least;
 }
 
 /// By what the clock says, or by the compiler's word about a process of its own.
@@ -132,6 +144,32 @@ bool ran_out_of_processor_time(const ConfinedResult& result)
 {
     return result.stopped == Stopped::out_of_processor_time ||
            result.output.find("CPU time limit exceeded signal") != std::string::npos;
+}
+
+/// Why the compiler was stopped for the time that it took.
+std::string out_of_time(const Toolchain& tools)
+{
+    return has_no_time(tools) ? no_time_to_compile()
+                              : fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
+}
+
+/// Looks through the files as the compiler sees them. Built only says that nothing is in the way. Files that cannot be
+/// preprocessed are unexplained: compiling says what is wrong with them.
+Compilation look_through(const Toolchain& tools, const Exercise& exercise, const Sources& files, const fs::path& work)
+{
+    ConfinedCommand command = compiler_command(tools, exercise, files, work, {"-E", "-fpch-preprocess", "-w"});
+    command.output_limit = caps::preprocessed;
+    command.stop_at_limit = true;
+    const ConfinedResult result = run_compiler(tools, command);
+    // What the files say stands in the output: only the clock is believed.
+    if (result.stopped == Stopped::out_of_processor_time) return {Outcome::too_expensive, {}, out_of_time(tools)};
+    if (result.stopped == Stopped::too_much_output)
+        return {Outcome::refused_by_compiler, {}, "your files include more text than the compiler is given"};
+    if (result.exit_status != 0)
+        return {Outcome::unexplained, {}, "your files cannot be looked through before they are compiled"};
+    if (auto assembler = find_assembler(result.output, tools.student_header.string() + ".gch"))
+        return {Outcome::not_allowed, {}, *std::move(assembler)};
+    return {Outcome::built, {}, ""};
 }
 
 /// The lines "sphere.cpp:3:5: warning: …".
@@ -146,8 +184,7 @@ std::string warnings_of(const std::string& output)
 
 std::string diagnostics_of(const Toolchain& tools, const ConfinedResult& result)
 {
-    if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time)
-        return fmt::format("the compiler was stopped after {:g} s\n", tools.compile_seconds);
+    if (ran_out_of_processor_time(result) || result.stopped == Stopped::out_of_wall_time) return out_of_time(tools);
     if (result.stopped == Stopped::too_much_disk)
         return fmt::format("compiling your files takes more than {} MiB on the disk\n", caps::build_folder >> 20U);
     std::string text = first_errors(result.output, 24);
@@ -170,6 +207,8 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
                        const std::string& library_name, std::vector<std::string> task)
 {
     for (const auto& [name, text] : files) write_text(work / name, text);
+    const Compilation no_time{Outcome::too_expensive, {}, no_time_to_compile()};
+    if (has_no_time(tools)) return no_time;
     Compilation compilation = look_through(tools, exercise, files, work);
     if (compilation.outcome != Compilation::Outcome::built && compilation.outcome != Compilation::Outcome::unexplained)
         return compilation;
@@ -177,7 +216,8 @@ Compilation library_of(const Toolchain& tools, const Exercise& exercise, const S
          {std::string("-shared"), std::string("-fuse-ld=mold"), std::string("-Wl,--no-threads"),
           std::string("-Wl,--no-fork"), std::string("-Wl,-z,lazy"), std::string("-o"), library_name})
         task.push_back(word);
-    ConfinedResult result = run_confined(compiler_command(tools, exercise, files, work, task));
+    if (has_no_time(tools)) return no_time;
+    ConfinedResult result = run_compiler(tools, compiler_command(tools, exercise, files, work, task));
     if (result.exit_status == confinement_failed)
         throw std::runtime_error("the compiler cannot be run: " + result.output);
     const fs::path library = work / library_name;

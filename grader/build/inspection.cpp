@@ -22,7 +22,9 @@ ConfinedResult run_inspector(const Toolchain& tools, const std::filesystem::path
     command.cpu_seconds = 10;
     command.memory_mib = 1024;
     command.output_limit = std::size_t{64} << 20U;
-    return run_confined(command);
+    ConfinedResult result = run_confined(command);
+    if (tools.budget) tools.budget->take(result.cpu_seconds);
+    return result;
 }
 
 }

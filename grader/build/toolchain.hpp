@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "build/compile_budget.hpp"
 #include "collect/submitted_files.hpp"
 
 namespace umbral::grader {
@@ -22,8 +24,9 @@ struct Toolchain {
     std::vector<std::string> flags;
     std::uintmax_t cache_bytes = std::uintmax_t{1}
                                  << 30U;  ///< beyond which builds that were not used for long are dropped
-    double compile_seconds =
-        30;  ///< of processor time, and four times as many by the clock; then the compiler is stopped
+    double compile_seconds = 30;          ///< of processor time of each of its processes; then the compiler is stopped
+    std::shared_ptr<UnitBudget>
+        budget{};  ///< of what it compiles, beyond which it is stopped too; null: no other bound
 };
 
 /// What opens archives in a submission.

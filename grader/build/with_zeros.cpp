@@ -4,7 +4,7 @@
 
 namespace umbral::grader {
 
-std::optional<Built> build_with_zeros(const Toolchain& tools, const Exercise& exercise, const Sources& files)
+std::optional<Built> build_with_zeros(const Toolchain& tools, const Exercise& exercise, const Built& built)
 {
     Toolchain changed = tools;
     const auto filled = std::ranges::find(changed.flags, "-ftrivial-auto-var-init=pattern");
@@ -13,9 +13,10 @@ std::optional<Built> build_with_zeros(const Toolchain& tools, const Exercise& ex
     // Without the first, g++ may take a variable that is set in one branch for set in all, before it warns.
     for (const char* const flag : {"-fno-tree-fre", "-Wuninitialized", "-Wmaybe-uninitialized"})
         changed.flags.emplace_back(flag);
-    Built built = build(changed, exercise, files);
-    built.fresh_memory = FreshMemory::lasting_zeros;
-    return built;
+    changed.budget = built.budget;
+    Built zeros = build(changed, exercise, built.files);
+    zeros.fresh_memory = FreshMemory::lasting_zeros;
+    return zeros;
 }
 
 }

@@ -11,9 +11,9 @@
 #include "cli/checkout.hpp"
 #include "cli/commands.hpp"
 #include "cli/paths.hpp"
-#include "collect/sources.hpp"
 #include "judge/rows/tensor_view.hpp"
 #include "judge/rows/tolerance.hpp"
+#include "model/caps.hpp"
 #include "report/paint.hpp"
 
 namespace umbral::grader {
@@ -80,10 +80,8 @@ void ask(Application& application, const Options& options)
         throw UsageError(fmt::format("{} cannot be asked: {}; umbral debug runs a case of it", exercise.id, why));
     if (options.question.empty() == options.file.empty())
         throw UsageError("expected a question, in quotes, or --file with one");
-    if (!options.file.empty() && !std::filesystem::is_regular_file(options.file))
-        throw UsageError(fmt::format("expected a file with a question, found none called {}", options.file));
     const std::string question =
-        options.file.empty() ? options.question : as_given([&] { return read_text(options.file); });
+        options.file.empty() ? options.question : read_given("--file", options.file, caps::source_file);
     const BuiltWork work = built_work(application, exercise, options.folder);
     Worker worker(application.tools);
     const AskedQuestion asked = ask_question(worker, exercise, work.built, question);

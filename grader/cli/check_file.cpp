@@ -1,14 +1,7 @@
 #include "cli/check_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <cstring>
 
 #include "batch/own_file.hpp"
 #include "build/builder.hpp"
@@ -23,33 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr int label_width = 14;
 constexpr std::size_t most_shown = 240;  ///< letters of a text from a run
-
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason)
-{
-    throw UsageError(fmt::format("--file {}: {}", file.string(), reason));
-}
-
-/// A device, a pipe or a folder is refused, and nothing is waited for.
-std::string bytes_of(const fs::path& file)
-{
-    const Descriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-    struct stat status {};
-    if (!opened || fstat(opened.get(), &status) != 0) refuse(file, std::strerror(errno));
-    if (!S_ISREG(status.st_mode)) refuse(file, "expected a regular file, got another kind");
-    std::string bytes(most_own_file_bytes + 1, '\0');
-    std::size_t size = 0;
-    while (size < bytes.size()) {
-        const ssize_t got = read(opened.get(), bytes.data() + size, bytes.size() - size);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) refuse(file, std::strerror(errno));
-        if (got == 0) break;
-        size += static_cast<std::size_t>(got);
-    }
-    if (size > most_own_file_bytes)
-        refuse(file, fmt::format("expected at most {} MiB, got more", most_own_file_bytes >> 20U));
-    bytes.resize(size);
-    return bytes;
-}
 
 /// The student's library. Throws UsageError with what the compiler said.
 Built build_handed(const Application& application, const Exercise& exercise, const fs::path& folder)
@@ -82,7 +48,7 @@ std::string trouble_of(const RunOutcome& run)
 
 int check_file(const Application& application, const Exercise& exercise, const fs::path& folder, const fs::path& file)
 {
-    const std::string bytes = bytes_of(file);
+    const std::string bytes = read_given("--file", file, most_own_file_bytes);
     const Built built = build_handed(application, exercise, folder);
     Worker worker(application.tools);
     FileReadings readings;

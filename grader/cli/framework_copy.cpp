@@ -7,6 +7,7 @@
 #include "cli/paths.hpp"
 #include "collect/sources.hpp"
 #include "manifest/include_lines.hpp"
+#include "store/sent_folder.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -37,12 +38,10 @@ std::set<std::string> headers_for(const Toolchain& tools, std::span<const Exerci
 void copy_framework(const Toolchain& tools, std::span<const Exercise> exercises, const fs::path& workspace)
 {
     for (const std::string& header : headers_for(tools, exercises)) {
-        const fs::path to = workspace / "include" / header;
-        make_folder(to.parent_path());
-        fs::copy_file(tools.framework / header, to, fs::copy_options::overwrite_existing);
+        copy_file_below(tools.framework / header, workspace, fs::path("include") / header);
     }
     const fs::path flags = workspace / "compile_flags.txt";
-    if (!fs::exists(flags)) write_output(flags, std::string("-std=c++20\n-Iinclude\n-include\n") + first_header + "\n");
+    if (!is_taken(flags)) write_output(flags, std::string("-std=c++20\n-Iinclude\n-include\n") + first_header + "\n");
 }
 
 }

@@ -10,6 +10,7 @@
 #include "cli/paths.hpp"
 #include "manifest/statements.hpp"
 #include "report/paint.hpp"
+#include "store/sent_folder.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -62,19 +63,20 @@ void print_hint(const Application& application, const std::string& unit, std::si
 void reset_unit(const Application& application, const std::string& unit, const std::string& folder)
 {
     const Exercise exercise = application.chosen({unit}).front();
-    const fs::path place = fs::path(folder) / exercise.id;
+    const fs::path root = folder;
+    const fs::path place = root / exercise.id;
     const Paint paint(application.style);
     expect_folder(folder, "a workspace");
-    make_folder(place);
+    make_folder_below(root, exercise.id);
     for (const std::string& file : exercise.files) {
-        if (fs::exists(place / file)) {
+        if (is_taken(place / file)) {
             int number = 1;
-            while (fs::exists(place / fmt::format("{}.{}.bak", file, number))) ++number;
+            while (is_taken(place / fmt::format("{}.{}.bak", file, number))) ++number;
             const fs::path kept = place / fmt::format("{}.{}.bak", file, number);
             fs::rename(place / file, kept);
             fmt::print("kept yours as {}\n", paint.safe(kept.string()));
         }
-        fs::copy_file(exercise.folder / file, place / file);
+        copy_file_below(exercise.folder / file, root, fs::path(exercise.id) / file);
         fmt::print("put the stub back as {}\n", paint.safe((place / file).string()));
     }
 }

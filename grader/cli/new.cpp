@@ -11,6 +11,7 @@
 #include "cli/paths.hpp"
 #include "manifest/statements.hpp"
 #include "report/paint.hpp"
+#include "store/sent_folder.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -23,18 +24,19 @@ struct Options {
 };
 
 /// Copies a unit's stubs and statements; what is there already is a student's work and stays.
-void make_unit(Worker& worker, const Exercise& exercise, const fs::path& folder)
+void make_unit(Worker& worker, const Exercise& exercise, const fs::path& root)
 {
-    make_folder(folder);
+    const fs::path unit = exercise.id;
     as_given([&] {
+        make_folder_below(root, unit);
         for (const std::string& file : exercise.files)
-            fs::copy_file(exercise.folder / file, folder / file, fs::copy_options::skip_existing);
+            if (!is_taken(root / unit / file)) copy_file_below(exercise.folder / file, root, unit / file);
         for (const auto& [code, statement, interface, hints] : languages)
             if (fs::exists(exercise.folder / statement))
-                fs::copy_file(exercise.folder / statement, folder / statement, fs::copy_options::overwrite_existing);
+                copy_file_below(exercise.folder / statement, root, unit / statement);
     });
-    expect_writable(folder / "goal.png");
-    (void)save_goal(worker, exercise, folder / "goal.png");
+    expect_writable(root / unit / "goal.png");
+    (void)save_goal(worker, exercise, root / unit / "goal.png");
 }
 
 void make_workspace(const Application& application, const Options& options)
@@ -45,7 +47,7 @@ void make_workspace(const Application& application, const Options& options)
     make_folder(root);
     have_built(application, exercises, UnitParts::answers);
     Worker worker(application.tools);
-    for (const Exercise& exercise : exercises) make_unit(worker, exercise, root / exercise.id);
+    for (const Exercise& exercise : exercises) make_unit(worker, exercise, root);
     as_given([&] { copy_framework(application.tools, exercises, root); });
     const Paint paint(application.style);
     fmt::print(

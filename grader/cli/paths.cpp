@@ -1,12 +1,16 @@
 #include "cli/paths.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <span>
 #include <system_error>
 #include <umbral/core/png.hpp>
+
+#include "run/descriptor.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -65,6 +69,29 @@ void expect_writable(const fs::path& file)
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     expect_folder(folder, fmt::format("the folder of {}", file.filename().string()));
     expect_access(folder, W_OK | X_OK);
+}
+
+std::string read_given(std::string_view option, const fs::path& file, std::size_t most)
+{
+    const auto refuse_given = [&](const std::string& reason) {
+        throw UsageError(fmt::format("{} {}: {}", option, file.string(), reason));
+    };
+    const Descriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+    struct stat status {};
+    if (!opened || fstat(opened.get(), &status) != 0) refuse_given(std::generic_category().message(errno));
+    if (!S_ISREG(status.st_mode)) refuse_given("expected a regular file, got another kind");
+    std::string bytes(most + 1, '\0');
+    std::size_t size = 0;
+    while (size < bytes.size()) {
+        const ssize_t got = read(opened.get(), bytes.data() + size, bytes.size() - size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) refuse_given(std::generic_category().message(errno));
+        if (got == 0) break;
+        size += static_cast<std::size_t>(got);
+    }
+    if (size > most) refuse_given(fmt::format("expected at most {} KiB, got more", most >> 10U));
+    bytes.resize(size);
+    return bytes;
 }
 
 void write_output(const fs::path& file, std::string_view text)

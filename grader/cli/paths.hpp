@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "cli/application.hpp"
+#include "store/refused_folder.hpp"
 
 namespace umbral::grader {
 
@@ -24,6 +26,10 @@ void expect_writable(const std::filesystem::path& file);
 /// Writes a file, whole or not at all.
 void write_output(const std::filesystem::path& file, std::string_view text);
 
+/// The bytes of a file, which may come from anybody: a device, a pipe or a folder is refused, a file of more than
+/// `most` bytes too, and nothing is waited for. `option` says what named it.
+[[nodiscard]] std::string read_given(std::string_view option, const std::filesystem::path& file, std::size_t most);
+
 /// Does what works with files of the user's: what the file system refuses is a UsageError.
 template <class Action>
 auto as_given(const Action& action)
@@ -31,6 +37,8 @@ auto as_given(const Action& action)
     try {
         return action();
     } catch (const std::filesystem::filesystem_error& error) {
+        throw UsageError(error.what());
+    } catch (const RefusedFolder& error) {
         throw UsageError(error.what());
     }
 }

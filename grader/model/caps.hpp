@@ -25,7 +25,9 @@ inline constexpr std::size_t preprocessed = std::size_t{32}
                                             << 20U;            ///< bytes of a unit's files with all that they include
 inline constexpr std::size_t library = std::size_t{8} << 20U;  ///< bytes of a compiled unit
 inline constexpr std::size_t build_folder =
-    std::size_t{96} << 20U;  ///< bytes that building a unit may leave on the disk while it lasts
+    std::size_t{96} << 20U;                   ///< bytes that building a unit may leave on the disk while it lasts
+inline constexpr double compile_seconds = 5;  ///< of processor time, for compiling a unit; a usual one takes a half …
+inline constexpr double shared_compile_seconds = 60;   ///< … and so many more for all units of a submission together
 inline constexpr std::size_t inspected_names = 20000;  ///< names of one kind that are read from a compiled unit
 inline constexpr std::size_t rows_factor = 4;  ///< rows of a table that are judged: this many times the expected ones …
 inline constexpr std::size_t rows_more = 1024;  ///< … and so many more, so that "too many" can still be shown

@@ -17,14 +17,15 @@
 
 #include "model/disk.hpp"
 #include "run/descriptor.hpp"
+#include "run/processor_time.hpp"
 
 namespace umbral::grader {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Seconds between two looks at how much a program has written.
-constexpr double disk_interval = 0.2;
+/// Seconds between two looks at what a program has written and computed.
+constexpr double looking_interval = 0.2;
 
 std::vector<std::string> whole_command(const ConfinedCommand& command)
 {
@@ -67,6 +68,16 @@ pid_t start(const ConfinedCommand& command, int output)
     return process;
 }
 
+/// Has it written or computed more than it may? `computed` becomes what it has computed by now.
+ConfinedResult::Stopped stopped_by(const ConfinedCommand& command, pid_t process, double& computed)
+{
+    using Stopped = ConfinedResult::Stopped;
+    if (command.disk_limit != 0 && bytes_below(command.directory) > command.disk_limit) return Stopped::too_much_disk;
+    if (command.all_cpu_seconds == 0) return Stopped::no;
+    computed = std::max(computed, processor_seconds_of_tree(process));
+    return computed > command.all_cpu_seconds ? Stopped::out_of_processor_time : Stopped::no;
+}
+
 }
 
 ConfinedResult run_confined(const ConfinedCommand& command)
@@ -83,21 +94,25 @@ ConfinedResult run_confined(const ConfinedCommand& command)
 
     using Stopped = ConfinedResult::Stopped;
     ConfinedResult result;
-    const auto end = Clock::now() + std::chrono::duration<double>(command.wall_seconds);
+    const auto begin = Clock::now();
+    const bool looks = command.disk_limit != 0 || command.all_cpu_seconds != 0;
+    const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    double next_look = looking_interval;
     std::array<char, 16384> buffer{};
     while (result.stopped == Stopped::no) {
-        const double left = std::chrono::duration<double>(end - Clock::now()).count();
-        const double wait = command.disk_limit == 0 ? left : std::min(left, disk_interval);
-        pollfd watched{reading.get(), POLLIN, 0};
+        if (looks && elapsed() >= next_look) {
+            result.stopped = stopped_by(command, process, result.cpu_seconds);
+            next_look = elapsed() + looking_interval;
+            continue;
+        }
+        const double left = command.wall_seconds - elapsed();
         if (left <= 0) {
             result.stopped = Stopped::out_of_wall_time;
             break;
         }
-        if (poll(&watched, 1, static_cast<int>(wait * 1000) + 1) == 0) {
-            if (command.disk_limit != 0 && bytes_below(command.directory) > command.disk_limit)
-                result.stopped = Stopped::too_much_disk;
-            continue;
-        }
+        const double wait = looks ? std::min(left, next_look - elapsed()) : left;
+        pollfd watched{reading.get(), POLLIN, 0};
+        if (poll(&watched, 1, static_cast<int>(wait * 1000) + 1) == 0) continue;
         const ssize_t got = read(reading.get(), buffer.data(), buffer.size());
         if (got == 0) break;
         if (got < 0) {
@@ -119,8 +134,11 @@ ConfinedResult run_confined(const ConfinedCommand& command)
     const auto seconds = [](const timeval& time) {
         return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
     };
+    const double waited_for = seconds(used.ru_utime) + seconds(used.ru_stime);
+    result.cpu_seconds = std::max(result.cpu_seconds, waited_for);
+    result.wall_seconds = elapsed();
     // The kernel stops a process at its limit by its own clock, which is a little ahead of what it tells afterwards.
-    const bool spent = seconds(used.ru_utime) + seconds(used.ru_stime) >= 0.95 * command.cpu_seconds;
+    const bool spent = waited_for >= 0.95 * command.cpu_seconds;
     if (result.stopped == Stopped::no && result.exit_status != 0 && spent)
         result.stopped = Stopped::out_of_processor_time;
     return result;

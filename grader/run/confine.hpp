@@ -17,8 +17,9 @@ struct ConfinedCommand {
     /// What it may read and execute beside the shared libraries that programs need: trees, files, or "FOLDER/*" for the
     /// files of one folder. Of all else it does not learn whether it exists (run/path_gate.hpp).
     std::vector<std::string> read;
-    double cpu_seconds = 30;    ///< of each process that it starts
-    double wall_seconds = 120;  ///< longer, since a loaded machine is nobody's fault
+    double cpu_seconds = 30;     ///< of each process that it starts
+    double all_cpu_seconds = 0;  ///< of all processes together; beyond, they are stopped. 0: no limit
+    double wall_seconds = 120;   ///< longer, since a loaded machine is nobody's fault
     int memory_mib = 2048;
     std::size_t output_limit = std::size_t{256} << 10U;
     std::uintmax_t disk_limit = 0;  ///< bytes that `directory` may hold; beyond, the program is stopped. 0: no limit
@@ -34,7 +35,9 @@ struct ConfinedResult {
     enum class Stopped { no, out_of_processor_time, out_of_wall_time, too_much_output, too_much_disk };
     int exit_status = -1;  ///< of the program; -1 if a signal ended it
     Stopped stopped = Stopped::no;
-    std::string output;  ///< stdout and stderr together, cut at the limit
+    std::string output;      ///< stdout and stderr together, cut at the limit
+    double cpu_seconds = 0;  ///< that it took, with all that it started
+    double wall_seconds = 0;
 };
 
 /// Runs it and waits. Throws std::system_error if it cannot be started.

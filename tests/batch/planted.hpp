@@ -21,6 +21,7 @@ namespace umbral::grader::test {
     std::ofstream(built.library.parent_path() / "result.json") << nlohmann::json{
         {"verdict", "ok"},
         {"message", ""},
+        {"compile_seconds", 0},
         {"bytes", std::filesystem::file_size(built.library)}}.dump();
     return innocent;
 }

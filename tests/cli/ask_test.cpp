@@ -52,6 +52,10 @@ TEST(Ask, refuses_what_is_no_question_with_the_reason)
     refused("", "expected a question");
     refused(std::string(question) + " --file question.txt", "expected a question");
     refused("--file no-such-file.txt", "no-such-file.txt");
+    refused("--file /dev/zero", "expected a regular file");
+    folder.write("endless.txt", "");
+    fs::resize_file(folder / "endless.txt", std::uintmax_t{1} << 40U);
+    refused("--file '" + (folder / "endless.txt").string() + "'", "expected at most");
     refused("'intersect(nothing)'", "question:1:");
     EXPECT_EQ(umbral("ask lighting/shaders 'main()'").status, 2);
     EXPECT_EQ(umbral("ask zzz 'main()'").status, 2);

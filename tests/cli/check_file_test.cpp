@@ -108,7 +108,7 @@ TEST_F(CheckFile, refuses_what_it_should_not_read)
     std::filesystem::resize_file(folder / "large.ply", (std::uintmax_t{16} << 20U) + 1);
     const Printed large = check_named((folder / "large.ply").string());
     EXPECT_EQ(large.status, 2);
-    expect_said(large, "16 MiB");
+    expect_said(large, "16384 KiB");
 }
 
 TEST_F(CheckFile, a_unit_that_reads_no_files_says_so)
