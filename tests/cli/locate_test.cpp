@@ -37,10 +37,10 @@ TEST(Locate, shows_the_line_and_keeps_the_change_until_asked)
     expect_parts(printed, {"sphere.cpp:20: a small change here makes", "if (ray.t_min > t && t < ray.t_max)",
                            "^^^^^^^^^^^^^", "Look at this comparison", "--show says which change"});
     EXPECT_EQ(printed.text.find("ray.t_min < t"), std::string::npos) << printed.text;
-    // The place is underlined where it is seen: a tab is shown as one space, and a letter of two bytes is as wide as
+    // The place is underlined where it is seen: a tab is shown as four spaces, and a letter of two bytes is as wide as
     // any.
     expect_parts(located(folder, "        if (ray.t_min < t", "\t/* ángulo */ if (ray.t_min > t"),
-                 {"| /* á", "\n      |                   ^^^^^^^^^^^^^\n"});
+                 {"|     /* á", "\n      |                      ^^^^^^^^^^^^^\n"});
     const Printed shown = located(folder, "ray.t_min < t", "ray.t_min > t", "--show");
     expect_parts(shown, {"The change: ray.t_min > t → ray.t_min < t"});
 }
