@@ -11,7 +11,8 @@ option(UMBRAL_SANITIZE_ENGINE
   "Also what reads nothing foreign: units, the engine, all that draws with OpenGL; `./umbral test --all` does" OFF)
 set(UMBRAL_FP_CONTRACT off CACHE STRING
   "-ffp-contract: off everywhere; `fast` only in the preset that shows what survives it")
-option(UMBRAL_TEST_ENGINE "Build the tests of the engine and of what is measured with it; `./umbral test` does in two of six turns" ON)
+option(UMBRAL_TEST_ENGINE
+  "Build the tests of the engine and of what is measured with it; `./umbral test` does in two of six turns" ON)
 option(UMBRAL_FUZZ "Build fuzz targets instead of their replays; needs clang" OFF)
 set(UMBRAL_PACKAGE_CONTACT "Umbral <umbral@localhost>" CACHE STRING
   "Who maintains the packages that cpack makes, as NAME <ADDRESS>")
@@ -32,11 +33,12 @@ set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 
 # umbral_compile_quickly(TARGET…): what waits for compilers, runs and disks, or only arranges text, gains nothing from
-# -O2, and compiles in two thirds of the time at -Og. (At -O0 files take longer: every small function is written out.)
+# -O2, and compiles in two thirds of the time at -Og. (-O0 takes as long as -Og.)
 function(umbral_compile_quickly)
   foreach(target IN LISTS ARGV)
     # Of std::optional, g++ at -Og believes that what was never made is destroyed.
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   endforeach()
 endfunction()
 

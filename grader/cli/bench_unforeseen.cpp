@@ -31,12 +31,9 @@ void shorten(Options& options)
 void measure(Application& application, const Options& options)
 {
     application.require_answers();
-    if (application.layout.installed)
-        throw UsageError(
-            "bench unforeseen makes bugs by umbral-mutate, which packages do not hold: call it in a checkout");
     std::vector<Exercise> exercises = application.chosen(options.units);
     std::erase_if(exercises, [](const Exercise& exercise) { return !exercise.is_cpp(); });
-    const std::filesystem::path finder = have_program(application, "umbral-mutate");
+    const std::filesystem::path finder = have_finder(application, "bench unforeseen makes bugs");
     have_built(application, exercises);
     std::mutex mutex;
     std::vector<UnforeseenBug> bugs;

@@ -51,10 +51,12 @@ std::vector<Exercise> units_to_check(const Application& application, const Optio
     return chosen;
 }
 
-/// For units with something wrong that nothing explains: how its place can be found.
-std::string how_to_locate(const std::vector<Exercise>& exercises, const SubmissionResult& result)
+/// For units with something wrong that nothing explains: how its place can be found. Packages cannot.
+std::string how_to_locate(const Application& application, const std::vector<Exercise>& exercises,
+                          const SubmissionResult& result)
 {
     std::string text;
+    if (application.layout.installed) return text;
     for (const UnitResult& unit : result.units) {
         const auto exercise = std::ranges::find(exercises, unit.id, &Exercise::id);
         const bool wrong = unit.verdict == Verdict::partial || unit.verdict == Verdict::wrong;
@@ -83,7 +85,7 @@ int check_once(Application& application, Crew& crew, const std::vector<Exercise>
         fmt::print("{}\n", to_json(result, checked.fingerprint)
                                .dump(indentation, ' ', false, nlohmann::json::error_handler_t::replace));
     } else {
-        fmt::print("{}{}", terminal_report(result, application.style), how_to_locate(exercises, result));
+        fmt::print("{}{}", terminal_report(result, application.style), how_to_locate(application, exercises, result));
         if (checked.kept > 0 && !options.watch)
             fmt::print("\n{} of {} unit{} unchanged since the last check, and not run again (--fresh runs all).\n",
                        checked.kept, exercises.size(), exercises.size() == 1 ? "" : "s");

@@ -172,6 +172,14 @@ fs::path have_program(const Application& application, const std::string& name)
     return program;
 }
 
+fs::path have_finder(const Application& application, std::string_view purpose)
+{
+    if (application.layout.installed)
+        throw UsageError(
+            fmt::format("{} by umbral-mutate, which packages do not hold: call it in a checkout", purpose));
+    return have_program(application, "umbral-mutate");
+}
+
 fs::path have_fresh_program(const Application& application, const std::string& name, bool of_tests)
 {
     if (of_tests) configure_tests(application);

@@ -26,6 +26,10 @@ void have_built(const Application& application, std::span<const Exercise> units,
 /// it.
 [[nodiscard]] std::filesystem::path have_program(const Application& application, const std::string& name);
 
+/// The path of umbral-mutate, built if it was not yet. Throws UsageError in an installation, which holds none, with
+/// `purpose` before the reason: "validate --mutants finds mutants".
+[[nodiscard]] std::filesystem::path have_finder(const Application& application, std::string_view purpose);
+
 /// In a checkout: builds the program `name` anew if its sources changed, so that what is measured is what they say.
 /// Those `of_tests` have targets only if the build was configured with the tests: if it was not, it is now. Throws
 /// UsageError, and leaves the build as it was, if that is not possible. The program's path.

@@ -64,36 +64,13 @@ void print_repair(const Paint& paint, const std::string& file, const std::string
     fmt::print("\n");
 }
 
-void locate(Application& application, const Options& options)
+void print_search(const Paint& paint, const Exercise& exercise, const BuiltWork& work, const RepairSearch& search,
+                  bool show)
 {
-    const Exercise exercise = application.chosen({options.unit}).front();
-    if (!can_have_mutants(exercise))
-        throw UsageError(fmt::format("{} is not one C++ file: umbral debug runs a case of it", exercise.id));
-    const BuiltWork work = built_work(application, exercise, options.folder);
-    const std::filesystem::path finder = have_program(application, "umbral-mutate");
-    const auto began = std::chrono::steady_clock::now();
-    if (equals_stub(work.files, exercise)) {
-        fmt::print("{} is the stub as it was: there is nothing to look for yet.\n", exercise.id);
-        application.exit_status = exit_not_right;
-        return;
-    }
-    const ScratchFolder scratch(application.tools.cache);
     const auto& [file, source] = *work.files.begin();
-    const BuiltMutants built =
-        build_mutants(application.tools, exercise, MutantFamily::repairs, finder, source, scratch.path());
-    Crew crew(application.tools, options.jobs);
-    const RepairSearch search =
-        try_repairs(crew, exercise, built, {static_cast<double>(options.seconds), options.attempt});
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    const Paint paint(application.style);
-    if (search.wrong.empty()) {
-        fmt::print("Nothing is wrong in {}: there is nothing to look for.\n", exercise.id);
-        return;
-    }
-    application.exit_status = exit_not_right;
     const std::size_t shown = std::min(search.repairs.size(), most_places);
     for (std::size_t i = 0; i < shown; ++i)
-        print_repair(paint, file, source, search.repairs[i], search.wrong.size(), options.show);
+        print_repair(paint, file, source, search.repairs[i], search.wrong.size(), show);
     if (search.repairs.empty())
         fmt::print(
             "No small change of one place makes a wrong check right: more than one thing is wrong, or something "
@@ -101,7 +78,36 @@ void locate(Application& application, const Options& options)
             exercise.name);
     if (search.repairs.size() > 1)
         fmt::print("One of these changes is enough; {} places were found.\n", search.repairs.size());
-    if (shown > 0 && !options.show) fmt::print("--show says which change.\n");
+    if (shown > 0 && !show) fmt::print("--show says which change.\n");
+}
+
+void locate(Application& application, const Options& options)
+{
+    const Exercise exercise = application.chosen({options.unit}).front();
+    if (!can_have_mutants(exercise))
+        throw UsageError(fmt::format("{} is not one C++ file: umbral debug runs a case of it", exercise.id));
+    const BuiltWork work = built_work(application, exercise, options.folder);
+    if (equals_stub(work.files, exercise)) {
+        fmt::print("{} is the stub as it was: there is nothing to look for yet.\n", exercise.id);
+        application.exit_status = exit_not_right;
+        return;
+    }
+    const std::filesystem::path finder = have_finder(application, "locate finds changes");
+    const auto began = std::chrono::steady_clock::now();
+    const ScratchFolder scratch(application.tools.cache);
+    const BuiltMutants built = build_mutants(application.tools, exercise, MutantFamily::repairs, finder,
+                                             work.files.begin()->second, scratch.path());
+    Crew crew(application.tools, options.jobs);
+    const RepairSearch search =
+        try_repairs(crew, exercise, built, {static_cast<double>(options.seconds), options.attempt});
+    if (search.wrong.empty()) {
+        fmt::print("Nothing is wrong in {}: there is nothing to look for.\n", exercise.id);
+        return;
+    }
+    application.exit_status = exit_not_right;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const Paint paint(application.style);
+    print_search(paint, exercise, work, search, options.show);
     fmt::print("{}\n", paint(Tone::quiet, fmt::format("{} of {} changes tried on inputs of two seeds, {:.0f} s",
                                                       search.tried, built.mutants.size(), seconds)));
 }

@@ -17,13 +17,10 @@ void validate_mutants(Application& application, const MutantsOptions& options)
 {
     const Paint paint(application.style);
     application.require_answers();
-    if (application.layout.installed)
-        throw UsageError(
-            "validate --mutants finds mutants by umbral-mutate, which packages do not hold: call it in a checkout");
     expect_writable(options.markdown);
     const std::vector<Exercise> exercises =
         options.units.empty() ? application.readable() : application.chosen(options.units);
-    const std::filesystem::path finder = have_program(application, "umbral-mutate");
+    const std::filesystem::path finder = have_finder(application, "validate --mutants finds mutants");
     have_built(application, exercises);
     Crew crew(application.tools, options.jobs);
     std::vector<UnitMutants> units;

@@ -1,6 +1,5 @@
 #include "mutants/expressions.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace umbral::grader {
@@ -23,7 +22,7 @@ bool has_any_size(const Syntax& syntax, const Node& node)
     if (node.kind == CXCursor_BinaryOperator) return true;
     if (node.called == "dot" && node.children.size() > 2)
         return syntax.of(node.children[node.children.size() - 1]) != syntax.of(node.children[node.children.size() - 2]);
-    return std::ranges::find(of_any_size, std::string_view(node.called)) != of_any_size.end();
+    return is_one_of(node.called, of_any_size);
 }
 
 const Node* running_body(const Syntax& syntax, const Node& function)

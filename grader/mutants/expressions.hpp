@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,7 +11,19 @@
 
 namespace umbral::grader {
 
-/// What all finders of mutants ask of a part of a source's syntax.
+// What all finders of mutants ask of a part of a source's syntax.
+
+/// Is the name among these?
+[[nodiscard]] constexpr bool is_one_of(std::string_view name, std::span<const std::string_view> names)
+{
+    return std::ranges::find(names, name) != names.end();
+}
+
+/// What a source declares, in the order of its lines.
+struct Variable {
+    std::string name;
+    std::string type;
+};
 
 [[nodiscard]] inline bool is_real(const std::string& type) { return type == "float" || type == "double"; }
 

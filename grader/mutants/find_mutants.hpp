@@ -25,6 +25,9 @@ namespace umbral::grader {
 /// Sorted by their places, and numbered from 1.
 [[nodiscard]] std::vector<Mutant> numbered(std::vector<Mutant> mutants);
 
+/// The element of a list one step from the one that is taken, where its place is computed; `step`: "+ 1" or "- 1".
+void mutate_index(const Syntax& syntax, const Node& node, const char* step, std::vector<Mutant>& mutants);
+
 /// The changes of an expression itself, not of its parts: see operators.cpp for which.
 void mutate_expression(const Syntax& syntax, const Node& node, std::vector<Mutant>& mutants);
 

@@ -99,7 +99,7 @@ void mutate_call(const Syntax& syntax, const Node& node, std::vector<Mutant>& mu
                 changed.replace(inside(name), one.size(), other);
                 add_change(syntax, node, "function", changed, mutants);
             }
-    if (!arguments.empty() && std::ranges::find(droppable, Text(node.called)) != droppable.end())
+    if (!arguments.empty() && is_one_of(node.called, droppable))
         add_change(syntax, node, "call left out", std::string(syntax.of(*arguments.front())), mutants);
     if (arguments.size() == 2 && (node.called == "max" || node.called == "min"))
         for (const Node* argument : arguments)
@@ -130,16 +130,16 @@ void mutate_literal(const Syntax& syntax, const Node& node, std::vector<Mutant>&
         add_change(syntax, node, "constant", text + " * 2", mutants);
 }
 
-void mutate_index(const Syntax& syntax, const Node& node, std::vector<Mutant>& mutants)
+}
+
+void mutate_index(const Syntax& syntax, const Node& node, const char* step, std::vector<Mutant>& mutants)
 {
     if (node.children.size() < 2) return;
     const Node& index = node.children.back();
     const Node& base = node.children.front();
     if (index.begin < base.end || index.kind == CXCursor_IntegerLiteral) return;
-    add_change(syntax, node, "index", std::string(syntax.of(base)) + "[" + std::string(syntax.of(index)) + " + 1]",
-               mutants);
-}
-
+    add_change(syntax, node, "index",
+               std::string(syntax.of(base)) + "[" + std::string(syntax.of(index)) + ' ' + step + "]", mutants);
 }
 
 void mutate_expression(const Syntax& syntax, const Node& node, std::vector<Mutant>& mutants)
@@ -151,7 +151,7 @@ void mutate_expression(const Syntax& syntax, const Node& node, std::vector<Mutan
     const bool is_minus = (node.kind == CXCursor_UnaryOperator || node.called == "operator-") &&
                           node.end - node.begin > 1 && !syntax.of(node).starts_with("--") &&
                           syntax.of(node).starts_with("-");
-    if (is_index) return mutate_index(syntax, node, mutants);
+    if (is_index) return mutate_index(syntax, node, "+ 1", mutants);
     if (is_minus) return add_change(syntax, node, "sign", std::string(syntax.of(node).substr(1)), mutants);
     if (node.kind == CXCursor_UnaryOperator && syntax.of(node).starts_with("!"))
         return add_change(syntax, node, "logic", std::string(syntax.of(node).substr(1)), mutants);

@@ -48,7 +48,8 @@ private:
         rounded(node);
         number(node);
         if (node.kind == CXCursor_CallExpr) angles(node);
-        if (node.kind == CXCursor_ArraySubscriptExpr || node.called == "operator[]") index(node);
+        if (node.kind == CXCursor_ArraySubscriptExpr || node.called == "operator[]")
+            mutate_index(syntax_, node, "- 1", mutants_);
         for (std::size_t i = 0; i < node.children.size(); ++i) {
             const Node& child = node.children[i];
             visit(child);
@@ -116,7 +117,7 @@ private:
         if (!text.ends_with("." + node.called)) return;
         text.resize(text.size() - node.called.size());
         for (const auto& family : letters)
-            if (std::ranges::find(family, Text(node.called)) != family.end())
+            if (is_one_of(node.called, family))
                 for (const Text other : family)
                     if (other != node.called) add(node, "component", text + std::string(other));
     }
@@ -168,7 +169,7 @@ private:
     /// Degrees for radians, half or twice an angle.
     void angles(const Node& node)
     {
-        if (std::ranges::find(of_angles, Text(node.called)) == of_angles.end()) return;
+        if (!is_one_of(node.called, of_angles)) return;
         for (const Node& child : node.children) {
             if (!is_real(child.type)) continue;
             const std::string text(syntax_.of(child));
@@ -177,19 +178,6 @@ private:
         }
     }
 
-    void index(const Node& node)
-    {
-        if (node.children.size() < 2) return;
-        const Node& index = node.children.back();
-        const Node& base = node.children.front();
-        if (index.begin < base.end || index.kind == CXCursor_IntegerLiteral) return;
-        add(node, "index", std::string(syntax_.of(base)) + "[" + std::string(syntax_.of(index)) + " - 1]");
-    }
-
-    struct Variable {
-        std::string name;
-        std::string type;
-    };
     const Syntax& syntax_;
     std::vector<Variable> variables_;
     std::vector<Mutant> mutants_;
@@ -203,9 +191,8 @@ std::vector<Mutant> find_repairs(const Syntax& syntax)
     for (const Node& function : syntax.functions) finder.function(function);
     std::vector<Mutant> all = std::move(finder).found();
     for (const auto& more : {find_mutants(syntax), find_slips(syntax)})
-        std::ranges::copy_if(more, std::back_inserter(all), [](const Mutant& mutant) {
-            return std::ranges::find(only_breaks, Text(mutant.kind)) == only_breaks.end();
-        });
+        std::ranges::copy_if(more, std::back_inserter(all),
+                             [](const Mutant& mutant) { return !is_one_of(mutant.kind, only_breaks); });
     std::set<std::tuple<std::size_t, std::size_t, std::string>> seen;
     std::erase_if(
         all, [&](const Mutant& mutant) { return !seen.emplace(mutant.begin, mutant.end, mutant.replacement).second; });

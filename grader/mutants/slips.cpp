@@ -39,11 +39,6 @@ public:
     [[nodiscard]] std::vector<Mutant> found() && { return std::move(mutants_); }
 
 private:
-    struct Variable {
-        std::string name;
-        std::string type;
-    };
-
     /// `in_value`: part of an expression whose value has been looked at as a whole.
     void visit(const Node& node, bool in_value)
     {
@@ -92,7 +87,7 @@ private:
     void limited(const Node& node)
     {
         const std::string text(syntax_.of(node));
-        if (is_vector(node.type) && std::ranges::find(joined, std::string_view(node.called)) != joined.end())
+        if (is_vector(node.type) && is_one_of(node.called, joined))
             add_change(syntax_, node, "normalised", "glm::normalize(" + text + ")", mutants_);
         if (!is_real(node.type) || !has_any_size(syntax_, node)) return;
         add_change(syntax_, node, "limited", "std::abs(" + text + ")", mutants_);

@@ -1,8 +1,8 @@
 #include "mutants/try_repairs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -19,26 +19,13 @@ constexpr std::size_t most_candidates = 60;
 
 using Names = std::set<std::string>;
 
-/// What is wrong in each of a unit's cases.
-struct Wrong {
-    std::map<std::string, Names> checks;  ///< by their case
-    std::map<std::string, double> seconds;
-
-    [[nodiscard]] std::vector<std::string> all() const
-    {
-        std::vector<std::string> names;
-        for (const auto& [name, wrong] : checks) names.insert(names.end(), wrong.begin(), wrong.end());
-        return names;
-    }
-    /// Those with something wrong, by the time that they take.
-    [[nodiscard]] std::vector<std::string> cases() const
-    {
-        std::vector<std::string> names;
-        for (const auto& [name, wrong] : checks)
-            if (!wrong.empty()) names.push_back(name);
-        std::ranges::stable_sort(names, {}, [&](const std::string& name) { return seconds.at(name); });
-        return names;
-    }
+/// A case with something wrong.
+struct WrongCase {
+    std::string name;
+    const SeedPlan* seeds = nullptr;  ///< the inputs with which most is wrong
+    Names shown;                      ///< checks that are wrong with these inputs
+    Names checks;                     ///< … and with the inputs of any seed
+    double seconds = 0;
 };
 
 /// The checks of a case that are not right: all of them if its run did not end well.
@@ -71,15 +58,12 @@ public:
     {
         RepairSearch result;
         for (const std::string& name : exercise_.cases())
-            for (const SeedPlan* seeds : {&seeds_, &other_seeds_}) {
-                const CaseTrial trial = try_case(crew_.first(), exercise_, chosen(0), name, *seeds);
-                wrong_.checks[name].merge(wrong_in(exercise_, name, trial));
-                wrong_.seconds[name] = trial.run.wall_seconds;
-            }
-        result.wrong = wrong_.all();
+            if (WrongCase one = looked_at(name); !one.checks.empty()) wrong_.push_back(std::move(one));
+        for (const WrongCase& one : wrong_) std::ranges::copy(one.checks, std::back_inserter(result.wrong));
+        std::ranges::stable_sort(wrong_, {}, &WrongCase::seconds);
         // Several things may be wrong, each in cases of its own.
-        for (const std::string& name : wrong_.cases()) {
-            std::vector<Repair> candidates = mending(name);
+        for (const WrongCase& one : wrong_) {
+            std::vector<Repair> candidates = mending(one);
             result.tried = std::max(result.tried, tried_);
             confirm(candidates);
             if (!candidates.empty()) result.repairs = best_of(std::move(candidates));
@@ -92,8 +76,26 @@ private:
     [[nodiscard]] bool is_over() const { return Clock::now() >= end_; }
     [[nodiscard]] Built chosen(unsigned number) const { return built_with(built_.library, number); }
 
-    /// The changes with which checks of one case are right that were wrong, those that mend most first.
-    std::vector<Repair> mending(const std::string& name)
+    WrongCase looked_at(const std::string& name)
+    {
+        WrongCase one;
+        one.name = name;
+        for (const SeedPlan* seeds : all_seeds_) {
+            const CaseTrial trial = try_case(crew_.first(), exercise_, chosen(0), name, *seeds);
+            const Names wrong = wrong_in(exercise_, name, trial);
+            one.checks.insert(wrong.begin(), wrong.end());
+            one.seconds = trial.run.wall_seconds;
+            if (wrong.size() > one.shown.size()) {
+                one.shown = wrong;
+                one.seeds = seeds;
+            }
+        }
+        return one;
+    }
+
+    /// The changes with which checks of one case are right that were wrong with the same inputs, those that mend most
+    /// first.
+    std::vector<Repair> mending(const WrongCase& one)
     {
         std::vector<Repair> found;
         std::mutex mutex;
@@ -101,17 +103,16 @@ private:
         crew_.share_out(built_.mutants.size(), [&](Worker& worker, std::size_t index) {
             if (is_over()) return;
             const Mutant& mutant = built_.mutants[index];
-            const CaseTrial trial = try_case(worker, exercise_, chosen(mutant.number), name, seeds_);
-            const Names still = wrong_in(exercise_, name, trial);
-            const Names& before = wrong_.checks.at(name);
+            const CaseTrial trial = try_case(worker, exercise_, chosen(mutant.number), one.name, *one.seeds);
+            const Names still = wrong_in(exercise_, one.name, trial);
             std::vector<std::string> mends;
-            std::ranges::set_difference(before, still, std::back_inserter(mends));
+            std::ranges::set_difference(one.shown, still, std::back_inserter(mends));
             const std::lock_guard lock(mutex);
             ++tried_;
-            if (!mends.empty() && std::ranges::includes(before, still)) found.push_back({mutant, std::move(mends)});
+            if (!mends.empty() && std::ranges::includes(one.shown, still)) found.push_back({mutant, std::move(mends)});
         });
         std::ranges::sort(found, {},
-                          [](const Repair& one) { return std::pair(-std::ssize(one.mends), one.change.number); });
+                          [](const Repair& each) { return std::pair(-std::ssize(each.mends), each.change.number); });
         if (found.size() > most_candidates) found.resize(most_candidates);
         return found;
     }
@@ -134,12 +135,12 @@ private:
     {
         std::vector<std::string> mends;
         for (const std::string& name : exercise_.cases()) {
-            const Names& before = wrong_.checks.at(name);
+            const auto known = std::ranges::find(wrong_, name, &WrongCase::name);
+            const Names before = known == wrong_.end() ? Names() : known->checks;
             Names still;
-            for (const SeedPlan* seeds : {&seeds_, &other_seeds_}) {
-                const Names wrong =
-                    wrong_in(exercise_, name, try_case(worker, exercise_, chosen(repair.change.number), name, *seeds));
-                still.insert(wrong.begin(), wrong.end());
+            for (const SeedPlan* seeds : all_seeds_) {
+                const CaseTrial trial = try_case(worker, exercise_, chosen(repair.change.number), name, *seeds);
+                still.merge(wrong_in(exercise_, name, trial));
             }
             if (!std::ranges::includes(before, still)) return std::nullopt;
             std::ranges::set_difference(before, still, std::back_inserter(mends));
@@ -165,7 +166,8 @@ private:
     Clock::time_point end_;
     SeedPlan seeds_;
     SeedPlan other_seeds_;
-    Wrong wrong_;
+    const std::array<const SeedPlan*, 2> all_seeds_{&seeds_, &other_seeds_};
+    std::vector<WrongCase> wrong_;  ///< the quickest first
     std::size_t tried_ = 0;
 };
 

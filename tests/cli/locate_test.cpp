@@ -11,14 +11,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `umbral locate sphere` of a right file with this change.
-Printed located(const TemporaryFolder& folder, const std::string& right, const std::string& wrong,
-                const std::string& options = "")
+/// A workspace with a right file in which this is changed.
+void write_work(const TemporaryFolder& folder, const std::string& right, const std::string& wrong)
 {
     std::string text = read(fs::path(UMBRAL_SOURCE) / "exercises/raytracing/sphere/alternatives/double_precision.cpp");
     const std::size_t at = text.find(right);
     if (at == std::string::npos) throw std::runtime_error("no '" + right + "' in the alternative");
     folder.write("raytracing/sphere/sphere.cpp", text.replace(at, right.size(), wrong));
+}
+
+/// `umbral locate sphere` there.
+Printed located(const TemporaryFolder& folder, const std::string& right, const std::string& wrong,
+                const std::string& options = "")
+{
+    write_work(folder, right, wrong);
     return umbral("locate sphere --seconds 20 --dir '" + folder.path().string() + "' " + options);
 }
 
@@ -60,10 +66,10 @@ TEST(Locate, says_so_where_nothing_is_wrong_or_nothing_is_found)
 TEST(Locate, is_named_where_nothing_explains_what_is_wrong)
 {
     const TemporaryFolder folder;
-    (void)located(folder, "dot(o, o) - radius", "dot(o, o) * 0.9 - radius", "--help");
+    write_work(folder, "dot(o, o) - radius", "dot(o, o) * 0.9 - radius");
     const Printed checked = umbral("check sphere --dir '" + folder.path().string() + "'");
     expect_parts(checked, {"`umbral locate sphere` looks for the line"});
-    (void)located(folder, "ray.t_min < t", "ray.t_min < t", "--help");
+    write_work(folder, "ray.t_min < t", "ray.t_min < t");
     const Printed right = umbral("check sphere --dir '" + folder.path().string() + "'");
     EXPECT_EQ(right.text.find("umbral locate"), std::string::npos) << right.text;
 }
