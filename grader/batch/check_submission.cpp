@@ -96,6 +96,20 @@ Part check_unit(Worker& worker, const Exercise& exercise, const Handed& handed, 
     return {std::move(result), std::move(section)};
 }
 
+/// The keys of what is kept of checks made on this machine.
+std::shared_ptr<const UnitKeys> keys_of_checks(Crew& crew, const std::vector<Exercise>& exercises,
+                                               const CheckPlan& plan, const Fingerprint& machine)
+{
+    KeyPlan key_plan{machine, {}, plan.explain, false};
+    key_plan.grading.attempt = plan.attempt;
+    return std::make_shared<const UnitKeys>(crew.first().tools(), exercises, key_plan);
+}
+
+}
+
+void keep_runs_as_checks_do(Crew& crew, const std::vector<Exercise>& exercises, const CheckPlan& plan)
+{
+    crew.keep_runs(keys_of_checks(crew, exercises, plan, fingerprint(crew.first(), exercises)));
 }
 
 Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, const CheckPlan& plan)
@@ -104,9 +118,7 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
     const Toolchain& tools = crew.first().tools();
     Checked checked;
     checked.fingerprint = fingerprint(crew.first(), exercises);
-    KeyPlan key_plan{checked.fingerprint, {}, plan.explain, false};
-    key_plan.grading.attempt = plan.attempt;
-    const auto keys = std::make_shared<const UnitKeys>(tools, exercises, key_plan);
+    const auto keys = keys_of_checks(crew, exercises, plan, checked.fingerprint);
     const SubmittedFiles submitted = read_submission(plan.folder, exercises, archive_tools(tools));
     const fs::path folder = kept_folder(tools, workspace);
     if (!plan.fresh) crew.keep_runs(keys);

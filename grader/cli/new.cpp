@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "batch/check_submission.hpp"
 #include "batch/pictures.hpp"
 #include "cli/application.hpp"
 #include "cli/checkout.hpp"
@@ -46,8 +47,13 @@ void make_workspace(const Application& application, const Options& options)
         options.units.empty() ? application.readable() : application.chosen(options.units);
     make_folder(root);
     have_built(application, exercises, UnitParts::answers);
-    Worker worker(application.tools);
-    for (const Exercise& exercise : exercises) make_unit(worker, exercise, root);
+    // The goal pictures take the time; what the reference draws for them serves the first check too.
+    Crew crew(application.tools, default_jobs());
+    keep_runs_as_checks_do(crew, exercises);
+    crew.share_out(exercises.size(), [&](Worker& worker, std::size_t index) {
+        make_unit(worker, exercises[index], root);
+        worker.forget_if_full();
+    });
     as_given([&] { copy_framework(application.tools, exercises, root); });
     const Paint paint(application.style);
     fmt::print(

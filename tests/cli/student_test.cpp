@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -54,6 +55,30 @@ TEST(New, makes_a_workspace_and_never_overwrites_work)
     folder.write("raytracing/sphere/sphere.cpp", "// mine");
     ASSERT_EQ(umbral("new " + folder.path().string() + " sphere").status, 0);
     EXPECT_EQ(read(folder / "raytracing/sphere/sphere.cpp"), "// mine");
+}
+
+// A laboratory's machine draws each goal picture once, and the first check finds there what the reference gave.
+TEST(New, goal_pictures_are_drawn_once)
+{
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const std::string own_cache = "UMBRAL_CACHE='" + (folder / "cache").string() + "'";
+    const auto make = [&](const std::string& name) {
+        ASSERT_EQ(umbral("new '" + (folder / name).string() + "' sphere disc", own_cache).status, 0);
+    };
+    const auto kept_runs = [&] {
+        std::map<std::string, fs::file_time_type> runs;
+        for (const fs::directory_entry& one : fs::recursive_directory_iterator(folder / "cache/runs"))
+            if (one.is_regular_file()) runs.emplace(one.path().string(), one.last_write_time());
+        return runs;
+    };
+    make("first");
+    const auto runs = kept_runs();
+    EXPECT_GE(runs.size(), 2U);
+    make("second");
+    EXPECT_EQ(kept_runs(), runs);
+    for (const fs::path goal : {"raytracing/sphere/goal.png", "raytracing/disc/goal.png"})
+        EXPECT_EQ(read(folder / "second" / goal), read(folder / "first" / goal)) << goal;
 }
 
 TEST(New, puts_what_editors_need_at_the_root)
