@@ -11,8 +11,8 @@ option(UMBRAL_SANITIZE_ENGINE
   "Also what reads nothing foreign: units, the engine, all that draws with OpenGL; `./umbral test --all` does" OFF)
 set(UMBRAL_FP_CONTRACT off CACHE STRING
   "-ffp-contract: off everywhere; `fast` only in the preset that shows what survives it")
-option(UMBRAL_TEST_ENGINE
-  "Build the tests of the engine and of what is measured with it; `./umbral test` does in two of six turns" ON)
+set(UMBRAL_TEST_PARTS "" CACHE STRING
+  "Folders of tests/ whose tests are built; empty: all. `./umbral test` takes those whose turn it is")
 option(UMBRAL_FUZZ "Build fuzz targets instead of their replays; needs clang" OFF)
 set(UMBRAL_PACKAGE_CONTACT "Umbral <umbral@localhost>" CACHE STRING
   "Who maintains the packages that cpack makes, as NAME <ADDRESS>")

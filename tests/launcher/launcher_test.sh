@@ -17,6 +17,8 @@ expect() { # expect DESCRIPTION COMMAND…
 
 mkdir -p "$work/project/cmake" "$work/fakes"
 cp "$source/umbral" "$work/project/"
+mkdir -p "$work/project/tests"
+cp "$source/tests/turns.txt" "$work/project/tests/"
 cp "$source/cmake/debian-packages.txt" "$work/project/cmake/"
 printf 'absent no-such-command-anywhere  # a comment\npresent sh\n' >"$work/project/cmake/debian-packages-test.txt"
 for name in apt-get sudo cmake; do
@@ -63,14 +65,14 @@ expect "tests build everything" grep -q 'cmake --build --preset release --target
 expect "tests need more packages" grep -qE 'apt-get install .*libglm-dev .*absent' "$work/calls"
 expect "a command that is there needs no package" sh -c "! grep -qE ' present( |$)' '$work/calls'"
 
-# One of six units has its turn with a commit, and each has one in six commits; the engine has two.
+# One of six units has its turn with a commit, and each has one in six commits; so has each folder of tests, two.
 mkdir -p "$work/project/exercises/transforms/hook" "$work/project/exercises/meshes/area" "$work/project/exercises/meshes/ply" \
     "$work/project/exercises/meshes/revolution" "$work/project/exercises/pipeline/clip-line"
 for unit in transforms/hook meshes/area meshes/ply meshes/revolution pipeline/clip-line; do
     : >"$work/project/exercises/$unit/exercise.json"
 done
 : >"$work/turns"
-: >"$work/engine"
+: >"$work/parts"
 for count in 0 1 2 3 4 5; do
     printf '#!/bin/sh\necho %s\n' "$((count + 900))" >"$work/fakes/git"
     chmod +x "$work/fakes/git"
@@ -79,11 +81,14 @@ for count in 0 1 2 3 4 5; do
     turn=$(sed -n 's/.*-DUMBRAL_WHOLE_UNITS=\([^ ]*\).*/\1/p' "$work/calls")
     expect "one of six units has its turn, got $turn" [ "$(printf '%s\n' "$turn" | tr ';' '\n' | wc -l)" -eq 1 ]
     printf '%s\n' "$turn" >>"$work/turns"
-    grep -oE -- '-DUMBRAL_TEST_ENGINE=ON' "$work/calls" >>"$work/engine" || true
+    sed -n 's/.*-DUMBRAL_TEST_PARTS=\([^ ]*\).*/\1/p' "$work/calls" | tr ';' '\n' >>"$work/parts"
 done
 expect "six turns are all units" [ "$(sort -u "$work/turns" | wc -l)" -eq 6 ]
-expect "the engine has two turns of six" [ "$(wc -l <"$work/engine")" -eq 2 ]
+tested() { sort "$work/parts" | uniq -c | awk -v times="$1" '$1 == times { print $2 }'; }
+folders=$(cd "$source/tests" && for list in */CMakeLists.txt; do dirname "$list"; done | grep -vx support)
+expect "each folder of tests has turns" [ "$(sort -u "$work/parts")" = "$(printf '%s\n' "$folders" | LC_ALL=C sort)" ]
+expect "it has two of six, or all" [ "$({ tested 2; tested 6; } | wc -l)" -eq "$(printf '%s\n' "$folders" | wc -l)" ]
 : >"$work/calls"
 (cd "$work/project" && ./umbral test --all) >"$work/printed" 2>&1 || true
-expect "--all compiles all mistakes" grep -qF -- '-DUMBRAL_WHOLE_UNITS=*/*' "$work/calls"
+expect "--all compiles all mistakes and tests" grep -qE -- '-DUMBRAL_WHOLE_UNITS=\*/\* -DUMBRAL_TEST_PARTS=( |$)' "$work/calls"
 exit $failed
