@@ -9,7 +9,8 @@
 
 namespace umbral::grader {
 
-/// The text of a topic's interface headers, where parameters have names.
+/// The text of the headers where a unit's parameters have names: its own first, since other units' functions may have
+/// the names of its own, then the rest of its topic's.
 [[nodiscard]] std::string interface_text(const Worker& worker, const Exercise& exercise);
 
 /// "with turn.angle negated"

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "batch/asked_alone.hpp"
+#include "batch/other_questions.hpp"
+#include "question/names.hpp"
 #include "report/hidden.hpp"
 #include "spoilt_reference.hpp"
 
@@ -38,6 +40,18 @@ TEST_F(Questions, an_origin_inside_that_finds_nothing_is_told_in_words_of_length
     EXPECT_EQ(common,
               "wrong wherever something is to be found (201 of 201), right everywhere else (201 of 201); every wrong "
               "answer is empty");
+}
+
+// Two headers of the topic declare a draw_triangles.
+TEST(InterfaceText, has_the_parameters_of_the_unit_s_own_functions_first)
+{
+    const Workbench bench;
+    const Worker worker(bench.tools());
+    const auto first_parameter = [&](const char* unit) {
+        return parameter_names(interface_text(worker, bench.exercise(unit)), "draw_triangles").at(0);
+    };
+    EXPECT_EQ(first_parameter("pipeline/software-pipeline"), "state");
+    EXPECT_EQ(first_parameter("pipeline/draw-immediate"), "positions");
 }
 
 TEST_F(Questions, what_is_wrong_by_chance_has_nothing_in_common)
