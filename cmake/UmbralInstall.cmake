@@ -1,12 +1,14 @@
 # `cmake --install` and `cpack`: two components, which are two Debian packages.
 #
-#   umbral              what students get: programs, units compiled, statements, stubs, interface headers. No source of an answer.
-#   umbral-instructor   beside it: the sources of reference, drivers, mistakes and alternatives, the sample class, attacks for `umbral doctor
-#                       --attack`, and the programs that hold the reference's engine
+#   umbral              what students get: programs, units compiled, statements, stubs, interface headers. No source of
+#                       an answer
+#   umbral-instructor   beside it: the sources of reference, drivers, mistakes and alternatives, the sample class,
+#                       attacks for `umbral doctor --attack`, and the programs that hold the reference's engine
 #
-# Below the prefix lie bin/umbral (a link), lib/umbral (bin, lib, units, as in a build) and share/umbral (exercises, framework, …, as in a checkout);
-# grader/cli/layout.hpp finds them from the program's own place. All names below the prefix are fixed: below Debian's lib/x86_64-linux-gnu,
-# which the compiler must read, students' files could be compiled against the answers.
+# Below the prefix lie bin/umbral (a link), lib/umbral (bin, lib, units, as in a build) and share/umbral (exercises,
+# framework, …, as in a checkout); grader/cli/layout.hpp finds them from the program's own place. All names below the
+# prefix are fixed: below Debian's lib/x86_64-linux-gnu, which the compiler must read, students' files could be compiled
+# against the answers.
 #
 # The target `installable` builds all of it; nothing else need be built.
 
@@ -23,7 +25,8 @@ list(TRANSFORM needed APPEND /built)
 foreach(component umbral umbral-instructor)
   install(CODE "foreach(file IN ITEMS ${CMAKE_BINARY_DIR}/packaged/made ${needed})
     if(NOT EXISTS \${file})
-      message(FATAL_ERROR \"\${file} is missing. Build what is installed first: cmake --build ${CMAKE_BINARY_DIR} --target installable\")
+      message(FATAL_ERROR \"\${file} is missing. Build what is installed first: \"
+        \"cmake --build ${CMAKE_BINARY_DIR} --target installable\")
     endif()
   endforeach()" COMPONENT ${component})
 endforeach()
@@ -31,8 +34,10 @@ endforeach()
 # What grading reads of the answers' sources, written down while they are there.
 set(packaged ${CMAKE_BINARY_DIR}/packaged)
 set(exercises ${PROJECT_SOURCE_DIR}/exercises)
-file(GLOB_RECURSE read CONFIGURE_DEPENDS ${exercises}/*.json ${exercises}/*.cpp ${exercises}/*.hpp ${exercises}/*.change ${exercises}/*.vert ${exercises}/*.frag)
-file(GLOB_RECURSE shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reference/*.vert ${PROJECT_SOURCE_DIR}/reference/*.frag)
+file(GLOB_RECURSE read CONFIGURE_DEPENDS ${exercises}/*.json ${exercises}/*.cpp ${exercises}/*.hpp
+  ${exercises}/*.change ${exercises}/*.vert ${exercises}/*.frag)
+file(GLOB_RECURSE shaders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reference/*.vert
+  ${PROJECT_SOURCE_DIR}/reference/*.frag)
 add_custom_command(OUTPUT ${packaged}/made
   COMMAND umbral-pack ${exercises} ${PROJECT_SOURCE_DIR}/reference ${packaged} ${units}
   COMMAND ${CMAKE_COMMAND} -E touch ${packaged}/made
@@ -40,7 +45,8 @@ add_custom_command(OUTPUT ${packaged}/made
 add_custom_target(packaged DEPENDS ${packaged}/made)
 add_custom_target(installable DEPENDS program packaged umbral-render umbral-bench-accuracy umbral-bench-scenes)
 
-foreach(program umbral umbral-spawner umbral-spawner-gl umbral-confine umbral-inspect umbral-unpack umbral-debug umbral-debug-gl)
+foreach(program umbral umbral-spawner umbral-spawner-gl umbral-confine umbral-inspect umbral-unpack umbral-debug
+    umbral-debug-gl)
   install(PROGRAMS $<TARGET_FILE:${program}> DESTINATION ${private}/bin ${students})
 endforeach()
 foreach(library umbral-framework umbral-gl umbral-glfw)
@@ -48,18 +54,22 @@ foreach(library umbral-framework umbral-gl umbral-glfw)
 endforeach()
 install(FILES ${CMAKE_BINARY_DIR}/version.txt ${CMAKE_BINARY_DIR}/commit.txt DESTINATION ${private} ${students})
 install(FILES ${UMBRAL_UNITS_DIR}/framework-exports.txt DESTINATION ${private}/units ${students})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework/ DESTINATION ${data}/framework ${students} FILES_MATCHING PATTERN *.hpp PATTERN generate EXCLUDE PATTERN shared EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework/
+  DESTINATION ${data}/framework ${students} FILES_MATCHING PATTERN *.hpp
+  PATTERN generate EXCLUDE PATTERN shared EXCLUDE)
 install(FILES ${exercises}/topics.txt DESTINATION ${data}/exercises ${students})
 install(FILES ${UMBRAL_STUDENT_HEADER} DESTINATION ${data}/student ${students})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/umbral RENAME copyright ${students})
-install(FILES ${PROJECT_SOURCE_DIR}/docs/students.md ${PROJECT_SOURCE_DIR}/docs/glossary.md DESTINATION share/doc/umbral ${students})
+install(FILES ${PROJECT_SOURCE_DIR}/docs/students.md ${PROJECT_SOURCE_DIR}/docs/glossary.md
+  DESTINATION share/doc/umbral ${students})
 
 foreach(program umbral-render umbral-bench-accuracy umbral-bench-scenes)
   install(PROGRAMS $<TARGET_FILE:${program}> DESTINATION ${private}/bin ${instructors})
 endforeach()
 get_property(painters GLOBAL PROPERTY UMBRAL_BENCH_SCENES_BUILDS)
 foreach(painter IN LISTS painters)
-  install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/libumbral-bench-scenes-${painter}.so DESTINATION ${private}/lib ${instructors})
+  install(FILES ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/libumbral-bench-scenes-${painter}.so
+    DESTINATION ${private}/lib ${instructors})
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/reference DESTINATION ${data} ${instructors} PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/class DESTINATION ${data} ${instructors})
@@ -92,13 +102,15 @@ foreach(unit IN LISTS units)
   file(GLOB statements ${source}/README*.md)
   install(FILES ${files} ${statements} DESTINATION ${data}/exercises/${unit} ${students})
 
-  # As in the build, but for derived sources and libraries of mistakes that are no more. Of a unit in GLSL only the driver is compiled.
+  # As in the build, but for derived sources and libraries of mistakes that are no more. Of a unit in GLSL only the
+  # driver is compiled.
   set(built ${UMBRAL_UNITS_DIR}/${unit})
   install(FILES ${built}/driver.so DESTINATION ${private}/units/${unit} ${students})
   string(REPLACE "-" "_" reference ${unit})
   set(reference ${PROJECT_SOURCE_DIR}/reference/${reference})
   if(EXISTS ${reference}.cpp)
-    install(FILES ${built}/reference.so ${built}/exports.map ${built}/exports.txt DESTINATION ${private}/units/${unit} ${students})
+    install(FILES ${built}/reference.so ${built}/exports.map ${built}/exports.txt
+      DESTINATION ${private}/units/${unit} ${students})
     if(EXISTS ${reference}_oracle.cpp)
       install(FILES ${built}/oracle.so DESTINATION ${private}/units/${unit} ${students})
     endif()
@@ -120,14 +132,16 @@ foreach(unit IN LISTS units)
   endforeach()
 endforeach()
 
-# Libraries of answers were compiled with debug information, which names places in their sources, and some hold shaders as texts.
+# Libraries of answers were compiled with debug information, which names places in their sources, and some hold shaders
+# as texts.
 install(CODE "set(UMBRAL_STRIP \"${CMAKE_STRIP}\")\nset(UMBRAL_VEIL $<TARGET_FILE:umbral-pack>)" ${students})
 install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/finish_install.cmake ${students})
 
 # `umbral bench accuracy` opens these by itself; behind the veiling of the others.
 set(measured ${UMBRAL_UNITS_DIR}/raytracing/sphere)
 if(raytracing/sphere IN_LIST units)
-  install(FILES ${measured}/reference.so ${measured}/oracle.so DESTINATION ${private}/units/raytracing/sphere ${instructors})
+  install(FILES ${measured}/reference.so ${measured}/oracle.so
+    DESTINATION ${private}/units/raytracing/sphere ${instructors})
 endif()
 install(CODE "set(UMBRAL_STRIP \"${CMAKE_STRIP}\")\nset(UMBRAL_VEIL)" ${instructors})
 install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/finish_install.cmake ${instructors})

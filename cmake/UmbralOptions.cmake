@@ -2,9 +2,9 @@
 # is CTest's.
 
 set(UMBRAL_UNITS "*/*" CACHE STRING
-  "The units to build, as glob patterns topic/unit: meshes/*;pipeline/clip-line. Of the tests only theirs are built then")
+  "The units to build, as glob patterns: meshes/*;pipeline/clip-line. Of the tests only theirs are built then")
 set(UMBRAL_WHOLE_UNITS "*/*" CACHE STRING
-  "The units that `all` holds with their known mistakes and tests, as glob patterns; mistakes of others are compiled on demand")
+  "The units that `all` holds with their known mistakes and tests; mistakes of others are compiled on demand")
 option(UMBRAL_WARNINGS_AS_ERRORS "Stop at a warning; on in the presets, whose compilers are tested" OFF)
 set(UMBRAL_SANITIZERS "" CACHE STRING "Sanitizers for everything but students' files, as for -fsanitize=")
 option(UMBRAL_SANITIZE_ENGINE

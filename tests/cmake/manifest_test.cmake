@@ -11,7 +11,8 @@ endfunction()
 set(spread [[{"files": ["a.cpp"], "uses": ["x/y", "x/z"], "glfw" : true, "gl": false,
   "checks": [{"judge": "numbers"}, {"judge"
      :   "cost", "case": "a [b]; c"}]}]])
-set(misleading [[{"files": ["a.vert", "b.frag"], "title": {"en": "\"judge\": \"cost\""}, "checks": [{"why": "judge", "judge": "image"}, {}]}]])
+set(misleading [[{"files": ["a.vert", "b.frag"], "title": {"en": "\"judge\": \"cost\""},
+  "checks": [{"why": "judge", "judge": "image"}, {}]}]])
 
 umbral_manifest_has_judge("${spread}" cost found)
 expect("the judge on a line of its own" "${found}" TRUE)
