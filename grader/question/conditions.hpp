@@ -15,8 +15,10 @@ struct Condition {
     std::string words;  ///< of a question for which it holds: "ray.t_min is greater than 0"
     /// Does it hold? Takes facts of other questions of the same kind, and which of them to look at.
     std::function<bool(const std::vector<Fact>& facts, std::size_t question)> holds;
-    bool fitted = false;          ///< holds a bound that was put between these very questions
-    bool of_answer = false;       ///< tells of the right answer's numbers, and not of the question's alone
+    bool fitted = false;     ///< holds a bound that was put between these very questions
+    bool of_answer = false;  ///< tells of the right answer's numbers, and not of the question's alone
+    /// Other numbers of the questions by which these are told apart alike: what the reason is, they do not show.
+    std::vector<std::string> also_told_by{};
     std::size_t wrong = 0;        ///< questions with wrong answers …
     std::size_t wrong_where = 0;  ///< … and those of them for which it holds
     std::size_t right = 0;
@@ -36,7 +38,8 @@ inline constexpr double least_parted = 0.97;
 [[nodiscard]] std::optional<Condition> simplest_condition(const std::vector<Fact>& facts,
                                                           const std::vector<bool>& wrong);
 
-/// "wrong wherever ray.t_min is greater than 0 (201 of 201), right everywhere else (201 of 201)"
+/// "wrong wherever ray.t_min is greater than 0 (201 of 201), right everywhere else (201 of 201)", and what tells them
+/// apart as well.
 [[nodiscard]] std::string sentence_of(const Condition& condition);
 
 }

@@ -65,6 +65,25 @@ TEST(Conditions, call_values_by_their_names)
     EXPECT_EQ(words(table, wrong_where(table, [](const auto& row) { return row[1] != 1; })), "rule is not nonzero");
 }
 
+// Questions of two kinds, whose numbers all differ: which of them is the reason, nobody can tell.
+TEST(Conditions, name_the_other_numbers_that_part_alike)
+{
+    QuestionTable table{{"port.left", "port.width", "port.height", "count"}, {}};
+    for (int i = 0; i < 40; ++i)
+        table.numbers.push_back(i % 2 == 0 ? std::vector<double>{0, 32, 24, i / 2 % 5 + 1.0}
+                                           : std::vector<double>{2, 20, 20, i / 2 % 5 + 1.0});
+    const auto left =
+        simplest_condition(facts_of(table), wrong_where(table, [](const auto& row) { return row[0] == 0; }));
+    ASSERT_TRUE(left);
+    EXPECT_EQ(sentence_of(*left),
+              "wrong wherever port.left is 0 (20 of 20), right everywhere else (20 of 20); "
+              "port.width and port.height tell them apart as well");
+    const auto count =
+        simplest_condition(facts_of(table), wrong_where(table, [](const auto& row) { return row[3] == 1; }));
+    ASSERT_TRUE(count);
+    EXPECT_TRUE(count->also_told_by.empty());
+}
+
 TEST(Conditions, find_signs_zeros_and_bounds_in_the_simplest_words)
 {
     const QuestionTable table = rays(2);

@@ -1,0 +1,177 @@
+#include "question/possible_conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace umbral::grader {
+namespace {
+
+constexpr double alike = 1e-5;  ///< of lengths of unit vectors, sines of parallel ones
+
+PossibleCondition of_one(std::string words, std::size_t fact, int cost, bool (*test)(double))
+{
+    return {std::move(words),
+            [fact, test](const std::vector<Fact>& facts, std::size_t i) { return test(facts[fact].values[i]); }, cost};
+}
+
+bool is_finite(double x) { return std::isfinite(x); }
+
+/// Of a number that stands for a word: "rule is even_odd", "closed is true".
+void add_named(const std::vector<Fact>& facts, std::size_t i, std::vector<PossibleCondition>& all)
+{
+    const Fact& fact = facts[i];
+    const bool two = fact.value_names.size() == 2;
+    for (std::size_t k = 0; k < fact.value_names.size(); ++k) {
+        const double value = static_cast<double>(k);
+        const auto add = [&](const char* is, bool equal, int cost) {
+            all.push_back({fmt::format("{} {} {}", fact.words, is, fact.value_names[k]),
+                           [i, value, equal](const std::vector<Fact>& others, std::size_t question) {
+                               return (others[i].values[question] == value) == equal;
+                           },
+                           cost});
+        };
+        add("is", true, 0);
+        if (!two) add("is not", false, 1);
+    }
+}
+
+/// Conditions that need no number: signs, zero, one, not finite.
+void add_plain(const std::vector<Fact>& facts, std::size_t i, std::vector<PossibleCondition>& all)
+{
+    const Fact& fact = facts[i];
+    if (!fact.value_names.empty()) return add_named(facts, i, all);
+    const std::string& words = fact.words;
+    // Of a product that is 0, the vector that is 0 is the reason, where there is one.
+    const bool plain = fact.kind == Fact::Kind::number;
+    const int cost = fact.first ? -1 : fact.component ? 3 : plain ? 0 : fact.kind == Fact::Kind::length ? 1 : 2;
+    if (fact.kind == Fact::Kind::parallel) {
+        all.push_back(of_one(words + " are parallel", i, cost, [](double x) { return x < alike; }));
+        all.push_back(of_one(words + " are not parallel", i, cost + 1, [](double x) { return x >= alike; }));
+        all.push_back(of_one(words + " are perpendicular", i, cost, [](double x) { return x > 1 - alike * alike; }));
+        return;
+    }
+    all.push_back(of_one(words + " is not finite", i, cost, [](double x) { return !is_finite(x); }));
+    all.push_back(of_one(words + " is finite", i, cost + 1, is_finite));
+    all.push_back(of_one(words + " is 0", i, cost, [](double x) { return x == 0; }));
+    all.push_back(of_one(words + " is not 0", i, cost, [](double x) { return x != 0; }));
+    all.push_back(of_one(words + " is negative", i, cost, [](double x) { return x < 0; }));
+    all.push_back(of_one(words + " is 0 or negative", i, cost + 1, [](double x) { return x <= 0; }));
+    if (fact.kind == Fact::Kind::product) return;
+    all.push_back(of_one(words + " is positive", i, cost, [](double x) { return x > 0; }));
+    all.push_back(of_one(words + " is 1", i, cost + 1, [](double x) { return std::abs(x - 1) < alike; }));
+    all.push_back(of_one(words + " is not 1", i, cost + 1, [](double x) { return !(std::abs(x - 1) < alike); }));
+    const bool whole =
+        std::ranges::all_of(fact.values, [](double x) { return std::isfinite(x) && x == std::round(x); });
+    if (!whole) return;
+    all.push_back(of_one(words + " is odd", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 1; }));
+    all.push_back(of_one(words + " is even", i, cost + 2, [](double x) { return std::fmod(std::abs(x), 2) == 0; }));
+}
+
+/// A number of few digits strictly between two.
+double between(double low, double high)
+{
+    for (int digits = 1; digits < 17; ++digits) {
+        const double middle = low == -std::numeric_limits<double>::infinity() ? high : low + (high - low) / 2;
+        const double rounded = std::stod(fmt::format("{:.{}g}", middle, digits));
+        if (rounded > low && rounded <= high) return rounded;
+    }
+    return high;
+}
+
+/// Where wrong answers lie on one side: "is less than 2", "is 7 or more".
+void add_threshold(const std::vector<Fact>& facts, std::size_t i, const std::vector<bool>& wrong,
+                   std::vector<PossibleCondition>& all)
+{
+    const Fact& fact = facts[i];
+    if (fact.kind == Fact::Kind::parallel || !fact.value_names.empty()) return;
+    struct Pair {
+        double value;
+        bool wrong;
+    };
+    std::vector<Pair> sorted;
+    for (std::size_t k = 0; k < wrong.size(); ++k)
+        if (std::isfinite(fact.values[k])) sorted.push_back({fact.values[k], wrong[k]});
+    if (sorted.size() < 2 * least_questions) return;
+    std::ranges::sort(sorted, {}, &Pair::value);
+    std::size_t all_wrong = static_cast<std::size_t>(std::ranges::count(sorted, true, &Pair::wrong));
+    std::size_t best = 0;
+    std::size_t best_errors = sorted.size();
+    bool best_below = false;
+    std::size_t wrong_below = 0;
+    for (std::size_t k = 1; k < sorted.size(); ++k) {
+        wrong_below += sorted[k - 1].wrong ? 1 : 0;
+        if (sorted[k].value == sorted[k - 1].value) continue;
+        const std::size_t if_below = (k - wrong_below) + (all_wrong - wrong_below);
+        const std::size_t if_above = sorted.size() - if_below;
+        if (std::min(if_below, if_above) >= best_errors) continue;
+        best = k;
+        best_errors = std::min(if_below, if_above);
+        best_below = if_below < if_above;
+    }
+    if (best == 0) return;
+    const double bound = between(sorted[best - 1].value, sorted[best].value);
+    const int cost = (fact.component ? 5 : 4) + (fact.kind == Fact::Kind::number ? 0 : 1);
+    all.push_back({fmt::format("{} is {} {:.6g}", fact.words, best_below ? "less than" : "at least", bound),
+                   [i, bound, best_below](const std::vector<Fact>& others, std::size_t question) {
+                       // What is not a number is neither.
+                       const double value = others[i].values[question];
+                       return best_below ? value < bound : value >= bound;
+                   },
+                   cost, bound != 0});
+}
+
+/// Of two facts that measure alike: "the distance between ray.origin and sphere.centre is less than sphere.radius".
+void add_comparison(const std::vector<Fact>& facts, std::size_t i, std::size_t j, std::vector<PossibleCondition>& all)
+{
+    // A list's least number, or an answer's length, equals many a number by chance.
+    const auto comparable = [](const Fact& fact) {
+        if (fact.words.starts_with("the least") || fact.words.starts_with("the largest") || fact.answer) return false;
+        return fact.kind == Fact::Kind::length || (fact.kind == Fact::Kind::number && !fact.component);
+    };
+    // "The distance … is less than the radius" is how people say it.
+    if (facts[i].kind == Fact::Kind::number && facts[j].kind == Fact::Kind::length) std::swap(i, j);
+    const Fact& a = facts[i];
+    const Fact& b = facts[j];
+    if (!comparable(a) || !comparable(b) || a.value_names != b.value_names) return;
+    const int cost = 3 + (a.kind == Fact::Kind::length && b.kind == Fact::Kind::length ? 1 : 0);
+    const auto add = [&](const char* words, bool (*test)(double, double), int more) {
+        all.push_back({fmt::format("{} is {} {}", a.words, words, b.words),
+                       [i, j, test](const std::vector<Fact>& others, std::size_t question) {
+                           return test(others[i].values[question], others[j].values[question]);
+                       },
+                       cost + more});
+    };
+    if (a.value_names.empty()) {
+        add(
+            "less than", [](double x, double y) { return x < y; }, 0);
+        add(
+            "greater than", [](double x, double y) { return x > y; }, 0);
+    }
+    add(
+        "equal to", [](double x, double y) { return x == y; }, 0);
+    add(
+        "different from", [](double x, double y) { return x != y; }, 1);
+}
+
+}
+
+std::vector<PossibleCondition> possible_conditions(const std::vector<Fact>& facts, const std::vector<bool>& wrong)
+{
+    std::vector<PossibleCondition> all;
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+        const std::size_t before = all.size();
+        add_plain(facts, i, all);
+        add_threshold(facts, i, wrong, all);
+        for (std::size_t k = before; k < all.size(); ++k) {
+            all[k].of_answer = facts[i].answer;
+            all[k].fact = i;
+        }
+        for (std::size_t j = i + 1; j < facts.size(); ++j) add_comparison(facts, i, j, all);
+    }
+    return all;
+}
+
+}
