@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <umbral/gl/context.hpp>
@@ -140,6 +141,12 @@ void Application::require_answers() const
             fmt::format("this needs the sources of the reference in {}, which students' packages do not hold; install "
                         "umbral-instructor",
                         tools.reference.string()));
+}
+
+void Application::say(const std::string& what) const
+{
+    fmt::print(stderr, "umbral: {}\n", Paint(style).safe(what));
+    (void)std::fflush(stderr);
 }
 
 void Application::warn_of_broken() const

@@ -49,6 +49,9 @@ struct Application {
     /// For commands that grade the answers themselves. Throws UsageError where their sources are not installed.
     void require_answers() const;
 
+    /// A line on the standard error stream, of what takes time: "building disc for the first time".
+    void say(const std::string& what) const;
+
     /// Says on the standard error stream which units cannot be read, and why; nothing if all can.
     void warn_of_broken() const;
 };

@@ -15,7 +15,6 @@
 
 #include "build/student_header.hpp"
 #include "model/caps.hpp"
-#include "report/paint.hpp"
 #include "run/descriptor.hpp"
 
 namespace umbral::grader {
@@ -92,12 +91,6 @@ void build_targets(const fs::path& folder, const std::vector<std::string>& targe
             fmt::format("building {} failed; the whole log is in {}{}", listed(targets), log.string(), errors_in(log)));
 }
 
-void say(const Application& application, const std::string& what)
-{
-    fmt::print(stderr, "umbral: {}\n", Paint(application.style).safe(what));
-    (void)std::fflush(stderr);
-}
-
 bool has_tests(const fs::path& folder)
 {
     std::ifstream cache(folder / "CMakeCache.txt");
@@ -111,7 +104,7 @@ void configure_tests(const Application& application)
 {
     const fs::path& folder = application.layout.build;
     if (has_tests(folder)) return;
-    say(application, "configuring the build with its tests");
+    application.say("configuring the build with its tests");
     const Descriptor lock = lock_build(folder);
     const fs::path log = folder / "units.log";
     const auto configure = [&](const fs::path& into, const char* testing) {
@@ -130,7 +123,7 @@ void configure_tests(const Application& application)
 void have_header(const Application& application)
 {
     if (is_header_ready(application.tools, application.layout.includes)) return;
-    say(application, "preparing headers for this compiler; this takes some seconds, once");
+    application.say("preparing headers for this compiler; this takes some seconds, once");
     make_header(application.tools, application.layout.includes);
 }
 
@@ -154,8 +147,8 @@ void have_built(const Application& application, std::span<const Exercise> units,
         targets.push_back(target_of(unit, parts));
     }
     if (targets.empty()) return;
-    say(application, fmt::format("building {} for the first time: {}",
-                                 names.size() == 1 ? "a unit" : fmt::format("{} units", names.size()), listed(names)));
+    application.say(fmt::format("building {} for the first time: {}",
+                                names.size() == 1 ? "a unit" : fmt::format("{} units", names.size()), listed(names)));
     build_targets(application.layout.build, targets);
 }
 
@@ -166,7 +159,7 @@ fs::path have_program(const Application& application, const std::string& name)
         throw UsageError(fmt::format(
             "this needs the program {}, which students' packages do not hold; install umbral-instructor", name));
     if (!fs::exists(program)) {
-        say(application, fmt::format("building {} for the first time", name));
+        application.say(fmt::format("building {} for the first time", name));
         build_targets(application.layout.build, {name});
     }
     return program;
@@ -184,8 +177,8 @@ fs::path have_fresh_program(const Application& application, const std::string& n
 {
     if (of_tests) configure_tests(application);
     const fs::path program = application.tools.programs / name;
-    say(application, fs::exists(program) ? fmt::format("bringing {} up to date", name)
-                                         : fmt::format("building {} for the first time", name));
+    application.say(fs::exists(program) ? fmt::format("bringing {} up to date", name)
+                                        : fmt::format("building {} for the first time", name));
     build_targets(application.layout.build, {name});
     return program;
 }

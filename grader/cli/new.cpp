@@ -47,6 +47,9 @@ void make_workspace(const Application& application, const Options& options)
         options.units.empty() ? application.readable() : application.chosen(options.units);
     make_folder(root);
     have_built(application, exercises, UnitParts::answers);
+    constexpr std::size_t many = 20;
+    if (exercises.size() > many)
+        application.say("drawing goal pictures; the first time on a machine this takes up to a minute");
     // The goal pictures take the time; what the reference draws for them serves the first check too.
     Crew crew(application.tools, default_jobs());
     keep_runs_as_checks_do(crew, exercises);
