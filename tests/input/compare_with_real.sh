@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # compare_with_real.sh REAL HEADLESS: plays one script to a real GLFW window on a display without a screen, and to
-# headless GLFW; what the
-# callbacks hear, and the commands that the reference makes of it, must be the same lines. 77 means: what is needed is
-# not installed.
+# headless GLFW; what the callbacks hear, and the commands that the reference makes of it, must be the same lines. 77
+# means: what is needed is not installed.
 set -euo pipefail
 real=$1
 headless=$2

@@ -1,8 +1,7 @@
 #!/bin/sh
 # The Debian packages on a system that has nothing: made by cpack, installed by apt in a fresh root, used there.
-# Students' first, then
-# instructors'. The root comes from the mirrors that this machine's apt is configured with. Takes minutes, hence only
-# with UMBRAL_TEST_ALL set.
+# Students' first, then instructors'. The root comes from the mirrors that this machine's apt is configured with. Takes
+# minutes, hence only with UMBRAL_TEST_ALL set.
 # usage: bare_root_test.sh SOURCE_FOLDER BUILD_FOLDER
 set -eu
 source=$1

@@ -1,8 +1,7 @@
 // mistake: subtracts the eye from a point of the view plane in world coordinates, in float
 // credit: 70..92
 // hint: Far from the origin q = o + … is rounded to the world's coordinates, and q - o has few digits left. Leave the
-// eye
-// out: the direction needs only the camera's vectors. In double the narrow views come right, too.
+// eye out: the direction needs only the camera's vectors. In double the narrow views come right, too.
 #include <cmath>
 #include <umbral/raytracing/camera_rays.hpp>
 

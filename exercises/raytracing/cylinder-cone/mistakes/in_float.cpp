@@ -1,8 +1,7 @@
 // mistake: the school's formula in float
 // credit: 70..95
 // hint: From far away b² and 4ac agree in all the digits that float has, and near a = 0 so do -b and the root.
-// Compute
-// in double, where products of floats are exact.
+// Compute in double, where products of floats are exact.
 #include <cmath>
 #include <umbral/raytracing/cylinder_cone.hpp>
 
