@@ -12,6 +12,7 @@
 #include "cli/application.hpp"
 #include "cli/commands.hpp"
 #include "cli/config.hpp"
+#include "cli/goal_pictures.hpp"
 #include "cli/paths.hpp"
 #include "report/html/pages.hpp"
 #include "report/paint.hpp"
@@ -100,13 +101,19 @@ void print_markdown(const std::vector<Exercise>& exercises, const std::string& l
 void write_catalogue(const Application& application, const std::string& language, const std::string& file)
 {
     expect_writable(file);
-    Worker worker(application.tools);
-    std::vector<html::CatalogueEntry> entries;
-    for (const Exercise& exercise : application.exercises) {
+    const std::vector<Exercise>& exercises = application.exercises;
+    std::vector<html::CatalogueEntry> entries(exercises.size());
+    draw_goal_pictures(application, exercises, [&](Worker& worker, std::size_t unit) {
+        const Exercise& exercise = exercises[unit];
         const std::optional<Image> goal = goal_picture(worker, exercise);
-        entries.push_back({exercise.topic, exercise.id, title_in(exercise, language), exercise.points, exercise.course,
-                           checks_in_words(exercise), goal ? html::encode(*goal) : html::Picture()});
-    }
+        entries[unit] = {exercise.topic,
+                         exercise.id,
+                         title_in(exercise, language),
+                         exercise.points,
+                         exercise.course,
+                         checks_in_words(exercise),
+                         goal ? html::encode(*goal) : html::Picture()};
+    });
     write_output(file, html::catalogue_html(entries, language, config::version));
     fmt::print("{}\n", Paint(application.style).safe(file));
 }

@@ -3,12 +3,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "batch/check_submission.hpp"
 #include "batch/pictures.hpp"
 #include "cli/application.hpp"
-#include "cli/checkout.hpp"
 #include "cli/commands.hpp"
 #include "cli/framework_copy.hpp"
+#include "cli/goal_pictures.hpp"
 #include "cli/paths.hpp"
 #include "manifest/statements.hpp"
 #include "report/paint.hpp"
@@ -46,17 +45,8 @@ void make_workspace(const Application& application, const Options& options)
     const std::vector<Exercise> exercises =
         options.units.empty() ? application.readable() : application.chosen(options.units);
     make_folder(root);
-    have_built(application, exercises, UnitParts::answers);
-    constexpr std::size_t many = 20;
-    if (exercises.size() > many)
-        application.say("drawing goal pictures; the first time on a machine this takes up to a minute");
-    // The goal pictures take the time; what the reference draws for them serves the first check too.
-    Crew crew(application.tools, default_jobs());
-    keep_runs_as_checks_do(crew, exercises);
-    crew.share_out(exercises.size(), [&](Worker& worker, std::size_t index) {
-        make_unit(worker, exercises[index], root);
-        worker.forget_if_full();
-    });
+    draw_goal_pictures(application, exercises,
+                       [&](Worker& worker, std::size_t unit) { make_unit(worker, exercises[unit], root); });
     as_given([&] { copy_framework(application.tools, exercises, root); });
     const Paint paint(application.style);
     fmt::print(
