@@ -65,29 +65,40 @@ expect "tests build everything" grep -q 'cmake --build --preset release --target
 expect "tests need more packages" grep -qE 'apt-get install .*libglm-dev .*absent' "$work/calls"
 expect "a command that is there needs no package" sh -c "! grep -qE ' present( |$)' '$work/calls'"
 
-# One of six units has its turn with a commit, and each has one in six commits; so has each folder of tests, two.
+# Each unit has its turn with one of twelve commits, and each folder of tests with two of six, or with all.
 mkdir -p "$work/project/exercises/transforms/hook" "$work/project/exercises/meshes/area" "$work/project/exercises/meshes/ply" \
     "$work/project/exercises/meshes/revolution" "$work/project/exercises/pipeline/clip-line"
 for unit in transforms/hook meshes/area meshes/ply meshes/revolution pipeline/clip-line; do
     : >"$work/project/exercises/$unit/exercise.json"
 done
-: >"$work/turns"
-: >"$work/parts"
-for count in 0 1 2 3 4 5; do
-    printf '#!/bin/sh\necho %s\n' "$((count + 900))" >"$work/fakes/git"
+# tested_with COUNT PATH…: what ./umbral test asks CMake for, with so many commits of which the last changed these files.
+tested_with() {
+    printf '#!/bin/sh\ncase "$*" in *rev-list*) echo %s ;; *log*) printf "%%s\\n" %s ;; esac\n' "$1" "$2" >"$work/fakes/git"
     chmod +x "$work/fakes/git"
     : >"$work/calls"
     (cd "$work/project" && ./umbral test) >"$work/printed" 2>&1 || true
-    turn=$(sed -n 's/.*-DUMBRAL_WHOLE_UNITS=\([^ ]*\).*/\1/p' "$work/calls")
-    expect "one of six units has its turn, got $turn" [ "$(printf '%s\n' "$turn" | tr ';' '\n' | wc -l)" -eq 1 ]
-    printf '%s\n' "$turn" >>"$work/turns"
-    sed -n 's/.*-DUMBRAL_TEST_PARTS=\([^ ]*\).*/\1/p' "$work/calls" | tr ';' '\n' >>"$work/parts"
+}
+asked_for() { sed -n "s/.*-D$1=\([^ ]*\).*/\1/p" "$work/calls" | tr ';' '\n'; }
+: >"$work/turns"
+: >"$work/parts"
+for count in 0 1 2 3 4 5 6 7 8 9 10 11; do
+    tested_with $((count + 900)) ''
+    asked_for UMBRAL_WHOLE_UNITS >>"$work/turns"
+    [ "$count" -ge 6 ] || asked_for UMBRAL_TEST_PARTS >>"$work/parts"
 done
-expect "six turns are all units" [ "$(sort -u "$work/turns" | wc -l)" -eq 6 ]
+expect "twelve turns are all units, each once" [ "$(sed '/^$/d' "$work/turns" | sort | uniq -c | awk '$1 == 1' | wc -l)" -eq 6 ]
 tested() { sort "$work/parts" | uniq -c | awk -v times="$1" '$1 == times { print $2 }'; }
 folders=$(cd "$source/tests" && for list in */CMakeLists.txt; do dirname "$list"; done | grep -vx support)
 expect "each folder of tests has turns" [ "$(sort -u "$work/parts")" = "$(printf '%s\n' "$folders" | LC_ALL=C sort)" ]
 expect "it has two of six, or all" [ "$({ tested 2; tested 6; } | wc -l)" -eq "$(printf '%s\n' "$folders" | wc -l)" ]
+
+# What changed lately is tested whole, whatever of it changed.
+tested_with 907 'exercises/meshes/ply/soups.hpp docs/units.md'
+expect "a unit whose folder changed" [ "$(asked_for UMBRAL_WHOLE_UNITS)" = meshes/ply ]
+tested_with 907 'reference/pipeline/clip_line_oracle.cpp reference/meshes/gone.cpp'
+expect "a unit whose oracle changed" [ "$(asked_for UMBRAL_WHOLE_UNITS)" = pipeline/clip-line ]
+tested_with 907 'tests/units/meshes/area_test.cpp exercises/meshes/support.hpp'
+expect "a unit whose test changed" [ "$(asked_for UMBRAL_WHOLE_UNITS)" = meshes/area ]
 : >"$work/calls"
 (cd "$work/project" && ./umbral test --all) >"$work/printed" 2>&1 || true
 expect "--all compiles all mistakes and tests" grep -qE -- '-DUMBRAL_WHOLE_UNITS=\*/\* -DUMBRAL_TEST_PARTS=( |$)' "$work/calls"

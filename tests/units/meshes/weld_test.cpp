@@ -46,7 +46,7 @@ TEST(Weld, agrees_with_the_definition)
         const std::string what = "seed " + std::to_string(seed) + ", round " + std::to_string(i);
         for (const Soup& soup :
              {soup_of_two_zeros(random), soup_of_close_places(random), soup_of_broken_corners(random),
-              soup_of_few_places(random), diagonal_soup(20, 4, random)})
+              soup_of_few_places(random), aligned_soup(20, random)})
             expect_same(weld(soup), welded_by_definition(soup), what);
     }
 }
