@@ -177,11 +177,6 @@ const char* const impossible[] = {
     "debug sphere --dir $D",
     "debug sphere --dir $D/no",
     "debug sphere --dir $F",
-    "render $D/no.json",
-    "render $D",
-    "render $F",
-    "render",
-    "render ''",  //
     "compare",
     "compare $P",
     "compare $P $D",
@@ -267,8 +262,8 @@ TEST(BadArguments, are_usage_errors_of_every_command)
         EXPECT_FALSE(printed.text.empty()) << arguments;
         commands.insert(arguments.substr(0, arguments.find(' ')));
     }
-    for (const char* command : {"list", "new", "check", "hint", "reset", "ask", "debug", "render", "compare", "grade",
-                                "demo", "validate", "bench", "doctor"})
+    for (const char* command : {"list", "new", "check", "hint", "reset", "ask", "debug", "compare", "grade", "demo",
+                                "validate", "bench", "doctor"})
         EXPECT_TRUE(commands.contains(command)) << "the table has no line of " << command;
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
@@ -287,8 +282,7 @@ TEST(Terminal, names_of_folders_cannot_command_it)
           "check --dir '" + hostile + "' --html '" + hostile + "/page.html'",
           "list --html '" + hostile + "/no/page.html'", "list '" + hostile + "'", "compare '" + hostile + "' x",
           "debug sphere '" + hostile + "' --dir '" + hostile + "'",
-          "grade class --unit sphere --out '" + hostile + "' --secret-file '" + hostile + "/secret'",
-          "render '" + hostile + "'"}) {
+          "grade class --unit sphere --out '" + hostile + "' --secret-file '" + hostile + "/secret'"}) {
         const Printed printed = in(folder, arguments);
         EXPECT_EQ(printed.text.find_first_of("\x1b\a"), std::string::npos) << arguments << "\n" << printed.text;
         EXPECT_FALSE(printed.text.empty()) << arguments;

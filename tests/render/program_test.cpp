@@ -129,6 +129,22 @@ TEST(RenderProgram, refuses_scenes)
                    "unknown.json: fog: expected no field of this name");
 }
 
+TEST(RenderProgram, refuses_names_that_are_no_scenes)
+{
+    const TemporaryFolder folder;
+    folder.write("file", "text");
+    const std::string hostile = "bell\a \x1b]0;owned\x1b\\ \x1b[2J";
+    std::filesystem::create_directories(folder / hostile);
+    for (const std::string& name :
+         {std::string("no.json"), std::string("."), std::string("file"), std::string(), hostile}) {
+        const Printed printed = umbral("'" + name + "'", "cd '" + folder.path().string() + "' &&");
+        EXPECT_EQ(printed.status, 2) << name << printed.text;
+        EXPECT_FALSE(printed.text.empty()) << name;
+        EXPECT_EQ(printed.text.find_first_of("\x1b\a"), std::string::npos) << printed.text;
+    }
+    EXPECT_EQ(umbral("").status, 2);
+}
+
 TEST(RenderProgram, refuses_what_it_cannot_write)
 {
     const TemporaryFolder folder;
