@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "batch/same_values.hpp"
 #include "build/with_zeros.hpp"
 #include "judge/explain/thresholds.hpp"
 #include "judge/judges.hpp"
@@ -56,7 +57,7 @@ bool differ(const RunOutcome& a, const RunOutcome& b, const FailingCase& of)
     return std::ranges::any_of(of.values, [&](const std::string& value) {
         const Tensor* in_a = tensor_of(a, value);
         const Tensor* in_b = tensor_of(b, value);
-        return in_a == nullptr || in_b == nullptr ? in_a != in_b : !(*in_a == *in_b);
+        return in_a == nullptr || in_b == nullptr ? in_a != in_b : !are_same_values(*in_a, *in_b);
     });
 }
 

@@ -83,19 +83,13 @@ void record_modes(Recorder& out)
         if (!camera) return;
         record_mode(*camera);
         for (const ThreeModeStep& step :
-             {next_mode(), next_mode(), move_xy(0.1, 0.2), next_mode(), next_mode(), look_toward({7, 8, 9}),
-              next_mode(), move_z(2), next_mode(), look_toward({not_a_number, 0, 0}), look_toward({1, 1, 1})}) {
+             {next_mode(), look_toward(observer_of(settings)), next_mode(), move_xy(0.1, 0.2), next_mode(), next_mode(),
+              look_toward({7, 8, 9}), next_mode(), move_z(2), next_mode(), look_toward({not_a_number, 0, 0}),
+              look_toward({1, 1, 1})}) {
             apply(out, *camera, step);
             record_mode(*camera);
         }
     }
-}
-
-/// Where the observer stands at the beginning.
-glm::dvec3 observer_of(const ThreeModeSettings& s)
-{
-    return s.attention + s.distance * glm::dvec3(std::cos(s.elevation) * std::sin(s.azimuth), std::sin(s.elevation),
-                                                 std::cos(s.elevation) * std::cos(s.azimuth));
 }
 
 // Up to a pole and beyond, and what is left and right there; and points straight above and below the observer.
@@ -190,8 +184,24 @@ void record_random(Recorder& out, Random& random)
     }
 }
 
-// A million units from the world's origin; points so nearly above the camera that only their digits say where; and
-// points too near and too far.
+// Points so nearly above or below the observer that only their digits say where. Where the azimuth stays, the point and
+// the one on the camera's axis at its distance are the same within the tolerance: either may be the attention point.
+void record_nearly_above(Recorder& out, Random& random)
+{
+    const std::vector<std::pair<double, std::vector<double>>> places = {{0.25, {1e-3, 1e-5, 3e-6, 2e-6, 5e-8}},
+                                                                        {4, {1e-3, 1e-4, 1e-5, 2e-6}},
+                                                                        {64, {1e-3, 1e-5, 2e-6, 3e-8, 2e-8}},
+                                                                        {1e8, {2e-6, 3e-8, 2e-8}}};
+    for (const auto& [away, sines] : places)
+        for (const double sine : sines) {
+            const ThreeModeSettings settings = random_three_mode(random, 0.5);
+            const double angle = random_length(random, pi);
+            const glm::dvec3 aside(sine * std::sin(angle), random.below(2) == 0 ? 1 : -1, sine * std::cos(angle));
+            record(out, settings, {look_toward(observer_of(settings) + away * aside)});
+        }
+}
+
+// A million units from the world's origin; and points too near and too far.
 void record_far(Recorder& out, Random& random)
 {
     for (int i = 0; i < 24; ++i) {
@@ -200,13 +210,6 @@ void record_far(Recorder& out, Random& random)
         settings.mode = static_cast<CameraMode>(random.below(3));
         record(out, settings, random_steps(random, 10, settings.attention));
     }
-    for (const double away : {0.25, 4.0, 64.0})
-        for (const double sine : {1e-3, 1e-4, 1e-5, 2e-6, 5e-7}) {
-            const ThreeModeSettings settings = random_three_mode(random, 0.5);
-            const double angle = random_length(random, pi);
-            const glm::dvec3 aside(sine * std::sin(angle), random.below(2) == 0 ? 1 : -1, sine * std::cos(angle));
-            record(out, settings, {look_toward(observer_of(settings) + away * aside)});
-        }
     for (int i = 0; i < 10; ++i) {
         const ThreeModeSettings settings = random_three_mode(random, 0.5);
         const double share = random.uniform_double();
@@ -286,6 +289,7 @@ const Driver driver = {
     {"two cameras", [](Case& c, Recorder& out) { record_two(out, c.random); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
     {"far", [](Case& c, Recorder& out) { record_far(out, c.random); }},
+    {"nearly above", [](Case& c, Recorder& out) { record_nearly_above(out, c.random); }},
     {"a hundred thousand steps", [](Case& c, Recorder& out) { record_long_session(out, c.random); }},
     {"picture", [](Case&, Recorder& out) { draw_modes(out); }},
 };

@@ -70,6 +70,13 @@ inline ThreeModeSettings random_three_mode(Random& random, double reach = 3)
     return settings;
 }
 
+/// Where the observer stands at the beginning.
+inline glm::dvec3 observer_of(const ThreeModeSettings& s)
+{
+    return s.attention + s.distance * glm::dvec3(std::cos(s.elevation) * std::sin(s.azimuth), std::sin(s.elevation),
+                                                 std::cos(s.elevation) * std::cos(s.azimuth));
+}
+
 /// Steps in all modes, within about 10 of `middle`: mostly turns and moves, then steps backwards and forwards, other
 /// modes, points to look at, some of them too far, and nonsense.
 inline std::vector<ThreeModeStep> random_steps(Random& random, int count, const glm::dvec3& middle = glm::dvec3(0))

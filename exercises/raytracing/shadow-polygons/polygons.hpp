@@ -84,7 +84,7 @@ inline ShadowTask random_shadow(Random& random, int kind)
     const float height = random.uniform(2, 4);
     const glm::vec3 away = side * height * normal + random.uniform(-2, 2) * frame.u + random.uniform(-2, 2) * frame.v;
     const bool is_sun = random.below(2) == 0;
-    task.light = is_sun ? glm::vec4(random.uniform(0.3F, 2) * random_unit(random, -20, 20) * away, 0)
+    task.light = is_sun ? glm::vec4(random.uniform(0.3F, 2) * random_unit(random, -30, 30) * away, 0)
                         : glm::vec4(middle + away, 1);
     const float share = kind % 5 == 4 && !is_sun ? 0.8F : kind % 3 == 2 ? 0.1F : random.uniform(0.25F, 0.55F);
     const glm::vec3 target = middle + 0.6F * size * (random.uniform(-1, 1) * frame.u + random.uniform(-1, 1) * frame.v);

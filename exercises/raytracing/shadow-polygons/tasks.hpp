@@ -10,6 +10,7 @@ inline FlatPolygon floor_square() { return rectangle({0, 0, 0}, {0, 0, 8}, {8, 0
 inline std::vector<ShadowTask> shadows_by_hand()
 {
     const FlatPolygon floor = floor_square();
+    const FlatPolygon straight_corner = {{0, 0, 0}, {0, 0, 4}, {0, 0, 8}, {8, 0, 8}, {8, 0, 0}};
     const FlatPolygon shelf = rectangle({3, 2, 3}, {0, 0, 1}, {2, 0, 0});
     const glm::vec4 lamp(4, 4, 4, 1);
     const glm::vec4 sun(1, 2, -1, 0);
@@ -19,9 +20,12 @@ inline std::vector<ShadowTask> shadows_by_hand()
         {0.001F * sun, shelf, floor},
         {sun, rectangle({3, 0.004F, 3}, {0, 0, 1}, {2, 0, 0}), floor},  // nearly on the floor
         {7.0F * sun, shelf, floor},                                     // a direction has any length
+        {sun, shelf, rectangle({1, 1, 1}, {0, 0, 6}, {6, 0, 0})},       // a floor that is not at y = 0
         {lamp, turned_over(shelf), floor},                              // casters have two sides
         {lamp, shelf, turned_over(floor)},                         // receivers too: the shadow turns as its receiver
+        {lamp, shelf, straight_corner},                            // three corners may lie on a line
         {sun, rectangle({6, 3, 1}, {0, 0, 3}, {4, 0, 0}), floor},  // partly beside the floor
+        {sun, rectangle({6, 3, 1}, {0, 0, 3}, {4, 0, 0}), turned_over(straight_corner)},
         {lamp, rectangle({-9, 3, -9}, {0, 0, 40}, {40, 0, 0}), floor},  // larger than all of it
         {lamp, rectangle({3, 0, 2}, {0, 2, 0}, {0, 0, 3}), floor},      // a board that stands on the floor
         {lamp, rectangle({3, -1, 2}, {0, 3, 0}, {0, 0, 3}), floor},     // … and reaches through it
