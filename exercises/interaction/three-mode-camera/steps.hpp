@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <kit/short_lived.hpp>
 #include <limits>
 #include <numbers>
 #include <umbral/core/random.hpp>
@@ -42,6 +43,12 @@ inline void apply(Recorder& out, ThreeModeCamera& camera, const ThreeModeStep& s
         case ThreeModeStep::Kind::look_toward: return ask<&ThreeModeCamera::look_toward>(out, camera, a);
         case ThreeModeStep::Kind::next_mode: return ask<&ThreeModeCamera::next_mode>(out, camera);
     }
+}
+
+/// A camera; its settings are gone then.
+inline std::unique_ptr<ThreeModeCamera> made(Recorder& out, std::string_view name, const ThreeModeSettings& settings)
+{
+    return ask_new_of_short_lived<make_three_mode_camera>(out, name, settings);
 }
 
 /// In [-reach, reach).

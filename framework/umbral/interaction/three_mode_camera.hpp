@@ -72,7 +72,7 @@ public:
     [[nodiscard]] virtual glm::mat4 view() const = 0;
 };
 
-/// A new camera, as its settings say; it shares nothing with those made before.
+/// A new camera, as its settings say; it shares nothing with those made before, and outlives its settings.
 [[nodiscard]] std::unique_ptr<ThreeModeCamera> make_three_mode_camera(const ThreeModeSettings& settings);
 
 }
