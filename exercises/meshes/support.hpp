@@ -65,6 +65,15 @@ inline void turn(IndexedMesh& mesh, Random& random)
     for (glm::vec3& position : mesh.positions) position = glm::vec3(rotation * glm::dvec3(position));
 }
 
+/// Turns the corners of every triangle round, so that any of them may come first.
+inline void begin_anywhere(IndexedMesh& mesh, Random& random)
+{
+    for (glm::uvec3& t : mesh.triangles) {
+        const auto first = static_cast<int>(random.below(3));
+        t = {t[first], t[(first + 1) % 3], t[(first + 2) % 3]};
+    }
+}
+
 /// The positions of a mesh under a map that keeps its triangles.
 template <class Map>
 IndexedMesh mapped(IndexedMesh mesh, Map map)

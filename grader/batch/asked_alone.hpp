@@ -6,6 +6,7 @@
 #include "batch/case_results.hpp"
 #include "batch/worker.hpp"
 #include "build/submission.hpp"
+#include "question/log.hpp"
 
 namespace umbral::grader {
 
@@ -21,9 +22,16 @@ inline constexpr const char* right_alone =
     return one.student.wall_seconds <= exercise.limits.wall_seconds / 2;
 }
 
-/// Is a row of a check right in a run that asked less than the case does, which `expected` asked whole? What the run
-/// recorded is taken for the first rows.
-[[nodiscard]] bool is_row_right(const Check& check, const RunOutcome& run, const Expected& expected, std::size_t row);
+/// A row of the table of a case that is asked whole, and the question that led to it.
+struct AskedRow {
+    const QuestionLog& log;
+    std::uint32_t question = 0;
+    std::size_t row = 0;
+};
+
+/// Is a row of a check right in a run that asked only the question behind it, of a case which `expected` asked whole?
+[[nodiscard]] bool is_row_right(const Check& check, const RunOutcome& run, const Expected& expected,
+                                const AskedRow& asked);
 
 /// Nothing is asked but this question.
 [[nodiscard]] inline PassedOver only(std::uint32_t question) { return {.end = question + 1, .only = question}; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "batch/some_rows.hpp"
 #include "judge/explain/resemblances.hpp"
 #include "judge/judges.hpp"
 #include "judge/rows/columns.hpp"
@@ -63,19 +64,6 @@ void add_rows_of(const QuestionLog& log, const std::string& value, std::size_t r
         if (const auto question = log.question_of(value, row, rows)) (found[*question].*whose).push_back(row);
 }
 
-/// Some rows of a table, as a table.
-Tensor rows_of_table(const Tensor& table, const std::vector<std::size_t>& rows)
-{
-    Tensor some{table.element, static_cast<std::uint32_t>(rows.size()), 1, table.components, {}, {}};
-    const std::size_t size = table.components * size_of(table.element);
-    for (const std::size_t row : rows) {
-        const auto bytes = std::span(table.bytes).subspan(row * size, size);
-        some.bytes.insert(some.bytes.end(), bytes.begin(), bytes.end());
-        if (!table.present.empty()) some.present.push_back(table.present[row]);
-    }
-    return some;
-}
-
 bool is_right(const Check& check, const Tensor& yours, const Tensor& right, const Tensor* margin)
 {
     if (yours.rows == 0 || right.rows == 0) return yours.rows == right.rows;
@@ -103,9 +91,9 @@ void add_groups(const AskedCheck& asked, const QuestionLog& log, const Expected&
                             expected.margin->columns == 1 && well_formed(*expected.margin);
     for (const auto& [question, rows] : all) {
         if (answers.all.size() == most_answers) break;
-        const Tensor one = student->rows == 0 ? rows_of_table(right, {}) : rows_of_table(*student, rows.yours);
-        const Tensor other = rows_of_table(right, rows.expected);
-        const Tensor margin = has_margin ? rows_of_table(*expected.margin, rows.expected) : Tensor();
+        const Tensor one = student->rows == 0 ? some_rows(right, {}) : some_rows(*student, rows.yours);
+        const Tensor other = some_rows(right, rows.expected);
+        const Tensor margin = has_margin ? some_rows(*expected.margin, rows.expected) : Tensor();
         answers.all.push_back(
             {question,
              std::nullopt,

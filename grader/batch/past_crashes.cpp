@@ -50,20 +50,6 @@ void make_wrong(const Tensor& expected, std::size_t row, Tensor& tensor)
     }
 }
 
-/// The rows that the run itself says have no answer. Whoever forges them names others of their own rows.
-std::vector<std::size_t> told_rows(const Check& check, const RunOutcome& run)
-{
-    std::vector<std::size_t> rows;
-    const Tensor* told = tensor_of(run, std::string(rows_without_answer) + check.value);
-    if (told == nullptr || told->element != Element::uint32) return rows;
-    for (std::size_t at = 0; at + sizeof(std::uint32_t) <= told->bytes.size(); at += sizeof(std::uint32_t)) {
-        std::uint32_t row = 0;
-        std::memcpy(&row, told->bytes.data() + at, sizeof row);
-        rows.push_back(row);
-    }
-    return rows;
-}
-
 /// What was asked when a run ended, by the reference's run: the student's own may name anything. Empty where that was
 /// asked something else at that place, because the driver goes another way after other answers.
 std::string function_of_end(Worker& worker, const Exercise& exercise, const std::string& case_name, std::uint64_t seed,
@@ -120,6 +106,19 @@ std::string question_of_end(Worker& worker, const Exercise& exercise, const std:
     return worker.code_of(exercise, case_name, one.seed, {question})[question];
 }
 
+std::vector<std::uint32_t> rows_without_answers(const Check& check, const RunOutcome& run)
+{
+    std::vector<std::uint32_t> rows;
+    const Tensor* told = tensor_of(run, std::string(rows_without_answer) + check.value);
+    if (told == nullptr || told->element != Element::uint32) return rows;
+    for (std::size_t at = 0; at + sizeof(std::uint32_t) <= told->bytes.size(); at += sizeof(std::uint32_t)) {
+        std::uint32_t row = 0;
+        std::memcpy(&row, told->bytes.data() + at, sizeof row);
+        rows.push_back(row);
+    }
+    return rows;
+}
+
 std::optional<AnswersPastCrashes> answers_past_crashes(const Check& check, const CaseResult& one,
                                                        const Tensor& expected)
 {
@@ -128,7 +127,8 @@ std::optional<AnswersPastCrashes> answers_past_crashes(const Check& check, const
         recorded->element != expected.element || recorded->components != expected.components ||
         recorded->present.empty() != expected.present.empty())
         return std::nullopt;
-    AnswersPastCrashes answers{*recorded, told_rows(check, *one.past)};
+    const std::vector<std::uint32_t> told = rows_without_answers(check, *one.past);
+    AnswersPastCrashes answers{*recorded, {told.begin(), told.end()}};
     std::erase_if(answers.lost, [&](std::size_t row) { return row >= recorded->rows; });
     for (std::size_t row = recorded->rows; row < expected.rows; ++row) answers.lost.push_back(row);
     std::ranges::sort(answers.lost);

@@ -21,6 +21,9 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
 [[nodiscard]] std::string question_of_end(Worker& worker, const Exercise& exercise, const std::string& case_name,
                                           const CaseResult& one);
 
+/// The rows of a check that the run itself says have no answer. Whoever forges them names others of their own rows.
+[[nodiscard]] std::vector<std::uint32_t> rows_without_answers(const Check& check, const RunOutcome& run);
+
 /// What a case that crashed recorded for a check.
 struct AnswersPastCrashes {
     Tensor tensor;                  ///< of the expected shape

@@ -100,7 +100,7 @@ bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const
     // What is wrong only after other questions shows nothing.
     const RunOutcome alone =
         worker.run_coarse(exercise, built, check.case_name, one.seed, grain, expected, only(best.question));
-    if (!is_row_right(check, alone, side, best.row)) simplest.offer(best);
+    if (!is_row_right(check, alone, side, {log, best.question, best.row})) simplest.offer(best);
     return true;
 }
 

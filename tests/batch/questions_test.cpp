@@ -17,6 +17,11 @@ protected:
     QuestionsOfPhong() : SpoiltReference("lighting/phong") {}
 };
 
+class QuestionsOfLists : public SpoiltReference {
+protected:
+    QuestionsOfLists() : SpoiltReference("meshes/vertex-normals") {}
+};
+
 TEST_F(Questions, an_interval_that_begins_at_0_is_told_by_where_it_goes_wrong_and_by_what_it_answers)
 {
     const UnitResult result = grade("if (ray.t_min < t &&", "if (0 < t &&");
@@ -107,6 +112,25 @@ TEST_F(Questions, what_an_earlier_call_left_behind_is_told)
     ASSERT_NE(wrong, result.checks.end());
     EXPECT_EQ(wrong->common, right_alone);
     EXPECT_FALSE(wrong->simplest);
+}
+
+// A list that nobody was asked for has no rows: those of the one that is asked stand elsewhere then.
+TEST_F(QuestionsOfLists, what_an_earlier_call_left_in_a_list_is_told)
+{
+    const UnitResult result = grade("std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0));",
+                                    "static std::vector<glm::dvec3> sums; sums.resize(mesh.positions.size());");
+    const CheckResult& wrong = check(result, "known/vertices");
+    ASSERT_TRUE(wrong.first_difference && wrong.first_difference->cell);
+    EXPECT_GT(*wrong.first_difference->cell, 0U);
+    EXPECT_EQ(wrong.common, right_alone);
+}
+
+TEST_F(QuestionsOfLists, what_is_wrong_of_itself_is_not_laid_on_earlier_calls)
+{
+    const UnitResult result = grade("size < cancelled", "size < 1e-3");
+    const CheckResult& wrong = check(result, "sharp folds/vertices");
+    ASSERT_TRUE(wrong.first_difference);
+    EXPECT_NE(wrong.common, right_alone);
 }
 
 TEST_F(Questions, right_work_is_asked_nothing)

@@ -56,6 +56,7 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 5; ++i) {
         IndexedMesh mesh = hills(12, 9, random);
         turn(mesh, random);
+        begin_anywhere(mesh, random);
         record(out, mesh);
     }
     record(out, trefoil(40, 7, 0.4));
@@ -104,18 +105,62 @@ void record_degenerate(Random& random, Recorder& out)
 
         // A broken vertex spoils its triangles, and no others.
         IndexedMesh broken = sheet_on_grid(random);
-        broken.positions[random.below(count)].y = not_a_number;
-        broken.positions[random.below(count)].x = i % 2 == 0 ? infinity : -infinity;
+        broken.positions[random.below(count)][i % 3] = not_a_number;
+        broken.positions[random.below(count)][(i + 1) % 3] = i % 2 == 0 ? infinity : -infinity;
+        begin_anywhere(broken, random);
         record(out, broken);
     }
+}
+
+// Triangles whose corners lie on a grid, and whose edges are so nearly parallel that their sine is 1e-6 to 1e-8. No
+// difference is rounded, and in double no product.
+IndexedMesh grid_slivers(int count, Random& random)
+{
+    IndexedMesh mesh;
+    for (int i = 0; i < count; ++i) {
+        // The parallelogram of b and c keeps its area, 1, while they grow.
+        glm::vec2 b(1, 0);
+        glm::vec2 c(0, 1);
+        while (dot(b, b) * dot(c, c) < 0x1p40F) {
+            b += static_cast<float>(1 + random.below(2)) * c;
+            c += static_cast<float>(1 + random.below(2)) * b;
+        }
+        const glm::vec3 corner(glm::round(0x1p11F * random.in_cube()));
+        const glm::vec2 slope(random.below(3), random.below(3));
+        const int axis = static_cast<int>(random.below(3));
+        const auto placed = [&](const glm::vec2& p) {
+            glm::vec3 place;
+            place[axis] = p.x;
+            place[(axis + 1) % 3] = p.y;
+            place[(axis + 2) % 3] = dot(slope, p);
+            return 0x1p-11F * (corner + place);
+        };
+        add_triangle(mesh, placed({0, 0}), placed(b), placed(c));
+    }
+    return mesh;
+}
+
+// Sharp folds along whose edge stand many more triangles, each with its own back, so that nothing of them is left in
+// the sum: it is far shorter than their number says, and still longer than 1e-6.
+IndexedMesh crowded_folds(int count, Random& random)
+{
+    IndexedMesh mesh = sharp_folds(2e-5, count, random);
+    const std::vector<glm::uvec3> folds = mesh.triangles;
+    for (std::size_t i = 0; i < folds.size(); i += 2)
+        for (int k = 0; k < 15; ++k)
+            mesh.triangles.insert(mesh.triangles.end(), {folds[i], {folds[i].y, folds[i].x, folds[i].z}});
+    return mesh;
 }
 
 // Edges that are nearly parallel.
 void record_slivers(Random& random, Recorder& out)
 {
-    for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
-        for (const glm::vec3& normal : ask<face_normals>(out, sliver_triangles(sine, 100, random)))
-            out.append("faces", normal);
+    for (const double sine : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+        IndexedMesh slivers = sliver_triangles(sine, 100, random);
+        begin_anywhere(slivers, random);
+        for (const glm::vec3& normal : ask<face_normals>(out, slivers)) out.append("faces", normal);
+    }
+    for (const glm::vec3& normal : ask<face_normals>(out, grid_slivers(50, random))) out.append("faces", normal);
 }
 
 // Folds that are nearly closed: the normal of the edge is what is left when two normals nearly cancel.
@@ -124,6 +169,7 @@ void record_folds(Random& random, Recorder& out)
     for (const double angle : {1e-1, 1e-2, 1e-3, 1e-4, 2e-5})
         for (const glm::vec3& normal : ask<vertex_normals>(out, sharp_folds(angle, 50, random)))
             out.append("vertices", normal);
+    for (const glm::vec3& normal : ask<vertex_normals>(out, crowded_folds(50, random))) out.append("vertices", normal);
 }
 
 void record_scales(Random& random, Recorder& out)
