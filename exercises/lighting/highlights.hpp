@@ -69,11 +69,13 @@ inline std::vector<Glance> glances_by_hand()
     return all;
 }
 
-/// The same with one of its three vectors, which `turn` chooses, of another length: 1/16 to 16.
+/// The same with one of its three vectors, which `turn` chooses, of another length: 1/16 to 16, or, one time in three,
+/// 2^-40 to 2^40.
 inline Glance with_another_length(Random& random, Glance glance, int turn)
 {
     glm::vec3& one = turn % 3 == 0 ? glance.normal : turn % 3 == 1 ? glance.l : glance.v;
-    one *= std::exp2(random.uniform(-4, 4));
+    const float farthest = turn / 3 % 3 == 2 ? 40 : 4;
+    one *= std::exp2(random.uniform(-farthest, farthest));
     return glance;
 }
 

@@ -53,7 +53,7 @@ void record_longer_ways(Recorder& out, Random& random)
     // Just less than half a turn, and just more: which way is shorter hangs on a small product.
     for (int i = 0; i < 24; ++i) {
         const UnitQuaternion from = random_orientation(random);
-        const double beside = std::pow(10.0, -4 + 2 * random.uniform_double());
+        const double beside = std::pow(10.0, -5 + 3 * random.uniform_double());
         const UnitQuaternion turn = about(glm::dvec3(random.unit_vector()), i % 2 == 0 ? pi - beside : pi + beside);
         record_slerp(out, from, product(turn, from), random.uniform(0.2F, 0.8F));
     }
@@ -86,17 +86,8 @@ void record_known_frames(Recorder& out)
         record_pose(out, three, seconds);
     const std::vector<KeyFrame> one{{2, {1, 2, 3}, about({0, 0, 1}, 1)}};
     for (const float seconds : {1.0F, 2.0F, 3.0F}) record_pose(out, one, seconds);
-    const std::vector<KeyFrame> cut{{0, {0, 0, 0}, {}},
-                                    {2, {2, 0, 0}, about({1, 0, 0}, 0.5)},
-                                    {2, {9, 9, 9}, about({1, 0, 0}, 1)},
-                                    {2, {5, 0, 5}, about({0, 1, 0}, 2)},
-                                    {4, {5, 4, 5}, about({0, 1, 0}, 1)}};
-    for (const float seconds : {1.0F, 2.0F, 1.999F, 2.5F, 3.5F}) record_pose(out, cut, seconds);
-    const std::vector<KeyFrame> cut_at_ends{{1, {1, 0, 0}, {}},
-                                            {1, {2, 0, 0}, about({0, 0, 1}, 1)},
-                                            {3, {6, 0, 0}, about({0, 0, 1}, 2)},
-                                            {3, {7, 0, 0}, about({0, 0, 1}, 3)}};
-    for (const float seconds : {0.0F, 1.0F, 2.0F, 3.0F, 4.0F}) record_pose(out, cut_at_ends, seconds);
+    for (const float seconds : {1.0F, 2.0F, 1.999F, 2.5F, 3.5F}) record_pose(out, known_cut(), seconds);
+    for (const float seconds : {0.0F, 1.0F, 2.0F, 3.0F, 4.0F}) record_pose(out, known_cuts_at_the_ends(), seconds);
 }
 
 void record_random_frames(Recorder& out, Random& random)
@@ -105,6 +96,11 @@ void record_random_frames(Recorder& out, Random& random)
         const std::vector<KeyFrame> frames = random_frames(random, 1 + random.below(8));
         for (int k = 0; k < 4; ++k) record_pose(out, frames, random_time(random, frames));
         record_pose(out, frames, frames[random.below(static_cast<std::uint32_t>(frames.size()))].seconds);
+    }
+    // Hardly before a cut, where rounding has no say yet.
+    for (int i = 0; i < 12; ++i) {
+        const std::vector<KeyFrame> frames = frames_with_cut(random);
+        record_pose(out, frames, frames[1].seconds - random.uniform(1e-5F, 5e-5F));
     }
 }
 
@@ -196,6 +192,13 @@ void record_odd_times(Recorder& out, Random& random)
     }
 }
 
+/// All the digits of a double.
+void record_digits_of(Recorder& out, const BouncingBall& ball)
+{
+    const glm::dvec3 place = ask<&BouncingBall::position>(out, ball);
+    out.append("place", glm::dvec2(place.x, place.y));
+}
+
 // All the digits of a double, in pictures that come from one microsecond to 20 ms after each other; half of the balls
 // come to rest meanwhile.
 void record_digits(Recorder& out, Random& random)
@@ -207,9 +210,18 @@ void record_digits(Recorder& out, Random& random)
         if (!ball) continue;
         for (int k = 1; k <= 400; ++k) {
             ask<&BouncingBall::advance>(out, *ball, k % 4 == 0 ? 1 : 1 + std::int64_t{random.below(20'000)});
-            if (k % 16 != 0) continue;
-            const glm::dvec3 place = ask<&BouncingBall::position>(out, *ball);
-            out.append("place", glm::dvec2(place.x, place.y));
+            if (k % 16 == 0) record_digits_of(out, *ball);
+        }
+    }
+    // Balls that a step leaves a hair above the floor or below it.
+    for (int i = 0; i < 12; ++i) {
+        const int steps = 20 + static_cast<int>(random.below(60));
+        const double height = (i % 2 == 0 ? 1 : -1) * std::pow(10.0, -7 + 3 * random.uniform_double());
+        const auto ball = ask_new<make_bouncing_ball>(out, "ball", launch_that_lands(random, steps, height));
+        if (!ball) continue;
+        for (const std::int64_t time : {steps * 5'000, 1'000, 200'000}) {
+            ask<&BouncingBall::advance>(out, *ball, time);
+            record_digits_of(out, *ball);
         }
     }
 }

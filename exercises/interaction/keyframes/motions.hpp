@@ -44,6 +44,25 @@ inline glm::mat3 matrix_of(const UnitQuaternion& q)
     return glm::mat3(m);
 }
 
+/// Three frames at one time, of which the first ends a way and the last begins one.
+inline std::vector<KeyFrame> known_cut()
+{
+    return {{0, {0, 0, 0}, {}},
+            {2, {2, 0, 0}, about({1, 0, 0}, 0.5)},
+            {2, {9, 9, 9}, about({1, 0, 0}, 1)},
+            {2, {5, 0, 5}, about({0, 1, 0}, 2)},
+            {4, {5, 4, 5}, about({0, 1, 0}, 1)}};
+}
+
+/// Cuts at the first time and at the last.
+inline std::vector<KeyFrame> known_cuts_at_the_ends()
+{
+    return {{1, {1, 0, 0}, {}},
+            {1, {2, 0, 0}, about({0, 0, 1}, 1)},
+            {3, {6, 0, 0}, about({0, 0, 1}, 2)},
+            {3, {7, 0, 0}, about({0, 0, 1}, 3)}};
+}
+
 /// Key frames at random times, now and then two at one time: a cut. One list of three is as quick as microseconds, or
 /// takes minutes.
 inline std::vector<KeyFrame> random_frames(Random& random, std::uint32_t count)
@@ -55,6 +74,18 @@ inline std::vector<KeyFrame> random_frames(Random& random, std::uint32_t count)
         const glm::vec3 position = 5.0F * random.in_cube();
         frames.push_back({seconds, position, random_orientation(random)});
         if (random.below(4) != 0) seconds += pace * random.uniform(0.05F, 2);
+    }
+    return frames;
+}
+
+/// Four frames, of which the second and the third are a cut.
+inline std::vector<KeyFrame> frames_with_cut(Random& random)
+{
+    std::vector<KeyFrame> frames = random_frames(random, 4);
+    float seconds = random.uniform(-2, 2);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        frames[i].seconds = seconds;
+        if (i != 1) seconds += random.uniform(0.5F, 2);
     }
     return frames;
 }
@@ -85,6 +116,18 @@ inline BallLaunch random_throw(Random& random)
     launch.position.y = 0.5 + random.uniform_double();
     launch.velocity.y = 2 + random.uniform_double();
     launch.bounce = 0.5 * random.uniform_double();
+    return launch;
+}
+
+/// A ball that comes down, and that so many steps leave at this height, before it meets the floor.
+inline BallLaunch launch_that_lands(Random& random, int steps, double height)
+{
+    constexpr double step = 0.005;
+    BallLaunch launch;
+    launch.position = glm::dvec3(2.0F * random.in_cube());
+    launch.velocity = glm::dvec3(random.uniform(-2, 2), -random.uniform_double(), random.uniform(-2, 2));
+    launch.position.y = height - steps * step * launch.velocity.y + 9.81 * step * step * steps * (steps + 1) / 2;
+    launch.bounce = 0.5 + 0.4 * random.uniform_double();
     return launch;
 }
 

@@ -66,6 +66,10 @@ void by_hand(Recorder& out)
     // Next to the longitude 0, on either side.
     record_angles(out, {0.01F, 0, 1});
     record_angles(out, {-0.01F, 0.01F, 1});
+    record_angles(out, {-1e-6F, 0, 1});
+    // Straight up and down, by less than a ten-thousandth.
+    record_angles(out, {0, 1e-5F, 0});
+    record_angles(out, {0, -1e-5F, 0});
 }
 
 // Of directions: longitudes a degree off the place where 360 becomes 0, latitudes up to 80 degrees. Of angles: all,
@@ -135,6 +139,11 @@ void random_keys(Random& random, Recorder& out)
         const float step = 0.5F * static_cast<float>(1 + random.below(60));
         record_keys(out, {longitude, latitude}, step, random_session(random, 40));
     }
+    // A step of a few roundings turns the light, too.
+    for (int i = 0; i < 2; ++i) {
+        const auto latitude = static_cast<float>(random.below(121)) - 60;
+        record_keys(out, {90, latitude}, 0x1p-15F, random_session(random, 40));
+    }
 }
 
 // Two lights that are turned in turns: what one is told does not reach the other.
@@ -161,6 +170,12 @@ void record_poles(Random& random, Recorder& out)
     // Squares of these lengths are no floats.
     for (const float size : {1e-38F, 1e-30F, 1e-23F, 1e20F, 1e30F, 1e38F})
         for (int i = 0; i < 5; ++i) record_angles(out, size * random.unit_vector());
+    // Next to the longitude 0: above it, and two or three floats below 360.
+    for (int i = 0; i < 30; ++i) {
+        const double above = std::pow(10.0, random.uniform(-7, -4.5F));
+        const double alpha = glm::radians(i % 2 == 0 ? above : -double{random.uniform(6.5e-5F, 9.5e-5F)});
+        record_angles(out, glm::vec3(std::sin(alpha), random.uniform(-1, 1), std::cos(alpha)));
+    }
 }
 
 // Many turns: the angle in radians has no digits left in float.

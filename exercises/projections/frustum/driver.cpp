@@ -69,6 +69,16 @@ ViewVolume frustum_of_any_size(int kind, Random& random)
     return {size * v.left, size * v.right, size * v.bottom, size * v.top, size * v.near_plane, size * v.far_plane};
 }
 
+/// The same; some are mirrored, and of some the middle of the window is up to five times as far off the axis as off the
+/// eye.
+ViewVolume frustum_of_any_form(int kind, Random& random)
+{
+    ViewVolume v = with_sides_exchanged(frustum_of_any_size(kind, random), kind % 5 == 1 ? random.below(4) : 0);
+    if (kind % 4 != 1) return v;
+    const glm::vec2 aside = 4 * v.near_plane * glm::vec2(random.in_cube());
+    return {v.left + aside.x, v.right + aside.x, v.bottom + aside.y, v.top + aside.y, v.near_plane, v.far_plane};
+}
+
 // A point of the frustum, or beside it.
 glm::vec3 point_before_the_eye(const ViewVolume& v, Random& random)
 {
@@ -213,7 +223,7 @@ const Driver driver = {
     {"known points", [](Case&, Recorder& out) { record_known_points(out); }},
     {"random",
      [](Case& c, Recorder& out) {
-         for (int i = 0; i < 100; ++i) record(out, frustum_of_any_size(i, c.random));
+         for (int i = 0; i < 100; ++i) record(out, frustum_of_any_form(i, c.random));
      }},
     {"random points",
      [](Case& c, Recorder& out) {

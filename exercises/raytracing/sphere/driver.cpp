@@ -165,13 +165,25 @@ std::vector<BallShot> from_surface(Random& random)
     return shots;
 }
 
-// Rays without a direction, or with NaN in them, from outside and inside; each has a twin without fault.
+// From a point of the surface through the centre, by exact numbers.
+BallShot across(Random& random)
+{
+    const float radius = exact_size(random);
+    const glm::vec3 centre = radius * glm::vec3(glm::ivec3(4.0F * random.in_cube()));
+    glm::vec3 inwards(0);
+    inwards[random.below(3)] = random.below(2) == 0 ? radius : -radius;
+    return {Ray{centre - inwards, inwards}, {centre, radius}};
+}
+
+// Rays without a direction, or with NaN in them, from outside, from inside, and from the surface itself, with its point
+// inside the interval; each has a twin without fault.
 std::vector<BallShot> no_rays(Random& random)
 {
     std::vector<BallShot> shots;
     for (int i = 0; i < 40; ++i) {
-        const Sphere ball = random_ball(random);
-        const BallShot hit = aimed(ball, i % 2 == 0 ? 3 : 0.5, 0.25, random);
+        const bool on_surface = i % 8 == 2 || i % 8 == 4;
+        const BallShot hit =
+            on_surface ? across(random) : aimed(random_ball(random), i % 2 == 0 ? 3 : 0.5, 0.25, random);
         BallShot none = hit;
         const auto axis = random.below(3);
         if (i % 8 < 4)
@@ -180,6 +192,7 @@ std::vector<BallShot> no_rays(Random& random)
             none.ray.direction[axis] = not_a_number;
         else
             none.ray.origin[axis] = not_a_number;
+        if (on_surface) none.ray.t_min = -1;
         add_pair(shots, hit, none, random);
     }
     return shots;

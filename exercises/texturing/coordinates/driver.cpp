@@ -71,9 +71,7 @@ std::vector<Corners> triangles_by_hand()
 
 void by_hand(Recorder& out)
 {
-    const TexturePlane front{};
-    const TexturePlane moved{{1, 2, 3}, {0, 0.6F, 0.8F}, {1, 0, 0}};
-    for (const TexturePlane& plane : {front, moved})
+    for (const TexturePlane& plane : {TexturePlane{}, {{1, 2, 3}, {0, 0.6F, 0.8F}, {1, 0, 0}}})
         for (const glm::vec3& point : {glm::vec3(0.25F, 0.5F, 7), {-3, 1, 0}, {1, 2, 3}, {2, 7, 13}})
             out.append("plane", ask<planar_coordinates>(out, point, plane));
     record_sphere(
@@ -126,9 +124,8 @@ float refused(Recorder& out, int columns, int rows)
 
 void grids(Random& random, Recorder& out)
 {
-    for (const glm::ivec2 size : {glm::ivec2(4, 2), {1, 1}, {1, 3}, {5, 1}, {49, 3}, {3, 49}}) {
+    for (const glm::ivec2 size : {glm::ivec2(4, 2), {1, 1}, {1, 3}, {5, 1}, {49, 3}, {3, 49}})
         record_grid(out, size.x, size.y);
-    }
     record_grid(out, 2 + static_cast<int>(random.below(12)), 2 + static_cast<int>(random.below(12)));
     for (const glm::ivec2 size : {glm::ivec2(0, 3), {3, 0}, {0, 0}, {-2, 4}, {4, -1}, {-1, -1}}) {
         const bool good_first = random.below(2) == 0;
@@ -137,19 +134,40 @@ void grids(Random& random, Recorder& out)
     }
 }
 
-// Corners round a longitude, less than 0.45 turns apart, in random order.
-Corners triangle_at(Random& random, float longitude)
+using Shares = std::array<float, 3>;
+
+/// Corners at these shares of the way from one longitude to another.
+Corners corners_between(Random& random, float from, float to, const Shares& along)
 {
-    const float span = random.uniform(0.02F, 0.45F) * 2 * pi;
-    float along[3] = {-0.5F, 0.5F, random.uniform(-0.4F, 0.4F)};
-    std::swap(along[2], along[random.below(3)]);
-    std::swap(along[1], along[random.below(2)]);
     Corners corners{};
     for (std::size_t i = 0; i < 3; ++i) {
         const float size = random.uniform(0.5F, 2);
-        corners[i] = size * at_angles(longitude + span * along[i], random.uniform(-1.5F, 1.5F));
+        corners[i] = size * at_angles(from + (to - from) * along[i], random.uniform(-1.5F, 1.5F));
     }
     return corners;
+}
+
+// Of a turn: a hundred roundings of a coordinate in float, and more.
+float hardly_anything(Random& random) { return random.uniform(1e-5F, 4e-5F); }
+
+// Corners round a longitude, less than 0.45 turns apart, now and then hardly less than 0.5, in random order.
+Corners triangle_at(Random& random, float longitude)
+{
+    const float turns = random.below(6) == 0 ? 0.5F - hardly_anything(random) : random.uniform(0.02F, 0.45F);
+    Shares along = {0, 1, random.uniform(0.1F, 0.9F)};
+    std::swap(along[2], along[random.below(3)]);
+    std::swap(along[1], along[random.below(2)]);
+    return corners_between(random, longitude - turns * pi, longitude + turns * pi, along);
+}
+
+// Hardly less than half a turn, one end hardly beyond the seam; every second time the other end has two corners.
+Corners half_turn_at_seam(Random& random)
+{
+    const float side = random.below(2) == 0 ? pi : -pi;
+    const float end = side * (1 + 2 * hardly_anything(random));
+    Shares along = {0, 1, random.below(2) == 0 ? 1.0F : random.uniform(0.1F, 0.9F)};
+    std::swap(along[2], along[random.below(3)]);
+    return corners_between(random, end, end - side * (1 - 2 * hardly_anything(random)), along);
 }
 
 float zero_of_any_sign(Random& random) { return random.below(2) == 0 ? 0.0F : -0.0F; }
@@ -184,6 +202,7 @@ void seam(Random& random, Recorder& out)
             Corners touching = triangle_at(random, random.below(2) == 0 ? 1.65F : -1.65F);
             touching[random.below(3)] = {-random.uniform(0.5F, 2), random.uniform(-1, 1), zero_of_any_sign(random)};
             triangles.push_back(touching);
+            triangles.push_back(half_turn_at_seam(random));
         }
     }
     change_balls(random, triangles);
