@@ -44,9 +44,8 @@ TEST(Weld, agrees_with_the_definition)
     Random random(seed);
     for (int i = 0; i < 5; ++i) {
         const std::string what = "seed " + std::to_string(seed) + ", round " + std::to_string(i);
-        for (const Soup& soup :
-             {soup_of_two_zeros(random), soup_of_close_places(random), soup_of_broken_corners(random),
-              soup_of_few_places(random), aligned_soup(20, random)})
+        for (const Soup& soup : {soup_of_two_zeros(random), soup_of_close_places(random),
+                                 soup_of_broken_corners(random), soup_of_few_places(random), aligned_soup(20, random)})
             expect_same(weld(soup), welded_by_definition(soup), what);
     }
 }
