@@ -210,8 +210,8 @@ void beside_borders(Random& random, Recorder& out)
     const Textures textures = {random_texture(random, 100, 100), random_texture(random, 16384, 1)};
     std::vector<Query> queries;
     // So many texels that the first of them lie within a ten-thousandth of the edge.
-    for (int i = 0; i < 24; ++i) {
-        const auto texel = static_cast<double>(i % 2 == 0 ? random.below(3) : random.below(16384));
+    for (int i = 0; i < 48; ++i) {
+        const auto texel = static_cast<double>(i % 2 == 0 ? random.below(2) : random.below(16384));
         const auto u = static_cast<float>((texel + 0.25 + 0.5 * random.uniform_double()) / 16384);
         queries.push_back({1, {Filter::nearest, random_wrap(random), random_wrap(random)}, {u, 0.5F}});
     }
