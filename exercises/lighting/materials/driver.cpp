@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -112,6 +113,21 @@ void ownership(Recorder& out, Random& random)
     }
 }
 
+/// How often a node and those below it activate a material at most: for entries that name another than the active one,
+/// and where they end.
+std::uint32_t most_activations(const MaterialGraph& graph, std::uint32_t node, const SurfaceMaterial* active)
+{
+    const SurfaceMaterial* const before = active;
+    std::uint32_t count = 0;
+    for (const GraphEntry& entry : graph.nodes[node]) {
+        if (entry.kind == GraphEntry::Kind::node) count += most_activations(graph, entry.index, active);
+        if (entry.kind != GraphEntry::Kind::material || graph.materials[entry.index].get() == active) continue;
+        active = graph.materials[entry.index].get();
+        ++count;
+    }
+    return active == before ? count : count + 1;
+}
+
 void record_graph(Recorder& out, Random& random, MaterialGraph graph,
                   const std::vector<std::shared_ptr<const SurfaceMaterial>>& materials, bool lighting)
 {
@@ -120,6 +136,8 @@ void record_graph(Recorder& out, Random& random, MaterialGraph graph,
     if (materials.empty() || !standard) return;
     RecordingPipeline pipeline(random);
     if (lighting) standard->activate(pipeline);
+    const std::uint32_t most =
+        pipeline.reflections_set + (lighting ? most_activations(graph, graph.root, standard.get()) : 0);
     // Without light too, somebody may have left a material there, which is not looked at.
     const bool has_material = lighting || random.below(2) == 0;
     DrawingContext context{pipeline, lighting, has_material ? standard.get() : nullptr};
@@ -131,10 +149,11 @@ void record_graph(Recorder& out, Random& random, MaterialGraph graph,
                           : context.material == nullptr      ? 0.0F
                                                              : 2.0F,
                           pipeline.now.reflection.diffuse.b, static_cast<float>(pipeline.now.texture),
-                          static_cast<float>(pipeline.drawn.size())};
+                          static_cast<float>(pipeline.drawn.size()),
+                          static_cast<float>(std::max(most, pipeline.reflections_set) - most)};
     out.columns("pointer",
                 "context.material (1 the default one, 0 none, 2 another), diffuse blue on the pipeline, texture on the "
-                "pipeline, objects drawn");
+                "pipeline, objects drawn, activations without need");
     out.append("pointer", std::span<const float>(left));
 }
 
