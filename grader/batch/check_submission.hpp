@@ -33,8 +33,8 @@ struct Checked {
 /// as read_submission does.
 [[nodiscard]] Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, const CheckPlan& plan);
 
-/// From now on the crew keeps trusted runs of visible cases in the user's cache, as check_submission does with a plan
-/// of this kind, and takes those that are there.
-void keep_runs_as_checks_do(Crew& crew, const std::vector<Exercise>& exercises, const CheckPlan& plan = {});
+/// From now on the crew keeps trusted runs of visible cases in the user's cache, where check_submission with its usual
+/// plan looks for them, and takes those that are there.
+void keep_runs_as_checks_do(Crew& crew, const std::vector<Exercise>& exercises);
 
 }
