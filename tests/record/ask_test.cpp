@@ -57,6 +57,15 @@ std::unique_ptr<Counter> make_counter(int first)
     return std::make_unique<Real>(first);
 }
 
+/// Keeps a reference to what it is made of, as a wrong solution may.
+struct Keeper {
+    const std::shared_ptr<int>* kept;
+};
+std::unique_ptr<Keeper> make_keeper(const std::shared_ptr<int>& number)
+{
+    return std::make_unique<Keeper>(Keeper{&number});
+}
+
 }
 
 namespace umbral {
@@ -189,6 +198,15 @@ TEST(Ask, of_an_object_tells_all_that_was_done_to_it)
               "3\tconst auto counter = make_counter(5);|counter->add(2);|counter->add(-1);|counter->total()\n"
               "4\tconst auto counter = make_counter(5);|counter->add(2);|counter->add(-1);|counter->total()\n");
     EXPECT_EQ(numbers<std::uint32_t>(tensors, "?rows total"), (std::vector<std::uint32_t>{4, 5}));
+}
+
+TEST(Ask, makes_an_object_of_arguments_that_are_gone_then)
+{
+    const auto number = std::make_shared<int>(5);
+    Recorder out;
+    const auto keeper = ask_new<make_keeper>(out, "keeper", number);
+    EXPECT_NE(keeper->kept, &number);
+    EXPECT_EQ(number.use_count(), 1);
 }
 
 TEST(Ask, of_what_objects_are_handed_to_tells_how_they_stand)

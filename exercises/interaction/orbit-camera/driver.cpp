@@ -1,5 +1,4 @@
 #include <kit/scene.hpp>
-#include <kit/short_lived.hpp>
 #include <numbers>
 #include <umbral/interaction/orbit_camera.hpp>
 #include <umbral/record/ask.hpp>
@@ -19,7 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The view at the beginning and after each event. A factory that gives no camera leaves nothing to record.
 void record(Recorder& out, const OrbitCameraSettings& settings, const std::vector<CameraEvent>& events)
 {
-    const std::unique_ptr<OrbitCamera> camera = ask_new_of_short_lived<make_orbit_camera>(out, "camera", settings);
+    const std::unique_ptr<OrbitCamera> camera = ask_new<make_orbit_camera>(out, "camera", settings);
     if (!camera) return;
     out.append("view", ask<&OrbitCamera::view>(out, *camera));
     for (const CameraEvent& event : events) {
@@ -79,14 +78,12 @@ std::vector<CameraEvent> nonsense()
 /// Two cameras that are moved in turns; what one is told must not reach the other.
 void record_two(Recorder& out, Random& random)
 {
-    const std::unique_ptr<OrbitCamera> first =
-        ask_new_of_short_lived<make_orbit_camera>(out, "first", random_settings(random));
+    const std::unique_ptr<OrbitCamera> first = ask_new<make_orbit_camera>(out, "first", random_settings(random));
     const std::vector<CameraEvent> events = random_session(random, 80);
     const OrbitCameraSettings second_settings = random_settings(random);
     if (!first) return;
     ask<&OrbitCamera::drag>(out, *first, 30, 20);
-    const std::unique_ptr<OrbitCamera> second =
-        ask_new_of_short_lived<make_orbit_camera>(out, "second", second_settings);
+    const std::unique_ptr<OrbitCamera> second = ask_new<make_orbit_camera>(out, "second", second_settings);
     if (!second) return;
     for (const CameraEvent& event : events) {
         OrbitCamera& moved = random.below(2) == 0 ? *first : *second;
@@ -140,7 +137,7 @@ void record_far_targets(Recorder& out, Random& random)
 Image picture_after(Recorder& out, const std::vector<CameraEvent>& events)
 {
     const OrbitCameraSettings settings{.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256};
-    const std::unique_ptr<OrbitCamera> camera = ask_new_of_short_lived<make_orbit_camera>(out, "camera", settings);
+    const std::unique_ptr<OrbitCamera> camera = ask_new<make_orbit_camera>(out, "camera", settings);
     if (!camera) return Image(256, 256);
     for (const CameraEvent& event : events) apply(out, *camera, event);
     return draw_scene(ask<&OrbitCamera::view>(out, *camera));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <kit/short_lived.hpp>
 #include <limits>
 #include <numbers>
 #include <umbral/core/random.hpp>
@@ -48,7 +47,7 @@ inline void apply(Recorder& out, ThreeModeCamera& camera, const ThreeModeStep& s
 /// A camera; its settings are gone then.
 inline std::unique_ptr<ThreeModeCamera> made(Recorder& out, std::string_view name, const ThreeModeSettings& settings)
 {
-    return ask_new_of_short_lived<make_three_mode_camera>(out, name, settings);
+    return ask_new<make_three_mode_camera>(out, name, settings);
 }
 
 /// In [-reach, reach).

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <umbral/record/questions.hpp>
 #include <umbral/record/recorder.hpp>
+#include <umbral/record/short_lived.hpp>
 #include <utility>
 
 /// How a driver calls a unit: `ask<intersect>(out, ray, sphere)` returns what `intersect(ray, sphere)` does. What is
@@ -211,11 +212,13 @@ template <auto Function>
 inline constexpr detail::AskerOf<Function> ask{};
 
 /// Calls a function that makes an object, returned by a pointer; questions to the object then begin with this call and
-/// all that changed it since. `name` is what the object is called in them.
+/// all that changed it since. `name` is what the object is called in them. The arguments that the function gets are
+/// gone when the object is made, as a caller's may be.
 template <auto Factory, class... Arguments>
 [[nodiscard]] auto ask_new(Recorder& out, std::string_view name, Arguments&&... arguments)
 {
-    auto object = ask<Factory>(out, std::forward<Arguments>(arguments)...);
+    const ShortLived<std::remove_cvref_t<Arguments>...> short_lived(arguments...);
+    auto object = short_lived.apply([&](const auto&... each) { return ask<Factory>(out, each...); });
     if (Questions* const questions = out.questions(); questions != nullptr && object) {
         const std::tuple<const std::remove_reference_t<Arguments>&...> all(arguments...);
         questions->set_object(object.get(), name,
