@@ -45,12 +45,12 @@ void files_of_ones(const fs::path& submission)
                std::string(std::size_t{512} << 10U, '\1'));
 }
 
-struct Generator {
+struct TextGenerator {
     std::string_view name;
     void (*make)(const fs::path& submission);
 };
 
-constexpr Generator generators[] = {
+constexpr TextGenerator text_generators[] = {
     {"shader-open-comment",
      [](const fs::path& s) { append(shader(s), "#version 330\n/* " + repeated("* never closed ", 20000)); }},
     {"shader-parentheses",
@@ -75,19 +75,19 @@ constexpr Generator generators[] = {
     {"files-of-ones", files_of_ones},
 };
 
-const Generator* generator_named(std::string_view name)
+const TextGenerator* text_generator_named(std::string_view name)
 {
-    const auto found = std::ranges::find(generators, name, &Generator::name);
-    return found == std::end(generators) ? nullptr : found;
+    const auto found = std::ranges::find(text_generators, name, &TextGenerator::name);
+    return found == std::end(text_generators) ? nullptr : found;
 }
 
 }
 
-bool has_text_generator(std::string_view name) { return generator_named(name) != nullptr; }
+bool has_text_generator(std::string_view name) { return text_generator_named(name) != nullptr; }
 
 void generate_text(std::string_view name, const fs::path& submission)
 {
-    const Generator* one = generator_named(name);
+    const TextGenerator* one = text_generator_named(name);
     if (one == nullptr) throw std::runtime_error(fmt::format("there is no generator '{}'", name));
     one->make(submission);
 }

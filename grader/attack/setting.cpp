@@ -14,8 +14,6 @@
 namespace umbral::grader::attack {
 namespace {
 
-constexpr unsigned nobody = 65534;
-
 void check(bool good, const char* what)
 {
     if (!good) throw std::system_error(errno, std::generic_category(), what);

@@ -5,6 +5,9 @@
 
 namespace umbral::grader::attack {
 
+/// The user and group of that name, on every Linux.
+inline constexpr unsigned nobody = 65534;
+
 /// Under which rights and protections a class is graded.
 struct Setting {
     bool as_nobody = false;           ///< as the user nobody; else as whoever runs this

@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned nobody = 65534;
 constexpr const char* reference_id = "good-reference";
 constexpr std::pair<const char*, const char*> samples[] = {{"good-diego", "diego-different"},
                                                            {"good-carla", "carla-typical-mistakes"}};

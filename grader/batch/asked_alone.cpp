@@ -10,11 +10,11 @@
 namespace umbral::grader {
 namespace {
 
-using Rows = std::vector<std::size_t>;
+using RowNumbers = std::vector<std::size_t>;
 
-Rows rows_of(const QuestionLog& log, const std::string& value, std::uint32_t question)
+RowNumbers rows_of(const QuestionLog& log, const std::string& value, std::uint32_t question)
 {
-    Rows rows;
+    RowNumbers rows;
     const auto found = log.rows.find(value);
     if (found == log.rows.end()) return rows;
     for (std::size_t row = 0; row < found->second.size(); ++row)
@@ -23,11 +23,11 @@ Rows rows_of(const QuestionLog& log, const std::string& value, std::uint32_t que
 }
 
 /// The rows of a run's table that do not stand for an answer that nobody gave.
-Rows answered_rows(const Check& check, const RunOutcome& run, const Tensor& recorded)
+RowNumbers answered_rows(const Check& check, const RunOutcome& run, const Tensor& recorded)
 {
     std::vector<std::uint32_t> lost = rows_without_answers(check, run);
     std::ranges::sort(lost);
-    Rows rows;
+    RowNumbers rows;
     for (std::uint32_t row = 0; row < recorded.rows; ++row)
         if (!std::ranges::binary_search(lost, row)) rows.push_back(row);
     return rows;
@@ -35,7 +35,7 @@ Rows answered_rows(const Check& check, const RunOutcome& run, const Tensor& reco
 
 /// The rows that a run recorded for its only question beside those that the question has where all is asked. They stand
 /// elsewhere: who is not asked for a list gives none, and what stands behind it moves up.
-bool is_answer_right(const Check& check, const RunOutcome& run, const Expected& expected, const Rows& places,
+bool is_answer_right(const Check& check, const RunOutcome& run, const Expected& expected, const RowNumbers& places,
                      std::size_t row)
 {
     const Tensor* recorded = tensor_of(run, check.value);
@@ -44,7 +44,7 @@ bool is_answer_right(const Check& check, const RunOutcome& run, const Expected& 
         right.columns != 1 || places.back() >= right.rows || !well_formed(*recorded) || !well_formed(right) ||
         row_shape_error(*recorded, right))
         return false;
-    const Rows answered = answered_rows(check, run, *recorded);
+    const RowNumbers answered = answered_rows(check, run, *recorded);
     if (answered.empty()) return false;
     const Tensor yours = some_rows(*recorded, answered);
     const Tensor wanted = some_rows(right, places);
@@ -67,7 +67,7 @@ bool is_answer_right(const Check& check, const RunOutcome& run, const Expected& 
 bool is_row_right(const Check& check, const RunOutcome& run, const Expected& expected, const AskedRow& asked)
 {
     if (run.verdict != Verdict::ok || expected.value == nullptr) return false;
-    if (const Rows places = rows_of(asked.log, check.value, asked.question); !places.empty())
+    if (const RowNumbers places = rows_of(asked.log, check.value, asked.question); !places.empty())
         return is_answer_right(check, run, expected, places, asked.row);
     CaseResult alone;
     alone.past = run;

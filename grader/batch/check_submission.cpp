@@ -75,13 +75,13 @@ try {
 }
 
 /// What a unit became, and its section of the page.
-struct Part {
+struct CheckedUnit {
     UnitResult result;
     std::string section;
     bool kept = false;
 };
 
-Part check_unit(Worker& worker, const Exercise& exercise, const Handed& handed, const CheckPlan& plan,
+CheckedUnit check_unit(Worker& worker, const Exercise& exercise, const Handed& handed, const CheckPlan& plan,
                 const fs::path& workspace, const std::shared_ptr<CompileBudget>& compile_budget)
 {
     GradeOptions options;
@@ -123,7 +123,7 @@ Checked check_submission(Crew& crew, const std::vector<Exercise>& exercises, con
     const fs::path folder = kept_folder(tools, workspace);
     if (!plan.fresh) crew.keep_runs(keys);
 
-    std::vector<Part> parts(exercises.size());
+    std::vector<CheckedUnit> parts(exercises.size());
     const auto compile_budget = std::make_shared<CompileBudget>();
     crew.share_out(exercises.size(), [&](Worker& worker, std::size_t i) {
         const Exercise& exercise = exercises[i];

@@ -15,7 +15,7 @@
 namespace umbral::grader {
 namespace {
 
-struct Candidate {
+struct LikelyMistake {
     const KnownSolution* mistake = nullptr;
     Tally tally{};
     bool fits_here = false;  ///< a failing check of the case looked at speaks for it
@@ -28,7 +28,7 @@ constexpr std::size_t enough_against = 2;
 std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, const std::vector<CaseChecks>& groups,
                                      std::span<const KnownSolution> mistakes)
 {
-    std::vector<Candidate> candidates;
+    std::vector<LikelyMistake> candidates;
     for (const KnownSolution& mistake : mistakes) candidates.push_back({&mistake});
     std::size_t undecided = 0;
     for (const CaseChecks& group : groups) undecided += group.failing;
@@ -37,7 +37,7 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
         undecided -= group.failing;
         // A mistake that explains runs to its end: none is like a run that the clock stopped.
         const bool stopped = group.result->student.verdict == Verdict::timeout;
-        for (Candidate& candidate : candidates) {
+        for (LikelyMistake& candidate : candidates) {
             candidate.fits_here = false;
             if (stopped) {
                 for (std::size_t i = 0; i < group.checks.size(); ++i) candidate.tally += not_alike;
@@ -52,17 +52,17 @@ std::vector<Explanation> by_mistakes(Worker& worker, const Exercise& exercise, c
                 candidate.fits_here = candidate.fits_here || said.says == Says::for_it;
             }
         }
-        std::erase_if(candidates, [&](const Candidate& one) {
+        std::erase_if(candidates, [&](const LikelyMistake& one) {
             const bool unlike = exercise.gl && one.tally.for_it == 0 && one.tally.against_it >= enough_against;
             return unlike || most_confidence(one.tally, undecided) < thresholds::least_sure;
         });
         // A unit's mistakes may be many and slow: one that fits no failing check of a case is out, as long as another
         // fits there.
-        if (group.failing > 0 && std::ranges::any_of(candidates, &Candidate::fits_here))
-            std::erase_if(candidates, std::not_fn(&Candidate::fits_here));
+        if (group.failing > 0 && std::ranges::any_of(candidates, &LikelyMistake::fits_here))
+            std::erase_if(candidates, std::not_fn(&LikelyMistake::fits_here));
     }
     std::vector<Explanation> found;
-    for (const Candidate& candidate : candidates)
+    for (const LikelyMistake& candidate : candidates)
         found.push_back({mistake_title(candidate.mistake->name), candidate.mistake->hint, confidence(candidate.tally),
                          fit(candidate.tally)});
     return found;

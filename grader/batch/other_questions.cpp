@@ -29,7 +29,7 @@ struct Patience {
 };
 constexpr Patience for_numbers{.seconds = 1, .most_seconds = 3, .fewest = 8, .least = 200, .most = 1500};
 constexpr Patience for_pictures{.seconds = 1, .most_seconds = 1, .fewest = 8, .least = 8, .most = 24};
-constexpr std::size_t most_cases = 3;
+constexpr std::size_t most_asked_cases = 3;
 
 /// A case that passes is asked only if it is small and takes no longer than this for all questions: it can speak
 /// against a question, but others do too.
@@ -38,7 +38,7 @@ constexpr double most_passing_seconds = 1;
 
 /// What one run can hold.
 constexpr std::size_t most_tensors = 240;
-constexpr std::size_t most_bytes = std::size_t{32} << 20U;
+constexpr std::size_t most_tensor_bytes = std::size_t{32} << 20U;
 
 struct Candidate {
     OtherQuestion question;
@@ -71,7 +71,7 @@ std::size_t room(const RunOutcome& plain, const Limits& limits)
     for (const auto& [name, tensor] : plain.recording.tensors) bytes += tensor.bytes.size() + tensor.present.size();
     const std::size_t tensors = std::max<std::size_t>(1, plain.recording.tensors.size());
     const auto in_time = static_cast<std::size_t>(0.2 * limits.wall_seconds / std::max(plain.cpu_seconds, 1e-3));
-    return std::clamp<std::size_t>(std::min({most_tensors / tensors, most_bytes / bytes, in_time}), 1, 64);
+    return std::clamp<std::size_t>(std::min({most_tensors / tensors, most_tensor_bytes / bytes, in_time}), 1, 64);
 }
 
 /// Asks one case each of the questions, as many as a run can hold at a time. Where a run does not end well, its
@@ -223,7 +223,7 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     std::vector<Candidate> candidates;
     std::size_t tried = 0;
     for (const CaseChecks& group : asked) {
-        if (group.failing == 0 || !group.result->trouble().empty() || tried++ == most_cases) continue;
+        if (group.failing == 0 || !group.result->trouble().empty() || tried++ == most_asked_cases) continue;
         for (Candidate& candidate : fitting(worker, exercise, group))
             if (std::ranges::find(candidates, candidate.question, &Candidate::question) == candidates.end())
                 candidates.push_back({std::move(candidate.question)});
@@ -235,7 +235,7 @@ std::vector<Explanation> by_other_questions(Worker& worker, const Exercise& exer
     for (const CaseChecks& group : asked) {
         undecided -= group.failing;
         if (group.failing == 0 && is_too_long(worker, exercise, group, candidates.size())) continue;
-        if (weighed++ == most_cases) keep_first_of_equals(candidates);
+        if (weighed++ == most_asked_cases) keep_first_of_equals(candidates);
         weigh_all(worker, exercise, group, candidates);
         std::erase_if(candidates, [&](const Candidate& one) {
             return most_confidence(one.tally, undecided) < thresholds::least_sure;

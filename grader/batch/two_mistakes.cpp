@@ -19,7 +19,7 @@ namespace {
 
 /// What is looked at: all mistakes run on it.
 constexpr std::size_t most_cells = 5'000;
-constexpr std::size_t most_cases = 12;
+constexpr std::size_t most_cases_covered = 12;
 
 /// A failing check, and what each mistake recorded for it.
 struct MistakenCheck {
@@ -108,7 +108,8 @@ std::vector<MistakenCheck> mistaken_checks(Worker& worker, const Exercise& exerc
     std::vector<MistakenCheck> all;
     std::size_t cases = 0;
     for (const CaseChecks& group : groups) {
-        if (group.failing == 0 || !group.result->trouble().empty() || group.cells > most_cells || cases++ == most_cases)
+        if (group.failing == 0 || !group.result->trouble().empty() || group.cells > most_cells ||
+            cases++ == most_cases_covered)
             continue;
         for (const FailingCheck& check : group.checks) {
             if (check.student == nullptr || !judge_of(*check.check).plain_values || check.check->hard) continue;

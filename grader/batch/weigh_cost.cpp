@@ -44,9 +44,9 @@ std::optional<std::size_t> wrong_answer(const Check& check, const RunOutcome& st
 
 /// How long a student's runs may be measured, for one check: as long as one run may take. Whoever takes all of that
 /// each time, and has the grader run it again and again, is too slow by more than noise.
-class Patience {
+class TimeLeft {
 public:
-    explicit Patience(const Exercise& exercise) : left_(1000 * exercise.limits.wall_seconds) {}
+    explicit TimeLeft(const Exercise& exercise) : left_(1000 * exercise.limits.wall_seconds) {}
     void spend(double milliseconds) { left_ -= milliseconds; }
     [[nodiscard]] bool ends() const { return left_ <= 0; }
 
@@ -56,7 +56,7 @@ private:
 
 std::optional<std::string> measured_objection(Worker& worker, const Exercise& exercise, const Check& check,
                                               const Built& built, std::uint64_t seed, const std::vector<double>& sizes,
-                                              std::string_view names, Patience& patience)
+                                              std::string_view names, TimeLeft& patience)
 {
     Side student{&built};
     Side reference{nullptr};
@@ -97,7 +97,7 @@ std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise
     if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
     // What ran beside may have cost one side more than the other: who loses points was too slow twice.
     const std::string_view names = text_of(expected_of(check, reference).names);
-    Patience patience(exercise);
+    TimeLeft patience(exercise);
     auto objection = measured_objection(worker, exercise, check, built, one.seed, sizes, names, patience);
     if (!objection || patience.ends()) return objection;
     return measured_objection(worker, exercise, check, built, one.seed, sizes, names, patience);

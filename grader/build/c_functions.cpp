@@ -110,7 +110,7 @@ constexpr CFamily families[] = {
      "canonicalize_file_name swapo* quotactl",
      false}};
 
-bool listed(std::string_view names, std::string_view name)
+bool holds_name(std::string_view names, std::string_view name)
 {
     while (!names.empty()) {
         const std::size_t space = names.find(' ');
@@ -125,7 +125,7 @@ bool listed(std::string_view names, std::string_view name)
 const CFamily* listed_family(std::string_view name)
 {
     for (const CFamily& family : families)
-        if (listed(family.names, name)) return &family;
+        if (holds_name(family.names, name)) return &family;
     return nullptr;
 }
 

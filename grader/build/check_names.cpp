@@ -16,17 +16,11 @@ namespace {
 /// "umbral::raytracing::intersect" of "umbral::raytracing::intersect(umbral::Ray const&)".
 std::string without_arguments(const std::string& signature) { return signature.substr(0, signature.find('(')); }
 
-std::string last_part(const std::string& qualified)
-{
-    const std::size_t colon = qualified.rfind("::");
-    return colon == std::string::npos ? qualified : qualified.substr(colon + 2);
-}
-
 std::optional<Objection> missing_interface(const Inspection& inspection)
 {
     if (inspection.missing.empty()) return std::nullopt;
     const std::string& declared = inspection.missing.front();
-    const std::string bare = last_part(without_arguments(declared));
+    const std::string bare(last_part(without_arguments(declared)));
     std::vector<std::string> written;
     for (const InspectedFunction& function : inspection.functions)
         if (function.name.find('(') != std::string::npos && last_part(without_arguments(function.name)) == bare)

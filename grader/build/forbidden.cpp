@@ -30,13 +30,6 @@ std::string below_include(const std::string& path)
 /// Does this function's name lie in GLM's headers?
 bool is_of_glm(std::string_view header) { return header.starts_with("glm/"); }
 
-/// "unProject*" of "glm::unProject*".
-std::string_view last_part(std::string_view pattern)
-{
-    const std::size_t colon = pattern.rfind("::");
-    return colon == std::string_view::npos ? pattern : pattern.substr(colon + 2);
-}
-
 std::string sentence(std::string_view name, const ForbiddenFamily* family)
 {
     if (family == nullptr)

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "build/spelling.hpp"
+
 namespace umbral::grader {
 namespace {
-
-bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
 
 /// Behind the bracket that closes the first of `text`; its end if there is none.
 std::size_t behind_brackets(std::string_view text)

@@ -8,8 +8,6 @@
 namespace umbral::grader {
 namespace {
 
-bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
-
 void replace_all(std::string& text, std::string_view old, std::string_view with)
 {
     for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))

@@ -6,6 +6,19 @@
 
 namespace umbral::grader {
 
+/// A letter, a digit or an underscore: what may stand in a name.
+[[nodiscard]] constexpr bool is_word(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// "intersect" of "umbral::raytracing::intersect".
+[[nodiscard]] constexpr std::string_view last_part(std::string_view qualified)
+{
+    const std::size_t colon = qualified.rfind("::");
+    return colon == std::string_view::npos ? qualified : qualified.substr(colon + 2);
+}
+
 /// A demangled signature as a student would write it: glm::vec3 for glm::vec<3, float, (glm::qualifier)0>, and so on.
 [[nodiscard]] std::string as_written(std::string signature);
 

@@ -19,7 +19,7 @@
 namespace umbral::grader {
 namespace {
 
-struct Options {
+struct AskOptions {
     std::string unit;
     std::string question;
     std::string file;
@@ -73,7 +73,7 @@ void print_answer(const Paint& paint, const char* whose, Tone tone, const Answer
     fmt::print("{}{}\n", paint(Tone::quiet, fmt::format("{:<11}", whose)), paint(tone, paint.safe(answer.text)));
 }
 
-void ask(Application& application, const Options& options)
+void ask(Application& application, const AskOptions& options)
 {
     const Exercise exercise = application.chosen({options.unit}).front();
     if (const std::string why = not_askable(exercise); !why.empty())
@@ -99,7 +99,7 @@ void ask(Application& application, const Options& options)
 
 void add_ask(Command parser, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<AskOptions>();
     const Command command =
         parser.command("ask", "Asks your file, the reference and the oracle one question that a report shows");
     command.option("UNIT", options->unit, "Which unit").required();

@@ -17,7 +17,7 @@
 namespace umbral::grader {
 namespace {
 
-struct Options {
+struct ExplanationsOptions {
     std::vector<std::string> units;
     unsigned seeds = 2;
     std::size_t jobs = default_jobs();
@@ -26,7 +26,7 @@ struct Options {
 };
 
 /// A look of some seconds: one unit, whose work is explained quickly, and one set of inputs.
-void shorten(Options& options)
+void shorten(ExplanationsOptions& options)
 {
     options.seeds = 1;
     if (options.units.empty()) options.units = {"frames"};
@@ -57,7 +57,7 @@ void write_json(const std::string& file, const std::vector<ExplainedWork>& work,
             "\n");
 }
 
-void measure(Application& application, const Options& options)
+void measure(Application& application, const ExplanationsOptions& options)
 {
     application.require_answers();
     expect_writable(options.json);
@@ -86,7 +86,7 @@ void measure(Application& application, const Options& options)
 
 void add_bench_explanations(Command bench, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExplanationsOptions>();
     const Command command = bench.command(
         "explanations", "How often the right reason is given for a mistake, and a wrong one for other work");
     command.has_help();

@@ -18,7 +18,7 @@
 namespace umbral::grader {
 namespace {
 
-struct Options {
+struct JudgesOptions {
     std::vector<std::string> units;
     std::string scenes;
     std::string json;
@@ -31,7 +31,7 @@ struct Options {
 };
 
 /// A look of some seconds: one unit's pictures.
-void shorten(Options& options)
+void shorten(JudgesOptions& options)
 {
     options.no_scenes = true;
     if (options.units.empty()) options.units = {"sphere"};
@@ -42,7 +42,7 @@ void write(const std::string& file, const std::string& text)
     if (!file.empty()) write_output(file, text);
 }
 
-void bench_judges(Application& application, const Options& options)
+void bench_judges(Application& application, const JudgesOptions& options)
 {
     application.require_answers();
     expect_writable(options.markdown);
@@ -90,7 +90,7 @@ void bench_judges(Application& application, const Options& options)
 
 void add_bench_judges(Command bench, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<JudgesOptions>();
     const Command command = bench.command(
         "judges", "How often the image rule catches wrong pictures, and blames right ones, beside other rules");
     command.also_called("judge");

@@ -13,7 +13,7 @@
 namespace umbral::grader {
 namespace {
 
-struct Options {
+struct UnforeseenOptions {
     std::vector<std::string> units;
     UnforeseenPlan plan;
     std::size_t jobs = default_jobs();
@@ -21,14 +21,14 @@ struct Options {
 };
 
 /// A look of some seconds: one unit, few bugs.
-void shorten(Options& options)
+void shorten(UnforeseenOptions& options)
 {
     options.plan.bugs = 2;
     options.plan.pairs = 0;
     if (options.units.empty()) options.units = {"sphere"};
 }
 
-void measure(Application& application, const Options& options)
+void measure(Application& application, const UnforeseenOptions& options)
 {
     application.require_answers();
     std::vector<Exercise> exercises = application.chosen(options.units);
@@ -54,7 +54,7 @@ void measure(Application& application, const Options& options)
 
 void add_bench_unforeseen(Command bench, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<UnforeseenOptions>();
     const Command command = bench.command(
         "unforeseen", "What is said of bugs that are in no list, and whether it is true with other inputs");
     command.has_help();

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct CheckOptions {
     std::vector<std::string> units;
     std::string folder = ".";
     bool json = false;
@@ -38,7 +38,7 @@ struct Options {
 };
 
 /// The units to check: those named, or those that the workspace holds.
-std::vector<Exercise> units_to_check(const Application& application, const Options& options)
+std::vector<Exercise> units_to_check(const Application& application, const CheckOptions& options)
 {
     if (!options.units.empty()) return application.chosen(options.units);
     std::vector<Exercise> chosen = application.readable();
@@ -67,7 +67,8 @@ std::string how_to_locate(const Application& application, const std::vector<Exer
 }
 
 /// One pass over some units, printed. Says how it went by an exit status.
-int check_once(Application& application, Crew& crew, const std::vector<Exercise>& exercises, const Options& options)
+int check_once(Application& application, Crew& crew, const std::vector<Exercise>& exercises,
+               const CheckOptions& options)
 {
     const Checked checked = check_submission(
         crew, exercises,
@@ -131,7 +132,7 @@ std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const f
 /// Checks again what is saved, until the program is stopped. The spawners stay warm and the reference's runs are
 /// remembered, so that little more than the compiler's time lies between a save and its verdict.
 [[noreturn]] void watch(Application& application, Crew& crew, const std::vector<Exercise>& exercises,
-                        const Options& options)
+                        const CheckOptions& options)
 {
     constexpr std::chrono::milliseconds quiet{15};
     FolderWatch saves;
@@ -161,7 +162,7 @@ std::vector<fs::path> folders_of(const std::vector<Exercise>& exercises, const f
     }
 }
 
-void check(Application& application, const Options& options)
+void check(Application& application, const CheckOptions& options)
 {
     expect_folder(options.folder, "a workspace");
     if (!options.file.empty()) {
@@ -183,7 +184,7 @@ void check(Application& application, const Options& options)
 
 void add_check(Command parser, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CheckOptions>();
     const Command command = parser.command("check", "Checks your units against the reference, here and offline");
     command.option("UNIT", options->units, "Only these units, as raytracing/sphere or sphere");
     command.option("--dir", options->folder, "The workspace").with_default();

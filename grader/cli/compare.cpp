@@ -24,7 +24,7 @@
 namespace umbral::grader {
 namespace {
 
-struct Options {
+struct CompareOptions {
     std::string yours;
     std::string reference;
     std::string html;
@@ -49,7 +49,7 @@ struct Found {
     std::vector<Explanation> reasons{};  ///< what was done to one picture to make the other, best first
 };
 
-CheckResult blank(const Options& options)
+CheckResult blank(const CompareOptions& options)
 {
     CheckResult result;
     result.name = options.stochastic ? "light, tile by tile" : "picture, pixel by pixel";
@@ -58,7 +58,7 @@ CheckResult blank(const Options& options)
     return result;
 }
 
-Found by_pixels(const Check& check, const Tensor& yours, const Tensor& reference, const Options& options)
+Found by_pixels(const Check& check, const Tensor& yours, const Tensor& reference, const CompareOptions& options)
 {
     Found found{false, blank(options), {}};
     const Judgement judgement = judge(check, yours, reference, nullptr);
@@ -70,7 +70,7 @@ Found by_pixels(const Check& check, const Tensor& yours, const Tensor& reference
     return found;
 }
 
-Found by_tiles(const Check& check, const Tensor& yours, const Tensor& reference, const Options& options)
+Found by_tiles(const Check& check, const Tensor& yours, const Tensor& reference, const CompareOptions& options)
 {
     Found found{false, blank(options), {}};
     const Picture left = to_picture(check, yours);
@@ -85,7 +85,7 @@ Found by_tiles(const Check& check, const Tensor& yours, const Tensor& reference,
     return found;
 }
 
-Found compare(const Check& check, const Tensor& yours, const Tensor& reference, const Options& options)
+Found compare(const Check& check, const Tensor& yours, const Tensor& reference, const CompareOptions& options)
 {
     Found found;
     if (yours.rows != reference.rows || yours.columns != reference.columns) {
@@ -104,7 +104,7 @@ Found compare(const Check& check, const Tensor& yours, const Tensor& reference, 
     return found;
 }
 
-void print_json(const Found& found, const Options& options)
+void print_json(const Found& found, const CompareOptions& options)
 {
     nlohmann::json json{{"format", "umbral-compare"},
                         {"version", 1},
@@ -126,7 +126,7 @@ void print_json(const Found& found, const Options& options)
     fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-void print_text(const Application& application, const Found& found, const Options& options)
+void print_text(const Application& application, const Found& found, const CompareOptions& options)
 {
     const Paint paint(application.style);
     fmt::print("\n  {} {}\n", paint.mark(found.agree ? Verdict::ok : Verdict::wrong),
@@ -158,7 +158,7 @@ void print_text(const Application& application, const Found& found, const Option
     fmt::print("\n");
 }
 
-void run(Application& application, const Options& options)
+void run(Application& application, const CompareOptions& options)
 {
     expect_writable(options.html);
     Check check;
@@ -187,7 +187,7 @@ void run(Application& application, const Options& options)
 
 void add_compare(Command parser, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompareOptions>();
     const Command command = parser.command("compare", "Compares two PNG files as a check of a picture would");
     command.option("YOURS", options->yours, "The picture in question").required();
     command.option("REFERENCE", options->reference, "The picture that is right").required();

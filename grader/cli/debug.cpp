@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct DebugOptions {
     std::string unit;
     std::string case_name;
     std::string folder = ".";
@@ -37,7 +37,7 @@ struct AskedRow {
 };
 
 AskedRow question_of_row(const Application& application, const Exercise& exercise, const std::string& case_name,
-                         std::uint64_t seed, const Options& options)
+                         std::uint64_t seed, const DebugOptions& options)
 {
     Worker worker(application.tools);
     const auto check = std::ranges::find_if(exercise.checks, [&](const Check& one) {
@@ -62,7 +62,7 @@ AskedRow question_of_row(const Application& application, const Exercise& exercis
             kind == nullptr ? std::string() : kind->function.substr(kind->function.rfind(':') + 1)};
 }
 
-void debug(const Application& application, const Options& options)
+void debug(const Application& application, const DebugOptions& options)
 {
     const Exercise exercise = application.chosen({options.unit}).front();
     const std::vector<std::string> cases = exercise.cases();
@@ -113,7 +113,7 @@ void debug(const Application& application, const Options& options)
 
 void add_debug(Command parser, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DebugOptions>();
     const Command command =
         parser.command("debug", "Runs one case under gdb: an ordinary program, without sandbox and limits");
     command.option("UNIT", options->unit, "Which unit").required();

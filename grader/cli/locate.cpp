@@ -17,7 +17,7 @@
 namespace umbral::grader {
 namespace {
 
-struct Options {
+struct LocateOptions {
     std::string unit;
     std::string folder = ".";
     bool show = false;
@@ -81,7 +81,7 @@ void print_search(const Paint& paint, const Exercise& exercise, const BuiltWork&
     if (shown > 0 && !show) fmt::print("--show says which change.\n");
 }
 
-void locate(Application& application, const Options& options)
+void locate(Application& application, const LocateOptions& options)
 {
     const Exercise exercise = application.chosen({options.unit}).front();
     if (!can_have_mutants(exercise))
@@ -116,7 +116,7 @@ void locate(Application& application, const Options& options)
 
 void add_locate(Command parser, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<LocateOptions>();
     const Command command =
         parser.command("locate", "Looks for the line of your file where a small change would make wrong checks right");
     command.option("UNIT", options->unit, "Which unit").required();

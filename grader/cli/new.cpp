@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct NewOptions {
     std::string folder;
     std::vector<std::string> units;
 };
@@ -39,7 +39,7 @@ void make_unit(Worker& worker, const Exercise& exercise, const fs::path& root)
     (void)save_goal(worker, exercise, root / unit / "goal.png");
 }
 
-void make_workspace(const Application& application, const Options& options)
+void make_workspace(const Application& application, const NewOptions& options)
 {
     const fs::path root = options.folder;
     const std::vector<Exercise> exercises =
@@ -62,7 +62,7 @@ void make_workspace(const Application& application, const Options& options)
 
 void add_new(Command parser, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<NewOptions>();
     const Command command =
         parser.command("new", "Makes a workspace: stubs, statements and goal pictures. Never overwrites your code");
     command.option("DIR", options->folder, "Where").required();

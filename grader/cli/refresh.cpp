@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct RefreshOptions {
     std::vector<std::string> units;
     bool check = false;
 };
@@ -59,7 +59,7 @@ bool refresh_schema(const Application& application, bool check)
     return !check;
 }
 
-void refresh(Application& application, const Options& options)
+void refresh(Application& application, const RefreshOptions& options)
 {
     const std::vector<Exercise> exercises =
         options.units.empty() ? application.readable() : application.chosen(options.units);
@@ -81,7 +81,7 @@ void refresh(Application& application, const Options& options)
 
 void add_refresh(Command parser, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RefreshOptions>();
     const Command command = parser.command(
         "refresh", "For authors: writes anew what is made: statements' interface blocks, the schema of manifests");
     command.option("UNIT", options->units, "Only these units");

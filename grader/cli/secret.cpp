@@ -25,14 +25,14 @@ namespace fs = std::filesystem;
 constexpr std::size_t shortest = 16;
 constexpr std::size_t longest = 4096;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason)
+[[noreturn]] void refuse_secret(const fs::path& file, const std::string& reason)
 {
     throw UsageError(fmt::format("the secret {}: {}", file.string(), reason));
 }
 
-[[noreturn]] void refuse_for_errno(const fs::path& file, const char* action)
+[[noreturn]] void refuse_secret_for_errno(const fs::path& file, const char* action)
 {
-    refuse(file, fmt::format("cannot {} it: {}", action, std::strerror(errno)));
+    refuse_secret(file, fmt::format("cannot {} it: {}", action, std::strerror(errno)));
 }
 
 fs::path default_file()
@@ -57,7 +57,7 @@ void expect_folder_of(const fs::path& file)
 {
     std::error_code error;
     if (fs::is_directory(file.parent_path(), error)) return;
-    refuse(file,
+    refuse_secret(file,
            fmt::format(
                "expected its folder to exist; of that path there is only {}. Make the folder, or correct --secret-file",
                nearest_existing(file.parent_path()).string()));
@@ -79,7 +79,7 @@ public:
     explicit Draft(const fs::path& file) : name_(file.string() + ".XXXXXX")
     {
         descriptor_ = Descriptor(mkostemp(name_.data(), O_CLOEXEC));
-        if (!descriptor_) refuse_for_errno(file, "make");
+        if (!descriptor_) refuse_secret_for_errno(file, "make");
     }
     Draft(const Draft&) = delete;
     Draft& operator=(const Draft&) = delete;
@@ -91,9 +91,9 @@ public:
         const ssize_t written = write(descriptor_.get(), text.data(), text.size());
         if (written >= 0 && written != static_cast<ssize_t>(text.size())) errno = ENOSPC;
         if (written != static_cast<ssize_t>(text.size()) || fsync(descriptor_.get()) != 0)
-            refuse_for_errno(file, "write");
+            refuse_secret_for_errno(file, "write");
         if (link(name_.c_str(), file.c_str()) == 0) return true;
-        if (errno != EEXIST) refuse_for_errno(file, "make");
+        if (errno != EEXIST) refuse_secret_for_errno(file, "make");
         return false;
     }
 
@@ -125,15 +125,15 @@ std::string read_secret(const fs::path& file)
 {
     const Descriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     struct stat status {};
-    if (!opened || fstat(opened.get(), &status) != 0) refuse_for_errno(file, "read");
-    if (!S_ISREG(status.st_mode)) refuse(file, "expected a regular file, got another kind");
+    if (!opened || fstat(opened.get(), &status) != 0) refuse_secret_for_errno(file, "read");
+    if (!S_ISREG(status.st_mode)) refuse_secret(file, "expected a regular file, got another kind");
     std::string text(longest + 1, '\0');
     const ssize_t got = read(opened.get(), text.data(), text.size());
-    if (got < 0) refuse_for_errno(file, "read");
+    if (got < 0) refuse_secret_for_errno(file, "read");
     text.resize(static_cast<std::size_t>(got));
     if (text.size() < shortest)
-        refuse(file, fmt::format("expected at least {} characters, got {}", shortest, text.size()));
-    if (text.size() > longest) refuse(file, fmt::format("expected at most {} bytes, got more", longest));
+        refuse_secret(file, fmt::format("expected at least {} characters, got {}", shortest, text.size()));
+    if (text.size() > longest) refuse_secret(file, fmt::format("expected at most {} bytes, got more", longest));
     warn_of_readers(file, status.st_mode);
     return text;
 }
@@ -147,7 +147,7 @@ std::string secret_from(const std::string& named)
     if (named.empty()) {
         fs::create_directories(file.parent_path(), error);
         if (error)
-            refuse(file,
+            refuse_secret(file,
                    fmt::format("cannot make its folder: {}. Name another file with --secret-file", error.message()));
     }
     expect_folder_of(file);

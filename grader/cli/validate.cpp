@@ -21,7 +21,7 @@
 namespace umbral::grader {
 namespace {
 
-struct Options {
+struct ValidateOptions {
     std::vector<std::string> units;
     unsigned seeds = 2;
     std::size_t jobs = default_jobs();
@@ -43,7 +43,7 @@ void print(const Finding& finding, const Paint& paint)
     (void)std::fflush(stdout);
 }
 
-void validate(Application& application, const Options& options)
+void validate(Application& application, const ValidateOptions& options)
 {
     const Paint paint(application.style);
     application.require_answers();
@@ -110,7 +110,7 @@ void validate(Application& application, const Options& options)
 
 void add_validate(Command parser, Application& application)
 {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ValidateOptions>();
     const Command command =
         parser.command("validate", "For authors and CI: proves that each unit's checks tell right from wrong");
     command.option("UNIT", options->units, "Only these units");

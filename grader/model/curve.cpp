@@ -12,9 +12,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_points = 64;
-constexpr std::size_t most_bytes = 4096;
+constexpr std::size_t most_shown_bytes = 4096;
 
-std::string text(std::string_view value) { return printable(value, most_bytes); }
+std::string text(std::string_view value) { return printable(value, most_shown_bytes); }
 
 json point_json(const CurvePoint& point) { return {{"error", point.error}, {"seconds", point.seconds}}; }
 
@@ -49,14 +49,14 @@ json to_json(const UnitCurve& curve)
 UnitCurve curve_from_json(const Field& field)
 {
     field.allow_only({"knob", "check", "case", "unit", "yours", "others"});
-    const auto words = [&](const char* name) { return field.member(name).any_text(most_bytes); };
+    const auto words = [&](const char* name) { return field.member(name).any_text(most_shown_bytes); };
     UnitCurve curve{words("knob"), words("check"), words("case"), words("unit"), {}, {}};
     field.member("yours").allow_only({"error", "seconds"});
     curve.yours = read_point(field.member("yours"));
     for (const Field& one : field.member("others").items(1, most_points)) {
         one.allow_only({"name", "error", "seconds"});
         curve.others.push_back(read_point(one));
-        curve.others.back().name = one.member("name").any_text(most_bytes);
+        curve.others.back().name = one.member("name").any_text(most_shown_bytes);
     }
     return curve;
 }

@@ -184,7 +184,7 @@ std::optional<std::string> change_of(const AnswerTable& table, const Pairs& wron
 }
 
 /// So many numbers of each row, from this one on, as vectors; none where an answer is not one row.
-WrongVectors vectors_in(const AnswerTable& table, const Pairs& wrong, std::size_t first, std::size_t count)
+WrongVectors wrong_vectors(const AnswerTable& table, const Pairs& wrong, std::size_t first, std::size_t count)
 {
     WrongVectors vectors{count, {}, {}, {}, questions_of(table, wrong)};
     if (vectors.questions.empty()) return vectors;
@@ -206,7 +206,7 @@ void add_matrix_columns(const AnswerTable& table, const Pairs& wrong, const std:
     const bool affine = side == 4 && std::ranges::none_of(which, [](std::size_t i) { return i % 4 == 3; });
     std::vector<std::string> parts;
     for (const std::size_t column : columns) {
-        const auto relation = relation_of(vectors_in(table, wrong, column * side, affine ? 3 : side), table.facts);
+        const auto relation = relation_of(wrong_vectors(table, wrong, column * side, affine ? 3 : side), table.facts);
         if (!relation) return;
         parts.push_back(fmt::format("column {} {}", column, *relation));
     }
@@ -248,7 +248,7 @@ void add_components(const AnswerTable& table, const Pairs& wrong, std::vector<st
         return;
     }
     if (which.size() > 1 && table.components <= 4) {
-        WrongVectors vectors = vectors_in(table, wrong, 0, table.components);
+        WrongVectors vectors = wrong_vectors(table, wrong, 0, table.components);
         if (table.columns.size() == table.components) vectors.names = table.columns;
         if (auto relation = relation_of(vectors, table.facts)) found.push_back(std::move(*relation));
     }

@@ -16,14 +16,14 @@
 namespace umbral::grader {
 namespace {
 
-constexpr int least_width = 60;
+constexpr int least_table_width = 60;
 constexpr int name_least = 8;
 constexpr int name_most = 24;
 constexpr int heading_least = 6;  // shorter beginnings of units' names say nothing
 constexpr int heading_most = 16;
 constexpr std::size_t most_reasons = 8;
 
-struct Cell {
+struct UnitCell {
     std::string text;  ///< the points
     Verdict verdict = Verdict::missing;
     bool graded = false;
@@ -32,7 +32,7 @@ struct Cell {
 struct Column {
     std::string id;
     std::string heading;
-    std::vector<Cell> cells;  ///< one a submission
+    std::vector<UnitCell> cells;  ///< one a submission
     Millipoints sum = 0;
     Millipoints count = 0;
 };
@@ -45,7 +45,7 @@ std::vector<Column> columns_of(const ClassResult& result)
     for (std::size_t s = 0; s < result.submissions.size(); ++s)
         for (const UnitResult& unit : result.submissions[s].units) {
             const auto [found, added] = index.emplace(unit.id, columns.size());
-            if (added) columns.push_back({unit.id, "", std::vector<Cell>(result.submissions.size()), 0, 0});
+            if (added) columns.push_back({unit.id, "", std::vector<UnitCell>(result.submissions.size()), 0, 0});
             Column& column = columns[found->second];
             column.cells[s] = {points_text(unit.score), shown_verdict(unit), true};
             // A fault of the grader's says nothing about the student: it is no zero in the mean.
@@ -71,12 +71,12 @@ int widest_cell(const std::vector<Column>& columns)
     int width = 3;
     for (const Column& column : columns) {
         width = std::max(width, display_width(mean_text(column.sum, column.count)) + 2);
-        for (const Cell& cell : column.cells) width = std::max(width, display_width(cell.text) + 2);
+        for (const UnitCell& cell : column.cells) width = std::max(width, display_width(cell.text) + 2);
     }
     return width;
 }
 
-std::string cell_text(const Cell& cell, int width, const Paint& paint)
+std::string cell_text(const UnitCell& cell, int width, const Paint& paint)
 {
     if (!cell.graded) return paint(Tone::quiet, pad(fmt::format("{}  ", paint.symbol("·", ".")), width, Align::right));
     return pad(paint(tone_of(cell.verdict), fmt::format("{} {}", cell.text, paint.plain_mark(cell.verdict))), width,
@@ -178,7 +178,7 @@ std::string reasons(const ClassResult& result, int width, const Paint& paint)
 std::string class_table(const ClassResult& result, const TerminalStyle& style)
 {
     const Paint paint(style);
-    const int width = std::max(style.width, least_width);
+    const int width = std::max(style.width, least_table_width);
     std::vector<Column> columns = columns_of(result);
     if (result.submissions.empty()) return "\n  No submission was graded.\n";
 

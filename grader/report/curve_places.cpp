@@ -6,7 +6,7 @@
 namespace umbral::grader {
 namespace {
 
-constexpr double gap = 0.2;  ///< below the least error, if one is 0
+constexpr double gap_of_zero = 0.2;  ///< below the least error, if one is 0
 
 /// Logarithms of positive values from 0 to 1, round their middle if they span less than `least` decades.
 class Logarithms {
@@ -45,7 +45,7 @@ std::vector<CurvePlace> curve_places(const UnitCurve& curve)
     }
     const Logarithms time(times, std::log10(2.0));
     const Logarithms error(errors, 1);
-    const double foot = std::ranges::count(errors, 0.0) > 0 ? gap : 0;
+    const double foot = std::ranges::count(errors, 0.0) > 0 ? gap_of_zero : 0;
     std::vector<CurvePlace> places;
     for (const CurvePoint& point : points)
         places.push_back({time.at(point.seconds), point.error > 0 ? foot + (1 - foot) * error.at(point.error) : 0});

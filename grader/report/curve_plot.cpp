@@ -14,9 +14,9 @@ namespace {
 
 constexpr int rows = 8;
 constexpr int most_columns = 48;
-constexpr int label_width = 14;  ///< errors, left of the axis
+constexpr int axis_width = 14;  ///< errors, left of the axis
 
-struct Cell {
+struct PlotCell {
     char letter = ' ';  ///< ' ': nothing
     bool yours = false;
 };
@@ -41,7 +41,7 @@ public:
     {
         std::string text;
         for (int x = 0; x < columns_; ++x) {
-            const Cell& cell = cells_[static_cast<std::size_t>(y * columns_ + x)];
+            const PlotCell& cell = cells_[static_cast<std::size_t>(y * columns_ + x)];
             if (cell.yours)
                 text += paint(Tone::yours, paint.symbol("◆", "*"));
             else
@@ -51,10 +51,10 @@ public:
     }
 
 private:
-    Cell& at(int x, int y) { return cells_[static_cast<std::size_t>(y * columns_ + x)]; }
+    PlotCell& at(int x, int y) { return cells_[static_cast<std::size_t>(y * columns_ + x)]; }
 
     int columns_;
-    std::vector<Cell> cells_;
+    std::vector<PlotCell> cells_;
 };
 
 char letter_of(std::size_t index) { return static_cast<char>(index < 26 ? 'a' + index : '+'); }
@@ -73,7 +73,7 @@ std::string shown_sentence(const UnitCurve& curve, const Paint& paint)
 
 std::vector<std::string> curve_plot(const UnitCurve& curve, int width, const Paint& paint)
 {
-    const int columns = std::clamp(width - label_width - 3, 8, most_columns);
+    const int columns = std::clamp(width - axis_width - 3, 8, most_columns);
     const std::vector<CurvePlace> places = curve_places(curve);
     Canvas canvas(columns);
     // The student's own point keeps its place.
@@ -90,7 +90,7 @@ std::vector<std::string> curve_plot(const UnitCurve& curve, int width, const Pai
     std::vector<std::string> lines;
     for (int y = 0; y < rows; ++y) {
         const std::string& label = labels[static_cast<std::size_t>(y)];
-        lines.push_back(paint(Tone::quiet, pad(label, label_width, Align::right) + ' ' +
+        lines.push_back(paint(Tone::quiet, pad(label, axis_width, Align::right) + ' ' +
                                                std::string(paint.symbol(label.empty() ? "│" : "┤", "|"))) +
                         canvas.line(y, paint));
     }
@@ -98,9 +98,9 @@ std::vector<std::string> curve_plot(const UnitCurve& curve, int width, const Pai
     for (int x = 0; x < columns; ++x) rule += paint.symbol("─", "-");
     const auto [quickest, slowest] = std::ranges::minmax(points, {}, &CurvePoint::seconds);
     const std::string left = curve_time_text(quickest.seconds);
-    lines.push_back(paint(Tone::quiet, std::string(label_width + 1, ' ') + std::string(paint.symbol("└", "+")) + rule));
+    lines.push_back(paint(Tone::quiet, std::string(axis_width + 1, ' ') + std::string(paint.symbol("└", "+")) + rule));
     lines.push_back(
-        paint(Tone::quiet, std::string(label_width + 2, ' ') + left +
+        paint(Tone::quiet, std::string(axis_width + 2, ' ') + left +
                                pad(curve_time_text(slowest.seconds), columns - display_width(left), Align::right)));
     const auto meaning = [&](const std::string& mark, std::string_view name, const CurvePoint& point) {
         const int room = std::max(8, width - 2 - 16 - 10);

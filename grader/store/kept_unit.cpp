@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 // A file is a line of JSON with the result and the sizes and digest of what follows: the sections. One file, one
 // rename: result and sections can never be of two gradings. The line alone is read where no page is made.
-constexpr const char* format = "umbral-unit";
+constexpr const char* unit_format = "umbral-unit";
 constexpr std::size_t largest_file = std::size_t{1} << 30U;
 
 struct Line {
@@ -31,7 +31,7 @@ Line parse(const std::string& text, const std::string& where)
     const nlohmann::json json = parse_json(text, where);
     const Field field(json, where);
     field.allow_only({"format", "version", "key", "machine", "student", "instructor", "digest", "unit"});
-    if (field.member("format").any_text(32) != format || field.member("version").integer(1, 1) != 1)
+    if (field.member("format").any_text(32) != unit_format || field.member("version").integer(1, 1) != 1)
         field.refuse("a kept result of this version");
     Line line;
     line.unit.key = field.member("key").any_text(64);
@@ -62,7 +62,7 @@ std::optional<Line> read_line(std::ifstream& stream, const fs::path& file)
 void keep_unit(const fs::path& file, const KeptUnit& unit, const UnitSections& sections)
 {
     const std::string body = sections.student + sections.instructor;
-    const nlohmann::json line{{"format", format},
+    const nlohmann::json line{{"format", unit_format},
                               {"version", 1},
                               {"key", unit.key},
                               {"machine", unit.machine},

@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* format = "umbral-reports";
+constexpr const char* mark_format = "umbral-reports";
 constexpr std::size_t longest = 4096;
 
 }
 
 std::string to_text(const Mark& mark)
 {
-    const nlohmann::json json{{"format", format},
+    const nlohmann::json json{{"format", mark_format},
                               {"version", 1},
                               {"about", "Umbral made this folder, and may replace or delete what lies in it."},
                               {"course", printable(mark.grading.course, longest)},
@@ -45,8 +45,8 @@ std::optional<Mark> read_mark(const fs::path& folder)
         if (fs::is_symlink(fs::symlink_status(file))) throw std::runtime_error(file.string() + ": it is a link");
         const nlohmann::json json = read_json(file);
         const Field field(json, file.string());
-        if (field.member("format").any_text(longest) != format)
-            field.member("format").refuse(fmt::format("\"{}\"", format));
+        if (field.member("format").any_text(longest) != mark_format)
+            field.member("format").refuse(fmt::format("\"{}\"", mark_format));
         (void)field.member("version").integer(1, 1);
         field.allow_only(
             {"format", "version", "about", "course", "attempt", "secret", "submission", "shown", "reports"});

@@ -12,46 +12,46 @@ namespace umbral::grader {
 namespace {
 
 /// A rule is told only of at least so many values, and if this share of them follows it.
-constexpr std::size_t least_values = 8;
+constexpr std::size_t least_cells = 8;
 constexpr double most_of_them = 0.95;
 
-struct Pair {
+struct CellPair {
     double yours;
     double expected;
 };
 
 // Component `index` of the cells with that state that hold finite values on both sides.
-std::vector<Pair> pairs_of(const BufferCells& cells, CellState state, std::size_t index)
+std::vector<CellPair> pairs_of(const BufferCells& cells, CellState state, std::size_t index)
 {
-    std::vector<Pair> pairs;
+    std::vector<CellPair> pairs;
     for (std::size_t cell = 0; cell < cells.states.size(); ++cell) {
         if (cells.states[cell] != state || !cells.yours.present(cell) || !cells.expected.present(cell)) continue;
-        const Pair pair{cells.yours.cell(cell)[index], cells.expected.cell(cell)[index]};
+        const CellPair pair{cells.yours.cell(cell)[index], cells.expected.cell(cell)[index]};
         if (std::isfinite(pair.yours) && std::isfinite(pair.expected)) pairs.push_back(pair);
     }
     return pairs;
 }
 
 template <class Follows>
-bool most(const std::vector<Pair>& pairs, Follows follows)
+bool most(const std::vector<CellPair>& pairs, Follows follows)
 {
     return static_cast<double>(std::ranges::count_if(pairs, follows)) >=
            most_of_them * static_cast<double>(pairs.size());
 }
 
 template <class Measure>
-double median_of(const std::vector<Pair>& pairs, Measure measure)
+double median_of(const std::vector<CellPair>& pairs, Measure measure)
 {
     std::vector<double> values;
-    for (const Pair& pair : pairs) values.push_back(measure(pair));
+    for (const CellPair& pair : pairs) values.push_back(measure(pair));
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }
 
-double span_of(const std::vector<Pair>& pairs)
+double span_of(const std::vector<CellPair>& pairs)
 {
-    const auto [low, high] = std::ranges::minmax_element(pairs, {}, &Pair::expected);
+    const auto [low, high] = std::ranges::minmax_element(pairs, {}, &CellPair::expected);
     return high->expected - low->expected;
 }
 
@@ -64,26 +64,26 @@ bool on_steps(double value, double step)
     return spacing < 0.1 && std::abs(at - std::round(at)) <= slack + spacing;
 }
 
-bool is_quantised(const std::vector<Pair>& pairs, double step)
+bool is_quantised(const std::vector<CellPair>& pairs, double step)
 {
     return most(pairs,
-                [step](const Pair& pair) {
+                [step](const CellPair& pair) {
                     return on_steps(pair.yours, step) && std::abs(pair.yours - pair.expected) <= 1.02 * step;
                 }) &&
-           !most(pairs, [step](const Pair& pair) { return on_steps(pair.expected, step); });
+           !most(pairs, [step](const CellPair& pair) { return on_steps(pair.expected, step); });
 }
 
 BufferPattern depth_pattern(const BufferCells& cells)
 {
-    const std::vector<Pair> wrong = pairs_of(cells, CellState::other, 0);
-    if (wrong.size() < least_values) return {};
+    const std::vector<CellPair> wrong = pairs_of(cells, CellState::other, 0);
+    if (wrong.size() < least_cells) return {};
     const double span = span_of(wrong);
     const auto constant = [&](auto measure, double middle, double slack) {
-        return most(wrong, [&](const Pair& pair) { return std::abs(measure(pair) - middle) <= slack; });
+        return most(wrong, [&](const CellPair& pair) { return std::abs(measure(pair) - middle) <= slack; });
     };
-    const auto difference = [](const Pair& pair) { return pair.yours - pair.expected; };
-    const auto sum = [](const Pair& pair) { return pair.yours + pair.expected; };
-    const auto quotient = [](const Pair& pair) { return pair.yours / pair.expected; };
+    const auto difference = [](const CellPair& pair) { return pair.yours - pair.expected; };
+    const auto sum = [](const CellPair& pair) { return pair.yours + pair.expected; };
+    const auto quotient = [](const CellPair& pair) { return pair.yours / pair.expected; };
     constexpr double slack = 0.02;
 
     for (const int bits : {8, 16, 24})
@@ -94,7 +94,7 @@ BufferPattern depth_pattern(const BufferCells& cells)
         return {fmt::format("depths are all {} by {:.4g}", offset > 0 ? "too large" : "too small", std::abs(offset)),
                 {{"depth_offset", offset}}};
     // One plane facing the viewer has one depth: nothing to tell a direction or a scale by.
-    const bool spread = span > 1e-3 * std::abs(median_of(wrong, [](const Pair& pair) { return pair.expected; }));
+    const bool spread = span > 1e-3 * std::abs(median_of(wrong, [](const CellPair& pair) { return pair.expected; }));
     if (const double middle = median_of(wrong, sum); spread && constant(sum, middle, slack * span))
         return {"depths run the other way: what is far is near", {{"depth_sum", middle}}};
     if (const double factor = median_of(wrong, quotient);
@@ -102,9 +102,9 @@ BufferPattern depth_pattern(const BufferCells& cells)
         return {fmt::format("depths are all {:.4g} times the expected ones", factor), {{"depth_factor", factor}}};
     // Where all else is right, one direction means that another surface was kept.
     if (static_cast<double>(cells.count(CellState::right)) < 0.1 * static_cast<double>(wrong.size())) return {};
-    if (most(wrong, [](const Pair& pair) { return pair.yours > pair.expected; }))
+    if (most(wrong, [](const CellPair& pair) { return pair.yours > pair.expected; }))
         return {"the farther surface won: other depths are right", {{"farther", 1}}};
-    if (most(wrong, [](const Pair& pair) { return pair.yours < pair.expected; }))
+    if (most(wrong, [](const CellPair& pair) { return pair.yours < pair.expected; }))
         return {"a surface too near won: other depths are right", {{"nearer", 1}}};
     return {};
 }
@@ -121,7 +121,7 @@ BufferPattern renaming(const BufferCells& cells)
         ++seen[cells.expected.cell(cell)[0]][cells.yours.cell(cell)[0]];
         ++total;
     }
-    if (seen.size() < 2 || total < least_values) return {};
+    if (seen.size() < 2 || total < least_cells) return {};
     std::map<double, double> used;
     std::size_t followed = 0;
     std::size_t changed = 0;
@@ -149,7 +149,7 @@ double degrees_between(std::span<const double> a, std::span<const double> b)
 BufferPattern normal_pattern(const BufferCells& cells)
 {
     constexpr double no_angle = 0.05;
-    std::vector<Pair> angles;  // degrees; the length stands in `expected`
+    std::vector<CellPair> angles;  // degrees; the length stands in `expected`
     for (std::size_t cell = 0; cell < cells.states.size(); ++cell) {
         if (cells.states[cell] != CellState::other || !cells.yours.present(cell) || !cells.expected.present(cell))
             continue;
@@ -161,14 +161,14 @@ BufferPattern normal_pattern(const BufferCells& cells)
     if (angles.empty()) return {};
     double worst = 0;
     double sum = 0;
-    for (const Pair& angle : angles) worst = std::max(worst, angle.yours), sum += angle.yours;
+    for (const CellPair& angle : angles) worst = std::max(worst, angle.yours), sum += angle.yours;
     const double mean = sum / static_cast<double>(angles.size());
     const std::map<std::string, double> metrics{{"max_degrees", worst}, {"mean_degrees", mean}};
-    if (most(angles, [](const Pair& angle) { return angle.yours < no_angle; }))
+    if (most(angles, [](const CellPair& angle) { return angle.yours < no_angle; }))
         return {fmt::format("the directions are right, the lengths are not (about {})",
-                            number_text(median_of(angles, [](const Pair& a) { return a.expected; }))),
+                            number_text(median_of(angles, [](const CellPair& a) { return a.expected; }))),
                 metrics};
-    if (most(angles, [](const Pair& angle) { return angle.yours > 180 - no_angle; }))
+    if (most(angles, [](const CellPair& angle) { return angle.yours > 180 - no_angle; }))
         return {"normals point the other way", metrics};
     return {fmt::format("directions are up to {:.3g} degrees off, {:.3g} on average", worst, mean), metrics};
 }
@@ -178,11 +178,11 @@ BufferPattern texture_pattern(const BufferCells& cells)
     std::array<double, 2> worst{};
     std::array<bool, 2> mirrored{};
     for (std::size_t i = 0; i < 2; ++i) {
-        const std::vector<Pair> wrong = pairs_of(cells, CellState::other, i);
+        const std::vector<CellPair> wrong = pairs_of(cells, CellState::other, i);
         if (wrong.empty()) return {};
-        for (const Pair& pair : wrong) worst[i] = std::max(worst[i], std::abs(pair.yours - pair.expected));
-        mirrored[i] = wrong.size() >= least_values && worst[i] > 0 &&
-                      most(wrong, [](const Pair& pair) { return std::abs(pair.yours + pair.expected - 1) < 1e-3; });
+        for (const CellPair& pair : wrong) worst[i] = std::max(worst[i], std::abs(pair.yours - pair.expected));
+        mirrored[i] = wrong.size() >= least_cells && worst[i] > 0 &&
+                      most(wrong, [](const CellPair& pair) { return std::abs(pair.yours + pair.expected - 1) < 1e-3; });
     }
     const std::map<std::string, double> metrics{{"max_u_error", worst[0]}, {"max_v_error", worst[1]}};
     for (std::size_t i = 0; i < 2; ++i)

@@ -8,7 +8,7 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t reach = 3;         // cells to each side of the centre
+constexpr std::size_t cell_reach = 3;    // cells to each side of the centre
 constexpr std::size_t widest_name = 3;   // ids with more digits are told apart by letters
 constexpr std::size_t most_letters = 4;  // that the legend explains
 
@@ -16,8 +16,8 @@ Box window_of(const BufferCells& cells, std::size_t centre)
 {
     const std::size_t x = centre % cells.columns;
     const std::size_t y = centre / cells.columns;
-    return {x - std::min(x, reach), y - std::min(y, reach), std::min(x + reach, cells.columns - 1),
-            std::min(y + reach, cells.rows - 1)};
+    return {x - std::min(x, cell_reach), y - std::min(y, cell_reach), std::min(x + cell_reach, cells.columns - 1),
+            std::min(y + cell_reach, cells.rows - 1)};
 }
 
 template <class Visit>

@@ -58,7 +58,7 @@ Evidence cost_evidence(const Check& check, const Observation& observation, bool 
     return evidence;
 }
 
-constexpr OwnField own_fields[] = {{"growth", R"({
+constexpr OwnField fields_of_cost[] = {{"growth", R"({
   "description": "Costs: the largest exponent of the size with which the count may grow.",
   "type": "number",
   "minimum": 0,
@@ -72,7 +72,7 @@ constinit const JudgeRecord cost_judge{
     .name = "cost",
     .place = 3,
     .compares = "how counted work grows",
-    .own_fields = own_fields,
+    .own_fields = fields_of_cost,
     .read_own = read_growth,
     .free_rows = true,
     .plain_values = false,

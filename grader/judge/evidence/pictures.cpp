@@ -51,7 +51,7 @@ std::string pixel_text(const Check& check, const TensorView& view, std::size_t c
 }
 
 /// Two recordings of one shape, and what a page shows of them.
-struct Pair {
+struct PicturePair {
     const Tensor& yours;
     const Tensor& expected;
     Image yours_image;
@@ -61,7 +61,8 @@ struct Pair {
     int largest = 0;
 };
 
-Magnified magnify(const Check& check, const Pair& pair, const Window& window, std::vector<PixelPair>& worst_pixels)
+Magnified magnify(const Check& check, const PicturePair& pair, const Window& window,
+                  std::vector<PixelPair>& worst_pixels)
 {
     Magnified result;
     result.x = window.x;
@@ -118,7 +119,7 @@ Evidence picture_evidence(const Check& check, const Observation& observation, bo
     if (!can_be_drawn(check, expected)) return {};
     try {
         if (shape_error(yours, expected)) return uncomparable(check, yours, expected);
-        Pair pair{
+        PicturePair pair{
             yours, expected, to_image(yours, check), to_image(expected, check), difference_map(check, yours, expected),
             {},    0};
         PictureEvidence result;

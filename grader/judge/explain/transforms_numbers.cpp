@@ -28,7 +28,7 @@ Result each_value(const Check& check, const Tensor& student, const Tensor& expec
 double negate(double v) { return -v; }
 double to_radians(double v) { return v * degree; }
 double to_degrees(double v) { return v / degree; }
-double invert(double v) { return 1 / v; }
+double reciprocal(double v) { return 1 / v; }
 double root(double v) { return std::copysign(std::sqrt(std::abs(v)), v); }
 double square(double v) { return v * v; }
 double from_one(double v) { return 1 - v; }
@@ -206,7 +206,7 @@ std::vector<NamedTransform> number_transforms()
         {"not normalised", "Your vectors point the right way but are not of length 1: normalise them.", normalise},
         {"components swapped", "Your components are right, but in another order.", reorder, describe_order, 5},
         {"reciprocal", "Your values are the reciprocals (1 / x) of the expected ones: a quotient is upside down.",
-         each_value<invert>},
+         each_value<reciprocal>},
         {"squared", "Your values are the squares of the expected ones: a square root is missing.", each_value<root>},
         {"root taken", "Your values are the square roots of the expected ones: the square was expected.",
          each_value<square>},

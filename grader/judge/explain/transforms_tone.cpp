@@ -75,7 +75,7 @@ bool telling(const std::vector<ValuePair>& pairs)
     return levels.size() >= 4;
 }
 
-double invert(double v) { return 1 - v; }
+double negative(double v) { return 1 - v; }
 
 template <double (*tone)(double)>
 Result by_tone(const Check& check, const Tensor& student, const Tensor& expected)
@@ -242,7 +242,8 @@ double one_level_of(const Tensor& tensor) { return is_real(tensor.element) ? one
 std::vector<NamedTransform> tone_transforms()
 {
     return {
-        {"inverted", "Your picture is a negative: the levels run the wrong way (1 - x instead of x).", by_tone<invert>},
+        {"inverted", "Your picture is a negative: the levels run the wrong way (1 - x instead of x).",
+         by_tone<negative>},
         {"gamma applied twice",
          "Your picture is too bright in its dark parts as if sRGB had been encoded twice: encode once, when the "
          "picture is written.",

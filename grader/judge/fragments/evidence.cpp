@@ -8,22 +8,22 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::size_t most_rows = 16;
+constexpr std::size_t most_pixels_told = 16;
 constexpr int most_side = 256;  // pixels of the picture
 constexpr int margin = 2;       // pixels round the expected fragments, where extra ones are seen
 
 // The colours of .fragments in evidence.css.
-constexpr glm::u8vec4 matched(150, 154, 160, 255);
-constexpr glm::u8vec4 missing(46, 126, 194, 255);
-constexpr glm::u8vec4 extra(224, 122, 36, 255);
-constexpr glm::u8vec4 changed(168, 72, 190, 255);
+constexpr glm::u8vec4 matched_colour(150, 154, 160, 255);
+constexpr glm::u8vec4 missing_colour(46, 126, 194, 255);
+constexpr glm::u8vec4 extra_colour(224, 122, 36, 255);
+constexpr glm::u8vec4 changed_colour(168, 72, 190, 255);
 
 glm::u8vec4 colour_of(const FragmentTally& tally)
 {
-    return tally.wrong_value > 0                ? changed
-           : tally.missing > 0                  ? missing
-           : tally.extra + tally.duplicated > 0 ? extra
-                                                : matched;
+    return tally.wrong_value > 0                ? changed_colour
+           : tally.missing > 0                  ? missing_colour
+           : tally.extra + tally.duplicated > 0 ? extra_colour
+                                                : matched_colour;
 }
 
 /// A picture of the pixels round the expected fragments; of several primitives at one pixel the wrong one shows.
@@ -38,7 +38,7 @@ struct Canvas {
         const std::int64_t row = std::int64_t{place.y} - y;
         if (column < 0 || row < 0 || column >= image.width || row >= image.height) return;
         glm::u8vec4& cell = image.at(static_cast<int>(column), static_cast<int>(row));
-        if (cell.a == 0 || colour != matched) cell = colour;
+        if (cell.a == 0 || colour != matched_colour) cell = colour;
     }
 };
 
@@ -111,7 +111,7 @@ Evidence fragments_evidence(const Check& check, const Observation& observation, 
             evidence.extra += tally.extra + tally.duplicated;
             evidence.changed += tally.wrong_value;
             if (words.are_pixels()) canvas.paint(place, colour_of(tally));
-            if (!tally.all_right() && evidence.rows.first.size() < most_rows)
+            if (!tally.all_right() && evidence.rows.first.size() < most_pixels_told)
                 evidence.rows.first.push_back(row_of(place, words, yours, of_yours, expected, of_expected, tally));
         });
     evidence.rows.wrong = evidence.missing + evidence.extra + evidence.changed;

@@ -5,25 +5,25 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::int32_t reach = 7;  // pixels to each side of the centre
+constexpr std::int32_t pixel_reach = 7;  // pixels to each side of the centre
 
 struct Sign {
     char letter;
     const char* meaning;
 };
-constexpr Sign right{'#', "right"};
-constexpr Sign missing{'-', "missing"};
-constexpr Sign extra{'+', "extra"};
-constexpr Sign again{'2', "drawn again"};
-constexpr Sign wrong{'~', "wrong value"};
-constexpr Sign empty{'.', "empty"};
+constexpr Sign right_sign{'#', "right"};
+constexpr Sign missing_sign{'-', "missing"};
+constexpr Sign extra_sign{'+', "extra"};
+constexpr Sign again_sign{'2', "drawn again"};
+constexpr Sign wrong_sign{'~', "wrong value"};
+constexpr Sign empty_sign{'.', "empty"};
 
 const Sign& sign_of(const FragmentTally& tally)
 {
-    if (tally.duplicated > 0) return again;
-    if (tally.extra > 0) return extra;
-    if (tally.missing > 0) return missing;
-    return tally.wrong_value > 0 ? wrong : right;
+    if (tally.duplicated > 0) return again_sign;
+    if (tally.extra > 0) return extra_sign;
+    if (tally.missing > 0) return missing_sign;
+    return tally.wrong_value > 0 ? wrong_sign : right_sign;
 }
 
 struct Window {
@@ -38,8 +38,8 @@ struct Window {
 // The pixels that either side has round the centre, cut to the reach.
 Window window_of(Fragments yours, Fragments expected, const Place& centre)
 {
-    const Window reachable{{centre.primitive, centre.y - reach, centre.x - reach},
-                           {centre.primitive, centre.y + reach, centre.x + reach}};
+    const Window reachable{{centre.primitive, centre.y - pixel_reach, centre.x - pixel_reach},
+                           {centre.primitive, centre.y + pixel_reach, centre.x + pixel_reach}};
     Window window{centre, centre};
     for (const Fragments list : {yours, expected})
         for (const Fragment& fragment : list) {
@@ -62,7 +62,7 @@ std::string fragment_sketch(const FragmentMatcher& matcher, const FragmentTable&
     const Window window = window_of(here, there, centre);
     const auto width = static_cast<std::size_t>(window.high.x - window.low.x + 1);
     std::vector<std::string> rows(static_cast<std::size_t>(window.high.y - window.low.y + 1),
-                                  std::string(width, empty.letter));
+                                  std::string(width, empty_sign.letter));
     for_each_place(here, there, [&](const Place& place, Fragments a, Fragments b) {
         if (!window.holds(place)) return;
         rows[static_cast<std::size_t>(place.y - window.low.y)][static_cast<std::size_t>(place.x - window.low.x)] =
@@ -71,7 +71,7 @@ std::string fragment_sketch(const FragmentMatcher& matcher, const FragmentTable&
     std::string text;
     for (const std::string& row : rows) text += row + "\n";
     std::string legend = fmt::format("x {}..{}, y {}..{};", window.low.x, window.high.x, window.low.y, window.high.y);
-    for (const Sign& sign : {right, missing, extra, again, wrong, empty})
+    for (const Sign& sign : {right_sign, missing_sign, extra_sign, again_sign, wrong_sign, empty_sign})
         if (text.find(sign.letter) != std::string::npos) legend += fmt::format(" {} {}", sign.letter, sign.meaning);
     return text + legend;
 }

@@ -20,7 +20,7 @@ struct BadPlace {
     Fragments expected;
 };
 
-struct Result {
+struct Comparison {
     FragmentTally tally;
     std::size_t wrong_place = 0;
     std::vector<MovedPrimitive> moved;
@@ -28,9 +28,10 @@ struct Result {
     double error = 0;  ///< the worst of the fragments that both sides have
 };
 
-Result compare(const FragmentTable& yours, const FragmentTable& expected, const FragmentMatcher& matcher, bool can_move)
+Comparison compare(const FragmentTable& yours, const FragmentTable& expected, const FragmentMatcher& matcher,
+                   bool can_move)
 {
-    Result result;
+    Comparison result;
     for_each_place(yours.sorted(), expected.sorted(), [&](const Place& place, Fragments here, Fragments there) {
         const FragmentTally tally = matcher.at_place(here, there);
         result.tally += tally;
@@ -67,7 +68,7 @@ std::string fragments_text(const FragmentTable& table, Fragments here, const Fra
     return values.empty() ? "one " + words.row() : fmt::format("({})", fmt::join(values, ", "));
 }
 
-std::string message(const Result& result, const FragmentTable& yours, const FragmentTable& expected,
+std::string message(const Comparison& result, const FragmentTable& yours, const FragmentTable& expected,
                     const FragmentWords& words)
 {
     std::vector<std::string> parts;
@@ -105,7 +106,7 @@ Judgement judge_fragments(const Check& check, const Tensor& student, const Tenso
 
     const FragmentMatcher matcher(check, yours, expected);
     const FragmentWords words(text_of(names));
-    const Result result = compare(yours, expected, matcher, words.are_pixels());
+    const Comparison result = compare(yours, expected, matcher, words.are_pixels());
     const FragmentTally& tally = result.tally;
     Judgement judgement;
     judgement.right = static_cast<double>(tally.matched) /

@@ -11,12 +11,12 @@ namespace {
 constexpr int cell_side = window_side / 2;
 
 /// Sums over cells of cell_side x cell_side pixels, row by row; a window is two by two of them.
-struct Cells {
+struct CellSums {
     int columns;
     int rows;
     std::vector<int> sums;
 
-    Cells(int width, int height)
+    CellSums(int width, int height)
         : columns((width + cell_side - 1) / cell_side),
           rows((height + cell_side - 1) / cell_side),
           sums(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0)
@@ -54,7 +54,7 @@ void add_row(int* cells, int width, Value value)
 }
 
 template <class Visit>
-void for_each_window(const Cells& cells, Visit visit)
+void for_each_window(const CellSums& cells, Visit visit)
 {
     for (int y = 0; y < std::max(1, cells.rows - 1); ++y)
         for (int x = 0; x < std::max(1, cells.columns - 1); ++x) visit(x, y);
@@ -64,7 +64,7 @@ void for_each_window(const Cells& cells, Visit visit)
 
 DensestWindow densest_window(const std::vector<std::uint8_t>& marks, int width, int height)
 {
-    Cells cells(width, height);
+    CellSums cells(width, height);
     for (int y = 0; y < height; ++y) {
         const std::uint8_t* row = marks.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
         add_row(cells.row(y), width, [row](int x) { return int{row[x]}; });
@@ -80,7 +80,7 @@ DensestWindow densest_window(const std::vector<std::uint8_t>& marks, int width, 
 LevelWindow worst_level_window(const Picture& student, const Picture& expected, const std::vector<std::uint8_t>& mask)
 {
     LevelWindow worst;
-    Cells counts(expected.width, expected.height);
+    CellSums counts(expected.width, expected.height);
     const auto mask_row = [&](int y) {
         return mask.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(expected.width);
     };
@@ -95,7 +95,7 @@ LevelWindow worst_level_window(const Picture& student, const Picture& expected, 
         return static_cast<double>(sum) / count;
     };
     for (int c = 0; c < expected.colours(); ++c) {
-        Cells differences(expected.width, expected.height);
+        CellSums differences(expected.width, expected.height);
         for (int y = 0; y < expected.height; ++y) {
             const std::uint8_t* yours = student.row(c, y);
             const std::uint8_t* target = expected.row(c, y);

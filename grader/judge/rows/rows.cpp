@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_shown_whole = 4;  ///< numbers of a row that are read as one: a vector
 
-struct Row {
+struct RowError {
     bool right = true;
     bool comparable = false;  ///< both sides have a value
     double error = 0;         ///< the worst of its components; infinite if not finite
@@ -36,10 +36,10 @@ std::vector<std::size_t> wrong_components(const Check& check, const TensorView& 
     return wrong;
 }
 
-Row compare_row(const Check& check, const TensorView& student, const TensorView& expected, std::size_t index,
-                const RowKind& kind)
+RowError compare_row(const Check& check, const TensorView& student, const TensorView& expected, std::size_t index,
+                     const RowKind& kind)
 {
-    Row row;
+    RowError row;
     if (!student.present(index) || !expected.present(index)) {
         row.right = student.present(index) == expected.present(index);
         return row;
@@ -147,12 +147,12 @@ Judgement judge_rows(const Check& check, const Tensor& student_tensor, const Ten
     std::vector<double> errors;
     std::optional<std::size_t> first_wrong;
     std::optional<std::size_t> worst_wrong;
-    Row worst;
+    RowError worst;
     for (std::size_t start = 0; start < expected.cells(); start += group) {
         bool unit_right = true;
         if (!counted[start]) continue;
         for (std::size_t i = start; i < start + group; ++i) {
-            const Row row = compare_row(check, student, expected, i, kind);
+            const RowError row = compare_row(check, student, expected, i, kind);
             ++rows;
             if (row.comparable && std::isfinite(row.error)) errors.push_back(row.error);
             if (!std::isfinite(row.error)) ++not_finite;

@@ -71,17 +71,17 @@ struct Counted {
     std::size_t vertices;
     std::optional<std::size_t> instances = std::nullopt;
 };
-constexpr std::array counted{Counted{"glDrawArrays", 2},
-                             Counted{"glDrawElements", 1},
-                             Counted{"glDrawRangeElements", 3},
-                             Counted{"glDrawElementsBaseVertex", 1},
-                             Counted{"glDrawRangeElementsBaseVertex", 3},
-                             Counted{"glDrawArraysInstanced", 2, 3},
-                             Counted{"glDrawArraysInstancedBaseInstance", 2, 3},
-                             Counted{"glDrawElementsInstanced", 1, 4},
-                             Counted{"glDrawElementsInstancedBaseVertex", 1, 4},
-                             Counted{"glDrawElementsInstancedBaseInstance", 1, 4},
-                             Counted{"glDrawElementsInstancedBaseVertexBaseInstance", 1, 4}};
+constexpr std::array counted_calls{Counted{"glDrawArrays", 2},
+                                   Counted{"glDrawElements", 1},
+                                   Counted{"glDrawRangeElements", 3},
+                                   Counted{"glDrawElementsBaseVertex", 1},
+                                   Counted{"glDrawRangeElementsBaseVertex", 3},
+                                   Counted{"glDrawArraysInstanced", 2, 3},
+                                   Counted{"glDrawArraysInstancedBaseInstance", 2, 3},
+                                   Counted{"glDrawElementsInstanced", 1, 4},
+                                   Counted{"glDrawElementsInstancedBaseVertex", 1, 4},
+                                   Counted{"glDrawElementsInstancedBaseInstance", 1, 4},
+                                   Counted{"glDrawElementsInstancedBaseVertexBaseInstance", 1, 4}};
 
 constexpr std::string_view drawing[] = {"glDrawArrays",
                                         "glDrawElements",
@@ -163,8 +163,8 @@ double vertices_of(const GlCall& call)
                                            "glVertexP3", "glVertexP4", "glArrayElement"};
     if (begins(call.name, vertex)) return 1;
     if (call.name.starts_with("glRect")) return 4;
-    const auto found = std::ranges::find(counted, call.name, &Counted::name);
-    if (found == counted.end()) return 0;
+    const auto found = std::ranges::find(counted_calls, call.name, &Counted::name);
+    if (found == counted_calls.end()) return 0;
     return count(call, found->vertices) * (found->instances ? count(call, *found->instances) : 1);
 }
 

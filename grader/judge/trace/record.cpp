@@ -87,7 +87,7 @@ Resemblance same_trace(const FailingCheck& failing, const Tensor& mistake_tensor
     return alike(2 * telling, counted(*yours, "draw calls") == 0 && counted(*expected, "draw calls") > 0);
 }
 
-constexpr OwnField own_fields[] = {{"rules", R"({
+constexpr OwnField fields_of_trace[] = {{"rules", R"({
   "description": "Traces: what is counted against the reference.",
   "type": "array",
   "items": {
@@ -106,7 +106,7 @@ constinit const JudgeRecord trace_judge{
     .name = "trace",
     .place = 0,
     .compares = "traces of OpenGL calls",
-    .own_fields = own_fields,
+    .own_fields = fields_of_trace,
     .read_own = read_rules,
     .free_rows = true,
     .plain_values = false,

@@ -7,10 +7,10 @@
 namespace umbral::grader::html {
 namespace {
 
-constexpr double left = 52;
-constexpr double right = 428;
-constexpr double top = 14;
-constexpr double bottom = 232;
+constexpr double plot_left = 52;
+constexpr double plot_right = 428;
+constexpr double plot_top = 14;
+constexpr double plot_bottom = 232;
 
 /// A logarithmic axis over whole decades.
 struct Axis {
@@ -68,13 +68,13 @@ Markup grid(const Axis& across, const Axis& up)
         result += markup(
             "<path class=\"grid\" d=\"M{0:.1f} {1}V{2}\"/><text x=\"{0:.1f}\" y=\"{3}\" "
             "text-anchor=\"middle\">{4}</text>",
-            x, top, bottom, bottom + 17, power_of_ten(e));
+            x, plot_top, plot_bottom, plot_bottom + 17, power_of_ten(e));
     }
     for (double e = up.low; e <= up.high + 0.5; ++e) {
         const double y = up.at(std::pow(10.0, e));
         result += markup(
             "<path class=\"grid\" d=\"M{1} {0:.1f}H{2}\"/><text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
-            y, left, right, left - 7, y + 4, power_of_ten(e));
+            y, plot_left, plot_right, plot_left - 7, y + 4, power_of_ten(e));
     }
     return result;
 }
@@ -124,8 +124,8 @@ Markup cost_evidence(const CostEvidence& evidence)
         counts.include(point.reference.value_or(0));
     }
     if (!(sizes.most > 0) || !(counts.most > 0)) return table(evidence);
-    const Axis across = axis_for(sizes.least, sizes.most, left, right);
-    const Axis up = axis_for(counts.least, counts.most, bottom, top);
+    const Axis across = axis_for(sizes.least, sizes.most, plot_left, plot_right);
+    const Axis up = axis_for(counts.least, counts.most, plot_bottom, plot_top);
     return markup(
         "<div class=\"cost\"><figure><figcaption>work over size, both axes logarithmic</figcaption><svg class=\"plot\" "
         "viewBox=\"0 0 440 268\" role=\"img\" "
@@ -138,8 +138,8 @@ Markup cost_evidence(const CostEvidence& evidence)
         "{:.3g}</span></p></figure>\n{}</div>\n",
         grid(across, up),
         curve(evidence, across, up, "of-reference", [](const CostPoint& point) { return point.reference; }),
-        curve(evidence, across, up, "of-yours", [](const CostPoint& point) { return point.yours; }), (left + right) / 2,
-        bottom + 34, evidence.growth, table(evidence));
+        curve(evidence, across, up, "of-yours", [](const CostPoint& point) { return point.yours; }),
+        (plot_left + plot_right) / 2, plot_bottom + 34, evidence.growth, table(evidence));
 }
 
 }
