@@ -31,7 +31,7 @@ struct Section {
 };
 
 /// From where to where in memory a function lies.
-struct Function {
+struct CodeRange {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
 };
@@ -62,11 +62,11 @@ std::int32_t number_at(Bytes bytes, std::size_t offset)
 
 /// The functions that .eh_frame lists, in order of their addresses. Nothing if an entry is none as g++ writes them: of
 /// 32 bits, with addresses relative to where they stand.
-std::optional<std::vector<Function>> functions_in(const Section& frames)
+std::optional<std::vector<CodeRange>> code_ranges_in(const Section& frames)
 {
     constexpr std::size_t length_size = 4;
     constexpr std::size_t head = 16;  // length, distance to the common entry, begin, size
-    std::vector<Function> functions;
+    std::vector<CodeRange> functions;
     for (std::size_t at = 0; at + length_size <= frames.bytes.size();) {
         const auto length = static_cast<std::uint32_t>(number_at(frames.bytes, at));
         if (length == 0) break;
@@ -84,7 +84,7 @@ std::optional<std::vector<Function>> functions_in(const Section& frames)
         }
         at += length_size + length;
     }
-    std::ranges::sort(functions, {}, &Function::begin);
+    std::ranges::sort(functions, {}, &CodeRange::begin);
     return functions;
 }
 
@@ -142,7 +142,7 @@ bool leads_to(const std::vector<Section>& sections, std::uint64_t target, std::u
     return false;
 }
 
-bool calls(const std::vector<Section>& sections, const Function& function, std::uint64_t slot)
+bool calls(const std::vector<Section>& sections, const CodeRange& function, std::uint64_t slot)
 {
     const Bytes code = code_at(sections, function.begin, function.end);
     for (std::size_t i = 0; i + 5 <= code.size(); ++i) {
@@ -200,12 +200,12 @@ bool is_linkers(const Section& section)
 }
 
 /// Is there code outside all functions?
-bool has_other_code(const Section& section, const std::vector<Function>& functions)
+bool has_other_code(const Section& section, const std::vector<CodeRange>& functions)
 {
     const std::uint64_t begin = section.header.sh_addr;
     const std::uint64_t end = begin + section.header.sh_size;
     std::uint64_t reached = begin;
-    for (const Function& function : functions) {
+    for (const CodeRange& function : functions) {
         if (function.begin < begin || function.begin >= end) continue;
         const std::uint64_t allowed = reached == begin && section.name == ".text" ? runtime_code : padding;
         if (function.begin > reached && function.begin - reached > allowed) return true;
@@ -220,7 +220,7 @@ std::vector<std::string> uncounted_code(Elf* elf)
 {
     const std::vector<Section> sections = sections_of(elf);
     const auto frames = std::ranges::find(sections, ".eh_frame", &Section::name);
-    const auto functions = frames == sections.end() ? std::nullopt : functions_in(*frames);
+    const auto functions = frames == sections.end() ? std::nullopt : code_ranges_in(*frames);
     if (!functions) return {"the list of functions in .eh_frame is not as the compiler writes it"};
     bool other_uses = false;
     const auto slot = counter_slot(elf, other_uses);
@@ -230,7 +230,7 @@ std::vector<std::string> uncounted_code(Elf* elf)
     if (counts_calls_itself(elf)) return {"a function whose name begins with __wrap_, which is the framework's,"};
 
     std::set<std::string> reasons;
-    for (const Function& function : *functions)
+    for (const CodeRange& function : *functions)
         if (reasons.size() < caps::listed && !calls(sections, function, *slot))
             reasons.insert(name_at(elf, function.begin));
     for (const Section& section : sections)

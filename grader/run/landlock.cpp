@@ -43,7 +43,7 @@ constexpr std::uint64_t all_file_rights(int version)
     return (std::uint64_t{1} << known[static_cast<std::size_t>(std::min(version, 5))]) - 1;
 }
 
-[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
+[[noreturn]] void refuse_call(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
 }
 
@@ -62,7 +62,7 @@ void confine_files(std::span<const FileRule> rules)
                                  version >= 6 ? abstract_sockets_and_signals : 0};
     const std::size_t size = version >= 6 ? sizeof attributes : version >= 4 ? 16 : 8;
     const auto ruleset = static_cast<int>(syscall(SYS_landlock_create_ruleset, &attributes, size, 0));
-    if (ruleset < 0) fail("landlock_create_ruleset");
+    if (ruleset < 0) refuse_call("landlock_create_ruleset");
 
     for (const FileRule& rule : rules) {
         const int file = open(rule.path.c_str(), O_PATH | O_CLOEXEC);
@@ -75,9 +75,9 @@ void confine_files(std::span<const FileRule> rules)
         PathBeneath beneath{allowed, file};
         const long added = syscall(SYS_landlock_add_rule, ruleset, rule_path_beneath, &beneath, 0);
         close(file);
-        if (added != 0) fail("landlock_add_rule");
+        if (added != 0) refuse_call("landlock_add_rule");
     }
-    if (syscall(SYS_landlock_restrict_self, ruleset, 0) != 0) fail("landlock_restrict_self");
+    if (syscall(SYS_landlock_restrict_self, ruleset, 0) != 0) refuse_call("landlock_restrict_self");
     close(ruleset);
 }
 

@@ -64,8 +64,6 @@ std::uint64_t vertex_bytes()
     return bytes;
 }
 
-std::uint64_t whole(double number) { return number > 0 ? static_cast<std::uint64_t>(std::min(number, 1e12)) : 0; }
-
 std::uint64_t sum_of(const void* counts, double how_many)
 {
     constexpr double most = 65536;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 /// Sizes of OpenGL's types. Private to libumbral-gl.
 namespace umbral::gl {
 
@@ -10,6 +13,12 @@ namespace umbral::gl {
 
 /// Bytes of one pixel; packed types hold all components at once. 0 for an unknown format or type.
 [[nodiscard]] unsigned pixel_size(unsigned format, unsigned type);
+
+/// A count that a call claims, so cut that products of such stay far from overflow.
+[[nodiscard]] inline std::uint64_t whole(double number)
+{
+    return number > 0 ? static_cast<std::uint64_t>(std::min(number, 1e12)) : 0;
+}
 
 #pragma GCC visibility pop
 

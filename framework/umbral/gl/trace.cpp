@@ -18,12 +18,12 @@ namespace {
 bool tracing = false;
 Trace running;
 SharedBuffers shared;
-DisplayLists lists;
+DisplayLists known_lists;
 std::function<void()> look;  // of the watch; empty without one
 bool looking = false;        // it runs at this moment
 bool between_begin_and_end = false;
 
-void update_watching() { watching = tracing || lists.recording() || look; }
+void update_watching() { watching = tracing || known_lists.recording() || look; }
 
 /// What the table of rules says of the function in a slot, looked up once.
 struct Known {
@@ -58,7 +58,7 @@ void append(TracedCall call)
 /// What a list does, as if it were called: its data was counted when the list was made.
 void append_list(unsigned list, int depth)
 {
-    const std::vector<DisplayLists::Recorded>* const content = lists.content_of(list);
+    const std::vector<DisplayLists::Recorded>* const content = known_lists.content_of(list);
     if (content == nullptr || depth > deepest_list) return;
     for (const DisplayLists::Recorded& each : *content) {
         if (running.truncated) return;
@@ -69,7 +69,7 @@ void append_list(unsigned list, int depth)
 
 /// Bytes that a call copies from the application. Asks the context only where that is allowed in the middle of glBegin
 /// and glEnd, or where the call itself is not.
-std::uint64_t bytes_of(const TracedCall& call, const FunctionRule* rule, const CallArguments& arguments)
+std::uint64_t bytes_moved_by(const TracedCall& call, const FunctionRule* rule, const CallArguments& arguments)
 {
     if (rule == nullptr) return 0;
     if (rule->effect != Effect::draws && rule->effect != Effect::uploads && rule->effect != Effect::array) return 0;
@@ -89,7 +89,7 @@ void look_before(std::string_view name, const FunctionRule* rule)
 {
     const bool begins = name == "glBegin";
     const bool draws = begins || (rule != nullptr && rule->effect == Effect::draws);
-    if (draws && !between_begin_and_end && !lists.only_recording()) {
+    if (draws && !between_begin_and_end && !known_lists.only_recording()) {
         looking = true;
         look();
         looking = false;
@@ -106,17 +106,17 @@ void trace_call(std::size_t slot, const CallArguments& arguments)
     const auto& [looked_up, always_seen, held_by_lists, rule] = known(slot);
     const std::uint64_t moved = always_seen ? shared.moved_by(name, arguments) : 0;
     if (rule != nullptr && rule->effect == Effect::lists) {
-        lists.note(name, arguments);
+        known_lists.note(name, arguments);
         update_watching();
     }
     if (look) look_before(name, rule);
-    if (!tracing && !lists.recording()) return;
+    if (!tracing && !known_lists.recording()) return;
     TracedCall call{name, {arguments.numbers.begin(), arguments.numbers.end()}, 0};
-    if (tracing) call.bytes = moved + bytes_of(call, rule, arguments);
-    const std::vector<unsigned> called = lists.called_by(name, arguments);
-    const bool held = lists.recording() && held_by_lists;
-    if (held) lists.add({call, called});
-    if (!tracing || (held && lists.only_recording() && call.bytes == 0)) return;
+    if (tracing) call.bytes = moved + bytes_moved_by(call, rule, arguments);
+    const std::vector<unsigned> called = known_lists.called_by(name, arguments);
+    const bool held = known_lists.recording() && held_by_lists;
+    if (held) known_lists.add({call, called});
+    if (!tracing || (held && known_lists.only_recording() && call.bytes == 0)) return;
     append(std::move(call));
     for (const unsigned list : called) append_list(list, 1);
 }

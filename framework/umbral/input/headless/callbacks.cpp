@@ -8,7 +8,7 @@ namespace {
 using Callbacks = decltype(GLFWwindow::callbacks);
 
 template <class Callback>
-Callback set(GLFWwindow* handle, Callback Callbacks::*held, Callback given, const char* function)
+Callback set_callback(GLFWwindow* handle, Callback Callbacks::*held, Callback given, const char* function)
 {
     return ready() ? exchange_callback(window_of(handle, function).callbacks.*held, given) : nullptr;
 }
@@ -22,87 +22,87 @@ extern "C" {
 
 GLFWwindowposfun glfwSetWindowPosCallback(GLFWwindow* window, GLFWwindowposfun callback)
 {
-    return set(window, &Callbacks::position, callback, "glfwSetWindowPosCallback");
+    return set_callback(window, &Callbacks::position, callback, "glfwSetWindowPosCallback");
 }
 
 GLFWwindowsizefun glfwSetWindowSizeCallback(GLFWwindow* window, GLFWwindowsizefun callback)
 {
-    return set(window, &Callbacks::size, callback, "glfwSetWindowSizeCallback");
+    return set_callback(window, &Callbacks::size, callback, "glfwSetWindowSizeCallback");
 }
 
 GLFWwindowclosefun glfwSetWindowCloseCallback(GLFWwindow* window, GLFWwindowclosefun callback)
 {
-    return set(window, &Callbacks::close, callback, "glfwSetWindowCloseCallback");
+    return set_callback(window, &Callbacks::close, callback, "glfwSetWindowCloseCallback");
 }
 
 GLFWwindowrefreshfun glfwSetWindowRefreshCallback(GLFWwindow* window, GLFWwindowrefreshfun callback)
 {
-    return set(window, &Callbacks::refresh, callback, "glfwSetWindowRefreshCallback");
+    return set_callback(window, &Callbacks::refresh, callback, "glfwSetWindowRefreshCallback");
 }
 
 GLFWwindowfocusfun glfwSetWindowFocusCallback(GLFWwindow* window, GLFWwindowfocusfun callback)
 {
-    return set(window, &Callbacks::focus, callback, "glfwSetWindowFocusCallback");
+    return set_callback(window, &Callbacks::focus, callback, "glfwSetWindowFocusCallback");
 }
 
 GLFWwindowiconifyfun glfwSetWindowIconifyCallback(GLFWwindow* window, GLFWwindowiconifyfun callback)
 {
-    return set(window, &Callbacks::iconify, callback, "glfwSetWindowIconifyCallback");
+    return set_callback(window, &Callbacks::iconify, callback, "glfwSetWindowIconifyCallback");
 }
 
 GLFWwindowmaximizefun glfwSetWindowMaximizeCallback(GLFWwindow* window, GLFWwindowmaximizefun callback)
 {
-    return set(window, &Callbacks::maximize, callback, "glfwSetWindowMaximizeCallback");
+    return set_callback(window, &Callbacks::maximize, callback, "glfwSetWindowMaximizeCallback");
 }
 
 GLFWframebuffersizefun glfwSetFramebufferSizeCallback(GLFWwindow* window, GLFWframebuffersizefun callback)
 {
-    return set(window, &Callbacks::framebuffer_size, callback, "glfwSetFramebufferSizeCallback");
+    return set_callback(window, &Callbacks::framebuffer_size, callback, "glfwSetFramebufferSizeCallback");
 }
 
 GLFWwindowcontentscalefun glfwSetWindowContentScaleCallback(GLFWwindow* window, GLFWwindowcontentscalefun callback)
 {
-    return set(window, &Callbacks::content_scale, callback, "glfwSetWindowContentScaleCallback");
+    return set_callback(window, &Callbacks::content_scale, callback, "glfwSetWindowContentScaleCallback");
 }
 
 GLFWkeyfun glfwSetKeyCallback(GLFWwindow* window, GLFWkeyfun callback)
 {
-    return set(window, &Callbacks::key, callback, "glfwSetKeyCallback");
+    return set_callback(window, &Callbacks::key, callback, "glfwSetKeyCallback");
 }
 
 GLFWcharfun glfwSetCharCallback(GLFWwindow* window, GLFWcharfun callback)
 {
-    return set(window, &Callbacks::character, callback, "glfwSetCharCallback");
+    return set_callback(window, &Callbacks::character, callback, "glfwSetCharCallback");
 }
 
 GLFWcharmodsfun glfwSetCharModsCallback(GLFWwindow* window, GLFWcharmodsfun callback)
 {
-    return set(window, &Callbacks::character_mods, callback, "glfwSetCharModsCallback");
+    return set_callback(window, &Callbacks::character_mods, callback, "glfwSetCharModsCallback");
 }
 
 GLFWmousebuttonfun glfwSetMouseButtonCallback(GLFWwindow* window, GLFWmousebuttonfun callback)
 {
-    return set(window, &Callbacks::mouse_button, callback, "glfwSetMouseButtonCallback");
+    return set_callback(window, &Callbacks::mouse_button, callback, "glfwSetMouseButtonCallback");
 }
 
 GLFWcursorposfun glfwSetCursorPosCallback(GLFWwindow* window, GLFWcursorposfun callback)
 {
-    return set(window, &Callbacks::cursor_position, callback, "glfwSetCursorPosCallback");
+    return set_callback(window, &Callbacks::cursor_position, callback, "glfwSetCursorPosCallback");
 }
 
 GLFWcursorenterfun glfwSetCursorEnterCallback(GLFWwindow* window, GLFWcursorenterfun callback)
 {
-    return set(window, &Callbacks::cursor_enter, callback, "glfwSetCursorEnterCallback");
+    return set_callback(window, &Callbacks::cursor_enter, callback, "glfwSetCursorEnterCallback");
 }
 
 GLFWscrollfun glfwSetScrollCallback(GLFWwindow* window, GLFWscrollfun callback)
 {
-    return set(window, &Callbacks::scroll, callback, "glfwSetScrollCallback");
+    return set_callback(window, &Callbacks::scroll, callback, "glfwSetScrollCallback");
 }
 
 GLFWdropfun glfwSetDropCallback(GLFWwindow* window, GLFWdropfun callback)
 {
-    return set(window, &Callbacks::drop, callback, "glfwSetDropCallback");
+    return set_callback(window, &Callbacks::drop, callback, "glfwSetDropCallback");
 }
 
 GLFWmonitorfun glfwSetMonitorCallback(GLFWmonitorfun callback)
