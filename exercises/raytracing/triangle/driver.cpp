@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -151,6 +155,58 @@ std::vector<TriangleShot> sizes(Random& random)
     return shots;
 }
 
+/// Where a ray first meets one of these.
+std::optional<float> first_distance(Recorder& out, Ray ray, std::span<const Triangle> triangles)
+{
+    std::optional<float> t;
+    for (const Triangle& triangle : triangles) {
+        const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, ray, triangle);
+        if (hit && hit->t < ray.t_max) ray.t_max = *(t = hit->t);
+    }
+    return t;
+}
+
+/// Each coordinate is one of the 2 `reach` + 1 whole numbers nearest to 0.
+glm::vec3 whole_numbers(Random& random, int reach)
+{
+    const auto one = [&] {
+        return static_cast<float>(random.below(static_cast<unsigned>(2 * reach + 1))) - static_cast<float>(reach);
+    };
+    const float x = one();
+    const float y = one();
+    return {x, y, one()};
+}
+
+// Two triangles on both sides of an edge, and a ray that crosses the edge, all at whole numbers: the crossing is exact,
+// and where formulas divide by the direction, what they round must not let the ray pass between the two.
+void record_seams(Random& random, Recorder& out)
+{
+    for (int i = 0; i < 250; ++i) {
+        glm::vec3 step;
+        glm::vec3 direction;
+        do {
+            step = whole_numbers(random, 6);
+            direction = whole_numbers(random, 15);
+        } while (cross(step, direction) == glm::vec3(0));
+        const auto [before, behind] =
+            std::pair(1.0F + static_cast<float>(random.below(3)), 1.0F + static_cast<float>(random.below(3)));
+        const glm::vec3 crossing = whole_numbers(random, 20);
+        const glm::vec3 from = crossing - before * step;
+        const glm::vec3 to = crossing + behind * step;
+        const glm::vec3 across = cross(step, direction);
+        glm::vec3 aside;
+        do aside = whole_numbers(random, 12);
+        while (dot(aside, across) == 0);
+        const std::array triangles = {Triangle{from, to, crossing + aside},
+                                      Triangle{to, from, crossing - aside + step}};
+        const Ray ray{crossing - (1.0F + static_cast<float>(random.below(4))) * direction, direction};
+        const Ray turned_away{ray.origin, -direction};
+        const bool first = random.below(2) == 0;
+        for (const bool hits : {first, !first})
+            out.append("t", first_distance(out, hits ? ray : turned_away, triangles));
+    }
+}
+
 // Rays from inside a closed mesh, at its corners and its edges' points; every second one begins outside and leaves.
 // What is recorded is the first triangle's distance.
 void record_mesh(Random& random, Recorder& out)
@@ -165,16 +221,14 @@ void record_mesh(Random& random, Recorder& out)
         const Ray leaves{glm::vec3(3.0 * normalize(target)), inside.direction};
         const bool first = random.below(2) == 0;
         for (const bool hits : {first, !first}) {
-            Ray ray = hits ? inside : leaves;
-            std::optional<float> t;
-            for (const Triangle& other : mesh) {
-                // The driver's own test of a ball round the triangle spares most questions.
+            const Ray ray = hits ? inside : leaves;
+            // The driver's own test of a ball round each triangle spares most questions.
+            std::vector<Triangle> near;
+            std::ranges::copy_if(mesh, std::back_inserter(near), [&](const Triangle& other) {
                 const glm::vec3 centre = (other.v0 + other.v1 + other.v2) / 3.0F;
-                if (length(cross(centre - ray.origin, ray.direction)) > 0.35F) continue;
-                const std::optional<TriangleHit> hit = ask<intersect_triangle>(out, ray, other);
-                if (hit && hit->t < ray.t_max) ray.t_max = *(t = hit->t);
-            }
-            out.append("t", t);
+                return length(cross(centre - ray.origin, ray.direction)) <= 0.35F;
+            });
+            out.append("t", first_distance(out, ray, near));
         }
     }
 }
@@ -203,6 +257,7 @@ const Driver driver = {
     {"intervals", [](Case& c, Recorder& out) { record(out, intervals(c.random)); }},
     {"nothing", [](Case& c, Recorder& out) { record(out, nothing_to_hit(c.random)); }},
     {"sizes", [](Case& c, Recorder& out) { record(out, sizes(c.random)); }},
+    {"seams", [](Case& c, Recorder& out) { record_seams(c.random, out); }},
     {"mesh", [](Case& c, Recorder& out) { record_mesh(c.random, out); }},
     {"grazing", [](Case& c, Recorder& out) { record_all(out, random_pairs(c.random, 300, 1e-4, 1e-2, 0.1)); }},
     {"picture", [](Case&, Recorder& out) { record_picture(out); }},
