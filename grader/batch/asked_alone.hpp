@@ -15,11 +15,11 @@ inline constexpr const char* right_alone =
     "this call is answered right if no other is made before it: your code keeps something from one call to the next, "
     "perhaps in a static or a global variable";
 
-/// May a case's run be repeated for what is said beside the grade? Not if it took half of what it may: whoever sleeps
-/// to just under the limit would make the grader wait for it once for every question about it.
-[[nodiscard]] inline bool is_quick(const Exercise& exercise, const CaseResult& one)
+/// May a case's run be repeated for what is said beside the grade? Not if it took half of what it may, nor when the time
+/// for such runs is used up.
+[[nodiscard]] inline bool may_repeat(Worker& worker, const Exercise& exercise, const CaseResult& one)
 {
-    return one.student.wall_seconds <= exercise.limits.wall_seconds / 2;
+    return worker.spare_time().is_left() && one.student.wall_seconds <= exercise.limits.wall_seconds / 2;
 }
 
 /// A row of the table of a case that is asked whole, and the question that led to it.

@@ -178,7 +178,9 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
                      });
     result.message = troubles(cases);
     result.output = printed_text(exercise, cases);
-    const bool explains = options.explain && result.verdict != Verdict::ok;
+    // What the sandbox refused is reason enough for no points.
+    const bool explains = options.explain && result.verdict != Verdict::ok && result.verdict != Verdict::blocked;
+    worker.spare_time().allow(exercise.limits.wall_seconds);
     if (explains)
         beside_the_grade(result, [&] {
             result.explanations = explain_unit(worker, exercise, result, cases);

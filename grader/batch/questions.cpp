@@ -98,11 +98,11 @@ public:
             const QuestionSpan asked = log_.questions_of(check.value, cell, expected->cells());
             // No debugger can stop at several.
             if (asked.count > 1) result.first_difference->cell.reset();
-            alone = !check.hidden && asked.count == 1 && is_quick(exercise_, one_) &&
+            alone = !check.hidden && asked.count == 1 && may_repeat(worker_, exercise_, one_) &&
                     is_right_alone(worker_, exercise_, built_, check, one_, asked.first, cell);
         }
         for (RowPair* row : rows_in(detail, check.name)) show(row->cell, row->question);
-        if (!is_quick(exercise_, one_)) return;
+        if (!may_repeat(worker_, exercise_, one_)) return;
         // What wrong answers share says nothing of the cause then.
         result.common =
             alone ? right_alone : sentence_of(find_in_common(worker_, {exercise_, check, runs_, one_, log_, headers}));

@@ -121,7 +121,7 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
     std::vector<std::size_t> checks;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i)
         if (can_be_simpler(exercise.checks[i], result.checks[i]) &&
-            is_quick(exercise, cases.at(exercise.checks[i].case_name)))
+            may_repeat(worker, exercise, cases.at(exercise.checks[i].case_name)))
             checks.push_back(i);
     std::ranges::stable_sort(checks, {}, [&](std::size_t i) { return judge_of(exercise.checks[i]).place; });
     if (checks.size() > most_checks) checks.resize(most_checks);
@@ -129,7 +129,8 @@ void add_simplest_question(Worker& worker, const Exercise& exercise, const Built
         const Check& check = exercise.checks[i];
         Simplest simplest;
         const bool in_time = std::ranges::all_of(grains, [&](const Grain& grain) {
-            return look_at(worker, exercise, built, check, cases.at(check.case_name), grain, simplest);
+            return worker.spare_time().is_left() &&
+                   look_at(worker, exercise, built, check, cases.at(check.case_name), grain, simplest);
         });
         if (!in_time) return;
         const double first =

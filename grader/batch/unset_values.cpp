@@ -95,6 +95,7 @@ std::optional<UnsetValues> by_unset_values(Worker& worker, const Exercise& exerc
     Built nonsense = built;
     nonsense.fresh_memory = FreshMemory::lasting_nonsense;
     for (const FailingCase& one : failing) {
+        if (!worker.spare_time().is_left()) return std::nullopt;
         const CaseResult& graded = cases.at(one.name);
         const auto run = [&](const Built& what) { return worker.run(exercise, what, one.name, graded.seed); };
         const RunOutcome first = run(nonsense);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "batch/check_basis.hpp"
+#include "batch/spare_time.hpp"
 #include "build/builder.hpp"
 #include "build/toolchain.hpp"
 #include "model/scratch.hpp"
@@ -45,6 +46,9 @@ public:
 
     /// Lets go of remembered runs if they take too much memory; references to them end. Called between units.
     void forget_if_full();
+
+    /// What is left for running students' code beside the grade; each run of it takes from that.
+    [[nodiscard]] SpareTime& spare_time() noexcept { return spare_time_; }
 
     /// Runs one case with a student's (or a solution's) build, after the trusted runs that it is judged against: of its
     /// recording only what the case's checks look at is read, and not if it is far larger than expected. Throws
@@ -110,6 +114,7 @@ private:
     [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
     [[nodiscard]] RunRequest students_request(const Exercise& exercise, const Built& built,
                                               const std::string& case_name, std::uint64_t seed);
+    [[nodiscard]] RunOutcome run_students(const Exercise& exercise, const RunRequest& wanted);
     [[nodiscard]] RunRequest trusted_request(const Exercise& exercise, Answers solution, const std::string& case_name,
                                              std::uint64_t seed);
     [[nodiscard]] std::filesystem::path library_of(const Exercise& exercise, const std::string& name);
@@ -132,6 +137,7 @@ private:
     std::unique_ptr<Spawner> plain_;
     std::unique_ptr<Spawner> gl_;
     std::shared_ptr<const UnitKeys> keys_;
+    SpareTime spare_time_;
     std::map<std::string, RunOutcome> remembered_;
     std::map<std::string, QuestionLog> questions_;
     std::map<std::string, CheckBasis> bases_;

@@ -86,6 +86,32 @@ TEST_F(Bounds, far_too_many_rows_are_counted_and_not_judged)
     EXPECT_EQ(picture->message, "nothing was recorded: the run was disturbed");
 }
 
+TEST_F(Bounds, code_that_takes_its_time_is_not_run_for_every_question)
+{
+    exercise.limits.wall_seconds = 1;
+    const std::string wrong = "    if (ray.direction.x > 0) return 1.0F;";
+    const auto has_simplest = [](const CheckResult& check) { return check.simplest.has_value(); };
+    const UnitResult quick = grade({{"sphere.cpp", sphere_with("", wrong)}});
+    EXPECT_TRUE(std::ranges::any_of(quick.checks, has_simplest));
+    EXPECT_TRUE(worker.spare_time().is_left());
+    const std::string burns =
+        "    static const bool burnt = [] { for (volatile int i = 0; i < 60000000; i = i + 1) {} return true; }();\n"
+        "    (void)burnt;\n";
+    const UnitResult slow = grade({{"sphere.cpp", sphere_with("", burns + wrong)}});
+    EXPECT_EQ(slow.score, quick.score);
+    EXPECT_FALSE(std::ranges::any_of(slow.checks, has_simplest));
+    EXPECT_FALSE(worker.spare_time().is_left());
+}
+
+TEST_F(Bounds, what_was_refused_is_reason_enough)
+{
+    const UnitResult result =
+        grade(planted(bench, sphere_with(raw_calls, "    raw(SYS_getppid);\n    return ray.t_min + 1.0F;")));
+    EXPECT_EQ(to_string(result.verdict), "blocked") << result.message;
+    EXPECT_TRUE(result.explanations.empty());
+    EXPECT_TRUE(std::ranges::all_of(result.checks, [](const CheckResult& check) { return check.common.empty(); }));
+}
+
 TEST_F(Bounds, what_was_printed_and_said_is_capped)
 {
     const UnitResult result =
