@@ -15,8 +15,8 @@ inline constexpr const char* right_alone =
     "this call is answered right if no other is made before it: your code keeps something from one call to the next, "
     "perhaps in a static or a global variable";
 
-/// May a case's run be repeated for what is said beside the grade? Not if it took half of what it may, nor when the time
-/// for such runs is used up.
+/// May a case's run be repeated for what is said beside the grade? Not if it took half of what it may, nor when the
+/// time for such runs is used up.
 [[nodiscard]] inline bool may_repeat(Worker& worker, const Exercise& exercise, const CaseResult& one)
 {
     return worker.spare_time().is_left() && one.student.wall_seconds <= exercise.limits.wall_seconds / 2;

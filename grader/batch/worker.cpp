@@ -226,11 +226,6 @@ RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::pa
     return spawner(exercise.gl).run(wanted);
 }
 
-RunOutcome Worker::answer(const Exercise& exercise, const Built& built, const std::filesystem::path& driver)
-{
-    return answer_of(exercise, built.library, driver);
-}
-
 RunOutcome Worker::answer(const Exercise& exercise, Answers solution, const std::filesystem::path& driver)
 {
     return answer_of(exercise, library_of(exercise, to_string(solution)), driver);

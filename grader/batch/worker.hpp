@@ -99,7 +99,10 @@ public:
 
     /// Runs the only case, "question", of a driver of its own (ask_question.hpp) with a student's build, or with a
     /// trusted solution. Nothing is kept.
-    [[nodiscard]] RunOutcome answer(const Exercise& exercise, const Built& built, const std::filesystem::path& driver);
+    [[nodiscard]] RunOutcome answer(const Exercise& exercise, const Built& built, const std::filesystem::path& driver)
+    {
+        return answer_of(exercise, built.library, driver);
+    }
     [[nodiscard]] RunOutcome answer(const Exercise& exercise, Answers solution, const std::filesystem::path& driver);
 
     /// What the trusted recordings decide of a check: worked out once.
