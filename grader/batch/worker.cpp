@@ -55,9 +55,8 @@ Worker::Worker(Toolchain tools, std::string gl_backend)
 Spawner& Worker::spawner(bool gl)
 {
     std::unique_ptr<Spawner>& wanted = gl ? gl_ : plain_;
-    if (!wanted)
-        wanted =
-            std::make_unique<Spawner>(tools_.programs / (gl ? "umbral-spawner-gl" : "umbral-spawner"), gl_backend_);
+    const char* const program = gl ? "umbral-spawner-gl" : "umbral-spawner";
+    if (!wanted) wanted = std::make_unique<Spawner>(tools_.programs / program, gl_backend_);
     return *wanted;
 }
 
