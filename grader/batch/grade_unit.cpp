@@ -149,6 +149,7 @@ UnitResult judged_in_full(Worker& worker, const Exercise& exercise, const Built&
         return result;
     }
     CaseResults cases;
+    worker.spare_time().allow(exercise.limits.wall_seconds);
     for (const std::string& name : shuffled_cases(exercise, options.seeds))
         cases.emplace(
             name, may_run_another(cases)

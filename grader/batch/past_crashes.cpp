@@ -71,8 +71,8 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
 {
     PassedOver passed_over;
     RunOutcome last = one.student;
-    // The case that crashed and its repetitions take no longer than one run may, and the last of them: crashing late,
-    // again and again, would else cost twelve times the limit in each case.
+    // The case that crashed and its repetitions take no longer than one run may, and the last of them, nor do all
+    // repetitions of a unit: crashing late, again and again, would else cost twelve times the limit in each case.
     double seconds = last.verdict == Verdict::timeout ? 0 : last.wall_seconds;
     // Each run takes more away, but whether code crashes may be up to chance.
     for (std::size_t runs = 0; can_be_passed(last) && runs <= most_questions + most_functions; ++runs) {
@@ -85,7 +85,7 @@ void go_past_crashes(Worker& worker, const Exercise& exercise, const Built& buil
         else if (last.verdict == Verdict::timeout || passed_over.functions.size() == most_functions ||
                  !passed_over.functions.emplace(function(), question).second)
             passed_over.end = question;
-        if (seconds > exercise.limits.wall_seconds) return;
+        if (seconds > exercise.limits.wall_seconds || !worker.spare_time().is_left()) return;
         last = worker.run_past(exercise, built, case_name, one.seed, passed_over);
         seconds += last.wall_seconds;
     }

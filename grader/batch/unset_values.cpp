@@ -97,7 +97,7 @@ std::optional<UnsetValues> by_unset_values(Worker& worker, const Exercise& exerc
     for (const FailingCase& one : failing) {
         if (!worker.spare_time().is_left()) return std::nullopt;
         const CaseResult& graded = cases.at(one.name);
-        const auto run = [&](const Built& what) { return worker.run(exercise, what, one.name, graded.seed); };
+        const auto run = [&](const Built& what) { return worker.run_again(exercise, what, one.name, graded.seed); };
         const RunOutcome first = run(nonsense);
         if (!differ(first, run(*zeros), one)) continue;
         if (differ(first, run(nonsense), one)) return std::nullopt;

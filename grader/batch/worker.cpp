@@ -119,17 +119,10 @@ RunRequest Worker::trusted_request(const Exercise& exercise, Answers solution, c
     return wanted;
 }
 
-RunOutcome Worker::run_students(const Exercise& exercise, const RunRequest& wanted)
-{
-    RunOutcome outcome = spawner(exercise.gl).run(wanted);
-    spare_time_.spend(outcome);
-    return outcome;
-}
-
 RunOutcome Worker::run(const Exercise& exercise, const Built& built, const std::string& case_name, std::uint64_t seed)
 {
     if (!built.mistake.empty()) return run_known(exercise, "mistakes/" + built.mistake, built.sources, case_name, seed);
-    return run_students(exercise, students_request(exercise, built, case_name, seed));
+    return spawner(exercise.gl).run(students_request(exercise, built, case_name, seed));
 }
 
 RunOutcome Worker::run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
@@ -139,7 +132,7 @@ RunOutcome Worker::run_past(const Exercise& exercise, const Built& built, const 
     wanted.passed_over = passed_over;
     for (const auto& [name, most] : WantedTensors(wanted.wanted))
         wanted.wanted.emplace(std::string(rows_without_answer) + name, most);
-    return run_students(exercise, wanted);
+    return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
 }
 
 RunOutcome Worker::run_limited(const Exercise& exercise, const Built* built, const std::string& case_name,
@@ -199,7 +192,7 @@ RunOutcome Worker::run_told(const Exercise& exercise, const Built& built, const 
     wanted.inquiry.questions = true;
     for (const auto& [name, most] : WantedTensors(wanted.wanted))
         wanted.wanted.emplace(std::string(question_names::rows) + name, most);
-    return run_students(exercise, wanted);
+    return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
 }
 
 RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, const std::string& case_name,
@@ -211,7 +204,7 @@ RunOutcome Worker::run_coarse(const Exercise& exercise, const Built& built, cons
     for (auto& [value, cells] : wanted.wanted)
         if (const Tensor* tensor = tensor_of(expected, value)) cells = tensor->cells();
     wanted.inquiry.grain = grain;
-    return run_students(exercise, wanted);
+    return spare_time_.spent_on(spawner(exercise.gl).run(wanted));
 }
 
 RunOutcome Worker::answer_of(const Exercise& exercise, const std::filesystem::path& library,

@@ -47,7 +47,7 @@ public:
     /// Lets go of remembered runs if they take too much memory; references to them end. Called between units.
     void forget_if_full();
 
-    /// What is left for running students' code beside the grade; each run of it takes from that.
+    /// What is left for running students' code again: all runs but `run` take from it.
     [[nodiscard]] SpareTime& spare_time() noexcept { return spare_time_; }
 
     /// Runs one case with a student's (or a solution's) build, after the trusted runs that it is judged against: of its
@@ -55,6 +55,13 @@ public:
     /// std::runtime_error for faults of the grader's and for what the machine lacks.
     [[nodiscard]] RunOutcome run(const Exercise& exercise, const Built& built, const std::string& case_name,
                                  std::uint64_t seed);
+
+    /// The same, once more.
+    [[nodiscard]] RunOutcome run_again(const Exercise& exercise, const Built& built, const std::string& case_name,
+                                       std::uint64_t seed)
+    {
+        return spare_time_.spent_on(run(exercise, built, case_name, seed));
+    }
 
     /// The same without some questions; of the recording is read, too, which rows lack an answer for that.
     [[nodiscard]] RunOutcome run_past(const Exercise& exercise, const Built& built, const std::string& case_name,
@@ -117,7 +124,6 @@ private:
     [[nodiscard]] RunRequest request(const Exercise& exercise, const std::string& case_name, std::uint64_t seed) const;
     [[nodiscard]] RunRequest students_request(const Exercise& exercise, const Built& built,
                                               const std::string& case_name, std::uint64_t seed);
-    [[nodiscard]] RunOutcome run_students(const Exercise& exercise, const RunRequest& wanted);
     [[nodiscard]] RunRequest trusted_request(const Exercise& exercise, Answers solution, const std::string& case_name,
                                              std::uint64_t seed);
     [[nodiscard]] std::filesystem::path library_of(const Exercise& exercise, const std::string& name);
