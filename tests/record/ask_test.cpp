@@ -222,6 +222,27 @@ TEST(Ask, of_what_objects_are_handed_to_tells_how_they_stand)
               "1\tconst auto counter = make_counter(5);|const Step step = …;|take_steps(counter, step, 3)\n");
 }
 
+TEST(Ask, of_one_of_two_objects_tells_what_was_done_to_both)
+{
+    const auto tensors = asked({.wanted = {5, 7}}, [](Recorder& out) {
+        const auto first = ask_new<make_counter>(out, "first", 5);
+        const auto second = ask_new<make_counter>(out, "second", 6);
+        ask<&Counter::add>(out, *first, 1);
+        ask<&Counter::add>(out, *second, 2);
+        ask<&Counter::add>(out, *first, 3);
+        (void)ask<&Counter::total>(out, *second);
+        // What has its name is another object.
+        const auto other = ask_new<make_counter>(out, "first", 7);
+        (void)ask<&Counter::total>(out, *other);
+    });
+    EXPECT_EQ(
+        text(tensors, "?code"),
+        "5\tconst auto first = make_counter(5);|const auto second = make_counter(6);|first->add(1);|second->add(2);"
+        "|first->add(3);|second->total()\n"
+        "7\tconst auto second = make_counter(6);|second->add(2);|const auto first = make_counter(7);"
+        "|first->total()\n");
+}
+
 TEST(Ask, leaves_out_the_middle_of_long_stories_and_lists_unless_in_full)
 {
     const auto run = [](Recorder& out) {

@@ -91,18 +91,15 @@ void note(Questions& questions, std::string_view function, std::tuple<Kept...>& 
     if (other && (other->function.empty() || other->function == function)) questions.change(parts_of(arguments));
 }
 
-/// The lines that brought the objects among the arguments where they are. A copy is none of them, though it may lie
-/// where one was.
+/// Is one of the arguments an object that the driver goes on with? A copy is none, though it may lie where one was.
 template <class... Kept>
-std::string histories(const Questions& questions, const std::tuple<Kept...>& arguments)
+bool has_object(const Questions& questions, const std::tuple<Kept...>& arguments)
 {
-    std::string text;
-    [&]<std::size_t... Index>(std::index_sequence<Index...>)
+    return [&]<std::size_t... Index>(std::index_sequence<Index...>)
     {
-        ((text += std::is_reference_v<Kept> ? questions.history_of(&std::get<Index>(arguments)) : ""), ...);
+        return ((std::is_reference_v<Kept> && questions.is_object(&std::get<Index>(arguments))) || ...);
     }
     (std::index_sequence_for<Kept...>{});
-    return text;
 }
 
 /// "intersect(Ray{…}, Sphere{…})"
@@ -155,7 +152,8 @@ struct AskFunction {
         std::tuple<typename Kept<Parameters>::Type...> all(kept<Parameters>(arguments)...);
         questions->begin();
         if (questions->code_is_wanted())
-            questions->set_code(histories(*questions, all) + call_text(*questions, name, all));
+            questions->set_code((has_object(*questions, all) ? questions->history() : "") +
+                                call_text(*questions, name, all));
         note(*questions, name, all);
         return std::apply([](auto&... each) -> Result { return Function(each...); }, all);
     }
@@ -179,9 +177,10 @@ struct AskMember {
                                 : called + "->";
         if (questions->code_is_wanted() || Changes) {
             called += call_text(*questions, name, all);
-            if (questions->code_is_wanted())
-                // What is handed over is made before it is named in the object's lines.
-                questions->set_code(histories(*questions, all) + questions->history_of(&object) + called);
+            if (questions->code_is_wanted()) {
+                const bool known = questions->is_object(&object) || has_object(*questions, all);
+                questions->set_code((known ? questions->history() : "") + called);
+            }
             if (Changes) questions->add_line(&object, called + ";");
         }
         note(*questions, name, all);

@@ -75,7 +75,8 @@ void Questions::set_features(std::string_view function, const Features& features
 
 void Questions::set_object(const void* object, std::string_view name, std::string made)
 {
-    objects_[object] = {std::string(name), {std::move(made)}, 0};
+    std::erase_if(objects_, [&](const auto& one) { return one.second.name == name; });
+    objects_[object] = {std::string(name), {{lines_++, std::move(made)}}, 0};
 }
 
 std::string Questions::name_of(const void* object) const
@@ -84,16 +85,17 @@ std::string Questions::name_of(const void* object) const
     return found == objects_.end() ? std::string() : found->second.name;
 }
 
-std::string Questions::history_of(const void* object) const
+std::string Questions::history() const
 {
-    const auto found = objects_.find(object);
-    if (found == objects_.end()) return "";
-    const Object& known = found->second;
-    std::string text;
-    for (std::size_t i = 0; i < known.lines.size(); ++i) {
-        text += known.lines[i] + '\n';
-        if (i == 0 && known.left_out > 0) text += "// … " + std::to_string(known.left_out) + " calls left out\n";
+    std::map<std::size_t, std::string> lines;
+    for (const auto& [address, object] : objects_) {
+        for (const Line& line : object.lines) lines[line.number] = line.text + '\n';
+        if (object.left_out > 0)
+            lines[object.lines.front().number] += "// … " + std::to_string(object.left_out) + " calls " +
+                                                  (objects_.size() > 1 ? "to " + object.name + ' ' : "") + "left out\n";
     }
+    std::string text;
+    for (const auto& [number, line] : lines) text += line;
     return text;
 }
 
@@ -106,7 +108,7 @@ void Questions::add_line(const void* object, std::string line)
         known.lines.erase(known.lines.begin() + 1);
         ++known.left_out;
     }
-    known.lines.push_back(std::move(line));
+    known.lines.push_back({lines_++, std::move(line)});
 }
 
 void Questions::link_row(std::string_view value)

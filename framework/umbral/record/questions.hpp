@@ -72,12 +72,14 @@ public:
     /// Asks the other question: changes the arguments of the current one.
     void change(std::span<const Part> parts) { change_parts(*other_, parts, changed_); }
 
-    /// `object` is called `name` in code from now on, and was made by this line.
+    /// `object` is called `name` in code from now on, and was made by this line; what had the name before is gone.
     void set_object(const void* object, std::string_view name, std::string made);
     /// What `object` is called, or nothing.
     [[nodiscard]] std::string name_of(const void* object) const;
-    /// The lines that brought `object` where it is, one after the other; only the last of them unless in full.
-    [[nodiscard]] std::string history_of(const void* object) const;
+    [[nodiscard]] bool is_object(const void* address) const { return objects_.contains(address); }
+    /// The lines that brought all objects where they are, in the order in which they were called: what an object does
+    /// may depend on what was done to another. Of each object only the last lines unless in full.
+    [[nodiscard]] std::string history() const;
     /// One more line that changed it.
     void add_line(const void* object, std::string line);
 
@@ -92,9 +94,13 @@ public:
     void write(std::map<std::string, Tensor, std::less<>>& tensors) const;
 
 private:
+    struct Line {
+        std::size_t number;  ///< among all objects' lines
+        std::string text;
+    };
     struct Object {
         std::string name;
-        std::vector<std::string> lines;
+        std::vector<Line> lines;
         std::size_t left_out = 0;  ///< behind the first line
     };
     struct Function {
@@ -113,6 +119,7 @@ private:
     std::vector<Function> functions_;
     std::string others_;
     std::map<const void*, Object> objects_;
+    std::size_t lines_ = 0;  ///< of all objects
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> rows_;
     std::map<std::string, std::pair<std::uint32_t, std::uint32_t>, std::less<>> wholes_;
     std::map<std::string, std::vector<std::array<std::uint32_t, 6>>, std::less<>> tiles_;
