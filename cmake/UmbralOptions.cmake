@@ -81,10 +81,11 @@ if(UMBRAL_SANITIZERS)
   add_link_options(-fsanitize=${UMBRAL_SANITIZERS})
 endif()
 
-# Where files are compiled together, a name in one may hide a constant of another: no reason to warn.
+# Where files are compiled together, a name in one may hide a constant of another, and what each file's anonymous
+# namespace holds looks as if it came from a header.
 add_library(umbral-warnings INTERFACE)
 target_compile_options(umbral-warnings INTERFACE -Wall -Wextra -Wconversion
-  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
+  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wno-subobject-linkage,-Wshadow>
   $<$<BOOL:${UMBRAL_WARNINGS_AS_ERRORS}>:-Werror>)
 # g++ 12 warns of overlapping copies inside std::string at -O3 where there are none (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 AND NOT CMAKE_CXX_CLANG_TIDY)

@@ -1,3 +1,4 @@
+#include <limits>
 #include <sstream>
 #include <umbral/meshes/ply.hpp>
 #include <umbral/record/ask.hpp>
@@ -132,6 +133,42 @@ void record_dialects(std::initializer_list<PlyFormat> kinds, Random& random, Rec
             record_read(out, written_in(dialect, mesh, random), mesh);
         }
     }
+}
+
+/// Numbers in binary data that hardly are floats: tiny, too large, between two, not finite.
+void record_binary_numbers(Recorder& out)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double values[] = {1e-40,
+                             1.401298464324817e-45,
+                             1.1754943508222875e-38,
+                             3e-39,
+                             -1e-44,
+                             0.1,
+                             16777217,
+                             -16777219,
+                             1.0000000596046449,
+                             1e39,
+                             -1e300,
+                             1e-60,
+                             -0.0,
+                             infinity,
+                             -infinity,
+                             std::numeric_limits<double>::quiet_NaN(),
+                             3.4028235677973366e38};
+    for (const auto& [format, words] : {std::pair(PlyFormat::little_endian, "binary_little_endian"),
+                                        std::pair(PlyFormat::big_endian, "binary_big_endian")})
+        for (const PlyType type : {PlyType::float32, PlyType::float64})
+            for (const double value : values) {
+                NumberWriter numbers(format);
+                numbers.put(type, value);
+                numbers.put(PlyType::float32, 0);
+                numbers.put(PlyType::float32, 1);
+                const std::string header = std::string("ply\nformat ") + words + " 1.0\nelement vertex 1\nproperty " +
+                                           (type == PlyType::float32 ? "float" : "double") +
+                                           " x\nproperty float y\nproperty float z\nend_header\n";
+                record_bits(out, read_or_nothing(out, header + numbers.data(), {"bits"}), 1);
+            }
 }
 
 /// Decimals that are hard to read: just beside the middle of two floats, in long and odd forms, or hardly a float at
@@ -274,6 +311,7 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          record_dialects({PlyFormat::little_endian, PlyFormat::big_endian}, c.random, out);
      }},
+    {"binary numbers", [](Case&, Recorder& out) { record_binary_numbers(out); }},
     {"decimals", [](Case&, Recorder& out) { record_decimals(out); }},
     {"headers", [](Case&, Recorder& out) { record_problems(out, bad_headers()); }},
     {"data", [](Case&, Recorder& out) { record_problems(out, bad_data()); }},

@@ -95,6 +95,16 @@ void record_node(Recorder& out)
     add(out, *inner, move(0, 0));
     draw(out, *outer);
     draw(out, *empty);
+    // Forty nodes deep.
+    std::shared_ptr<const Drawable> deep = numbered(5);
+    for (int level = 1; level <= 40; ++level) {
+        const std::shared_ptr<GraphNode> around = ask_new<make_graph_node>(out, "around");
+        if (!around) return;
+        add(out, *around, move(1, 0));
+        add(out, *around, deep);
+        if (level == 40) draw(out, *around);
+        deep = around;
+    }
 }
 
 // A part that throws, one node and two deep.
@@ -233,7 +243,8 @@ void record_facade(Recorder& out)
     record_names(out);
     // Each of parts of its own.
     int part = 1;
-    for (const auto& [height, angle] : {std::pair{1.5F, 0.0F}, {3.0F, 0.0F}, {1.5F, 1.5F}, {0.75F, -0.25F}}) {
+    for (const auto& [height, angle] :
+         {std::pair{1.5F, 0.0F}, {3.0F, 0.0F}, {1.5F, 1.5F}, {0.75F, -0.25F}, {0.0F, 0.5F}}) {
         const FacadeGraph facade = new_facade(out, "facade", part, height, angle);
         part += 3;
         draw(out, facade);
