@@ -151,16 +151,19 @@ inline Scene floor_of_two_triangles()
     return scene;
 }
 
-/// Balls that are stretched and turned: half of each faces away from the projector.
+/// Balls that are stretched and turned: half of each faces away from the projector. One has few faces: between its
+/// vertices the interpolated normals are much shorter than at them.
 inline Scene stretched_balls()
 {
     Scene scene;
     const shapes::Shape ball = shapes::sphere(64, 32);
+    const shapes::Shape few_faces = shapes::sphere(8, 4);
     for (int i = 0; i < 4; ++i) {
         const auto k = static_cast<float>(i);
         const glm::mat4 at = glm::rotate(glm::translate(glm::mat4(1), {1.5F * k - 2.25F, 0, 0}), 0.7F * k + 0.3F,
                                          glm::normalize(glm::vec3(0.3F, 0.4F, 1)));
-        scene.things.push_back({ball, glm::scale(at, {0.35F + 0.1F * k, 0.95F, 0.65F - 0.1F * k}), glm::vec3(0.9F)});
+        scene.things.push_back(
+            {i == 1 ? few_faces : ball, glm::scale(at, {0.35F + 0.1F * k, 0.95F, 0.65F - 0.1F * k}), glm::vec3(0.9F)});
     }
     scene.projector = projector_at({3, 3.2F, 4.0F}, {0, 0, 0}, 50);
     scene.projector.lamp = glm::vec3(1.3F);
@@ -236,13 +239,19 @@ inline std::vector<Point> random_points(Random& random, int count)
     return points;
 }
 
-/// Where a quotient has no value, or a term vanishes; between them ordinary points.
+/// Where a quotient has no value, or a term vanishes, and on the beam's border; between them ordinary points.
 inline std::vector<Point> edges()
 {
     std::vector<Point> points;
     const Projector projector = projector_at({0, 0, 0}, {0, 0, -1}, 90);
     const auto add = [&](const glm::vec3& place, const glm::vec3& normal) {
         points.push_back({projector, place, normal, {0.8F, 0.6F, 0.4F}, glm::mat4(1)});
+    };
+    // Its clip coordinates are x, y and -z without any rounding.
+    Projector exact = projector;
+    exact.projection = glm::frustum(-1.0F, 1.0F, -1.0F, 1.0F, 1.0F, 3.0F);
+    const auto add_at_border = [&](const glm::vec3& place) {
+        points.push_back({exact, place, {0, 0, 1}, {0.8F, 0.6F, 0.4F}, glm::mat4(1)});
     };
     const glm::vec3 back(0, 0, 1);
     for (const float x : {-0.5F, 0.25F}) {
@@ -258,6 +267,10 @@ inline std::vector<Point> edges()
         add({1e4F * x, 2e3F, -1.6e4F}, back);                 // much farther
         add({30 * x, 0, -1}, back);                           // beside the beam, far
         add({0, -30 * x, -1}, back);
+        for (const float beyond : {1.0F, 1.0078125F}) {  // on the border, and 1/128 beyond it
+            add_at_border({std::copysign(2 * beyond, x), x, -2});
+            add_at_border({x, std::copysign(2 * beyond, x), -2});
+        }
     }
     return points;
 }
