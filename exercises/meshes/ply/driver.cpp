@@ -1,5 +1,3 @@
-#include <limits>
-#include <sstream>
 #include <umbral/meshes/ply.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -7,6 +5,7 @@
 #include "comma_locale.hpp"
 #include "decode.hpp"
 #include "dialect.hpp"
+#include "hard_numbers.hpp"
 #include "malformed.hpp"
 #include "models.hpp"
 #include "own_file.hpp"
@@ -135,62 +134,19 @@ void record_dialects(std::initializer_list<PlyFormat> kinds, Random& random, Rec
     }
 }
 
-/// Numbers in binary data that hardly are floats: tiny, too large, between two, not finite.
+/// Numbers that hardly are floats.
 void record_binary_numbers(Recorder& out)
 {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double values[] = {1e-40,
-                             1.401298464324817e-45,
-                             1.1754943508222875e-38,
-                             3e-39,
-                             -1e-44,
-                             0.1,
-                             16777217,
-                             -16777219,
-                             1.0000000596046449,
-                             1e39,
-                             -1e300,
-                             1e-60,
-                             -0.0,
-                             infinity,
-                             -infinity,
-                             std::numeric_limits<double>::quiet_NaN(),
-                             3.4028235677973366e38};
-    for (const auto& [format, words] : {std::pair(PlyFormat::little_endian, "binary_little_endian"),
-                                        std::pair(PlyFormat::big_endian, "binary_big_endian")})
-        for (const PlyType type : {PlyType::float32, PlyType::float64})
-            for (const double value : values) {
-                NumberWriter numbers(format);
-                numbers.put(type, value);
-                numbers.put(PlyType::float32, 0);
-                numbers.put(PlyType::float32, 1);
-                const std::string header = std::string("ply\nformat ") + words + " 1.0\nelement vertex 1\nproperty " +
-                                           (type == PlyType::float32 ? "float" : "double") +
-                                           " x\nproperty float y\nproperty float z\nend_header\n";
-                record_bits(out, read_or_nothing(out, header + numbers.data(), {"bits"}), 1);
-            }
+    for (const std::string& file : binary_number_files()) record_bits(out, read_or_nothing(out, file, {"bits"}), 1);
 }
 
-/// Decimals that are hard to read: just beside the middle of two floats, in long and odd forms, or hardly a float at
-/// all.
 void record_decimals(Recorder& out)
 {
-    const std::string all =
-        "1.00000005960464477540 1.00000005960464477538 1.00000017881393432618 16777217.0000000001 0.1 "
-        "0.30000001192092896 +1.5 -.5 5. 1E3 1e+3 -0 1e-40 1.17549435e-38 1.4e-45 7.1e-46 1e-60 -1e-400 "
-        "3.4028235e38 inf 0.000000000000000000000000000000000000000000001 "
-        "100000000000000000000000000000000000000e-38 0.01e-5000 1e-99999999999999999999 -inf +inf nan "
-        "-nan 8.589973e9";
-    for (const char* type : {"float", "double"}) {
-        std::istringstream words(all);
-        for (std::string word; words >> word;) {
-            const std::string header = std::string("ply\nformat ascii 1.0\nelement vertex 1\nproperty ") + type +
-                                       " x\nproperty float y\nproperty float z\nend_header\n";
-            PolygonMesh mesh = read_or_nothing(out, header + word + " 0 1\n", {"bits"});
-            // A zero that came of what is too small may have either sign.
-            if (word != "-0" && !mesh.positions.empty() && mesh.positions[0].x == 0) mesh.positions[0].x = 0;
-            record_bits(out, mesh, 1);
-        }
+    for (const auto& [word, file] : decimal_files()) {
+        PolygonMesh mesh = read_or_nothing(out, file, {"bits"});
+        // A zero that came of what is too small may have either sign.
+        if (word != "-0" && !mesh.positions.empty() && mesh.positions[0].x == 0) mesh.positions[0].x = 0;
+        record_bits(out, mesh, 1);
     }
 }
 

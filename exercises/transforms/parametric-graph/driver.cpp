@@ -65,8 +65,8 @@ void add(Recorder& out, GraphNode& node, const std::shared_ptr<const Drawable>& 
     out.append("index", static_cast<std::uint32_t>(ask<&GraphNode::add_object>(out, node, object)));
 }
 
-// Order, scope, sharing, an empty node, a transformation that nothing follows; and a node that grows after it was
-// shared.
+// Order, scope, sharing, an empty node, a transformation that nothing follows; a node that grows after it was shared;
+// and forty nodes deep.
 void record_node(Recorder& out)
 {
     record_names(out);
@@ -95,15 +95,14 @@ void record_node(Recorder& out)
     add(out, *inner, move(0, 0));
     draw(out, *outer);
     draw(out, *empty);
-    // Forty nodes deep.
     std::shared_ptr<const Drawable> deep = numbered(5);
     for (int level = 1; level <= 40; ++level) {
         const std::shared_ptr<GraphNode> around = ask_new<make_graph_node>(out, "around");
         if (!around) return;
         add(out, *around, move(1, 0));
         add(out, *around, deep);
-        if (level == 40) draw(out, *around);
         deep = around;
+        if (level == 40) draw(out, *around);
     }
 }
 

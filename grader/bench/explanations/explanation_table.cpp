@@ -27,7 +27,7 @@ constexpr std::array<std::pair<Said, const char*>, 7> outcomes{{{Said::right, "r
 bool has_reason(WorkKind kind) { return kind == WorkKind::mistake || kind == WorkKind::rounded; }
 
 /// How often what was said.
-struct ExplainedShare {
+struct Share {
     std::map<Said, std::size_t> by_outcome;
     std::size_t all = 0;
 
@@ -42,9 +42,9 @@ struct ExplainedShare {
 };
 
 template <class Meant>
-ExplainedShare tally(const std::vector<ExplainedWork>& work, Meant meant)
+Share tally(const std::vector<ExplainedWork>& work, Meant meant)
 {
-    ExplainedShare result;
+    Share result;
     for (const ExplainedWork& one : work)
         if (meant(one)) result.add(one.said);
     return result;
@@ -56,13 +56,13 @@ std::string lines_for(const std::vector<ExplainedWork>& work, const char* headin
     for (const auto& [said, name] : outcomes) text += fmt::format("{:>13}", name);
     text += "   first right, or wrong\n";
     for (const auto& [kind, name] : kinds) {
-        const ExplainedShare found = tally(work, [kind = kind](const ExplainedWork& one) { return one.kind == kind; });
+        const Share found = tally(work, [kind = kind](const ExplainedWork& one) { return one.kind == kind; });
         text += fmt::format("{:<28}{:>7}", name, found.all);
         for (const auto& [said, word] : outcomes) text += fmt::format("{:>13}", found.of(said));
         text += has_reason(kind) ? fmt::format("   right {:.1f} %\n", found.share(found.right()))
                                  : fmt::format("   wrong {:.2f} %\n", found.share(found.of(Said::wrong)));
     }
-    const ExplainedShare none = tally(work, [](const ExplainedWork& one) {
+    const Share none = tally(work, [](const ExplainedWork& one) {
         return one.kind == WorkKind::left_out || one.kind == WorkKind::disturbed;
     });
     return text + fmt::format("{:<28}{:>7}   wrong {} of {}: {:.2f} %\n\n", "all that matches none", none.all,
@@ -87,8 +87,8 @@ bool meets_targets(const std::vector<ExplainedWork>& work, bool held_out_only)
         return tally(
             work, [&](const ExplainedWork& one) { return (!held_out_only || held_out(one.unit)) && meant(one.kind); });
     };
-    const ExplainedShare own = among([](WorkKind kind) { return kind == WorkKind::mistake; });
-    const ExplainedShare none = among([](WorkKind kind) { return kind == WorkKind::left_out || kind == WorkKind::disturbed; });
+    const Share own = among([](WorkKind kind) { return kind == WorkKind::mistake; });
+    const Share none = among([](WorkKind kind) { return kind == WorkKind::left_out || kind == WorkKind::disturbed; });
     return own.share(own.right()) >= 95 && none.share(none.of(Said::wrong)) < 1;
 }
 
