@@ -82,7 +82,7 @@ struct CheckedUnit {
 };
 
 CheckedUnit check_unit(Worker& worker, const Exercise& exercise, const Handed& handed, const CheckPlan& plan,
-                const fs::path& workspace, const std::shared_ptr<CompileBudget>& compile_budget)
+                       const fs::path& workspace, const std::shared_ptr<CompileBudget>& compile_budget)
 {
     GradeOptions options;
     options.compile_budget = compile_budget;

@@ -57,10 +57,11 @@ void expect_folder_of(const fs::path& file)
 {
     std::error_code error;
     if (fs::is_directory(file.parent_path(), error)) return;
-    refuse_secret(file,
-           fmt::format(
-               "expected its folder to exist; of that path there is only {}. Make the folder, or correct --secret-file",
-               nearest_existing(file.parent_path()).string()));
+    refuse_secret(
+        file,
+        fmt::format(
+            "expected its folder to exist; of that path there is only {}. Make the folder, or correct --secret-file",
+            nearest_existing(file.parent_path()).string()));
 }
 
 std::string random_text()
@@ -147,8 +148,8 @@ std::string secret_from(const std::string& named)
     if (named.empty()) {
         fs::create_directories(file.parent_path(), error);
         if (error)
-            refuse_secret(file,
-                   fmt::format("cannot make its folder: {}. Name another file with --secret-file", error.message()));
+            refuse_secret(
+                file, fmt::format("cannot make its folder: {}. Name another file with --secret-file", error.message()));
     }
     expect_folder_of(file);
     if (!fs::exists(file, error)) make(file);

@@ -121,7 +121,9 @@ TEST_F(SpawnerTest, stops_calls_of_another_architecture)
     if (outcome.verdict == Verdict::ok) {
         EXPECT_NE(outcome.output.find("fork -"), std::string::npos) << outcome.output;
     } else {
-        EXPECT_EQ(outcome.verdict, Verdict::blocked) << outcome.message;
+        // A kernel that takes no 32-bit calls ends the run by a signal before any filter is asked.
+        EXPECT_EQ(outcome.output.find("fork"), std::string::npos) << outcome.output;
+        EXPECT_TRUE(outcome.verdict == Verdict::blocked || outcome.verdict == Verdict::crashed) << outcome.message;
     }
 }
 
