@@ -15,7 +15,7 @@ set(UMBRAL_TEST_PARTS "" CACHE STRING
   "Folders of tests/ whose tests are built; empty: all. `./umbral test` takes those whose turn it is")
 option(UMBRAL_FUZZ "Build fuzz targets instead of their replays; needs clang" OFF)
 set(UMBRAL_COMPILE_TOGETHER 0 CACHE STRING
-  "How many files of a library of the grader are compiled as one: 8 takes a third of the time; 0: each alone")
+  "How many files of a library are compiled as one: 8 takes half of the time; 0: each alone")
 set(UMBRAL_PACKAGE_CONTACT "Umbral <umbral@localhost>" CACHE STRING
   "Who maintains the packages that cpack makes, as NAME <ADDRESS>")
 
@@ -81,11 +81,10 @@ if(UMBRAL_SANITIZERS)
   add_link_options(-fsanitize=${UMBRAL_SANITIZERS})
 endif()
 
-# Where files are compiled together, a name in one may hide a constant of another, and what each file's anonymous
-# namespace holds looks as if it came from a header.
+# Where files are compiled together, a name in one may hide a constant of another: no reason to warn.
 add_library(umbral-warnings INTERFACE)
 target_compile_options(umbral-warnings INTERFACE -Wall -Wextra -Wconversion
-  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wno-subobject-linkage,-Wshadow>
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
   $<$<BOOL:${UMBRAL_WARNINGS_AS_ERRORS}>:-Werror>)
 # g++ 12 warns of overlapping copies inside std::string at -O3 where there are none (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 AND NOT CMAKE_CXX_CLANG_TIDY)

@@ -8,6 +8,7 @@
 #include <umbral/record/cost.hpp>
 #include <utility>
 
+#include "batch/spare_time.hpp"
 #include "judge/cost/answers.hpp"
 #include "judge/cost/cost.hpp"
 #include "judge/cost/outside_cost.hpp"
@@ -42,21 +43,9 @@ std::optional<std::size_t> wrong_answer(const Check& check, const RunOutcome& st
     return first_wrong_answer(tensor_of(student, name), tensor_of(reference, name));
 }
 
-/// How long a student's runs may be measured, for one check: as long as one run may take. Whoever takes all of that
-/// each time, and has the grader run it again and again, is too slow by more than noise.
-class TimeLeft {
-public:
-    explicit TimeLeft(const Exercise& exercise) : left_(1000 * exercise.limits.wall_seconds) {}
-    void spend(double milliseconds) { left_ -= milliseconds; }
-    [[nodiscard]] bool ends() const { return left_ <= 0; }
-
-private:
-    double left_;
-};
-
 std::optional<std::string> measured_objection(Worker& worker, const Exercise& exercise, const Check& check,
                                               const Built& built, std::uint64_t seed, const std::vector<double>& sizes,
-                                              std::string_view names, TimeLeft& patience)
+                                              std::string_view names, SpareTime& time)
 {
     Side student{&built};
     Side reference{nullptr};
@@ -68,13 +57,13 @@ std::optional<std::string> measured_objection(Worker& worker, const Exercise& ex
         side.least.*least = std::min(side.least.*least, milliseconds_of(run));
         return run;
     };
-    for (int i = 0; i < runs && (i == 0 || !patience.ends()); ++i)
+    for (int i = 0; i < runs && (i == 0 || time.is_left()); ++i)
         for (const auto& [count, least] : {std::pair{std::size_t{0}, &OutsideCost::nothing},
                                            {sizes_to_compare(sizes), &OutsideCost::first_sizes},
                                            {sizes.size(), &OutsideCost::all_sizes}}) {
             const RunOutcome theirs = take(student, count, least);
             const RunOutcome ours = take(reference, count, least);
-            patience.spend(std::max(milliseconds_of(theirs), 1000 * theirs.wall_seconds));
+            time.spend(std::max(theirs.cpu_seconds, theirs.wall_seconds));
             // Whoever notices that the work is measured, and not looked at, could leave it.
             left_out = left_out || wrong_answer(check, theirs, ours);
         }
@@ -97,10 +86,13 @@ std::optional<std::string> objection_to(Worker& worker, const Exercise& exercise
     if (!is_worth_measuring(milliseconds_of(one.student), milliseconds_of(reference))) return std::nullopt;
     // What ran beside may have cost one side more than the other: who loses points was too slow twice.
     const std::string_view names = text_of(expected_of(check, reference).names);
-    TimeLeft patience(exercise);
-    auto objection = measured_objection(worker, exercise, check, built, one.seed, sizes, names, patience);
-    if (!objection || patience.ends()) return objection;
-    return measured_objection(worker, exercise, check, built, one.seed, sizes, names, patience);
+    // As long as one run may take: whoever takes all of that each time, and has the grader run it again and again, is
+    // too slow by more than noise.
+    SpareTime time;
+    time.allow(exercise.limits.wall_seconds);
+    auto objection = measured_objection(worker, exercise, check, built, one.seed, sizes, names, time);
+    if (!objection || !time.is_left()) return objection;
+    return measured_objection(worker, exercise, check, built, one.seed, sizes, names, time);
 }
 
 }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <stdexcept>
 
 #include "collect/sources.hpp"
 #include "manifest/include_lines.hpp"
+#include "report/layout.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -21,12 +21,10 @@ constexpr std::string_view begin_mark = "<!-- interface ";
 constexpr std::string_view begin_end = " -->";
 constexpr std::string_view end_mark = "<!-- /interface -->";
 
-Lines owned_lines_of(std::string_view text)
+Lines own_lines(std::string_view text)
 {
-    Lines lines;
-    std::istringstream stream{std::string(text)};
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
+    const std::vector<std::string_view> lines = lines_of(text);
+    return {lines.begin(), lines.end()};
 }
 
 std::string joined(const Lines& lines)
@@ -105,7 +103,7 @@ void drop_private(Lines& part)
 
 std::string namespace_of(const std::string& header)
 {
-    for (const std::string& line : owned_lines_of(header))
+    for (const std::string& line : own_lines(header))
         if (line.starts_with("namespace ")) return line.substr(10, line.find(" {") - 10);
     return "";
 }
@@ -170,7 +168,7 @@ std::vector<std::string> interface_files(const Exercise& exercise)
 
 std::string shown_of_header(std::string_view text, const std::vector<std::string>& names)
 {
-    Lines lines = owned_lines_of(text);
+    Lines lines = own_lines(text);
     std::erase_if(lines, [](const std::string& line) {
         return line.starts_with("#pragma once") || line.starts_with("#include");
     });
@@ -195,7 +193,7 @@ std::string shown_of_header(std::string_view text, const std::vector<std::string
 
 std::string shown_of_shader(std::string_view text)
 {
-    std::vector<Lines> parts = parts_of(owned_lines_of(text.substr(0, text.find("\nvoid main()"))));
+    std::vector<Lines> parts = parts_of(own_lines(text.substr(0, text.find("\nvoid main()"))));
     // A comment that declares nothing tells what is left to write.
     std::erase_if(parts, [](const Lines& part) { return declared_in(part).empty(); });
     return joined(parts);
@@ -203,7 +201,7 @@ std::string shown_of_shader(std::string_view text)
 
 std::string with_interfaces(const std::string& statement, const std::string& heading, const InterfaceSources& sources)
 {
-    Lines lines = owned_lines_of(statement);
+    Lines lines = own_lines(statement);
     for (const std::string& file : interface_files(sources.exercise)) {
         const auto shows = [&](const std::string& line) { return begins_block(line) && mark_in(line).file == file; };
         if (std::ranges::none_of(lines, shows)) add_block(lines, heading, file);

@@ -21,7 +21,7 @@ void record(Recorder& out, const ThreeModeCamera& camera)
 /// What there is to see at the beginning and after each step. A factory that gives no camera leaves nothing to record.
 void record(Recorder& out, const ThreeModeSettings& settings, const std::vector<ThreeModeStep>& steps)
 {
-    const std::unique_ptr<ThreeModeCamera> camera = made(out, "camera", settings);
+    const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
     if (!camera) return;
     record(out, *camera);
     for (const ThreeModeStep& step : steps) {
@@ -79,7 +79,7 @@ void record_modes(Recorder& out)
     };
     for (const CameraMode first : {CameraMode::examine, CameraMode::move, CameraMode::turn}) {
         const ThreeModeSettings settings = leaning(first);
-        const std::unique_ptr<ThreeModeCamera> camera = made(out, "camera", settings);
+        const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
         if (!camera) return;
         record_mode(*camera);
         for (const ThreeModeStep& step :
@@ -119,7 +119,7 @@ void record_limits(Recorder& out)
             move_z(-5), move_z(-1e300), move_z(1)});
     record(out, {.distance = 500, .min_distance = 1e-3, .max_distance = 1e6},
            {move_z(20), move_z(60), move_z(1000), move_z(-1), move_z(-400), move_z(-1e4), move_z(1)});
-    const std::unique_ptr<ThreeModeCamera> camera = made(out, "camera", settings);
+    const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
     if (!camera) return;
     for (int i = 1; i <= 400; ++i) {
         ask<&ThreeModeCamera::move_z>(out, *camera, i <= 200 ? -1.5 : 1);
@@ -160,12 +160,13 @@ void record_nonsense(Recorder& out)
 /// Two cameras in turns; what one is told must not reach the other.
 void record_two(Recorder& out, Random& random)
 {
-    const std::unique_ptr<ThreeModeCamera> first = made(out, "first", random_three_mode(random));
+    const std::unique_ptr<ThreeModeCamera> first =
+        ask_new<make_three_mode_camera>(out, "first", random_three_mode(random));
     const ThreeModeSettings second_settings = random_three_mode(random);
     const std::vector<ThreeModeStep> steps = random_steps(random, 60);
     if (!first) return;
     ask<&ThreeModeCamera::move_xy>(out, *first, 0.3, 0.2);
-    const std::unique_ptr<ThreeModeCamera> second = made(out, "second", second_settings);
+    const std::unique_ptr<ThreeModeCamera> second = ask_new<make_three_mode_camera>(out, "second", second_settings);
     if (!second) return;
     for (const ThreeModeStep& step : steps) {
         apply(out, random.below(2) == 0 ? *first : *second, step);
@@ -257,7 +258,7 @@ void draw_modes(Recorder& out)
     const Temple temple;
     const ThreeModeSettings settings{
         .attention = {0, 1.25, 0}, .azimuth = 0.62, .elevation = 0.32, .distance = 9, .max_distance = 40};
-    const std::unique_ptr<ThreeModeCamera> camera = made(out, "camera", settings);
+    const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
     if (!camera) return;
     const auto draw = [&](const std::vector<ThreeModeStep>& steps, const Panel& panel, float fovy) {
         for (const ThreeModeStep& step : steps) apply(out, *camera, step);

@@ -44,12 +44,6 @@ inline void apply(Recorder& out, ThreeModeCamera& camera, const ThreeModeStep& s
     }
 }
 
-/// A camera; its settings are gone then.
-inline std::unique_ptr<ThreeModeCamera> made(Recorder& out, std::string_view name, const ThreeModeSettings& settings)
-{
-    return ask_new<make_three_mode_camera>(out, name, settings);
-}
-
 /// In [-reach, reach).
 inline double random_length(Random& random, double reach) { return reach * (2 * random.uniform_double() - 1); }
 

@@ -14,7 +14,7 @@ namespace umbral::gl {
 /// Bytes of one pixel; packed types hold all components at once. 0 for an unknown format or type.
 [[nodiscard]] unsigned pixel_size(unsigned format, unsigned type);
 
-/// A count that a call claims, so cut that products of such stay far from overflow.
+/// A size that a call claims: 0 if it is negative, and no more than 1e12.
 [[nodiscard]] inline std::uint64_t whole(double number)
 {
     return number > 0 ? static_cast<std::uint64_t>(std::min(number, 1e12)) : 0;

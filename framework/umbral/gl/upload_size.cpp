@@ -7,6 +7,7 @@
 namespace umbral::gl {
 namespace {
 
+/// Products of sizes that a call claims stay far from overflow.
 constexpr std::uint64_t largest = std::uint64_t{1} << 40U;
 
 std::uint64_t product(std::uint64_t a, std::uint64_t b)
