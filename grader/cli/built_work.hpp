@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "build/builder.hpp"
 #include "build/submission.hpp"
@@ -14,8 +15,10 @@ struct BuiltWork {
     Built built;
 };
 
-/// Reads and builds a unit's files in the workspace `folder`, after what the unit itself needs. Throws UsageError, with
-/// the file's name or the compiler's words, if a file is missing, refused or does not compile.
-[[nodiscard]] BuiltWork built_work(const Application& application, const Exercise& exercise, const std::string& folder);
+/// Reads and builds a unit's files in the workspace `folder`, after what the unit itself needs; the compiler is told
+/// `flags` beside its own. Throws UsageError, with the file's name or the compiler's words, if a file is missing, refused
+/// or does not compile.
+[[nodiscard]] BuiltWork built_work(const Application& application, const Exercise& exercise, const std::string& folder,
+                                   const std::vector<std::string>& flags = {});
 
 }

@@ -69,7 +69,8 @@ void debug(const Application& application, const DebugOptions& options)
     const std::string chosen = options.case_name.empty() ? cases.front() : options.case_name;
     if (std::find(cases.begin(), cases.end(), chosen) == cases.end())
         throw UsageError(fmt::format("{} has no case '{}'; it has: {}", exercise.id, chosen, fmt::join(cases, ", ")));
-    const BuiltWork work = built_work(application, exercise, options.folder);
+    // With variables and types, which graded work is built without.
+    const BuiltWork work = built_work(application, exercise, options.folder, {"-g2"});
 
     // The inputs that `umbral check` gives these files.
     SeedPlan seeds;
