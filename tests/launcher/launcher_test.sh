@@ -102,4 +102,20 @@ expect "a unit whose test changed" [ "$(asked_for UMBRAL_WHOLE_UNITS)" = meshes/
 : >"$work/calls"
 (cd "$work/project" && ./umbral test --all) >"$work/printed" 2>&1 || true
 expect "--all compiles all mistakes and tests" grep -qE -- '-DUMBRAL_WHOLE_UNITS=\*/\* -DUMBRAL_TEST_PARTS=( |$)' "$work/calls"
+# Where the build works: of three commits in a row one validates a unit, of twelve one with its mistakes.
+mkdir -p "$work/project/build/release/bin"
+for name in "$work/fakes/cmake" "$work/fakes/ctest" "$work/project/build/release/bin/umbral"; do
+    printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n' "${name##*/}" "$work" >"$name"
+    chmod +x "$name"
+done
+: >"$work/validated"
+for count in 0 1 2 3 4 5 6 7 8 9 10 11; do
+    tested_with $((count + 900)) ''
+    sed -nE 's/^umbral validate --quiet --seeds 1 ([^-].*)/whole \1/p; s/^umbral validate .*--without-mistakes (.+)/right \1/p' \
+        "$work/calls" | awk '{ for (i = 2; i <= NF; ++i) print $1, $i }' >>"$work/validated"
+done
+expect "each unit is validated whole once in twelve turns" \
+    [ "$(grep whole "$work/validated" | sort | uniq -c | awk '$1 == 1' | wc -l)" -eq 6 ]
+expect "and three times without its mistakes" \
+    [ "$(grep right "$work/validated" | sort | uniq -c | awk '$1 == 3' | wc -l)" -eq 6 ]
 exit $failed
