@@ -21,7 +21,7 @@ std::vector<std::string> names_of_columns(const Check& check, const Tensor* name
     // Names of events and fragments are others.
     if (judge_of(check).free_rows) return {};
     const bool square = components == 9 || components == 16;
-    if (&rows_of(check) != &matrix_rows() || !square) return column_names(text_of(names), components);
+    if (&rows_of(check) != &matrix_rows() || !square) return column_names(text_of(names), components, check.value);
     std::vector<std::string> entries;
     for (std::size_t i = 0; i < components; ++i) entries.push_back("entry " + matrix_entry(components, i));
     return entries;

@@ -51,7 +51,7 @@ std::string column_complaint(const Check& check, const Expected& expected)
     for (std::size_t column = 0; column < most.size(); ++column)
         most[column] = std::max(std::abs(statistics.low[column]), std::abs(statistics.high[column]));
     const double of_table = *std::ranges::max_element(most);
-    std::vector<std::string> names = column_names(text_of(expected.names), view.components());
+    std::vector<std::string> names = column_names(text_of(expected.names), view.components(), check.value);
     if (names.empty())
         for (std::size_t column = 0; column < most.size(); ++column) names.push_back(fmt::format("[{}]", column));
     std::vector<std::string> complaints;

@@ -85,7 +85,7 @@ bool look_at(Worker& worker, const Exercise& exercise, const Built& built, const
     const RowKind& kind = rows_of(check);
     const TensorView view(*yours);
     const TensorView right(*side.value);
-    const auto columns = column_names(text_of(side.names), right.components());
+    const auto columns = column_names(text_of(side.names), right.components(), check.value);
     Simplest best;
     for (const auto& [question, code] : read_questions(written.recording.tensors).code) {
         const auto found = rows.find(question);

@@ -67,13 +67,17 @@ TEST(Numbers, a_component_is_called_by_its_name)
     EXPECT_EQ(vector.first_difference->yours, "(1, 7, 3)");
     EXPECT_EQ(judged(floats({8, 7, 3}, 3), floats({1, 2, 3}, 3), nullptr).first_difference->where, "row 0");
 
+    Check colors = check_of(JudgeKind{"numbers"}, ulps(0));
+    colors.value = "reflected light";
+    EXPECT_EQ(judge(colors, floats({1, 7, 3}, 3), floats({1, 2, 3}, 3), nullptr).first_difference->where, "row 0, g");
+
     const Tensor names = text("colour/4, GL_LINE_WIDTH, GL_CULL_FACE");
     const Tensor state = floats({0, 0, 0, 1, 2, 1}, 6);
     const Judgement width = judged(floats({0, 0, 0, 1, 1, 1}, 6), state, &names);
     EXPECT_EQ(width.message, "The only row is wrong: row 0, GL_LINE_WIDTH: yours 1, expected 2 (4.1943e+06 ulp)");
     EXPECT_EQ(width.headline, "The only row is wrong: row 0, GL_LINE_WIDTH");
     const Judgement several = judged(floats({0, 0, 5, 1, 1, 0}, 6), state, &names);
-    EXPECT_EQ(several.first_difference->where, "row 0, colour.z and 2 others of it");
+    EXPECT_EQ(several.first_difference->where, "row 0, colour.b and 2 others of it");
     EXPECT_EQ(several.first_difference->yours, "5");
 
     const Tensor too_few = text("colour/4, GL_LINE_WIDTH");

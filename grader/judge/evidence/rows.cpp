@@ -135,7 +135,7 @@ Evidence rows_evidence(const Check& check, const Observation& observation, bool 
     const RowWriter write(check, yours, expected, kind);
 
     RowsEvidence result;
-    if (!matrices) result.headings = column_names(text_of(observation.names), expected.components());
+    if (!matrices) result.headings = column_names(text_of(observation.names), expected.components(), check.value);
     if (matrices) result.side = expected.components() == 9 ? 3 : expected.components() == 16 ? 4 : 0;
     std::vector<Candidate> wrong;
     const std::vector<RowState> states =

@@ -38,7 +38,7 @@ constinit const JudgeRecord numbers_judge{
     .judge =
         [](const Question& q) {
             return judge_rows(q.check, q.student, q.expected, q.margin, numbers,
-                              column_names(text_of(q.names), q.expected.components));
+                              column_names(text_of(q.names), q.expected.components, q.check.value));
         },
     .resemblance = same_rows,
     .rows = number_rows,

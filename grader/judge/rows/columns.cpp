@@ -6,7 +6,7 @@
 namespace umbral::grader {
 namespace {
 
-constexpr std::string_view letters = "xyzw";
+constexpr std::size_t most_letters = 4;
 constexpr std::string_view nameless = "-";
 constexpr std::size_t most_in_group = 64;
 
@@ -29,6 +29,14 @@ ColumnGroup group_of(std::string_view item, std::size_t first)
     return {std::string(item.substr(0, slash)), first, size};
 }
 
+/// What the numbers of a vector are called, of which the last word of its name may say that it is a colour.
+std::string_view letters_of(std::string_view name, std::size_t size)
+{
+    const std::string_view word = name.substr(name.rfind(' ') + 1);
+    constexpr std::string_view colors[] = {"color", "colors", "colour", "colours", "light", "highlight", "radiance"};
+    return size > 2 && std::ranges::find(colors, word) != std::end(colors) ? "rgba" : "xyzw";
+}
+
 }
 
 std::vector<ColumnGroup> column_groups(std::string_view text, std::size_t components)
@@ -46,18 +54,19 @@ std::vector<ColumnGroup> column_groups(std::string_view text, std::size_t compon
     return groups;
 }
 
-std::vector<std::string> column_names(std::string_view text, std::size_t components)
+std::vector<std::string> column_names(std::string_view text, std::size_t components, std::string_view value)
 {
     std::vector<std::string> names(components);
     const std::vector<ColumnGroup> groups = column_groups(text, components);
     for (const ColumnGroup& group : groups)
         for (std::size_t i = 0; i < group.size; ++i)
-            names[group.first + i] = group.size == 1                ? group.name
-                                     : group.size <= letters.size() ? group.name + "." + letters[i]
-                                                                    : group.name + "[" + std::to_string(i) + "]";
+            names[group.first + i] = group.size == 1 ? group.name
+                                     : group.size <= most_letters
+                                         ? group.name + "." + letters_of(group.name, group.size)[i]
+                                         : group.name + "[" + std::to_string(i) + "]";
     if (!groups.empty()) return names;
-    if (components < 2 || components > letters.size()) return {};
-    for (std::size_t i = 0; i < components; ++i) names[i] = letters[i];
+    if (components < 2 || components > most_letters) return {};
+    for (std::size_t i = 0; i < components; ++i) names[i] = letters_of(value, components)[i];
     return names;
 }
 

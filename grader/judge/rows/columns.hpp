@@ -18,8 +18,10 @@ struct ColumnGroup {
 /// otherwise than that, or does not name exactly `components` numbers.
 [[nodiscard]] std::vector<ColumnGroup> column_groups(std::string_view text, std::size_t components);
 
-/// What each number of a row is called: "width", "colour.x", "matrix[5]". Without a text that fits, rows of two to four
-/// numbers are x, y, z, w, and others have no names: then there are none.
-[[nodiscard]] std::vector<std::string> column_names(std::string_view text, std::size_t components);
+/// What each number of a row of `value` is called: "width", "centre.x", "matrix[5]". Three or four numbers are r, g, b,
+/// a where the group's name says so ("colour", "light"). Without a text that fits, rows of two to four numbers are x,
+/// y, z, w, or r, g, b, a if the value's name says so, and others have no names: then there are none.
+[[nodiscard]] std::vector<std::string> column_names(std::string_view text, std::size_t components,
+                                                    std::string_view value);
 
 }
