@@ -121,6 +121,27 @@ TEST(Report, a_students_edition_holds_nothing_of_hidden_checks)
         EXPECT_TRUE(has(instructor, text)) << text;
 }
 
+TEST(Report, of_long_questions_the_first_is_seen_and_the_others_unfold)
+{
+    const UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("one/x", 0, 1000)});
+    for (const int side : {0, 3}) {
+        RowsEvidence rows;
+        rows.side = side;
+        for (const char* row : {"row 1", "row 2", "row 3"}) {
+            rows.first.push_back({row, {"1"}, {"2"}, {true}, ""});
+            rows.first.back().question = "ask(" + std::string(400, '9') + ")";
+        }
+        rows.first[1].question = "ask(9)";
+        UnitDetails details;
+        details["a/b"].checks["one/x"].evidence = rows;
+        const std::string page = report_html(submission_result("s", {unit}), {}, details);
+        const std::size_t folded = page.find("<summary>what was asked</summary>");
+        EXPECT_GT(folded, page.find("row 3")) << side;
+        EXPECT_NE(folded, std::string::npos) << side;
+        EXPECT_EQ(page.find("<summary>what was asked</summary>", folded + 1), std::string::npos) << side;
+    }
+}
+
 TEST(Report, why_comes_first_then_what_was_printed_then_checks)
 {
     UnitResult unit = unit_result("a/b", Verdict::partial, {check_result("one/x", 0, 1000)});
