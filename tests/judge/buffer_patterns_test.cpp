@@ -80,6 +80,17 @@ TEST(BufferPatterns, the_farther_surface_won)
     EXPECT_TRUE(says(buffer(expected, depth_by(slope)), "a surface too near won: other depths are right"));
 }
 
+TEST(BufferPatterns, a_surface_that_is_bent_is_no_other_surface)
+{
+    // As by a distance that is interpolated between corners: right at the disc's middle column, and farther beside it.
+    const auto bent = [](double x, double y) {
+        return slope(x, y) + (in_disc(x, y) ? static_cast<float>(2e-4 * (x - 11) * (x - 11)) : 0.0F);
+    };
+    const Judgement found = buffer(depth_by(bent), depth_by(slope), absolute(1e-3));
+    EXPECT_LT(found.right, 1);
+    EXPECT_FALSE(says(found, "surface")) << found.message;
+}
+
 TEST(BufferPatterns, normals_are_measured_in_degrees)
 {
     const auto normal = [](double x, double y, double turned) {

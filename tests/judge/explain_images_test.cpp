@@ -123,6 +123,16 @@ TEST(ExplainImages, differences_of_a_level_or_two_are_no_change_of_light)
     EXPECT_EQ(first(image, each_colour(balls(), [](double v) { return std::pow(v, 1.03); }), balls()), "none");
 }
 
+TEST(ExplainImages, a_few_dark_pixels_are_no_change_of_light)
+{
+    const Tensor right = balls();
+    const Tensor acne = repaint(right, [&](int x, int y) {
+        const Colour colour = pixel(right, x, y);
+        return x % 9 != 0 ? colour : Colour{colour.r / 2, colour.g / 2, colour.b / 2, colour.a};
+    });
+    EXPECT_EQ(first(image, acne, right), "none");
+}
+
 TEST(ExplainImages, the_shift_is_told)
 {
     for (const auto& [dx, dy] : {std::pair{1, 0}, {0, -1}, {3, 2}, {-8, 8}}) {

@@ -73,6 +73,29 @@ bool is_quantised(const std::vector<CellPair>& pairs, double step)
            !most(pairs, [step](const CellPair& pair) { return on_steps(pair.expected, step); });
 }
 
+/// Do wrong values end where one side alone leaps, as they do where another surface was kept? Where one surface has
+/// wrong values, both sides go on smoothly, or both end.
+bool other_surfaces(const BufferCells& cells, double typical_error)
+{
+    const auto leaps = [&](const TensorView& side, std::size_t a, std::size_t b) {
+        return std::abs(side.cell(a)[0] - side.cell(b)[0]) > 0.5 * typical_error;
+    };
+    std::size_t borders = 0;
+    std::size_t of_one_side = 0;
+    const auto look = [&](std::size_t a, std::size_t b) {
+        const bool is_border = (cells.states[a] == CellState::other && cells.states[b] == CellState::right) ||
+                               (cells.states[a] == CellState::right && cells.states[b] == CellState::other);
+        if (!is_border) return;
+        ++borders;
+        if (leaps(cells.yours, a, b) != leaps(cells.expected, a, b)) ++of_one_side;
+    };
+    for (std::size_t cell = 0; cell < cells.states.size(); ++cell) {
+        if ((cell + 1) % cells.columns != 0) look(cell, cell + 1);
+        if (cell + cells.columns < cells.states.size()) look(cell, cell + cells.columns);
+    }
+    return 2 * of_one_side > borders;
+}
+
 BufferPattern depth_pattern(const BufferCells& cells)
 {
     const std::vector<CellPair> wrong = pairs_of(cells, CellState::other, 0);
@@ -102,6 +125,8 @@ BufferPattern depth_pattern(const BufferCells& cells)
         return {fmt::format("depths are all {:.4g} times the expected ones", factor), {{"depth_factor", factor}}};
     // Where all else is right, one direction means that another surface was kept.
     if (static_cast<double>(cells.count(CellState::right)) < 0.1 * static_cast<double>(wrong.size())) return {};
+    if (!other_surfaces(cells, median_of(wrong, [&](const CellPair& pair) { return std::abs(difference(pair)); })))
+        return {};
     if (most(wrong, [](const CellPair& pair) { return pair.yours > pair.expected; }))
         return {"the farther surface won: other depths are right", {{"farther", 1}}};
     if (most(wrong, [](const CellPair& pair) { return pair.yours < pair.expected; }))

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "judge/buffer/buffer_cells.hpp"
 #include "judge/explain/transforms.hpp"
 #include "judge/picture/srgb.hpp"
 #include "judge/rows/tensor_view.hpp"
@@ -46,21 +47,30 @@ Tensor recognise(const Check& check, const Tensor& student, const Tensor& expect
     });
 }
 
-/// Values 0..1 of the colour channels of both pictures, where they differ and the student's is not clamped.
+/// Values 0..1 of the colour channels of both pictures, where they differ and the student's is not clamped. None where
+/// more values are equal that are bright and not the background's: then it is not the picture's light that differs.
 std::vector<ValuePair> free_values(const Check& check, const Tensor& student, const Tensor& expected)
 {
+    constexpr double bright = 0.25;
     const Range range = range_of(check, expected);
     const TensorView yours(student);
     const TensorView target(expected);
+    const std::size_t light = colours(expected);
+    const auto background = target.cell(background_cell(expected, target));
     std::vector<ValuePair> pairs;
-    for (std::size_t cell = 0; cell < target.cells(); ++cell)
-        for (std::size_t c = 0; c < colours(expected); ++c) {
+    std::size_t unchanged = 0;
+    for (std::size_t cell = 0; cell < target.cells(); ++cell) {
+        const bool is_background = std::ranges::equal(target.cell(cell), background);
+        for (std::size_t c = 0; c < light; ++c) {
             const ValuePair pair{range.normal(yours.cell(cell)[c]), range.normal(target.cell(cell)[c])};
-            if (pair.student > one_level && pair.student < 1 - one_level &&
-                std::abs(pair.student - pair.expected) > 0.5 * one_level)
+            if (pair.student <= one_level || pair.student >= 1 - one_level) continue;
+            if (std::abs(pair.student - pair.expected) > 0.5 * one_level)
                 pairs.push_back(pair);
+            else if (!is_background && pair.expected > bright)
+                ++unchanged;
         }
-    return pairs;
+    }
+    return unchanged > pairs.size() ? std::vector<ValuePair>() : pairs;
 }
 
 // One number fits any picture of one colour: it means something from four levels on. And where most differences are as
