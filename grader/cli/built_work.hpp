@@ -16,8 +16,8 @@ struct BuiltWork {
 };
 
 /// Reads and builds a unit's files in the workspace `folder`, after what the unit itself needs; the compiler is told
-/// `flags` beside its own. Throws UsageError, with the file's name or the compiler's words, if a file is missing, refused
-/// or does not compile.
+/// `flags` beside its own. Throws UsageError, with the file's name or the compiler's words, if a file is missing,
+/// refused or does not compile.
 [[nodiscard]] BuiltWork built_work(const Application& application, const Exercise& exercise, const std::string& folder,
                                    const std::vector<std::string>& flags = {});
 

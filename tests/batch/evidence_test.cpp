@@ -67,7 +67,7 @@ TEST(Evidence, of_many_named_numbers_those_that_differ_are_shown)
     wrong[13] = 3;
     const Tensor names = text("colour/4, width, rest/5");
     const auto rows = evidence<RowsEvidence>(check(JudgeKind{"numbers"}), floats(wrong, 10), floats(right, 10), &names);
-    EXPECT_EQ(rows.headings, (std::vector<std::string>{"colour.w", "rest[4]"}));
+    EXPECT_EQ(rows.headings, (std::vector<std::string>{"colour.a", "rest[4]"}));
     EXPECT_EQ(rows.equal_columns, 8U);
     EXPECT_EQ(rows.first.at(0).yours, (std::vector<std::string>{"1", "2"}));
     EXPECT_EQ(rows.first.at(1).yours, (std::vector<std::string>{"3", "1"}));

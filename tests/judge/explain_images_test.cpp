@@ -1,4 +1,5 @@
 #include "explaining.hpp"
+#include "images.hpp"
 
 namespace umbral::grader::test {
 namespace {
@@ -128,7 +129,7 @@ TEST(ExplainImages, a_few_dark_pixels_are_no_change_of_light)
     const Tensor right = balls();
     const Tensor acne = repaint(right, [&](int x, int y) {
         const Colour colour = pixel(right, x, y);
-        return x % 9 != 0 ? colour : Colour{colour.r / 2, colour.g / 2, colour.b / 2, colour.a};
+        return x % 9 != 0 || background(colour) ? colour : Colour{colour.r / 2, colour.g / 2, colour.b / 2, colour.a};
     });
     EXPECT_EQ(first(image, acne, right), "none");
 }

@@ -54,6 +54,8 @@ inline BallScene mirrors(int levels)
     scene.balls.push_back({{0.3F, 3.4F, 0.6F, 0.5F}, {0.3F, 0.25F, 0.1F}, 0.2F});
     scene.light_position = {0.3F, 2.4F, 1.0F};
     scene.floor_mirror = 0.3F;
+    // Brighter than what can be shown: it is cut off once, at the end.
+    if (levels > 1) scene.light_color = glm::vec3(1.8F);
     if (levels == 1) {
         scene.light_position = {0.5F, -2.5F, 2.2F};
         scene.floor_radius = 1.2F;
@@ -104,7 +106,7 @@ inline void give_random_light(Random& random, RayLook& look)
 }
 
 /// Rays into random scenes, most of them aimed at a ball or the floor; in most few levels, so that rounding does not
-/// grow. Of three lamps one hangs lower than others, between the balls, inside one, or below the floor.
+/// grow. Of three lamps one hangs lower than others, between the balls or below the floor, and of ten one is in a ball.
 inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count)
 {
     std::vector<OneRay<BallScene>> rays;
@@ -127,6 +129,10 @@ inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count
         scene.light_color = random_color(random, 1) + glm::vec3(0.2F);
         const glm::vec3 lamp = 3.0F * random.in_cube();
         scene.light_position = {lamp.x, random.below(3) == 0 ? lamp.y : 4 + std::abs(lamp.y), lamp.z};
+        if (i % 10 == 3 && balls > 0) {
+            const glm::vec4& round = scene.balls.front().sphere;
+            scene.light_position = glm::vec3(round) + 0.4F * round.w * random.in_cube();
+        }
         scene.levels = 1 + static_cast<int>(random.below(i % 3 == 0 ? 6 : 3));
         // The eye is farther away than any ball reaches.
         const float turn = random.uniform(0, 6.28F);
@@ -144,6 +150,43 @@ inline std::vector<OneRay<BallScene>> random_ball_rays(Random& random, int count
     return rays;
 }
 
+/// Into one of the smallest holes of a sponge that is drilled so often, from before its face.
+inline void aim_into_hole(Random& random, SpongeScene& scene, int depth, int axis)
+{
+    scene.depth = depth;
+    const float cells = std::pow(3.0F, static_cast<float>(depth - 1));
+    for (int k = 0; k < 3; ++k)
+        scene.look.target[k] =
+            2 / cells * (static_cast<float>(random.below(static_cast<std::uint32_t>(cells))) + 0.5F) - 1;
+    scene.look.target[axis] = scene.look.eye[axis] < 0 ? -1.0F : 1.0F;
+    scene.ball.w = random.uniform(0.3F, 0.7F);
+}
+
+/// A point of a face, and the direction along it that leaves it by this slope.
+inline void aim_along_face(Random& random, SpongeScene& scene, int axis, bool sun)
+{
+    const float side = random.below(2) == 0 ? -1.0F : 1.0F;
+    glm::vec3 place = 0.9F * random.in_cube();
+    place[axis] = side;
+    glm::vec3 along = random.unit_vector();
+    along[axis] = 0;
+    along = normalize(along);
+    scene.look.target = place;
+    scene.depth = static_cast<int>(random.below(2));
+    scene.ball.w = random.uniform(0.2F, 0.5F);
+    if (sun) {
+        scene.look.eye[axis] = side * (0.5F + std::abs(scene.look.eye[axis]));
+        along[axis] = side * random.uniform(0.002F, 0.03F);
+        scene.sun = along;
+        scene.sun_color *= 2.0F;
+    } else {
+        along[axis] = side * random.uniform(0.04F, 0.1F);
+        scene.look.eye = place + random.uniform(3, 8) * along;
+    }
+}
+
+/// Of ten rays three go anywhere, three into the smallest holes, one comes from afar, one from within the hollow,
+/// and two have a ray or the sun along a face.
 inline std::vector<OneRay<SpongeScene>> random_sponge_rays(Random& random, int count)
 {
     std::vector<OneRay<SpongeScene>> rays;
@@ -160,6 +203,17 @@ inline std::vector<OneRay<SpongeScene>> random_sponge_rays(Random& random, int c
         scene.look.eye = random.uniform(3, 8) * random.unit_vector();
         scene.look.target = 0.6F * random.in_cube();
         ray.place = 0.5F * glm::vec2(random.in_cube());
+        const int kind = i % 10;
+        const auto axis = static_cast<int>(random.below(3));
+        if (kind >= 3) ray.place = {0, 0};
+        if (kind >= 3 && kind <= 5) aim_into_hole(random, scene, kind == 3 ? 3 : 4, axis);
+        if (kind == 6) scene.look.eye = random.uniform(12, 23) * random.unit_vector();
+        if (kind == 7) {
+            scene.ball.w = random.uniform(0.5F, 1.1F);
+            scene.look.eye = glm::vec3(scene.ball) + 0.5F * scene.ball.w * random.in_cube();
+            scene.look.target = scene.look.eye + random.unit_vector();
+        }
+        if (kind >= 8) aim_along_face(random, scene, axis, kind == 9);
         rays.push_back(ray);
     }
     return rays;

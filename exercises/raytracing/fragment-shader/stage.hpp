@@ -134,7 +134,10 @@ inline std::string look_text(const RayLook& look)
 inline void give(const gl::Program& program, const BallScene& scene)
 {
     give_look(program, scene.look);
-    std::vector<glm::vec4> spheres(8, glm::vec4(0, 1, 0, 100));  // those beyond the count are round everything
+    // Those beyond the count would be seen: some are round everything, others stand on the floor.
+    std::vector<glm::vec4> spheres(8, glm::vec4(0, 1, 0, 100));
+    for (std::size_t i = 0; i < spheres.size(); i += 2)
+        spheres[i] = {0.45F * static_cast<float>(i) - 1.5F, 0.9F, 0.3F, 0.7F};
     std::vector<glm::vec3> colors(8, glm::vec3(1, 0, 1));
     std::vector<float> mirrors(8, 1.0F);
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {

@@ -11,15 +11,16 @@ using namespace raytracing;
 void record_first_pass(Case& what, Recorder& out)
 {
     const auto distances = compile_distances(what);
-    record_distances(out, probe_pairs(what.random, 60, 0.05, 0.2), *distances);
+    record_distances(out, probe_pairs(what.random, 60, {0.2, 1, 0.05}), *distances);
     // A lamp's view and a sun's, side by side.
     const Grid<float> lamps = map_of(out, *distances, seen_by(lamp_at({1, 2.2F, 2.5F}, {0.1F, -0.3F, 0}, 55, 1.3F)));
+    out.tile("map", 0, 0, lamps.width, lamps.height);
     const Grid<float> suns = map_of(out, *distances, seen_by(sun_from({-0.6F, 1, 0.8F}, {0, 0, 0}, {2.2F, 1.6F})));
+    out.tile("map", lamps.width, 0, suns.width, suns.height);
     Grid<float> both(lamps.width + suns.width, lamps.height);
     for (int y = 0; y < both.height; ++y)
         for (int x = 0; x < both.width; ++x)
             both.at(x, y) = x < lamps.width ? lamps.at(x, y) : suns.at(x - lamps.width, y);
-    out.tile("map", 0, 0, lamps.width, lamps.height);
     out.buffer("map", both);
 }
 
@@ -40,7 +41,10 @@ void record_pictures(Case& what, Recorder& out)
 
 void record_pairs(Case& what, Recorder& out)
 {
-    record_colors(out, probe_pairs(what.random, 120, 0.05, 0.05), *compile_shadows(what));
+    std::vector<ShadowProbe> probes = probe_pairs(what.random, 100, {});
+    const std::vector<ShadowProbe> grazing = probe_pairs(what.random, 20, {0.02, 0.05, 0.05});
+    probes.insert(probes.end(), grazing.begin(), grazing.end());
+    record_colors(out, probes, *compile_shadows(what));
 }
 
 }
@@ -49,10 +53,12 @@ const Driver driver = {
     {"pictures", record_pictures},
     {"first pass", record_first_pass},
     {"points", record_pairs},
-    // Where the surface faces the light all but exactly, only the constant is left of the bias; in fine maps, so that
-    // what float makes of the angle does not count.
+    // Where the surface faces the light, only the constant is left of the bias, and float may make a cosine above 1; in
+    // fine maps, so that what float makes of the angle does not count.
     {"facing",
-     [](Case& c, Recorder& out) { record_colors(out, probe_pairs(c.random, 40, 0.4, 1, 16), *compile_shadows(c)); }},
+     [](Case& c, Recorder& out) {
+         record_colors(out, probe_pairs(c.random, 40, {1, 1, 0.4, 32}), *compile_shadows(c));
+     }},
     {"off the map",
      [](Case& c, Recorder& out) { record_colors(out, probes_off_the_map(c.random, 60), *compile_shadows(c)); }},
     {"random", record_pairs},

@@ -56,7 +56,8 @@ inline MapLight random_light(Random& random)
     light.color = glm::vec3(0.7F) + 0.3F * random.in_cube();
     light.ambient = glm::vec3(0.12F) + 0.08F * random.in_cube();
     const auto columns = static_cast<int>(2 + random.below(20));
-    light.texels = {columns, static_cast<int>(2 + random.below(20))};
+    const auto rows = static_cast<int>(2 + random.below(20));
+    light.texels = {columns, rows == columns ? rows + 1 : rows};
     return light;
 }
 
@@ -97,32 +98,45 @@ inline double allowance(const ShadowProbe& probe, double distance_along_axis, do
     return 0.51 * length(texel) * std::tan(std::acos(cosine)) + 0.001;
 }
 
-/// Pairs, one lit and one in shadow, in random order: the map's distance is `band` of the allowance to either side of
-/// the border. All other texels say the opposite. Maps are `finer` times as fine.
-inline std::vector<ShadowProbe> probe_pairs(Random& random, int count, double band, double least_cosine, int finer = 1)
+/// Of probes: the cosines between their surfaces and the light, and the share of the allowance that lies between the
+/// map's distance and the border between light and shadow. Maps are `finer` times as fine.
+struct ProbeRange {
+    double least_cosine = 0.05;
+    double most_cosine = 1;
+    double band = 0.01;
+    int finer = 1;
+};
+
+/// Pairs, one lit and one in shadow, in random order. All other texels say the opposite. Of eight points one lies
+/// nearer to the lamp's plane than a unit, but in finer maps, where float would move it to another texel.
+inline std::vector<ShadowProbe> probe_pairs(Random& random, int count, const ProbeRange& range)
 {
+    // Where the allowance is small, float decides.
+    constexpr double least_distance = 3e-4;
     std::vector<ShadowProbe> probes;
     for (int i = 0; i < count; ++i) {
         const bool swapped = random.below(2) == 1;
         for (int k = 0; k < 2; ++k) {
             ShadowProbe probe;
             probe.light = random_light(random);
-            probe.light.texels *= finer;
+            probe.light.texels *= range.finer;
             const glm::ivec2 size = probe.light.texels;
             probe.texel = {static_cast<int>(random.below(static_cast<std::uint32_t>(size.x))),
                            static_cast<int>(random.below(static_cast<std::uint32_t>(size.y)))};
             const glm::vec2 within = glm::vec2(0.5F) + 0.47F * glm::vec2(random.in_cube());
             const glm::vec2 at = 2.0F * (glm::vec2(probe.texel) + within) / glm::vec2(size) - 1.0F;
-            const float along = random.uniform(1, 8);
+            const bool is_near = random.below(8) == 0 && range.finer == 1;
+            const float along = is_near ? random.uniform(0.03F, 0.1F) : random.uniform(1, 8);
             probe.place = at_map_place(probe.light, at, along);
-            const double cosine = least_cosine + (1 - least_cosine) * random.uniform_double();
-            probe.normal = tilted(towards_light(probe.light, probe.place), std::min(cosine, 0.9999999), random);
+            const double cosine =
+                range.least_cosine + (range.most_cosine - range.least_cosine) * random.uniform_double();
+            probe.normal = tilted(towards_light(probe.light, probe.place), cosine, random);
             probe.color = glm::vec3(0.6F) + 0.35F * random.in_cube();
             probe.model = random_placement(random);
             const bool is_lit = (k == 0) != swapped;
-            const double share = is_lit ? 1 - band : 1 + band;
-            probe.here = static_cast<float>(distance_of(probe.light, probe.place) -
-                                            share * allowance(probe, double{along}, std::min(cosine, 0.9999999)));
+            const double bias = allowance(probe, double{along}, cosine);
+            const double by = std::max(range.band * bias, least_distance);
+            probe.here = static_cast<float>(distance_of(probe.light, probe.place) - (is_lit ? bias - by : bias + by));
             probe.elsewhere = is_lit ? -nothing_seen : nothing_seen;
             probes.push_back(probe);
         }
@@ -134,7 +148,7 @@ inline std::vector<ShadowProbe> probe_pairs(Random& random, int count, double ba
 /// them points on it.
 inline std::vector<ShadowProbe> probes_off_the_map(Random& random, int count)
 {
-    std::vector<ShadowProbe> probes = probe_pairs(random, count, 0.5, 0.6);
+    std::vector<ShadowProbe> probes = probe_pairs(random, count, {0.6, 1, 0.5});
     for (std::size_t i = 0; i < probes.size(); ++i) {
         ShadowProbe& probe = probes[i];
         if (i % 3 == 2) continue;
@@ -194,8 +208,9 @@ inline void record_colors(Recorder& out, const std::vector<ShadowProbe>& probes,
                    std::to_string(probe.texel.y) + ") holds " + literal::of_value(probe.here, true, {}) +
                    " and all others " + literal::of_value(probe.elsewhere, true, {}) +
                    "\n// a point that lies here in the world:\n" + uniform_line("position", probe.place) +
-                   uniform_line("normal", probe.normal) + uniform_line("color", probe.color) +
-                   uniform_line("model", probe.model);
+                   uniform_line("color", probe.color) + uniform_line("model", probe.model) +
+                   "// and has this normal there:\n" + uniform_line("normal", probe.normal) +
+                   uniform_line("light_color", probe.light.color) + uniform_line("ambient", probe.light.ambient);
         });
         out.append("colors", colors[i]);
     }

@@ -153,8 +153,8 @@ inline ShadowScene lamp()
 inline ShadowScene beyond_the_map()
 {
     ShadowScene scene;
-    scene.light = lamp_at({-1.2F, 1.7F, 2.4F}, {0.2F, 0.4F, -0.2F}, 32);
-    scene.light.texels = {256, 256};
+    scene.light = lamp_at({-1.2F, 1.7F, 2.4F}, {0.2F, 0.4F, -0.2F}, 32, 4.0F / 3);
+    scene.light.texels = {320, 240};
     scene.things.push_back({plain({-7, 0, 7}, {14, 0, 0}, {0, 0, -14}), glm::mat4(1), glm::vec3(0.85F)});
     scene.things.push_back(
         {shapes::torus(64, 16, 0.25F), standing({0, 0.7F, 0}, glm::vec3(0.65F), 0.5F), {0.85F, 0.5F, 0.2F}});
@@ -165,7 +165,18 @@ inline ShadowScene beyond_the_map()
     return scene;
 }
 
-/// Balls that are stretched and turned, in the shadows of each other.
+/// A pane that faces a sun, with the normals of a pillow: what lies between its corners has shorter ones.
+inline ShadowThing pillow(const glm::vec3& sun, const glm::vec3& place)
+{
+    const glm::vec3 u = normalize(cross(glm::vec3(0, 1, 0), sun));
+    const glm::vec3 v = cross(sun, u);
+    shapes::Shape pane = plain(-0.6F * u - 0.6F * v, 1.2F * u, 1.2F * v);
+    for (std::size_t i = 0; i < pane.normals.size(); ++i)
+        pane.normals[i] = normalize(pane.normals[i] + 1.2F * pane.positions[i]);
+    return {pane, standing(place), glm::vec3(0.9F)};
+}
+
+/// Balls that are stretched and turned, in the shadows of each other, and a pillow.
 inline ShadowScene stretched()
 {
     ShadowScene scene;
@@ -178,6 +189,7 @@ inline ShadowScene stretched()
                                          normalize(glm::vec3(0.3F, 0.4F, 1)));
         scene.things.push_back({ball, glm::scale(at, {0.35F + 0.1F * k, 0.95F, 0.65F - 0.1F * k}), glm::vec3(0.9F)});
     }
+    scene.things.push_back(pillow(glm::vec3(scene.light.place), {0.2F, -1.3F, 1.6F}));
     scene.eye = {0, 0.6F, 6.5F};
     return scene;
 }

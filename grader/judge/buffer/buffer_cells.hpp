@@ -17,9 +17,6 @@ enum class CellState : std::uint8_t {
     other     ///< both hold something, but not the same
 };
 
-/// The cell whose value is most frequent on the border; of equally frequent ones, the one seen first.
-[[nodiscard]] std::size_t background_cell(const Tensor& tensor, const TensorView& view);
-
 /// Two buffers of one shape, compared cell by cell.
 struct BufferCells {
     TensorView yours;

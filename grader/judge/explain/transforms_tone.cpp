@@ -7,9 +7,9 @@
 #include <cmath>
 #include <set>
 
-#include "judge/buffer/buffer_cells.hpp"
 #include "judge/explain/transforms.hpp"
 #include "judge/picture/srgb.hpp"
+#include "judge/rows/background.hpp"
 #include "judge/rows/tensor_view.hpp"
 
 namespace umbral::grader {
@@ -48,28 +48,35 @@ Tensor recognise(const Check& check, const Tensor& student, const Tensor& expect
 }
 
 /// Values 0..1 of the colour channels of both pictures, where they differ and the student's is not clamped. None where
-/// more values are equal that are bright and not the background's: then it is not the picture's light that differs.
+/// more bright values are equal: then it is not the picture's light that differs. A background that is equal everywhere
+/// does not count.
 std::vector<ValuePair> free_values(const Check& check, const Tensor& student, const Tensor& expected)
 {
-    constexpr double bright = 0.25;
+    constexpr double bright = 0.1;
     const Range range = range_of(check, expected);
     const TensorView yours(student);
     const TensorView target(expected);
+    if (target.cells() == 0) return {};
     const std::size_t light = colours(expected);
     const auto background = target.cell(background_cell(expected, target));
     std::vector<ValuePair> pairs;
     std::size_t unchanged = 0;
+    std::size_t unchanged_background = 0;
+    bool is_background_changed = false;
     for (std::size_t cell = 0; cell < target.cells(); ++cell) {
         const bool is_background = std::ranges::equal(target.cell(cell), background);
         for (std::size_t c = 0; c < light; ++c) {
             const ValuePair pair{range.normal(yours.cell(cell)[c]), range.normal(target.cell(cell)[c])};
             if (pair.student <= one_level || pair.student >= 1 - one_level) continue;
-            if (std::abs(pair.student - pair.expected) > 0.5 * one_level)
+            if (std::abs(pair.student - pair.expected) > 0.5 * one_level) {
                 pairs.push_back(pair);
-            else if (!is_background && pair.expected > bright)
-                ++unchanged;
+                is_background_changed = is_background_changed || is_background;
+            } else if (pair.expected > bright) {
+                ++(is_background ? unchanged_background : unchanged);
+            }
         }
     }
+    if (is_background_changed) unchanged += unchanged_background;
     return unchanged > pairs.size() ? std::vector<ValuePair>() : pairs;
 }
 
