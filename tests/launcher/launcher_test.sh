@@ -65,28 +65,46 @@ expect "tests build everything" grep -q 'cmake --build --preset release --target
 expect "tests need more packages" grep -qE 'apt-get install .*libglm-dev .*absent' "$work/calls"
 expect "a command that is there needs no package" sh -c "! grep -qE ' present( |$)' '$work/calls'"
 
-# Each unit has its turn with one of twelve commits, and each folder of tests with two of six, or with all.
+# From here on builds work.
+mkdir -p "$work/project/build/release/bin"
+for name in "$work/fakes/cmake" "$work/fakes/ctest" "$work/project/build/release/bin/umbral"; do
+    printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n' "${name##*/}" "$work" >"$name"
+    chmod +x "$name"
+done
+
+# Each unit has its turn with one of twelve commits, and is validated with three more; each folder of tests has its turn
+# with two of six, or with all.
 mkdir -p "$work/project/exercises/transforms/hook" "$work/project/exercises/meshes/area" "$work/project/exercises/meshes/ply" \
     "$work/project/exercises/meshes/revolution" "$work/project/exercises/pipeline/clip-line"
 for unit in transforms/hook meshes/area meshes/ply meshes/revolution pipeline/clip-line; do
     : >"$work/project/exercises/$unit/exercise.json"
 done
-# tested_with COUNT PATH…: what ./umbral test asks CMake for, with so many commits of which the last changed these files.
+# tested_with COUNT PATHS [--all]: notes what ./umbral test calls, with so many commits of which the last changed these
+# files.
 tested_with() {
     printf '#!/bin/sh\ncase "$*" in *rev-list*) echo %s ;; *log*) printf "%%s\\n" %s ;; esac\n' "$1" "$2" >"$work/fakes/git"
     chmod +x "$work/fakes/git"
     : >"$work/calls"
-    (cd "$work/project" && ./umbral test) >"$work/printed" 2>&1 || true
+    rm -f "$work/project/build/release/stamp"*
+    shift 2
+    (cd "$work/project" && ./umbral test "$@") >"$work/printed" 2>&1 || true
 }
-asked_for() { sed -n "s/.*-D$1=\([^ ]*\).*/\1/p" "$work/calls" | tr ';' '\n'; }
+asked_for() { sed -n "/--preset release/s/.*-D$1=\([^ ]*\).*/\1/p" "$work/calls" | tr ';' '\n'; }
 : >"$work/turns"
 : >"$work/parts"
+: >"$work/validated"
 for count in 0 1 2 3 4 5 6 7 8 9 10 11; do
     tested_with $((count + 900)) ''
     asked_for UMBRAL_WHOLE_UNITS >>"$work/turns"
     [ "$count" -ge 6 ] || asked_for UMBRAL_TEST_PARTS >>"$work/parts"
+    sed -nE 's/^umbral validate --quiet --seeds 1 ([^-].*)/whole \1/p; s/^umbral validate .*--without-mistakes (.+)/right \1/p' \
+        "$work/calls" | awk '{ for (i = 2; i <= NF; ++i) print $1, $i }' >>"$work/validated"
 done
 expect "twelve turns are all units, each once" [ "$(sed '/^$/d' "$work/turns" | sort | uniq -c | awk '$1 == 1' | wc -l)" -eq 6 ]
+expect "each unit is validated whole once in twelve turns" \
+    [ "$(grep whole "$work/validated" | sort | uniq -c | awk '$1 == 1' | wc -l)" -eq 6 ]
+expect "and three times without its mistakes" \
+    [ "$(grep right "$work/validated" | sort | uniq -c | awk '$1 == 3' | wc -l)" -eq 6 ]
 tested() { sort "$work/parts" | uniq -c | awk -v times="$1" '$1 == times { print $2 }'; }
 folders=$(cd "$source/tests" && for list in */CMakeLists.txt; do dirname "$list"; done | grep -vx support)
 expect "each folder of tests has turns" [ "$(sort -u "$work/parts")" = "$(printf '%s\n' "$folders" | LC_ALL=C sort)" ]
@@ -99,23 +117,6 @@ tested_with 907 'reference/pipeline/clip_line_oracle.cpp reference/meshes/gone.c
 expect "a unit whose oracle changed" [ "$(asked_for UMBRAL_WHOLE_UNITS)" = pipeline/clip-line ]
 tested_with 907 'tests/units/meshes/area_test.cpp exercises/meshes/support.hpp'
 expect "a unit whose test changed" [ "$(asked_for UMBRAL_WHOLE_UNITS)" = meshes/area ]
-: >"$work/calls"
-(cd "$work/project" && ./umbral test --all) >"$work/printed" 2>&1 || true
+tested_with 907 '' --all
 expect "--all compiles all mistakes and tests" grep -qE -- '-DUMBRAL_WHOLE_UNITS=\*/\* -DUMBRAL_TEST_PARTS=( |$)' "$work/calls"
-# Where the build works: of three commits in a row one validates a unit, of twelve one with its mistakes.
-mkdir -p "$work/project/build/release/bin"
-for name in "$work/fakes/cmake" "$work/fakes/ctest" "$work/project/build/release/bin/umbral"; do
-    printf '#!/bin/sh\necho "%s $*" >>"%s/calls"\n' "${name##*/}" "$work" >"$name"
-    chmod +x "$name"
-done
-: >"$work/validated"
-for count in 0 1 2 3 4 5 6 7 8 9 10 11; do
-    tested_with $((count + 900)) ''
-    sed -nE 's/^umbral validate --quiet --seeds 1 ([^-].*)/whole \1/p; s/^umbral validate .*--without-mistakes (.+)/right \1/p' \
-        "$work/calls" | awk '{ for (i = 2; i <= NF; ++i) print $1, $i }' >>"$work/validated"
-done
-expect "each unit is validated whole once in twelve turns" \
-    [ "$(grep whole "$work/validated" | sort | uniq -c | awk '$1 == 1' | wc -l)" -eq 6 ]
-expect "and three times without its mistakes" \
-    [ "$(grep right "$work/validated" | sort | uniq -c | awk '$1 == 3' | wc -l)" -eq 6 ]
 exit $failed
