@@ -54,11 +54,11 @@ inline BallScene mirrors(int levels)
     scene.balls.push_back({{0.3F, 3.4F, 0.6F, 0.5F}, {0.3F, 0.25F, 0.1F}, 0.2F});
     scene.light_position = {0.3F, 2.4F, 1.0F};
     scene.floor_mirror = 0.3F;
-    // Brighter than what can be shown: it is cut off once, at the end.
-    if (levels > 1) scene.light_color = glm::vec3(1.8F);
     if (levels == 1) {
         scene.light_position = {0.5F, -2.5F, 2.2F};
         scene.floor_radius = 1.2F;
+    } else {
+        scene.light_color = glm::vec3(1.8F);  // brighter than what can be shown: it is cut off once, at the end
     }
     scene.levels = levels;
     return scene;
@@ -162,7 +162,7 @@ inline void aim_into_hole(Random& random, SpongeScene& scene, int depth, int axi
     scene.ball.w = random.uniform(0.3F, 0.7F);
 }
 
-/// A point of a face, and the direction along it that leaves it by this slope.
+/// The ray meets a face of the sponge all but along it, or the sun shines on the face all but along it.
 inline void aim_along_face(Random& random, SpongeScene& scene, int axis, bool sun)
 {
     const float side = random.below(2) == 0 ? -1.0F : 1.0F;

@@ -11,18 +11,6 @@ namespace {
 
 bool is_name(BufferKind kind) { return kind == BufferKind::coverage || kind == BufferKind::ids; }
 
-// Calls `visit` with each cell round this one, itself included, that lies in the buffer.
-template <class Visit>
-void for_each_near(const BufferCells& cells, std::size_t cell, Visit visit)
-{
-    const std::size_t x = cell % cells.columns;
-    const std::size_t y = cell / cells.columns;
-    for (std::size_t near_y = y - std::min<std::size_t>(y, 1); near_y <= std::min(y + 1, cells.rows - 1); ++near_y)
-        for (std::size_t near_x = x - std::min<std::size_t>(x, 1); near_x <= std::min(x + 1, cells.columns - 1);
-             ++near_x)
-            visit(near_y * cells.columns + near_x);
-}
-
 bool is_background(const BufferCells& cells, std::size_t cell)
 {
     return cells.states[cell] == CellState::background || cells.states[cell] == CellState::extra;

@@ -82,16 +82,13 @@ bool other_surfaces(const BufferCells& cells, double typical_error)
     };
     std::size_t borders = 0;
     std::size_t of_one_side = 0;
-    const auto look = [&](std::size_t a, std::size_t b) {
-        const bool is_border = (cells.states[a] == CellState::other && cells.states[b] == CellState::right) ||
-                               (cells.states[a] == CellState::right && cells.states[b] == CellState::other);
-        if (!is_border) return;
-        ++borders;
-        if (leaps(cells.yours, a, b) != leaps(cells.expected, a, b)) ++of_one_side;
-    };
     for (std::size_t cell = 0; cell < cells.states.size(); ++cell) {
-        if ((cell + 1) % cells.columns != 0) look(cell, cell + 1);
-        if (cell + cells.columns < cells.states.size()) look(cell, cell + cells.columns);
+        if (cells.states[cell] != CellState::other) continue;
+        for_each_near(cells, cell, [&](std::size_t near) {
+            if (cells.states[near] != CellState::right) return;
+            ++borders;
+            if (leaps(cells.yours, cell, near) != leaps(cells.expected, cell, near)) ++of_one_side;
+        });
     }
     return 2 * of_one_side > borders;
 }

@@ -31,13 +31,13 @@ Markup cells(const RowPair& row, const std::vector<std::string>& texts, std::siz
 /// Beyond it a question hides the table that it stands in.
 constexpr std::size_t short_question = 320;
 
-/// What was asked, as `code` shows it. Only the first long one is shown at once: the others unfold.
-Markup unfolding(const std::string& question, Markup code, bool& long_one_shown)
+bool is_long(const RowPair& row) { return row.question.size() > short_question; }
+
+/// What this row was asked, as `code` shows it. Of the long ones only the first is shown at once: the others unfold.
+Markup unfolding(const std::vector<RowPair>& rows, const RowPair& row, const Markup& code)
 {
-    if (question.size() <= short_question) return code;
-    const bool folded = long_one_shown;
-    long_one_shown = true;
-    return folded ? markup("<details><summary>what was asked</summary>{}</details>", code) : code;
+    if (!is_long(row) || &row == &*std::ranges::find_if(rows, is_long)) return code;
+    return markup("<details><summary>what was asked</summary>{}</details>", code);
 }
 
 Markup table_of(const std::vector<RowPair>& rows, const RowsEvidence& evidence, std::string_view caption)
@@ -54,14 +54,13 @@ Markup table_of(const std::vector<RowPair>& rows, const RowsEvidence& evidence, 
         names += "<td></td></tr>";
     }
     Markup body;
-    bool long_one_shown = false;
     for (const RowPair& row : rows) {
         body += markup("<tr><th scope=\"row\">{}</th>{}{}<td class=\"note\">{}</td></tr>\n", row.name,
                        cells(row, row.yours, columns, "of-yours"), cells(row, row.expected, columns, "of-reference"),
                        row.note);
         if (!row.question.empty())
             body += markup("<tr class=\"question\"><td></td><td colspan=\"{}\">{}</td></tr>\n", 2 * columns + 1,
-                           unfolding(row.question, markup("<code>{}</code>", row.question), long_one_shown));
+                           unfolding(rows, row, markup("<code>{}</code>", row.question)));
     }
     return scrolling(caption, markup("<table class=\"rows\"><caption>{0}</caption><thead><tr><th scope=\"col\"><span "
                                      "class=\"aside\">row</span></th><th "
@@ -90,23 +89,21 @@ Markup matrix(const RowPair& row, const std::vector<std::string>& texts, int sid
     return markup("<table class=\"matrix {}\"><caption>{}</caption><tbody>{}</tbody></table>", kind, caption, body);
 }
 
-Markup question(const RowPair& row, bool& long_one_shown)
+Markup question(const std::vector<RowPair>& rows, const RowPair& row)
 {
     if (row.question.empty()) return {};
-    return unfolding(row.question, markup("<pre class=\"question\"><code>{}</code></pre>", row.question),
-                     long_one_shown);
+    return unfolding(rows, row, markup("<pre class=\"question\"><code>{}</code></pre>", row.question));
 }
 
 Markup matrices_of(const std::vector<RowPair>& rows, int side, std::string_view caption)
 {
     if (rows.empty()) return {};
     Markup result = markup("<h4>{}</h4>\n", caption);
-    bool long_one_shown = false;
     for (const RowPair& row : rows)
         result += scrolling(
             row.name,
             markup("<div class=\"matrices\"><p class=\"name\">{}<span class=\"note\">{}</span></p>{}{}{}</div>",
-                   row.name, row.note, question(row, long_one_shown), matrix(row, row.yours, side, "of-yours", "yours"),
+                   row.name, row.note, question(rows, row), matrix(row, row.yours, side, "of-yours", "yours"),
                    matrix(row, row.expected, side, "of-reference", "expected")));
     return result;
 }
