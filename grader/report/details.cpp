@@ -76,14 +76,16 @@ private:
     std::string result_;
 };
 
-void add_first_failing(Block& block, const CheckResult& check, const Paint& paint)
+/// `told` stands above it: what the check only repeats of it is left out.
+void add_first_failing(Block& block, const CheckResult& check, std::string_view told, const Paint& paint)
 {
     const std::string words = check_words(check);
     const std::string name = shorten(paint.safe(check.name), block.room() - display_width(words) - 2, paint.ellipsis());
     block.labelled("check", {fmt::format("{}  {}", paint(Tone::strong, name), words)});
     // A matrix judge's message repeats the matrices that are drawn below.
     const bool drawn = check.first_difference && find_matrix(check.first_difference->yours);
-    block.sentence("", drawn && !check.headline.empty() ? check.headline : check.message);
+    const std::string& message = drawn && !check.headline.empty() ? check.headline : check.message;
+    if (told.find(message) == std::string_view::npos) block.labelled("", excerpt(message, block.room(), paint));
     if (check.first_difference) {
         block.sentence("first", check.first_difference->where);
         block.labelled("", side_by_side(*check.first_difference, block.room(), paint));
@@ -221,7 +223,7 @@ std::string unit_details(const UnitResult& unit, int width, const Paint& paint)
         fmt::format("\n  {} {}  {}", paint.mark(verdict), paint(Tone::strong, id), paint(tone_of(verdict), words));
     block.labelled("", excerpt(unit.message, block.room(), paint));
     const bool ran = !never_ran(unit.verdict);
-    if (ran && shown != nullptr) add_first_failing(block, *shown, paint);
+    if (ran && shown != nullptr) add_first_failing(block, *shown, unit.message, paint);
     if (shown == nullptr && hidden_fails)
         block.sentence("check", "Every check that you can see is right, but a hidden one is not.");
     if (ran) add_pattern(block, unit, failing);
