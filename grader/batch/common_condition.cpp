@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "batch/asked_sample.hpp"
 #include "question/conditions.hpp"
-#include "question/names.hpp"
 
 namespace umbral::grader {
 namespace {
@@ -17,73 +17,6 @@ constexpr std::size_t enough_answers = 200;
 constexpr std::size_t most_in_vector = 4;
 constexpr std::size_t least_confirmed = 2;  ///< sets of fresh inputs
 constexpr std::size_t most_confirmed = 6;
-constexpr const char* right_answer = "the right answer";
-constexpr const char* has_answer = "there being a right answer";
-
-/// Answers whose questions are of one kind, and what is known of each.
-struct Sample {
-    QuestionTable table;
-    AnswerTable answers;  ///< in the same order, with what is told of the questions
-};
-
-std::vector<bool> which_wrong(const Sample& sample)
-{
-    std::vector<bool> wrong;
-    for (const AnswerPair& one : sample.answers.answers) wrong.push_back(one.wrong);
-    return wrong;
-}
-
-/// What is known of the right answer too.
-void add_answer(const AskedAnswers& answers, const AskedAnswer& one, std::vector<double>& numbers)
-{
-    if (answers.optional) numbers.push_back(one.answer.expected.empty() ? 0 : 1);
-    if (!one.row) return;
-    for (std::size_t i = 0; i < answers.components; ++i)
-        numbers.push_back(one.answer.expected.empty() ? 0 : one.answer.expected[i]);
-}
-
-std::vector<std::string> answer_names(const AskedAnswers& answers)
-{
-    std::vector<std::string> names;
-    if (answers.optional) names.emplace_back(has_answer);
-    if (answers.all.empty() || !answers.all.front().row) return names;
-    for (std::size_t i = 0; i < answers.components; ++i)
-        names.push_back(answers.components == 1      ? right_answer
-                        : i < answers.columns.size() ? fmt::format("{}.{}", right_answer, answers.columns[i])
-                                                     : fmt::format("{}[{}]", right_answer, i));
-    return names;
-}
-
-/// The answers whose questions are of the kind that most have.
-Sample sample(Worker& worker, const AskedCheck& asked, std::uint64_t seed)
-{
-    const AskedAnswers answers = asked_answers(worker, asked, seed);
-    const QuestionLog& log =
-        seed == asked.result.seed ? asked.log : worker.questions(asked.exercise, asked.check.case_name, seed);
-    std::map<const QuestionKind*, std::vector<const AskedAnswer*>> by_kind;
-    for (const AskedAnswer& one : answers.all) by_kind[log.kind_of(one.question)].push_back(&one);
-    Sample result;
-    const auto most = std::ranges::max_element(by_kind, {}, [](const auto& one) { return one.second.size(); });
-    if (most == by_kind.end()) return result;
-    const auto& [kind, some] = *most;
-    result.answers = {answers.components, answers.keys, answers.columns, {}, {}};
-    for (const AskedAnswer* const one : some) result.answers.answers.push_back(one->answer);
-    if (kind == nullptr) return result;
-    const std::vector<std::string> parameters = parameter_names(asked.headers, kind->function);
-    for (const std::string& place : kind->features) result.table.names.push_back(in_words(place, parameters));
-    // That nothing is found where something is says more than what else is true of such questions.
-    result.table.answers = result.table.names.size();
-    result.table.words = kind->words;
-    if (answers.optional) result.table.first = result.table.names.size();
-    std::ranges::copy(answer_names(answers), std::back_inserter(result.table.names));
-    for (const AskedAnswer* const one : some) {
-        std::vector<double> numbers = kind->questions.at(one->question);
-        add_answer(answers, *one, numbers);
-        result.table.numbers.push_back(std::move(numbers));
-    }
-    result.answers.facts = facts_of(result.table);
-    return result;
-}
 
 bool has_both(const std::vector<bool>& wrong, std::size_t least)
 {
@@ -97,21 +30,21 @@ class Samples {
 public:
     Samples(Worker& worker, const AskedCheck& asked) : worker_(worker), asked_(asked) {}
 
-    const Sample& seen() { return at(0); }
+    const AskedSample& seen() { return at(0); }
     /// From 1 to most_confirmed.
-    const Sample& fresh(std::size_t number) { return at(number); }
+    const AskedSample& fresh(std::size_t number) { return at(number); }
 
 private:
-    const Sample& at(std::size_t place)
+    const AskedSample& at(std::size_t place)
     {
-        std::optional<Sample>& one = samples_.at(place);
-        if (!one) one = sample(worker_, asked_, asked_.result.seed ^ (place * 0x9E3779B97F4A7C15U));
+        std::optional<AskedSample>& one = samples_.at(place);
+        if (!one) one = asked_sample(worker_, asked_, asked_.result.seed ^ (place * 0x9E3779B97F4A7C15U));
         return *one;
     }
 
     Worker& worker_;
     const AskedCheck& asked_;
-    std::array<std::optional<Sample>, 1 + most_confirmed> samples_;
+    std::array<std::optional<AskedSample>, 1 + most_confirmed> samples_;
 };
 
 /// "the right answer is nothing" is what people say.
@@ -131,58 +64,66 @@ std::string in_plain_words(const Condition& condition)
     return text;
 }
 
-/// Does the condition part the answers to fresh inputs too, so many that a chance would have shown?
-bool is_confirmed(const Condition& condition, Samples& samples)
+/// Does the condition part those of fresh inputs too, so many that a chance would have shown?
+bool is_confirmed(const Condition& condition, Samples& samples, ToldSample AskedSample::*of)
 {
+    const ToldSample& seen = samples.seen().*of;
     std::size_t wrong = condition.wrong;
     std::size_t right = condition.right;
     for (std::size_t i = 1; i <= most_confirmed; ++i) {
-        const Sample& fresh = samples.fresh(i);
-        const std::vector<bool> which = which_wrong(fresh);
+        const ToldSample& fresh = samples.fresh(i).*of;
         // Rare ones may not come again at all.
-        const bool none = fresh.table.names == samples.seen().table.names && !has_both(which, 1);
+        const bool none = fresh.names == seen.names && !has_both(fresh.wrong, 1);
         if (none && i > least_confirmed) continue;
-        if (none || fresh.table.names != samples.seen().table.names) return false;
-        if (!parts(condition, fresh.answers.facts, which)) return false;
-        wrong += static_cast<std::size_t>(std::ranges::count(which, true));
-        right += static_cast<std::size_t>(std::ranges::count(which, false));
+        if (none || fresh.names != seen.names) return false;
+        if (!parts(condition, fresh.facts, fresh.wrong)) return false;
+        wrong += static_cast<std::size_t>(std::ranges::count(fresh.wrong, true));
+        right += static_cast<std::size_t>(std::ranges::count(fresh.wrong, false));
         if (i >= least_confirmed && std::min(wrong, right) >= enough_answers) break;
     }
     return true;
 }
 
-/// The simplest condition that parts wrong answers from right ones, if it does so on fresh inputs too, or if there can
-/// be no others.
-std::optional<Condition> common_condition(Samples& samples)
+/// The simplest condition that parts wrong ones from right ones, if it does so on fresh inputs too, or if there can be
+/// no others.
+std::optional<CommonCondition> condition_of(Samples& samples, ToldSample AskedSample::*of)
 {
-    const Sample& seen = samples.seen();
-    if (seen.table.numbers.empty()) return std::nullopt;
-    const std::vector<bool> wrong = which_wrong(seen);
-    std::optional<Condition> condition = simplest_condition(seen.answers.facts, wrong);
+    const ToldSample& seen = samples.seen().*of;
+    if (seen.numbers.empty()) return std::nullopt;
+    std::optional<Condition> condition = simplest_condition(seen.facts, seen.wrong);
     if (!condition) return std::nullopt;
-    const Sample& fresh = samples.fresh(1);
-    const bool same = fresh.table.names == seen.table.names && fresh.table.numbers == seen.table.numbers;
+    const ToldSample& fresh = samples.fresh(1).*of;
+    const bool same = fresh.names == seen.names && fresh.numbers == seen.numbers;
     // Where a case always asks the same, nothing can say that the bound is more than a number between them, nor that
     // one of the many entries of a right matrix has more to do with it than another.
-    const bool by_chance = condition->fitted || (condition->of_answer && seen.answers.components > most_in_vector);
+    const bool by_chance =
+        condition->fitted || (condition->of_answer && samples.seen().answers.components > most_in_vector);
     if (same && by_chance) return std::nullopt;
-    const bool holds = same ? has_both(wrong, least_of_fixed) && condition->right_where == 0 &&
+    const bool holds = same ? has_both(seen.wrong, least_of_fixed) && condition->right_where == 0 &&
                                   condition->wrong_where == condition->wrong
-                            : is_confirmed(*condition, samples);
-    return holds ? condition : std::nullopt;
+                            : is_confirmed(*condition, samples, of);
+    if (!holds) return std::nullopt;
+    return CommonCondition{*std::move(condition), of};
+}
+
+/// Of questions that have several answers, or else of answers.
+std::optional<CommonCondition> common_condition(Samples& samples)
+{
+    std::optional<CommonCondition> found = condition_of(samples, &AskedSample::by_question);
+    return found ? found : condition_of(samples, &AskedSample::by_answer);
 }
 
 /// What all wrong answers share, if it is so with fresh inputs too, so many that a chance would have shown.
 std::string common_answer(Samples& samples)
 {
-    const auto count = [](const Sample& one) {
-        return static_cast<std::size_t>(std::ranges::count(which_wrong(one), true));
+    const auto count = [](const AskedSample& one) {
+        return static_cast<std::size_t>(std::ranges::count_if(one.answers.answers, &AnswerPair::wrong));
     };
     std::vector<std::string> patterns = answer_patterns(samples.seen().answers);
     std::size_t wrong = count(samples.seen());
-    const bool same = !patterns.empty() && samples.fresh(1).table.numbers == samples.seen().table.numbers;
+    const bool same = !patterns.empty() && samples.fresh(1).by_answer.numbers == samples.seen().by_answer.numbers;
     for (std::size_t i = 1; i <= most_confirmed && !patterns.empty(); ++i) {
-        const Sample& fresh = samples.fresh(i);
+        const AskedSample& fresh = samples.fresh(i);
         if (i > least_confirmed && count(fresh) < least_wrong) continue;
         const std::vector<std::string> again = answer_patterns(fresh.answers);
         std::erase_if(patterns, [&](const std::string& one) { return std::ranges::find(again, one) == again.end(); });
@@ -202,22 +143,23 @@ InCommon find_in_common(Worker& worker, const AskedCheck& asked)
 
 std::string sentence_of(const InCommon& common)
 {
-    std::string text = common.condition ? in_plain_words(*common.condition) : "";
+    std::string text = common.condition ? in_plain_words(common.condition->condition) : "";
     if (!common.answer.empty()) text += fmt::format("{}every wrong answer {}", text.empty() ? "" : "; ", common.answer);
     return text;
 }
 
-std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const Condition& condition, std::uint64_t seed)
+std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const CommonCondition& condition,
+                             std::uint64_t seed)
 {
-    const Sample fresh = sample(worker, asked, seed);
-    const std::vector<bool> wrong = which_wrong(fresh);
-    if (fresh.table.numbers.empty() || !has_both(wrong, 1)) return std::nullopt;
-    return parts(condition, fresh.answers.facts, wrong);
+    const AskedSample fresh = asked_sample(worker, asked, seed);
+    const ToldSample& told = fresh.*condition.of;
+    if (told.numbers.empty() || !has_both(told.wrong, 1)) return std::nullopt;
+    return parts(condition.condition, told.facts, told.wrong);
 }
 
 std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const std::string& pattern, std::uint64_t seed)
 {
-    const Sample fresh = sample(worker, asked, seed);
+    const AskedSample fresh = asked_sample(worker, asked, seed);
     const std::vector<std::string> found = answer_patterns(fresh.answers);
     const auto wrong = std::ranges::count_if(fresh.answers.answers, &AnswerPair::wrong);
     if (found.empty() && wrong < static_cast<std::ptrdiff_t>(least_wrong)) return std::nullopt;

@@ -4,14 +4,20 @@
 #include <string>
 
 #include "batch/asked_answers.hpp"
+#include "batch/asked_sample.hpp"
 #include "question/conditions.hpp"
 
 namespace umbral::grader {
 
+/// A condition that parts wrong answers from right ones, or questions with wrong answers from those without.
+struct CommonCondition {
+    Condition condition;
+    ToldSample AskedSample::*of;  ///< by_answer or by_question: what it takes the facts of
+};
+
 /// What the wrong answers of a check have in common.
 struct InCommon {
-    /// The simplest condition that parts wrong answers from right ones.
-    std::optional<Condition> condition{};
+    std::optional<CommonCondition> condition{};  ///< the simplest one
     /// What all wrong answers share, as words such as "is always 0" (question/answer_patterns.hpp); may be empty.
     std::string answer{};
 };
@@ -26,7 +32,7 @@ struct InCommon {
 
 /// Does the condition part wrong answers from right ones with the inputs of this seed too? Nothing if that cannot be
 /// said, as where none or all are wrong there.
-[[nodiscard]] std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const Condition& condition,
+[[nodiscard]] std::optional<bool> holds_at(Worker& worker, const AskedCheck& asked, const CommonCondition& condition,
                                            std::uint64_t seed);
 
 /// The same of what all wrong answers share.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "batch/asked_alone.hpp"
+#include "batch/asked_sample.hpp"
 #include "batch/other_questions.hpp"
 #include "question/names.hpp"
 #include "report/hidden.hpp"
@@ -20,6 +21,11 @@ protected:
 class QuestionsOfLists : public SpoiltReference {
 protected:
     QuestionsOfLists() : SpoiltReference("meshes/vertex-normals") {}
+};
+
+class QuestionsOfGrids : public SpoiltReference {
+protected:
+    QuestionsOfGrids() : SpoiltReference("meshes/grid-and-sphere") {}
 };
 
 TEST_F(Questions, an_interval_that_begins_at_0_is_told_by_where_it_goes_wrong_and_by_what_it_answers)
@@ -131,6 +137,35 @@ TEST_F(QuestionsOfLists, what_is_wrong_of_itself_is_not_laid_on_earlier_calls)
     const CheckResult& wrong = check(result, "sharp folds/vertices");
     ASSERT_TRUE(wrong.first_difference);
     EXPECT_NE(wrong.common, right_alone);
+}
+
+// Four grids of 63 corners: that all with one column are right, and others are wrong, is chance.
+TEST_F(QuestionsOfGrids, many_answers_to_few_questions_tell_no_more_than_the_questions)
+{
+    const UnitResult result =
+        grade("double(column) / columns", "double(column) / columns * (columns > rows ? 1.01 : 1.0)");
+    const CheckResult& wrong = check(result, "grid/positions");
+    ASSERT_LT(wrong.score, wrong.max_score);
+    EXPECT_EQ(wrong.common, "every wrong answer differs in x only, which is 1.01 times the right one");
+}
+
+TEST_F(QuestionsOfGrids, a_question_is_wrong_if_one_of_its_answers_is)
+{
+    const Check& fine = *std::ranges::find_if(
+        exercise.checks, [](const Check& one) { return one.case_name == "fine" && one.value == "grid"; });
+    const Built built = build_spoilt("double(row) / rows", "double(row) / (rows > columns ? rows + row : rows)");
+    CaseResult one;
+    one.seed = 1;
+    one.student = worker.run(exercise, built, fine.case_name, one.seed);
+    CaseRuns runs(worker, exercise, built, fine.case_name, one);
+    const std::string headers = interface_text(worker, exercise);
+    const AskedCheck asked{exercise, fine, runs, one, worker.questions(exercise, fine.case_name, one.seed), headers};
+    const AskedSample sample = asked_sample(worker, asked, one.seed);
+    EXPECT_EQ(sample.by_question.names, (std::vector<std::string>{"columns", "rows"}));
+    EXPECT_EQ(sample.by_question.numbers, (std::vector<std::vector<double>>{{300'000, 1}, {1, 99'991}}));
+    EXPECT_EQ(sample.by_question.wrong, (std::vector<bool>{false, true}));
+    EXPECT_EQ(sample.by_answer.wrong.size(), 400U);
+    EXPECT_EQ(sample.by_answer.names.size(), 3U) << "the right answer's alone";
 }
 
 TEST_F(Questions, right_work_is_asked_nothing)

@@ -16,12 +16,12 @@ protected:
     /// With one text in place of another, which it must hold.
     UnitResult grade(const std::string& from, const std::string& to, const GradeOptions& options = {})
     {
-        Sources sources = reference_sources(bench.tools().reference, exercise);
-        std::string& text = sources.begin()->second;
-        const std::size_t place = text.find(from);
-        EXPECT_NE(place, std::string::npos) << from;
-        text.replace(place, from.size(), to);
-        return grade_unit(worker, exercise, {sources, {}, ""}, options);
+        return grade_unit(worker, exercise, {spoilt(from, to), {}, ""}, options);
+    }
+
+    [[nodiscard]] Built build_spoilt(const std::string& from, const std::string& to) const
+    {
+        return build(bench.tools(), exercise, spoilt(from, to));
     }
 
     static const CheckResult& check(const UnitResult& result, const std::string& name)
@@ -32,6 +32,17 @@ protected:
     Workbench bench;
     Exercise exercise;
     Worker worker{bench.tools()};
+
+private:
+    [[nodiscard]] Sources spoilt(const std::string& from, const std::string& to) const
+    {
+        Sources sources = reference_sources(bench.tools().reference, exercise);
+        std::string& text = sources.begin()->second;
+        const std::size_t place = text.find(from);
+        EXPECT_NE(place, std::string::npos) << from;
+        text.replace(place, from.size(), to);
+        return sources;
+    }
 };
 
 }

@@ -103,7 +103,8 @@ private:
                                headers_};
         const InCommon common = find_in_common(worker_, asked);
         if (common.condition)
-            bug.said.push_back(tried(asked, *common.condition, ToldSentence::Kind::condition, common.condition->words));
+            bug.said.push_back(
+                tried(asked, *common.condition, ToldSentence::Kind::condition, common.condition->condition.words));
         if (!common.answer.empty())
             bug.said.push_back(tried(asked, common.answer, ToldSentence::Kind::answer, common.answer));
     }
