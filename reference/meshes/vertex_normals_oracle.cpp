@@ -1,7 +1,7 @@
 #include <cmath>
 #include <umbral/meshes/normals.hpp>
 
-#include "wide.hpp"
+#include "wide_vector.hpp"
 
 // The definition with 113 bits, rounded to float once: sums, products and normals alike. Each vertex collects the
 // normals of its triangles from a list, instead of triangles giving theirs away: another way to the same sums.
@@ -9,35 +9,12 @@
 namespace umbral::meshes {
 namespace {
 
-struct WideVector {
-    Wide x, y, z;
-};
-
-WideVector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-WideVector operator+(const WideVector& a, const WideVector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-WideVector operator-(const WideVector& a, const WideVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-WideVector operator/(const WideVector& v, Wide divisor) { return {v.x / divisor, v.y / divisor, v.z / divisor}; }
-Wide dot(const WideVector& a, const WideVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-glm::vec3 rounded(const WideVector& v)
-{
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-// Squares of lengths of floats' cross products lie between 1e-180 and 1e155.
-Wide length(const WideVector& v)
-{
-    const Wide square = dot(v, v);
-    return square > 0 ? square_root(square) : 0;
-}
-
 bool finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 WideVector unit_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 {
     if (!finite(a) || !finite(b) || !finite(c)) return {0, 0, 0};
-    const WideVector u = widened(b) - widened(a);
-    const WideVector v = widened(c) - widened(a);
-    const WideVector normal{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    const WideVector normal = cross(widened(b) - widened(a), widened(c) - widened(a));
     const Wide size = length(normal);
     return size > 0 ? normal / size : WideVector{0, 0, 0};
 }

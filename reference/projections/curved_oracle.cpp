@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "wide.hpp"
+#include "wide_vector.hpp"
 
 // Lengths in 113 bits, angles with at least 64, rounded to float once. Angles between vectors by half angles, and each
 // triangle is cut by itself, along its barycentric coordinates, as often as a first pass over all has found.
@@ -13,39 +13,23 @@
 namespace umbral::projections {
 namespace {
 
-using WideVector = std::array<Wide, 3>;
-
-WideVector wide(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-
-Wide length_of(const WideVector& v) { return square_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
-
 // 2 atan2(|u - v|, |u + v|) for the unit vectors u, v (W. Kahan).
 long double angle_between(const glm::vec3& a, const glm::vec3& b)
 {
-    const Wide la = length_of(wide(a));
-    const Wide lb = length_of(wide(b));
+    const Wide la = length(widened(a));
+    const Wide lb = length(widened(b));
     if (la == 0 || lb == 0) return 0;
-    WideVector difference{};
-    WideVector sum{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Wide u = wide(a)[i] / la;
-        const Wide v = wide(b)[i] / lb;
-        difference[i] = u - v;
-        sum[i] = u + v;
-    }
-    return 2 * std::atan2(static_cast<long double>(length_of(difference)), static_cast<long double>(length_of(sum)));
+    const WideVector u = widened(a) / la;
+    const WideVector v = widened(b) / lb;
+    return 2 * std::atan2(static_cast<long double>(length(u - v)), static_cast<long double>(length(u + v)));
 }
 
 /// The point of a triangle at (i, j) of its grid of so many parts a side, in the arithmetic of repeated halving, which
 /// is exact for whole coordinates.
 glm::vec3 point_of(std::span<const glm::vec3> t, int i, int j, int parts)
 {
-    WideVector sum{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto at = static_cast<int>(axis);
-        sum[axis] = (Wide{t[0][at]} * (parts - i - j) + Wide{t[1][at]} * i + Wide{t[2][at]} * j) / parts;
-    }
-    return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
+    return rounded((Wide(parts - i - j) * widened(t[0]) + Wide(i) * widened(t[1]) + Wide(j) * widened(t[2])) /
+                   Wide(parts));
 }
 
 std::vector<glm::vec3> cut(std::span<const glm::vec3> corners, int parts)
@@ -66,7 +50,7 @@ std::vector<glm::vec3> cut(std::span<const glm::vec3> corners, int parts)
 
 std::optional<CurvedPoint> spherical_projection(const glm::vec3& point)
 {
-    const Wide distance = length_of(wide(point));
+    const Wide distance = length(widened(point));
     if (distance == 0 || point.z > 0) return std::nullopt;
     return CurvedPoint{{static_cast<float>(point.x / distance), static_cast<float>(point.y / distance)},
                        static_cast<float>(distance)};
@@ -74,12 +58,12 @@ std::optional<CurvedPoint> spherical_projection(const glm::vec3& point)
 
 std::optional<CurvedPoint> cylindrical_projection(const glm::vec3& point)
 {
-    const Wide from_axis = length_of({point.x, 0, point.z});
+    const Wide from_axis = length(WideVector{point.x, 0, point.z});
     if (from_axis == 0) return std::nullopt;
     long double angle = std::atan2(static_cast<long double>(point.x), -static_cast<long double>(point.z));
     if (point.x == 0 && point.z > 0) angle = std::numbers::pi_v<long double>;
     return CurvedPoint{{static_cast<float>(angle), static_cast<float>(point.y / from_axis)},
-                       static_cast<float>(length_of(wide(point)))};
+                       static_cast<float>(length(widened(point)))};
 }
 
 float visual_angle(const glm::vec3& a, const glm::vec3& b) { return static_cast<float>(angle_between(a, b)); }

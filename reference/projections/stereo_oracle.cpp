@@ -4,22 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "wide.hpp"
+#include "wide_vector.hpp"
 
 // In 113 bits, rounded to float once, from the four sides of each frustum and each eye's axes as cross products.
 
 namespace umbral::projections {
 namespace {
-
-using WideVector = std::array<Wide, 3>;
-
-Wide product(const WideVector& a, const WideVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-WideVector unit(const WideVector& v)
-{
-    const Wide length = square_root(product(v, v));
-    return {v[0] / length, v[1] / length, v[2] / length};
-}
 
 /// The side planes as x and y per unit of depth.
 struct Slopes {
@@ -49,8 +39,8 @@ glm::mat4 frustum(const Slopes& s, const StereoScreen& screen)
 /// An eye at (x, 0, 0) whose z axis has this direction.
 glm::mat4 view_along(Wide x, const WideVector& away)
 {
-    const WideVector z = unit(away);
-    const WideVector rows[] = {{z[2], 0, -z[0]}, {0, 1, 0}, z};
+    const WideVector z = away / length(away);
+    const WideVector rows[] = {{z.z, 0, -z.x}, {0, 1, 0}, z};
     glm::mat4 matrix(1);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
@@ -78,8 +68,8 @@ EyeMatrices off_axis_eye(const StereoScreen& s, Wide x)
 EyeMatrices toe_in_eye(const StereoScreen& s, Wide x)
 {
     const WideVector away{x, 0, s.distance};
-    const Wide across = Wide{s.width} / 2 / square_root(product(away, away));
-    const Wide up = Wide{s.height} / 2 / square_root(product(away, away));
+    const Wide across = Wide{s.width} / 2 / length(away);
+    const Wide up = Wide{s.height} / 2 / length(away);
     return {view_along(x, away), frustum({-across, across, -up, up}, s)};
 }
 

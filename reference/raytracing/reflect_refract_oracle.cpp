@@ -14,11 +14,6 @@ WideVector unit(const glm::vec3& v)
     return (1 / square_root(dot(wide, wide))) * wide;
 }
 
-glm::vec3 rounded(const WideVector& v)
-{
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 }
 
 glm::vec3 mirrored_direction(const glm::vec3& v, const glm::vec3& n)
