@@ -11,6 +11,8 @@ using Wide = __float128;
 using Wide = long double;  // as wide, where there is no __float128 (arm64)
 #endif
 
+[[nodiscard]] inline Wide absolute(Wide value) { return value < 0 ? -value : value; }
+
 /// The square root, right but for the last few of 113 bits; 0 of negative numbers, NaN of NaN.
 [[nodiscard]] inline Wide square_root(Wide value)
 {

@@ -30,5 +30,8 @@ inline WideVector cross(const WideVector& a, const WideVector& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline Wide length(const WideVector& v) { return square_root(dot(v, v)); }
+/// In the direction of v, which is not null.
+inline WideVector unit(const WideVector& v) { return v / length(v); }
+inline bool is_null(const WideVector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 }

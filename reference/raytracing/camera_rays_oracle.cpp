@@ -6,11 +6,6 @@
 // The frame and the direction with 113 bits (the tangent with 64), rounded to float once.
 
 namespace umbral::raytracing {
-namespace {
-
-WideVector unit(const WideVector& v) { return (1 / square_root(dot(v, v))) * v; }
-
-}
 
 Ray primary_ray(const PrimaryCamera& camera, int width, int height, const glm::vec2& place)
 {
@@ -20,8 +15,7 @@ Ray primary_ray(const PrimaryCamera& camera, int width, int height, const glm::v
     const Wide half_height = std::tan(static_cast<long double>(camera.fovy) / 2);
     const Wide x = half_height * (2 * Wide{place.x} - width) / height;
     const Wide y = half_height * (2 * Wide{place.y} - height) / height;
-    const WideVector d = unit(x * right + y * down + view);
-    return Ray{camera.eye, {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)}};
+    return Ray{camera.eye, rounded(unit(x * right + y * down + view))};
 }
 
 std::vector<glm::vec2> pixel_samples(int x, int y, int n)

@@ -8,11 +8,7 @@
 namespace umbral::raytracing {
 namespace {
 
-WideVector unit(const glm::vec3& v)
-{
-    const WideVector wide = widened(v);
-    return (1 / square_root(dot(wide, wide))) * wide;
-}
+WideVector unit(const glm::vec3& v) { return umbral::unit(widened(v)); }
 
 }
 

@@ -2,49 +2,34 @@
 #include <array>
 #include <umbral/transforms/affinity.hpp>
 
-#include "wide.hpp"
+#include "wide_vector.hpp"
 
 // In __float128, by normal equations and Cramer's rule: 113 bits can spare the half that these lose. Rounded once.
 
 namespace umbral::transforms {
 namespace {
 
-using Vector = std::array<Wide, 3>;
-using Matrix = std::array<Vector, 3>;  // rows
+using Matrix = std::array<WideVector, 3>;  // rows
 
 struct Map {
     Matrix linear{};
-    Vector point{};
-    Vector image{};
+    WideVector point{};
+    WideVector image{};
 };
-
-Vector difference(const glm::vec3& v, const Vector& from)
-{
-    return {Wide(v.x) - from[0], Wide(v.y) - from[1], Wide(v.z) - from[2]};
-}
-
-Wide dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b)
-{
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Wide size(Wide x) { return x < 0 ? -x : x; }
 
 std::optional<Map> map_of(std::span<const PointPair> pairs)
 {
     if (pairs.size() < 4) return std::nullopt;
     Map map;
     for (const PointPair& pair : pairs) {
-        for (int axis = 0; axis < 3; ++axis) {
-            map.point[static_cast<std::size_t>(axis)] += Wide(pair.point[axis]) / Wide(pairs.size());
-            map.image[static_cast<std::size_t>(axis)] += Wide(pair.image[axis]) / Wide(pairs.size());
-        }
+        map.point = map.point + widened(pair.point) / Wide(pairs.size());
+        map.image = map.image + widened(pair.image) / Wide(pairs.size());
     }
     Matrix squares{};
     Matrix mixed{};
     for (const PointPair& pair : pairs) {
-        const Vector p = difference(pair.point, map.point);
-        const Vector q = difference(pair.image, map.image);
+        const WideVector p = widened(pair.point) - map.point;
+        const WideVector q = widened(pair.image) - map.image;
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t j = 0; j < 3; ++j) {
                 squares[i][j] += p[i] * p[j];
@@ -92,12 +77,12 @@ bool is_affine(std::span<const PointPair> pairs, float tolerance)
     Wide extent = 0;
     Wide worst = 0;
     for (const PointPair& pair : pairs) {
-        const Vector p = difference(pair.point, map->point);
-        const Vector q = difference(pair.image, map->image);
+        const WideVector p = widened(pair.point) - map->point;
+        const WideVector q = widened(pair.image) - map->image;
         for (std::size_t i = 0; i < 3; ++i) {
-            worst = std::max(worst, size(dot(map->linear[i], p) - q[i]));
+            worst = std::max(worst, absolute(dot(map->linear[i], p) - q[i]));
             for (const PointPair& other : pairs)
-                extent = std::max(extent, size(difference(other.image, map->image)[i] - q[i]));
+                extent = std::max(extent, absolute((widened(other.image) - map->image)[i] - q[i]));
         }
     }
     return worst <= Wide(tolerance) * extent;

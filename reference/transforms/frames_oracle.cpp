@@ -1,50 +1,36 @@
-#include <array>
 #include <umbral/transforms/frames.hpp>
 
-#include "wide.hpp"
+#include "wide_vector.hpp"
 
 // In __float128, by Cramer's rule with cofactors; rounded to float once.
 
 namespace umbral::transforms {
 namespace {
 
-using Vector = std::array<Wide, 3>;
-
-Vector widened(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-
-Wide determinant(const Vector& a, const Vector& b, const Vector& c)
+Wide determinant(const WideVector& a, const WideVector& b, const WideVector& c)
 {
     return a[0] * b[1] * c[2] + b[0] * c[1] * a[2] + c[0] * a[1] * b[2] - c[0] * b[1] * a[2] - a[0] * c[1] * b[2] -
            b[0] * a[1] * c[2];
 }
 
-Wide dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// The coordinates of a vector of the world: v = a x + b y + c z.
-glm::vec4 coordinates(const Frame& frame, const Vector& v, float w)
+glm::vec4 coordinates(const Frame& frame, const WideVector& v, float w)
 {
-    const Vector x = widened(frame.x);
-    const Vector y = widened(frame.y);
-    const Vector z = widened(frame.z);
+    const WideVector x = widened(frame.x);
+    const WideVector y = widened(frame.y);
+    const WideVector z = widened(frame.z);
     const Wide all = determinant(x, y, z);
     return {static_cast<float>(determinant(v, y, z) / all), static_cast<float>(determinant(x, v, z) / all),
             static_cast<float>(determinant(x, y, v) / all), w};
 }
 
-Vector difference(const glm::vec3& a, const glm::vec3& b)
-{
-    return {Wide(a.x) - Wide(b.x), Wide(a.y) - Wide(b.y), Wide(a.z) - Wide(b.z)};
-}
-
-Wide size(Wide x) { return x < 0 ? -x : x; }
-
-bool perpendicular(const Vector& a, const Vector& b)
+bool perpendicular(const WideVector& a, const WideVector& b)
 {
     return dot(a, b) * dot(a, b) <= Wide(1e-8) * dot(a, a) * dot(b, b);
 }
 
 // | |v| - 1 | ≤ 1e-4, of squares.
-bool unit(const Vector& v) { return size(dot(v, v) - Wide(1 + 1e-8)) <= Wide(2e-4); }
+bool is_unit(const WideVector& v) { return absolute(dot(v, v) - Wide(1 + 1e-8)) <= Wide(2e-4); }
 
 }
 
@@ -63,7 +49,7 @@ glm::mat4 frame_matrix(const Frame& frame)
 glm::mat4 between_frames(const Frame& from, const Frame& to)
 {
     return {coordinates(to, widened(from.x), 0), coordinates(to, widened(from.y), 0),
-            coordinates(to, widened(from.z), 0), coordinates(to, difference(from.origin, to.origin), 1)};
+            coordinates(to, widened(from.z), 0), coordinates(to, widened(from.origin) - widened(to.origin), 1)};
 }
 
 glm::mat4 inverse_of_frame(const Frame& frame)
@@ -90,13 +76,13 @@ int orientation(const Frame& frame)
 
 FrameKind classify_frame(const Frame& frame)
 {
-    const Vector x = widened(frame.x);
-    const Vector y = widened(frame.y);
-    const Vector z = widened(frame.z);
+    const WideVector x = widened(frame.x);
+    const WideVector y = widened(frame.y);
+    const WideVector z = widened(frame.z);
     const int side = orientation(frame);
     if (side == 0) return FrameKind::degenerate;
     if (!perpendicular(x, y) || !perpendicular(y, z) || !perpendicular(z, x)) return FrameKind::oblique;
-    if (!unit(x) || !unit(y) || !unit(z)) return FrameKind::orthogonal;
+    if (!is_unit(x) || !is_unit(y) || !is_unit(z)) return FrameKind::orthogonal;
     return side > 0 ? FrameKind::cartesian : FrameKind::orthonormal;
 }
 

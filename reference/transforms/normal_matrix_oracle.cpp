@@ -11,8 +11,6 @@ namespace {
 
 using Matrix = std::array<std::array<Wide, 3>, 3>;  // by rows
 
-Wide size(Wide x) { return x < 0 ? -x : x; }
-
 Matrix cofactors_outwards(const glm::mat4& model)
 {
     Matrix a;
@@ -43,7 +41,7 @@ glm::mat3 normal_matrix(const glm::mat4& model)
     const Matrix u = cofactors_outwards(model);
     Wide largest = 0;
     for (const auto& row : u)
-        for (const Wide entry : row) largest = std::max(largest, size(entry));
+        for (const Wide entry : row) largest = std::max(largest, absolute(entry));
     glm::mat3 result(0);
     if (largest == 0) return result;
     for (std::size_t row = 0; row < 3; ++row)
@@ -58,7 +56,7 @@ glm::vec3 transformed_normal(const glm::mat4& model, const glm::vec3& normal)
     Wide n[3];
     for (std::size_t row = 0; row < 3; ++row)
         n[row] = u[row][0] * Wide(normal.x) + u[row][1] * Wide(normal.y) + u[row][2] * Wide(normal.z);
-    const Wide largest = std::max(size(n[0]), std::max(size(n[1]), size(n[2])));
+    const Wide largest = std::max(absolute(n[0]), std::max(absolute(n[1]), absolute(n[2])));
     if (largest == 0) return glm::vec3(0);
     long double square = 0;
     for (Wide& component : n) {
