@@ -100,10 +100,24 @@ void by_hand(Recorder& out)
     }
 }
 
+// Every third vertex lies where the one before it does, as along a crease, with a normal of its own; half of the
+// triangles end in the corner in which the one before them does.
+StagedMesh with_creases(Random& random, StagedMesh mesh)
+{
+    for (std::size_t v = 2; v < mesh.vertices.size(); v += 3)
+        mesh.vertices[v].at.position = mesh.vertices[v - 1].at.position;
+    for (std::size_t t = 1; t < mesh.triangles.size(); ++t) {
+        const std::uint32_t last = mesh.triangles[t - 1][2];
+        glm::uvec3& triangle = mesh.triangles[t];
+        if (random.below(2) == 0 && triangle[0] != last && triangle[1] != last) triangle[2] = last;
+    }
+    return mesh;
+}
+
 void at_random(Random& random, Recorder& out)
 {
     for (std::size_t i = 0; i < 6; ++i) {
-        StagedMesh mesh = random_mesh(random, size, i == 5 ? 600 : 9, 12);
+        StagedMesh mesh = with_creases(random, random_mesh(random, size, i == 5 ? 600 : 9, 12));
         // One of them is a line; the others are drawn all the same.
         mesh.triangles[4][0] = mesh.triangles[4][1 + i % 2];
         record_all(out, {mesh}, i);
@@ -116,7 +130,8 @@ void at_random(Random& random, Recorder& out)
 void record_occlusion(Random& random, Recorder& out)
 {
     for (std::size_t i = 0; i < 12; ++i) {
-        const StagedMesh near = square(6, 14, random.uniform(0.2F, 0.4F), 0.5F);
+        // Every fourth one lies in the near plane.
+        const StagedMesh near = square(6, 14, i % 4 == 3 ? 0 : random.uniform(0.2F, 0.4F), 0.5F);
         const StagedMesh far = square(2, 12, random.uniform(0.5F, 0.7F), 1);
         Scene scene{i % 2 == 0 ? joined(near, far) : joined(far, near)};
         if (i % 3 == 1)  // the left part of the target hides all, its middle the far one
