@@ -70,26 +70,31 @@ std::vector<DiscShot> at_the_rim(Random& random)
     return shots;
 }
 
-// Where the interval (t_min, t_max) decides: the disc lies behind, before t_min, or beyond t_max.
+// Where the interval (t_min, t_max) decides: the disc lies behind, before t_min, or beyond t_max; and the same on the
+// other side of the origin, where t is negative and the interval admits that.
 std::vector<DiscShot> behind_and_before(Random& random)
 {
     std::vector<DiscShot> shots;
     for (int i = 0; i < 180; ++i) {
         const Disc disc = random_disc(random);
         const float distance = random.uniform(2, 6);
-        const DiscShot hit = aimed(disc, offset_inside(0.9, random), random.uniform(0.2F, 1), distance, random);
+        const DiscShot ahead = aimed(disc, offset_inside(0.9, random), random.uniform(0.2F, 1), distance, random);
         const float t = distance * disc.radius;
-        DiscShot kept = hit;
-        DiscShot miss = hit;
-        switch (i % 3) {
-            case 0: miss.ray.direction = -miss.ray.direction; break;
-            case 1:
-                miss.ray.t_min = 1.01F * t;
-                kept.ray.t_min = 0.99F * t;
-                break;
-            default: miss.ray.t_max = 0.99F * t; kept.ray.t_max = 1.01F * t;
+        DiscShot behind = ahead;
+        behind.ray.direction = -behind.ray.direction;
+        const auto in = [](DiscShot shot, float t_min, float t_max) {
+            shot.ray.t_min = t_min;
+            shot.ray.t_max = t_max;
+            return shot;
+        };
+        switch (i % 6) {
+            case 0: add_pair(shots, ahead, behind, random); break;
+            case 1: add_pair(shots, in(ahead, 0.99F * t, endless), in(ahead, 1.01F * t, endless), random); break;
+            case 2: add_pair(shots, in(ahead, 0, 1.01F * t), in(ahead, 0, 0.99F * t), random); break;
+            case 3: add_pair(shots, in(behind, -1.01F * t, endless), in(behind, -0.99F * t, endless), random); break;
+            case 4: add_pair(shots, in(behind, -endless, -0.99F * t), in(behind, -endless, -1.01F * t), random); break;
+            default: add_pair(shots, in(behind, -2 * t, t), in(ahead, -2 * t, 0.99F * t), random);
         }
-        add_pair(shots, kept, miss, random);
     }
     return shots;
 }
@@ -159,12 +164,13 @@ std::vector<DiscShot> no_rays(Random& random)
         const DiscShot hit = aimed(random_disc(random), 0.5, 0.5, 3, random);
         DiscShot none = hit;
         const auto axis = random.below(3);
-        switch (i % 5) {
+        switch (i % 6) {
             case 0: none.ray.direction = glm::vec3(0); break;
             case 1: none.disc.normal = glm::vec3(0); break;
             case 2: none.ray.direction[axis] = not_a_number; break;
             case 3: none.ray.origin[axis] = not_a_number; break;
-            default: none.ray.t_min = not_a_number;
+            case 4: none.ray.t_min = not_a_number; break;
+            default: none.ray.t_max = not_a_number;
         }
         add_pair(shots, hit, none, random);
     }
@@ -172,14 +178,20 @@ std::vector<DiscShot> no_rays(Random& random)
 }
 
 // The same lines and planes with directions and normals of all lengths: t counts in those of the direction. Every
-// fourth pair has both short, and every fourth both long.
+// fourth pair has both short, and every fourth both long; of twelve, two have both so short or so long that the
+// product of the two is no float.
 std::vector<DiscShot> lengths(Random& random)
 {
     std::vector<DiscShot> shots = random_pairs(random, 200);
     for (std::size_t i = 0; i < shots.size(); ++i) {
         const std::size_t kind = i / 2 % 4;
-        shots[i].ray.direction *= std::pow(10.0F, kind % 2 == 0 ? random.uniform(-6, -3) : random.uniform(3, 6));
-        shots[i].disc.normal *= std::pow(10.0F, kind < 2 ? random.uniform(-6, -3) : random.uniform(3, 6));
+        const float most = i / 2 % 12 == 0 || i / 2 % 12 == 11 ? 24 : 6;
+        const float least = most == 6 ? 3 : 23;
+        const auto factor = [&](bool is_short) {
+            return std::pow(10.0F, is_short ? random.uniform(-most, -least) : random.uniform(least, most));
+        };
+        shots[i].ray.direction *= factor(kind % 2 == 0);
+        shots[i].disc.normal *= factor(kind < 2);
     }
     return shots;
 }
