@@ -21,10 +21,12 @@ void record_known(Recorder& out)
         out.append("rotation", ask<rotation_about_point>(out, centre, {{0, 2, 0}, pi / 4}));
         out.append("scaling", ask<scaling_about_point>(out, centre, {2, 2, 2}));
         out.append("scaling", ask<scaling_about_point>(out, centre, {1, -1, 0.5F}));
+        out.append("scaling", ask<scaling_about_point>(out, centre, {2, 0, -3}));
         out.append("along", ask<scaling_along>(out, centre, {0, 0, 2}, 3));
         out.append("along", ask<scaling_along>(out, centre, {1, 1, 0}, 0.5F));
         out.append("along", ask<scaling_along>(out, centre, {0, 3, 4}, 0));
         out.append("along", ask<scaling_along>(out, centre, {1, 0, 1}, -1));
+        out.append("along", ask<scaling_along>(out, centre, {0, 2, 0}, -2));
         out.append("point", ask<reflection_in_point>(out, centre));
         out.append("line", ask<reflection_in_line>(out, centre, {0, 3, 0}));
         out.append("line", ask<reflection_in_line>(out, centre, {1, 1, 0}));
@@ -41,14 +43,28 @@ void record_known(Recorder& out)
     out.append("alignment", ask<alignment>(out, {1, 2, 2}, {2, 1, -2}));
 }
 
+/// From -size to size, one time in three 0, 1 or -1.
+float random_factor(float size, Random& random)
+{
+    if (random.below(3) == 0) return static_cast<float>(random.below(3)) - 1;
+    return random.uniform(-size, size);
+}
+
 void record_random(Random& random, Recorder& out)
 {
+    AxisAngle turn{};
     for (int i = 0; i < 100; ++i) {
         const glm::vec3 centre = 8.0F * random.in_cube();
         const glm::vec3 direction = random.uniform(0.5F, 4) * random.unit_vector();
-        out.append("rotation", ask<rotation_about_point>(out, centre, random_turn(random)));
-        out.append("scaling", ask<scaling_about_point>(out, centre, 5.0F * random.in_cube()));
-        out.append("along", ask<scaling_along>(out, centre, direction, random.uniform(-4, 4)));
+        // Every fourth turn has nearly the axis of the one before.
+        AxisAngle next = random_turn(random);
+        if (i % 4 == 3) next.axis = turn.axis + 0.01F * random.in_cube();
+        turn = next;
+        out.append("rotation", ask<rotation_about_point>(out, centre, turn));
+        glm::vec3 factors;
+        for (int k = 0; k < 3; ++k) factors[k] = random_factor(5, random);
+        out.append("scaling", ask<scaling_about_point>(out, centre, factors));
+        out.append("along", ask<scaling_along>(out, centre, direction, random_factor(4, random)));
         out.append("point", ask<reflection_in_point>(out, centre));
         out.append("line", ask<reflection_in_line>(out, centre, direction));
         out.append("plane", ask<reflection_in_plane>(out, centre, direction));
@@ -110,7 +126,7 @@ void record_not_finite(Random& random, Recorder& out)
 void record_far(Random& random, Recorder& out)
 {
     for (const float far : {1e2F, 1e4F, 1e6F}) {
-        for (const float change : {1e-1F, 1e-3F, 1e-5F}) {
+        for (const float change : {1e-1F, 1e-3F, 1e-5F, 1e-7F}) {
             for (int i = 0; i < 8; ++i) {
                 const glm::vec3 centre = far * random.unit_vector();
                 const glm::vec3 axis = clear_axis(false, random);
@@ -158,7 +174,7 @@ void record_opposite(Random& random, Recorder& out)
 // Directions that are nearly up or down; what is left beside the y is too small for a float's square.
 void record_steep(Random& random, Recorder& out)
 {
-    for (const float aside : {0.0F, 1e-2F, 1e-5F, 1e-10F, 1e-20F, 1e-25F, 1e-35F}) {
+    for (const float aside : {0.0F, 0.0F, 1e-2F, 1e-5F, 1e-10F, 1e-20F, 1e-25F, 1e-35F, 1e-42F}) {
         for (int i = 0; i < 10; ++i) {
             const float angle = random.uniform(-pi, pi);
             const float up = i % 2 == 0 ? 1.0F : -2.0F;
@@ -171,7 +187,7 @@ void record_steep(Random& random, Recorder& out)
 
 void record_sizes(Random& random, Recorder& out)
 {
-    for (const float size : {1e-37F, 1e-30F, 1e-22F, 1e20F, 1e30F, 1e37F}) {
+    for (const float size : {1e-42F, 1e-37F, 1e-30F, 1e-22F, 1e20F, 1e30F, 1e37F}) {
         for (int i = 0; i < 8; ++i) {
             const glm::vec3 direction = size * random.unit_vector();
             const glm::vec3 centre = random.in_cube();
@@ -180,6 +196,7 @@ void record_sizes(Random& random, Recorder& out)
             out.append("matrix", ask<scaling_along>(out, centre, direction, 0.5F));
             out.append("matrix", ask<placed_along>(out, centre, direction));
             out.append("matrix", ask<alignment>(out, clear_axis(true, random), direction));
+            out.append("matrix", ask<rotation_about_point>(out, centre, {direction, random.uniform(0.5F, 3)}));
         }
     }
 }
