@@ -1,6 +1,7 @@
 #include <numbers>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
+#include <vector>
 
 #include "tower.hpp"
 
@@ -45,15 +46,25 @@ void record_known(Recorder& out)
         out.append("point", ask<transform_point>(out, matrix, v));
         out.append("vector", ask<transform_vector>(out, matrix, v));
     }
+    // Free vectors do not feel how far a matrix moves points.
+    matrix[3] = {3e7F, -5e7F, 7e7F, 1};
+    for (const glm::vec3& v : {glm::vec3(1, 2, 3), {0.5F, -1, 0.25F}})
+        out.append("vector", ask<transform_vector>(out, matrix, v));
+    matrix[3] = {5, 6, 7, 1};
     glm::mat4 moved(1);
     moved[3] = {3, 0, 0, 1};
+    glm::mat4 flat(1);
+    flat[1] = glm::vec4(0);
     glm::mat4 doubled(2);
     doubled[3] = {0, 0, 0, 1};
     for (const auto& steps : {std::vector<glm::mat4>{moved, doubled},
                               {doubled, moved},
                               {moved, matrix},
                               {matrix, moved, doubled},
-                              {matrix}})
+                              {matrix},
+                              {moved, flat, matrix},
+                              {matrix, matrix},
+                              std::vector<glm::mat4>(20, moved)})
         out.append("composed", ask<compose_matrices>(out, steps));
 }
 
@@ -78,11 +89,16 @@ void record_random(Random& random, Recorder& out)
         record_rotations(random.uniform(-pi, pi), out);
         const glm::mat4 matrix = given_matrix(random);
         out.append("point", ask<transform_point>(out, matrix, numbers));
-        out.append("vector", ask<transform_vector>(out, matrix, numbers));
+        glm::mat4 far = matrix;
+        if (i % 3 == 0) far[3] = glm::vec4(1e7F * random.in_cube(), 1);
+        out.append("vector", ask<transform_vector>(out, far, numbers));
     }
+    // Every third chain is flattened by one of its steps.
     for (std::size_t i = 0; i < 60; ++i) {
         std::vector<glm::mat4> steps;
         for (std::size_t k = 0; k < 2 + i % 5; ++k) steps.push_back(given_matrix(random));
+        const std::uint32_t flattens = random.below(static_cast<std::uint32_t>(steps.size()));
+        if (i % 3 == 0) steps[flattens][static_cast<int>(random.below(3))] = glm::vec4(0);
         out.append("composed", ask<compose_matrices>(out, steps));
     }
 }
