@@ -36,11 +36,17 @@ void record_known(Recorder& out)
     for (const Couple& couple : couples) record(couple, out);
 }
 
+/// From 0.5 to 8, one time in four nearly 1, as the length of a unit vector that has drifted.
+float some_length(Random& random)
+{
+    return random.below(4) == 0 ? random.uniform(0.999F, 1.001F) : random.uniform(0.5F, 8);
+}
+
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 200; ++i) {
-        const glm::vec3 a = random.uniform(0.5F, 8) * random.unit_vector();
-        const glm::vec3 b = random.uniform(0.5F, 8) * random.unit_vector();
+        const glm::vec3 a = some_length(random) * random.unit_vector();
+        const glm::vec3 b = some_length(random) * random.unit_vector();
         record({a, b}, out);
     }
 }
@@ -49,7 +55,7 @@ void record_random(Random& random, Recorder& out)
 void record_null(Random& random, Recorder& out)
 {
     for (int i = 0; i < 12; ++i) {
-        const glm::vec3 a = 3.0F * random.unit_vector();
+        const glm::vec3 a = some_length(random) * random.unit_vector();
         const glm::vec3 b = 2.0F * random.unit_vector();
         const glm::vec3 c = random.unit_vector();
         const Couple null = i % 3 == 0   ? Couple{{0, 0, 0}, b}
@@ -66,19 +72,22 @@ void record_null(Random& random, Recorder& out)
     }
 }
 
-// Squares of these lengths are no floats, or have lost digits.
+// Squares of these lengths are no floats, or have lost digits. Every fourth couple is exactly parallel, and every
+// fourth of lengths that are far apart.
 void record_sizes(Random& random, Recorder& out)
 {
-    for (const float size : {1e-40F, 1e-37F, 1e-30F, 1e-23F, 1e-20F, 1e20F, 1e25F, 1e30F, 1e38F}) {
+    for (const float size : {1e-43F, 1e-40F, 1e-37F, 1e-30F, 1e-23F, 1e-20F, 1e20F, 1e25F, 1e30F, 1e38F}) {
         for (int i = 0; i < 12; ++i) {
             const glm::vec3 a = size * random.unit_vector();
             const glm::vec3 b = size * random.uniform(0.1F, 1) * random.unit_vector();
             out.append("length", ask<length_of>(out, a));
             out.append("unit", ask<normalised>(out, a));
-            out.append("angle", ask<angle_between>(out, a, b));
             const glm::vec3 unit = random.unit_vector();
-            out.append("parallel", ask<parallel_part>(out, unit, b));
-            out.append("perpendicular", ask<perpendicular_part>(out, unit, b));
+            const glm::vec3 beside[] = {b, b, (i % 8 < 4 ? -0.5F : 0.5F) * a, unit};
+            out.append("angle", ask<angle_between>(out, a, beside[i % 4]));
+            const glm::vec3 other = random.uniform(0.5F, 1) * random.unit_vector();
+            out.append("parallel", ask<parallel_part>(out, other, b));
+            out.append("perpendicular", ask<perpendicular_part>(out, other, b));
         }
     }
 }
