@@ -1,3 +1,5 @@
+#include <cmath>
+#include <kit/magnitude.hpp>
 #include <numbers>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -38,9 +40,14 @@ void record_known(Recorder& out)
     const PlaneFrame turned{{0.6F, 0.8F}, {-0.8F, 0.6F}, {0, 5}};
     const PlaneFrame mirrored{{0, 1}, {1, 0}, {-1, 2}};
     for (const glm::vec2& u : {glm::vec2(1, 0), {0, 1}, {3, 4}, {-2, 5}, {0, 0}}) {
-        out.append("left", ask<turn_left>(out, u));
-        out.append("right", ask<turn_right>(out, u));
-        for (const PlaneFrame& frame : {shifted, turned, mirrored}) {
+        // Of any size: nothing rounds.
+        for (const float size : {1.0F, 1e-12F, 1e30F}) {
+            out.append("left", ask<turn_left>(out, size * u));
+            out.append("right", ask<turn_right>(out, size * u));
+        }
+        // The mirrored one first: in the two others the answer is the same, and who gives it for the mirrored one as
+        // well should not hear that it is the answer to the question before.
+        for (const PlaneFrame& frame : {mirrored, shifted, turned}) {
             out.append("in a frame", ask<turn_vector_in>(out, frame, u));
             out.append("point", ask<turn_point_in>(out, frame, u));
         }
@@ -52,20 +59,27 @@ void record_known(Recorder& out)
     record_space({0, 0, 1}, {1, 0, 0}, out);
     record_space({1, 0, 0}, {0, 2, 0}, out);
     record_space({1, 2, 3}, {4, 5, 6}, out);
+    record_space({0, 0.25F, 0}, {1, 2, 3}, out);
     record_space({1, 2, 3}, {2, 4, 6}, out);
+    // Exactly parallel, though products of their components round.
+    record_space({1234.567F, -765.4321F, 87.654F}, {2469.134F, -1530.8642F, 175.308F}, out);
+    record_space({1234.567F, -765.4321F, 87.654F}, {-1234.567F, 765.4321F, -87.654F}, out);
 }
 
 void record_random(Random& random, Recorder& out)
 {
+    float angle = 0;
     for (int i = 0; i < 150; ++i) {
         const glm::vec2 u = in_square(random);
-        out.append("left", ask<turn_left>(out, u));
-        out.append("right", ask<turn_right>(out, u));
+        const float unit = random_unit(random, -100, 100);
+        out.append("left", ask<turn_left>(out, unit * u));
+        out.append("right", ask<turn_right>(out, unit * u));
         out.append("point", ask<turn_point_in>(out, random_frame(i % 3 == 0, random), u));
-        const float angle = random.uniform(-pi, pi);
+        // Every fourth angle is nearly the one before.
+        angle = i % 4 == 3 ? angle + random.uniform(-1e-3F, 1e-3F) : random.uniform(-pi, pi);
         out.append("rotated", ask<rotate_in_plane>(out, u, angle));
         out.append("matrix", ask<plane_rotation_matrix>(out, angle));
-        const glm::vec3 e = 3.0F * random.in_cube();
+        const glm::vec3 e = random.uniform(0.05F, 3) * random.unit_vector();
         record_space(e, 3.0F * random.in_cube(), out);
     }
 }
