@@ -27,13 +27,16 @@ void planes(Case& c, Recorder& out)
     record("by hand", {4, -8, 16}, {-2, 0.5F, 0.125F});
     for (int i = 0; i < 200; ++i) {
         const glm::vec3 origin = 4.0F * random_plane(c.random);
-        record("random", origin, random_plane(c.random));
+        const glm::vec3 axis = random_plane(c.random);
+        record("random", origin, i % 8 == 0 ? glm::vec3(0) : axis);
     }
 }
 
-/// Whatever the matrices are when the unit is called.
+/// Whatever the matrices are when the unit is called; and, half of the times, what somebody else has told OpenGL about
+/// texture coordinates since the last call.
 void choose_state(Random& random)
 {
+    if (random.below(2) == 0) choose_generators(random);
     glMatrixMode(GL_TEXTURE);
     glLoadIdentity();
     glMatrixMode(GL_MODELVIEW);
@@ -82,6 +85,7 @@ void shader(Case& c, Recorder& out, const char* name, int rounds)
             const Generator generator = random_generator(c.random, generation);
             const Vertex vertex = random_vertex(c.random);
             const glm::vec2 color(c.random.uniform(), vertex.tex_coord.y);
+            out.columns(name, "st.s, st.t, shade.r, shade.g");
             out.append(name, probe.read(vertex, generator, color));
         }
 }

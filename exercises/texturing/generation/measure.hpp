@@ -21,6 +21,16 @@ struct Vertex {
     glm::mat4 modelview{1};
 };
 
+/// The projection that takes this vertex to the middle of the picture, in clip coordinates (0, 0, 0, 1), whatever its
+/// w.
+inline glm::mat4 to_the_middle(const Vertex& vertex)
+{
+    const glm::vec4 eye = vertex.modelview * vertex.position;
+    glm::mat4 projection(0);
+    for (int column = 0; column < 4; ++column) projection[column][3] = eye[column] / dot(eye, eye);
+    return projection;
+}
+
 /// What the fixed pipeline makes of the coordinates of a vertex, by its feedback mode. Has a texture of its own bound,
 /// since coordinates are computed only for those who use them. Changes the matrices.
 class FixedProbe {
@@ -46,7 +56,7 @@ public:
         glMatrixMode(GL_TEXTURE);
         glLoadIdentity();
         glMatrixMode(GL_PROJECTION);
-        glLoadMatrixf(value_ptr(glm::ortho(-1e3F, 1e3F, -1e3F, 1e3F, -1e3F, 1e3F)));
+        glLoadMatrixf(value_ptr(to_the_middle(vertex)));
         glMatrixMode(GL_MODELVIEW);
         glLoadMatrixf(value_ptr(vertex.modelview));
         std::array<GLfloat, 32> values{};
@@ -143,7 +153,7 @@ void main() { color = vec4(st, shade.xy); }
         glBindVertexArray(array_);
         set_uniforms(program_, generator);
         program_.set("modelview", vertex.modelview);
-        program_.set("projection", to_the_middle());
+        program_.set("projection", to_the_middle(vertex));
         feed("tex_coord", glm::vec4(vertex.tex_coord, 0, 1));
         feed("color", glm::vec4(color, 0, 1));
         feed("position", vertex.position);
@@ -154,14 +164,6 @@ void main() { color = vec4(st, shade.xy); }
     }
 
 private:
-    /// Every point with a positive w lies in the middle of the picture.
-    static glm::mat4 to_the_middle()
-    {
-        glm::mat4 projection(0);
-        projection[3] = {0, 0, 0, 1};
-        return projection;
-    }
-
     void feed(const char* name, const glm::vec4& value) const
     {
         const int location = program_.attribute_location(name);
@@ -183,15 +185,29 @@ inline glm::mat4 random_modelview(Random& random)
     return glm::scale(matrix, glm::vec3(1) + 0.5F * random.in_cube());
 }
 
-/// Half of them have a w that is not 1.
+/// Half of them have a w that is not 1, but any other: also negative ones, and 0.
 inline Vertex random_vertex(Random& random)
 {
     Vertex vertex;
-    const float w = random.below(2) == 0 ? 1 : random.uniform(0.5F, 2);
+    const std::array<float, 4> others = {random.uniform(0.5F, 2), random.uniform(0.5F, 2), random.uniform(-2, 0), 0};
+    const float w = random.below(2) == 0 ? 1 : others[random.below(4)];
     vertex.position = {2.0F * random.in_cube(), w};
     vertex.tex_coord = glm::vec2(random.in_cube());
     vertex.modelview = random_modelview(random);
     return vertex;
+}
+
+/// What others may leave of the generators: any mode, plane and switch.
+inline void choose_generators(Random& random)
+{
+    for (const GLenum coordinate : {GL_S, GL_T}) {
+        constexpr std::array modes = {GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP};
+        glTexGeni(coordinate, GL_TEXTURE_GEN_MODE, modes[random.below(3)]);
+        for (const GLenum plane : {GL_OBJECT_PLANE, GL_EYE_PLANE})
+            glTexGenfv(coordinate, plane, value_ptr(random_plane(random)));
+        const GLenum which = coordinate == GL_S ? GL_TEXTURE_GEN_S : GL_TEXTURE_GEN_T;
+        random.below(2) == 0 ? glEnable(which) : glDisable(which);
+    }
 }
 
 inline Generator random_generator(Random& random, Generation generation)
