@@ -1,3 +1,5 @@
+#include <cmath>
+#include <kit/magnitude.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -16,11 +18,24 @@ ElementaryTurn random_turn(Random& random)
     return {axis, random.uniform(-180, 180)};
 }
 
+/// A vector of any size, where only its direction and the share of its length that is lost count: the same to the last
+/// bit in any unit, which is taken away again from what is recorded.
+struct Sized {
+    glm::vec3 vector;
+    float unit;
+};
+
+Sized any_size(const glm::vec3& vector, Random& random)
+{
+    const float unit = random_unit(random, -90, 90);
+    return {unit * vector, unit};
+}
+
 // The course's Rot_x[23°], Rot_y[60°], Rot_z[45°], and turns that a hand can do.
 void record_known(Recorder& out)
 {
     for (const WorldAxis axis : axes) {
-        for (const float degrees : {0.0F, 90.0F, -90.0F, 180.0F, 23.0F, 60.0F, 45.0F, 30.0F}) {
+        for (const float degrees : {0.0F, 90.0F, -90.0F, 180.0F, 23.0F, 60.0F, 45.0F, 30.0F, 0.01F}) {
             out.append("matrix", ask<elementary_matrix>(out, {axis, degrees}));
             for (const glm::vec3& v : {glm::vec3(1, 2, 3), {0, 0, 4}})
                 out.append("vector", ask<elementary_rotation>(out, v, {axis, degrees}));
@@ -33,7 +48,8 @@ void record_random(Random& random, Recorder& out)
     for (int i = 0; i < 200; ++i) {
         const ElementaryTurn turn = random_turn(random);
         out.append("matrix", ask<elementary_matrix>(out, turn));
-        out.append("vector", ask<elementary_rotation>(out, 8.0F * random.in_cube(), turn));
+        const Sized sized = any_size(8.0F * random.in_cube(), random);
+        out.append("vector", ask<elementary_rotation>(out, sized.vector, turn) / sized.unit);
     }
 }
 
@@ -65,8 +81,15 @@ void record_quarter_turns(Random& random, Recorder& out)
     }
 }
 
+// By quarter turns, or none, and ten thousandths to hundredths of a degree; and many times round.
 void record_many_turns(Random& random, Recorder& out)
 {
+    for (int i = 0; i < 24; ++i) {
+        const auto quarters = static_cast<float>(90 * (static_cast<int>(random.below(9)) - 4));
+        const float beside = std::pow(10.0F, random.uniform(-4, -2)) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        const ElementaryTurn turn{axes[random.below(3)], quarters + beside};
+        out.append("vector", ask<elementary_rotation>(out, random.unit_vector(), turn));
+    }
     for (const float degrees : {1e3F, 1e4F, 1e5F, 1e6F, 1e7F, 1e9F, 1e15F, 1e30F}) {
         for (int i = 0; i < 15; ++i) {
             const float sign = random.below(2) == 0 ? 1.0F : -1.0F;
@@ -84,15 +107,16 @@ void record_chains(Random& random, Recorder& out)
     for (std::size_t i = 0; i < 60; ++i) {
         std::vector<ElementaryTurn> turns;
         for (std::size_t k = 0; k < 2 + i % 7; ++k) turns.push_back(random_turn(random));
-        out.append("vector", ask<after_turns>(out, random.unit_vector(), turns));
+        const Sized sized = any_size(random.unit_vector(), random);
+        out.append("vector", ask<after_turns>(out, sized.vector, turns) / sized.unit);
     }
 }
 
-// By a degree and by a thousandth of one, about the axes in turn; and wild ones.
+// By a degree, by a thousandth and by a hundred thousandth of one, about the axes in turn; and wild ones.
 void record_long_chains(Random& random, Recorder& out)
 {
     constexpr std::size_t longest = 600'000;
-    for (const float degrees : {1.0F, 1e-3F, 0.0F}) {
+    for (const float degrees : {1.0F, 1e-3F, 1e-5F, 0.0F}) {
         std::vector<ElementaryTurn> turns(longest);
         for (std::size_t i = 0; i < longest; ++i) turns[i] = {axes[i % 3], degrees};
         if (degrees == 0)
