@@ -32,6 +32,24 @@ Frame oblique(const glm::vec3& origin, Random& random)
     return frame;
 }
 
+glm::vec3& axis_of(Frame& frame, std::uint32_t axis) { return axis == 0 ? frame.x : axis == 1 ? frame.y : frame.z; }
+
+/// A Cartesian frame but for one thing: one vector is longer or shorter, or the other way round, or leans; or all have
+/// drifted a little.
+Frame nearly_cartesian(const glm::vec3& origin, Random& random)
+{
+    Frame frame = cartesian(origin, random);
+    const std::uint32_t one = random.below(3);
+    glm::vec3& axis = axis_of(frame, one);
+    switch (random.below(4)) {
+        case 0: axis *= random.below(2) == 0 ? 1.5F : 0.75F; break;
+        case 1: axis = -axis; break;
+        case 2: axis += 0.3F * axis_of(frame, (one + 1) % 3); break;
+        default: frame.x += 2e-3F * frame.y, frame.z *= 1.002F;
+    }
+    return frame;
+}
+
 const Frame world{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
 
 // Frames whose inverse a hand can find.
@@ -42,10 +60,11 @@ void record_known(Recorder& out)
     const Frame quarter{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {3, 4, 0}};
     const Frame cyclic{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {-1, -2, -3}};
     const Frame tilted{{0.6F, 0.8F, 0}, {-0.8F, 0.6F, 0}, {0, 0, 1}, {10, 0, -5}};
-    for (const Frame& frame : {world, doubled, sheared, quarter, cyclic, tilted}) {
+    const Frame one_longer{{0, 1, 0}, {-1, 0, 0}, {0, 0, 4}, {1, 0, 2}};
+    for (const Frame& frame : {world, doubled, sheared, quarter, cyclic, tilted, one_longer}) {
         out.append("matrix", ask<frame_matrix>(out, frame));
         out.append("inverse", ask<inverse_of_frame>(out, frame));
-        for (const Frame& other : {world, doubled, quarter, sheared})
+        for (const Frame& other : {world, doubled, quarter, sheared, one_longer})
             out.append("between", ask<between_frames>(out, frame, other));
     }
     for (const Frame& frame : {quarter, cyclic, tilted}) out.append("cartesian", ask<inverse_of_cartesian>(out, frame));
@@ -54,8 +73,11 @@ void record_known(Recorder& out)
 void record_random(Random& random, Recorder& out)
 {
     for (int i = 0; i < 150; ++i) {
-        const Frame from = oblique(8.0F * random.in_cube(), random);
-        const Frame to = oblique(8.0F * random.in_cube(), random);
+        // Every third of each is nearly Cartesian.
+        const glm::vec3 here = 8.0F * random.in_cube();
+        const glm::vec3 there = 8.0F * random.in_cube();
+        const Frame from = i % 3 == 0 ? nearly_cartesian(here, random) : oblique(here, random);
+        const Frame to = i % 3 == 1 ? nearly_cartesian(there, random) : oblique(there, random);
         out.append("matrix", ask<frame_matrix>(out, from));
         out.append("inverse", ask<inverse_of_frame>(out, from));
         out.append("between", ask<between_frames>(out, from, to));
@@ -89,8 +111,6 @@ void record_orientation(Random& random, Recorder& out)
         out.append("sign", ask<orientation>(out, swapped ? frame : other));
     }
 }
-
-glm::vec3& axis_of(Frame& frame, std::uint32_t axis) { return axis == 0 ? frame.x : axis == 1 ? frame.y : frame.z; }
 
 // All five, of all sizes: a volume of 1e-14 is not 0, and squares of lengths may be no floats. Oblique ones of which
 // one pair of vectors leans, and orthogonal ones of which one vector is not unit, beside those of which all do and are.
@@ -207,8 +227,8 @@ void record_ill_conditioned(Random& random, Recorder& out)
     }
 }
 
-// Two frames a few steps from each other, as far from the world's origin as a town, a country or a planet is wide in
-// metres.
+// Two frames a few steps from each other, or but a thousandth apart, as far from the world's origin as a town, a
+// country or a planet is wide in metres.
 void record_far(Random& random, Recorder& out)
 {
     for (const float far : {1e4F, 1e5F, 1e6F, 1e7F}) {
@@ -216,8 +236,12 @@ void record_far(Random& random, Recorder& out)
             const glm::vec3 here = far * random.unit_vector();
             const glm::vec3 there = here + 8.0F * random.unit_vector();
             const Frame from = oblique(here, random);
-            out.append("between",
-                       ask<between_frames>(out, from, i % 2 == 0 ? cartesian(there, random) : oblique(there, random)));
+            Frame to = i % 2 == 0 ? cartesian(there, random) : oblique(there, random);
+            if (i % 4 == 3) {
+                to = from;
+                for (glm::vec3* axis : {&to.x, &to.y, &to.z}) *axis += 1e-3F * random.unit_vector();
+            }
+            out.append("between", ask<between_frames>(out, from, to));
         }
     }
 }
