@@ -4,63 +4,12 @@
 
 #include "../support.hpp"
 #include "bent_maps.hpp"
+#include "measured_maps.hpp"
 
 namespace umbral {
 namespace {
 
 using namespace transforms;
-
-using Pairs = std::vector<PointPair>;
-
-/// A turn, a stretch of 0.5 to 2, a shear and a move.
-glm::dmat4 some_affine_map(Random& random)
-{
-    const AxisAngle turn = random_turn(random);
-    glm::dmat4 map = glm::rotate(glm::dmat4(1), double{turn.angle}, glm::dvec3(turn.axis));
-    for (int column = 0; column < 3; ++column) {
-        const glm::dvec3 lean = 0.25 * glm::dvec3(random.in_cube());
-        map[column] = random.uniform_double() * map[column] + 0.5 * map[column] + glm::dvec4(lean, 0);
-    }
-    map[3] = glm::dvec4(4.0 * glm::dvec3(random.in_cube()), 1);
-    return map;
-}
-
-/// One time in three onto a plane, a line or a point, across axes of the world: a map that is affine and has no
-/// inverse.
-glm::dmat4 sometimes_flattened(glm::dmat4 map, Random& random)
-{
-    const std::uint32_t kept = random.below(3);
-    const std::uint32_t axes = 1 + random.below(3);
-    const std::uint32_t first = random.below(3);
-    if (kept != 0) return map;
-    for (std::uint32_t i = 0; i < axes; ++i)
-        for (int column = 0; column < 3; ++column) map[column][static_cast<int>((first + i) % 3)] = 0;
-    return map;
-}
-
-/// The same in other units of length.
-glm::dmat4 scaled(const glm::dmat4& map, double size) { return glm::scale(glm::dmat4(1), glm::dvec3(size)) * map; }
-
-/// Corners of a tetrahedron that leans, and `more` points about it.
-std::vector<glm::vec3> some_points(Random& random, std::size_t more)
-{
-    const glm::vec3 first = random.in_cube();
-    std::vector<glm::vec3> points{first};
-    for (int axis = 0; axis < 3; ++axis) {
-        glm::vec3 edge = 0.3F * random.in_cube();
-        edge[axis] += random.below(2) == 0 ? 1.0F : -1.0F;
-        points.push_back(first + edge);
-    }
-    for (std::size_t i = 0; i < more; ++i) points.push_back(first + random.in_cube());
-    return points;
-}
-
-Pairs pairs_of(const std::vector<glm::vec3>& points, const glm::dmat4& map)
-{
-    Pairs pairs;
-    for (const glm::vec3& point : points) pairs.push_back({point, glm::vec3(map * glm::dvec4(point, 1))});
-    return pairs;
-}
 
 void record_matrix(Recorder& out, const Pairs& pairs) { out.append("matrix", ask<affine_from_points>(out, pairs)); }
 
@@ -95,18 +44,13 @@ void record_random(Random& random, Recorder& out)
     }
 }
 
-/// Pairs whose images are off by up to `noise`.
-Pairs noisy(Pairs pairs, float noise, Random& random)
-{
-    for (PointPair& pair : pairs) pair.image += noise * random.in_cube();
-    return pairs;
-}
-
-// Five to twelve points whose images are off by up to a tenth: which map misses them least?
+// Five to twelve points whose images are off by up to a tenth: which map misses them least? In every third set two
+// points were measured twice, and so count twice.
 void record_many(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
-        const std::vector<glm::vec3> points = some_points(random, 1 + random.below(8));
+        std::vector<glm::vec3> points = some_points(random, 1 + random.below(8));
+        if (i % 3 == 1) points.insert(points.end(), {points[1], points[4]});
         record_matrix(out, noisy(pairs_of(points, some_affine_map(random)), 0.1F, random));
     }
 }
@@ -149,52 +93,33 @@ void record_planes(Random& random, Recorder& out)
     }
 }
 
-/// How far the nearest affine map misses at most where one image lies a step off an affine map's: it follows that
-/// image, and leaves the others. In [0, 1].
-double missed_after_step(const Pairs& pairs, std::size_t moved)
-{
-    const auto count = static_cast<double>(pairs.size());
-    glm::dvec3 mean(0);
-    for (const PointPair& pair : pairs) mean += glm::dvec3(pair.point) / count;
-    glm::dmat3 squares(0);
-    for (const PointPair& pair : pairs)
-        squares += glm::outerProduct(glm::dvec3(pair.point) - mean, glm::dvec3(pair.point) - mean);
-    const glm::dvec3 pull = glm::inverse(squares) * (glm::dvec3(pairs[moved].point) - mean);
-    double most = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const double follows = 1 / count + glm::dot(glm::dvec3(pairs[i].point) - mean, pull);
-        most = std::max(most, std::abs((i == moved ? 1.0 : 0.0) - follows));
-    }
-    return most;
-}
-
 // Pairs of maps that bend by half of what is allowed and by twice as much: one image of nine moves away from the
-// others. Images of all sizes, and of other extents in each coordinate.
+// others. Images of all sizes, and of other extents in each coordinate. In every third pair the image moves in all
+// three coordinates, each by nearly what is allowed, or one by more.
 void record_affinity(Random& random, Recorder& out)
 {
     for (int i = 0; i < 50; ++i) {
         const float size = std::pow(10.0F, random.uniform(-4, 4));
-        const float tolerance = std::pow(10.0F, random.uniform(-3, -1.3F));
-        const Pairs pairs = pairs_of(some_points(random, 5), some_affine_map(random));
+        const float tolerance = std::pow(10.0F, random.uniform(-3.7F, i % 3 == 0 ? -2.0F : -1.3F));
+        Pairs pairs = pairs_of(some_points(random, 5), some_affine_map(random));
         glm::vec3 widths(1);
         widths[static_cast<int>(random.below(3))] = 0.1F;
         widths[static_cast<int>(random.below(3))] *= 0.2F;
-        glm::vec3 low = widths * pairs.front().image;
-        glm::vec3 high = low;
-        for (const PointPair& pair : pairs) {
-            low = glm::min(low, widths * pair.image);
-            high = glm::max(high, widths * pair.image);
-        }
-        const glm::vec3 sides = high - low;
-        const float extent = std::max({sides.x, sides.y, sides.z});
+        for (PointPair& pair : pairs) pair.image *= widths;
+        const float extent = extent_of(pairs);
         const std::size_t moved = random.below(9);
         const int axis = static_cast<int>(random.below(3));
         const bool bent_first = random.below(2) == 1;
         for (const bool is_bent : {bent_first, !bent_first}) {
             Pairs bent = pairs;
             const auto missed = static_cast<float>(missed_after_step(pairs, moved));
-            bent[moved].image[axis] += (is_bent ? 2.0F : 0.5F) * tolerance * extent / missed / widths[axis];
-            for (PointPair& pair : bent) pair.image *= size * widths;
+            for (int k = 0; k < 3; ++k) {
+                const bool much = k == axis && is_bent;
+                if (k != axis && i % 3 != 0) continue;
+                const float share = much ? 2.0F : i % 3 == 0 ? 0.75F : 0.5F;
+                bent[moved].image[k] += share * tolerance * extent / missed;
+            }
+            for (PointPair& pair : bent) pair.image *= size;
             out.append("affine", ask<is_affine>(out, bent, tolerance) ? 1 : 0);
         }
     }
@@ -275,6 +200,31 @@ void record_far(Random& random, Recorder& out)
     }
 }
 
+// Points as far away, whose images lie near the origin: pairs of maps that bend by half of what is allowed and by twice
+// as much. The matrix as it is returned, rounded to float, would miss these images.
+void record_far_affinity(Random& random, Recorder& out)
+{
+    constexpr float tolerance = 1e-3F;
+    for (const float far : {1e3F, 1e4F, 1e5F, 1e6F}) {
+        for (int i = 0; i < 6; ++i) {
+            const glm::vec3 here = far * random.unit_vector();
+            std::vector<glm::vec3> points = some_points(random, 5);
+            for (glm::vec3& point : points) point = here + 4.0F * point;
+            const glm::dmat4 back = glm::translate(glm::dmat4(1), -glm::dvec3(here));
+            const Pairs pairs = pairs_of(points, some_affine_map(random) * back);
+            const std::size_t moved = random.below(9);
+            const auto missed = static_cast<float>(missed_after_step(pairs, moved));
+            const int axis = static_cast<int>(random.below(3));
+            const bool bent_first = random.below(2) == 1;
+            for (const bool is_bent : {bent_first, !bent_first}) {
+                Pairs bent = pairs;
+                bent[moved].image[axis] += (is_bent ? 2.0F : 0.5F) * tolerance * extent_of(pairs) / missed;
+                out.append("affine", ask<is_affine>(out, bent, tolerance) ? 1 : 0);
+            }
+        }
+    }
+}
+
 }
 
 const Driver driver = {
@@ -290,7 +240,11 @@ const Driver driver = {
     {"wave", [](Case& c, Recorder& out) { record_wave(c.random, out); }},
     {"nearly flat", [](Case& c, Recorder& out) { record_nearly_flat(c.random, out); }},
     {"all sizes", [](Case& c, Recorder& out) { record_all_sizes(c.random, out); }},
-    {"far away", [](Case& c, Recorder& out) { record_far(c.random, out); }},
+    {"far away",
+     [](Case& c, Recorder& out) {
+         record_far(c.random, out);
+         record_far_affinity(c.random, out);
+     }},
     {"picture", [](Case&, Recorder& out) { out.image("wave", draw_wave(out)); }},
 };
 
