@@ -47,6 +47,8 @@ void record_known(Recorder& out)
 {
     glm::mat4 sheared(1);
     sheared[1][0] = 0.5F;
+    // Slanted, though its columns are as long as those of a turn.
+    const glm::mat4 slanted({1, 0, 0, 0}, {0.6F, 0.8F, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1});
     const glm::mat4 stretched = glm::scale(glm::mat4(1), {2, 1, 1});
     const glm::mat4 moved = glm::translate(glm::mat4(1), {3, -4, 5});
     // Without an entry in the diagonal, or without a positive one.
@@ -55,18 +57,23 @@ void record_known(Recorder& out)
     const glm::mat4 inside_out = glm::scale(glm::mat4(1), {-2, -1, -3});
     for (const glm::mat4& model :
          {stretched, sheared, moved, glm::mat4(1), moved * stretched, glm::scale(glm::mat4(1), {1, 2, 4}),
-          sheared * stretched, axes_changed, half_turn, inside_out, axes_changed * inside_out})
+          sheared * stretched, axes_changed, half_turn, inside_out, axes_changed * inside_out, slanted})
         for (const glm::vec3& normal : {glm::vec3(1, 1, 0), {0, 1, 0}, {1, 0, 0}, {0, 3, 4}})
             record(model, normalize(normal), out);
 }
 
-// Pairs of a mirror and what is none, in random order.
+// Pairs of a mirror and what is none, in random order; in every third both have the same columns but one, which the
+// mirror turns round.
 void record_mirrors(Random& random, Recorder& out)
 {
     for (int i = 0; i < 60; ++i) {
         const bool first = random.below(2) == 1;
+        const glm::mat4 given = random_model(false, random);
+        glm::mat4 turned_round = given;
+        turned_round[i / 3 % 3] *= -1.0F;
         for (const bool mirror : {first, !first}) {
-            const glm::mat4 model = random_model(mirror, random);
+            glm::mat4 model = random_model(mirror, random);
+            if (i % 3 == 0) model = mirror ? turned_round : given;
             const glm::vec3 normal = random.unit_vector();
             record(model, normal, out);
         }
@@ -95,10 +102,10 @@ void record_flattened(Random& random, Recorder& out)
 // The determinant of these is no float, though each entry is. Normals may have any length.
 void record_sizes(Random& random, Recorder& out)
 {
-    for (const float size : {1e-36F, 1e-25F, 1e-20F, 1e-14F, 1e13F, 1e20F, 1e30F, 1e36F}) {
+    for (const float size : {1e-42F, 1e-36F, 1e-25F, 1e-20F, 1e-14F, 1e13F, 1e20F, 1e30F, 1e36F}) {
         for (int i = 0; i < 20; ++i) {
             const glm::mat4 model = random_model(i % 4 == 0, random);
-            const float length = i % 2 == 0 ? 1 : std::pow(10.0F, random.uniform(-30, 30));
+            const float length = i % 2 == 0 ? 1 : std::pow(10.0F, random.uniform(-42, 38));
             const glm::vec3 normal = length * random.unit_vector();
             record(model * glm::scale(glm::mat4(1), glm::vec3(size)), normal, out);
         }
@@ -107,6 +114,7 @@ void record_sizes(Random& random, Recorder& out)
 
 // Turned, pressed to 1e-4 … 1e-8 of the thickness, turned again: what rounding leaves decides on which side the outside
 // is. Half of them are not turned first, so that one column is short; of these half are narrow too, as needles are.
+// Half of them are mirrors. Of the turned ones every fourth has a normal that the pressing nearly takes away: a side.
 void record_nearly_flat(Random& random, Recorder& out)
 {
     for (const float thickness : {1e-4F, 1e-6F, 1e-7F, 1e-8F}) {
@@ -114,9 +122,12 @@ void record_nearly_flat(Random& random, Recorder& out)
             const glm::mat4 after = turned(random);
             const glm::mat4 before = turned(random);
             const float width = i % 4 == 3 ? std::sqrt(thickness) : 1;
-            const glm::mat4 model = glm::scale(after, {1, width, thickness}) * (i % 2 == 1 ? glm::mat4(1) : before);
+            const float pressed = random.below(2) == 0 ? thickness : -thickness;
+            const glm::mat4 model = glm::scale(after, {1, width, pressed}) * (i % 2 == 1 ? glm::mat4(1) : before);
             const glm::vec3 normal = random.unit_vector();
-            record(model, normal, out);
+            const float aside = thickness * random.uniform(-2, 2);
+            const glm::vec3 side = glm::transpose(glm::mat3(before)) * glm::vec3(0.6F, 0.8F, aside);
+            record(model, i % 8 == 0 ? side : normal, out);
         }
     }
 }
@@ -128,7 +139,9 @@ const Driver driver = {
     {"random",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 200; ++i) {
-             const glm::mat4 model = random_model(false, c.random);
+             glm::mat4 model = random_model(false, c.random);
+             if (i % 4 == 1)  // columns of one length
+                 for (int k = 0; k < 3; ++k) model[k] = 1.5F * glm::normalize(model[k]);
              const glm::vec3 normal = c.random.unit_vector();
              record(model, normal, out);
          }
