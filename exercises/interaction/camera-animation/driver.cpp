@@ -50,14 +50,14 @@ void record_before_and_after(Recorder& out, Random& random)
 {
     for (int i = 0; i < 20; ++i) {
         CameraFlight flight = random_flight(random);
-        if (i % 4 == 0) flight.duration = 0;
+        if (i % 4 == 0) flight.duration = i % 8 == 0 ? 0.0F : -0.0F;
         // Over in a few microseconds, or milliseconds: no time is too short to count.
         if (i % 4 == 1) flight.duration = std::pow(10.0F, random.uniform(-6, -2));
         if (i % 5 == 0) flight.eye_from = glm::vec3(0);
         const float beside = random.uniform(0.01F, 2) * (flight.duration > 0 ? flight.duration : 0.5F);
         for (const float seconds : {-beside, 0.0F, flight.duration, flight.duration + beside, -0.0F})
             record(out, flight, seconds);
-        record(out, flight, i % 2 == 0 ? infinity : -infinity);
+        for (const float seconds : {infinity, -infinity}) record(out, flight, seconds);
     }
 }
 
@@ -80,6 +80,23 @@ void record_far_poses(Recorder& out, Random& random)
         CameraFlight flight{place(), place(), place(), place(), std::pow(10.0F, random.uniform(-3, 5))};
         if (i % 3 == 0) flight.eye_to = flight.eye_from;
         record_pose(out, flight, flight.duration * (i % 4 == 0 ? 1 - 0x1p-20F : random.uniform()));
+    }
+}
+
+// Observer and attention point meet at half of the time, as far from the origin as a million, and are asked for a
+// little before or after: there they are nearer to each other than floats of this size, but all numbers are exact in
+// double.
+void record_close_by(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 24; ++i) {
+        const glm::vec3 meeting = glm::round(std::exp2(random.uniform(14, 19.9F)) * random.unit_vector());
+        const auto step = [&](float reach) { return glm::round(16 * reach * random.in_cube()) / 16.0F; };
+        const glm::vec3 eye_step = step(4) + glm::vec3(0, 0, i % 2 == 0 ? 6 : -6);
+        const glm::vec3 target_step = step(1);
+        const CameraFlight flight{meeting - eye_step, meeting + eye_step, meeting - target_step, meeting + target_step,
+                                  16};
+        const float beside = std::exp2(std::floor(random.uniform(-12, -8)));
+        record_view(out, flight, 8 + (random.below(2) == 0 ? beside : -beside));
     }
 }
 
@@ -109,10 +126,26 @@ void record_far_views(Recorder& out, Random& random)
         flight.eye_to = i % 2 == 0 ? close : glm::vec3(close.x, i % 4 == 1 ? 2 : -1, close.z);
         record_view(out, flight, flight.duration);
     }
+    record_close_by(out, random);
 }
 
 /// A multiple of 1/8, up to `reach`: halves and quarters of sums of these are exact.
 glm::vec3 on_grid(Random& random, float reach) { return glm::round(8 * reach * random.in_cube()) / 8.0F; }
+
+// So nearly over or under what is looked at, from a thousandth to a thousand away, that the sine of the angle is well
+// below 1e-6, or a few times as large. Which axis is most perpendicular to the view follows from what is left of it.
+void record_nearly_above(Recorder& out, Random& random)
+{
+    for (int i = 0; i < 32; ++i) {
+        const float height = std::exp2(std::floor(random.uniform(-10, 10)));
+        const float sine = i % 4 < 3 ? std::pow(10.0F, random.uniform(-9, -6.5F)) : random.uniform(2e-6F, 2e-5F);
+        const float less = sine * random.uniform(-0.6F, 0.6F);
+        const float more = random.below(2) == 0 ? sine : -sine;
+        const glm::vec3 up(i % 2 == 0 ? less : more, random.below(2) == 0 ? 1 : -1, i % 2 == 0 ? more : less);
+        const CameraFlight flight{height * up, 2 * height * up, {0, 0, 0}, {0, 0, 0}, 4};
+        record_view(out, flight, i % 3 == 0 ? 4.0F : 0.0F);
+    }
+}
 
 // Over, or under, what is looked at: for a moment, or all the time.
 void record_straight_above(Recorder& out, Random& random)
@@ -132,13 +165,14 @@ void record_straight_above(Recorder& out, Random& random)
         for (const float seconds : {0.0F, 1.0F, 3.0F}) record_view(out, lifted, seconds);
         record_view(out, rising, 2);
     }
+    record_nearly_above(out, random);
 }
 
 // The observer flies through the attention point, at a half or a quarter of the time, or past it by less than counts.
 void record_through(Recorder& out, Random& random)
 {
     for (int i = 0; i < 16; ++i) {
-        const bool is_past = i % 4 == 3;
+        const bool is_past = i % 4 > 1;
         const glm::vec3 meeting = is_past ? glm::vec3(0) : on_grid(random, 4);
         const glm::vec3 eye_step = on_grid(random, 3) + glm::vec3(0, 0, 5);
         const glm::vec3 target_step = on_grid(random, 1);
@@ -155,9 +189,10 @@ void record_refused(Recorder& out, Random& random)
 {
     constexpr std::array durations{-1.0F, no_number, infinity, -infinity, -1e-30F};
     for (int i = 0; i < 24; ++i) {
-        const CameraFlight good = random_flight(random);
-        const float seconds = i % 3 == 0 ? infinity : good.duration * random.uniform();
+        CameraFlight good = random_flight(random);
+        const float seconds = i % 3 == 0 ? (i % 2 == 0 ? infinity : -infinity) : good.duration * random.uniform();
         CameraFlight bad = good;
+        if (i % 4 == 1) good.duration = i % 8 == 1 ? 0.0F : -0.0F;
         const bool wrong_time = i % 4 == 3;
         if (!wrong_time) bad.duration = durations[i % durations.size()];
         const bool bad_first = random.below(2) == 0;

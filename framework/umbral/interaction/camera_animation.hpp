@@ -37,7 +37,8 @@ struct FlightPose {
 /// perpendicular to the view is up instead (of equals, the first of x, y, z). Where observer and attention point are
 /// nearer to each other than 1e-6, it looks along the world's -z. Guarantee of the reference, for places up to 1e6 from
 /// the origin: rotation within 2e-7 in every entry and translation within 3e-7 of |o(t)|, for any distance between them
-/// from 1e-5 on: so o(t) - a(t) is not computed from places rounded to float. Course: problem 4.1.
+/// from 1e-5 and from 1e-8 of the farthest of the four places on: so o(t) - a(t) is not computed from places rounded to
+/// float. Course: problem 4.1.
 [[nodiscard]] glm::mat4 flight_view(const CameraFlight& flight, float seconds);
 
 }

@@ -44,12 +44,13 @@ glm::mat4 flight_view(const CameraFlight& flight, float seconds)
         z[2] = size = 1;
     }
     for (double& c : z) c /= size;
-    // x = (0, 1, 0) × z, or (1, 0, 0) × z where that is nothing.
+    // x = (0, 1, 0) × z, or where that is nothing (1, 0, 0) × z or (0, 0, 1) × z.
     double x[3] = {z[2], 0, -z[0]};
     if (std::hypot(z[0], z[2]) < 1e-6) {
-        x[0] = 0;
-        x[1] = -z[2];
-        x[2] = z[1];
+        const bool up_is_x = std::abs(z[0]) <= std::abs(z[2]);
+        x[0] = up_is_x ? 0 : -z[1];
+        x[1] = up_is_x ? -z[2] : z[0];
+        x[2] = up_is_x ? z[1] : 0;
     }
     const double length = std::hypot(x[0], x[1], x[2]);
     for (double& c : x) c /= length;
