@@ -17,11 +17,11 @@ void record_pixel(Recorder& out, const Viewport& viewport, const glm::vec2& ndc)
     out.append("pixel row", pixel ? std::optional(static_cast<float>(pixel->y)) : std::nullopt);
 }
 
-// A whole window, one of odd size that lies in it, a range of depths, and one that is reversed.
+// A whole window, one of odd size that lies in it, a range of depths, one that is reversed, and one beyond 0 and 1.
 void record_known(Recorder& out)
 {
-    const Viewport viewports[] = {
-        {0, 0, 640, 480}, {10, 20, 101, 55}, {0, 0, 2, 2}, {5, 6, 8, 4, 0.25F, 0.75F}, {-4, -2, 8, 4, 1, 0}};
+    const Viewport viewports[] = {{0, 0, 640, 480},           {10, 20, 101, 55},    {0, 0, 2, 2},
+                                  {5, 6, 8, 4, 0.25F, 0.75F}, {-4, -2, 8, 4, 1, 0}, {3, 1, 16, 2, -1, 3}};
     for (const Viewport& viewport : viewports) {
         out.append("matrix", ask<viewport_matrix>(out, viewport));
         const glm::vec3 low(viewport.left, viewport.bottom, viewport.near_depth);
@@ -64,14 +64,16 @@ int random_size(Random& random)
     return random.below(8) == 0 ? random_between(40'000, 1 << 20, random) : random_between(20, 900, random);
 }
 
+// Anywhere in the window or outside it; depths in [0, 1], or of any other range.
 Viewport random_viewport(Random& random)
 {
-    const int left = random_between(-50, 500, random);
-    const int bottom = random_between(-50, 500, random);
+    const int left = random_between(-500, 500, random);
+    const int bottom = random_between(-500, 500, random);
     const int width = random_size(random);
     const int height = random_size(random);
-    const float near_depth = random.uniform(0, 0.45F);
-    const float far_depth = random.uniform(0.55F, 1);
+    const float stretch = random.below(2) == 0 ? 4.0F : 1.0F;
+    const float near_depth = random.uniform(0, 0.45F) * stretch - (stretch - 1) / 2;
+    const float far_depth = random.uniform(0.55F, 1) * stretch - (stretch - 1) / 2;
     return random.below(4) == 0 ? Viewport{left, bottom, width, height, far_depth, near_depth}
                                 : Viewport{left, bottom, width, height, near_depth, far_depth};
 }
@@ -94,15 +96,21 @@ void record_random(Random& random, Recorder& out)
         const float y = random.uniform(-0.2F, 1.2F);
         const glm::vec2 place =
             glm::vec2(viewport.left, viewport.bottom) + glm::vec2(x, y) * glm::vec2(viewport.width, viewport.height);
-        out.append("back", ask<ndc_from_window>(out, viewport, glm::vec3(place, random.uniform())));
+        const float depth = glm::mix(viewport.near_depth, viewport.far_depth, random.uniform(-0.2F, 1.2F));
+        out.append("back", ask<ndc_from_window>(out, viewport, glm::vec3(place, depth)));
         const int column = random_between(0, viewport.width - 1, random);
         const glm::ivec2 pixel(column, random_between(0, viewport.height - 1, random));
         record_pixel(out, viewport, place_in(viewport, pixel, random));
-        out.append("centre", ask<pixel_centre>(out, viewport, pixel + glm::ivec2(viewport.left, viewport.bottom)));
+        // Half of them lie outside the viewport, on either side.
+        const glm::ivec2 size(viewport.width, viewport.height);
+        const glm::ivec2 aside = i % 2 == 0 ? glm::ivec2(0) : (i % 4 == 1 ? 1 : -1) * size / (1 + i % 3);
+        out.append("centre",
+                   ask<pixel_centre>(out, viewport, pixel + aside + glm::ivec2(viewport.left, viewport.bottom)));
     }
 }
 
-// A point of the viewport, and one outside or on its right or upper border, in random order.
+// A point of the viewport, every third one on its left or lower border, and one outside or on its right or upper
+// border, in random order.
 void record_outside(Random& random, Recorder& out)
 {
     constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
@@ -110,7 +118,8 @@ void record_outside(Random& random, Recorder& out)
         const Viewport viewport = random_viewport(random);
         const int column = random_between(0, viewport.width - 1, random);
         const glm::ivec2 pixel(column, random_between(0, viewport.height - 1, random));
-        const glm::vec2 inside = place_in(viewport, pixel, random);
+        glm::vec2 inside = place_in(viewport, pixel, random);
+        if (i % 3 == 2) inside[i / 3 % 2] = -1;
         glm::vec2 outside = inside;
         const float beyond[] = {
             1, 1.0F + random.uniform(0.01F, 2), -1.0F - random.uniform(0.01F, 2), -1.0000001F, 1e30F, no_number};
@@ -120,12 +129,15 @@ void record_outside(Random& random, Recorder& out)
     }
 }
 
-// The floats on both sides of a border between pixels, and the last one before 1.
+// The floats on both sides of a border between pixels, and the last one before 1. Half of the borders lie near the
+// middle, where floats are finest.
 void record_beside_borders(Random& random, Recorder& out)
 {
     for (int i = 0; i < 300; ++i) {
         const Viewport viewport{random_between(0, 1000, random), 0, random_between(500, 8000, random), 1};
-        const int border = random_between(1, viewport.width - 1, random);
+        const int middle = viewport.width / 2;
+        const int border =
+            i % 2 == 0 ? random_between(1, viewport.width - 1, random) : random_between(middle - 8, middle + 8, random);
         auto x = static_cast<float>((2.0 * border - viewport.width) / viewport.width);
         if (i % 3 == 0) x = std::nextafter(x, -2.0F);
         if (i % 3 == 1) x = std::nextafter(x, 2.0F);
