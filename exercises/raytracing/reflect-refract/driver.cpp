@@ -48,8 +48,8 @@ void record_by_hand(Recorder& out)
     };
     for (const SurfaceGlance& glance : glances) record_refracted(out, glance);
 
-    const std::pair<float, float> media[] = {{1.5F, 1},      {1.33F, 1}, {1, 1.5F},     {2, 1},   {1.5F, 1.5F},
-                                             {2.42F, 1.33F}, {1, 1},     {1.33F, 1.5F}, {4, 1.5F}};
+    const std::pair<float, float> media[] = {{1.5F, 1},      {1.33F, 1},    {1, 1.5F}, {2, 1},        {1.5F, 1.5F},
+                                             {2.42F, 1.33F}, {0.75F, 0.5F}, {1, 1},    {1.33F, 1.5F}, {4, 1.5F}};
     for (const auto& [from, into] : media) out.append("critical", ask<critical_angle>(out, from, into));
 }
 
@@ -59,7 +59,9 @@ void record_random(Random& random, Recorder& out)
         const glm::vec3 v = random.unit_vector();
         record_mirrored(out, v, random.unit_vector());
         record_refracted(out, refracted_glance(random));
-        const auto [rare, dense] = random_indices(random);
+        auto [rare, dense] = random_indices(random);
+        // Media that are nearly the same, and media that have little in common.
+        if (i % 3 == 0) dense = rare * (1 + std::pow(10.0F, random.uniform(-3, 1)));
         const bool comes_out = random.below(3) == 0;
         out.append("critical", ask<critical_angle>(out, comes_out ? rare : dense, comes_out ? dense : rare));
     }
@@ -72,11 +74,11 @@ void record_total(Random& random, Recorder& out)
         record_refracted(out, random.below(2) == 0 ? total_glance(random) : refracted_glance(random));
 }
 
-// Light that arrives nearly along the normal, exactly along it, or along the surface; and media that are the same, or
-// nearly so. Every second v is not unit.
+// Light that arrives nearly along the normal, exactly along it, along the surface, or nearly so from either side; and
+// media that are the same, or nearly so. Every second v is not unit.
 void record_edges(Random& random, Recorder& out)
 {
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 72; ++i) {
         const auto [rare, dense] = random_indices(random);
         const bool swapped = random.below(2) == 0;
         const float outside = swapped ? dense : rare;
@@ -86,30 +88,37 @@ void record_edges(Random& random, Recorder& out)
         glm::vec3 across(0);
         across[(i + 1) % 3] = random.below(2) == 0 ? 1 : -1;
         const glm::vec3 near_normal = normalize(n + random.uniform(0, 1e-3F) * across);
+        const float aside = std::pow(10.0F, random.uniform(-6, -2)) * (random.below(2) == 0 ? 1.0F : -1.0F);
+        const glm::vec3 near_surface = normalize(across + aside * n);
         const float longer = i % 2 == 0 ? 1.0F : std::ldexp(1.0F, static_cast<int>(random.below(21)) - 10);
         const auto add = [&](const glm::vec3& v, const glm::vec3& normal, float out_there, float in_there) {
             record_refracted(out, {longer * v, normal, out_there, in_there});
         };
-        switch (i / 3 % 5) {
+        switch (i / 3 % 6) {
             case 0: add(n, n, outside, inside); break;
             case 1: add(-n, n, outside, inside); break;
             case 2: add(random.below(2) == 0 ? near_normal : -near_normal, n, outside, inside); break;
             case 3: add(across, n, rare, dense); break;
+            case 4: add(near_surface, n, outside, inside); break;
             default: {
                 const glm::vec3 v = normalize(n + random.uniform(-1.5F, 1.5F) * across);
-                const float other = i / 15 % 2 == 0 ? dense : dense * random.uniform(1.001F, 1.01F);
+                const float other = i / 18 % 2 == 0 ? dense : dense * random.uniform(1.001F, 1.01F);
                 add(random.below(2) == 0 ? v : -v, n, dense, other);
             }
         }
-        record_mirrored(out, i % 2 == 0 ? across : near_normal, n);
+        for (const glm::vec3& v : {i % 2 == 0 ? across : near_normal, near_surface}) record_mirrored(out, v, n);
     }
 }
 
-// The same directions with vectors of all lengths, both short, both long, or one of each.
+// The same directions with vectors of all lengths, both short, both long, or one of each; every third time hardly
+// longer or shorter than unit.
 void record_lengths(Random& random, Recorder& out)
 {
     const auto stretched = [&](const glm::vec3& v) {
-        return v * std::pow(10.0F, random.below(2) == 0 ? random.uniform(-6, -0.5F) : random.uniform(0.5F, 6));
+        const bool shorter = random.below(2) == 0;
+        const float hardly = std::pow(10.0F, random.uniform(-4, -1));
+        const float far = shorter ? random.uniform(-6, -0.5F) : random.uniform(0.5F, 6);
+        return v * (random.below(3) == 0 ? 1 + (shorter ? -hardly : hardly) : std::pow(10.0F, far));
     };
     for (int i = 0; i < 120; ++i) {
         SurfaceGlance glance = i % 3 == 0 ? total_glance(random) : refracted_glance(random);
