@@ -113,7 +113,7 @@ void record_sizes(Random& random, Recorder& out)
 }
 
 // Turned, pressed to 1e-4 … 1e-8 of the thickness, turned again: what rounding leaves decides on which side the outside
-// is. Half of them are not turned first, so that one column is short; of these half are narrow too, as needles are.
+// is. Half of them are not turned first, so that one column is short. Half of all are narrow too, as needles are.
 // Half of them are mirrors. Of the turned ones every fourth has a normal that the pressing nearly takes away: a side.
 void record_nearly_flat(Random& random, Recorder& out)
 {
@@ -121,7 +121,7 @@ void record_nearly_flat(Random& random, Recorder& out)
         for (int i = 0; i < 20; ++i) {
             const glm::mat4 after = turned(random);
             const glm::mat4 before = turned(random);
-            const float width = i % 4 == 3 ? std::sqrt(thickness) : 1;
+            const float width = i % 4 == 3 ? std::sqrt(thickness) : i % 4 == 2 ? 1e-3F : 1;
             const float pressed = random.below(2) == 0 ? thickness : -thickness;
             const glm::mat4 model = glm::scale(after, {1, width, pressed}) * (i % 2 == 1 ? glm::mat4(1) : before);
             const glm::vec3 normal = random.unit_vector();
