@@ -12,6 +12,8 @@ using Words = std::vector<std::uint32_t>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
+// Squares from a sixteenth of a pixel to larger than the picture; each tenth pixel is so far away that twice its column
+// or row is no int.
 void record_matrices(Recorder& out, Random& random)
 {
     for (int i = 0; i < 100; ++i) {
@@ -19,8 +21,11 @@ void record_matrices(Recorder& out, Random& random)
         const int width = length();
         const glm::ivec2 picture(width, length());
         const int column = static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(width));
-        const glm::ivec2 pixel(column, static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(picture.y)));
-        out.append("matrix", ask<pick_matrix>(out, pixel, random.uniform(1, 40), picture));
+        glm::ivec2 pixel(column, static_cast<int>(random.uniform(-0.2F, 1.2F) * static_cast<float>(picture.y)));
+        const int far_off = static_cast<int>((1U << 30U) + random.below((1U << 30U) - 5000));
+        if (i % 10 == 0) pixel[i / 10 % 2] = i % 40 < 20 ? far_off : -far_off;
+        const float size = i % 3 == 0 ? std::exp2(random.uniform(-4, 12)) : random.uniform(1, 40);
+        out.append("matrix", ask<pick_matrix>(out, pixel, size, picture));
     }
 }
 
@@ -78,10 +83,11 @@ void record_parsing(Recorder& out, Random& random)
     }
 }
 
-// Whole buffers, and their twins: overflowed, cut short, with a record too few, or a number of names that leads out.
+// Whole buffers, and their twins: overflowed, cut short, with a record too few or nearly all that an int counts, or a
+// number of names that leads out.
 void record_damaged(Recorder& out, Random& random)
 {
-    for (int i = 0; i < 48; ++i) {
+    for (int i = 0; i < 49; ++i) {
         std::vector<SelectionRecord> crafted(1 + random.below(4));
         for (SelectionRecord& one : crafted) one = random_record(random);
         Words words;
@@ -93,12 +99,13 @@ void record_damaged(Recorder& out, Random& random)
         const auto count = static_cast<int>(crafted.size());
         Words damaged = words;
         int damaged_count = count;
-        switch (i % 6) {
+        switch (i % 7) {
             case 0: damaged_count = -1; break;
             case 1: damaged_count = count + 1; break;
             case 2: damaged.pop_back(); break;
             case 3: damaged[last] = ~0U - random.below(4); break;
             case 4: damaged[last] += 1; break;
+            case 5: damaged_count = std::numeric_limits<int>::max() - static_cast<int>(random.below(1000)); break;
             default: damaged.resize(last + random.below(3));
         }
         const bool first = random.below(2) == 0;
@@ -136,6 +143,9 @@ void record_nearest(Recorder& out, Random& random)
             records[records.size() / 2].min_depth = least + 1;
             records.back().min_depth = least;
         }
+        // All begin at the far plane.
+        if (i % 10 == 5)
+            for (SelectionRecord& one : records) one.min_depth = one.max_depth = ~0U;
         record(records);
     }
 }
@@ -229,13 +239,17 @@ void record_overflow(Recorder& out, Random& random)
                 carry_out(out, *buffer, note(0.25, 0.75));
             }
             out.append("overflow", static_cast<float>(ask<&SelectionBuffer::finish>(out, *buffer)));
-            // The next selection is not to blame.
-            const std::uint32_t hits = 1 + random.below(3);
+            // The next selection is not to blame: it begins without names, and may have nothing to write.
+            const std::uint32_t hits = random.below(4);
             for (std::uint32_t k = 0; k < hits; ++k) {
-                carry_out(out, *buffer, init());
                 carry_out(out, *buffer, note(0, 1));
+                carry_out(out, *buffer, init());
             }
-            out.append("next", static_cast<float>(ask<&SelectionBuffer::finish>(out, *buffer)));
+            const int count = ask<&SelectionBuffer::finish>(out, *buffer);
+            out.append("next", static_cast<float>(count));
+            const std::span<const std::uint32_t> written = ask<&SelectionBuffer::words>(out, *buffer);
+            const bool is_known = count > 0 && !written.empty();
+            out.append("next names", is_known ? std::optional(static_cast<float>(written.front())) : std::nullopt);
         }
     }
 }

@@ -42,9 +42,9 @@ struct SelectionRecord {
 
 /// What OpenGL keeps from glRenderMode(GL_SELECT) to glRenderMode(GL_RENDER): the name stack and the selection buffer.
 ///
-/// A record is written late: when the names are about to change (by a command that is carried out), and at the end; and
-/// only if a primitive was noted since the last record. It has the names as they were then, and the depths of all
-/// primitives that were noted since. A command that is refused changes nothing and writes nothing.
+/// A record is written late: before a command to the names that is carried out, even if it leaves them as they are, and
+/// at the end; and only if a primitive was noted since the last record. It has the names as they were then, and the
+/// depths of all primitives that were noted since. A command that is refused changes nothing and writes nothing.
 /// Course: modo selección, pila de nombres.
 class SelectionBuffer {
 public:

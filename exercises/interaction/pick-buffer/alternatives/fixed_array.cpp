@@ -96,7 +96,7 @@ glm::mat4 pick_matrix(const glm::ivec2& pixel, float size, const glm::ivec2& pic
 
 std::optional<std::vector<SelectionRecord>> parse_selection(std::span<const std::uint32_t> buffer, int count)
 {
-    if (count < 0) return {};
+    if (count < 0 || std::size_t(count) > buffer.size() / 3) return {};  // no memory for more than there can be
     std::vector<SelectionRecord> records(std::size_t(count), SelectionRecord{});
     std::size_t at = 0;
     for (SelectionRecord& record : records) {
