@@ -131,6 +131,7 @@ void state(Case& c, Recorder& out)
         piece.radius = 0.8F;
         piece.turn = 0;
         piece.cut = round % 2 == 0;
+        piece.unused = round % 4 == 2 ? 70'000 : 0;
         std::optional<BoundBuffer> buffer;
         if (round % 3 == 1) buffer.emplace();
         choose_state(c.random);

@@ -48,19 +48,23 @@ struct Fan {
     std::vector<std::uint32_t> indices;
 };
 
-/// Triangles come `stride` after each other round the centre, each begun at another of its corners; without a common
-/// divisor with `corners`, each comes once. Of ten and more the last two are left out, so that the place between shows
-/// what is drawn beside these triangles.
-inline Fan fan(int corners, int stride)
+/// Triangles come `stride` after each other round the centre, each begun at another of its corners, and every second
+/// one clockwise; without a common divisor with `corners`, each comes once. Of ten and more the last two are left out,
+/// so that the place between shows what is drawn beside these triangles. `unused` positions come first that no triangle
+/// has.
+inline Fan fan(int corners, int stride, int unused = 0)
 {
-    Fan result{polygon(corners), {}};
+    Fan result{std::vector<glm::vec2>(static_cast<std::size_t>(unused), glm::vec2(0.9F)), {}};
+    const std::vector<glm::vec2> rim = polygon(corners);
+    result.positions.insert(result.positions.end(), rim.begin(), rim.end());
     result.positions.emplace_back(0, 0);
     for (int i = 0; i < (corners < 10 ? corners : corners - 2); ++i) {
         const int k = i * stride % corners;
-        const std::array<int, 3> triangle = {k, (k + 1) % corners, corners};
+        std::array<int, 3> triangle = {k, (k + 1) % corners, corners};
+        if (i % 2 == 1) std::swap(triangle[0], triangle[1]);
         for (int corner = 0; corner < 3; ++corner)
             result.indices.push_back(
-                static_cast<std::uint32_t>(triangle[static_cast<std::size_t>((i + 1 + corner) % 3)]));
+                static_cast<std::uint32_t>(unused + triangle[static_cast<std::size_t>((i + 1 + corner) % 3)]));
     }
     return result;
 }
@@ -74,6 +78,7 @@ struct Piece {
     float turn = 0;
     glm::vec3 fill{1};
     glm::vec3 edges{0};
+    int unused = 0;  ///< of triangles: so many positions come first that no triangle has
 };
 
 /// Where a point of the polygon of radius 1 goes. All of a piece has one depth.
@@ -88,7 +93,7 @@ inline void draw(Recorder& out, const Piece& piece)
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixf(value_ptr(model_of(piece)));
     if (piece.cut) {
-        const Fan tables = fan(piece.corners, piece.corners % 2 == 1 ? 2 : 1);
+        const Fan tables = fan(piece.corners, piece.corners % 2 == 1 ? 2 : 1, piece.unused);
         ask<draw_triangles>(out, tables.positions, tables.indices, piece.fill, piece.edges);
     } else {
         ask<draw_polygon>(out, polygon(piece.corners), piece.fill, piece.edges);
@@ -128,6 +133,7 @@ inline Piece random_piece(Random& random, float depth)
     piece.turn = random.uniform(0, 6.28F);
     piece.fill = rainbow(random.uniform(), 0.8F, 0.8F);
     piece.edges = rainbow(random.uniform(), 0.25F, 1);
+    if (random.below(4) == 0) piece.unused = 70'000;
     return piece;
 }
 

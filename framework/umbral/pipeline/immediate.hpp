@@ -32,8 +32,8 @@ void draw_polygon(const std::vector<glm::vec2>& corners, const glm::vec3& fill, 
 /// Draws triangles of one colour, all of their edges in another: the course's tables of vertices and indices for
 /// GL_TRIANGLES.
 ///
-/// Indices come in threes, each less than the number of positions; triangles come in any order. Needs at most 11
-/// changes of state. Course: problem 1.4.
+/// Indices come in threes, each less than the number of positions; triangles come in any order, and run either way.
+/// Needs at most 11 changes of state. Course: problem 1.4.
 void draw_triangles(const std::vector<glm::vec2>& positions, const std::vector<std::uint32_t>& indices,
                     const glm::vec3& fill, const glm::vec3& edges);
 
