@@ -29,10 +29,13 @@ PrimaryCamera random_camera(Random& random, const glm::vec3& place, float distan
     return camera;
 }
 
+// One in four lies outside the picture.
 glm::vec2 random_place(Random& random, int width, int height)
 {
-    const float x = random.uniform(0, static_cast<float>(width));
-    return {x, random.uniform(0, static_cast<float>(height))};
+    const glm::vec2 size(width, height);
+    const float x = random.uniform();
+    const glm::vec2 place = glm::vec2(x, random.uniform()) * size;
+    return random.below(4) == 0 ? 2.0F * place - 0.5F * size : place;
 }
 
 void record_by_hand(Recorder& out)
@@ -78,6 +81,23 @@ void record_shapes(Random& random, Recorder& out)
     }
 }
 
+// Looks along an axis, with an up vector that leans by 0.001 to 0.05 from it: its products with the view are exact.
+PrimaryCamera steep_camera(Random& random, int axis)
+{
+    glm::vec3 view(0);
+    view[axis] = random.below(2) == 0 ? 1.0F : -1.0F;
+    PrimaryCamera camera;
+    camera.eye = glm::vec3(random.below(9), random.below(9), random.below(9));
+    camera.target = camera.eye + 2.0F * view;
+    camera.up = random.below(2) == 0 ? view : -view;
+    const float lean = std::pow(10.0F, random.uniform(-2.9F, -1.3F));
+    const float angle = random.uniform(0, 6.28F);
+    camera.up[(axis + 1) % 3] = lean * std::cos(angle);
+    camera.up[(axis + 2) % 3] = lean * std::sin(angle);
+    camera.fovy = random.uniform(0.3F, 2);
+    return camera;
+}
+
 // What is up: of any length, oblique, and nearly along the view.
 void record_up(Random& random, Recorder& out)
 {
@@ -87,7 +107,8 @@ void record_up(Random& random, Recorder& out)
         const double side = random.below(2) == 0 ? 1 : -1;
         const double lean = i % 2 == 0 ? random.uniform(0.05F, 0.3F) : 1.0;
         camera.up = glm::vec3(side * view + lean * perpendicular_to(view, random));
-        camera.up *= std::pow(10.0F, random.uniform(-4, 4));
+        if (i % 4 == 3) camera = steep_camera(random, i / 4 % 3);
+        camera.up *= std::pow(10.0F, random.uniform(-12, 12));
         record_direction(out, camera, 64, 48, random_place(random, 64, 48));
     }
 }
@@ -123,7 +144,7 @@ void record_samples(Random& random, Recorder& out)
     record(7, 1, 9);
     record(0, 6, 16);
     for (int i = 0; i < 12; ++i)
-        record(static_cast<int>(random.below(640)), static_cast<int>(random.below(480)), 1 + i % 5);
+        record(static_cast<int>(random.below(1280)) - 640, static_cast<int>(random.below(480)), 1 + i % 5);
 }
 
 // Light as bright as the sun beside a lamp's, the same everywhere: the mean is this light.
