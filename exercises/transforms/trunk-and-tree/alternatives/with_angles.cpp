@@ -1,4 +1,5 @@
-// alternative: places the branches by translation, rotation and scaling; another triangulation, and edges one by one
+// alternative: places the branches by translation, rotation and scaling, of depths too; another triangulation, and
+// edges one by one
 #include <umbral/transforms/tree.hpp>
 
 namespace umbral::transforms {
@@ -25,7 +26,7 @@ void draw_tree(Pipeline& pipeline, unsigned levels, const Figure& trunk)
     const glm::dmat4 one(1);
     trunk(pipeline);
     pipeline.push();
-    pipeline.compose(glm::mat4(glm::scale(glm::translate(one, {-0.5, 3.0, 0.0}), {0.5, 0.5, 1.0})));
+    pipeline.compose(glm::mat4(glm::scale(glm::translate(one, {-0.5, 3.0, 0.0}), {0.5, 0.5, 0.5})));
     draw_tree(pipeline, levels - 1, trunk);
     pipeline.pop();
     pipeline.push();
