@@ -85,7 +85,7 @@ const Driver driver = {
     {"waiting", [](Case&, Recorder& out) { record(out, waiting_loop, needs(), true); }},
     {"waiting refined", [](Case&, Recorder& out) { record(out, waiting_loop, refinements()); }},
     {"waiting ended", [](Case&, Recorder& out) { record(out, waiting_loop, endings()); }},
-    {"waiting minimised", [](Case&, Recorder& out) { record(out, waiting_loop, minimised()); }},
+    {"waiting minimised", [](Case&, Recorder& out) { record(out, waiting_loop, minimised(), true); }},
     {"animated",
      [](Case&, Recorder& out) { record(out, animated_loop, together(together(motions(), needs()), refinements())); }},
     {"animated ended", [](Case&, Recorder& out) { record(out, animated_loop, endings()); }},

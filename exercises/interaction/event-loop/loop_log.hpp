@@ -20,6 +20,8 @@ struct Habits {
     int moves_every = 1;       ///< the updates whose number this divides set `redraw`; 0: none
     int resting_update = 0;    ///< this update clears `animate`
     int last_update = 0;       ///< this update ends all
+    int hiding_draw = 0;       ///< this draw minimises the window, at once
+    int hiding_update = 0;     ///< this update minimises the window, at once
     bool by_window = false;    ///< what ends all asks the window to close instead
 };
 
@@ -43,6 +45,7 @@ public:
         if (draws_ <= habits_.unfinished_draws) flags.redraw = true;
         if (draws_ == habits_.last_draw) end();
         if (draws_ == habits_.waking_draw) flags.animate = true;
+        if (draws_ == habits_.hiding_draw) hide();
     }
 
     void update() override
@@ -52,6 +55,7 @@ public:
         if (habits_.moves_every > 0 && updates_ % habits_.moves_every == 0) flags.redraw = true;
         if (updates_ == habits_.resting_update) flags.animate = false;
         if (updates_ == habits_.last_update) end();
+        if (updates_ == habits_.hiding_update) hide();
     }
 
     void shown() { log(2); }
@@ -74,6 +78,13 @@ private:
             glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);
         else
             flags.finish = true;
+    }
+
+    // Some systems minimise a window while they are asked to, others when events are processed next: here, at once.
+    static void hide()
+    {
+        glfwIconifyWindow(glfwGetCurrentContext());
+        glfwPollEvents();
     }
 
     Habits habits_;
@@ -135,6 +146,11 @@ inline std::string told(const NamedLoop& loop, const LoopSession& session)
                " sets redraw");
     say_if(habits.resting_update > 0, "\n// update " + number(habits.resting_update) + " clears animate");
     say_if(habits.last_update > 0, "\n// update " + number(habits.last_update) + ends);
+    const std::string hides = " minimises the window, and calls glfwPollEvents so that it is at once";
+    say_if(habits.hiding_draw > 0, "\n// draw " + number(habits.hiding_draw) + hides);
+    say_if(habits.hiding_update > 0, "\n// update " + number(habits.hiding_update) + hides);
+    say_if(session.content_scale != 1,
+           "\n// each screen coordinate has " + std::to_string(session.content_scale) + " pixels of the framebuffer");
     return text + '\n' + loop.name + "(window, program, flags);\n" + input::to_text(session.script);
 }
 

@@ -34,7 +34,7 @@ inline std::vector<LoopSession> needs()
 inline std::vector<LoopSession> refinements()
 {
     return {
-        session_of("0.5 key R press\n0.7 key ESCAPE press\n", {}, {.unfinished_draws = 4}),
+        session_of("0.5 key R press\n0.7 key ESCAPE press\n", {}, {.unfinished_draws = 24}),
         session_of("0.02 key B press\n0.03 key R press\n0.045 key B press\n0.3 key ESCAPE press\n", {},
                    {.unfinished_draws = 6}),
         session_of("0.02 key ESCAPE press\n", {}, {.unfinished_draws = 9}),
@@ -62,6 +62,7 @@ inline std::vector<LoopSession> endings()
 }
 
 /// Minimised windows: iconified, or without pixels in one direction or both. What they need waits until they are back.
+/// Some are minimised by a draw or an update, in the middle of a round.
 inline std::vector<LoopSession> minimised()
 {
     std::vector<LoopSession> all = {
@@ -76,8 +77,17 @@ inline std::vector<LoopSession> minimised()
         // One pixel is to be seen.
         session_of("0.1 resize 1 240\n0.2 key R press\n0.3 resize 240 1\n0.4 key R press\n"
                    "0.45 resize 1 1\n0.5 key ESCAPE press\n"),
+        session_of("0.1 key R press\n0.2 key B press\n0.3 iconify off\n0.35 key R press\n0.4 key ESCAPE press\n",
+                   at_work, {.unfinished_draws = 9, .hiding_draw = 2}),
+        session_of("0.1 key R press\n0.3 key R press\n0.4 iconify off\n0.5 key ESCAPE press\n", at_work,
+                   {.hiding_update = 3}),
+        session_of("0.05 key R press\n0.2 key B press\n0.3 iconify off\n0.4 key ESCAPE press\n", at_work,
+                   {.unfinished_draws = 1, .moves_every = 0, .hiding_draw = 1}),
+        // A window of one screen coordinate may have no pixel.
+        session_of("0.1 resize 1 240\n0.2 key R press\n0.3 resize 240 240\n0.4 key ESCAPE press\n"),
     };
     all[1].content_scale = 2;
+    all.back().content_scale = 0.25;
     return all;
 }
 
@@ -126,6 +136,8 @@ inline LoopSession random_loop_session(Random& random)
                       .moves_every = static_cast<int>(random.below(4)),
                       .resting_update = static_cast<int>(random.below(10)),
                       .last_update = static_cast<int>(random.below(8) == 0 ? 5 + random.below(9) : 0),
+                      .hiding_draw = static_cast<int>(random.below(6) == 0 ? 1 + random.below(5) : 0),
+                      .hiding_update = static_cast<int>(random.below(6) == 0 ? 1 + random.below(5) : 0),
                       .by_window = random.below(2) == 0};
     int milliseconds = 0;
     bool iconified = false;

@@ -36,7 +36,8 @@ public:
 ///    window that is seen and a `redraw` that is set.
 /// 3. Look whether the loop is over.
 ///
-/// Registers no callback, clears no flag but `redraw`, and keeps nothing for the next call of a loop.
+/// Registers no callback, changes no flag but `redraw`, which it only clears, and keeps nothing for the next call of a
+/// loop.
 /// Course: "bucle de gestión de eventos"; terminar, redibujar, VisualizarEscena.
 void run_waiting_loop(GLFWwindow* window, LoopProgram& program, LoopFlags& flags);
 
