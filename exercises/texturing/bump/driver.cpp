@@ -58,7 +58,8 @@ void by_hand(Recorder& out)
     const Tangents flat{{1, 0, 0}, {0, 1, 0}};
     const Tangents skew{{2, 0, 0}, {1, 1, 0}};
     const Tangents mirrored{{-1, 0, 0}, {0, 1, 0}};
-    for (const Tangents& tangents : {flat, skew, mirrored})
+    const Tangents leaning{{2, 0, 1}, {0, 1, 0}};
+    for (const Tangents& tangents : {flat, skew, mirrored, leaning})
         for (const glm::vec2 slope : {glm::vec2(0, 0), {1, 0}, {0, 1}, {-2, 2}, {0.5F, -1}})
             record_normal(out, {0, 0, 1}, tangents, slope);
 }
@@ -137,7 +138,9 @@ void degenerate(Random& random, Recorder& out)
     }
 }
 
-// A normal, and tangents in the surface: of lengths up to `stretch` times each other, at 30 degrees or more.
+// A normal, and tangents of lengths up to `stretch` times each other, at 30 degrees or more: every second time
+// perpendicular to the normal; else their plane leans by up to 40 degrees, as a triangle's does of a mesh whose normals
+// are interpolated.
 struct Frame {
     glm::vec3 n;
     Tangents tangents;
@@ -149,7 +152,8 @@ Frame random_frame(Random& random, float stretch)
     frame.n = random.unit_vector();
     const glm::vec3 other = std::abs(frame.n.x) < 0.6F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
     const glm::vec3 side = normalize(cross(frame.n, other));
-    const glm::vec3 front = cross(frame.n, side);
+    const float lean = random.below(2) == 0 ? 0 : random.uniform(-0.7F, 0.7F);
+    const glm::vec3 front = std::cos(lean) * cross(frame.n, side) + std::sin(lean) * frame.n;
     const float angle = random.uniform(0, 6.28F);
     const float between = random.uniform(0.55F, 2.6F);
     const auto at = [&](float turned, float length) {
@@ -166,7 +170,9 @@ void random_normals(Random& random, Recorder& out, float stretch, bool mirrored)
         Frame frame = random_frame(random, stretch);
         if (mirrored && random.below(4) != 0) (random.below(2) == 0 ? frame.tangents.u : frame.tangents.v) *= -1.0F;
         const float along_u = random.uniform(-1.5F, 1.5F) * length(frame.tangents.u);
-        record_normal(out, frame.n, frame.tangents, {along_u, random.uniform(-1.5F, 1.5F) * length(frame.tangents.v)});
+        const glm::vec2 slope(along_u, random.uniform(-1.5F, 1.5F) * length(frame.tangents.v));
+        // One in four lies where the relief is level.
+        record_normal(out, frame.n, frame.tangents, i % 4 == 1 ? glm::vec2(0) : slope);
     }
 }
 

@@ -31,9 +31,10 @@ struct Tangents {
 
 /// The unit normal of a surface whose points are raised along its unit normal n by heights of these slopes: that of the
 /// tangents t_u + d_u n and t_v + d_v n, **on the side of n**. (Where the texture is mirrored, t_u x t_v points against
-/// n.) It is NaN where rounding leaves nothing of that: slopes far beyond the bound below can. It is n itself if (t_u x
-/// t_v) · n is 0: if there are no tangents, or their plane holds n. Right to 4e-7 for tangents of any length, at any
-/// angle that is not tiny, and slopes of up to 10^6 times their length. Course: slide F13.
+/// n.) n need not be perpendicular to the tangents: the normals of meshes are interpolated. The result is NaN where
+/// rounding leaves nothing of it: slopes far beyond the bound below can. It is n itself if (t_u x t_v) · n is 0: if
+/// there are no tangents, or their plane holds n. Right to 4e-7 for tangents of any length, at any angle that is not
+/// tiny, and slopes of up to 10^6 times their length. Course: slide F13.
 [[nodiscard]] glm::vec3 bumped_normal(const glm::vec3& n, const Tangents& tangents, glm::vec2 slopes);
 
 }

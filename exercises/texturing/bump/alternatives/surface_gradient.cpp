@@ -1,4 +1,4 @@
-// alternative: the normal less the gradient of the height in the surface, in double; tangents by an inverse matrix
+// alternative: the surface's normal less the gradient of the height in it, in double; tangents by an inverse matrix
 #include <cmath>
 #include <umbral/texturing/bump.hpp>
 
@@ -43,10 +43,11 @@ glm::vec3 bumped_normal(const glm::vec3& n, const Tangents& tangents, glm::vec2 
     const glm::dvec3 v(tangents.v);
     const double volume = dot(cross(u, v), normal);
     if (volume == 0.0) return n;
-    // The gradient: the vector of the surface whose products with the tangents are the slopes.
+    // If n is perpendicular to the surface, the vector in it whose products with the tangents are the slopes.
     const glm::dvec3 gradient =
         (cross(v, normal) * static_cast<double>(slopes.x) + cross(normal, u) * static_cast<double>(slopes.y)) / volume;
-    return normalize(normal - gradient);
+    // n itself need not be perpendicular to the surface.
+    return normalize(cross(u, v) / volume - gradient);
 }
 
 }
