@@ -25,8 +25,8 @@ inline Profile semicircle(int points)
     return profile;
 }
 
-/// Any profile that goes up and down, in and out; some points lie on the axis or just beside it, some stand twice, and
-/// one profile in four ends where it began.
+/// Any profile that goes up and down, in and out; some points lie on the axis or just beside it, some stand twice or
+/// three times, and one profile in four ends where it began.
 inline Profile some_profile(Random& random)
 {
     Profile profile{{random.uniform(0.5F, 2), random.uniform(-1, 1)}};
@@ -35,6 +35,7 @@ inline Profile some_profile(Random& random)
         const std::uint32_t kind = random.below(8);
         glm::vec2 next(std::abs(profile.back().x + step.x) + 0.125F, profile.back().y + step.y);
         if (kind == 0) next = profile.back();
+        if (kind == 0 && random.below(2) == 0) profile.push_back(next);
         if (kind == 1) next.x = 0;
         if (kind == 2) next.x = 0x1p-15F * random.uniform(0.5F, 1);
         profile.push_back(next);
@@ -92,7 +93,8 @@ inline std::vector<Attempt> attempts()
             {{{3, 0}, {3, 1}}, 9},         {{{3, 0}, {3, 1}}, 0},
             {{{1, 0}, {1e30F, 1}}, 5},     {{{1, 0}, {infinity, 1}}, 5},
             {{{1, 0}, {1, -1e30F}}, 5},    {{{1, 0}, {1, -infinity}}, 5},
-            {{{2, 0}, {1, 1}}, 6},         {{{2, 0}, {1, not_a_number}}, 6}};
+            {{{2, 0}, {1, 1}}, 6},         {{{2, 0}, {1, not_a_number}}, 6},
+            {{{-0.0F, 0}, {1, 1}}, 5},     {{{-1e-44F, 0}, {1, 1}}, 5}};
 }
 
 }
