@@ -19,13 +19,23 @@ namespace {
 
 using namespace interaction;
 
+/// A window that is 0 x 0 has been minimised after it was made.
+GLFWwindow* make_window(glm::ivec2 size)
+{
+    if (size != glm::ivec2(0)) return glfwCreateWindow(size.x, size.y, "Umbral", nullptr, nullptr);
+    GLFWwindow* const window = glfwCreateWindow(640, 480, "Umbral", nullptr, nullptr);
+    glfwSetWindowSize(window, 0, 0);
+    glfwPollEvents();
+    return window;
+}
+
 /// Plays a script to a window with the unit's callbacks, as its event loop would.
 void play(const input::EventScript& script, const input::HeadlessSettings& settings, glm::ivec2 size,
           const std::function<void(GLFWwindow*)>& begin, const std::function<void()>& after_wait)
 {
     const input::Headless session(script, settings);
     glfwInit();
-    begin(glfwCreateWindow(size.x, size.y, "Umbral", nullptr, nullptr));
+    begin(make_window(size));
     while (!session.script_is_over()) {
         glfwWaitEvents();
         after_wait();
@@ -86,11 +96,10 @@ void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
     }
 }
 
-void record_text(Recorder& out, const char* text, glm::ivec2 size = square,
-                 const input::HeadlessSettings& settings = {})
+void record_text(Recorder& out, const char* text)
 {
     out.text("commands.names", command_names(false));
-    record(out, input::parse_script(text), size, settings);
+    record(out, input::parse_script(text), square);
 }
 
 /// A window is closed in the middle of a drag; then there is another one, with Controls of its own.
@@ -102,6 +111,16 @@ void record_two_windows(Recorder& out)
            input::parse_script("0.1 move 50 60\n0.2 move 70 80\n0.3 press right\n0.4 move 71 79\n0.5 release "
                                "right\n0.6 press left\n0.7 move 75 85\n"),
            wide, {}, false, 2);
+}
+
+/// Sizes of a window; and one that is minimised when the program begins to listen.
+void record_sizes(Recorder& out)
+{
+    out.text("commands.names", command_names(true));
+    const input::HeadlessSettings fine{.content_scale = {2, 2}};
+    record(out, input::parse_script(windows), wide, fine, false, 1);
+    record(out, input::parse_script("0.1 resize 300 200\n0.2 resize 0 0\n0.3 resize 300 200\n"), {0, 0}, fine, false,
+           2);
 }
 
 void record_random(Recorder& out, Random& random)
@@ -164,10 +183,7 @@ const Driver driver = {
          out.text("commands.names", command_names(false));
          record(out, input::parse_script(keys), square, {}, true);
      }},
-    {"window size",
-     [](Case&, Recorder& out) {
-         record_text(out, windows, wide, {.content_scale = {2, 2}});
-     }},
+    {"window size", [](Case&, Recorder& out) { record_sizes(out); }},
     {"two windows", [](Case&, Recorder& out) { record_two_windows(out); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
     {"picture", [](Case&, Recorder& out) { out.image("colours", picture_after(out, a_look_around)); }},

@@ -154,6 +154,14 @@ inline constexpr const char* keys = R"(
 2.7 key LEFT_SHIFT release
 2.8 key A press
 2.9 key A release
+2.91 press left 10 10        # keys mean the same in a drag
+2.92 key R press
+2.93 key R release
+2.94 key 2 press
+2.95 key 2 release
+2.96 release left
+2.97 key KP_1 press          # another key than 1
+2.98 key KP_1 release
 3.0 key LEFT_SUPER press
 3.02 key R press
 3.04 key R release

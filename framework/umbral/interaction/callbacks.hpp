@@ -41,17 +41,16 @@ struct Controls {
 /// and gives the first viewport at once, since GLFW promises no event for it.
 ///
 /// - Dragging with the left button orbits; with the right one, or the left one pressed while Shift is down, it pans.
-/// Each motion of the pointer
-///   gives one command, with the motion since the one before (at first: since the press, where glfwGetCursorPos says)
-///   and y turned up. The button that began a drag ends it; until then, other buttons do nothing. Moves without a drag,
-///   and all other buttons, give nothing.
+///   Each motion of the pointer gives one command, with the motion since the one before (at first: since the press,
+///   where glfwGetCursorPos says) and y turned up. The button that began a drag ends it; until then, other buttons do
+///   nothing. Moves without a drag, and all other buttons, give nothing.
 /// - The wheel's y offset zooms by 1.1^-offset, fractions included: away from the user means nearer. x offsets, and 0,
-/// give nothing.
-/// - When pressed (not when repeated or released): R resets, 1 to 3 choose the view mode, unless Control, Alt or Super
-/// is down; Escape asks the
-///   window to close (glfwSetWindowShouldClose), whatever else is down. After that, every key event is passed on to the
-///   key callback that was there before, if there was one.
-/// - Another size of the *framebuffer* gives a viewport; sizes with a 0, as of a minimised window, give none.
+///   give nothing.
+/// - When pressed (not when repeated or released): R resets, 1 to 3 (not those of the keypad) choose the view mode,
+///   unless Control, Alt or Super is down; Escape asks the window to close (glfwSetWindowShouldClose), whatever else is
+///   down. After that, every key event is passed on to the key callback that was there before, if there was one.
+/// - Another size of the *framebuffer* gives a viewport; sizes with a 0, as of a minimised window, give none, neither
+///   now nor at first.
 ///
 /// Course: "Modelo de eventos de GLFW", FGE_PulsarLevantarBotonRaton, FGE_MovimientoRaton, FGE_Scroll,
 /// FGE_CambioTamano.
