@@ -23,10 +23,17 @@ std::unique_ptr<IndexedDrawing> drawing_of(Recorder& out, ColoredMesh mesh, std:
     return ask_new<make_indexed_drawing>(out, name, mesh);
 }
 
-// What comes next is what is left of a drawing that has gone.
-void delete_drawing(Recorder& out, std::unique_ptr<IndexedDrawing>& drawing, std::string_view name = "drawing")
+/// A drawing of `mesh` as it is now: another of as many corners may be written over it later.
+std::unique_ptr<IndexedDrawing> drawing_of_now(Recorder& out, const ColoredMesh& mesh, std::string_view name)
 {
-    ask_in_words(out, [&] { return std::string(name) + ".reset();  // made before, and drawn"; });
+    return ask_new<make_indexed_drawing>(out, name, mesh);
+}
+
+// What comes next is what is left of a drawing that has gone.
+void delete_drawing(Recorder& out, std::unique_ptr<IndexedDrawing>& drawing, std::string_view name = "drawing",
+                    std::string_view before = "made before, and drawn")
+{
+    ask_in_words(out, [&] { return std::string(name) + ".reset();  // " + std::string(before); });
     drawing.reset();
 }
 
@@ -46,7 +53,14 @@ void record_calls(Recorder& out, std::string_view name, Work&& work)
     gl::record_trace(out, name, gl::end_trace());
 }
 
-// What is alive is counted beside the trace: deleting the name 0 deletes nothing.
+void count_alive(Recorder& out)
+{
+    out.columns("alive", "vertex array objects alive, buffers alive");
+    out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
+}
+
+// What is alive is counted beside the trace: deleting the name 0 deletes nothing. What was never drawn goes as well,
+// and what is empty.
 void frames(Case&, Recorder& out)
 {
     const Canvas canvas(256);
@@ -59,9 +73,16 @@ void frames(Case&, Recorder& out)
         for (int frame = 0; frame < 3; ++frame) draw(out, drawing);
     });
     out.image("fourth frame", canvas.picture());
-    out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
+    count_alive(out);
+    auto unused = drawing_of(out, polygon(5, {0, 0, 0}, 0.8F, 0), "unused");
+    delete_drawing(out, unused, "unused", "made before, and never drawn");
+    count_alive(out);
     record_calls(out, "end", [&] { delete_drawing(out, drawing); });
-    out.append("alive", glm::vec2(living(glIsVertexArray), living(glIsBuffer)));
+    count_alive(out);
+    auto empty = drawing_of(out, {}, "empty");
+    draw(out, empty);
+    delete_drawing(out, empty, "empty", "made before of no triangles, and drawn");
+    count_alive(out);
 }
 
 /// State that has nothing to do with where vertices come from, and for which the software renderer need not compile its
@@ -119,14 +140,17 @@ void state(Case& c, Recorder& out)
     }
 }
 
-// Drawings that live at once, one of them empty; the last one is drawn when others have gone.
+// Drawings that live at once, one of them empty, two of them of one mesh that has changed in its place; the last one is
+// drawn when others have gone.
 void several(Case&, Recorder& out)
 {
     const Canvas canvas(256);
+    const ColoredMesh before = polygon(6, {0.05F, -0.1F, 0}, 0.6F, 0.55F);
+    const ColoredMesh after = polygon(6, {0.5F, 0.45F, 0.2F}, 0.4F, 0.3F);
+    ColoredMesh changing = before;
     std::array drawings{drawing_of(out, polygon(3, {-0.45F, 0.4F, 0.3F}, 0.5F, 0.0F), "drawing0"),
-                        drawing_of(out, {}, "drawing1"),
-                        drawing_of(out, polygon(6, {0.05F, -0.1F, 0}, 0.6F, 0.55F), "drawing2"),
-                        drawing_of(out, polygon(12, {0.5F, 0.45F, 0.2F}, 0.4F, 0.3F), "drawing3"),
+                        drawing_of(out, {}, "drawing1"), drawing_of_now(out, changing, "drawing2"),
+                        drawing_of_now(out, changing = after, "drawing3"),
                         drawing_of(out, polygon(5, {0.4F, -0.5F, -0.1F}, 0.42F, 0.8F), "drawing4")};
     for (const std::size_t i : {3, 1, 0, 2, 1, 3}) draw(out, drawings[i]);
     out.image("first", canvas.picture());
@@ -150,7 +174,11 @@ const Driver driver = {
     {"frames", frames},
     {"state", state},
     {"several", several},
-    {"many vertices", [](Case&, Recorder& out) { record_picture(out, "picture", sheet(257, 257, 8), 192); }},
+    {"many vertices",
+     [](Case&, Recorder& out) {
+         record_picture(out, "picture", sheet(257, 257, 8), 192);
+         record_picture(out, "65537", sheet_and_one(), 192);
+     }},
     {"random", random},
 };
 

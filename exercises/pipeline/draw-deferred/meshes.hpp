@@ -72,6 +72,18 @@ inline ColoredMesh sheet(int columns, int rows, int step)
     return mesh;
 }
 
+/// As many vertices as 16 bits can number, all of them in use, and one more: the tip of a triangle in front of the
+/// sheet.
+inline ColoredMesh sheet_and_one()
+{
+    ColoredMesh mesh = sheet(256, 256, 1);
+    mesh.positions.emplace_back(0, -0.6F, -0.5F);
+    mesh.colors.emplace_back(1, 1, 1);
+    const auto top = static_cast<std::uint32_t>(255 * 256);
+    for (const std::uint32_t index : {top + 64, top + 256, top + 192}) mesh.indices.push_back(index);
+    return mesh;
+}
+
 /// A regular polygon round `centre`, as problem 1.2 has it: its centre light, its rim in one hue.
 inline ColoredMesh polygon(int corners, const glm::vec3& centre, float radius, float hue)
 {
