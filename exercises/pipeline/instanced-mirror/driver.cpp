@@ -14,11 +14,12 @@ void pictures(Case& what, Recorder& out)
     program.require_interface(mirror_interface());
     out.image("lake", draw(out, lake(), program, 384, 288));
     out.image("wall", draw(out, wall(Look::places), program, 192, 192));
-    out.image("light", draw(out, wall(Look::light), program, 192, 192));
+    out.image("light", draw(out, wall(Look::light, -1), program, 192, 192));
     out.image("cut", draw(out, cut(), program, 192, 192));
     out.image("bowls", draw(out, bowls(glm::vec3(1)), program, 192, 192));
-    out.image("mirrored bowls", draw(out, bowls({1, 1, -1}), program, 192, 192));
-    out.image("long normal", draw(out, long_normal(), program, 192, 192));
+    out.image("mirrored bowls", draw(out, in_units(bowls({1, 1, -1}), 0.02F), program, 192, 192));
+    out.image("long normal", draw(out, with_normal(2.5F), program, 192, 192));
+    out.image("short normal", draw(out, with_normal(0.02F), program, 192, 192));
     out.image("stretched", draw(out, stretched(), program, 192, 192));
 }
 

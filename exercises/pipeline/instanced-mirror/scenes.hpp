@@ -31,8 +31,21 @@ inline Scene lake()
     return scene;
 }
 
-/// A mirror that stands aslant behind the things, at some distance from the origin.
-inline Scene wall(Look look)
+/// The same scene in another unit of length: it looks the same.
+inline Scene in_units(Scene scene, float unit)
+{
+    scene.unit *= unit;
+    scene.eye *= unit;
+    scene.target *= unit;
+    scene.light *= unit;
+    scene.mirror.w *= unit;
+    for (Thing& thing : scene.things) thing.model = glm::scale(glm::mat4(1), glm::vec3(unit)) * thing.model;
+    return scene;
+}
+
+/// A mirror that stands aslant behind the things, at some distance from the origin. `handedness` is -1 for models that
+/// mirror.
+inline Scene wall(Look look, float handedness = 1)
 {
     Scene scene;
     scene.look = look;
@@ -41,12 +54,14 @@ inline Scene wall(Look look)
     scene.eye = {2.2F, 1.2F, 5.5F};
     scene.target = {-0.1F, 0, -0.8F};
     scene.things = {
-        {shapes::trefoil(160, 20, 0.2F), placed({0.1F, 0, 0.2F}, glm::vec3(0.7F), 0.5F), ink::blue, ink::red},
-        {shapes::icosphere(3), placed({1.1F, -0.5F, 0.4F}, glm::vec3(0.3F)), ink::orange, ink::red}};
+        {shapes::trefoil(160, 20, 0.2F), placed({0.1F, 0, 0.2F}, 0.7F * glm::vec3(1, 1, handedness), 0.5F), ink::blue,
+         ink::red},
+        {shapes::icosphere(3), placed({1.1F, -0.5F, 0.4F}, 0.3F * glm::vec3(1, 1, handedness)), ink::orange, ink::red}};
     return scene;
 }
 
-/// Things that the water cuts, seen closer and from above.
+/// Things that the water cuts, seen closer and from above. Their triangles are large, and most of them lie on both
+/// sides.
 inline Scene cut()
 {
     Scene scene;
@@ -54,8 +69,8 @@ inline Scene cut()
     scene.mirror = {0, 1, 0, -0.3F};
     scene.eye = {0.4F, 2.6F, 4.4F};
     scene.target = {0, 0.2F, 0};
-    scene.things = {{shapes::icosphere(4), placed({-0.9F, 0.35F, 0}, glm::vec3(0.7F)), ink::green, ink::orange},
-                    {shapes::torus(64, 20, 0.2F), placed({0.9F, 0.4F, -0.1F}, glm::vec3(0.75F), 0.4F, {1, 0, 0}),
+    scene.things = {{shapes::icosphere(1), placed({-0.9F, 0.35F, 0}, glm::vec3(0.7F)), ink::green, ink::orange},
+                    {shapes::torus(9, 5, 0.25F), placed({0.9F, 0.4F, -0.1F}, glm::vec3(0.75F), 0.4F, {1, 0, 0}),
                      ink::pink, ink::orange}};
     return scene;
 }
@@ -77,10 +92,10 @@ inline Scene bowls(const glm::vec3& stretch)
 }
 
 /// The plane's numbers may be multiplied by anything positive.
-inline Scene long_normal()
+inline Scene with_normal(float length)
 {
     Scene scene = wall(Look::places);
-    scene.mirror *= 2.5F;
+    scene.mirror *= length;
     return scene;
 }
 
@@ -98,14 +113,15 @@ inline Scene stretched()
     return scene;
 }
 
-/// A mirror somewhere, and things about it: in front of it, cut by it, and mirrored themselves.
+/// A mirror somewhere, and things about it: in front of it, cut by it, and mirrored themselves. The unit of length and
+/// the normal's own length may be of any size.
 inline Scene random_scene(Random& random, Look look)
 {
     Scene scene;
     scene.look = look;
     const float aside = random.uniform(-0.6F, 0.6F);
     const glm::vec3 normal = glm::normalize(glm::vec3(aside, random.uniform(0.4F, 1), random.uniform(0.3F, 1)));
-    scene.mirror = random.uniform(0.3F, 3) * glm::vec4(normal, random.uniform(0.3F, 0.8F));
+    scene.mirror = std::pow(10.0F, random.uniform(-2, 2)) * glm::vec4(normal, random.uniform(0.3F, 0.8F));
     scene.eye = {random.uniform(-1.5F, 1.5F), random.uniform(1, 2), 6};
     scene.target = {0, -0.3F, 0};
     scene.light = {random.uniform(-5, 5), 5, random.uniform(2, 6)};
@@ -124,7 +140,7 @@ inline Scene random_scene(Random& random, Look look)
                                             : shapes::icosphere(3),
                                 placed(place, {x, y, z}, turn, axis), colors[i], ink::white});
     }
-    return scene;
+    return in_units(scene, std::pow(10.0F, random.uniform(-2, 2)));
 }
 
 }

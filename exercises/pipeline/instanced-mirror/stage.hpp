@@ -72,6 +72,7 @@ struct Scene {
     bool lake = false;  ///< with a horizon, below which there is water
     Look look = Look::all;
     int instances = 2;
+    float unit = 1;  ///< of length: how far near and far plane lie
 };
 
 /// The program with the case's vertex shader. Throws StudentError if it does not compile, link or fit.
@@ -123,7 +124,8 @@ inline Image draw(Recorder& out, const Scene& scene, const gl::Program& program,
     glEnable(GL_CLIP_DISTANCE0);
     const glm::mat4 view = glm::lookAt(scene.eye, scene.target, glm::vec3(0, 1, 0));
     const glm::mat4 projection =
-        glm::perspective(glm::radians(40.0F), static_cast<float>(width) / static_cast<float>(height), 0.5F, 60.0F);
+        glm::perspective(glm::radians(40.0F), static_cast<float>(width) / static_cast<float>(height), 0.5F * scene.unit,
+                         60 * scene.unit);
     if (scene.lake) paint_water(view, projection, 2 * width, 2 * height);
     program.set("view", view);
     program.set("projection", projection);
