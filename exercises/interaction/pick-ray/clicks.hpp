@@ -84,6 +84,26 @@ inline std::vector<Click> clicks_at_borders(Random& random, int count)
     return clicks;
 }
 
+/// `count` pairs a millionth to a ten-thousandth of a pixel beside borders, on large screens of all scales: before the
+/// border and behind it, between two pixels and at the window's four sides.
+inline std::vector<Click> clicks_beside_borders(Random& random, int count)
+{
+    std::vector<Click> clicks;
+    for (int i = 0; i < count; ++i) {
+        const glm::ivec2 framebuffer(random_between(4000, 16000, random), random_between(3000, 9000, random));
+        const glm::dvec2 scale(content_scales[random.below(static_cast<std::uint32_t>(content_scales.size()))]);
+        glm::dvec2 place = inside_of(random_pixel(framebuffer, random), random);
+        const int axis = i % 2;
+        const double hair = std::pow(10.0, -6 + 2 * random.uniform_double());
+        const int border = random_between(1, framebuffer[axis] - 1, random);
+        place[axis] = border + (random.below(2) == 0 ? hair : -hair);
+        const Click inside = click_at(place, framebuffer, scale);
+        place[axis] = i % 4 < 2 ? framebuffer[axis] + hair : -hair;
+        add_pair(clicks, inside, click_at(place, framebuffer, scale), random);
+    }
+    return clicks;
+}
+
 /// `count` pairs: the twin's window or framebuffer has no area, or its cursor is no place.
 inline std::vector<Click> clicks_without_a_window(Random& random, int count)
 {

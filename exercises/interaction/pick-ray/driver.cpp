@@ -31,6 +31,12 @@ void record_clicks(Recorder& out, const std::vector<Click>& clicks)
     }
 }
 
+void record_borders(Recorder& out, Random& random)
+{
+    record_clicks(out, clicks_at_borders(random, 48));
+    record_clicks(out, clicks_beside_borders(random, 32));
+}
+
 // The course's view, and others that a hand can work out: pictures of few pixels, cameras along the axes.
 void record_by_hand(Recorder& out)
 {
@@ -56,14 +62,21 @@ void record_random(Recorder& out, Random& random)
     }
 }
 
-// Pixels that a drag comes to outside of the window; and far beyond, where twice the pixel is no int any more.
+// Pixels that a drag comes to outside of the window; and far beyond, up to the largest int, where neither twice the
+// pixel is an int nor its distance from the picture's border.
 void record_outside(Recorder& out, Random& random)
 {
+    constexpr int most = std::numeric_limits<int>::max();
     for (int i = 0; i < 60; ++i) {
         const PickView view = random_pick_view(random);
         glm::ivec2 pixel = random_pixel(view.picture, random);
-        const int beyond = i % 3 == 2 ? random_between(1, (1 << 30) - 1000, random) : random_between(1, 1500, random);
-        pixel[i % 2] = i % 4 < 2 ? -beyond : view.picture[i % 2] - 1 + beyond;
+        const int near_by = random_between(1, 1500, random);
+        const int far_off = most - static_cast<int>(std::exp2(random.uniform(0, 30.99F)));
+        int& place = pixel[i % 2];
+        if (i % 3 == 2)
+            place = i % 4 < 2 ? -far_off : far_off;
+        else
+            place = i % 4 < 2 ? -near_by : view.picture[i % 2] - 1 + near_by;
         record_ray(out, view, pixel);
     }
 }
@@ -82,17 +95,18 @@ projections::ViewFrame axis_frame(Random& random)
 }
 
 // Narrow windows far off the middle, in pictures of up to 2^25 pixels across (tiles of a wall of screens), seen from
-// far from the world's origin.
+// far from the world's origin; near planes from 1e-9 to 1e6 away.
 void record_telescopes(Recorder& out, Random& random)
 {
     for (int i = 0; i < 200; ++i) {
         PickView view{axis_frame(random), {}, {}};
         view.frame.origin = std::exp2(random.uniform(10, 20)) * random.unit_vector();
-        const float near_plane = random.uniform(0.01F, 1);
+        const float near_plane = std::pow(10.0F, i % 2 == 0 ? random.uniform(-2, 0) : random.uniform(-9, 6));
         const float left = near_plane * random.uniform(-1.5F, 1.5F);
         const float bottom = near_plane * random.uniform(-1.5F, 1.5F);
         const float width = near_plane * std::exp2(random.uniform(-12, 0));
-        view.frustum = {left, left + width, bottom, bottom + 0.7F * width, near_plane, random.uniform(2, 1e6F)};
+        view.frustum = {
+            left, left + width, bottom, bottom + 0.7F * width, near_plane, near_plane * random.uniform(2, 1e6F)};
         view.picture.x = static_cast<int>(std::exp2(random.uniform(10, 25)));
         view.picture.y = static_cast<int>(std::exp2(random.uniform(10, 25)));
         record_ray(out, view, random_pixel(view.picture, random));
@@ -107,7 +121,7 @@ const Driver driver = {
     {"outside", [](Case& c, Recorder& out) { record_outside(out, c.random); }},
     {"telescopes", [](Case& c, Recorder& out) { record_telescopes(out, c.random); }},
     {"clicks", [](Case& c, Recorder& out) { record_clicks(out, random_clicks(c.random, 200)); }},
-    {"borders", [](Case& c, Recorder& out) { record_clicks(out, clicks_at_borders(c.random, 48)); }},
+    {"borders", [](Case& c, Recorder& out) { record_borders(out, c.random); }},
     {"no window", [](Case& c, Recorder& out) { record_clicks(out, clicks_without_a_window(c.random, 48)); }},
     {"picture", [](Case&, Recorder& out) { record_picture(out); }},
 };

@@ -36,8 +36,8 @@ struct PickView {
 ///
 /// `direction` is a unit vector. `t_min` and `t_max` are where the ray passes the near plane and the far plane: only
 /// what lies between them is seen, and can be picked.
-/// Guarantee of the reference, for pixels up to 2^30: the origin is the eye, each component of the direction is the
-/// exact one for the view's numbers within 6e-8, t_min and t_max within 1 ulp. Course: problem 4.3.
+/// Guarantee of the reference, for all pixels: the origin is the eye, each component of the direction is the exact one
+/// for the view's numbers within 6e-8, t_min and t_max within 1 ulp. Course: problem 4.3.
 [[nodiscard]] Ray pick_ray(const PickView& view, const glm::ivec2& pixel);
 
 }
