@@ -115,9 +115,19 @@ void record_state(Recorder& out, const Image& picture, const std::array<float, 3
     out.append("state", std::span<const float>(row));
 }
 
+// The colour that others left as the current value of attribute 1.
+void leave_black(Recorder& out)
+{
+    ask_in_words(out, [] { return "glVertexAttrib3f(1, 0, 0, 0);  // somebody else's"; });
+    glVertexAttrib3f(1, 0, 0, 0);
+}
+
+// In every second round the fill has the colour of the edges before it, although others have drawn in between. What
+// was made and never drawn leaves nothing behind.
 void state(Case& c, Recorder& out)
 {
     const Stage stage(32);
+    glm::vec3 last_edges(0);
     for (int round = 0; round < 12; ++round) {
         Piece piece = random_piece(c.random);
         piece.way = static_cast<Piece::Way>(round % 3);
@@ -126,7 +136,15 @@ void state(Case& c, Recorder& out)
         piece.corners = round < 3 ? 0 : piece.corners;
         glLineWidth(static_cast<float>(1 + c.random.below(6)));
         c.random.below(2) == 0 ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
+        if (round % 2 == 1) piece.fill = last_edges;
+        last_edges = piece.edges;
         stage.clear();
+        leave_black(out);
+        if (piece.way != Piece::Way::sent) {
+            auto unused = drawing_of(out, piece, "unused");
+            ask_in_words(out, [] { return "unused.reset();  // never drawn"; });
+            unused.reset();
+        }
         std::unique_ptr<OutlinedDrawing> drawing;
         if (piece.way == Piece::Way::sent)
             draw(out, piece);
@@ -138,22 +156,32 @@ void state(Case& c, Recorder& out)
     }
 }
 
-// Drawings that live at once, drawn in turn; the last ones when others have gone.
+// Drawings that live at once, drawn in turn; the last ones when others have gone. The two polygons, of 300 corners
+// each, come from one table that changes in its place; one of the wheels has 70,000 positions more than it needs.
 void several(Case&, Recorder& out)
 {
     const Stage stage(160);
     std::vector<Piece> pieces;
     std::vector<std::unique_ptr<OutlinedDrawing>> drawings;
+    std::vector<glm::vec2> table;
     for (int i = 0; i < 4; ++i) {
         const float side = i % 2 == 0 ? -0.45F : 0.45F;
         pieces.push_back({i < 2 ? Piece::Way::polygon : Piece::Way::triangles,
-                          3 + 2 * i,
+                          i < 2 ? 300 : 3 + 2 * i,
                           {side, i < 2 ? 0.45F : -0.45F},
                           0.4F,
                           0,
                           rainbow(0.23F * static_cast<float>(i), 0.8F, 0.7F),
-                          {1, 1, 1}});
-        drawings.push_back(drawing_of(out, pieces.back(), "drawing" + std::to_string(i)));
+                          {1, 1, 1},
+                          i == 3 ? 70'000 : 0});
+        const std::string name = "drawing" + std::to_string(i);
+        const std::vector<glm::vec2> corners = corners_of(pieces.back());
+        if (i < 2) {
+            table = corners;  // copied into the memory that it has
+            drawings.push_back(ask_new<make_outlined_polygon>(out, name, table));
+        } else {
+            drawings.push_back(drawing_of(out, pieces.back(), name));
+        }
     }
     const auto show = [&](std::size_t i) {
         if (drawings[i]) ask<&OutlinedDrawing::draw>(out, *drawings[i], pieces[i].fill, pieces[i].edges);

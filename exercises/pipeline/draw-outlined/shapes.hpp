@@ -22,6 +22,7 @@ struct Piece {
     float turn = 0;
     glm::vec3 fill{1};
     glm::vec3 edges{0};
+    int unused = 0;  ///< of triangles: so many positions come first that no triangle has
 };
 
 inline std::vector<glm::vec2> corners_of(const Piece& piece)
@@ -35,23 +36,33 @@ inline std::vector<glm::vec2> corners_of(const Piece& piece)
     return corners;
 }
 
+/// The triangles' table of indices: every second triangle first, each begun at another of its corners, and every third
+/// clockwise: no order to rely on. The centre comes last.
+inline std::vector<std::uint32_t> indices_of(const Piece& piece)
+{
+    std::vector<std::uint32_t> indices;
+    const auto first = static_cast<std::uint32_t>(piece.unused);
+    const auto n = static_cast<std::uint32_t>(piece.corners);
+    for (const std::uint32_t parity : {0U, 1U})
+        for (std::uint32_t i = parity; i < n; i += 2) {
+            std::array<std::uint32_t, 3> triangle = {first + i, first + (i + 1) % n, first + n};
+            std::rotate(triangle.begin(), triangle.begin() + (i / 2) % 3, triangle.end());
+            if (i % 3 == 1) std::swap(triangle[0], triangle[1]);
+            indices.insert(indices.end(), triangle.begin(), triangle.end());
+        }
+    return indices;
+}
+
 /// The factory's drawing; nothing for what is sent. A piece of no corners has empty tables. The tables go before the
 /// drawing is used.
 inline std::unique_ptr<OutlinedDrawing> drawing_of(Recorder& out, const Piece& piece, std::string_view name = "drawing")
 {
-    std::vector<glm::vec2> positions = corners_of(piece);
-    if (piece.way == Piece::Way::polygon) return ask_new<make_outlined_polygon>(out, name, positions);
-    std::vector<std::uint32_t> indices;
-    const auto n = static_cast<std::uint32_t>(piece.corners);
-    if (n > 0) positions.push_back(piece.centre);
-    // Every second triangle first, each begun at another of its corners: no order to rely on.
-    for (const std::uint32_t parity : {0U, 1U})
-        for (std::uint32_t i = parity; i < n; i += 2) {
-            std::array<std::uint32_t, 3> triangle = {i, (i + 1) % n, n};
-            std::rotate(triangle.begin(), triangle.begin() + (i / 2) % 3, triangle.end());
-            indices.insert(indices.end(), triangle.begin(), triangle.end());
-        }
-    return ask_new<make_outlined_triangles>(out, name, positions, indices);
+    const std::vector<glm::vec2> corners = corners_of(piece);
+    if (piece.way == Piece::Way::polygon) return ask_new<make_outlined_polygon>(out, name, corners);
+    std::vector<glm::vec2> positions(static_cast<std::size_t>(piece.unused), glm::vec2(0.9F));
+    positions.insert(positions.end(), corners.begin(), corners.end());
+    if (piece.corners > 0) positions.push_back(piece.centre);
+    return ask_new<make_outlined_triangles>(out, name, positions, indices_of(piece));
 }
 
 inline void draw(Recorder& out, const Piece& piece)
@@ -92,6 +103,7 @@ inline Piece random_piece(Random& random)
     piece.turn = random.uniform(0, 6.28F);
     piece.fill = rainbow(random.uniform(), 0.8F, 0.8F);
     piece.edges = rainbow(random.uniform(), 0.25F, 1);
+    if (random.below(4) == 0) piece.unused = 70'000;
     return piece;
 }
 
