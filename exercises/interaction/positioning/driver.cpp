@@ -1,3 +1,4 @@
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/record/ask.hpp>
@@ -30,7 +31,7 @@ void record_pixel(Recorder& out, glm::dvec2 cursor, glm::ivec2 window, glm::ivec
 }
 
 /// Windows with 1, 1.5, 2 and 0.5 pixels for each coordinate, in both directions alike or not; inside, at borders and
-/// outside; and minimised ones.
+/// outside, and a hair beside the borders of large ones; and minimised ones.
 void record_pixels(Recorder& out, Random& random)
 {
     for (const glm::dvec2& cursor :
@@ -42,6 +43,17 @@ void record_pixels(Recorder& out, Random& random)
         const glm::ivec2 framebuffer(window.x / 2 * between(1, 4, random), window.y / 2 * between(1, 4, random));
         const double x = between(-100, 140 * 64, random) / 64.0 - 9;
         record_pixel(out, {x, between(-100, 140 * 64, random) / 64.0 - 20}, window, framebuffer);
+    }
+    for (int i = 0; i < 30; ++i) {
+        const glm::ivec2 window(between(2000, 6000, random), between(2000, 6000, random));
+        const glm::ivec2 framebuffer(between(2000, 9000, random), between(2000, 9000, random));
+        const auto beside_border = [&](int pixels) {
+            const double hair = std::pow(10.0, between(-6.0, -4.0, random));
+            return between(1 - pixels, 2 * pixels, random) + (random.below(2) == 0 ? hair : -hair);
+        };
+        const double x = beside_border(framebuffer.x);
+        const glm::dvec2 place(x, beside_border(framebuffer.y));
+        record_pixel(out, place * glm::dvec2(window) / glm::dvec2(framebuffer), window, framebuffer);
     }
     // Minimised: any of the four sizes is 0, at least one.
     for (int zeros = 1; zeros < 16; ++zeros) {
@@ -157,10 +169,20 @@ void record_planes(Recorder& out)
     for (const SnapCamera& camera : {wide, flat})
         for (const SnapPlane& plane : planes)
             for (const glm::ivec2& pixel : {glm::ivec2(0, 3), {3, 1}, {2, 2}}) record_point(out, camera, pixel, plane);
+    // Planes that lean by less than a millionth away from the rays of these pixels, which are (1, -1, -4) / 4 and
+    // (3, 1, -4) / 4 for the first camera and -z for the second one, and by more than what is parallel. They are met a
+    // few steps ahead.
+    for (const double lean : {0x1p-26, -0x1p-23}) {
+        record_point(out, wide, {2, 2}, {{1, 1, lean}, 2 - 8 * lean});
+        record_point(out, wide, {3, 1}, {{1, -3, lean}, -6 - 5 * lean});
+        record_point(out, flat, {2, 2}, {{1, 2, lean}, 4 - 6 * lean});
+        record_point(out, flat, {1, 0}, {{-3, 1, lean}, 6.5 - 3 * lean});
+    }
 }
 
 /// Pairs in random order: a plane through a point in front of a pixel, and the same one behind it, or one along the ray
-/// where the camera sees what is behind too. Half of the worlds are of another size, down to a millionth.
+/// where the camera sees what is behind too. One point in four is nearer than the near plane, or beyond the far one.
+/// Half of the worlds are of another size, down to a millionth.
 void record_random_planes(Recorder& out, Random& random)
 {
     for (int i = 0; i < 200; ++i) {
@@ -181,7 +203,9 @@ void record_random_planes(Recorder& out, Random& random)
         const bool sees_behind = camera.projection[3][3] == 1;
         const double distance = between(0.5, 12.0, random);
         const double behind_or_beyond = sees_behind ? -distance : 20 * distance;
-        const glm::dvec3 seen = nearest + (i % 4 < 2 ? distance : behind_or_beyond) * glm::normalize(ahead);
+        glm::dvec3 seen = nearest + (i % 4 < 2 ? distance : behind_or_beyond) * glm::normalize(ahead);
+        const glm::dvec3 eye(glm::inverse(glm::dmat4(camera.view))[3]);
+        if (i % 4 == 3 && !sees_behind) seen = glm::mix(eye, nearest, between(0.3, 0.9, random));
         const glm::dvec3 unseen = nearest - (5 + 3 * distance) * glm::normalize(ahead);
         const bool first = random.below(2) == 0;
         for (const bool hit : {first, !first}) {

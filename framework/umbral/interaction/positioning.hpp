@@ -41,7 +41,7 @@ enum class LinkedView {
 [[nodiscard]] glm::dvec2 pixel_in_world(glm::ivec2 pixel, const ViewLimits& limits, glm::ivec2 viewport_size);
 
 /// The point of a plane that is seen at the centre of a pixel, through a camera with these matrices (invertible,
-/// perspective or orthographic, as OpenGL's).
+/// perspective or orthographic, as OpenGL's, with a finite far plane).
 ///
 /// std::nullopt if there is none: the ray runs along the plane (within 1e-9 rad), or the point is not in front of the
 /// observer, which is where the clip coordinate w is positive. Near and far plane cut nothing off, and an orthographic
