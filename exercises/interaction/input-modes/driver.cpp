@@ -49,13 +49,13 @@ void record_queue_text(Recorder& out, const char* text, double step, int at_a_ti
     record_queue(out, input::parse_script(text), step, at_a_time);
 }
 
-/// The button was pressed, and the cursor moved, before anybody listened.
+/// Buttons were pressed, and the cursor left the window, before anybody listened.
 void record_late_beginning(Recorder& out)
 {
     name_events(out, "events");
-    InputTrial trial(out,
-                     input::parse_script("0.1 move 200 100\n0.2 press right\n0.25 press 6\n0.3 press middle 210 90\n"
-                                         "0.5 move 220 85\n0.6 press left\n0.7 release right\n0.8 scroll 1 0\n"));
+    InputTrial trial(
+        out, input::parse_script("0.1 move 200 100\n0.2 press right\n0.25 press 6\n0.3 press middle -210.5 -90.25\n"
+                                 "0.5 move 220 85\n0.6 press left\n0.7 release right\n0.8 scroll 1 0\n"));
     trial.pass(0.4);
     trial.install();
     trial.pass(0.75);
@@ -115,6 +115,7 @@ void record_closing(Recorder& out)
         {"0.1 close\n0.1 scroll 0 1\n0.2 scroll 0 2\n", scrolled, scrolled},
         {"0.1 close\n0.4 key C press\n", key_pressed, key_released},
         {"0.1 key D press\n0.3 move 9 9\n", key_released, cursor_moved},
+        {"0.1 close\n0.2 press left\n0.3 release left\n0.4 press left\n", button_released, button_pressed},
     };
     int number = 0;
     for (const auto& [script, first, second] : sessions) {
@@ -123,6 +124,18 @@ void record_closing(Recorder& out)
         const bool works_first = std::string_view(script).starts_with("0.1 close\n0.4");
         if (works_first) trial.work();
         if (trial.request(first)) trial.request(second);
+    }
+    // A program that asks whether to save, and goes on: what came after a request that had no answer answers no later
+    // one.
+    InputTrial trial(out,
+                     input::parse_script("0.1 close\n0.2 press left 30 40\n0.3 release left\n0.4 key E press\n"
+                                         "0.6 press right 50 60\n0.7 scroll 0 1\n0.8 key E release\n0.9 close\n"),
+                     ++number);
+    trial.install();
+    for (const InputKind kind : {button_pressed, button_pressed, key_released, scrolled}) {
+        if (!trial.request(kind)) return;
+        trial.go_on();
+        if (kind == button_pressed) trial.pass(0.5);
     }
 }
 
@@ -199,6 +212,8 @@ void record_random_queue(Recorder& out, Random& random)
     int session = 0;
     for (const int at_a_time : {2, 5, all_events})
         record_queue(out, input::random_script(random, {.gestures = 25}), 0.21, at_a_time, ++session);
+    // A program that is busy all the time: hundreds of events wait for it.
+    record_queue(out, input::random_script(random, {.gestures = 80}), 0.21, 0, ++session);
 }
 
 }

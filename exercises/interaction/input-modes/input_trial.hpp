@@ -77,6 +77,8 @@ public:
     {
         while (glfwGetTime() < time) glfwWaitEventsTimeout(time - glfwGetTime());
     }
+    /// The program that was asked to close does not.
+    void go_on() const { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
     /// Works for a quarter of a second, in which GLFW delivers none.
     void work() const { glfwSwapBuffers(window_); }
 
