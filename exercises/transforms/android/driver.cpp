@@ -92,7 +92,7 @@ void record_at_rest(Recorder& out, Random& random)
     for (int i = 0; i < 2; ++i) record(out, *android, somewhere(random), "order");
 }
 
-// One joint at a time, and back to rest: what else moves with it?
+// One joint at a time, by much, by little, and back to rest: what else moves with it?
 void record_joints(Recorder& out)
 {
     record_names(out);
@@ -105,11 +105,18 @@ void record_joints(Recorder& out)
         [](Recorder& o, Android& a, double angle) { ask<&Android::set_right_arm>(o, a, angle); },
         [](Recorder& o, Android& a, double angle) { ask<&Android::set_head>(o, a, angle); }};
     for (Set* const set : setters) {
-        for (const double angle : {0.5, -1.25, 0.0}) {
+        for (const double angle : {0.5, 0.5004, -1.25, 0.0}) {
             set(out, *android, angle);
             record(out, *android, start);
         }
     }
+}
+
+double not_finite(Random& random)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const std::array values{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
+    return values[random.below(3)];
 }
 
 void record_poses(Recorder& out, Random& random)
@@ -121,8 +128,9 @@ void record_poses(Recorder& out, Random& random)
     if (!android) return;
     for (int i = 0; i < 12; ++i) {
         pose(out, *android, random, 3.1);
-        if (i % 3 == 0) ask<&Android::set_head>(out, *android, std::numeric_limits<double>::quiet_NaN());
-        if (i % 4 == 1) ask<&Android::set_left_arm>(out, *android, std::numeric_limits<double>::infinity());
+        if (random.below(3) == 0) ask<&Android::set_left_arm>(out, *android, not_finite(random));
+        if (random.below(3) == 0) ask<&Android::set_right_arm>(out, *android, not_finite(random));
+        if (random.below(3) == 0) ask<&Android::set_head>(out, *android, not_finite(random));
         record(out, *android, somewhere(random), nullptr, "state");
     }
 }
@@ -140,7 +148,7 @@ void record_two(Recorder& out, Random& random)
     }
 }
 
-// Three angles that are set a hundred thousand times each, in small steps round and round.
+// Three angles that are set a hundred thousand times each, in small steps round and round; then ever larger ones.
 void record_long_dance(Recorder& out, Random& random)
 {
     record_names(out);
@@ -153,6 +161,10 @@ void record_long_dance(Recorder& out, Random& random)
         ask<&Android::set_right_arm>(out, *android, angles[1]);
         ask<&Android::set_head>(out, *android, angles[2]);
         if (step % 20'000 == 0) record(out, *android, {});
+    }
+    for (const double reach : {1e5, 1e7, 1e9, 5e10}) {
+        pose(out, *android, random, reach);
+        record(out, *android, {});
     }
 }
 
