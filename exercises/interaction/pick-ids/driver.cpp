@@ -81,6 +81,14 @@ void record_nearest(Recorder& out, Random& random)
             const int column = random_up_to(side, random);
             ids.at(column, random_up_to(side, random)) = random_id(random);
         }
+        // Nothing but in the corners.
+        if (i % 32 == 17) {
+            ids = Grid<std::uint32_t>(side, side);
+            for (int k = 0; k < 2; ++k) {
+                const int column = (side - 1) * random_up_to(2, random);
+                ids.at(column, (side - 1) * random_up_to(2, random)) = random_id(random);
+            }
+        }
         record(ids);
     }
 }
@@ -116,6 +124,11 @@ void record_random(Recorder& out, Random& random)
         const Made picker = ask_new<make_id_picker>(out, "picker");
         record_scene(out, random, picker, made, 12, i % 3);
     }
+    for (int i = 0; i < 12; ++i) {
+        const RandomScene made = layered_scene(random);
+        const Made picker = ask_new<make_id_picker>(out, "picker");
+        record_scene(out, random, picker, made, 6, 1);
+    }
 }
 
 // Squares that leave the picture at its sides and corners, and some that lie outside.
@@ -126,7 +139,7 @@ void record_borders(Recorder& out, Random& random)
         // A wall behind all, so that every pixel of the picture has an id.
         const glm::mat4 wall =
             glm::scale(glm::translate(glm::inverse(made.scene.view), {0, 0, -38}), glm::vec3(60, 60, 1));
-        made.scene.things.insert(made.scene.things.begin(), {2, wall, random_id(random)});
+        made.scene.things.insert(made.scene.things.begin(), {made.square, wall, random_id(random)});
         const Made picker = ask_new<make_id_picker>(out, "picker");
         const EdgesInPicture edges(made.scene, made.picture);
         const glm::ivec2 last = made.picture - 1;
@@ -164,7 +177,7 @@ void record_any_state(Recorder& out, Random& random)
         others.disturb(random);
         glm::ivec2 pixel = made.picture / 2;
         for (const PickThing& thing : made.scene.things)
-            if (thing.id != 0 && thing.mesh != 3)
+            if (thing.id != 0 && !is_empty(made.scene, thing))
                 pixel = pixel_of_point(made.scene, made.picture, glm::vec3(thing.model[3]));
         const Grid<std::uint32_t> ids = ids_of(out, picker, made.scene, made.picture, pixel, 1);
         std::vector<float> row = state_row();
@@ -175,16 +188,27 @@ void record_any_state(Recorder& out, Random& random)
     }
 }
 
+/// How often a picker that comes and goes without being asked anything calls OpenGL.
+double calls_without_use(Recorder& out)
+{
+    gl::begin_trace();
+    (void)ask_new<make_id_picker>(out, "idle");
+    double calls = 0;
+    for (const auto& [name, count] : gl::end_trace().counts) calls += static_cast<double>(count);
+    return calls;
+}
+
 // Objects of OpenGL: none before they are needed, none at a second call, none left at the end.
 void record_life(Recorder& out, Random& random)
 {
     PickScene scene = squares_by_hand();
-    out.columns("objects", "those that are left when the picker has gone, id seen");
+    out.columns("objects", "those that are left when the picker has gone, id seen, calls by a picker without use");
     // A deleted program lives on while it is in use.
     glUseProgram(0);
     for (int i = 0; i < 4; ++i) {
         // That of the square at the picture's lower right.
         scene.things[2].id = random_id(random);
+        const double idle_calls = calls_without_use(out);
         const int before = living_objects();
         Made picker = ask_new<make_id_picker>(out, "picker");
         const int unused = living_objects() - before;
@@ -198,20 +222,20 @@ void record_life(Recorder& out, Random& random)
         (void)ids_of(out, picker, scene, {i % 2 == 0 ? 1 : 13, 11}, {0, 3}, 1);
         picker.reset();
         const int left = living_objects() - before;
-        out.append("objects",
-                   glm::vec2(unused + left, ids.width == 1 && ids.height == 1 ? static_cast<float>(ids.at(0, 0)) : 0));
+        const bool is_one = ids.width == 1 && ids.height == 1;
+        out.append("objects", glm::vec3(unused + left, is_one ? static_cast<float>(ids.at(0, 0)) : 0, idle_calls));
     }
 }
 
-// Three pickers by turns, each with pictures of several sizes; one of them goes.
+// Three pickers by turns, each with pictures of several sizes; one of them goes. Then others for two pictures each: the
+// second is higher or wider, or has the sides exchanged.
 void record_several(Recorder& out, Random& random)
 {
     std::array<Made, 3> pickers;
     std::array<RandomScene, 3> scenes;
     for (std::size_t i = 0; i < pickers.size(); ++i) {
         pickers[i] = ask_new<make_id_picker>(out, "picker" + std::to_string(i));
-        // The second picture is as wide as the first one, and of another height.
-        scenes[i] = random_scene(random, i == 1 ? scenes[0].picture.x : 0);
+        scenes[i] = random_scene(random);
     }
     for (int i = 0; i < 24; ++i) {
         const auto which = static_cast<std::size_t>(random_up_to(i < 14 ? 3 : 2, random));
@@ -219,9 +243,13 @@ void record_several(Recorder& out, Random& random)
         const auto scene = static_cast<std::size_t>(random_up_to(3, random));
         record_scene(out, random, pickers[which], scenes[scene], 1, 1);
     }
-    const bool second_is_higher = scenes[1].picture.y > scenes[0].picture.y;
-    record_scene(out, random, pickers[0], scenes[second_is_higher ? 0 : 1], 1, 1);
-    record_scene(out, random, pickers[0], scenes[second_is_higher ? 1 : 0], 8, 1);
+    const int width = 60 + random_up_to(40, random);
+    const glm::ivec2 size(width, 30 + random_up_to(20, random));
+    for (const glm::ivec2& second : {glm::ivec2(size.x, 2 * size.y), {2 * size.x, size.y}, {size.y, size.x}}) {
+        const Made picker = ask_new<make_id_picker>(out, "picker");
+        record_scene(out, random, picker, random_scene(random, size), 1, 1);
+        record_scene(out, random, picker, random_scene(random, second), 8, 1);
+    }
 }
 
 void record_picture(Recorder& out)

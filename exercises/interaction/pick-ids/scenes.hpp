@@ -35,7 +35,13 @@ struct RandomScene {
     PickScene scene;
     glm::ivec2 picture;
     std::vector<glm::ivec2> targets;  ///< the pixel of each thing's middle, as far as it can be picked
+    std::size_t square = 0;           ///< the place of the square among the meshes
 };
+
+inline bool is_empty(const PickScene& scene, const PickThing& thing)
+{
+    return scene.meshes[thing.mesh].indices.empty();
+}
 
 /// The pixel that a point appears in.
 inline glm::ivec2 pixel_of_point(const PickScene& scene, const glm::ivec2& picture, const glm::vec3& point)
@@ -45,20 +51,43 @@ inline glm::ivec2 pixel_of_point(const PickScene& scene, const glm::ivec2& pictu
     return glm::ivec2(glm::floor(share * glm::dvec2(picture)));
 }
 
-/// Things one behind the other, in random order, some of which cannot be picked; a camera anywhere, and a frustum off
-/// the middle. All lie between the near plane and the far one. The picture is `width` wide, if that is given.
-inline RandomScene random_scene(Random& random, int width = 0)
+/// Few meshes in random order, and a camera anywhere with a frustum off the middle; its near plane is 1 away and its
+/// far plane 40. The picture has this size, if one is given.
+inline RandomScene empty_scene(Random& random, const glm::ivec2& size)
 {
     RandomScene made;
     PickScene& scene = made.scene;
-    scene.meshes = few_triangles();
+    const std::vector<PickMesh> meshes = few_triangles();
+    const auto first = static_cast<std::size_t>(random_up_to(4, random));
+    for (std::size_t i = 0; i < meshes.size(); ++i) scene.meshes.push_back(meshes[(first + i) % 4]);
+    made.square = (2 + 4 - first) % 4;
     scene.view = glm::rotate(glm::translate(glm::mat4(1), 3.0F * random.in_cube()), random.uniform(0, shapes::turn),
                              random.unit_vector());
     const float aside = random.uniform(-0.1F, 0.1F);
     scene.projection = glm::frustum(-0.5F + aside, 0.5F + aside, -0.4F, 0.5F, 1.0F, 40.0F);
-    const int any_width = 40 + random_up_to(120, random);
-    made.picture.x = width > 0 ? width : any_width;
-    made.picture.y = 30 + random_up_to(90, random);
+    const int width = 40 + random_up_to(120, random);
+    const glm::ivec2 any_size(width, 30 + random_up_to(90, random));
+    made.picture = size.x > 0 ? size : any_size;
+    return made;
+}
+
+/// The things in random order, and where they are aimed at.
+inline void finish_scene(RandomScene& made, Random& random)
+{
+    PickScene& scene = made.scene;
+    for (std::size_t i = scene.things.size() - 1; i > 0; --i)
+        std::swap(scene.things[i], scene.things[static_cast<std::size_t>(random_up_to(static_cast<int>(i), random))]);
+    for (const PickThing& thing : scene.things)
+        if (!is_empty(scene, thing))
+            made.targets.push_back(pixel_of_point(scene, made.picture, glm::vec3(thing.model[3])));
+}
+
+/// Things one behind the other, in random order, some of which cannot be picked, and some of which are empty. All lie
+/// between the near plane and the far one.
+inline RandomScene random_scene(Random& random, const glm::ivec2& size = glm::ivec2(0))
+{
+    RandomScene made = empty_scene(random, size);
+    PickScene& scene = made.scene;
     const glm::mat4 to_world = glm::inverse(scene.view);
     for (int i = 0; i < 11; ++i) {
         // So far apart that none reaches into the next, and so near in direction that many hide others.
@@ -67,13 +96,33 @@ inline RandomScene random_scene(Random& random, int width = 0)
         const glm::vec3 place(right, depth * random.uniform(-0.14F, 0.18F), -depth);
         glm::mat4 model = glm::rotate(glm::translate(to_world, place), random.uniform(0, 6), random.unit_vector());
         model = glm::scale(model, depth * random.uniform(0.04F, 0.065F) * glm::vec3(1, random.uniform(0.6F, 1), 1));
-        const auto mesh = static_cast<std::size_t>(i == 5 ? 3 : random_up_to(3, random));
-        scene.things.push_back({mesh, model, i % 4 == 1 ? 0 : random_id(random)});
+        // The empty mesh comes behind the square.
+        const auto kind = static_cast<std::size_t>(i > 4 && i < 7 ? 1 : 2 + random_up_to(3, random));
+        scene.things.push_back({(made.square + kind) % 4, model, i % 4 == 1 ? 0 : random_id(random)});
     }
-    for (std::size_t i = scene.things.size() - 1; i > 0; --i)
-        std::swap(scene.things[i], scene.things[static_cast<std::size_t>(random_up_to(static_cast<int>(i), random))]);
-    for (const PickThing& thing : scene.things)
-        if (thing.mesh != 3) made.targets.push_back(pixel_of_point(scene, made.picture, glm::vec3(thing.model[3])));
+    finish_scene(made, random);
+    return made;
+}
+
+/// Squares across the camera's view, like stairs: each covers all but a strip of the one behind it, and 2^-17 of the
+/// depth's range lies between two. Of every second one the back is seen.
+inline RandomScene layered_scene(Random& random)
+{
+    RandomScene made = empty_scene(random, glm::ivec2(0));
+    const glm::mat4 to_world = glm::inverse(made.scene.view);
+    const double first = random.uniform(0.3F, 0.95F);
+    const float angle = random.uniform(0, shapes::turn);
+    const glm::vec2 step = 0.06F * glm::vec2(std::cos(angle), std::sin(angle));
+    for (int i = 0; i < 9; ++i) {
+        const double window_depth = first + i * 0x1p-17;
+        const auto depth = static_cast<float>(1 / (1 - window_depth * (1 - 1 / 40.0)));
+        const glm::vec2 middle = static_cast<float>(i - 4) * step;
+        const glm::vec3 place(depth * middle.x, depth * (0.05F + middle.y), -depth);
+        const glm::vec3 half = 0.15F * depth * glm::vec3(i % 2 == 0 ? 1 : -1, 1, 1);
+        const glm::mat4 model = glm::scale(glm::translate(to_world, place), half);
+        made.scene.things.push_back({made.square, model, random_id(random)});
+    }
+    finish_scene(made, random);
     return made;
 }
 

@@ -52,7 +52,8 @@ public:
     virtual ~IdPicker() = default;
 
     /// The ids of the pixels in a square of 2 radius + 1 pixels a side round `pixel`: each is that of the nearest thing
-    /// at the pixel's centre, and 0 where there is none, or where the square leaves the picture.
+    /// at the pixel's centre, and 0 where there is none, or where the square leaves the picture. Of two things whose
+    /// depths there differ by less than 2^-17 of OpenGL's range it may be either.
     ///
     /// `picture` is the size of the picture of which the scene fills the whole, both sides > 0; it may differ from call
     /// to call. `pixel` is a column from the left and a row from the **top**, and may lie outside of the picture;
