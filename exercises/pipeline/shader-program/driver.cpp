@@ -39,9 +39,11 @@ void record_answer(Recorder& out, const ShaderTexts& texts)
 // Between them programs that are right, so that who always throws is wrong as well.
 void errors(Case&, Recorder& out)
 {
+    std::size_t next = 0;
+    const std::vector<ShaderTexts> right = right_texts();
     for (const ShaderTexts& texts : failing_texts()) {
         record_answer(out, texts);
-        const auto [step, size, sum] = answer_to(out, uniforms_of_all_types());
+        const auto [step, size, sum] = answer_to(out, right[next++ % right.size()]);
         out.append("step", step);
     }
 }
@@ -75,8 +77,8 @@ std::vector<float> values_of(GLuint program)
     std::vector<float> row;
     append_values<1>(row, program, "whole");
     append_values<1>(row, program, "number");
-    append_values<3>(row, program, "vector3");
-    append_values<4>(row, program, "vector4");
+    append_values<3>(row, program, "vectors[1]");
+    append_values<4>(row, program, "lamp.vector4");
     append_values<9>(row, program, "matrix3");
     append_values<16>(row, program, "matrix4");
     return row;
@@ -120,7 +122,7 @@ std::vector<float> set_all(Recorder& out, ShaderProgram& program, Random& random
     glm::mat4 matrix(0);
     for (int i = 0; i < 4; ++i) matrix[i] = glm::vec4(random.in_cube(), random.uniform());
     const glm::vec3 vector = random.in_cube();
-    const int whole = static_cast<int>(random.below(100)) + 1;
+    const int whole = static_cast<int>(random.below(2'000'000)) - 1'000'000;
     const float number = random.uniform(1, 2);
     std::vector<float> returned;
     const auto set = [&](const char* name, const auto& value) {
@@ -131,27 +133,43 @@ std::vector<float> set_all(Recorder& out, ShaderProgram& program, Random& random
     };
     set("whole", whole);
     set("number", number);
-    set("vector3", vector);
-    set("vector4", glm::vec4(vector, number));
+    set("vectors[1]", vector);
+    set("lamp.vector4", glm::vec4(vector, number));
     set("matrix3", glm::mat3(matrix));
     set("matrix4", matrix);
     return returned;
 }
 
-// Three programs of the same texts; one is set while another, or none, is in use.
+/// Another program that comes and goes, or fails: the one in use stays in use.
+void come_and_go(Recorder& out, Random& random, Round& round)
+{
+    const std::uint32_t what = random.below(3);
+    if (what == 1) {
+        const Program other = ask<make_shader_program>(out, uniforms_elsewhere());
+        round.lines += "make_shader_program(...).reset();\n";
+    }
+    if (what == 2) {
+        const std::vector<ShaderTexts> failing = failing_texts();
+        (void)answer_to(out, failing[random.below(static_cast<std::uint32_t>(failing.size()))]);
+        round.lines += "make_shader_program(...);  // fails\n";
+    }
+}
+
+// Three programs, two of them of the same texts; one is set while another, or none, is in use.
 void uniforms(Case& c, Recorder& out)
 {
     std::array<Program, 3> programs;
     std::array<GLuint, 3> names{};
     for (std::size_t i = 0; i < programs.size(); ++i) {
-        programs[i] = ask_new<make_shader_program>(out, "program" + std::to_string(i), uniforms_of_all_types());
+        programs[i] = ask_new<make_shader_program>(out, "program" + std::to_string(i),
+                                                   i == 1 ? uniforms_elsewhere() : uniforms_of_all_types());
         if (!programs[i]) return;
         ask<&ShaderProgram::use>(out, *programs[i]);
         names[i] = in_use();
     }
-    out.columns("returned", "whole, number, vector3, vector4, matrix3, matrix4");
+    out.columns("returned", "whole, number, vectors[1], lamp.vector4, matrix3, matrix4");
     out.columns("state", "round or glGetError, program in use");
-    out.columns("values", "whole, number, vector3/3, vector4/4, matrix3/9, matrix4/16");
+    out.columns("values", "whole, number, vectors[1]/3, lamp.vector4/4, matrix3/9, matrix4/16");
     for (int round = 0; round < 12; ++round) {
         const std::uint32_t chosen = c.random.below(3);
         const std::uint32_t active = (chosen + 1 + c.random.below(3)) % 4;
@@ -161,8 +179,10 @@ void uniforms(Case& c, Recorder& out)
             glUseProgram(0);
         Round told{active < 3 ? "program" + std::to_string(active) + "->use();\n" : "glUseProgram(0);\n",
                    "program" + std::to_string(chosen)};
+        come_and_go(out, c.random, told);
         const std::vector<float> returned = set_all(out, *programs[chosen], c.random, told);
-        ask_in_words(out, [&] { return "// three programs of the same texts live\n" + told.lines; });
+        ask_in_words(out,
+                     [&] { return "// three programs live: the first and the last of the same texts\n" + told.lines; });
         out.append("returned", std::span<const float>(returned));
         std::vector<float> state = {static_cast<float>(round), place_of(in_use(), names)};
         for (int i = 0; i < 16; ++i)  // bounded: each kind of error is noted once
@@ -231,7 +251,7 @@ void pictures(Case&, Recorder& out)
                                {seen(0.3F), lamp, true, true, false},
                                {seen(0.3F), lamp, true, false, true}},
                               352));
-    out.image("smooth", lit({{seen(1.1F), lamp, true, false, false}}, 160));
+    out.image("smooth", lit({{seen(1.1F), lamp, true, false, false, true}}, 160));
     out.image("stretched", lit({{seen(0.5F, {1.25F, 0.62F, 1}), lamp, true, false, false}}, 160));
 }
 
@@ -246,6 +266,7 @@ void random(Case& c, Recorder& out)
         shot.lighting = true;
         shot.textured = c.random.below(2) == 0;
         shot.flat = c.random.below(2) == 0;
+        shot.cut = c.random.below(2) == 0;
         ask_shots(out, "lit_shaders()", {shot});
         out.image(name, draw({shot}, lit_shaders(), lit_interface(), 160));
     }

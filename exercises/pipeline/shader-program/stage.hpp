@@ -97,6 +97,7 @@ struct Shot {
     bool lighting = false;
     bool flat = false;
     bool textured = false;
+    bool cut = false;  ///< along the tube, so that its inside shows
 };
 
 /// What is drawn next: the texts, and the uniforms that change from shot to shot.
@@ -105,7 +106,8 @@ inline void ask_shots(Recorder& out, std::string_view texts, const std::vector<S
     ask_in_words(out, [&] {
         std::string text = "// a knot, drawn with " + std::string(texts);
         for (const Shot& shot : shots)
-            text += "\nmodelview = " + literal::of_value(shot.modelview, true, {}) +
+            text += std::string(shot.cut ? "\n// cut open along its tube" : "") +
+                    "\nmodelview = " + literal::of_value(shot.modelview, true, {}) +
                     "\n    light = " + literal::of_value(shot.light, true, {}) +
                     ", lighting = " + (shot.lighting ? "1" : "0") + ", flat_shading = " + (shot.flat ? "1" : "0") +
                     ", textured = " + (shot.textured ? "1" : "0");
@@ -134,14 +136,19 @@ inline Image draw(const std::vector<Shot>& shots, const ShaderTexts& texts, cons
     const gl::Program program({"your vertex shader", texts.vertex}, {"your fragment shader", texts.fragment});
     program.require_interface(interface);
     const Tile tile(2);
-    const AttributeMesh knot = painted(shapes::trefoil(72, 12, 0.3F), 72, {24, 4}, program);
+    constexpr int along = 72;
+    constexpr int around = 12;
+    shapes::Shape shape = shapes::trefoil(along, around, 0.3F);
+    const AttributeMesh whole = painted(shape, along, {24, 4}, program);
+    shape.indices.resize(shape.indices.size() / around * 7);  // row by row
+    const AttributeMesh open = painted(shape, along, {24, 4}, program);
     glEnable(GL_DEPTH_TEST);
     program.set("projection", glm::perspective(glm::radians(32.0F), 1.0F, 1.0F, 20.0F));
     const int part = shots.size() > 1 ? size : 2 * size;
     for (std::size_t i = 0; i < shots.size(); ++i) {
         const int k = static_cast<int>(i);
         glViewport(part * (k % 2), 2 * size - part * (1 + k / 2), part, part);
-        draw(shots[i], knot, program);
+        draw(shots[i], shots[i].cut ? open : whole, program);
     }
     return frame.picture();
 }

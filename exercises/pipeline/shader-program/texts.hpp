@@ -7,29 +7,72 @@
 /// Shaders that the drivers hand to the student's class.
 namespace umbral::pipeline {
 
-/// A right pair, with one uniform of each type that can be set.
+/// A right pair, with one uniform of each type that can be set; one of them in an array, one in a structure.
 inline ShaderTexts uniforms_of_all_types()
 {
     return {R"(#version 330
 in vec3 position;
 uniform mat4 matrix4;
 uniform mat3 matrix3;
-uniform vec4 vector4;
+uniform struct { vec4 vector4; } lamp;
 out vec3 shade;
 void main()
 {
-    gl_Position = matrix4 * vec4(position, 1.0) + vector4;
+    gl_Position = matrix4 * vec4(position, 1.0) + lamp.vector4;
     shade = matrix3 * position;
 }
 )",
             R"(#version 330
 in vec3 shade;
-uniform vec3 vector3;
+uniform vec3 vectors[3];
 uniform float number;
 uniform int whole;
 out vec4 pixel;
-void main() { pixel = vec4(shade + vector3 * number, float(whole)); }
+void main() { pixel = vec4(shade + (vectors[0] + vectors[1] + vectors[2]) * number, float(whole)); }
 )"};
+}
+
+/// The same uniforms in other places, among others.
+inline ShaderTexts uniforms_elsewhere()
+{
+    return {R"(#version 330
+in vec3 position;
+uniform int whole;
+uniform vec3 vectors[3];
+uniform mat3 matrix3;
+uniform struct { vec4 vector4; } lamp;
+out vec3 shade;
+void main()
+{
+    gl_Position = lamp.vector4;
+    shade = matrix3 * position + vectors[whole % 3] + vectors[1];
+}
+)",
+            R"(#version 330
+in vec3 shade;
+uniform sampler2D image;
+uniform vec4 further;
+uniform mat4 matrix4;
+uniform float number;
+out vec4 pixel;
+void main() { pixel = matrix4 * vec4(shade, number) + texture(image, shade.xy) + further; }
+)"};
+}
+
+/// Pairs that are right, but not plain: OpenGL warns of some, others cannot be drawn with before their samplers are
+/// set, or have comments before their version.
+inline std::vector<ShaderTexts> right_texts()
+{
+    const std::string version = "#version 330\n";
+    const std::string vertex = version + "in vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n";
+    const std::string images =
+        "uniform sampler2D flat_image;\nuniform samplerCube sky;\nout vec4 pixel;\nvec4 both() { return "
+        "texture(flat_image, vec2(0.5)) + texture(sky, vec3(1.0)); }\n";
+    return {
+        {vertex, version + images + "void main()\n{\n    vec4 never_set;\n    pixel = both() + never_set;\n}\n"},
+        {"// A comment.\n\n" + vertex, "/* Another one. */\n" + version + images + "void main() { pixel = both(); }\n"},
+        {vertex, version + "out vec4 pixel;\nvoid main()\n{\n    vec4 never_set;\n    pixel = never_set;\n}\n"},
+        uniforms_elsewhere()};
 }
 
 /// Pairs that fail, at one step or at several: then the first one counts.
@@ -47,6 +90,9 @@ inline std::vector<ShaderTexts> failing_texts()
         {good.vertex, version + "out vec4 pixel;\nvoid main()\n{\n    pixel = vec3(1.0, 0.0, 0.0);\n}\n"},
         {good.vertex, "#version 330\nout vec4 pixel;\n\n\nvoid main() { pixel = color; undeclared(); }\n"},
         {"nonsense", "more nonsense"},
+        {version + "void main() { gl_Position = vec4(first_mistake, 1.0); }\n",
+         version + "out vec4 pixel;\nvoid main() { pixel = vec4(second_mistake); }\n"},
+        {version + "void main() { gl_Position = 1.0; }\n", "#version 330\nvoid main() { undeclared(); }\n"},
         {good.vertex, version + "in float shade;\nout vec4 pixel;\nvoid main() { pixel = vec4(shade); }\n"},
         {version + "void helper() {}\n", good.fragment},
         {good.vertex, version + "uniform mat3 matrix4;\nin vec3 shade;\nout vec4 pixel;\nvoid main() { pixel = "

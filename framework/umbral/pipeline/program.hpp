@@ -38,7 +38,7 @@ public:
     virtual void use() = 0;
 
     /// Sets a uniform of *this* program, whichever program is in use; that one stays in use. Matrices have GLM's order,
-    /// column by column.
+    /// column by column. A name may be an element's or a member's: vectors[1], lamp.color.
     ///
     /// Returns false, and does nothing, if the program has no such uniform or does not use it. The type must be the
     /// uniform's.
