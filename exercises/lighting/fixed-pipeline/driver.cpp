@@ -53,7 +53,10 @@ void by_hand(Recorder& out)
     const PlacedLight headlight{{{0, 0, 1, 0}, {2, 2, 2}}, LightFrame::camera};
     const glm::mat4 away = glm::translate(glm::mat4(1), {0, 0, -10});
     const glm::mat4 quarter({0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {2, -1, -5, 1});
-    const std::vector<PlacedLight> sets[] = {{lamp}, {lamp, sun, torch, headlight}, {torch}, {}, {headlight, sun}};
+    // One that is out has its place all the same.
+    const PlacedLight out_of_order{{{3, 1, -2, 1}, {0, 0, 0}}, LightFrame::world};
+    const std::vector<PlacedLight> sets[] = {{lamp},           {lamp, sun, torch, headlight}, {torch}, {},
+                                             {headlight, sun}, {sun, out_of_order, lamp}};
     for (const std::vector<PlacedLight>& lights : sets)
         for (const glm::mat4& view : {glm::mat4(1), away, quarter})
             record_lights(out, {lights, glm::vec3(0), true, false}, view);
@@ -76,7 +79,10 @@ void at_random(Random& random, Recorder& out)
         disturb(random);
         const glm::mat4 view = random_view(random);
         const std::uint32_t count = i % 4 == 0 ? 9 + random.below(3) : random.below(9);
-        record_lights(out, {random_lights(random, {}, view, count), random_color(random), true, false}, view);
+        std::vector<PlacedLight> lights = random_lights(random, {}, view, count);
+        for (PlacedLight& placed : lights)
+            if (random.below(6) == 0) placed.light.color = glm::vec3(0);
+        record_lights(out, {lights, random_color(random), true, false}, view);
         record_material(out, random_material(random));
     }
     for (int i = 0; i < 80; ++i) {
@@ -158,8 +164,9 @@ void record_state(Random& random, Recorder& out)
     out.columns("state", std::string(neutral_columns) + ", light in the middle/3");
     for (int i = 0; i < 8; ++i) {
         LitScene scene = random_scene(random, coin(random));
-        // A ball in the middle, before all others.
-        scene.things.push_back({0, inverse(scene.view) * placed({0, 0, -2}, glm::vec3(0.9F)), random_material(random)});
+        // A ball in the middle, before all others; every second one is mirrored.
+        const glm::vec3 size = glm::vec3(i % 2 == 0 ? 1 : -1, 1, 1) * 0.9F / unit_of_balls;
+        scene.things.push_back({0, inverse(scene.view) * placed({0, 0, -2}, size), random_material(random)});
         disturb(random);
         frame.clear();
         switch_on(GL_DEPTH_TEST, coin(random));

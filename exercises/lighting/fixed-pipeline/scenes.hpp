@@ -125,6 +125,9 @@ inline LitScene parallel()
     return scene;
 }
 
+/// How much larger than 1 the ball is that random scenes place.
+inline constexpr float unit_of_balls = 64;
+
 /// Anything anywhere; empty tables, too.
 inline LitScene random_scene(Random& random, bool flat)
 {
@@ -134,9 +137,12 @@ inline LitScene random_scene(Random& random, bool flat)
     for (PlacedLight& placed : scene.lighting.lights) placed.light.color *= 0.6F;
     scene.meshes = {tables_of(sphere(40, 20)), {}, tables_of(trefoil(120, 16, 0.2F)), tables_of(sphere(24, 10, 0.2F))};
     for (glm::vec3& normal : scene.meshes[2].normals) normal *= random.uniform(0.2F, 5);
+    // One mesh in another unit: what it is placed by is as much smaller.
+    for (glm::vec3& position : scene.meshes[0].positions) position *= unit_of_balls;
     for (std::size_t i = 0; i < 7; ++i) {
-        const glm::vec3 size(random.uniform(0.3F, 0.8F), random.uniform(0.3F, 0.8F),
-                             random.uniform(0.3F, 0.8F) * (coin(random) ? 1.0F : -1.0F));
+        glm::vec3 size(random.uniform(0.3F, 0.8F), random.uniform(0.3F, 0.8F),
+                       random.uniform(0.3F, 0.8F) * (coin(random) ? 1.0F : -1.0F));
+        if (i % 4 == 0) size /= unit_of_balls;
         Material material = random_material(random);
         material.emission *= 0.3F;
         material.ambient *= 0.3F;

@@ -72,16 +72,26 @@ inline void disturb_matrices(Random& random)
     glMatrixMode(static_cast<GLenum>(modes[random.below(3)]));
 }
 
+/// Arrays that others have drawn from: told, and not enabled any more.
+inline void disturb_arrays(Random& random)
+{
+    constexpr std::array types = {GL_SHORT, GL_FLOAT, GL_DOUBLE};
+    glVertexPointer(2 + static_cast<GLint>(random.below(3)), static_cast<GLenum>(types[random.below(3)]), 40, nullptr);
+    glNormalPointer(static_cast<GLenum>(types[random.below(3)]), 24, nullptr);
+}
+
 /// Everything that the unit must not rely on. `matrices` only where nobody needs those that are there.
 inline void disturb(Random& random)
 {
     disturb_lights(random);
     disturb_materials(random);
     disturb_matrices(random);
+    disturb_arrays(random);
     const glm::vec4 ambient(random_color(random), 1);
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(ambient));
     glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, coin(random) ? 1 : 0);
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, coin(random) ? 1 : 0);
+    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, coin(random) ? GL_SEPARATE_SPECULAR_COLOR : GL_SINGLE_COLOR);
     glShadeModel(coin(random) ? GL_FLAT : GL_SMOOTH);
     glFrontFace(coin(random) ? GL_CW : GL_CCW);
     for (const GLenum name : {GL_LIGHTING, GL_NORMALIZE, GL_RESCALE_NORMAL}) switch_on(name, coin(random));
@@ -134,7 +144,11 @@ inline constexpr const char* neutral_columns =
     "material/17, A_G/4, GL_LIGHT_MODEL_LOCAL_VIEWER, GL_LIGHT_MODEL_TWO_SIDE, GL_SHADE_MODEL, GL_FRONT_FACE, "
     "GL_LIGHTING, GL_NORMALIZE, GL_RESCALE_NORMAL, GL_COLOR_MATERIAL, GL_COLOR_MATERIAL_PARAMETER, GL_VERTEX_ARRAY, "
     "GL_NORMAL_ARRAY, GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_CULL_FACE, "
-    "GL_DEPTH_TEST, GL_ATTRIB_STACK_DEPTH, GL_CLIENT_ATTRIB_STACK_DEPTH, glGetError, GL_CURRENT_COLOR/4";
+    "GL_DEPTH_TEST, GL_ATTRIB_STACK_DEPTH, GL_CLIENT_ATTRIB_STACK_DEPTH, GL_LIGHT_MODEL_COLOR_CONTROL, "
+    "GL_VERTEX_ARRAY_SIZE, GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_STRIDE, GL_NORMAL_ARRAY_TYPE, GL_NORMAL_ARRAY_STRIDE, "
+    "glGetError, GL_CURRENT_COLOR/4, light 3 position/4, light 3 colours/9, light 3 direction/3, light 3 exponent, "
+    "light 3 "
+    "attenuation/3";
 
 /// All that draw_lit has to put back, as one row of numbers.
 inline std::vector<float> neutral_state()
@@ -161,14 +175,45 @@ inline std::vector<float> neutral_state()
     append_all(material_of(GL_FRONT));
     append_all(material_of(GL_BACK));
     append_floats(GL_LIGHT_MODEL_AMBIENT, 4);
-    for (const GLenum name :
-         {GL_LIGHT_MODEL_LOCAL_VIEWER, GL_LIGHT_MODEL_TWO_SIDE, GL_SHADE_MODEL, GL_FRONT_FACE, GL_LIGHTING,
-          GL_NORMALIZE, GL_RESCALE_NORMAL, GL_COLOR_MATERIAL, GL_COLOR_MATERIAL_PARAMETER, GL_VERTEX_ARRAY,
-          GL_NORMAL_ARRAY, GL_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_CULL_FACE,
-          GL_DEPTH_TEST, GL_ATTRIB_STACK_DEPTH, GL_CLIENT_ATTRIB_STACK_DEPTH})
+    for (const GLenum name : {GL_LIGHT_MODEL_LOCAL_VIEWER,
+                              GL_LIGHT_MODEL_TWO_SIDE,
+                              GL_SHADE_MODEL,
+                              GL_FRONT_FACE,
+                              GL_LIGHTING,
+                              GL_NORMALIZE,
+                              GL_RESCALE_NORMAL,
+                              GL_COLOR_MATERIAL,
+                              GL_COLOR_MATERIAL_PARAMETER,
+                              GL_VERTEX_ARRAY,
+                              GL_NORMAL_ARRAY,
+                              GL_ARRAY_BUFFER_BINDING,
+                              GL_VERTEX_ARRAY_BINDING,
+                              GL_CURRENT_PROGRAM,
+                              GL_CULL_FACE,
+                              GL_DEPTH_TEST,
+                              GL_ATTRIB_STACK_DEPTH,
+                              GL_CLIENT_ATTRIB_STACK_DEPTH,
+                              GL_LIGHT_MODEL_COLOR_CONTROL,
+                              GL_VERTEX_ARRAY_SIZE,
+                              GL_VERTEX_ARRAY_TYPE,
+                              GL_VERTEX_ARRAY_STRIDE,
+                              GL_NORMAL_ARRAY_TYPE,
+                              GL_NORMAL_ARRAY_STRIDE})
         append_integer(row, name);
     row.push_back(static_cast<float>(glGetError()));
     append_floats(GL_CURRENT_COLOR, 4);
+    const glm::vec4 fourth = position_of_light(3);
+    row.insert(row.end(), {fourth.x, fourth.y, fourth.z, fourth.w});
+    append_all(colors_of_light(3));
+    for (const auto& [name, count] : {std::pair<GLenum, int>{GL_SPOT_DIRECTION, 3},
+                                      {GL_SPOT_EXPONENT, 1},
+                                      {GL_CONSTANT_ATTENUATION, 1},
+                                      {GL_LINEAR_ATTENUATION, 1},
+                                      {GL_QUADRATIC_ATTENUATION, 1}}) {
+        std::array<float, 4> numbers{};
+        glGetLightfv(GL_LIGHT3, name, numbers.data());
+        row.insert(row.end(), numbers.begin(), numbers.begin() + count);
+    }
     return row;
 }
 
