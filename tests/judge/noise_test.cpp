@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
 
+#include "judge/rows/tensor_view.hpp"
 #include "noise_runs.hpp"
 
 namespace umbral::grader::test {
@@ -145,6 +147,34 @@ TEST(Noise, noise_is_no_hiding_place)
                         random, 64, 64, 3, 8, [](int x, int y) { return floor_and_ball(x, y); }, firefly),
                     expected),
               1);
+}
+
+// Their sum differs from any other by less than its noise, and cut at four means they have that mean.
+TEST(Noise, huge_estimates_of_either_sign_prove_nothing)
+{
+    Random random(seed);
+    for (const double chance : {0.07, 0.25, 0.5})
+        for (const double size : {30.0, 1e5}) {
+            const auto spikes = [&](const Tensor& expected) {
+                std::vector<double> values(expected.count(), 1e-9);
+                for (double& value : values)
+                    if (random.uniform_double() < chance) value = (random.below(2) == 0 ? -1 : 1) * size;
+                return with_values(expected, values);
+            };
+            for (const Tensor& expected : {run(random), estimates(random)})
+                EXPECT_EQ(right(spikes(expected), expected), 0) << chance << " " << size;
+        }
+}
+
+// A control variate takes away what it knows the mean of, and adds the mean.
+TEST(Noise, differences_may_be_negative_now_and_then)
+{
+    Random random(seed);
+    const Tensor expected = run(random);
+    std::vector<double> values = to_doubles(run(random));
+    for (double& value : values) value += 0.15 * (2 * random.uniform_double() - 1);
+    ASSERT_LT(std::ranges::min(values), 0);
+    EXPECT_EQ(right(with_values(expected, values), expected), 1);
 }
 
 TEST(Noise, what_is_no_number_is_wrong)

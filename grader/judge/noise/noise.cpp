@@ -100,7 +100,7 @@ Judgement judge_noise(const Check& check, const Tensor& student, const Tensor& e
     StochasticRule rule = apply_stochastic_rule(yours, target, forgiven_by(check, expected));
     rule.agree = rule.probability >= check_alpha();
     // What scatters apart by a bias shows it: at least a third of the light then lies in the wrong place.
-    if (rule.misplaced < 1.0 / 3 && scatters_apart(yours, target))
+    if (rule.misplaced < 1.0 / 3 && (scatters_apart(yours, target) || lacks_power(yours, target)))
         return wrong(
             "The estimates scatter far more than the reference's, so that their mean proves nothing: take as many "
             "samples as you are told, choose "

@@ -97,6 +97,14 @@ inline constexpr double stochastic_alpha = 1e-4;
 /// work is accused with a chance below a hundredth of check_alpha().
 [[nodiscard]] bool scatters_apart(const Estimates& yours, const Estimates& expected);
 
+/// Do the estimates scatter so widely, or cancel each other so much, that their means would agree with anything? Huge
+/// ones of either sign, now and then, have in scatters_apart() whatever mean is expected; not here. True where light
+/// that is nowhere negative is more than half taken away again by negative estimates, or where estimates of 0 could not
+/// be told from the expected ones since yours scatter more than 30 times as widely: in a table's component, or in more
+/// than an eighth of the smallest tiles in which the reference's noise (known from the differences of neighbours) would
+/// tell.
+[[nodiscard]] bool lacks_power(const Estimates& yours, const Estimates& expected);
+
 /// Sums over a tile of two results.
 struct TileSums {
     double count = 0;
