@@ -48,6 +48,9 @@ int record(Recorder& out, std::string_view name, const Scene& scene, Model model
                " triangles with " + std::to_string(scene.mesh.vertices.size()) + " vertices";
     });
     draw(scene.mesh.vertices, scene.mesh.triangles, illumination, layer);
+    // So that reports say "pixel (4, 4) of draw 10".
+    out.columns(name, "draw");
+    out.columns(std::string(name) + " depths", "draw");
     if (layer.colors.cells.size() != width * size || layer.depths.cells.size() != width * size) return asked;
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < width; ++x) {
