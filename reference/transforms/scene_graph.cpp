@@ -15,11 +15,15 @@ namespace {
 class Counter {
 public:
     Counter(const SceneGraph& graph, std::size_t limit)
-        : graph_(graph), most_(limit + 1), counts_(graph.nodes.size()), begun_(graph.nodes.size(), false)
+        : graph_(graph),
+          most_(std::max(limit + 1, limit)),
+          counts_(graph.nodes.size()),
+          begun_(graph.nodes.size(), false)
     {
     }
 
-    /// How many instances a node contains, but at most one more than the limit. Throws CycleError, std::out_of_range.
+    /// How many instances a node contains, but at most one more than the limit, if there is such a number. Throws
+    /// CycleError, std::out_of_range.
     std::size_t count(std::uint32_t node)
     {
         if (node >= graph_.nodes.size())
@@ -31,12 +35,11 @@ public:
         begun_[node] = true;
         std::size_t sum = 0;
         for (const Entry& entry : graph_.nodes[node]) {
-            if (entry.kind == Entry::Kind::object) sum += 1;
-            if (entry.kind == Entry::Kind::node) sum += count(entry.index);
+            if (entry.kind == Entry::Kind::object) sum += std::min<std::size_t>(1, most_ - sum);
+            if (entry.kind == Entry::Kind::node) sum += std::min(count(entry.index), most_ - sum);
             if (entry.kind == Entry::Kind::transformation && entry.index >= graph_.transformations.size())
                 throw std::out_of_range("expected one of " + std::to_string(graph_.transformations.size()) +
                                         " transformations, got " + std::to_string(entry.index));
-            sum = std::min(sum, most_);
         }
         path_.pop_back();
         counts_[node] = sum;

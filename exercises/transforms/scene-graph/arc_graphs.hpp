@@ -15,8 +15,8 @@ inline std::vector<glm::mat4> some_transformations(std::size_t count, Random& ra
     return all;
 }
 
-/// The course's: S3 is there by T1·T4, T1·T5 and T2·T5; two that stand for the lost figure of problem 2.19; and some
-/// with empty labels and equal ones.
+/// The course's: S3 is there by T1·T4, T1·T5 and T2·T5; two that stand for the lost figure of problem 2.19; some with
+/// empty labels and equal ones; and one whose root is its last node, and which contains an empty node twice.
 inline std::vector<ArcGraph> known_arc_graphs(Random& random)
 {
     const std::vector<glm::mat4> t = some_transformations(6, random);
@@ -37,11 +37,12 @@ inline std::vector<ArcGraph> known_arc_graphs(Random& random)
               {{{1}, object(9)}},
               {{{0}, object(2)}, {{1}, object(3)}, {{2}, object(4)}}},
              0},
+            {t, {{}, {{{1}, object(1)}, {{2, 3}, node(0)}}, {{{0}, node(1)}, {{0, 1}, object(2)}, {{}, node(0)}}}, 2},
             {t, {{}}, 0}};
 }
 
-/// Up to five nodes; labels of up to three of three transformations, so that many begin alike; one node that nothing
-/// leads to.
+/// Up to five nodes, the last of which may be empty; labels of up to three of three transformations, so that many begin
+/// alike; one node that nothing leads to.
 inline ArcGraph random_arc_graph(Random& random)
 {
     const std::uint32_t count = 2 + random.below(4);
@@ -54,7 +55,7 @@ inline ArcGraph random_arc_graph(Random& random)
             for (std::uint32_t& factor : factors) factor = random.below(3);
             return factors;
         };
-        const std::uint32_t arcs = 1 + random.below(5);
+        const std::uint32_t arcs = (i + 1 < count ? 1 : 0) + random.below(5);
         for (std::uint32_t k = 0; k < arcs; ++k) {
             const std::vector<std::uint32_t> factors = label();
             graph.nodes[place[i]].push_back({factors, object(random.below(9))});

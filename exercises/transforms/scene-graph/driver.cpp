@@ -1,4 +1,5 @@
 #include <array>
+#include <limits>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
@@ -68,40 +69,47 @@ void record_cycles(Recorder& out, Random& random)
     }
 }
 
-/// 0: nothing, 1: a cycle, 2: too many, 3: out of range, 4: something else.
-float thrown_by(Recorder& out, const SceneGraph& graph, std::size_t limit)
+/// 0: nothing, 1: a cycle, 2: too many, 3: out of range, 4: something else; and of nothing, how many instances came.
+glm::vec2 thrown_by(Recorder& out, const SceneGraph& graph, std::size_t limit)
 {
     try {
-        (void)ask<expand>(out, graph, limit);
-        return 0;
+        return {0, ask<expand>(out, graph, limit).size()};
     } catch (const CycleError&) {
-        return 1;
+        return {1, 0};
     } catch (const TooManyInstances&) {
-        return 2;
+        return {2, 0};
     } catch (const std::out_of_range&) {
-        return 3;
+        return {3, 0};
     } catch (...) {
-        return 4;
+        return {4, 0};
     }
 }
 
 // In pairs: what is in order, and what is not by one.
 void record_limits(Recorder& out, Random& random)
 {
+    out.columns("thrown", "thrown, instances");
     for (int i = 0; i < 42; ++i) {
         SceneGraph good = random_chain(random, false);
         // Nothing leads to this node.
         if (random.below(2) == 0) good.nodes.push_back({node(9999), {Entry::Kind::transformation, 77}});
         SceneGraph bad = good;
-        std::size_t good_limit = plenty;
+        // What is wrong may be anywhere, also in a node without objects.
+        const std::vector<std::uint32_t> candidates = reached(good);
+        const std::uint32_t where = candidates[random.below(static_cast<std::uint32_t>(candidates.size()))];
+        const auto place = random.below(static_cast<std::uint32_t>(good.nodes[where].size()) + 1);
+        const auto put = [&](SceneGraph& graph, const Entry& entry) {
+            graph.nodes[where].insert(graph.nodes[where].begin() + place, entry);
+        };
+        std::size_t good_limit = std::numeric_limits<std::size_t>::max();
         std::size_t bad_limit = plenty;
         const auto count = static_cast<std::uint32_t>(good.nodes.size());
         const auto what = static_cast<std::uint32_t>(i % 7);
         if (what == 0) bad.root = count;
-        if (what == 1) bad.nodes[bad.root].push_back(node(count + random.below(1000)));
-        if (what == 2) bad.nodes[bad.root].push_back({Entry::Kind::transformation, 2});
+        if (what == 1) put(bad, node(count + random.below(1000)));
+        if (what == 2) put(bad, {Entry::Kind::transformation, 2});
         // An object may have any name.
-        if (what == 3) bad.nodes[bad.root].push_back(node(~0U)), good.nodes[good.root].push_back(object(~0U));
+        if (what == 3) put(bad, node(~0U)), put(good, object(~0U));
         if (what == 4) good = {{}, {{}}, 0}, bad = {}, good_limit = 0;
         if (what > 4) {
             // One object, at least; a limit may be 0.
@@ -128,6 +136,7 @@ void record_many_ways(Recorder& out)
     graph.nodes.push_back(
         {object(1), node(1), step, object(2), node(9), object(3), step, object(4), node(17), object(5)});
     record_instances(out, ask<expand>(out, graph, plenty));
+    out.columns("thrown", "thrown, instances");
     out.append("thrown", thrown_by(out, graph, 4));
     out.append("thrown", thrown_by(out, graph, 5));
     out.append("thrown", thrown_by(out, doubling(60, {object(1)}), 100'000));

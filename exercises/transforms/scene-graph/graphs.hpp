@@ -99,8 +99,10 @@ inline SceneGraph random_graph(Random& random)
     return graph;
 }
 
-/// A chain of nodes, each with objects and a shared part beside the next one. With `cycle`, one node of the chain
-/// contains an earlier one, or itself. A cycle that the root does not reach may be there in any case.
+/// A chain of nodes, each with objects and a shared part beside the next one; some nodes contain a later one as well.
+/// With `cycle`, one node of the chain contains an earlier one, or itself; no shortcut begins between the two, so that
+/// there is no other cycle. One chain in three has no objects at all. A cycle that the root does not reach may be there
+/// in any case.
 inline SceneGraph random_chain(Random& random, bool cycle)
 {
     const std::uint32_t length = 2 + random.below(5);
@@ -121,12 +123,33 @@ inline SceneGraph random_chain(Random& random, bool cycle)
     const std::uint32_t last = random.below(length);
     const std::uint32_t first = random.below(last + 1);
     if (cycle) graph.nodes[place[last]].insert(graph.nodes[place[last]].begin() + random.below(3), node(place[first]));
+    for (std::uint32_t i = 0; i < first; ++i)
+        if (random.below(3) == 0) {
+            const std::uint32_t later = i + 1 + random.below(last - i);
+            std::vector<Entry>& entries = graph.nodes[place[i]];
+            entries.insert(entries.begin() + random.below(static_cast<std::uint32_t>(entries.size())),
+                           node(place[later]));
+        }
+    if (random.below(3) == 0)
+        for (std::vector<Entry>& entries : graph.nodes)
+            std::erase_if(entries, [](const Entry& entry) { return entry.kind == Entry::Kind::object; });
     const bool aside = random.below(2) == 0;
     if (aside) {
         graph.nodes[place[length + 1]] = {node(place[length + 2])};
         graph.nodes[place[length + 2]] = {object(3), node(place[length + 1])};
     }
     return graph;
+}
+
+/// The nodes that the root leads to.
+inline std::vector<std::uint32_t> reached(const SceneGraph& graph)
+{
+    std::vector<std::uint32_t> all{graph.root};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (const Entry& entry : graph.nodes[all[i]])
+            if (entry.kind == Entry::Kind::node && std::ranges::find(all, entry.index) == all.end())
+                all.push_back(entry.index);
+    return all;
 }
 
 /// `levels` nodes, each of which contains the next one twice; what is in the last one is there 2^(levels - 1) times.

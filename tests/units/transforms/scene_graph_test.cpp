@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <scenegraph/graph_file.hpp>
 #include <set>
@@ -129,6 +130,7 @@ TEST(Expand, does_not_walk_two_to_the_power_of_sixty_ways)
     EXPECT_TRUE(expand(doubling(60, {}), 10).empty());
     EXPECT_THROW((void)expand(doubling(60, {object(1)}), 1'000'000), TooManyInstances);
     EXPECT_EQ(expand(doubling(11, {object(1)}), 1024).size(), 1024U);
+    EXPECT_EQ(expand(doubling(11, {object(1)}), std::numeric_limits<std::size_t>::max()).size(), 1024U);
 }
 
 TEST(ToPhigs, draws_the_same_with_the_fewest_nodes)

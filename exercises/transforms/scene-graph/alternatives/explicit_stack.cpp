@@ -23,9 +23,10 @@ std::vector<std::size_t> count_instances(const SceneGraph& graph, std::size_t mo
         auto& [node, next] = open.back();
         if (next == graph.nodes[node].size()) {
             for (const Entry& entry : graph.nodes[node]) {
-                if (entry.kind == Entry::Kind::object) counts[node] += 1;
-                if (entry.kind == Entry::Kind::node) counts[node] += counts[entry.index];
-                counts[node] = std::min(counts[node], most);
+                const std::size_t more = entry.kind == Entry::Kind::object ? 1
+                                         : entry.kind == Entry::Kind::node ? counts[entry.index]
+                                                                           : 0;
+                counts[node] = more > most - counts[node] ? most : counts[node] + more;
             }
             states[node] = State::closed;
             open.pop_back();
@@ -74,7 +75,7 @@ void write(SceneGraph& out, std::uint32_t place, const std::vector<Item>& items,
 
 std::vector<Instance> expand(const SceneGraph& graph, std::size_t limit)
 {
-    const std::vector<std::size_t> counts = count_instances(graph, limit + 1);
+    const std::vector<std::size_t> counts = count_instances(graph, std::max(limit, limit + 1));
     if (counts[graph.root] > limit) throw TooManyInstances(limit);
     struct Frame {
         std::uint32_t node;
