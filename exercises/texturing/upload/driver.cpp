@@ -62,7 +62,8 @@ void outside(Case& c, Recorder& out)
     });
 }
 
-// Eight texels a cell along both axes: without mipmaps, a few of them; with them, the mean of 64.
+// Eight texels a cell along both axes: without mipmaps, a few of them; with them, the mean of 64. Then less of the
+// pyramid and more, to its last level, of a picture whose sides are no powers of two.
 void minified(Case& c, Recorder& out)
 {
     const Probe probe;
@@ -70,6 +71,10 @@ void minified(Case& c, Recorder& out)
         const Made texture = ask_new<make_texture>(out, "texture", random_picture(c.random, 32, 64), sampler, mipmaps);
         activate(out, texture, 0);
         record_cells(out, "cells", probe, 0, {glm::vec2(0.003F, 0.001F), {1.003F, 1.001F}, 4, 8});
+        const Made odd = ask_new<make_texture>(out, "texture", random_picture(c.random, 75, 44), sampler, mipmaps);
+        activate(out, odd, 0);
+        for (const int cells : {1, 2, 4, 13})
+            record_cells(out, "cells", probe, 0, {glm::vec2(0.003F, 0.001F), {1.003F, 1.001F}, cells, cells});
     });
 }
 
@@ -203,15 +208,16 @@ void state(Case& c, Recorder& out)
     }
 }
 
-// Textures that live at once, two of the same picture, at several units and one of them at two; some go.
+// Textures that live at once, three of the same picture and two of these with the same sampler, at several units and
+// one of them at two; some go.
 void several(Case& c, Recorder& out)
 {
     const Probe probe;
-    const Grid<glm::u8vec3> twice = random_picture(c.random, 3, 3);
+    const Grid<glm::u8vec3> shared = random_picture(c.random, 3, 3);
     std::array<Made, 5> textures;
     for (std::size_t i = 0; i < textures.size(); ++i) {
         const Grid<glm::u8vec3> own = random_picture(c.random, 2 + static_cast<int>(i), 3);
-        textures[i] = ask_new<make_texture>(out, "texture" + std::to_string(i), i == 1 || i == 3 ? twice : own,
+        textures[i] = ask_new<make_texture>(out, "texture" + std::to_string(i), i == 1 || i >= 3 ? shared : own,
                                             Sampler{i == 3 ? Filter::bilinear : Filter::nearest}, false);
     }
     const auto record = [&](int unit) {
@@ -228,6 +234,12 @@ void several(Case& c, Recorder& out)
     textures[0].reset();
     activate(out, textures[1], 0);
     for (const int unit : {0, 1, 2, 4}) record(unit);
+    // Of two that are the same but for their names one goes, and another comes.
+    textures[1].reset();
+    activate(out, textures[4], 3);
+    textures[1] = ask_new<make_texture>(out, "texture1", random_picture(c.random, 3, 3), Sampler{}, false);
+    activate(out, textures[1], 1);
+    for (const int unit : {1, 3, 4}) record(unit);
 }
 
 void random(Case& c, Recorder& out)
