@@ -140,7 +140,9 @@ inline Image draw(const std::vector<Shot>& shots, const ShaderTexts& texts, cons
     constexpr int around = 12;
     shapes::Shape shape = shapes::trefoil(along, around, 0.3F);
     const AttributeMesh whole = painted(shape, along, {24, 4}, program);
-    shape.indices.resize(shape.indices.size() / around * 7);  // row by row
+    // Row by row: what faces the viewer is left out.
+    shape.indices.erase(shape.indices.begin(),
+                        shape.indices.begin() + static_cast<std::ptrdiff_t>(shape.indices.size() / around * 6));
     const AttributeMesh open = painted(shape, along, {24, 4}, program);
     glEnable(GL_DEPTH_TEST);
     program.set("projection", glm::perspective(glm::radians(32.0F), 1.0F, 1.0F, 20.0F));
