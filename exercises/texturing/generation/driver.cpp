@@ -47,14 +47,17 @@ void choose_state(Random& random)
 
 void set(Recorder& out, const Generator& generator) { ask<set_generator>(out, generator); }
 
-// Each generator is set once, under one matrix, and used for several vertices under others.
+// Each generator is set under one matrix, and used for several vertices under others. Now and then it is the one
+// before: others may have set their own in between.
 void fixed(Case& c, Recorder& out, const char* name, int rounds)
 {
     const gl::Framebuffer target(8, 8);
     const FixedProbe probe;
+    Generator generator;
     for (int round = 0; round < rounds; ++round) {
         const Generation generation = round < 2 ? Generation::off : all_generations[c.random.below(3)];
-        const Generator generator = random_generator(c.random, generation);
+        const Generator other = random_generator(c.random, generation);
+        if (round % 3 != 2) generator = other;
         choose_state(c.random);
         set(out, generator);
         for (int i = 0; i < 4; ++i) out.append(name, probe.read(random_vertex(c.random)));

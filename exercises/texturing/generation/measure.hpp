@@ -147,7 +147,7 @@ void main() { color = vec4(st, shade.xy); }
     ShaderProbe& operator=(const ShaderProbe&) = delete;
     ~ShaderProbe() { glDeleteVertexArrays(1, &array_); }
 
-    /// s, t, and two numbers of `color`.
+    /// s, t, and two numbers of `color`; -10^6 if the vertex is not drawn where its gl_Position must be.
     [[nodiscard]] glm::vec4 read(const Vertex& vertex, const Generator& generator, glm::vec2 color) const
     {
         glBindVertexArray(array_);
