@@ -117,6 +117,23 @@ function(umbral_unit_library target folder name)
   target_link_libraries(${target} PRIVATE umbral-framework)
 endfunction()
 
+# umbral_export_of_driver(ID FOLDER OBJECTS): a driver exports its cases, and what students may call of used units,
+# whose OBJECTS it is linked from. Nothing else that it is made of, such as GLM's functions, can be found in it by name.
+function(umbral_export_of_driver id folder objects)
+  set(map ${PROJECT_SOURCE_DIR}/cmake/driver.map)
+  if(objects)
+    set(map ${folder}/driver.map)
+    add_custom_command(OUTPUT ${map}
+      COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=${objects}" -DFOLDER=${folder} -DNAME=driver
+        -DALSO=_ZN6umbral6driverE -P ${PROJECT_SOURCE_DIR}/cmake/exports.cmake
+      DEPENDS ${objects} ${PROJECT_SOURCE_DIR}/cmake/exports.cmake COMMAND_EXPAND_LISTS VERBATIM)
+    add_custom_target(driver-exports-${id} DEPENDS ${map})
+    add_dependencies(driver-${id} driver-exports-${id})
+  endif()
+  target_link_options(driver-${id} PRIVATE -Wl,--version-script=${map})
+  set_property(TARGET driver-${id} APPEND PROPERTY LINK_DEPENDS ${map})
+endfunction()
+
 # umbral_finish_unit(UNIT ANSWERS MISTAKES): the targets of a unit, and the files that say that all parts are there.
 # With them comes what a unit is graded with.
 function(umbral_finish_unit unit answers mistakes)
@@ -156,10 +173,13 @@ function(umbral_add_unit unit)
   # g++ 12 finds texts that are put together too long for their place where <string> is precompiled (GCC bug 105651).
   target_compile_options(driver-${id} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
   umbral_compile_quickly(driver-${id})
+  set(objects_used)
   foreach(other IN LISTS used)
     umbral_reference_objects(${other} objects)
     target_link_libraries(driver-${id} PRIVATE ${objects})
+    list(APPEND objects_used $<TARGET_OBJECTS:${objects}>)
   endforeach()
+  umbral_export_of_driver(${id} ${folder} "${objects_used}")
   set(parts driver-${id})
   foreach(library gl glfw)
     umbral_manifest_flag("${json}" ${library} needed)

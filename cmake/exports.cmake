@@ -1,5 +1,5 @@
 # Run at build time: writes the strong symbols that the OBJECTS define as a version script and as a list, without names
-# that match EXCEPT.
+# that match EXCEPT, and with the name ALSO.
 if(NOT NAME)
   set(NAME exports)
 endif()
@@ -17,6 +17,7 @@ endforeach()
 if(EXCEPT)
   list(FILTER names EXCLUDE REGEX "${EXCEPT}")
 endif()
+list(APPEND names ${ALSO})
 list(SORT names)
 if(NOT names)
   message(FATAL_ERROR "The reference defines no function with external linkage: nothing for a student to write.")

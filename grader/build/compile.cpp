@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -74,6 +75,23 @@ ConfinedCommand compiler_command(const Toolchain& tools, const Exercise& exercis
     return command;
 }
 
+/// The linker names what the compiler hands it, whose names are new each time ("cc7WsPYa.o"): equal work gets equal
+/// messages.
+void name_objects(std::string& text)
+{
+    constexpr std::string_view name = "cc??????.o";
+    constexpr std::string_view shown = "object file";
+    for (std::size_t at = text.find("cc"); at != std::string::npos; at = text.find("cc", at + 1)) {
+        const auto fits = [&](std::size_t i) {
+            const char c = text[at + i];
+            return name[i] == '?' ? std::isalnum(static_cast<unsigned char>(c)) != 0 : c == name[i];
+        };
+        std::size_t i = 0;
+        while (i < name.size() && at + i < text.size() && fits(i)) ++i;
+        if (i == name.size()) text.replace(at, name.size(), shown);
+    }
+}
+
 /// Diagnostics name the student's files as written and headers as they are included, not where things lie on this
 /// machine.
 std::string without_our_paths(std::string text, const Toolchain& tools, const fs::path& work)
@@ -88,6 +106,7 @@ std::string without_our_paths(std::string text, const Toolchain& tools, const fs
         const std::size_t begin = at == 0 ? 0 : at + 1;
         if (text.compare(begin, 2, "./") == 0) text.erase(begin, 2);
     }
+    name_objects(text);
     return text;
 }
 

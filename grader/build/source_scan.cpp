@@ -39,6 +39,10 @@ constexpr std::array<std::string_view, 8> attributes{"section",
 /// Attributes that name another symbol: a plain name is harmless, since every symbol is inspected.
 constexpr std::array<std::string_view, 3> naming_attributes{"alias", "ifunc", "weakref"};
 
+/// What the linker makes: from these, a program that walks its own tables finds all libraries and what they define.
+constexpr std::array<std::string_view, 5> linkers_own{"_GLOBAL_OFFSET_TABLE_", "_PROCEDURE_LINKAGE_TABLE_", "_DYNAMIC",
+                                                      "__ehdr_start", "__executable_start"};
+
 /// Names that may stand before an assembler statement: before a label there is a declaration, with other names.
 constexpr std::array<std::string_view, 13> before_statements{
     "if",        "else",   "do",     "while",         "for",           "switch",     "constexpr",
@@ -116,6 +120,8 @@ private:
 
     void object(std::string what) { found_ = fmt::format("{}: {}", tokens_.place(), std::move(what)); }
 
+    void object_to_table(std::string_view name) { object(fmt::format("the linker's {} is not allowed", name)); }
+
     void step()
     {
         if (current_.kind == Kind::directive) return check_directive();
@@ -123,6 +129,7 @@ private:
         if (current_.kind == Kind::name && (current_.text == "__attribute__" || current_.text == "__attribute"))
             return check_attributes("(", ")");
         if (current_.text == "[" && before_.text == "[") return check_attributes("[", "]");
+        if (current_.kind == Kind::name && contains(linkers_own, current_.text)) return object_to_table(current_.text);
         advance();
     }
 
@@ -140,6 +147,7 @@ private:
         for (advance(); current_.kind == Kind::string; advance()) text += current_.content();
         const bool label = behind_a_name && current_.text == ")" && is_plain_name(text);
         if (!label && !contains(compilers_own, first_word(text))) object("assembler is not allowed");
+        if (label && contains(linkers_own, text)) object_to_table(text);
     }
 
     /// Everything up to the bracket that closes what is open.
@@ -156,6 +164,8 @@ private:
             if (current_.kind == Kind::name && contains(asm_words, current_.text))
                 return object("assembler is not allowed");
             if (current_.kind == Kind::name) named = bare(current_.text);
+            if (current_.kind == Kind::string && contains(linkers_own, current_.content()))
+                return object_to_table(current_.content());
             if (current_.kind == Kind::string && contains(naming_attributes, named) &&
                 !is_plain_name(current_.content()))
                 return object(fmt::format("the attribute {} takes a plain name", named));

@@ -9,7 +9,8 @@ namespace umbral::grader {
 /// Looks through preprocessed C++ for what would reach the assembler as text: inline and top-level assembler,
 /// attributes and directives whose strings the compiler writes out as they are, and attributes that switch
 /// instrumentation off. With those, a file could write debug information of its own, rename or hide what it calls, or
-/// leave its work uncounted.
+/// leave its work uncounted. And for the linker's own names, such as _GLOBAL_OFFSET_TABLE_: they lead to the tables of
+/// all libraries, where functions are found that may not be called by name.
 ///
 /// `text` is what `g++ -E -fpch-preprocess` printed, of one file or of several in a row: macros are expanded and tokens
 /// pasted, so that nothing can be spelt another way. Plain names in asm labels are allowed, since the C library's own

@@ -34,6 +34,13 @@ std::vector<Spelling> spellings()
     return list;
 }
 
+/// Of the end of a line that the text begins with, in any of the ways that shader compilers know; 0 if it does not.
+std::size_t newline_size(std::string_view text)
+{
+    if (text.starts_with("\r\n") || text.starts_with("\n\r")) return 2;
+    return text.starts_with('\n') || text.starts_with('\r') ? 1 : 0;
+}
+
 }
 
 std::string as_written(std::string signature)
@@ -48,18 +55,16 @@ std::string without_comments(std::string_view text)
     std::string joined;
     joined.reserve(text.size());
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const std::size_t behind = text[i] == '\\' ? text.find_first_not_of('\r', i + 1) : std::string_view::npos;
-        if (behind != std::string_view::npos && text[behind] == '\n')
-            i = behind;
-        else
-            joined += text[i];
+        const std::size_t newline = text[i] == '\\' ? newline_size(text.substr(i + 1)) : 0;
+        if (newline == 0) joined += text[i];
+        i += newline;
     }
     std::string bare;
     bare.reserve(joined.size());
     for (std::size_t i = 0; i < joined.size();) {
         const std::string_view here = std::string_view(joined).substr(i, 2);
         if (here == "//") {
-            i = std::min(joined.find('\n', i), joined.size());
+            i = std::min(joined.find_first_of("\r\n", i), joined.size());
             bare += ' ';
         } else if (here == "/*") {
             const std::size_t end = joined.find("*/", i + 2);

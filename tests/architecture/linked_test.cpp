@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 
 #include "support/printed.hpp"
 
@@ -22,6 +23,25 @@ TEST(Linked, spawners_hold_nothing_of_marks)
         EXPECT_EQ(spawner.find(word), std::string::npos) << word;
         EXPECT_EQ(spawner_gl.find(word), std::string::npos) << word;
     }
+}
+
+// A student's code lies in one process with the driver: what it may not call must not be found there by name.
+TEST(Linked, drivers_export_their_cases_and_what_students_may_call)
+{
+    std::size_t drivers = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(UMBRAL_UNITS_FOLDER)) {
+        if (entry.path().filename() != "driver.so") continue;
+        ++drivers;
+        std::istringstream symbols(run("nm --dynamic --defined-only --format=posix " + entry.path().string()).text);
+        bool has_cases = false;
+        for (std::string name; symbols >> name; symbols.ignore(1000, '\n')) {
+            EXPECT_TRUE(name.starts_with("_ZN6umbral") || name.starts_with("_ZNK6umbral") || name.starts_with("_ZT"))
+                << entry.path() << " exports " << name;
+            has_cases = has_cases || name == "_ZN6umbral6driverE";
+        }
+        EXPECT_TRUE(has_cases) << entry.path();
+    }
+    EXPECT_GT(drivers, 0U);
 }
 
 }

@@ -101,6 +101,17 @@ TEST(Diagnostics, of_two_files_that_define_the_same)
     EXPECT_EQ(built.message.find(bench.folder()), std::string::npos) << built.message;
 }
 
+// The linker's messages name objects whose names are new each time.
+TEST(Diagnostics, of_equal_work_are_equal)
+{
+    const std::string text = sphere_with("extern \"C\" void _init() {}\n", "");
+    const Built once = Workbench().build_sphere(text);
+    const Built again = Workbench().build_sphere(text);
+    EXPECT_EQ(once.verdict, Verdict::compile_error);
+    EXPECT_NE(once.message.find("object file"), std::string::npos) << once.message;
+    EXPECT_EQ(once.message, again.message);
+}
+
 TEST(Secrets, cannot_be_included)
 {
     const Workbench bench;

@@ -47,6 +47,17 @@ TEST(Assembler, plain_labels_and_the_compilers_own_are_allowed)
     EXPECT_EQ(found_in("f() { __asm__ __volatile__ (\"pconfig\\n\\t.incbin\" : \"=a\" (x)); }").empty(), false);
 }
 
+// From there a program walks to the tables of all libraries, and finds what it may not call by name.
+TEST(Assembler, the_linkers_own_tables_may_not_be_named)
+{
+    for (const char* text :
+         {"extern \"C\" void* _GLOBAL_OFFSET_TABLE_[];", "extern char d[] asm(\"_DYNAMIC\");",
+          "extern char d[] asm(\"_DYN\" \"AMIC\");", "static int d __attribute__((weakref(\"__ehdr_start\")));",
+          "auto* p = &_PROCEDURE_LINKAGE_TABLE_;"})
+        EXPECT_NE(found_in(text).find("the linker's "), std::string::npos) << text;
+    EXPECT_EQ(found_in("const char* text = \"_DYNAMIC\"; int MY_DYNAMIC;"), "");
+}
+
 TEST(Assembler, is_no_word_in_texts_names_or_numbers)
 {
     for (const char* text :

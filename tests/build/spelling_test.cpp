@@ -24,6 +24,10 @@ TEST(WithoutComments, leaves_the_rest)
     EXPECT_EQ(without_comments("a // b\nc /* d\n e */ f"), "a  \nc   f");
     EXPECT_EQ(without_comments("a /* open"), "a  ");
     EXPECT_EQ(without_comments("a // b \\\nstill comment\nc"), "a  \nc");
+    // As OpenGL's compilers end lines.
+    EXPECT_EQ(without_comments("a // b\rc"), "a  \rc");
+    EXPECT_EQ(without_comments("re\\\rflect re\\\n\rflect re\\\r\nflect"), "reflect reflect reflect");
+    EXPECT_EQ(without_comments("a // b \\\r\r\nc"), "a  \r\nc");
     EXPECT_EQ(without_comments("loo\\\nkAt loo\\\r\nkAt"), "lookAt lookAt");
     EXPECT_EQ(without_comments("/**//***/x/*/*/y"), "  x y");
 }
