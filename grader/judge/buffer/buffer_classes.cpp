@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "judge/buffer/buffer_cells.hpp"
+
 namespace umbral::grader {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <span>
 
+#include "judge/buffer/buffer_cells.hpp"
 #include "judge/buffer/buffer_classes.hpp"
 
 namespace umbral::grader {
