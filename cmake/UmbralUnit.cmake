@@ -126,7 +126,7 @@ function(umbral_export_of_driver id folder objects)
     add_custom_command(OUTPUT ${map}
       COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DOBJECTS=${objects}" -DFOLDER=${folder} -DNAME=driver
         -DALSO=_ZN6umbral6driverE -P ${PROJECT_SOURCE_DIR}/cmake/exports.cmake
-      DEPENDS ${objects} ${PROJECT_SOURCE_DIR}/cmake/exports.cmake COMMAND_EXPAND_LISTS VERBATIM)
+      DEPENDS ${objects} ${PROJECT_SOURCE_DIR}/cmake/exports.cmake VERBATIM)
     add_custom_target(driver-exports-${id} DEPENDS ${map})
     add_dependencies(driver-${id} driver-exports-${id})
   endif()
