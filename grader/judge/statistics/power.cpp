@@ -18,14 +18,10 @@ constexpr double most_spoiled = 1.0 / 8;
 /// Of light that is nowhere negative, estimates by differences (control variates) may take this share of it away again.
 constexpr double most_negative = 0.5;
 
-struct Place {
-    int left, top, right, bottom;
-};
-
 /// The variance of the noise in a part of a channel, at most: half the mean square of the differences of neighbours,
 /// along the axis where they differ less. What the picture shows adds to it at edges only. 0 where nothing has a
 /// neighbour.
-double noise_variance(const Estimates& estimates, int channel, const Place& place)
+double noise_variance(const Estimates& estimates, int channel, const TilePlace& place)
 {
     const auto width = static_cast<std::size_t>(estimates.width);
     const double* const plane = estimates.values.data() +
@@ -64,9 +60,7 @@ std::optional<bool> lacks_power(const Estimates& yours, const Estimates& expecte
     std::size_t judged = 0;
     std::size_t spoiled = 0;
     for (std::size_t n = 0; n < tiling.sums.size(); ++n) {
-        const std::size_t column = n % static_cast<std::size_t>(tiling.across);
-        const std::size_t row = n / static_cast<std::size_t>(tiling.across);
-        const Place place{tiling.left[column], tiling.top[row], tiling.left[column + 1], tiling.top[row + 1]};
+        const TilePlace place = tiling.place(n);
         const Power power =
             power_of(tiling.sums[n], noise_variance(yours, channel, place), noise_variance(expected, channel, place));
         judged += power == Power::none_expected ? 0 : 1;

@@ -164,11 +164,10 @@ StochasticRule apply_stochastic_rule(const Estimates& yours, const Estimates& ex
                 if (probability > smallest || (probability == smallest && std::abs(z) <= std::abs(rule.worst_z)))
                     continue;
                 smallest = probability;
-                const std::size_t column = n % static_cast<std::size_t>(tiling.across);
-                const std::size_t row = n / static_cast<std::size_t>(tiling.across);
+                const TilePlace place = tiling.place(n);
                 rule.worst_z = z;
-                rule.x = tiling.left[column], rule.width = tiling.left[column + 1] - rule.x;
-                rule.y = tiling.top[row], rule.height = tiling.top[row + 1] - rule.y;
+                rule.x = place.left, rule.width = place.right - place.left;
+                rule.y = place.top, rule.height = place.bottom - place.top;
                 rule.channel = channel;
                 rule.expected = sums.total / sums.count;
                 rule.yours = rule.expected + sums.difference / sums.count;

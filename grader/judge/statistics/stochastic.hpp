@@ -146,6 +146,14 @@ struct AlignmentSums {
 /// leaves.
 [[nodiscard]] double tile_probability(const TileSums& sums, double deviation);
 
+/// Pixels from left to before right, and from top to before bottom.
+struct TilePlace {
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+};
+
 /// A channel cut into across x down tiles, row by row.
 struct Tiling {
     int across = 1;
@@ -153,6 +161,9 @@ struct Tiling {
     std::vector<int> left;  ///< of each column of tiles, and the width behind the last
     std::vector<int> top;   ///< of each row, and the height
     std::vector<TileSums> sums;
+
+    /// Of tile n.
+    [[nodiscard]] TilePlace place(std::size_t n) const;
 };
 
 /// One channel in tiles of all sizes, the smallest first (16 x 16 pixels, then 64 x 64; larger by less than a pixel or

@@ -93,6 +93,13 @@ TileSums& TileSums::operator+=(const TileSums& other)
     return *this;
 }
 
+TilePlace Tiling::place(std::size_t n) const
+{
+    const std::size_t column = n % static_cast<std::size_t>(across);
+    const std::size_t row = n / static_cast<std::size_t>(across);
+    return {left[column], top[row], left[column + 1], top[row + 1]};
+}
+
 std::vector<Tiling> tilings_of(const Estimates& yours, const Estimates& expected, int channel)
 {
     if (!expected.tiled) return {smallest(yours, expected, channel, std::max(expected.width, expected.height))};
