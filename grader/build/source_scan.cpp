@@ -156,6 +156,7 @@ private:
         if (open == "(") advance();
         int depth = 0;
         std::string_view named;
+        std::string text;  // strings behind each other are one
         for (; current_.kind != Kind::end && !found_; advance()) {
             if (current_.text == open) ++depth;
             if (current_.text == close && --depth <= 0) break;
@@ -164,8 +165,11 @@ private:
             if (current_.kind == Kind::name && contains(asm_words, current_.text))
                 return object("assembler is not allowed");
             if (current_.kind == Kind::name) named = bare(current_.text);
-            if (current_.kind == Kind::string && contains(linkers_own, current_.content()))
-                return object_to_table(current_.content());
+            if (current_.kind == Kind::string)
+                text += current_.content();
+            else if (current_.kind != Kind::directive)
+                text.clear();
+            if (contains(linkers_own, text)) return object_to_table(text);
             if (current_.kind == Kind::string && contains(naming_attributes, named) &&
                 !is_plain_name(current_.content()))
                 return object(fmt::format("the attribute {} takes a plain name", named));

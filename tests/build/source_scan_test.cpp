@@ -53,6 +53,7 @@ TEST(Assembler, the_linkers_own_tables_may_not_be_named)
     for (const char* text :
          {"extern \"C\" void* _GLOBAL_OFFSET_TABLE_[];", "extern char d[] asm(\"_DYNAMIC\");",
           "extern char d[] asm(\"_DYN\" \"AMIC\");", "static int d __attribute__((weakref(\"__ehdr_start\")));",
+          "static int d __attribute__((weakref(\"__ehdr\"\n# 3 \"a.hpp\"\n\"_start\")));",
           "auto* p = &_PROCEDURE_LINKAGE_TABLE_;"})
         EXPECT_NE(found_in(text).find("the linker's "), std::string::npos) << text;
     EXPECT_EQ(found_in("const char* text = \"_DYNAMIC\"; int MY_DYNAMIC;"), "");
