@@ -38,8 +38,17 @@ std::vector<std::string> answer_names(const AskedAnswers& answers)
     return names;
 }
 
+/// A table that tells of right answers alone.
+QuestionTable no_questions(const AskedAnswers& answers)
+{
+    QuestionTable table;
+    table.answers = 0;
+    if (answers.optional) table.first = 0;
+    return table;
+}
+
 /// The questions' own numbers, called as the interface calls them.
-QuestionTable table_of(const AskedCheck& asked, const AnswersOfKind& answers)
+QuestionTable questions_of(const AskedCheck& asked, const AnswersOfKind& answers)
 {
     QuestionTable table;
     const std::vector<std::string> parameters = parameter_names(asked.headers, answers.kind.function);
@@ -112,13 +121,11 @@ AskedSample asked_sample(Worker& worker, const AskedCheck& asked, std::uint64_t 
     for (const AskedAnswer* const one : some) result.answers.answers.push_back(one->answer);
     if (kind == nullptr) return result;
     const AnswersOfKind of_kind{answers, *kind, some};
-    const QuestionTable table = table_of(asked, of_kind);
+    const QuestionTable table = questions_of(asked, of_kind);
     result.by_answer = by_answer(table, of_kind);
     result.answers.facts = result.by_answer.facts;
     result.by_question = by_question(table, of_kind);
-    if (!result.by_question.numbers.empty())
-        result.by_answer =
-            by_answer({{}, {}, 0, {}, answers.optional ? std::optional<std::size_t>(0) : std::nullopt}, of_kind);
+    if (!result.by_question.numbers.empty()) result.by_answer = by_answer(no_questions(answers), of_kind);
     return result;
 }
 
