@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "batch/fixed_inputs.hpp"
 #include "batch/student_case.hpp"
 #include "judge/judges.hpp"
 #include "report/paint.hpp"
@@ -24,23 +25,6 @@ bool holds(const CheckResult& before, Millipoints with_other_inputs)
 {
     return least_part * with_other_inputs >= before.score ||
            least_loss * (before.score - with_other_inputs) < before.max_score;
-}
-
-/// Does anything that the check looks at depend on the inputs' seed? Asked of the reference with two seeds that are
-/// the same for all, so that a result depends on nobody else's.
-bool has_other_inputs(Worker& worker, const Exercise& exercise, const Check& check, const GradeOptions& options)
-{
-    const auto run = [&](std::uint64_t seed) -> const RunOutcome& {
-        return worker.trusted(exercise, Answers::reference, check.case_name, seed);
-    };
-    const RunOutcome& one = run(options.seeds.seed_of(exercise, check.case_name));
-    const RunOutcome& other = run(options.seeds.public_seed_of(exercise, check.case_name));
-    const std::vector<std::string> values = values_of(check);
-    return std::ranges::any_of(values, [&](const std::string& value) {
-        const Tensor* a = tensor_of(one, value);
-        const Tensor* b = tensor_of(other, value);
-        return a == nullptr || b == nullptr ? a != b : !(*a == *b);
-    });
 }
 
 /// What a check earns with other inputs. One that another run would have to decide has earned what it did before.
@@ -73,7 +57,7 @@ Earners earners_of(Worker& worker, const Exercise& exercise, const GradeOptions&
         const Check& check = exercise.checks[i];
         if (holds(result.checks[i], 0) || judge_of(check).counts_work || is_hidden_case(exercise, check.case_name))
             continue;
-        if (has_other_inputs(worker, exercise, check, options))
+        if (has_other_inputs(worker, exercise, check, options.seeds))
             earners.asked.push_back({i});
         else
             earners.unchanging.push_back(i);

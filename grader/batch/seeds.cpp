@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <umbral/record/variation.hpp>
 
 #include "model/digest.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 /// Everybody knows this one.
 std::uint64_t visible_seed(const SeedPlan& plan, const Exercise& exercise, const std::string& words)
 {
-    return case_seed("visible", plan.course, "", exercise.id, words, plan.attempt);
+    return VariedSeed::without_mark(case_seed("visible", plan.course, "", exercise.id, words, plan.attempt));
 }
 
 /// `word` tells seeds of one case apart; the name of a case is one line, so that no other case has this one's.
@@ -22,7 +23,8 @@ std::uint64_t seed_for(const SeedPlan& plan, const Exercise& exercise, const std
 {
     if (!is_hidden_case(exercise, case_name)) return visible_seed(plan, exercise, case_name + word);
     const std::string work = plan.work.empty() ? "" : "\nwork " + plan.work;
-    return case_seed(plan.secret, plan.course, plan.student, exercise.id, case_name + word + work, plan.attempt);
+    return VariedSeed::without_mark(
+        case_seed(plan.secret, plan.course, plan.student, exercise.id, case_name + word + work, plan.attempt));
 }
 
 }
@@ -39,12 +41,13 @@ std::uint64_t SeedPlan::fresh_seed_of(const Exercise& exercise, const std::strin
 
 std::uint64_t SeedPlan::other_seed_of(const Exercise& exercise, const std::string& case_name, unsigned number) const
 {
-    return case_seed(secret, course, "", exercise.id, fmt::format("{}\nother inputs {}", case_name, number), attempt);
+    return VariedSeed::with_mark(
+        case_seed(secret, course, "", exercise.id, fmt::format("{}\nother inputs {}", case_name, number), attempt));
 }
 
 std::uint64_t SeedPlan::public_seed_of(const Exercise& exercise, const std::string& case_name) const
 {
-    return visible_seed(*this, exercise, case_name + "\nother inputs");
+    return VariedSeed::with_mark(visible_seed(*this, exercise, case_name + "\nother inputs"));
 }
 
 std::string work_digest(const Sources& files)
@@ -64,7 +67,7 @@ std::uint64_t stream_of(const Exercise& exercise, const std::string& case_name, 
     Sha256 hash;
     hash.update_field("umbral-hidden-stream-1");
     hash.update(seed);
-    return std::stoull(hash.finish().substr(0, 16), nullptr, 16);
+    return VariedSeed::with_mark(std::stoull(hash.finish().substr(0, 16), nullptr, 16));
 }
 
 bool is_hidden_case(const Exercise& exercise, const std::string& case_name)

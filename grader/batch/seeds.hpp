@@ -23,12 +23,12 @@ struct SeedPlan {
     [[nodiscard]] std::uint64_t seed_of(const Exercise& exercise, const std::string& case_name) const;
     /// The seed with which a borderline case is run again: as secret, and unrelated to it.
     [[nodiscard]] std::uint64_t fresh_seed_of(const Exercise& exercise, const std::string& case_name) const;
-    /// A seed of a visible case that follows from the secret: other inputs, of which there may be several. The same for
-    /// all students, so that the reference answers them once for a class; of a run with them nothing is told but
-    /// points.
+    /// A seed of a visible case that follows from the secret: other inputs, of which there may be several, and those
+    /// that are written down in the driver varied (umbral/record/variation.hpp). The same for all students, so that the
+    /// reference answers them once for a class; of a run with them nothing is told but points.
     [[nodiscard]] std::uint64_t other_seed_of(const Exercise& exercise, const std::string& case_name,
                                               unsigned number) const;
-    /// Another seed of a visible case that is the same for all.
+    /// Another seed of a visible case, for varied inputs that are the same for all.
     [[nodiscard]] std::uint64_t public_seed_of(const Exercise& exercise, const std::string& case_name) const;
 };
 
@@ -37,7 +37,7 @@ struct SeedPlan {
 
 /// The number that a run of a case is given, from which its random numbers follow. Of a visible case it is the seed; of
 /// a hidden one a one-way function of the seed, so that the memory of a run holds nothing from which another run's
-/// inputs could be computed.
+/// inputs could be computed. Whatever is written down in the driver is varied in hidden cases.
 [[nodiscard]] std::uint64_t stream_of(const Exercise& exercise, const std::string& case_name, std::uint64_t seed);
 
 /// Is any check of this case hidden?

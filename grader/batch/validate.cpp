@@ -8,6 +8,7 @@
 
 #include "batch/case_results.hpp"
 #include "batch/column_findings.hpp"
+#include "batch/fixed_inputs.hpp"
 #include "batch/known_solutions.hpp"
 #include "batch/related.hpp"
 #include "batch/rubric_findings.hpp"
@@ -61,7 +62,9 @@ std::string complaint(const UnitResult& result)
 Finding expect_all(Worker& worker, const Exercise& exercise, const std::string& subject, const Sources& sources,
                    unsigned seed)
 {
-    const UnitResult result = grade_unit(worker, exercise, {sources, {}, ""}, options_for(seed));
+    GradeOptions options = options_for(seed);
+    options.other_inputs = true;  // what is right must be right for them too
+    const UnitResult result = grade_unit(worker, exercise, {sources, {}, ""}, options);
     Finding finding{exercise.id, subject, seed, result.verdict == Verdict::ok, percent(result), "100", ""};
     finding.hard_share = hard_share(result);
     if (!finding.holds) finding.message = complaint(result);
@@ -289,6 +292,8 @@ void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed, cons
     guarded("columns", [&] {
         for (const Finding& finding : expect_columns(worker, exercise, options_for(seed).seeds, seed)) report(finding);
     });
+    guarded("fixed inputs",
+            [&] { report(expect_few_fixed_inputs(worker, exercise, options_for(seed).seeds, seed)); });
     guarded("stub", [&] {
         const UnitResult stub = grade_unit(worker, exercise, {stub_sources(exercise), {}, ""}, options_for(seed));
         report({exercise.id, "stub", seed, stub.verdict == Verdict::not_implemented && stub.score == 0, percent(stub),

@@ -13,7 +13,8 @@ namespace umbral::grader {
 struct Finding {
     std::string unit;
     std::string subject;  ///< "reference", "alternative: double_precision", "mistake: far_root", "control: zeros",
-                          ///< "stub", "statements", "case: random", "rubric: line 2", "columns: random/t"
+                          ///< "stub", "statements", "case: random", "rubric: line 2", "columns: random/t",
+                          ///< "fixed inputs"
     unsigned seed = 0;
     bool holds = false;
     double credit = 0;     ///< percent of the unit's points
@@ -40,10 +41,10 @@ enum class KnownMistakes { graded, passed_over };
 /// Proves that a unit's checks discriminate, with the inputs of one seed: the reference and every alternative get all
 /// points, the stub, every control and the forger none, each number of a row counts, every mistake its declared share,
 /// told by its own hint; of a rubric each line has a mistake that costs points there and in no other line; the
-/// reference is within its guarantee of the oracle. A mistake that no check tells from the reference fails the unit;
-/// scenes that cannot show it are named (Finding::blind). Calls `report` with each finding as it is made; with those of
-/// statements, reference and cases only if one is missing. Without a reference, or where it finishes not all cases that
-/// the checks name, nothing else is looked at.
+/// reference is within its guarantee of the oracle; few of the points hang on inputs that never change. A mistake that
+/// no check tells from the reference fails the unit; scenes that cannot show it are named (Finding::blind). Calls
+/// `report` with each finding as it is made; with those of statements, reference and cases only if one is missing.
+/// Without a reference, or where it finishes not all cases that the checks name, nothing else is looked at.
 void validate_unit(Worker& worker, const Exercise& exercise, unsigned seed,
                    const std::function<void(const Finding&)>& report, KnownMistakes mistakes = KnownMistakes::graded);
 

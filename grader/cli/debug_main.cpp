@@ -44,7 +44,8 @@ void run(char** words)
 #endif
     if (*words[2] != 0) load(words[2]);
     const auto* driver = static_cast<const Driver*>(dlsym(load(words[1]), "_ZN6umbral6driverE"));
-    Case what{words[3], Random(std::strtoull(words[4], nullptr, 10)), texts_in(words[5])};
+    const std::uint64_t stream = std::strtoull(words[4], nullptr, 10);
+    Case what{words[3], Random(stream), texts_in(words[5]), Variation(stream)};
     Questions questions({.stop = words[6] == nullptr ? std::nullopt : std::optional(std::stoul(words[6]))});
     Recorder recorder = words[6] == nullptr ? Recorder() : Recorder(questions);
     for (const DriverCase& one : driver->cases)

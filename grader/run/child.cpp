@@ -246,7 +246,8 @@ void live(const ChildSetup& setup, int run_socket, int confined) noexcept
     close(event_until_confined);
     header.stage = static_cast<std::uint32_t>(wire::Stage::confined);
 
-    Case what{job.case_name, Random(job.stream, job.inquiry.grain), unframed(content_of(texts_until_read))};
+    Case what{job.case_name, Random(job.stream, job.inquiry.grain), unframed(content_of(texts_until_read)),
+              Variation(job.stream)};
     close(texts_until_read);
     // Line by line, so that what was printed before a crash is not lost.
     setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);

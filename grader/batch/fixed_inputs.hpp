@@ -1,0 +1,20 @@
+#pragma once
+
+#include "batch/seeds.hpp"
+#include "batch/validate.hpp"
+#include "batch/worker.hpp"
+
+namespace umbral::grader {
+
+/// Is anything that the check looks at another with another seed? Asked of the reference: of visible cases with two
+/// seeds that are the same for all, so that a result depends on nobody else's.
+[[nodiscard]] bool has_other_inputs(Worker& worker, const Exercise& exercise, const Check& check,
+                                    const SeedPlan& seeds);
+
+/// The share of a unit's points that checks hold whose inputs are the same for every seed, hidden checks among them:
+/// who knows the driver can write their answers down. Counted work is left out, since an answer alone earns nothing
+/// there. Holds up to 30 %; the message names the checks.
+[[nodiscard]] Finding expect_few_fixed_inputs(Worker& worker, const Exercise& exercise, const SeedPlan& seeds,
+                                              unsigned seed);
+
+}
