@@ -12,6 +12,7 @@
 
 #include "../command_log.hpp"
 #include "../script_text.hpp"
+#include "../varied_script.hpp"
 #include "scripts.hpp"
 
 namespace umbral {
@@ -96,31 +97,38 @@ void record(Recorder& out, const input::EventScript& script, glm::ivec2 size,
     }
 }
 
-void record_text(Recorder& out, const char* text)
+void record_text(Case& what, Recorder& out, const char* text)
 {
     out.text("commands.names", command_names(false));
-    record(out, input::parse_script(text), square);
+    record(out, varied(what.vary, text), square);
+}
+
+void record_keys(Case& what, Recorder& out, bool listens)
+{
+    out.text("commands.names", command_names(false));
+    const std::vector<int> others{GLFW_KEY_R, GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3, GLFW_KEY_4};
+    record(out, behind_other_keys(what.vary, input::parse_script(keys), others), square, {}, listens);
 }
 
 /// A window is closed in the middle of a drag; then there is another one, with Controls of its own.
-void record_two_windows(Recorder& out)
+void record_two_windows(Case& what, Recorder& out)
 {
     out.text("commands.names", command_names(true));
-    record(out, input::parse_script("0.1 press left 10 10\n0.2 move 30 20\n"), wide, {}, false, 1);
+    record(out, varied(what.vary, "0.1 press left 10 10\n0.2 move 30 20\n"), wide, {}, false, 1);
     record(out,
-           input::parse_script("0.1 move 50 60\n0.2 move 70 80\n0.3 press right\n0.4 move 71 79\n0.5 release "
-                               "right\n0.6 press left\n0.7 move 75 85\n"),
+           varied(what.vary,
+                  "0.1 move 50 60\n0.2 move 70 80\n0.3 press right\n0.4 move 71 79\n0.5 release right\n"
+                  "0.6 press left\n0.7 move 75 85\n"),
            wide, {}, false, 2);
 }
 
 /// Sizes of a window; and one that is minimised when the program begins to listen.
-void record_sizes(Recorder& out)
+void record_sizes(Case& what, Recorder& out)
 {
     out.text("commands.names", command_names(true));
     const input::HeadlessSettings fine{.content_scale = {2, 2}};
-    record(out, input::parse_script(windows), wide, fine, false, 1);
-    record(out, input::parse_script("0.1 resize 300 200\n0.2 resize 0 0\n0.3 resize 300 200\n"), {0, 0}, fine, false,
-           2);
+    record(out, varied(what.vary, windows), wide, fine, false, 1);
+    record(out, varied(what.vary, "0.1 resize 300 200\n0.2 resize 0 0\n0.3 resize 300 200\n"), {0, 0}, fine, false, 2);
 }
 
 void record_random(Recorder& out, Random& random)
@@ -153,9 +161,8 @@ private:
     glm::dvec2 shift_{0};
 };
 
-Image picture_after(Recorder& out, const char* text)
+Image picture_after(Recorder& out, const input::EventScript& script)
 {
-    const input::EventScript script = input::parse_script(text);
     constexpr glm::ivec2 size{256, 256};
     ask_in_words(out, [&] { return told(script, size, {}, false, script.back().time, true); });
     ObedientCamera camera;
@@ -171,22 +178,19 @@ Image picture_after(Recorder& out, const char* text)
 }
 
 const Driver driver = {
-    {"each kind", [](Case&, Recorder& out) { record_text(out, each_kind); }},
-    {"orbit", [](Case&, Recorder& out) { record_text(out, orbiting); }},
-    {"pan", [](Case&, Recorder& out) { record_text(out, panning); }},
-    {"two buttons", [](Case&, Recorder& out) { record_text(out, two_buttons); }},
-    {"outside", [](Case&, Recorder& out) { record_text(out, outside); }},
-    {"wheel", [](Case&, Recorder& out) { record_text(out, wheel); }},
-    {"keys", [](Case&, Recorder& out) { record_text(out, keys); }},
-    {"keys passed on",
-     [](Case&, Recorder& out) {
-         out.text("commands.names", command_names(false));
-         record(out, input::parse_script(keys), square, {}, true);
-     }},
-    {"window size", [](Case&, Recorder& out) { record_sizes(out); }},
-    {"two windows", [](Case&, Recorder& out) { record_two_windows(out); }},
+    {"each kind", [](Case& c, Recorder& out) { record_text(c, out, each_kind); }},
+    {"orbit", [](Case& c, Recorder& out) { record_text(c, out, orbiting); }},
+    {"pan", [](Case& c, Recorder& out) { record_text(c, out, panning); }},
+    {"two buttons", [](Case& c, Recorder& out) { record_text(c, out, two_buttons); }},
+    {"outside", [](Case& c, Recorder& out) { record_text(c, out, outside); }},
+    {"wheel", [](Case& c, Recorder& out) { record_text(c, out, wheel); }},
+    {"keys", [](Case& c, Recorder& out) { record_keys(c, out, false); }},
+    {"keys passed on", [](Case& c, Recorder& out) { record_keys(c, out, true); }},
+    {"window size", [](Case& c, Recorder& out) { record_sizes(c, out); }},
+    {"two windows", [](Case& c, Recorder& out) { record_two_windows(c, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", picture_after(out, a_look_around)); }},
+    {"picture",
+     [](Case& c, Recorder& out) { out.image("colours", picture_after(out, varied(c.vary, a_look_around))); }},
 };
 
 }

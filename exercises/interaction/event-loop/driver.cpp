@@ -1,6 +1,7 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "../varied_script.hpp"
 #include "light_painting.hpp"
 #include "sessions.hpp"
 
@@ -28,6 +29,16 @@ void record(Recorder& out, const NamedLoop& loop, const std::vector<LoopSession>
     }
 }
 
+/// Sessions that are written down. Varied, they come in another order, sooner or later, and behind other keys.
+void record_written(Case& what, Recorder& out, const NamedLoop& loop, std::vector<LoopSession> sessions,
+                    bool counted = false)
+{
+    for (LoopSession& session : sessions)
+        session.script =
+            behind_other_keys(what.vary, varied(what.vary, session.script, {.times = true}), {GLFW_KEY_R, GLFW_KEY_B});
+    record(out, loop, in_other_order(what.vary, std::move(sessions)), counted);
+}
+
 void record_random(Recorder& out, const NamedLoop& loop, Random& random)
 {
     std::vector<LoopSession> sessions;
@@ -49,7 +60,7 @@ glm::dvec2 first_place(const input::EventScript& script)
     return move != nullptr ? move->place : exposure_middle;
 }
 
-Image painted(Recorder& out)
+Image painted(Case& what, Recorder& out)
 {
     struct Part {
         const NamedLoop& loop;
@@ -59,9 +70,12 @@ Image painted(Recorder& out)
         input::EventScript script;
     };
     const Part parts[] = {
-        {waiting_loop, "the pointer is a light, and draws", pointer_light, 0, hand_draws_a_rose()},
-        {animated_loop, "three lights go round", planet_lights, 0, input::parse_script("2.2 key ESCAPE press\n")},
-        {switching_loop, "a light goes round the pointer", moon_light, 30, moon_and_hand()},
+        {waiting_loop, "the pointer is a light, and draws", pointer_light, 0,
+         turned(what.vary, hand_draws_a_rose(), exposure_middle)},
+        {animated_loop, "three lights go round", planet_lights, 0,
+         varied(what.vary, "2.2 key ESCAPE press\n", {.times = true})},
+        {switching_loop, "a light goes round the pointer", moon_light, 30,
+         turned(what.vary, moon_and_hand(), exposure_middle)},
     };
     Image picture(3 * exposure_size, exposure_size);
     int left = 0;
@@ -82,23 +96,26 @@ Image painted(Recorder& out)
 }
 
 const Driver driver = {
-    {"waiting", [](Case&, Recorder& out) { record(out, waiting_loop, needs(), true); }},
-    {"waiting refined", [](Case&, Recorder& out) { record(out, waiting_loop, refinements()); }},
-    {"waiting ended", [](Case&, Recorder& out) { record(out, waiting_loop, endings()); }},
-    {"waiting minimised", [](Case&, Recorder& out) { record(out, waiting_loop, minimised(), true); }},
+    {"waiting", [](Case& c, Recorder& out) { record_written(c, out, waiting_loop, needs(), true); }},
+    {"waiting refined", [](Case& c, Recorder& out) { record_written(c, out, waiting_loop, refinements()); }},
+    {"waiting ended", [](Case& c, Recorder& out) { record_written(c, out, waiting_loop, endings()); }},
+    {"waiting minimised", [](Case& c, Recorder& out) { record_written(c, out, waiting_loop, minimised(), true); }},
     {"animated",
-     [](Case&, Recorder& out) { record(out, animated_loop, together(together(motions(), needs()), refinements())); }},
-    {"animated ended", [](Case&, Recorder& out) { record(out, animated_loop, endings()); }},
-    {"animated minimised", [](Case&, Recorder& out) { record(out, animated_loop, minimised(), true); }},
-    {"switching",
-     [](Case&, Recorder& out) {
-         record(out, switching_loop, together(together(switches(), motions()), refinements()), true);
+     [](Case& c, Recorder& out) {
+         record_written(c, out, animated_loop, together(together(motions(), needs()), refinements()));
      }},
-    {"switching ended", [](Case&, Recorder& out) { record(out, switching_loop, together(endings(), minimised())); }},
+    {"animated ended", [](Case& c, Recorder& out) { record_written(c, out, animated_loop, endings()); }},
+    {"animated minimised", [](Case& c, Recorder& out) { record_written(c, out, animated_loop, minimised(), true); }},
+    {"switching",
+     [](Case& c, Recorder& out) {
+         record_written(c, out, switching_loop, together(together(switches(), motions()), refinements()), true);
+     }},
+    {"switching ended",
+     [](Case& c, Recorder& out) { record_written(c, out, switching_loop, together(endings(), minimised())); }},
     {"random waiting", [](Case& c, Recorder& out) { record_random(out, waiting_loop, c.random); }},
     {"random animated", [](Case& c, Recorder& out) { record_random(out, animated_loop, c.random); }},
     {"random switching", [](Case& c, Recorder& out) { record_random(out, switching_loop, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("exposure", painted(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("exposure", painted(c, out)); }},
 };
 
 }

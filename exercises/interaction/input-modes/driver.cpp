@@ -1,6 +1,7 @@
 #include <umbral/input/random_script.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "../varied_script.hpp"
 #include "scripts.hpp"
 #include "three_skies.hpp"
 
@@ -43,18 +44,18 @@ void record_queue(Recorder& out, const input::EventScript& script, double step, 
     trial.take(1);
 }
 
-void record_queue_text(Recorder& out, const char* text, double step, int at_a_time)
+void record_written_queue(Case& what, Recorder& out, const char* text, double step, int at_a_time)
 {
     name_events(out, "events");
-    record_queue(out, input::parse_script(text), step, at_a_time);
+    record_queue(out, varied(what.vary, text), step, at_a_time);
 }
 
 /// Buttons were pressed, and the cursor left the window, before anybody listened.
-void record_late_beginning(Recorder& out)
+void record_late_beginning(Case& what, Recorder& out)
 {
     name_events(out, "events");
-    InputTrial trial(
-        out, input::parse_script("0.1 move 200 100\n0.2 press right\n0.25 press 6\n0.3 press middle -210.5 -90.25\n"
+    InputTrial trial(out, varied(what.vary,
+                                 "0.1 move 200 100\n0.2 press right\n0.25 press 6\n0.3 press middle -210.5 -90.25\n"
                                  "0.5 move 220 85\n0.6 press left\n0.7 release right\n0.8 scroll 1 0\n"));
     trial.pass(0.4);
     trial.install();
@@ -64,26 +65,26 @@ void record_late_beginning(Recorder& out)
 }
 
 /// One window ends with buttons down and events that nobody took; the next one knows nothing of it.
-void record_two_windows(Recorder& out)
+void record_two_windows(Case& what, Recorder& out)
 {
     name_events(out, "events", true);
     {
         InputTrial first(
-            out, input::parse_script("0.1 press left 30 40\n0.2 move 300 200\n0.3 press right\n0.4 key A press\n"), 1);
+            out, varied(what.vary, "0.1 press left 30 40\n0.2 move 300 200\n0.3 press right\n0.4 key A press\n"), 1);
         first.install();
         first.pass(0.5);
         first.take(2);
     }
-    record_queue(out, input::parse_script("0.1 move 20 10\n0.2 press middle\n0.3 key A press\n"), 0.5, 1, 2);
+    record_queue(out, varied(what.vary, "0.1 move 20 10\n0.2 press middle\n0.3 key A press\n"), 0.5, 1, 2);
 }
 
-void record_requests(Recorder& out)
+void record_requests(Case& what, Recorder& out)
 {
     using enum InputKind;
     name_events(out, "answers");
     name_events(out, "events");
     name_columns(out);
-    InputTrial trial(out, input::parse_script(asked_hand));
+    InputTrial trial(out, varied(what.vary, asked_hand));
     trial.install();
     trial.work();  // the first press and release come meanwhile
     trial.request(button_pressed);
@@ -99,7 +100,7 @@ void record_requests(Recorder& out)
 }
 
 /// Windows that close before, while and just when an answer comes. Each session asks twice.
-void record_closing(Recorder& out)
+void record_closing(Case& what, Recorder& out)
 {
     using enum InputKind;
     name_events(out, "answers", true);
@@ -119,7 +120,7 @@ void record_closing(Recorder& out)
     };
     int number = 0;
     for (const auto& [script, first, second] : sessions) {
-        InputTrial trial(out, input::parse_script(script), ++number);
+        InputTrial trial(out, varied(what.vary, script), ++number);
         trial.install();
         const bool works_first = std::string_view(script).starts_with("0.1 close\n0.4");
         if (works_first) trial.work();
@@ -128,8 +129,9 @@ void record_closing(Recorder& out)
     // A program that asks whether to save, and goes on: what came after a request that had no answer answers no later
     // one.
     InputTrial trial(out,
-                     input::parse_script("0.1 close\n0.2 press left 30 40\n0.3 release left\n0.4 key E press\n"
-                                         "0.6 press right 50 60\n0.7 scroll 0 1\n0.8 key E release\n0.9 close\n"),
+                     varied(what.vary,
+                            "0.1 close\n0.2 press left 30 40\n0.3 release left\n0.4 key E press\n"
+                            "0.6 press right 50 60\n0.7 scroll 0 1\n0.8 key E release\n0.9 close\n"),
                      ++number);
     trial.install();
     for (const InputKind kind : {button_pressed, button_pressed, key_released, scrolled}) {
@@ -165,9 +167,9 @@ void record_together(Recorder& out, Random& random)
     }
 }
 
-Image skies(Recorder& out)
+Image skies(Case& what, Recorder& out)
 {
-    const input::EventScript script = sky_script();
+    const input::EventScript script = turned(what.vary, sky_script(), exposure_middle);
     Image picture(3 * exposure_size, exposure_size);
     const auto show = [&](int place, const char* mode, auto read) {
         ask_in_words(out, [&] { return std::string("// a hand draws stars, seen by ") + mode; });
@@ -219,18 +221,18 @@ void record_random_queue(Recorder& out, Random& random)
 }
 
 const Driver driver = {
-    {"sample", [](Case&, Recorder& out) { record_samples(out, input::parse_script(sampled_hand), 0.25); }},
+    {"sample", [](Case& c, Recorder& out) { record_samples(out, varied(c.vary, sampled_hand), 0.25); }},
     {"random sample",
      [](Case& c, Recorder& out) { record_samples(out, input::random_script(c.random, {.gestures = 60}), 0.11); }},
-    {"queue", [](Case&, Recorder& out) { record_queue_text(out, queued_hand, 0.42, 5); }},
-    {"lost", [](Case&, Recorder& out) { record_queue_text(out, lost_hand, 0.125, 2); }},
-    {"late", [](Case&, Recorder& out) { record_late_beginning(out); }},
-    {"two windows", [](Case&, Recorder& out) { record_two_windows(out); }},
+    {"queue", [](Case& c, Recorder& out) { record_written_queue(c, out, queued_hand, 0.42, 5); }},
+    {"lost", [](Case& c, Recorder& out) { record_written_queue(c, out, lost_hand, 0.125, 2); }},
+    {"late", [](Case& c, Recorder& out) { record_late_beginning(c, out); }},
+    {"two windows", [](Case& c, Recorder& out) { record_two_windows(c, out); }},
     {"random queue", [](Case& c, Recorder& out) { record_random_queue(out, c.random); }},
-    {"request", [](Case&, Recorder& out) { record_requests(out); }},
-    {"closing", [](Case&, Recorder& out) { record_closing(out); }},
+    {"request", [](Case& c, Recorder& out) { record_requests(c, out); }},
+    {"closing", [](Case& c, Recorder& out) { record_closing(c, out); }},
     {"together", [](Case& c, Recorder& out) { record_together(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("skies", skies(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("skies", skies(c, out)); }},
 };
 
 }

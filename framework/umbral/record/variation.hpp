@@ -62,7 +62,7 @@ public:
 
     /// Uniform within `spread` of `value`; of integers both ends can come. Of vectors each component is drawn.
     template <class T>
-        requires std::is_arithmetic_v<T>
+    requires std::is_arithmetic_v<T>
     [[nodiscard]] T near(T value, T spread)
     {
         if (!random_) return value;
