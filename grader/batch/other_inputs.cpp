@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "batch/fixed_inputs.hpp"
+#include "batch/right_questions.hpp"
 #include "batch/student_case.hpp"
 #include "judge/judges.hpp"
 #include "report/paint.hpp"
@@ -16,16 +18,13 @@ namespace {
 
 /// Inputs that are tried one after the other. By chance alone none of two fails that should not.
 constexpr unsigned most_rounds = 2;
-/// What is earned with other inputs differs a little for work that is partly right: less than half of it, and a tenth
-/// of the check's points less, is more than that.
+/// What is earned with other inputs differs a little for work that is partly right: a tenth of the check's points less
+/// is more than that if it is less than half of what was earned, or if fewer questions were answered rightly than by
+/// chance.
 constexpr Millipoints least_part = 2;
 constexpr Millipoints least_loss = 10;
 
-bool holds(const CheckResult& before, Millipoints with_other_inputs)
-{
-    return least_part * with_other_inputs >= before.score ||
-           least_loss * (before.score - with_other_inputs) < before.max_score;
-}
+bool is_little(const CheckResult& before, Millipoints lost) { return least_loss * lost < before.max_score; }
 
 /// What a check earns with other inputs. One that another run would have to decide has earned what it did before.
 Millipoints earned(Worker& worker, const Exercise& exercise, const Check& check, const CaseResult& one,
@@ -42,6 +41,7 @@ struct Asked {
     std::size_t check = 0;
     Millipoints best = 0;
     bool held = false;
+    std::optional<RightQuestions> before{};  ///< counted where it is needed
 };
 
 /// Visible checks that earned enough to be doubted: those with other inputs, and those whose inputs never change.
@@ -55,7 +55,8 @@ Earners earners_of(Worker& worker, const Exercise& exercise, const GradeOptions&
     Earners earners;
     for (std::size_t i = 0; i < exercise.checks.size(); ++i) {
         const Check& check = exercise.checks[i];
-        if (holds(result.checks[i], 0) || judge_of(check).counts_work || is_hidden_case(exercise, check.case_name))
+        if (is_little(result.checks[i], result.checks[i].score) || judge_of(check).counts_work ||
+            is_hidden_case(exercise, check.case_name))
             continue;
         if (has_other_inputs(worker, exercise, check, options.seeds))
             earners.asked.push_back({i});
@@ -63,6 +64,17 @@ Earners earners_of(Worker& worker, const Exercise& exercise, const GradeOptions&
             earners.unchanging.push_back(i);
     }
     return earners;
+}
+
+/// Is what was earned with other inputs no less than work that is what it seems earns there?
+bool holds(Worker& worker, const Exercise& exercise, const Check& check, const CheckResult& before,
+           const CaseResult& first, const CaseResult& other, Asked& asked)
+{
+    if (is_little(before, before.score - asked.best)) return true;
+    if (least_part * asked.best < before.score) return false;
+    if (!asked.before) asked.before = right_questions(worker, exercise, check, first);
+    const auto now = right_questions(worker, exercise, check, other);
+    return !asked.before || !now || !is_beyond_chance(*asked.before, *now);
 }
 
 void ask_once(Worker& worker, const Exercise& exercise, const Built& built, const CaseResults& cases,
@@ -78,10 +90,10 @@ void ask_once(Worker& worker, const Exercise& exercise, const Built& built, cons
             again.emplace(check.case_name, may_run_another(again)
                                                ? run_case(worker, exercise, built, check.case_name, seed, false)
                                                : not_reached(seed, false));
-        const Millipoints now =
-            earned(worker, exercise, check, again.at(check.case_name), before, cases.at(check.case_name).seed);
-        one.best = std::max(one.best, now);
-        one.held = holds(before, one.best);
+        const CaseResult& first = cases.at(check.case_name);
+        const CaseResult& other = again.at(check.case_name);
+        one.best = std::max(one.best, earned(worker, exercise, check, other, before, first.seed));
+        one.held = holds(worker, exercise, check, before, first, other, one);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "batch/grade_unit.hpp"
 #include "batch/known_solutions.hpp"
+#include "batch/right_questions.hpp"
 #include "support/workbench.hpp"
 
 // Answers that are written down for the inputs that everybody has earn nothing; work that is what it seems loses
@@ -42,14 +43,28 @@ bool answers(const umbral::Ray& ray, const umbral::raytracing::Sphere& ball)
 }
 )";
 
+/// What is no bug of the usual kind: of all rays two in three, by their numbers.
+constexpr const char* two_in_three = R"(
+bool is_among_two_in_three(const umbral::Ray& ray)
+{
+    unsigned bits = 0;
+    for (const float number : {ray.origin.x, ray.origin.y, ray.direction.x})
+        bits = (bits ^ std::bit_cast<unsigned>(number)) * 2654435761U;
+    return (bits >> 8U) % 3 != 0;
+}
+)";
+
 class OtherInputs : public testing::Test {
 protected:
-    [[nodiscard]] Sources sphere(const std::string& known, bool tells) const
+    /// `unless`: a condition under which it answers rightly for inputs it does not know.
+    [[nodiscard]] Sources sphere(const std::string& known, bool tells, const std::string& unless = "false") const
     {
         std::string before = knows_its_case;
         before.replace(before.find("@KNOWN@"), 7, known);
         for (int i = 0; i < 2; ++i) before.replace(before.find("@TELLS@"), 7, tells ? "true" : "false");
-        return {{"sphere.cpp", sphere_with(before, "    if (!answers(ray, sphere)) return 0.125F;\n")}};
+        before += two_in_three;
+        return {{"sphere.cpp",
+                 sphere_with(before, "    if (!answers(ray, sphere) && !(" + unless + ")) return 0.125F;\n")}};
     }
     UnitResult grade(const Sources& sources, bool other_inputs)
     {
@@ -89,6 +104,35 @@ TEST_F(OtherInputs, answers_for_known_inputs_alone_earn_nothing)
     EXPECT_NE(inside->message.find("not with others"), std::string::npos) << inside->message;
     const auto head_on = std::ranges::find(result.checks, "head-on/t", &CheckResult::name);
     EXPECT_NE(head_on->message.find("never change"), std::string::npos) << head_on->message;
+}
+
+TEST_F(OtherInputs, half_a_solution_and_answers_for_known_inputs_earn_what_the_half_does)
+{
+    const std::string known = told_by_visible_cases();
+    const Sources cheat = sphere(known, false, "is_among_two_in_three(ray)");
+    const Sources honest = sphere("", false, "is_among_two_in_three(ray)");
+    const UnitResult half = grade(honest, false);
+    const UnitResult result = grade(cheat, true);
+    EXPECT_GT(grade(cheat, false).score, half.score + exercise.points / 5) << "this is what it is about";
+    // Inputs that never change, of head-on rays and of the picture, hold a fifth of the unit's points.
+    EXPECT_LT(result.score, half.score + exercise.points / 5);
+    for (std::size_t i = 0; i < result.checks.size(); ++i)
+        if (const CheckResult& check = result.checks[i];
+            check.name != "head-on/t" && !check.name.starts_with("picture"))
+            EXPECT_LT(check.score, half.checks[i].score + check.max_score / 5) << check.name << ": " << check.message;
+    EXPECT_EQ(grade(honest, true).score, half.score) << "who answers two of three questions is no cheat";
+}
+
+TEST(BeyondChance, is_five_standard_deviations_of_two_proportions)
+{
+    // 30 and 60 of 100: the share is 0.45, its deviation 0.07036 for the difference, 0.3 is 4.26 of them.
+    EXPECT_FALSE(is_beyond_chance({60, 100}, {30, 100}));
+    EXPECT_TRUE(is_beyond_chance({120, 200}, {60, 200})) << "6.03 of them";
+    EXPECT_FALSE(is_beyond_chance({60, 200}, {120, 200})) << "more right than before";
+    EXPECT_FALSE(is_beyond_chance({1, 1}, {0, 1}));
+    EXPECT_FALSE(is_beyond_chance({100, 100}, {100, 100}));
+    EXPECT_FALSE(is_beyond_chance({0, 0}, {0, 10}));
+    EXPECT_TRUE(is_beyond_chance({100, 100}, {65, 100}));
 }
 
 TEST_F(OtherInputs, cost_no_other_work_anything)
