@@ -6,6 +6,7 @@
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <umbral/projections/view_volume.hpp>
+#include <umbral/record/variation.hpp>
 #include <utility>
 
 /// What the drivers of units about view volumes share.
@@ -45,6 +46,24 @@ inline ViewVolume with_sides_exchanged(ViewVolume volume, unsigned which)
     if ((which & 1U) != 0) std::swap(volume.left, volume.right);
     if ((which & 2U) != 0) std::swap(volume.bottom, volume.top);
     if ((which & 4U) != 0) std::swap(volume.near_plane, volume.far_plane);
+    return volume;
+}
+
+/// Another volume, if inputs are to vary: in each axis larger or smaller, the window moved aside. Sides that are zero
+/// remain so, and planes stay on their side of the eye, in their order.
+inline ViewVolume varied(Variation& vary, ViewVolume volume)
+{
+    const auto resize = [&](float& low, float& high) {
+        const float size = vary.scaled(1.0F, 1.3F);
+        const float aside = vary.near(0.0F, 0.2F) * (high - low);
+        low = size * low + aside;
+        high = size * high + aside;
+    };
+    resize(volume.left, volume.right);
+    resize(volume.bottom, volume.top);
+    const float size = vary.scaled(1.0F, 1.3F);
+    volume.near_plane *= size;
+    volume.far_plane *= size * vary.scaled(1.0F, 1.2F);
     return volume;
 }
 

@@ -22,21 +22,32 @@ using Size = glm::ivec2;
 constexpr Size sizes[] = {{640, 480}, {300, 300}, {100, 400}, {0, 0},         {1920, 1080}, {0, 77},  {640, 0},
                           {-5, 100},  {1, 400},   {7000, 3},  {60000, 40000}, {320, -240},  {-8, -8}, {2, 1}};
 
+/// A size that is one, larger if inputs are to vary; a square remains one, as does what is one pixel wide.
+Size varied(Variation& vary, const Size& size)
+{
+    Random* const random = vary.random();
+    if (random == nullptr || size.x <= 0 || size.y <= 0) return size;
+    const glm::vec2 factor(random->uniform(1, 2), random->uniform(1, 2));
+    const Size larger(factor * glm::vec2(size));
+    return size.x == size.y ? Size(larger.x) : larger;
+}
+
 template <class AnyCamera>
-void record_viewports(Recorder& out, AnyCamera& camera)
+void record_viewports(Variation& vary, Recorder& out, AnyCamera& camera)
 {
     record(out, camera);
-    for (const Size& size : sizes) {
+    for (const Size& written : sizes) {
+        const Size size = varied(vary, written);
         ask<&Camera::set_viewport>(out, camera, size.x, size.y);
         record(out, camera);
     }
     record(out, camera);
 }
 
-void record_base(Recorder& out)
+void record_base(Variation& vary, Recorder& out)
 {
     const std::unique_ptr<Camera> camera = ask_new<make_camera>(out, "camera");
-    if (camera) record_viewports(out, *camera);
+    if (camera) record_viewports(vary, out, *camera);
 }
 
 /// Where an orbital camera stands.
@@ -46,13 +57,22 @@ struct Orbit {
     float distance;
 };
 
+/// Another place, if inputs are to vary: above and below the target it is turned about the vertical only.
+Orbit varied(Variation& vary, Orbit orbit)
+{
+    orbit.a_degrees = vary.near(orbit.a_degrees, 20.0F);
+    if (std::abs(orbit.b_degrees) != 90) orbit.b_degrees = vary.near(orbit.b_degrees, 8.0F);
+    orbit.distance = vary.scaled(orbit.distance, 1.2F);
+    return orbit;
+}
+
 std::unique_ptr<OrbitalCamera> made(Recorder& out, const char* name, const Orbit& orbit)
 {
     return ask_new<make_orbital_camera>(out, name, orbit.a_degrees, orbit.b_degrees, orbit.distance);
 }
 
 // On the axes, at the poles and beyond them; and one that shows which turn comes first.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     for (const Orbit& orbit : {Orbit{0, 0, 5},
                                {90, 0, 2},
@@ -66,15 +86,15 @@ void record_known(Recorder& out)
                                {0, 180, 6},
                                {90, 30, 4},
                                {30, 60, 8}}) {
-        const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", orbit);
+        const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", varied(vary, orbit));
         if (camera) record(out, *camera);
     }
 }
 
-void record_orbital_viewports(Recorder& out)
+void record_orbital_viewports(Variation& vary, Recorder& out)
 {
-    const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", {30, 20, 3});
-    if (camera) record_viewports(out, *camera);
+    const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", varied(vary, Orbit{30, 20, 3}));
+    if (camera) record_viewports(vary, out, *camera);
 }
 
 /// What one may do to an orbital camera.
@@ -86,16 +106,16 @@ void change(Recorder& out, OrbitalCamera& camera, std::uint32_t kind, const Orbi
 }
 
 // After each change, after two of them, and after none.
-void record_changes(Recorder& out)
+void record_changes(Variation& vary, Recorder& out)
 {
-    const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", {0, 0, 5});
+    const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", varied(vary, Orbit{0, 0, 5}));
     if (!camera) return;
     record(out, *camera);
     const std::uint32_t kinds[] = {0, 1, 2, 3, 1, 0, 2, 1, 0};
     for (std::uint32_t i = 0; i < 9; ++i) {
         const auto step = static_cast<float>(i);
-        change(out, *camera, kinds[i], {15 * step, 10 * step - 30, 1 + 0.5F * step},
-               {100 + 50 * static_cast<int>(i), 200});
+        change(out, *camera, kinds[i], varied(vary, Orbit{15 * step, 10 * step - 30, 1 + 0.5F * step}),
+               varied(vary, Size(100 + 50 * static_cast<int>(i), 200)));
         if (i != 4 && i != 6) record(out, *camera);
     }
 }
@@ -218,7 +238,7 @@ void record_many_turns(Random& random, Recorder& out)
 }
 
 // A control room: five cameras, each with a window of its own shape; the last one is the base camera, before a model.
-void draw_windows(Recorder& out)
+void draw_windows(Variation& vary, Recorder& out)
 {
     constexpr glm::ivec2 size(480, 320);
     constexpr glm::vec3 sky(0.58F, 0.76F, 0.91F);
@@ -241,7 +261,7 @@ void draw_windows(Recorder& out)
                               {{0, 89, 9.5F}, {4, 4}, {124, 124}},
                               {{-62, 6, 4.4F}, {132, 4}, {216, 124}}};
     for (const Window& window : windows) {
-        const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", window.orbit);
+        const std::unique_ptr<OrbitalCamera> camera = made(out, "camera", varied(vary, window.orbit));
         if (!camera) continue;
         const RecordingTarget target = begin(*camera, window.corner, window.extent);
         look_through(stage, target.view() * lowered, target.projection());
@@ -250,7 +270,7 @@ void draw_windows(Recorder& out)
     const std::unique_ptr<Camera> base = ask_new<make_camera>(out, "base");
     if (base) {
         const RecordingTarget target = begin(*base, {352, 4}, {124, 124});
-        const glm::mat4 model = glm::rotate(glm::mat4(1), 0.6F, glm::vec3(1, 0, 0)) *
+        const glm::mat4 model = glm::rotate(glm::mat4(1), vary.near(0.6F, 0.3F), glm::vec3(1, 0, 0)) *
                                 glm::rotate(glm::mat4(1), 0.7F, glm::vec3(0, 1, 0)) *
                                 glm::scale(glm::mat4(1), glm::vec3(0.155F)) * lowered;
         look_through(stage, target.view() * model, target.projection());
@@ -262,16 +282,16 @@ void draw_windows(Recorder& out)
 }
 
 const Driver driver = {
-    {"base", [](Case&, Recorder& out) { record_base(out); }},
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
-    {"viewports", [](Case&, Recorder& out) { record_orbital_viewports(out); }},
-    {"changes", [](Case&, Recorder& out) { record_changes(out); }},
+    {"base", [](Case& c, Recorder& out) { record_base(c.vary, out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
+    {"viewports", [](Case& c, Recorder& out) { record_orbital_viewports(c.vary, out); }},
+    {"changes", [](Case& c, Recorder& out) { record_changes(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"several", [](Case& c, Recorder& out) { record_several(c.random, out); }},
     {"calls", [](Case& c, Recorder& out) { record_calls(c.random, out); }},
     {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { draw_windows(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_windows(c.vary, out); }},
 };
 
 }

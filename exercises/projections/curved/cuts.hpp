@@ -5,6 +5,7 @@
 #include <span>
 #include <umbral/projections/curved.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// How triangles that were cut are recorded, in whatever order they come.
@@ -49,6 +50,29 @@ inline void record_cut(Recorder& out, const std::vector<glm::vec3>& corners, flo
         for (std::size_t k = 0; k < 9; ++k) numbers[k] = row[k / 3][static_cast<int>(k % 3)];
         out.append("triangles", std::span<const float>(numbers));
     }
+}
+
+/// One that is fine as it is; one that is cut once, and twice; two of which only one would need it; the eye within, at
+/// a corner, and on an edge; one edge only that is too wide, each in its turn; none at all.
+inline void record_known_cuts(Variation& vary, Recorder& out)
+{
+    // Turned by quarters of a turn only, in which no coordinate is rounded.
+    const auto record_triangles = [&](std::vector<glm::vec3> corners, float angle) {
+        const ExactMap map = vary.exact_map(1);
+        for (glm::vec3& corner : corners) corner = map.place(corner) + 0.0F;  // no -0
+        record_cut(out, corners, angle);
+    };
+    const std::vector<glm::vec3> wall = {{-1, 0, -2}, {1, 0, -2}, {0, 2, -2}};
+    for (const float angle : {3.0F, 1.0F, 0.75F, 0.5F, 0.25F}) record_triangles(wall, vary.scaled(angle, 1.4F));
+    record_triangles({{-1, 0, -2}, {1, 0, -2}, {0, 2, -2}, {0, 0, -64}, {1, 0, -64}, {0, 1, -64}}, 0.75F);
+    record_triangles({{-4, -1, 4}, {4, -1, 4}, {0, -1, -6}}, 0.5F);
+    record_triangles({{0, 0, 0}, {4, 0, -4}, {0, 4, -4}}, 0.3F);
+    record_triangles({{-4, 0, 0}, {4, 0, 0}, {0, 4, -4}}, 4);
+    for (const std::vector<glm::vec3>& flat : {std::vector<glm::vec3>{{1, 0, -2}, {0, 0.25F, -2}, {-1, 0, -2}},
+                                               {{0, 0.25F, -2}, {-1, 0, -2}, {1, 0, -2}},
+                                               {{-1, 0, -2}, {1, 0, -2}, {0, 0.25F, -2}}})
+        record_triangles(flat, 0.75F);
+    record_triangles({}, 0.5F);
 }
 
 }

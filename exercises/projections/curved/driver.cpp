@@ -28,8 +28,16 @@ void record(Recorder& out, const glm::vec3& point)
     out.append("cylinder", row_of(ask<cylindrical_projection>(out, point)));
 }
 
+/// The point moved along each axis, if inputs are to vary: zeros keep their signs, and nothing comes farther away.
+glm::vec3 varied(Variation& vary, const glm::vec3& point)
+{
+    constexpr std::array factors{0.5F, 0.625F, 0.75F, 0.875F};
+    const auto factor = [&] { return vary.one_of(1.0F, factors); };
+    return point * glm::vec3(factor(), factor(), factor());
+}
+
 // Lengths that are whole; the axes, the plane of the eye, straight behind with both zeros, and the eye itself.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     for (const glm::vec3& point : {glm::vec3(0, 0, -5),
                                    {3, 4, -12},
@@ -47,7 +55,7 @@ void record_known(Recorder& out)
                                    {1, -1, -1},
                                    {0, 3, -4},
                                    {2, 3, 6}})
-        record(out, point);
+        record(out, varied(vary, point));
 }
 
 /// A point within 10 of the eye, in any direction.
@@ -105,14 +113,14 @@ void record_angle(Recorder& out, const glm::vec3& a, const glm::vec3& b)
     out.append("angle", ask<visual_angle>(out, a, b));
 }
 
-void record_known_angles(Recorder& out)
+void record_known_angles(Variation& vary, Recorder& out)
 {
     const glm::vec3 ahead(0, 0, -1);
     for (const glm::vec3& other :
          {glm::vec3(1, 0, 0), {0, 0, -7}, {0, 0, 2}, {1, 0, -1}, {0, -3, -3}, {0, 0, 0}, {-1, 0, 1}})
-        record_angle(out, ahead, other);
-    record_angle(out, {0, 0, 0}, {1, 2, 3});
-    record_angle(out, {2, 0, 0}, {1, 1.7320508F, 0});
+        record_angle(out, ahead, cross(ahead, other) == glm::vec3(0) ? other : vary.near(other, 0.3F));
+    record_angle(out, {0, 0, 0}, vary.near(glm::vec3(1, 2, 3), 0.3F));
+    record_angle(out, {2, 0, 0}, vary.near(glm::vec3(1, 1.7320508F, 0), 0.3F));
 }
 
 // Two directions that differ by 1e-6 to 1e-3, or are as nearly opposite; of all sizes.
@@ -124,23 +132,6 @@ void record_small_angles(Random& random, Recorder& out)
         const float size = std::pow(10.0F, random.uniform(-30, 30));
         record_angle(out, size * a, (i % 3 == 0 ? -1.0F : 1.0F) * (a + aside));
     }
-}
-
-// One that is fine as it is; one that is cut once, and twice; two of which only one would need it; the eye within, at a
-// corner, and on an edge; one edge only that is too wide, each in its turn; none at all.
-void record_known_cuts(Recorder& out)
-{
-    const std::vector<glm::vec3> wall = {{-1, 0, -2}, {1, 0, -2}, {0, 2, -2}};
-    for (const float angle : {3.0F, 1.0F, 0.75F, 0.5F, 0.25F}) record_cut(out, wall, angle);
-    record_cut(out, {{-1, 0, -2}, {1, 0, -2}, {0, 2, -2}, {0, 0, -64}, {1, 0, -64}, {0, 1, -64}}, 0.75F);
-    record_cut(out, {{-4, -1, 4}, {4, -1, 4}, {0, -1, -6}}, 0.5F);
-    record_cut(out, {{0, 0, 0}, {4, 0, -4}, {0, 4, -4}}, 0.3F);
-    record_cut(out, {{-4, 0, 0}, {4, 0, 0}, {0, 4, -4}}, 4);
-    for (const std::vector<glm::vec3>& flat : {std::vector<glm::vec3>{{1, 0, -2}, {0, 0.25F, -2}, {-1, 0, -2}},
-                                               {{0, 0.25F, -2}, {-1, 0, -2}, {1, 0, -2}},
-                                               {{-1, 0, -2}, {1, 0, -2}, {0, 0.25F, -2}}})
-        record_cut(out, flat, 0.75F);
-    record_cut(out, {}, 0.5F);
 }
 
 /// Triangles within 16 of the eye, their coordinates whole multiples of 1/8.
@@ -192,7 +183,7 @@ void record_seam(Recorder& out, const std::array<float, 3>& angles)
 }
 
 // Nowhere near the seam, across it in both directions, and begun at each of the corners.
-void record_known_seams(Recorder& out)
+void record_known_seams(Variation& vary, Recorder& out)
 {
     for (const std::array<float, 3>& angles : {std::array{0.0F, 1.0F, -1.0F},
                                                {3.0F, -3.0F, 2.5F},
@@ -204,8 +195,12 @@ void record_known_seams(Recorder& out)
                                                {1.5F, -1.5F, 0.0F},
                                                {0.0F, 2.5F, -2.5F},
                                                {-0.5F, -2.25F, 2.75F},
-                                               {0.5F, 3.0F, -3.0F}})
-        record_seam(out, angles);
+                                               {0.5F, 3.0F, -3.0F}}) {
+        std::array<float, 3> moved = angles;
+        for (float& angle : moved)
+            if (std::abs(angle) != pi) angle = vary.near(angle, 0.03F);
+        record_seam(out, moved);
+    }
 }
 
 void record_random_seams(Random& random, Recorder& out)
@@ -239,7 +234,7 @@ void record_refused(Random& random, Recorder& out)
 }
 
 // The hall all around the eye, rolled out, and below it in a fisheye lens: ahead, upwards, and down at a crate.
-void draw_views(Recorder& out)
+void draw_views(Variation& vary, Recorder& out)
 {
     constexpr glm::ivec2 size(480, 326);
     constexpr int disc = 158;
@@ -249,23 +244,23 @@ void draw_views(Recorder& out)
     const gl::Program program({"hall.vert", hall_vertex_shader},
                               lit_fragment_shader("hall.frag", hall_fragment_shader));
     const std::vector<HallPart> hall = built_hall();
-    const glm::vec3 eye(0.9F, 1.65F, 1.2F);
+    const glm::vec3 eye = vary.near(glm::vec3(0.9F, 1.65F, 1.2F), 0.4F);
 
     ask_in_words(out,
                  [] { return "// every corner of the hall: tessellated(corners, 0.2), then cylindrical_projection"; });
     const float reach = pi * static_cast<float>(strip) / static_cast<float>(size.x);
     glViewport(0, 2 * (size.y - strip), 2 * size.x, 2 * strip);
     program.set("is_disc", 0);
-    draw_hall(program, hall, hall_view(eye, {-0.6F, 1.65F, -4}), [&](auto& vertices, auto corners, const auto& world) {
-        add_to_panorama(vertices, corners, world, reach);
-    });
+    draw_hall(
+        program, hall, hall_view(eye, vary.near(glm::vec3(-0.6F, 1.65F, -4), 0.8F)),
+        [&](auto& vertices, auto corners, const auto& world) { add_to_panorama(vertices, corners, world, reach); });
 
     ask_in_words(out, [] { return "// the same in three directions, with spherical_projection"; });
     program.set("is_disc", 1);
     int column = 0;
     for (const glm::vec3& target : {glm::vec3(-5, 1.9F, -1.5F), {0.9F, 9, 1.2F}, {1.6F, 0.4F, -2}}) {
         glViewport(2 * column * (size.x - disc) / 2, 0, 2 * disc, 2 * disc);
-        draw_hall(program, hall, hall_view(eye, target),
+        draw_hall(program, hall, hall_view(eye, vary.near(target, 0.4F)),
                   [&](auto& vertices, auto corners, const auto& world) { add_to_disc(vertices, corners, world); });
         ++column;
     }
@@ -275,10 +270,10 @@ void draw_views(Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
-    {"known angles", [](Case&, Recorder& out) { record_known_angles(out); }},
-    {"known cuts", [](Case&, Recorder& out) { record_known_cuts(out); }},
-    {"known seams", [](Case&, Recorder& out) { record_known_seams(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
+    {"known angles", [](Case& c, Recorder& out) { record_known_angles(c.vary, out); }},
+    {"known cuts", [](Case& c, Recorder& out) { record_known_cuts(c.vary, out); }},
+    {"known seams", [](Case& c, Recorder& out) { record_known_seams(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"random seams", [](Case& c, Recorder& out) { record_random_seams(c.random, out); }},
     {"behind", [](Case& c, Recorder& out) { record_behind(c.random, out); }},
@@ -286,7 +281,7 @@ const Driver driver = {
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"small angles", [](Case& c, Recorder& out) { record_small_angles(c.random, out); }},
     {"far cuts", [](Case& c, Recorder& out) { record_far_cuts(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { draw_views(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_views(c.vary, out); }},
 };
 
 }

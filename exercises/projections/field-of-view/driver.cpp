@@ -28,17 +28,19 @@ void record_angle(Recorder& out, float fovx_degrees, float aspect)
 
 // A right angle; one whose half has the tangent 1/2; a picture that is higher than wide; the course's orbital camera
 // for a picture of 16 : 9.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     const Lens lenses[] = {
         {90, 1, 1, 3}, {90, 2, 1, 5}, {53.130102F, 1, 2, 6}, {90, 0.5F, 0.5F, 2}, {60, 16.0F / 9, 0.05F, 1000.05F}};
-    for (const Lens& lens : lenses) record(out, lens);
+    for (const Lens& lens : lenses)
+        record(out, {vary.near(lens.fovy_degrees, 6.0F), vary.scaled(lens.aspect, 1.2F),
+                     vary.scaled(lens.near_plane, 1.2F), vary.scaled(lens.far_plane, 1.2F)});
 }
 
-void record_known_angles(Recorder& out)
+void record_known_angles(Variation& vary, Recorder& out)
 {
     for (const auto& [fovx, aspect] : {std::pair(90.0F, 1.0F), {60, 1}, {90, 2}, {90, 0.5F}, {73.73980F, 1.5F}})
-        record_angle(out, fovx, aspect);
+        record_angle(out, vary.near(fovx, 8.0F), vary.scaled(aspect, 1.2F));
 }
 
 // Planes at usual distances, and every fourth time at any: metres are not the only unit.
@@ -121,7 +123,7 @@ void record_extreme_angles(Random& random, Recorder& out)
 }
 
 // The same lighthouse as large in three pictures: from far away with a long lens, and from nearby with a wide one.
-void draw_vertigo(Recorder& out)
+void draw_vertigo(Variation& vary, Recorder& out)
 {
     constexpr glm::ivec2 size(420, 240);
     constexpr int panels = 3;
@@ -130,10 +132,11 @@ void draw_vertigo(Recorder& out)
     const Island island;
     constexpr glm::vec3 sky(0.58F, 0.76F, 0.91F);
     const glm::vec3 lighthouse(-2.5F, 1.45F, 2.5F);
-    const glm::vec3 from = glm::normalize(glm::vec3(-0.62F, 0.16F, 1));
+    const glm::vec3 from = glm::normalize(vary.near(glm::vec3(-0.62F, 0.16F, 1), 0.15F));
     const glm::ivec2 extent(2 * size.x / panels - gap, 2 * size.y);
     int panel = 0;
-    for (const float fovy_degrees : {14.0F, 42.0F, 96.0F}) {
+    for (const float written : {14.0F, 42.0F, 96.0F}) {
+        const float fovy_degrees = vary.scaled(written, 1.15F);
         begin_panel({panel * (2 * size.x + gap) / panels, 0}, extent, sky);
         const float distance = 1.5F / std::tan(glm::radians(fovy_degrees) / 2);
         const glm::mat4 view = glm::lookAt(lighthouse + distance * from, lighthouse, glm::vec3(0, 1, 0));
@@ -148,8 +151,8 @@ void draw_vertigo(Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
-    {"known angles", [](Case&, Recorder& out) { record_known_angles(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
+    {"known angles", [](Case& c, Recorder& out) { record_known_angles(c.vary, out); }},
     {"random",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 100; ++i) record(out, random_lens(c.random));
@@ -165,7 +168,7 @@ const Driver driver = {
     {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
     {"extremes", [](Case& c, Recorder& out) { record_extremes(c.random, out); }},
     {"extreme angles", [](Case& c, Recorder& out) { record_extreme_angles(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { draw_vertigo(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_vertigo(c.vary, out); }},
 };
 
 }

@@ -27,21 +27,26 @@ void record(Recorder& out, const PlacedVolume& placed)
 constexpr PictureSize square{512, 512};
 
 // Problem 3.5: the eye at side + 2.
-void record_cubes(Recorder& out)
+void record_cubes(Variation& vary, Recorder& out)
 {
-    for (const float side : {2.0F, 1.0F, 4.0F, 0.5F, 10.0F}) record(out, ask<fit_cube>(out, side, side + 2, square));
-    record(out, ask<fit_cube>(out, 2.0F, 20.0F, square));
+    for (const float written : {2.0F, 1.0F, 4.0F, 0.5F, 10.0F}) {
+        const float side = vary.scaled(written, 1.4F);
+        record(out, ask<fit_cube>(out, side, side + vary.scaled(2.0F, 1.4F), square));
+    }
+    record(out, ask<fit_cube>(out, vary.scaled(2.0F, 1.4F), vary.scaled(20.0F, 1.2F), square));
 }
 
 // Problem 3.6 with both readings of its distance, and radius and distance of right-angled triangles.
-void record_spheres(Recorder& out)
+void record_spheres(Variation& vary, Recorder& out)
 {
-    for (const auto& [radius, distance] : {std::pair(3.0F, 5.0F), {5, 13}, {1, 3}, {3, 8}, {2, 6}, {1, 100}})
-        record(out, ask<fit_sphere>(out, radius, distance, square));
+    for (const auto& [radius, distance] : {std::pair(3.0F, 5.0F), {5, 13}, {1, 3}, {3, 8}, {2, 6}, {1, 100}}) {
+        const float size = vary.scaled(radius, 1.3F);
+        record(out, ask<fit_sphere>(out, size, size + vary.scaled(distance - radius, 1.3F), square));
+    }
 }
 
 // Problem 3.7.
-void record_pictures(Recorder& out)
+void record_pictures(Variation& vary, Recorder& out)
 {
     for (const PictureSize& picture : {PictureSize{1280, 720},
                                        {720, 1280},
@@ -54,18 +59,20 @@ void record_pictures(Recorder& out)
                                        {20'001, 20'000},
                                        {20'000, 20'001},
                                        {2, 1}}) {
-        record(out, ask<fit_cube>(out, 2.0F, 4.0F, picture));
-        record(out, ask<fit_sphere>(out, 3.0F, 5.0F, picture));
+        record(out, ask<fit_cube>(out, vary.scaled(2.0F, 1.4F), vary.scaled(4.0F, 1.4F), picture));
+        record(out, ask<fit_sphere>(out, vary.scaled(3.0F, 1.2F), vary.scaled(5.0F, 1.2F), picture));
     }
 }
 
 // Problem 3.8.
-void record_angles(Recorder& out)
+void record_angles(Variation& vary, Recorder& out)
 {
     for (const float fovy_degrees : {10.0F, 40.0F, 60.0F, 90.0F, 120.0F})
-        record(out, ask<fit_cube_to_fovy>(out, glm::vec3(1, 2, 3), 2.0F, fovy_degrees, square));
-    record(out, ask<fit_cube_to_fovy>(out, glm::vec3(-1, 0, -5), 4.0F, 90.0F, PictureSize{300, 100}));
-    record(out, ask<fit_cube_to_fovy>(out, glm::vec3(-1, 0, -5), 4.0F, 90.0F, PictureSize{100, 300}));
+        record(out, ask<fit_cube_to_fovy>(out, vary.near(glm::vec3(1, 2, 3), 0.5F), vary.scaled(2.0F, 1.1F),
+                                          vary.scaled(fovy_degrees, 1.1F), square));
+    for (const PictureSize& picture : {PictureSize{300, 100}, {100, 300}})
+        record(out, ask<fit_cube_to_fovy>(out, vary.near(glm::vec3(-1, 0, -5), 0.5F), vary.scaled(4.0F, 1.3F),
+                                          vary.scaled(90.0F, 1.1F), picture));
 }
 
 // One in four is a panorama of a satellite: the product of its sides is no int.
@@ -143,12 +150,15 @@ void record_extreme_angles(Random& random, Recorder& out)
 }
 
 // A cube and a sphere in pictures of three shapes. Whatever is too large is cut, whatever is too small has a margin.
-void draw_gallery(Recorder& out)
+void draw_gallery(Variation& vary, Recorder& out)
 {
-    const Gallery gallery;
-    gallery.draw_cube(0, 4, ask<fit_cube>(out, 2.0F, 4.0F, gallery.panel_size(0)));
-    gallery.draw_ball(1, 2.6F, ask<fit_sphere>(out, 1.0F, 2.6F, gallery.panel_size(1)));
-    const PlacedVolume placed = ask<fit_cube_to_fovy>(out, glm::vec3(0), 2.0F, 75.0F, gallery.panel_size(2));
+    const Gallery gallery(vary.near(0.0F, 1.2F));
+    const float from_cube = vary.near(4.0F, 0.8F);
+    gallery.draw_cube(0, from_cube, ask<fit_cube>(out, 2.0F, from_cube, gallery.panel_size(0)));
+    const float from_ball = vary.near(2.6F, 0.6F);
+    gallery.draw_ball(1, from_ball, ask<fit_sphere>(out, 1.0F, from_ball, gallery.panel_size(1)));
+    const PlacedVolume placed =
+        ask<fit_cube_to_fovy>(out, glm::vec3(0), 2.0F, vary.near(75.0F, 20.0F), gallery.panel_size(2));
     gallery.draw_cube(2, placed.eye.z, placed.volume);
     out.image("colours", gallery.picture());
 }
@@ -156,15 +166,15 @@ void draw_gallery(Recorder& out)
 }
 
 const Driver driver = {
-    {"cube", [](Case&, Recorder& out) { record_cubes(out); }},
-    {"sphere", [](Case&, Recorder& out) { record_spheres(out); }},
-    {"pictures", [](Case&, Recorder& out) { record_pictures(out); }},
-    {"angle", [](Case&, Recorder& out) { record_angles(out); }},
+    {"cube", [](Case& c, Recorder& out) { record_cubes(c.vary, out); }},
+    {"sphere", [](Case& c, Recorder& out) { record_spheres(c.vary, out); }},
+    {"pictures", [](Case& c, Recorder& out) { record_pictures(c.vary, out); }},
+    {"angle", [](Case& c, Recorder& out) { record_angles(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
     {"close", [](Case& c, Recorder& out) { record_close(c.random, out); }},
     {"extreme angles", [](Case& c, Recorder& out) { record_extreme_angles(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { draw_gallery(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_gallery(c.vary, out); }},
 };
 
 }

@@ -15,8 +15,10 @@ namespace umbral::projections {
 /// A context must be current while it lives.
 class Gallery {
 public:
-    Gallery()
-        : stage_(sum_of_widths(), height, {0.07F, 0.07F, 0.09F}),
+    /// Knot and ball are turned about their axes by `more_turn` radians more than usual.
+    explicit Gallery(float more_turn = 0)
+        : more_turn_(more_turn),
+          stage_(sum_of_widths(), height, {0.07F, 0.07F, 0.09F}),
           box_(uploaded(shapes::box())),
           ball_(uploaded(shapes::icosphere(5))),
           knot_(uploaded(shapes::trefoil(240, 24, 0.2F)))
@@ -40,7 +42,8 @@ public:
                 corner[(axis + 2) % 3] += sides.y * (2 - thickness);
                 stage_.draw({box_, glm::scale(glm::translate(glm::mat4(1), corner), size), {.color = colors[axis]}});
             }
-        const glm::mat4 turned = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(0.66F)), 0.5F, {1, 0.4F, 0});
+        const glm::mat4 turned =
+            glm::rotate(glm::scale(glm::mat4(1), glm::vec3(0.66F)), 0.5F + more_turn_, {1, 0.4F, 0});
         stage_.draw({knot_, turned, {.color = {0.55F, 0.58F, 0.62F}, .gloss = 0.6F}});
     }
 
@@ -48,7 +51,7 @@ public:
     void draw_ball(std::size_t panel, float eye_z, const ViewVolume& volume) const
     {
         begin(panel, eye_z, volume);
-        const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.6F, {1, 0.3F, 0.2F});
+        const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.6F + more_turn_, {1, 0.3F, 0.2F});
         stage_.draw(
             {ball_, turned, {.color = {0.75F, 0.70F, 0.60F}, .gloss = 0.5F, .odd = glm::vec3(0.05F, 0.28F, 0.42F)}});
     }
@@ -72,6 +75,7 @@ private:
                      glm::frustum(l, r, b, t, n, f));
     }
 
+    float more_turn_;
     Stage stage_;
     gl::Mesh box_;
     gl::Mesh ball_;

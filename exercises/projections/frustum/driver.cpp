@@ -32,17 +32,22 @@ void record_point(Recorder& out, const glm::mat4& projection, const glm::vec3& p
 }
 
 // Windows of side 2 at the near plane, one that is not symmetric, and the one of the course's cube of side 2.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     const ViewVolume volumes[] = {
         {-1, 1, -1, 1, 1, 3}, {0, 4, -1, 1, 2, 6}, {-1, 1, -1, 1, 3, 5}, {2, 6, -5, -1, 4, 8}};
-    for (const ViewVolume& volume : volumes) record(out, volume);
+    for (const ViewVolume& volume : volumes) record(out, varied(vary, volume));
+}
+
+glm::mat4 given_matrix(const ViewVolume& v)
+{
+    return glm::frustum(v.left, v.right, v.bottom, v.top, v.near_plane, v.far_plane);
 }
 
 // The matrix is not the student's, so that a wrong one does not hide a wrong division.
-void record_known_points(Recorder& out)
+void record_known_points(Variation& vary, Recorder& out)
 {
-    const glm::mat4 perspective = glm::frustum(-1.0F, 1.0F, -1.0F, 1.0F, 1.0F, 3.0F);
+    const glm::mat4 perspective = given_matrix(varied(vary, {-1, 1, -1, 1, 1, 3}));
     for (const glm::vec3& point : {glm::vec3(0, 0, -1),
                                    {0, 0, -3},
                                    {1, 1, -1},
@@ -51,14 +56,10 @@ void record_known_points(Recorder& out)
                                    {4, 0, -2},
                                    {0, 1, -0.5F},
                                    {0, 0, -12}})
-        record_point(out, perspective, point);
+        record_point(out, perspective, vary.near(point, 0.2F));
     const glm::mat4 flat = glm::ortho(-2.0F, 2.0F, -1.0F, 1.0F, 1.0F, 9.0F);
-    for (const glm::vec3& point : {glm::vec3(1, 0.5F, -5), {-2, 1, -9}, {1, 1, 7}}) record_point(out, flat, point);
-}
-
-glm::mat4 given_matrix(const ViewVolume& v)
-{
-    return glm::frustum(v.left, v.right, v.bottom, v.top, v.near_plane, v.far_plane);
+    for (const glm::vec3& point : {glm::vec3(1, 0.5F, -5), {-2, 1, -9}, {1, 1, 7}})
+        record_point(out, flat, vary.near(point, 0.2F));
 }
 
 /// Every third time a frustum a thousand million times as large, or as small, at most.
@@ -189,7 +190,7 @@ void record_narrow(Random& random, Recorder& out)
 }
 
 // A wall of six monitors, each with a frustum of its own: together they are a window into one world.
-void draw_wall(Recorder& out)
+void draw_wall(Variation& vary, Recorder& out)
 {
     constexpr glm::ivec2 size(384, 256);
     constexpr int columns = 3;
@@ -198,7 +199,8 @@ void draw_wall(Recorder& out)
     constexpr glm::vec3 sky(0.56F, 0.75F, 0.91F);
     const Stage stage(size.x, size.y, {0.07F, 0.07F, 0.09F});
     const Island island;
-    const glm::mat4 view = glm::lookAt(glm::vec3(4.6F, 3.9F, 8.2F), glm::vec3(0.1F, 0.75F, 0), glm::vec3(0, 1, 0));
+    const glm::mat4 view =
+        glm::lookAt(vary.near(glm::vec3(4.6F, 3.9F, 8.2F), 1.2F), glm::vec3(0.1F, 0.75F, 0), glm::vec3(0, 1, 0));
 
     // The wall in the plane z = -0.5 of the eye, which is not before its middle.
     const glm::vec2 low(-0.33F, -0.265F);
@@ -219,8 +221,8 @@ void draw_wall(Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
-    {"known points", [](Case&, Recorder& out) { record_known_points(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
+    {"known points", [](Case& c, Recorder& out) { record_known_points(c.vary, out); }},
     {"random",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 100; ++i) record(out, frustum_of_any_form(i, c.random));
@@ -238,7 +240,7 @@ const Driver driver = {
     {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
     {"ratios", [](Case& c, Recorder& out) { record_ratios(c.random, out); }},
     {"narrow", [](Case& c, Recorder& out) { record_narrow(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { draw_wall(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_wall(c.vary, out); }},
 };
 
 }

@@ -25,15 +25,18 @@ void record_angle(Recorder& out, float alpha_degrees)
 
 // Cavalier and cabinet to the right, upwards and between; no lean at all; the opposite direction. In the last two boxes
 // bottom and top, near and far are exchanged; one begins at the viewer.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     const ViewVolume boxes[] = {
         {-1, 1, -1, 1, -1, 1}, {0, 4, 0, 2, 1, 9}, {-2, 2, -1, 1, 0, 8}, {-1, 3, 2, -2, 8, 4}, {-2, 2, 1, -1, 4, 0}};
-    for (const ViewVolume& box : boxes)
+    for (const ViewVolume& written : boxes) {
+        const ViewVolume box = varied(vary, written);
         for (const Lean& lean :
              {Lean{0, 1}, {90, 1}, {45, 1}, {30, 0.5F}, {45, 0.5F}, {60, 0}, {0, -0.5F}, {180, 0.75F}, {-90, 2}})
-            record(out, box, lean);
-    for (const float alpha : {45.0F, 63.434949F, 90.0F, 60.0F, 30.0F, 26.565051F}) record_angle(out, alpha);
+            record(out, box, {vary.near(lean.angle_degrees, 12.0F), vary.scaled(lean.foreshortening, 1.2F)});
+    }
+    for (const float alpha : {45.0F, 63.434949F, 90.0F, 60.0F, 30.0F, 26.565051F})
+        record_angle(out, alpha < 90 ? vary.near(alpha, 4.0F) : alpha);
 }
 
 // Angles of up to two turns; every fourth time depths are a hundred times as long as they are, or a hundredth.
@@ -76,7 +79,7 @@ void record_extremes(Random& random, Recorder& out)
 }
 
 // The island from straight before, in cabinet and in cavalier projection.
-void draw_islands(Recorder& out)
+void draw_islands(Variation& vary, Recorder& out)
 {
     constexpr glm::ivec2 size(480, 200);
     constexpr glm::vec3 sky(0.60F, 0.76F, 0.90F);
@@ -85,13 +88,15 @@ void draw_islands(Recorder& out)
     const Stage stage(size.x, size.y, {0.07F, 0.07F, 0.09F});
     const Island island;
     const glm::ivec2 extent((2 * size.x - (panels - 1) * gap) / panels, 2 * size.y);
-    const float half_width = 7.8F;
+    const float half_width = vary.scaled(7.8F, 1.15F);
+    const float middle = vary.near(0.3F, 0.8F);
     const float half_height = half_width * static_cast<float>(extent.y) / static_cast<float>(extent.x);
     int panel = 0;
     for (const float foreshortening : {0.0F, 0.5F, 1.0F}) {
         begin_panel({panel * (extent.x + gap), 0}, extent, sky);
-        const ViewVolume box{-half_width, half_width, 0.3F - half_height, 0.3F + half_height, -8, 8};
-        look_through(stage, glm::mat4(1), ask<oblique_matrix>(out, box, Lean{50, foreshortening}));
+        const ViewVolume box{-half_width, half_width, middle - half_height, middle + half_height, -8, 8};
+        look_through(stage, glm::mat4(1),
+                     ask<oblique_matrix>(out, box, Lean{vary.near(50.0F, 15.0F), vary.scaled(foreshortening, 1.3F)}));
         island.draw(stage);
         ++panel;
     }
@@ -101,11 +106,11 @@ void draw_islands(Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
     {"extremes", [](Case& c, Recorder& out) { record_extremes(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { draw_islands(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_islands(c.vary, out); }},
 };
 
 }

@@ -18,11 +18,11 @@ void record(Recorder& out, const ViewVolume& box)
 
 // The cube itself, boxes with one size each that a hand can follow, and that of the course's slide; the last one is the
 // course's base camera, which leaves z as it is.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     const ViewVolume boxes[] = {{-1, 1, -1, 1, -1, 1},   {-2, 2, -2, 2, -2, 2}, {0, 4, 0, 2, 1, 9},
                                 {-4, 4, -3, 3, 1.5F, 9}, {2, 6, -5, -1, 0, 10}, {-1, 1, -0.75F, 0.75F, 1, -1}};
-    for (const ViewVolume& box : boxes) record(out, box);
+    for (const ViewVolume& box : boxes) record(out, varied(vary, box));
 }
 
 void record_mirrored(Random& random, Recorder& out)
@@ -86,11 +86,11 @@ ViewVolume box_of_the_largest_size(Random& random)
                                 : ViewVolume{left, right, -large(), large(), -large(), large()};
 }
 
-void draw_picture(Recorder& out)
+void draw_picture(Variation& vary, Recorder& out)
 {
     const Stage stage(320, 240, {0.60F, 0.76F, 0.90F});
-    const glm::mat4 view = glm::lookAt(glm::vec3(20, 16.33F, 20), glm::vec3(0), glm::vec3(0, 1, 0));
-    look_through(stage, view, ask<orthographic_matrix>(out, {-6.7F, 6.7F, -4.6F, 5.45F, 15, 50}));
+    const glm::mat4 view = glm::lookAt(vary.near(glm::vec3(20, 16.33F, 20), 5.0F), glm::vec3(0), glm::vec3(0, 1, 0));
+    look_through(stage, view, ask<orthographic_matrix>(out, varied(vary, {-6.7F, 6.7F, -4.6F, 5.45F, 15, 50})));
     Island().draw(stage);
     out.image("colours", stage.picture());
 }
@@ -98,7 +98,7 @@ void draw_picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random",
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 100; ++i) record(out, random_box(c.random));
@@ -113,7 +113,7 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 40; ++i) record(out, box_of_the_largest_size(c.random));
      }},
-    {"picture", [](Case&, Recorder& out) { draw_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_picture(c.vary, out); }},
 };
 
 }
