@@ -62,15 +62,15 @@ inline input::EventScript turned(Variation& vary, input::EventScript script, con
     return script;
 }
 
-/// The script behind one to four keys that are pressed and released before its first event, of those given. As written
-/// unless inputs are to vary.
+/// The script behind ten to twenty keys that are pressed and released before its first event, of those given. As
+/// written unless inputs are to vary.
 inline input::EventScript behind_other_keys(Variation& vary, const input::EventScript& script,
                                             const std::vector<int>& keys)
 {
     Random* const random = vary.random();
     if (random == nullptr) return script;
     input::EventScript all;
-    const std::uint32_t count = 1 + random->below(4);
+    const std::uint32_t count = 10 + random->below(11);
     for (std::uint32_t i = 0; i < count; ++i) {
         const int key = keys[random->below(static_cast<std::uint32_t>(keys.size()))];
         const double time = script.front().time * (i + 1) / (count + 1.0);
