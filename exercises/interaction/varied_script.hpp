@@ -13,10 +13,11 @@ namespace umbral::interaction {
 
 /// Which of a script's numbers may be others than written.
 struct ScriptNumbers {
-    bool places = true;  ///< of the pointer: farther from the window's upper left corner, or nearer, never across it
-    bool steps = true;   ///< of the wheel: larger or smaller
-    bool sizes = true;   ///< of the window, where it is larger than a pixel
-    bool times = false;  ///< all of the script: sooner or later
+    bool places = true;    ///< of the pointer: farther from the window's upper left corner, or nearer, never across it
+    bool steps = true;     ///< of the wheel: larger or smaller
+    bool sizes = true;     ///< of the window, where it is larger than a pixel
+    bool times = false;    ///< all of the script: sooner or later
+    bool buttons = false;  ///< the left, right and middle button, each in another's place
 };
 
 /// The script with its numbers multiplied by 3/4, 5/4 or 3/2: those of a kind by the same, so that what is equal, small
@@ -28,12 +29,15 @@ inline input::EventScript varied(Variation& vary, input::EventScript script, con
     const double step = vary.one_of(1.0, factors);
     const double size = vary.one_of(1.0, factors);
     const double time = vary.one_of(1.0, factors);
+    const int first_button = vary.one_of(0, std::array{1, 2});
     for (input::TimedEvent& event : script) {
         if (numbers.times) event.time *= time;
         if (numbers.places) {
             if (auto* const move = std::get_if<input::CursorMove>(&event.event)) move->place *= place;
             if (auto* const button = std::get_if<input::MouseButton>(&event.event)) button->place *= place;
         }
+        if (auto* const button = std::get_if<input::MouseButton>(&event.event); button != nullptr && numbers.buttons)
+            if (button->button < 3) button->button = (button->button + first_button) % 3;
         if (auto* const scroll = std::get_if<input::Scroll>(&event.event); scroll != nullptr && numbers.steps)
             scroll->offset *= step;
         if (auto* const resize = std::get_if<input::Resize>(&event.event); resize != nullptr && numbers.sizes)

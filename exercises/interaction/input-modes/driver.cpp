@@ -10,6 +10,8 @@ namespace {
 
 using namespace interaction;
 
+/// Other places, times and buttons: what is asked of the modes is the same for all.
+constexpr ScriptNumbers any_hand{.times = true, .buttons = true};
 constexpr int all_events = 1500;  // more than any script has
 
 void name_columns(Recorder& out)
@@ -47,7 +49,7 @@ void record_queue(Recorder& out, const input::EventScript& script, double step, 
 void record_written_queue(Case& what, Recorder& out, const char* text, double step, int at_a_time)
 {
     name_events(out, "events");
-    record_queue(out, varied(what.vary, text), step, at_a_time);
+    record_queue(out, varied(what.vary, text, any_hand), step, at_a_time);
 }
 
 /// Buttons were pressed, and the cursor left the window, before anybody listened.
@@ -56,7 +58,8 @@ void record_late_beginning(Case& what, Recorder& out)
     name_events(out, "events");
     InputTrial trial(out, varied(what.vary,
                                  "0.1 move 200 100\n0.2 press right\n0.25 press 6\n0.3 press middle -210.5 -90.25\n"
-                                 "0.5 move 220 85\n0.6 press left\n0.7 release right\n0.8 scroll 1 0\n"));
+                                 "0.5 move 220 85\n0.6 press left\n0.7 release right\n0.8 scroll 1 0\n",
+                                 {.buttons = true}));
     trial.pass(0.4);
     trial.install();
     trial.pass(0.75);
@@ -84,7 +87,7 @@ void record_requests(Case& what, Recorder& out)
     name_events(out, "answers");
     name_events(out, "events");
     name_columns(out);
-    InputTrial trial(out, varied(what.vary, asked_hand));
+    InputTrial trial(out, varied(what.vary, asked_hand, any_hand));
     trial.install();
     trial.work();  // the first press and release come meanwhile
     trial.request(button_pressed);
@@ -120,7 +123,7 @@ void record_closing(Case& what, Recorder& out)
     };
     int number = 0;
     for (const auto& [script, first, second] : sessions) {
-        InputTrial trial(out, varied(what.vary, script), ++number);
+        InputTrial trial(out, varied(what.vary, script, {.buttons = true}), ++number);
         trial.install();
         const bool works_first = std::string_view(script).starts_with("0.1 close\n0.4");
         if (works_first) trial.work();
@@ -221,7 +224,7 @@ void record_random_queue(Recorder& out, Random& random)
 }
 
 const Driver driver = {
-    {"sample", [](Case& c, Recorder& out) { record_samples(out, varied(c.vary, sampled_hand), 0.25); }},
+    {"sample", [](Case& c, Recorder& out) { record_samples(out, varied(c.vary, sampled_hand, any_hand), 0.25); }},
     {"random sample",
      [](Case& c, Recorder& out) { record_samples(out, input::random_script(c.random, {.gestures = 60}), 0.11); }},
     {"queue", [](Case& c, Recorder& out) { record_written_queue(c, out, queued_hand, 0.42, 5); }},
