@@ -7,6 +7,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/interaction/orbit_camera.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// What the drivers of interaction share: what a user does to a camera.
@@ -47,6 +48,17 @@ inline void apply(Recorder& out, OrbitCamera& camera, const CameraEvent& event)
             return ask<&OrbitCamera::resize>(out, camera, static_cast<int>(event.a), static_cast<int>(event.b));
         case CameraEvent::Kind::reset: return ask<&OrbitCamera::reset>(out, camera);
     }
+}
+
+/// Another camera to begin with, if inputs are to vary: its limits are the same, and it is as far from them.
+inline OrbitCameraSettings varied(Variation& vary, OrbitCameraSettings settings)
+{
+    settings.target = vary.near(settings.target, 0.5);
+    settings.distance = vary.scaled(settings.distance, 1.2F);
+    settings.yaw = vary.near(settings.yaw, 0.4);
+    settings.pitch = vary.near(settings.pitch, 0.1);
+    settings.viewport_height = vary.near(settings.viewport_height, settings.viewport_height / 5);
+    return settings;
 }
 
 /// A number of 64ths of a pixel in [-reach, reach): exact, whatever is added to it.

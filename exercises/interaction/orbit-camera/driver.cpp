@@ -134,9 +134,9 @@ void record_far_targets(Recorder& out, Random& random)
     }
 }
 
-Image picture_after(Recorder& out, const std::vector<CameraEvent>& events)
+Image picture_after(Variation& vary, Recorder& out, const std::vector<CameraEvent>& events)
 {
-    const OrbitCameraSettings settings{.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256};
+    const OrbitCameraSettings settings = varied(vary, {.target = {0, 0.35, 0}, .distance = 8, .viewport_height = 256});
     const std::unique_ptr<OrbitCamera> camera = ask_new<make_orbit_camera>(out, "camera", settings);
     if (!camera) return Image(256, 256);
     for (const CameraEvent& event : events) apply(out, *camera, event);
@@ -147,19 +147,19 @@ Image picture_after(Recorder& out, const std::vector<CameraEvent>& events)
 
 const Driver driver = {
     {"beginning",
-     [](Case&, Recorder& out) {
-         for (const OrbitCameraSettings& settings : beginnings()) record(out, settings, {});
+     [](Case& c, Recorder& out) {
+         for (const OrbitCameraSettings& settings : beginnings()) record(out, varied(c.vary, settings), {});
      }},
     {"drag",
-     [](Case&, Recorder& out) {
-         record(out, small,
+     [](Case& c, Recorder& out) {
+         record(out, varied(c.vary, small),
                 {drag(200, 0), drag(-400, 0), drag(0, -100), drag(50, 0), drag(0, 100), drag(25.5, 12.25),
                  drag(1600, 0), drag(-0.5, -0.125), drag(-1e6, 60)});
      }},
-    {"limits of pitch", [](Case&, Recorder& out) { record(out, small, up_and_down()); }},
-    {"wheel", [](Case&, Recorder& out) { record(out, {.distance = 4, .pitch = 0.3}, wheel()); }},
-    {"window", [](Case&, Recorder& out) { record(out, small, windows()); }},
-    {"nonsense", [](Case&, Recorder& out) { record(out, small, nonsense()); }},
+    {"limits of pitch", [](Case& c, Recorder& out) { record(out, varied(c.vary, small), up_and_down()); }},
+    {"wheel", [](Case& c, Recorder& out) { record(out, varied(c.vary, {.distance = 4, .pitch = 0.3}), wheel()); }},
+    {"window", [](Case& c, Recorder& out) { record(out, varied(c.vary, small), windows()); }},
+    {"nonsense", [](Case& c, Recorder& out) { record(out, varied(c.vary, small), nonsense()); }},
     {"two cameras", [](Case& c, Recorder& out) { record_two(out, c.random); }},
     {"random",
      [](Case& c, Recorder& out) {
@@ -171,10 +171,10 @@ const Driver driver = {
     {"far targets", [](Case& c, Recorder& out) { record_far_targets(out, c.random); }},
     {"a million turns", [](Case& c, Recorder& out) { record_long_session(out, c.random); }},
     {"picture",
-     [](Case&, Recorder& out) {
-         out.image("from the side", picture_after(out, {drag(-60, -30), drag(10, -4), scroll(2.5)}));
+     [](Case& c, Recorder& out) {
+         out.image("from the side", picture_after(c.vary, out, {drag(-60, -30), drag(10, -4), scroll(2.5)}));
          out.image("from above",
-                   picture_after(out, {drag(80, -60), scroll(-1), drag(10, -500), scroll(2.5), drag(0, 12)}));
+                   picture_after(c.vary, out, {drag(80, -60), scroll(-1), drag(10, -500), scroll(2.5), drag(0, 12)}));
      }},
 };
 

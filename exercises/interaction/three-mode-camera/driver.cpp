@@ -30,38 +30,39 @@ void record(Recorder& out, const ThreeModeSettings& settings, const std::vector<
     }
 }
 
-ThreeModeSettings leaning(CameraMode mode)
+void record_examine(Variation& vary, Recorder& out)
 {
-    return {.attention = {1, -2, 0.5}, .azimuth = 0.5, .elevation = 0.3, .distance = 4, .mode = mode};
-}
-
-void record_examine(Recorder& out)
-{
-    record(out, {}, {move_xy(pi / 2, 0), move_xy(-pi, 0), move_xy(0, pi / 6), move_xy(pi / 4, -pi / 3)});
-    record(out, {}, {move_z(1), move_z(-1), move_z(-1), move_z(5), move_z(-10), move_z(0.5), move_z(-0.25)});
-    record(out, leaning(CameraMode::examine),
+    record(out, varied(vary, {}), {move_xy(pi / 2, 0), move_xy(-pi, 0), move_xy(0, pi / 6), move_xy(pi / 4, -pi / 3)});
+    record(out, varied(vary, {}),
+           {move_z(1), move_z(-1), move_z(-1), move_z(5), move_z(-10), move_z(0.5), move_z(-0.25)});
+    record(out, varied(vary, leaning(CameraMode::examine)),
            {move_xy(0.25, 0.125), move_z(2), move_xy(-7.5, 0.5), move_z(-3.5), move_xy(40, -1)});
 }
 
-void record_move(Recorder& out)
+void record_move(Variation& vary, Recorder& out)
 {
-    record(out, {.mode = CameraMode::move}, {move_xy(1, 0), move_xy(0, 2), move_z(-3), move_xy(-0.5, -0.25)});
-    record(out, {.azimuth = pi / 2, .mode = CameraMode::move}, {move_xy(2, 0), move_z(1), move_z(-0.5)});
-    record(out, leaning(CameraMode::move), {move_xy(1.5, 0), move_xy(0, -2), move_z(4), move_z(-9), move_xy(-5, 3)});
+    record(out, varied(vary, {.mode = CameraMode::move}),
+           {move_xy(1, 0), move_xy(0, 2), move_z(-3), move_xy(-0.5, -0.25)});
+    record(out, varied(vary, {.azimuth = pi / 2, .mode = CameraMode::move}), {move_xy(2, 0), move_z(1), move_z(-0.5)});
+    record(out, varied(vary, leaning(CameraMode::move)),
+           {move_xy(1.5, 0), move_xy(0, -2), move_z(4), move_z(-9), move_xy(-5, 3)});
 }
 
-void record_turn(Recorder& out)
+void record_turn(Variation& vary, Recorder& out)
 {
-    record(out, {.mode = CameraMode::turn}, {move_xy(pi / 2, 0), move_xy(0, pi / 6), move_z(-1), move_xy(-pi, 0)});
-    record(out, {.mode = CameraMode::turn}, {move_xy(0.5, 0.2), move_xy(-0.5, -0.2), move_z(0.25), move_z(-4)});
-    record(out, leaning(CameraMode::turn),
+    record(out, varied(vary, {.mode = CameraMode::turn}),
+           {move_xy(pi / 2, 0), move_xy(0, pi / 6), move_z(-1), move_xy(-pi, 0)});
+    record(out, varied(vary, {.mode = CameraMode::turn}),
+           {move_xy(0.5, 0.2), move_xy(-0.5, -0.2), move_z(0.25), move_z(-4)});
+    record(out, varied(vary, leaning(CameraMode::turn)),
            {move_xy(0.25, 0.125), move_z(2), move_xy(-7.5, 0.5), move_z(-3.5), move_xy(40, -1)});
 }
 
 // From each mode; and a turn about the new attention point, which shows what is kept besides the axes.
-void record_look_toward(Recorder& out, Random& random)
+void record_look_toward(Variation& vary, Recorder& out, Random& random)
 {
-    record(out, {}, {look_toward({1, 2, -1}), look_toward({5, 0, 3}), look_toward({0, 0, 9}), look_toward({-3, 1, 3})});
+    record(out, varied(vary, {}),
+           {look_toward({1, 2, -1}), look_toward({5, 0, 3}), look_toward({0, 0, 9}), look_toward({-3, 1, 3})});
     for (int i = 0; i < 12; ++i) {
         ThreeModeSettings settings = random_three_mode(random);
         settings.mode = static_cast<CameraMode>(i % 3);
@@ -72,13 +73,14 @@ void record_look_toward(Recorder& out, Random& random)
     }
 }
 
-void record_modes(Recorder& out)
+void record_modes(Variation& vary, Recorder& out)
 {
     const auto record_mode = [&](const ThreeModeCamera& camera) {
         out.append("mode", static_cast<std::int32_t>(ask<&ThreeModeCamera::mode>(out, camera)));
     };
+    const int later = vary.one_of(0, std::array{1, 2});
     for (const CameraMode first : {CameraMode::examine, CameraMode::move, CameraMode::turn}) {
-        const ThreeModeSettings settings = leaning(first);
+        const ThreeModeSettings settings = leaning(static_cast<CameraMode>((static_cast<int>(first) + later) % 3));
         const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
         if (!camera) return;
         record_mode(*camera);
@@ -93,16 +95,17 @@ void record_modes(Recorder& out)
 }
 
 // Up to a pole and beyond, and what is left and right there; and points straight above and below the observer.
-void record_poles(Recorder& out)
+void record_poles(Variation& vary, Recorder& out)
 {
     const std::vector<ThreeModeStep> over{move_xy(0, 1.2), move_xy(0.4, 3),   move_xy(1, 0),  move_xy(0, 1e6),
                                           move_z(-0.5),    move_xy(0, -0.2),  move_xy(-2, 0), move_xy(0.3, -9),
                                           move_z(1),       move_xy(0.5, 0.1), move_xy(0.2, 1)};
-    record(out, leaning(CameraMode::examine), over);
-    record(out, leaning(CameraMode::turn), over);
-    record(out, {.azimuth = 0.7, .elevation = pi / 2, .mode = CameraMode::move}, {move_xy(1, 2), move_z(3)});
+    record(out, varied(vary, leaning(CameraMode::examine)), over);
+    record(out, varied(vary, leaning(CameraMode::turn)), over);
+    record(out, varied(vary, {.azimuth = 0.7, .elevation = pi / 2, .mode = CameraMode::move}),
+           {move_xy(1, 2), move_z(3)});
     for (const CameraMode mode : {CameraMode::examine, CameraMode::move, CameraMode::turn}) {
-        const ThreeModeSettings settings = leaning(mode);
+        const ThreeModeSettings settings = varied(vary, leaning(mode));
         const glm::dvec3 observer = observer_of(settings);
         record(out, settings, {look_toward(observer + glm::dvec3(0, 5, 0)), move_xy(0.3, 0), move_xy(0, 0.2)});
         record(out, settings, {look_toward(observer - glm::dvec3(0, 3, 0)), move_xy(0, -0.5), move_z(1)});
@@ -111,13 +114,14 @@ void record_poles(Recorder& out)
 }
 
 // Ten thousand steps backwards and forwards.
-void record_limits(Recorder& out)
+void record_limits(Variation& vary, Recorder& out)
 {
-    const ThreeModeSettings settings{.attention = {1, 2, 3}, .distance = 4, .min_distance = 0.5, .max_distance = 30};
+    const ThreeModeSettings settings =
+        varied(vary, {.attention = {1, 2, 3}, .distance = 4, .min_distance = 0.5, .max_distance = 30});
     record(out, settings,
            {move_z(-30), move_z(-1), move_z(10'000), move_z(-2), move_z(-10'000), move_z(20), move_z(7), move_z(1e300),
             move_z(-5), move_z(-1e300), move_z(1)});
-    record(out, {.distance = 500, .min_distance = 1e-3, .max_distance = 1e6},
+    record(out, varied(vary, {.distance = 500, .min_distance = 1e-3, .max_distance = 1e6}),
            {move_z(20), move_z(60), move_z(1000), move_z(-1), move_z(-400), move_z(-1e4), move_z(1)});
     const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
     if (!camera) return;
@@ -128,10 +132,10 @@ void record_limits(Recorder& out)
 }
 
 // Points too near and too far to stand off from, and the observer's own place, which lies in no direction.
-void record_near_and_far(Recorder& out)
+void record_near_and_far(Variation& vary, Recorder& out)
 {
     for (const CameraMode mode : {CameraMode::examine, CameraMode::move, CameraMode::turn}) {
-        ThreeModeSettings settings = leaning(mode);
+        ThreeModeSettings settings = varied(vary, leaning(mode));
         settings.min_distance = 0.5;
         settings.max_distance = 30;
         const glm::dvec3 observer = observer_of(settings);
@@ -147,10 +151,10 @@ void record_near_and_far(Recorder& out)
     }
 }
 
-void record_nonsense(Recorder& out)
+void record_nonsense(Variation& vary, Recorder& out)
 {
     for (const CameraMode mode : {CameraMode::examine, CameraMode::move, CameraMode::turn})
-        record(out, leaning(mode),
+        record(out, varied(vary, leaning(mode)),
                {move_xy(0.5, 0.25), move_xy(not_a_number, 1), move_xy(1, not_a_number), move_xy(infinity, 1),
                 move_xy(1, -infinity), move_z(not_a_number), move_z(infinity), move_z(-infinity), move_xy(0, -0.0),
                 look_toward({1, not_a_number, 2}), look_toward({infinity, 0, 0}), look_toward({3, 2, -infinity}),
@@ -252,12 +256,11 @@ void record_long_session(Recorder& out, Random& random)
 }
 
 // The temple from outside; from between its columns; and the same observer's head turned.
-void draw_modes(Recorder& out)
+void draw_modes(Variation& vary, Recorder& out)
 {
     const Stage stage(480, 320, {0.05F, 0.05F, 0.07F});
     const Temple temple;
-    const ThreeModeSettings settings{
-        .attention = {0, 1.25, 0}, .azimuth = 0.62, .elevation = 0.32, .distance = 9, .max_distance = 40};
+    const ThreeModeSettings settings = before_the_temple(vary);
     const std::unique_ptr<ThreeModeCamera> camera = ask_new<make_three_mode_camera>(out, "camera", settings);
     if (!camera) return;
     const auto draw = [&](const std::vector<ThreeModeStep>& steps, const Panel& panel, float fovy) {
@@ -274,24 +277,24 @@ void draw_modes(Recorder& out)
 
 const Driver driver = {
     {"beginning",
-     [](Case&, Recorder& out) {
-         for (const ThreeModeSettings& settings : beginnings()) record(out, settings, {});
+     [](Case& c, Recorder& out) {
+         for (const ThreeModeSettings& settings : beginnings()) record(out, varied(c.vary, settings), {});
      }},
-    {"examine", [](Case&, Recorder& out) { record_examine(out); }},
-    {"move", [](Case&, Recorder& out) { record_move(out); }},
-    {"turn", [](Case&, Recorder& out) { record_turn(out); }},
-    {"look toward", [](Case& c, Recorder& out) { record_look_toward(out, c.random); }},
-    {"modes", [](Case&, Recorder& out) { record_modes(out); }},
-    {"poles", [](Case&, Recorder& out) { record_poles(out); }},
-    {"limits", [](Case&, Recorder& out) { record_limits(out); }},
-    {"near and far points", [](Case&, Recorder& out) { record_near_and_far(out); }},
-    {"nonsense", [](Case&, Recorder& out) { record_nonsense(out); }},
+    {"examine", [](Case& c, Recorder& out) { record_examine(c.vary, out); }},
+    {"move", [](Case& c, Recorder& out) { record_move(c.vary, out); }},
+    {"turn", [](Case& c, Recorder& out) { record_turn(c.vary, out); }},
+    {"look toward", [](Case& c, Recorder& out) { record_look_toward(c.vary, out, c.random); }},
+    {"modes", [](Case& c, Recorder& out) { record_modes(c.vary, out); }},
+    {"poles", [](Case& c, Recorder& out) { record_poles(c.vary, out); }},
+    {"limits", [](Case& c, Recorder& out) { record_limits(c.vary, out); }},
+    {"near and far points", [](Case& c, Recorder& out) { record_near_and_far(c.vary, out); }},
+    {"nonsense", [](Case& c, Recorder& out) { record_nonsense(c.vary, out); }},
     {"two cameras", [](Case& c, Recorder& out) { record_two(out, c.random); }},
     {"random", [](Case& c, Recorder& out) { record_random(out, c.random); }},
     {"far", [](Case& c, Recorder& out) { record_far(out, c.random); }},
     {"nearly above", [](Case& c, Recorder& out) { record_nearly_above(out, c.random); }},
     {"a hundred thousand steps", [](Case& c, Recorder& out) { record_long_session(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { draw_modes(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_modes(c.vary, out); }},
 };
 
 }

@@ -6,6 +6,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/interaction/three_mode_camera.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// What a user does to a three-mode camera, one step after the other.
@@ -70,6 +71,16 @@ inline ThreeModeSettings random_three_mode(Random& random, double reach = 3)
     return settings;
 }
 
+/// Another camera to begin with, if inputs are to vary: its limits are the same, at a pole it remains there.
+inline ThreeModeSettings varied(Variation& vary, ThreeModeSettings settings)
+{
+    settings.attention = vary.near(settings.attention, 0.5);
+    settings.azimuth = vary.near(settings.azimuth, 0.4);
+    if (std::abs(settings.elevation) < std::numbers::pi / 2) settings.elevation = vary.near(settings.elevation, 0.1);
+    settings.distance = vary.scaled(settings.distance, 1.2F);
+    return settings;
+}
+
 /// Where the observer stands at the beginning.
 inline glm::dvec3 observer_of(const ThreeModeSettings& s)
 {
@@ -117,6 +128,22 @@ inline std::vector<ThreeModeSettings> beginnings()
             {.attention = {1, 2, 3}, .distance = 7},
             {.attention = {-4, 0.5, 2}, .azimuth = pi / 4, .elevation = -pi / 4, .distance = 10},
             {.attention = {0, 1, 0}, .azimuth = 2.5, .elevation = 1.2, .distance = 2.5}};
+}
+
+/// A camera that is turned and leans, so that no axis of it is one of the world.
+inline ThreeModeSettings leaning(CameraMode mode)
+{
+    return {.attention = {1, -2, 0.5}, .azimuth = 0.5, .elevation = 0.3, .distance = 4, .mode = mode};
+}
+
+/// Before the temple, from another side if inputs are to vary.
+inline ThreeModeSettings before_the_temple(Variation& vary)
+{
+    return {.attention = {0, 1.25, 0},
+            .azimuth = vary.near(0.62, 0.3),
+            .elevation = vary.near(0.32, 0.06),
+            .distance = 9,
+            .max_distance = 40};
 }
 
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <string>
 #include <umbral/projections/stereo.hpp>
 #include <umbral/record/ask.hpp>
 
+#include "../island.hpp"
 #include "../volumes.hpp"
 
 /// The cases about anaglyphs, pixel by pixel.
@@ -27,10 +29,12 @@ inline void record_anaglyph(Recorder& out, const Image& left, const Image& right
 }
 
 // Pure colours, greys, and all of them against all others, in pictures that are no squares.
-inline void record_known_pixels(Recorder& out)
+inline void record_known_pixels(Variation& vary, Recorder& out)
 {
-    const glm::u8vec4 paints[] = {{255, 0, 0, 255},     {0, 255, 0, 255}, {0, 0, 255, 255},   {255, 255, 255, 255},
-                                  {128, 128, 128, 255}, {0, 0, 0, 255},   {200, 100, 50, 90}, {20, 120, 220, 10}};
+    glm::u8vec4 paints[] = {{255, 0, 0, 255},     {0, 255, 0, 255}, {0, 0, 255, 255},   {255, 255, 255, 255},
+                            {128, 128, 128, 255}, {0, 0, 0, 255},   {200, 100, 50, 90}, {20, 120, 220, 10}};
+    for (glm::u8vec4& paint : paints)
+        paint = glm::u8vec4(glm::clamp(glm::vec4(paint) + vary.near(glm::vec4(0), 40.0F), 0.0F, 255.0F));
     Image left(4, 16);
     Image right(4, 16);
     for (std::size_t i = 0; i < left.cells.size(); ++i) {
@@ -64,6 +68,27 @@ inline void record_random_pixels(Random& random, Recorder& out)
             record_refusal(out, "refused", [&] { return ask<anaglyph>(out, left, right, all_colors[i % 3]); });
         }
     }
+}
+
+/// The island as a model that stands in the screen: the lighthouse comes out of it, the sea reaches far behind.
+inline void draw_anaglyph(Variation& vary, Recorder& out)
+{
+    constexpr glm::ivec2 size(480, 300);
+    constexpr glm::vec3 sky(0.70F, 0.80F, 0.88F);
+    const Island island;
+    const glm::mat4 head =
+        glm::lookAt(vary.near(glm::vec3(-3.9F, 3.9F, 9.3F), 1.2F), glm::vec3(0.1F, 0.75F, 0), glm::vec3(0, 1, 0));
+    const StereoScreen screen{10.4F, 6.5F, 9, 0.6F, 2, 80};
+    const StereoPair pair = ask<off_axis_pair>(out, screen);
+    const auto seen_by = [&](const EyeMatrices& eye) {
+        const Stage stage(size.x, size.y, sky);
+        look_through(stage, eye.view * head, eye.projection);
+        island.draw_at_sea(stage, sky);
+        return stage.picture();
+    };
+    const Image left = seen_by(pair.left);
+    const Image right = seen_by(pair.right);
+    out.image("anaglyph", ask<anaglyph>(out, left, right, AnaglyphColors::half));
 }
 
 }

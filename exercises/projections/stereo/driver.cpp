@@ -4,7 +4,6 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
-#include "../island.hpp"
 #include "../volumes.hpp"
 #include "anaglyphs.hpp"
 
@@ -62,19 +61,25 @@ constexpr StereoScreen triangle = {4, 2, 4, 6, 1, 3};
 constexpr StereoScreen known_screens[] = {
     triangle, {2, 2, 2, 1, 0.5F, 4.5F}, {10, 4, 12, 10, 15, 45}, {8, 6, 8, 12, 2, infinity}};
 
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
-    for (const StereoScreen& screen : known_screens) record(out, screen);
+    // By less than would bring a near plane before its screen.
+    const auto length = [&](float written) { return vary.scaled(written, 1.1F); };
+    for (const StereoScreen& screen : known_screens)
+        record(out, {length(screen.width), length(screen.height), length(screen.distance),
+                     length(screen.eye_separation), length(screen.near_plane), length(screen.far_plane)});
 }
 
 // On the screen, twice as far, half as far, at infinity; and what none of the lines of sight can have.
-void record_known_parallax(Recorder& out)
+void record_known_parallax(Variation& vary, Recorder& out)
 {
-    const StereoScreen screen{4, 3, 2, 0.5F, 0.1F, 100};
+    const float away = vary.scaled(1.0F, 1.5F);
+    const float apart = vary.scaled(1.0F, 1.5F);
+    const StereoScreen screen{4, 3, 2 * away, 0.5F * apart, 0.1F, 100};
     for (const float distance : {2.0F, 4.0F, 1.0F, infinity, 8.0F, 0.25F, 16.0F})
-        record_parallax(out, screen, distance);
+        record_parallax(out, screen, distance * away);
     for (const float parallax : {0.0F, 0.25F, -0.5F, 0.5F, 0.375F, -3.5F, 0.75F, infinity})
-        record_distance(out, screen, parallax);
+        record_distance(out, screen, parallax * apart);
 }
 
 /// A screen from a telephone to a cinema, seen by eyes of 1 to 20 % of its width.
@@ -152,7 +157,7 @@ void record_random(Random& random, Recorder& out)
 }
 
 // Whole numbers again: the course's parallaxes, seen in normalised device coordinates.
-void record_known_disparity(Recorder& out)
+void record_known_disparity(Variation& vary, Recorder& out)
 {
     const glm::mat4 projection = glm::frustum(-1.0F, 1.0F, -0.5F, 0.5F, 1.0F, 9.0F);
     glm::mat4 left(1);
@@ -162,7 +167,7 @@ void record_known_disparity(Recorder& out)
     right[3].y = 0.5F;
     for (const glm::vec3& point :
          {glm::vec3(0, 0, -2), {0, 0, -4}, {3, 1, -2}, {-2, 5, -8}, {0, 0, -64}, {1, 1, -0.5F}})
-        record_disparity(out, {{left, projection}, {right, projection}}, point);
+        record_disparity(out, {{left, projection}, {right, projection}}, vary.near(point, 0.3F));
     // Exactly in the plane of one eye, and before the other, which stands a unit further back or forward.
     right[3].z = -1;
     record_disparity(out, {{left, projection}, {right, projection}}, {1, 2, 0});
@@ -257,40 +262,20 @@ void record_near_the_screen(Random& random, Recorder& out)
     }
 }
 
-// The island as a model that stands in the screen: the lighthouse comes out of it, the sea reaches far behind.
-void draw_anaglyph(Recorder& out)
-{
-    constexpr glm::ivec2 size(480, 300);
-    constexpr glm::vec3 sky(0.70F, 0.80F, 0.88F);
-    const Island island;
-    const glm::mat4 head = glm::lookAt(glm::vec3(-3.9F, 3.9F, 9.3F), glm::vec3(0.1F, 0.75F, 0), glm::vec3(0, 1, 0));
-    const StereoScreen screen{10.4F, 6.5F, 9, 0.6F, 2, 80};
-    const StereoPair pair = ask<off_axis_pair>(out, screen);
-    const auto seen_by = [&](const EyeMatrices& eye) {
-        const Stage stage(size.x, size.y, sky);
-        look_through(stage, eye.view * head, eye.projection);
-        island.draw_at_sea(stage, sky);
-        return stage.picture();
-    };
-    const Image left = seen_by(pair.left);
-    const Image right = seen_by(pair.right);
-    out.image("anaglyph", ask<anaglyph>(out, left, right, AnaglyphColors::half));
-}
-
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
-    {"known parallax", [](Case&, Recorder& out) { record_known_parallax(out); }},
-    {"known disparity", [](Case&, Recorder& out) { record_known_disparity(out); }},
-    {"known pixels", [](Case&, Recorder& out) { record_known_pixels(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
+    {"known parallax", [](Case& c, Recorder& out) { record_known_parallax(c.vary, out); }},
+    {"known disparity", [](Case& c, Recorder& out) { record_known_disparity(c.vary, out); }},
+    {"known pixels", [](Case& c, Recorder& out) { record_known_pixels(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"random pixels", [](Case& c, Recorder& out) { record_random_pixels(c.random, out); }},
     {"behind", [](Case& c, Recorder& out) { record_behind(c.random, out); }},
     {"infinite", [](Case& c, Recorder& out) { record_infinite(c.random, out); }},
     {"refused", [](Case& c, Recorder& out) { record_refused(c.random, out); }},
     {"near the screen", [](Case& c, Recorder& out) { record_near_the_screen(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { draw_anaglyph(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_anaglyph(c.vary, out); }},
 };
 
 }

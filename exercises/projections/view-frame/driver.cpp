@@ -26,6 +26,15 @@ struct Direction {
     float roll_degrees;
 };
 
+/// Other angles, if inputs are to vary; straight above and below remains so.
+Direction varied(Variation& vary, Direction from)
+{
+    from.azimuth_degrees = vary.near(from.azimuth_degrees, 20.0F);
+    if (std::abs(from.elevation_degrees) != 90) from.elevation_degrees = vary.near(from.elevation_degrees, 10.0F);
+    from.roll_degrees = vary.near(from.roll_degrees, 20.0F);
+    return from;
+}
+
 /// `size` is a power of two: the normal is recorded in this unit.
 ViewParameters record_view(Recorder& out, const glm::vec3& target, float distance, const Direction& from,
                            float size = 1)
@@ -39,20 +48,26 @@ ViewParameters record_view(Recorder& out, const glm::vec3& target, float distanc
 }
 
 // Along the axes, and the view of problem 3.1.
-void record_known_frames(Recorder& out)
+void record_known_frames(Variation& vary, Recorder& out)
 {
     const ViewParameters views[] = {
         {{0, 0, 0}, {0, 1, 0}, {0, 0, 5}},  {{1, 2, 3}, {0, 1, 0}, {3, 0, 0}},
         {{1, 0, 0}, {0, 0, -1}, {0, 4, 0}}, {{0, 1, 0}, {0, 2, 0}, {0, 3, 4}},
         {{0, 0, 2}, {3, 4, 0}, {0, 0, 1}},  {{0, 0.5F, 0}, {0, 1, 0}, {2.1213203F, 0, 2.1213203F}}};
-    for (const ViewParameters& view : views) record_frame(out, view);
+    for (const ViewParameters& view : views) {
+        const ExactMap map = vary.exact_map();
+        record_frame(out, {vary.near(view.target, 0.5F), map.direction(view.up), map.place(view.normal)});
+    }
 }
 
 // Problems 3.1 and 3.2, then one angle at a time.
-void record_known_views(Recorder& out)
+void record_known_views(Variation& vary, Recorder& out)
 {
-    record_view(out, {0, 0.5F, 0}, 3, {45, 0, 0});
-    record_view(out, {0, 0.5F, 0}, 3, {45, 0, 45});
+    const auto record_other = [&](const glm::vec3& target, float distance, const Direction& from) {
+        record_view(out, vary.near(target, 0.5F), vary.scaled(distance, 1.2F), varied(vary, from));
+    };
+    record_other({0, 0.5F, 0}, 3, {45, 0, 0});
+    record_other({0, 0.5F, 0}, 3, {45, 0, 45});
     for (const Direction& from : {Direction{0, 0, 0},
                                   {90, 0, 0},
                                   {180, 0, 0},
@@ -64,7 +79,7 @@ void record_known_views(Recorder& out)
                                   {0, 0, -30},
                                   {22.5F, 12.25F, 7.75F},
                                   {90, 60, 180}})
-        record_view(out, {1, 2, 3}, 2, from);
+        record_other({1, 2, 3}, 2, from);
 }
 
 ViewParameters random_view(Random& random)
@@ -145,15 +160,16 @@ glm::mat4 view_matrix_of(const std::optional<ViewFrame>& frame)
 }
 
 // The views of problems 3.1 and 3.2, and one from above.
-void draw_views(Recorder& out)
+void draw_views(Variation& vary, Recorder& out)
 {
     constexpr int side = 256;
     constexpr int gap = 8;
     const Direction directions[] = {{45, 0, 0}, {45, 0, 45}, {30, 90, 0}};
     Image picture(3 * side + 2 * gap, side, pixel_of(srgb_decoded(ink::night)));
     int left = 0;
-    for (const Direction& from : directions) {
-        const float distance = from.elevation_degrees > 0 ? 5.2F : 3.0F;
+    for (const Direction& written : directions) {
+        const Direction from = varied(vary, written);
+        const float distance = from.elevation_degrees == 90 ? 5.2F : 3.0F;
         const ViewParameters view = ask<view_from>(out, glm::vec3(0, 0.5F, 0), distance, from.azimuth_degrees,
                                                    from.elevation_degrees, from.roll_degrees);
         const Image panel = draw_scene(view_matrix_of(ask<view_frame>(out, view)));
@@ -167,8 +183,8 @@ void draw_views(Recorder& out)
 }
 
 const Driver driver = {
-    {"known frames", [](Case&, Recorder& out) { record_known_frames(out); }},
-    {"known views", [](Case&, Recorder& out) { record_known_views(out); }},
+    {"known frames", [](Case& c, Recorder& out) { record_known_frames(c.vary, out); }},
+    {"known views", [](Case& c, Recorder& out) { record_known_views(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"lengths", [](Case& c, Recorder& out) { record_lengths(c.random, out); }},
     {"none", [](Case& c, Recorder& out) { record_none(c.random, out); }},
@@ -177,7 +193,7 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          for (int i = 0; i < 100; ++i) record_view(out, {0, 0, 0}, 1, random_direction(c.random, 1e6F));
      }},
-    {"picture", [](Case&, Recorder& out) { draw_views(out); }},
+    {"picture", [](Case& c, Recorder& out) { draw_views(c.vary, out); }},
 };
 
 }

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 #include <umbral/core/random.hpp>
@@ -17,24 +18,39 @@ void record_pixel(Recorder& out, const Viewport& viewport, const glm::vec2& ndc)
     out.append("pixel row", pixel ? std::optional(static_cast<float>(pixel->y)) : std::nullopt);
 }
 
+/// Another window, if inputs are to vary: moved, of another size and with other depths. What is a few pixels wide
+/// remains so.
+Viewport varied(Variation& vary, Viewport viewport)
+{
+    viewport.left = vary.near(viewport.left, 5);
+    viewport.bottom = vary.near(viewport.bottom, 5);
+    viewport.width = vary.near(viewport.width, viewport.width / 4);
+    viewport.height = vary.near(viewport.height, viewport.height / 4);
+    viewport.near_depth = vary.near(viewport.near_depth, 0.2F);
+    viewport.far_depth = vary.near(viewport.far_depth, 0.2F);
+    return viewport;
+}
+
 // A whole window, one of odd size that lies in it, a range of depths, one that is reversed, and one beyond 0 and 1.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     const Viewport viewports[] = {{0, 0, 640, 480},           {10, 20, 101, 55},    {0, 0, 2, 2},
                                   {5, 6, 8, 4, 0.25F, 0.75F}, {-4, -2, 8, 4, 1, 0}, {3, 1, 16, 2, -1, 3}};
-    for (const Viewport& viewport : viewports) {
+    for (const Viewport& written : viewports) {
+        const Viewport viewport = varied(vary, written);
         out.append("matrix", ask<viewport_matrix>(out, viewport));
         const glm::vec3 low(viewport.left, viewport.bottom, viewport.near_depth);
         const glm::vec3 size(viewport.width, viewport.height, viewport.far_depth - viewport.near_depth);
         for (const glm::vec3& share : {glm::vec3(0), glm::vec3(0.5F), glm::vec3(1), {0.25F, 0.75F, 1}})
-            out.append("back", ask<ndc_from_window>(out, viewport, low + share * size));
+            out.append("back", ask<ndc_from_window>(out, viewport, low + vary.near(share, 0.1F) * size));
     }
 }
 
 // Pixels of a window of 8 x 4 pixels, whose borders are floats, and of one that lies elsewhere.
-void record_known_pixels(Recorder& out)
+void record_known_pixels(Variation& vary, Recorder& out)
 {
-    const Viewport small{0, 0, 8, 4};
+    const std::array powers{16, 32};
+    const Viewport small{vary.near(0, 20), vary.near(0, 20), vary.one_of(8, powers), vary.one_of(4, powers)};
     for (const glm::vec2& ndc : {glm::vec2(-1, -1),
                                  {-0.9F, -0.9F},
                                  {0, 0},
@@ -45,7 +61,8 @@ void record_known_pixels(Recorder& out)
                                  {-0.75F, -0.5F},
                                  {-0.8F, 0.3F}})
         record_pixel(out, small, ndc);
-    const Viewport moved{100, -7, 5, 3};
+    const Viewport moved{vary.near(100, 30), vary.near(-7, 30), vary.one_of(5, std::array{7, 9, 11}),
+                         vary.one_of(3, std::array{5, 7, 9})};
     for (const glm::vec2& ndc : {glm::vec2(-1, -1), {0, 0}, {0.9F, 0.9F}, {-0.5F, 0.4F}, {0.3F, -0.4F}})
         record_pixel(out, moved, ndc);
     for (const Viewport& viewport : {small, moved})
@@ -150,12 +167,12 @@ void record_beside_borders(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
-    {"known pixels", [](Case&, Recorder& out) { record_known_pixels(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
+    {"known pixels", [](Case& c, Recorder& out) { record_known_pixels(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"outside", [](Case& c, Recorder& out) { record_outside(c.random, out); }},
     {"beside borders", [](Case& c, Recorder& out) { record_beside_borders(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_flowers(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_flowers(out, c.vary)); }},
 };
 
 }

@@ -27,10 +27,16 @@ inline glm::vec3 flower_color(const glm::vec2& ndc)
 
 /// Pixels have the colour of their middles; over them lies the flower's true outline, and rings mark the pixels that
 /// points of a spiral fall into.
-inline Image draw_flowers(Recorder& out)
+inline Image draw_flowers(Recorder& out, Variation vary = {})
 {
     constexpr glm::ivec2 window(60, 40);
-    const Viewport viewports[] = {{2, 2, 36, 36}, {41, 20, 17, 18}, {41, 2, 17, 15}};
+    // The cross that parts them lies elsewhere if inputs are to vary.
+    const int column = vary.near(39, 6);
+    const int row = vary.near(18, 5);
+    const int left_height = vary.near(36, 4);
+    const Viewport viewports[] = {{2, 38 - left_height, column - 3, left_height},
+                                  {column + 2, row + 2, 56 - column, 36 - row},
+                                  {column + 2, 2, 56 - column, row - 3}};
     Drawing drawing(480, 320, {0, 0}, window);
     for (const Viewport& viewport : viewports) {
         for (int j = viewport.bottom; j < viewport.bottom + viewport.height; ++j)

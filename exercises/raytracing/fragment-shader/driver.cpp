@@ -11,18 +11,18 @@ using namespace raytracing;
 void record_balls(Case& what, Recorder& out)
 {
     const auto program = compile_ray_tracer(what);
-    out.image("evening", drawn(out, *program, evening(), 320, 240));
-    out.image("matt", drawn(out, *program, matt(), 128, 96));
-    out.image("one level", drawn(out, *program, mirrors(1), 96, 72));
-    out.image("four levels", drawn(out, *program, mirrors(4), 128, 96));
+    out.image("evening", drawn(out, *program, varied(what.vary, evening()), 320, 240));
+    out.image("matt", drawn(out, *program, varied(what.vary, matt()), 128, 96));
+    out.image("one level", drawn(out, *program, varied(what.vary, mirrors(1)), 96, 72));
+    out.image("four levels", drawn(out, *program, varied(what.vary, mirrors(4)), 128, 96));
 }
 
 void record_sponges(Case& what, Recorder& out)
 {
     const auto program = compile_distance_field(what);
-    out.image("carved", drawn(out, *program, carved(), 160, 120));
-    out.image("cube", drawn(out, *program, drilled(0), 64, 48));
-    out.image("drilled", drawn(out, *program, drilled(2), 144, 108));
+    out.image("carved", drawn(out, *program, varied(what.vary, carved()), 160, 120));
+    out.image("cube", drawn(out, *program, varied(what.vary, drilled(0)), 64, 48));
+    out.image("drilled", drawn(out, *program, varied(what.vary, drilled(2)), 144, 108));
 }
 
 }

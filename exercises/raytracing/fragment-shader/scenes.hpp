@@ -90,6 +90,45 @@ inline SpongeScene drilled(int depth)
     return scene;
 }
 
+/// Another light, if inputs are to vary: no channel becomes zero, and none that is zero another number.
+inline glm::vec3 varied_color(Variation& vary, glm::vec3 color)
+{
+    for (int channel = 0; channel < 3; ++channel) color[channel] = vary.scaled(color[channel], 1.4F);
+    return color;
+}
+
+/// Seen from another side, and in other light, if inputs are to vary: the eye is as high and as far away.
+inline RayLook varied(Variation& vary, RayLook look)
+{
+    look.eye = look.target + vary.turn({0, 1, 0}, 0.5F) * (look.eye - look.target);
+    look.half_height = vary.scaled(look.half_height, 1.1F);
+    look.ambient = varied_color(vary, look.ambient);
+    look.horizon = varied_color(vary, look.horizon);
+    look.zenith = varied_color(vary, look.zenith);
+    return look;
+}
+
+/// The lamp stays on its side of the floor, and before or behind the same balls.
+inline BallScene varied(Variation& vary, BallScene scene)
+{
+    scene.look = varied(vary, scene.look);
+    for (TracedBall& ball : scene.balls) ball.color = varied_color(vary, ball.color);
+    for (glm::vec3& tile : scene.tiles) tile = varied_color(vary, tile);
+    scene.light_position = vary.near(scene.light_position, 0.25F);
+    return scene;
+}
+
+/// The ball keeps its size, so that it cuts the cube where it did, or nowhere.
+inline SpongeScene varied(Variation& vary, SpongeScene scene)
+{
+    scene.look = varied(vary, scene.look);
+    scene.ball += glm::vec4(vary.near(glm::vec3(0), 0.1F), 0);
+    scene.sponge_color = varied_color(vary, scene.sponge_color);
+    scene.ball_color = varied_color(vary, scene.ball_color);
+    scene.sun = vary.near(scene.sun, 0.2F);
+    return scene;
+}
+
 inline glm::vec3 random_color(Random& random, float most)
 {
     const float red = random.uniform(0, most);
