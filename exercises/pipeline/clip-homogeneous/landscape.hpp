@@ -7,6 +7,7 @@
 #include <kit/drawing.hpp>
 #include <umbral/pipeline/clip.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 /// Hills that a camera stands in: many triangles cross the sides of its view volume, and some reach behind it. The goal
 /// picture shows them from outside.
@@ -47,15 +48,33 @@ struct Landscape {
     }
 };
 
+/// Where the hills stand, and how they are cut into triangles.
+struct Ground {
+    glm::vec2 shift{0};  ///< of squares, along x and z
+    float phase = 0.6F;
+    int cut = 0;  ///< 1: along the other diagonal of each square
+};
+
+inline Ground varied_ground(Variation& vary)
+{
+    Ground ground;
+    ground.shift = vary.near(ground.shift, 0.2F);
+    ground.phase = vary.near(vary.one_of(ground.phase, std::array{0.2F, 1.0F}), 0.2F);
+    ground.cut = vary.one_of(ground.cut, std::array{1});
+    return ground;
+}
+
 /// `cells` x `cells` squares of two triangles, from behind the camera to beyond the far plane.
-inline Landscape hills(int cells)
+inline Landscape hills(int cells, const Ground& ground)
 {
     Landscape land;
     const auto corner = [&](int column, int row) {
-        const float x = -3.2F + 6.4F * static_cast<float>(column) / static_cast<float>(cells);
-        const float z = 1.3F - 7.6F * static_cast<float>(row) / static_cast<float>(cells);
+        const float x = ground.shift.x - 3.2F + 6.4F * static_cast<float>(column) / static_cast<float>(cells);
+        const float z = ground.shift.y + 1.3F - 7.6F * static_cast<float>(row) / static_cast<float>(cells);
         return glm::vec3(
-            x, -0.28F + 0.42F * std::sin(1.5F * x + 0.6F) * std::cos(1.25F * z) + 0.16F * std::sin(2.6F * z - x), z);
+            x,
+            -0.28F + 0.42F * std::sin(1.5F * x + ground.phase) * std::cos(1.25F * z) + 0.16F * std::sin(2.6F * z - x),
+            z);
     };
     for (int row = 0; row < cells; ++row)
         for (int column = 0; column < cells; ++column) {
@@ -63,8 +82,9 @@ inline Landscape hills(int cells)
             const glm::vec3 b = corner(column + 1, row);
             const glm::vec3 c = corner(column + 1, row + 1);
             const glm::vec3 d = corner(column, row + 1);
-            land.triangles.push_back({a, b, (row + column) % 2 == 0 ? c : d});
-            land.triangles.push_back({(row + column) % 2 == 0 ? a : b, c, d});
+            const bool rising = (row + column) % 2 == ground.cut;
+            land.triangles.push_back({a, b, rising ? c : d});
+            land.triangles.push_back({rising ? a : b, c, d});
         }
     return land;
 }
@@ -147,9 +167,9 @@ inline void draw_volume(Drawing& drawing, const Landscape& land, const Onlooker&
 }
 
 /// What the unit keeps is coloured, with dots at new corners; the rest of the hills are thin lines.
-inline Image draw_hills(Recorder& out)
+inline Image draw_hills(Recorder& out, Variation& vary)
 {
-    const Landscape land = hills(18);
+    const Landscape land = hills(18, varied_ground(vary));
     const detail::Onlooker onlooker;
     Drawing drawing(640, 420, {-0.73, -0.48}, {0.73, 0.48});
     for (const auto& [a, b, c] : land.triangles)

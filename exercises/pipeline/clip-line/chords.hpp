@@ -5,15 +5,16 @@
 #include <numbers>
 #include <umbral/pipeline/clip_line.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 /// The goal picture of pipeline/clip-line: chords of a circle, each from a point to the one at twice its angle, and a
 /// window that they are cut to.
 namespace umbral::pipeline {
 
-inline Image draw_chords(Recorder& out)
+inline Image draw_chords(Recorder& out, Variation& vary)
 {
     constexpr int count = 150;
-    const ClipWindow window{{-0.95F, -0.58F}, {0.62F, 0.52F}};
+    const ClipWindow window{vary.near(glm::vec2(-0.95F, -0.58F), 0.2F), vary.near(glm::vec2(0.62F, 0.52F), 0.2F)};
     const auto on_circle = [](int i) {
         const double turn = 2 * std::numbers::pi * i / count;
         return glm::vec2(1.32 * std::cos(turn), 1.02 * std::sin(turn));

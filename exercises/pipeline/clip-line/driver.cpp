@@ -1,4 +1,5 @@
 #include <bit>
+#include <kit/varied.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
 
@@ -48,6 +49,20 @@ void record_pairs(Recorder& out, const std::vector<Task>& tasks)
             for (const std::size_t task : {i, i + 1}) out.append("ends", ends(out, tasks[task])[k]);
 }
 
+/// Tasks that are written down, mirrored or turned, in a unit of their own, in another order.
+std::vector<Task> varied(Variation& vary, std::vector<Task> tasks)
+{
+    const PlaneMap map = plane_map(vary);
+    for (auto& [window, segment, unit] : tasks) {
+        const glm::vec2 one = map.place(window.low);
+        const glm::vec2 other = map.place(window.high);
+        window = {glm::min(one, other), glm::max(one, other)};
+        segment = {map.place(segment.from), map.place(segment.to)};
+        unit = other_unit(vary, 8);
+    }
+    return in_random_order(vary, std::move(tasks));
+}
+
 void add_pair(std::vector<Task>& tasks, const Task& one, const Task& other, Random& random)
 {
     const bool swapped = random.below(2) == 0;
@@ -56,9 +71,11 @@ void add_pair(std::vector<Task>& tasks, const Task& one, const Task& other, Rand
 }
 
 // All nine regions, the borders between them, and places one ulp beside those.
-void record_codes(Recorder& out)
+void record_codes(Variation& vary, Recorder& out)
 {
-    for (const ClipWindow& window : {ClipWindow{{-1, -1}, {1, 1}}, {{0, 2}, {4, 3}}, {{100, -7}, {101, -5}}}) {
+    for (ClipWindow window : {ClipWindow{{-1, -1}, {1, 1}}, {{0, 2}, {4, 3}}, {{100, -7}, {101, -5}}}) {
+        const glm::vec2 shift = vary.near(glm::vec2(0), 3.0F);
+        window = {window.low + shift, window.high + shift};
         const auto places = [](float low, float high) {
             const float infinity = std::numeric_limits<float>::infinity();
             return std::array{low - 1,
@@ -71,9 +88,11 @@ void record_codes(Recorder& out)
                               std::nextafter(high, infinity),
                               high + 5};
         };
+        std::vector<glm::vec2> points;
         for (const float y : places(window.low.y, window.high.y))
-            for (const float x : places(window.low.x, window.high.x))
-                out.append("codes", std::uint32_t{ask<region_code>(out, window, {x, y})});
+            for (const float x : places(window.low.x, window.high.x)) points.emplace_back(x, y);
+        for (const glm::vec2& point : in_random_order(vary, points))
+            out.append("codes", std::uint32_t{ask<region_code>(out, window, point)});
     }
 }
 
@@ -230,14 +249,14 @@ void record_both_ways(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"codes", [](Case&, Recorder& out) { record_codes(out); }},
-    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
-    {"borders", [](Case&, Recorder& out) { record(out, borders()); }},
+    {"codes", [](Case& c, Recorder& out) { record_codes(c.vary, out); }},
+    {"by hand", [](Case& c, Recorder& out) { record(out, varied(c.vary, by_hand())); }},
+    {"borders", [](Case& c, Recorder& out) { record(out, varied(c.vary, borders())); }},
     {"random", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 400, 6)); }},
     {"both ways", [](Case& c, Recorder& out) { record_both_ways(c.random, out); }},
     {"long", [](Case& c, Recorder& out) { record_pairs(out, random_pairs(c.random, 300, 5e5F)); }},
     {"corners", [](Case& c, Recorder& out) { record_pairs(out, corner_pairs(c.random, 300)); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_chords(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_chords(out, c.vary)); }},
 };
 
 }

@@ -1,5 +1,6 @@
 #include <kit/canonical.hpp>
 #include <kit/magnitude.hpp>
+#include <kit/varied.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
 
@@ -46,6 +47,20 @@ Polygon reversed(Polygon polygon)
 {
     std::reverse(polygon.begin(), polygon.end());
     return polygon;
+}
+
+/// Tasks that are written down, mirrored or turned about a point, in a unit of their own, in another order. Windows
+/// stay counter-clockwise.
+std::vector<Task> varied(Variation& vary, const glm::vec2& middle, std::vector<Task> tasks)
+{
+    const PlaneMap map = plane_map(vary, middle);
+    for (Task& task : tasks) {
+        for (glm::vec2& corner : task.polygon) corner = map.place(corner);
+        for (glm::vec2& corner : task.window) corner = map.place(corner);
+        if (map.mirrors()) std::reverse(task.window.begin(), task.window.end());
+        task.unit = other_unit(vary, 8);
+    }
+    return in_random_order(vary, std::move(tasks));
 }
 
 std::vector<Task> by_hand()
@@ -214,13 +229,18 @@ std::vector<Task> grazing_tasks(Random& random, int count)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
-    {"concave", [](Case&, Recorder& out) { record(out, concave()), record_covered(out, in_all_sizes(concave())); }},
-    {"borders", [](Case&, Recorder& out) { record(out, borders()); }},
+    {"by hand", [](Case& c, Recorder& out) { record(out, varied(c.vary, glm::vec2(4), by_hand())); }},
+    {"concave",
+     [](Case& c, Recorder& out) {
+         const std::vector<Task> tasks = varied(c.vary, glm::vec2(4), concave());
+         record(out, tasks);
+         record_covered(out, in_all_sizes(tasks));
+     }},
+    {"borders", [](Case& c, Recorder& out) { record(out, varied(c.vary, glm::vec2(0), borders())); }},
     {"random", [](Case& c, Recorder& out) { record(out, random_tasks(c.random, 200, true)); }},
     {"far", [](Case& c, Recorder& out) { record(out, far_tasks(c.random, 150)); }},
     {"grazing", [](Case& c, Recorder& out) { record(out, grazing_tasks(c.random, 150)); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_spiral(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_spiral(out, c.vary)); }},
 };
 
 }

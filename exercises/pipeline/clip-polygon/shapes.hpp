@@ -7,6 +7,7 @@
 #include <umbral/core/random.hpp>
 #include <umbral/pipeline/clip_polygon.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 /// Polygons and windows for pipeline/clip-polygon, and its goal picture.
 namespace umbral::pipeline {
@@ -52,14 +53,14 @@ inline Polygon random_polygon(Random& random, std::uint32_t corners, float rough
     return polygon;
 }
 
-/// A spiral band: one polygon, of which a window sees many pieces.
-inline Polygon spiral(int steps)
+/// A spiral band that begins at an angle: one polygon, of which a window sees many pieces.
+inline Polygon spiral(int steps, double first_angle)
 {
     Polygon outer;
     Polygon inner;
     for (int i = 0; i <= steps; ++i) {
         const double part = static_cast<double>(i) / steps;
-        const double angle = 0.6 + 6.4 * std::numbers::pi * part;
+        const double angle = first_angle + 6.4 * std::numbers::pi * part;
         const double radius = 0.12 + 1.12 * part;
         const double half = 0.035 + 0.065 * part;
         const glm::dvec2 outwards(std::cos(angle), std::sin(angle));
@@ -91,12 +92,13 @@ inline void fill(Drawing& drawing, const Polygon& polygon, glm::vec3 color, doub
 
 /// The spiral in a slanted window: what is left is filled, with its bridges, and dots at new corners; the rest is a
 /// thin line.
-inline Image draw_spiral(Recorder& out)
+inline Image draw_spiral(Recorder& out, Variation& vary)
 {
     constexpr double half = 1.34;
     constexpr int size = 500;
-    const Polygon band = spiral(120);
-    const Polygon window = {{-0.88F, -0.42F}, {-0.1F, -0.92F}, {0.98F, -0.5F}, {0.72F, 0.62F}, {-0.46F, 0.78F}};
+    const Polygon band = spiral(120, vary.near(0.6, 1.5));
+    Polygon window = {{-0.88F, -0.42F}, {-0.1F, -0.92F}, {0.98F, -0.5F}, {0.72F, 0.62F}, {-0.46F, 0.78F}};
+    for (glm::vec2& corner : window) corner = vary.near(corner, 0.12F);
     const Polygon left = clipped(out, band, window);
     const auto wide = [](const Polygon& polygon) { return std::vector<glm::dvec2>(polygon.begin(), polygon.end()); };
 

@@ -1,3 +1,4 @@
+#include <kit/varied.hpp>
 #include <stdexcept>
 #include <umbral/core/random.hpp>
 #include <umbral/record/driver.hpp>
@@ -39,10 +40,22 @@ void record_functions(Recorder& out)
         for (int i = 0; i < functions; ++i) out.append("passes", passes(out, function(i), low, high));
 }
 
-void record_formats(Recorder& out)
+void record_formats(Variation& vary, Recorder& out)
 {
-    for (const float depth :
-         {0.0F, 1.0F, 0.5F, 0.25F, 0.1F, 1.0F / 3, 0.71F, 0.999F, 1e-3F, 4e-6F, -0.25F, 1.75F, 0.0099F})
+    const std::vector depths{0.0F,
+                             1.0F,
+                             0.5F,
+                             0.25F,
+                             vary.near(0.1F, 0.05F),
+                             vary.near(1.0F / 3, 0.1F),
+                             vary.near(0.71F, 0.2F),
+                             vary.near(0.999F, 0.0008F),
+                             vary.scaled(1e-3F, 2),
+                             vary.scaled(4e-6F, 1.5F),
+                             vary.near(-0.25F, 0.2F),
+                             vary.near(1.75F, 0.5F),
+                             vary.scaled(0.0099F, 2)};
+    for (const float depth : in_random_order(vary, depths))
         for (const DepthFormat format : {DepthFormat::unorm16, DepthFormat::unorm24, DepthFormat::float32})
             out.append("depth", ask<stored_depth>(out, format, depth));
 }
@@ -261,14 +274,14 @@ void record_sizes(Random& random, Recorder& out)
 
 const Driver driver = {
     {"functions", [](Case&, Recorder& out) { record_functions(out); }},
-    {"formats", [](Case&, Recorder& out) { record_formats(out); }},
+    {"formats", [](Case& c, Recorder& out) { record_formats(c.vary, out); }},
     {"codes", [](Case& c, Recorder& out) { record_codes(c.random, out); }},
     {"tests", [](Case& c, Recorder& out) { record_tests(c.random, out, 24); }},
     {"crowds", [](Case& c, Recorder& out) { record_tests(c.random, out, 160); }},
     {"drawing", [](Case& c, Recorder& out) { record_drawing(c.random, out); }},
     {"merging", [](Case& c, Recorder& out) { record_merging(c.random, out); }},
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_rings(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_rings(out, c.vary)); }},
 };
 
 }

@@ -8,6 +8,7 @@
 #include <umbral/core/grid.hpp>
 #include <umbral/pipeline/depth.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 /// The goal picture of pipeline/depth-buffer: two rings, each drawn into a layer of its own, that are linked once the
 /// layers are merged.
@@ -62,15 +63,31 @@ inline void draw_ring(Recorder& out, const Ring& ring, const DepthState& state, 
     }
 }
 
-inline Layer linked_rings(Recorder& out, const DepthState& state, ShadeModel model)
+/// What is drawn into the layer that is merged into, and into the other one.
+struct Rings {
+    Ring left{{-0.24F, 0.08F, 0}, {1, 0, 0}, glm::normalize(glm::vec3(0.1F, 0.9F, -0.45F)), {0.09F, 0.42F, 0.8F}};
+    Ring right{{0.24F, -0.08F, 0}, {1, 0, 0}, glm::normalize(glm::vec3(0, 0.55F, 0.84F)), {0.85F, 0.32F, 0.02F}};
+};
+
+/// Rings tilted otherwise, in other colours; they remain linked.
+inline Rings varied(Variation& vary, Rings rings)
+{
+    for (Ring* const ring : {&rings.left, &rings.right}) {
+        const glm::mat3 turn = vary.turn({1, 0, 0}, 0.25F);
+        ring->across = vary ? turn * ring->across : ring->across;
+        ring->color = glm::clamp(vary.near(ring->color, 0.3F), 0.0F, 1.0F);
+        ring->centre.y = vary.near(ring->centre.y, 0.08F);
+    }
+    return rings;
+}
+
+inline Layer linked_rings(Recorder& out, const Rings& rings, const DepthState& state, ShadeModel model)
 {
     const Layer empty{{panel, panel, glm::vec3(srgb_decoded(glm::dvec3(ink::night)))}, {panel, panel, 1.0F}};
-    const glm::vec3 tilt = glm::normalize(glm::vec3(0, 0.55F, 0.84F));
     Layer left = empty;
     Layer right = empty;
-    draw_ring(out, {{-0.24F, 0.08F, 0}, {1, 0, 0}, glm::normalize(glm::vec3(0.1F, 0.9F, -0.45F)), {0.09F, 0.42F, 0.8F}},
-              state, model, left);
-    draw_ring(out, {{0.24F, -0.08F, 0}, {1, 0, 0}, tilt, {0.85F, 0.32F, 0.02F}}, state, model, right);
+    draw_ring(out, rings.left, state, model, left);
+    draw_ring(out, rings.right, state, model, right);
     ask<merge_layers>(out, state, right, left);
     return {of_size(left.colors, panel, panel), of_size(left.depths, panel, panel)};
 }
@@ -78,11 +95,12 @@ inline Layer linked_rings(Recorder& out, const DepthState& state, ShadeModel mod
 }
 
 /// Flat, smooth, and the depths themselves, side by side.
-inline Image draw_rings(Recorder& out)
+inline Image draw_rings(Recorder& out, Variation& vary)
 {
+    const detail::Rings rings = varied(vary, detail::Rings{});
     const DepthState state{true, DepthFunction::less, true, DepthFormat::unorm16};
-    const Layer flat = detail::linked_rings(out, state, ShadeModel::flat);
-    const Layer smooth = detail::linked_rings(out, state, ShadeModel::smooth);
+    const Layer flat = detail::linked_rings(out, rings, state, ShadeModel::flat);
+    const Layer smooth = detail::linked_rings(out, rings, state, ShadeModel::smooth);
     Image picture(3 * detail::panel, detail::panel);
     for (int y = 0; y < detail::panel; ++y)
         for (int x = 0; x < detail::panel; ++x) {

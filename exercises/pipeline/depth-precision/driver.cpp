@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <kit/varied.hpp>
 #include <limits>
 #include <umbral/core/random.hpp>
 #include <umbral/record/driver.hpp>
@@ -28,12 +29,20 @@ void append_eye(Recorder& out, double z_eye)
     out.append("eye", std::isinf(z_eye) ? glm::dvec2(std::copysign(1, z_eye), 0) : glm::dvec2(0, z_eye));
 }
 
-// The course's cameras, and one that a hand can work out: n = 1, f = 3.
-void record_by_hand(Recorder& out)
+/// Planes that are written down, moved.
+DepthRange varied(Variation& vary, double near_plane, double far_plane)
 {
-    for (const auto& [n, f] : {std::pair(1.0, 3.0), {0.2, 400.0}, {0.01, 1000.0}, {2.0, infinity}})
-        for (const double part : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
-            const double distance = std::isinf(f) ? n / (1.0 - 0.9 * part) : n + part * (f - n);
+    return {vary.scaled(near_plane, 1.5F), vary.scaled(far_plane, 1.3F)};
+}
+
+// The course's cameras, and one that a hand can work out: n = 1, f = 3.
+void record_by_hand(Variation& vary, Recorder& out)
+{
+    for (const auto& [near_plane, far_plane] : {std::pair(1.0, 3.0), {0.2, 400.0}, {0.01, 1000.0}, {2.0, infinity}})
+        for (const double written : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) {
+            const auto [n, f, as_usual] = varied(vary, near_plane, far_plane);
+            const double part = written == 0 || written == 1 ? written : vary.near(written, 0.08);
+            const double distance = std::isinf(f) ? n / (1.0 - 0.9 * part) : std::min(f, n + part * (f - n));
             for (const bool reversed : {false, true}) {
                 out.append("ndc", ask<ndc_depth>(out, {n, f, reversed}, -distance));
                 out.append("window", ask<window_depth>(out, {n, f, reversed}, -distance));
@@ -41,22 +50,39 @@ void record_by_hand(Recorder& out)
         }
 }
 
-void record_codes(Recorder& out)
+void record_codes(Variation& vary, Recorder& out)
 {
-    for (const int bits : {1, 2, 8, 16, 24, 32})
-        for (const double depth : {0.0, 1.0, 0.5, 0.49, 0.51, 0.31, 0.70001, 1.0 / 3, 1e-3, 0.999, -2.0, 1.5})
-            out.append("codes", ask<depth_code>(out, depth, bits));
+    for (const int bits : {1, 2, 8, 16, 24, 32}) {
+        const std::vector depths{0.0,
+                                 1.0,
+                                 0.5,
+                                 vary.near(0.49, 0.005),
+                                 vary.near(0.51, 0.005),
+                                 vary.near(0.31, 0.1),
+                                 vary.near(0.70001, 0.1),
+                                 vary.near(1.0 / 3, 0.1),
+                                 vary.scaled(1e-3, 3),
+                                 vary.near(0.999, 0.0008),
+                                 -2.0,
+                                 1.5};
+        for (const double depth : in_random_order(vary, depths)) out.append("codes", ask<depth_code>(out, depth, bits));
+    }
 }
 
 // The course's four codes first.
-void record_back(Recorder& out)
+void record_back(Variation& vary, Recorder& out)
 {
-    for (const auto& [n, f] : {std::pair(0.2, 400.0), {0.01, 1000.0}, {1.0, 3.0}})
-        for (const std::uint32_t code : {1U, 65534U, 0U, 65535U, 32768U, 52454U})
-            for (const bool reversed : {false, true}) append_eye(out, ask<eye_depth>(out, {n, f, reversed}, code, 16));
-    for (const std::uint32_t code : {0U, 1U, 127U, 254U, 255U})
-        for (const bool reversed : {false, true})
-            append_eye(out, ask<eye_depth>(out, {0.5, infinity, reversed}, reversed ? 255 - code : code, 8));
+    for (const auto& [near_plane, far_plane] : {std::pair(0.2, 400.0), {0.01, 1000.0}, {1.0, 3.0}})
+        for (const std::uint32_t code : {1U, 65534U, 0U, 65535U, vary.near(32768U, 9000U), vary.near(52454U, 9000U)})
+            for (const bool reversed : {false, true}) {
+                const auto [n, f, as_usual] = varied(vary, near_plane, far_plane);
+                append_eye(out, ask<eye_depth>(out, {n, f, reversed}, code, 16));
+            }
+    for (const std::uint32_t code : {0U, 1U, vary.near(127U, 90U), 254U, 255U})
+        for (const bool reversed : {false, true}) {
+            const double n = vary.scaled(0.5, 2);
+            append_eye(out, ask<eye_depth>(out, {n, infinity, reversed}, reversed ? 255 - code : code, 8));
+        }
 }
 
 struct Camera {
@@ -166,14 +192,14 @@ void record_extremes(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record_by_hand(out); }},
-    {"codes", [](Case&, Recorder& out) { record_codes(out); }},
-    {"back", [](Case&, Recorder& out) { record_back(out); }},
+    {"by hand", [](Case& c, Recorder& out) { record_by_hand(c.vary, out); }},
+    {"codes", [](Case& c, Recorder& out) { record_codes(c.vary, out); }},
+    {"back", [](Case& c, Recorder& out) { record_back(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"resolution", [](Case& c, Recorder& out) { record_resolution(c.random, out); }},
     {"fighting", [](Case& c, Recorder& out) { record_fighting(c.random, out); }},
     {"extremes", [](Case& c, Recorder& out) { record_extremes(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_precision(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_precision(out, c.vary)); }},
 };
 
 }

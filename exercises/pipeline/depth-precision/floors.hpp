@@ -5,15 +5,13 @@
 #include <kit/drawing.hpp>
 #include <umbral/pipeline/depth_precision.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 /// The goal picture of pipeline/depth-precision: what each format resolves at all distances, and what that does to two
 /// floors, one just above the other.
 namespace umbral::pipeline {
 
 namespace detail {
-
-inline constexpr double near_plane = 0.01;
-inline constexpr double far_plane = 1000;
 
 struct Curve {
     DepthFormat format;
@@ -25,7 +23,7 @@ struct Curve {
 inline double height_of(double decade) { return (decade + 3) / 6; }
 
 /// Decades of the distance to the right, of the resolution upwards.
-inline void draw_curves(Recorder& out, Drawing& drawing)
+inline void draw_curves(Recorder& out, Drawing& drawing, double near_plane, double far_plane)
 {
     for (int decade = -2; decade <= 3; ++decade) drawing.line({decade, -1.2}, {decade, 1.2}, ink::slate, 1);
     for (int decade = -10; decade <= 3; ++decade)
@@ -82,21 +80,23 @@ inline Image draw_floors(Recorder& out, const DepthRange& range, int bits, int w
 }
 
 /// The curves above; below them the floors in 16 bits, 24 bits, and reversed floats.
-inline Image draw_precision(Recorder& out)
+inline Image draw_precision(Recorder& out, Variation& vary)
 {
+    // Never nearer and farther than the chart's borders: what is asked lies between the planes.
+    const double near_plane = vary.one_of(0.01, std::array{0.002, 0.003, 0.005});
+    const double far_plane = vary.one_of(1000.0, std::array{2000.0, 4000.0, 9000.0});
     constexpr int part = 200;
     constexpr int curves = 260;
     constexpr int floors = 130;
     Drawing chart(3 * part, curves, {-2, -1.1}, {3, 1.1});
-    detail::draw_curves(out, chart);
+    detail::draw_curves(out, chart, near_plane, far_plane);
     const Image top = chart.picture();
     Image picture(3 * part, curves + floors, glm::u8vec4(14, 15, 23, 255));
     for (int y = 0; y < curves; ++y)
         for (int x = 0; x < 3 * part; ++x) picture.at(x, y) = top.at(x, y);
-    const std::array<std::pair<DepthRange, int>, 3> views = {
-        std::pair(DepthRange{detail::near_plane, detail::far_plane}, 16),
-        {DepthRange{detail::near_plane, detail::far_plane}, 24},
-        {DepthRange{detail::near_plane, detail::far_plane, true}, 0}};
+    const std::array<std::pair<DepthRange, int>, 3> views = {std::pair(DepthRange{near_plane, far_plane}, 16),
+                                                             {DepthRange{near_plane, far_plane}, 24},
+                                                             {DepthRange{near_plane, far_plane, true}, 0}};
     for (int i = 0; i < 3; ++i) {
         const auto& [range, bits] = views[static_cast<std::size_t>(i)];
         const Image floor = detail::draw_floors(out, range, bits, part - 8, floors);

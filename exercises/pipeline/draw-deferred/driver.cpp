@@ -4,6 +4,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../support_gl.hpp"
+#include "../varied.hpp"
 #include "meshes.hpp"
 
 namespace umbral {
@@ -61,12 +62,14 @@ void count_alive(Recorder& out)
 
 // What is alive is counted beside the trace: deleting the name 0 deletes nothing. What was never drawn goes as well,
 // and what is empty.
-void frames(Case&, Recorder& out)
+void frames(Case& c, Recorder& out)
 {
+    const int petals = c.vary.one_of(8, std::array{6, 7, 9});
+    const float hue = hue_shift(c.vary);
     const Canvas canvas(256);
     std::unique_ptr<IndexedDrawing> drawing;
     record_calls(out, "first frame", [&] {
-        drawing = drawing_of(out, rosette(8, 12));
+        drawing = drawing_of(out, rosette(petals, 12, hue));
         draw(out, drawing);
     });
     record_calls(out, "later frames", [&] {
@@ -142,16 +145,20 @@ void state(Case& c, Recorder& out)
 
 // Drawings that live at once, one of them empty, two of them of one mesh that has changed in its place; the last one is
 // drawn when others have gone.
-void several(Case&, Recorder& out)
+void several(Case& c, Recorder& out)
 {
     const Canvas canvas(256);
-    const ColoredMesh before = polygon(6, {0.05F, -0.1F, 0}, 0.6F, 0.55F);
-    const ColoredMesh after = polygon(6, {0.5F, 0.45F, 0.2F}, 0.4F, 0.3F);
+    const float hue = hue_shift(c.vary);
+    const auto placed = [&](int corners, const glm::vec3& centre, float radius, float its_hue) {
+        return polygon(corners, c.vary.near(centre, 0.04F), radius, its_hue + hue);
+    };
+    const ColoredMesh before = placed(6, {0.05F, -0.1F, 0}, 0.6F, 0.55F);
+    const ColoredMesh after = placed(6, {0.5F, 0.45F, 0.2F}, 0.4F, 0.3F);
     ColoredMesh changing = before;
-    std::array drawings{drawing_of(out, polygon(3, {-0.45F, 0.4F, 0.3F}, 0.5F, 0.0F), "drawing0"),
+    std::array drawings{drawing_of(out, placed(3, {-0.45F, 0.4F, 0.3F}, 0.5F, 0.0F), "drawing0"),
                         drawing_of(out, {}, "drawing1"), drawing_of_now(out, changing, "drawing2"),
                         drawing_of_now(out, changing = after, "drawing3"),
-                        drawing_of(out, polygon(5, {0.4F, -0.5F, -0.1F}, 0.42F, 0.8F), "drawing4")};
+                        drawing_of(out, placed(5, {0.4F, -0.5F, -0.1F}, 0.42F, 0.8F), "drawing4")};
     for (const std::size_t i : {3, 1, 0, 2, 1, 3}) draw(out, drawings[i]);
     out.image("first", canvas.picture());
     for (const std::size_t i : {0, 2, 1}) drawings[i].reset();
@@ -170,14 +177,18 @@ void random(Case& c, Recorder& out)
 }
 
 const Driver driver = {
-    {"rosette", [](Case&, Recorder& out) { record_picture(out, "picture", rosette(12, 16), 384); }},
+    {"rosette",
+     [](Case& c, Recorder& out) {
+         const int petals = c.vary.one_of(12, std::array{9, 10, 11});
+         record_picture(out, "picture", rosette(petals, 16, hue_shift(c.vary)), 384);
+     }},
     {"frames", frames},
     {"state", state},
     {"several", several},
     {"many vertices",
-     [](Case&, Recorder& out) {
-         record_picture(out, "picture", sheet(257, 257, 8), 192);
-         record_picture(out, "65537", sheet_and_one(), 192);
+     [](Case& c, Recorder& out) {
+         record_picture(out, "picture", sheet(257, 257, 8, hue_shift(c.vary)), 192);
+         record_picture(out, "65537", sheet_and_one(hue_shift(c.vary)), 192);
      }},
     {"random", random},
 };

@@ -11,8 +11,8 @@ namespace umbral::pipeline {
 
 /// Problem 1.2 grown into a rose window: a centre, and rings of vertices round it that swell and shrink into petals.
 /// Each ring is turned against the one before by half a step, and its colours alternate between light and dark, so that
-/// every triangle shows.
-inline ColoredMesh rosette(int petals, int rings)
+/// every triangle shows. `hue` turns all hues.
+inline ColoredMesh rosette(int petals, int rings, float hue = 0)
 {
     ColoredMesh mesh;
     const int around = 6 * petals;
@@ -29,7 +29,7 @@ inline ColoredMesh rosette(int petals, int rings)
             mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
             const float light = 0.55F + 0.45F * std::cos(std::numbers::pi_v<float> * static_cast<float>(i + ring / 2));
             mesh.colors.push_back(
-                rainbow(0.62F * outwards + 0.08F * petal + 0.55F, 0.85F - 0.35F * light, 0.35F + 0.65F * light));
+                rainbow(0.62F * outwards + 0.08F * petal + 0.55F + hue, 0.85F - 0.35F * light, 0.35F + 0.65F * light));
         }
     const auto at = [&](int ring, int i) {
         return static_cast<std::uint32_t>(ring == 0 ? 0 : 1 + (ring - 1) * around + (i + around) % around);
@@ -49,8 +49,8 @@ inline ColoredMesh rosette(int petals, int rings)
 
 /// A sheet of columns x rows vertices over the square [-0.95, 0.95]², in soft bands of colour. It is bent away from the
 /// viewer between its first row and its last, so that a triangle that wrongly joins the two is in front of it.
-/// Triangles join every `step`-th vertex only: there are many vertices, and little to draw.
-inline ColoredMesh sheet(int columns, int rows, int step)
+/// Triangles join every `step`-th vertex only: there are many vertices, and little to draw. `hue` turns all hues.
+inline ColoredMesh sheet(int columns, int rows, int step, float hue = 0)
 {
     ColoredMesh mesh;
     for (int row = 0; row < rows; ++row)
@@ -59,7 +59,7 @@ inline ColoredMesh sheet(int columns, int rows, int step)
                                   static_cast<float>(row) / static_cast<float>(rows - 1));
             mesh.positions.emplace_back(1.9F * place - 0.95F, 0.8F * std::sin(std::numbers::pi_v<float> * place.y));
             const float wave = std::sin(9 * place.x + 4 * std::sin(5 * place.y)) * std::cos(7 * place.y);
-            mesh.colors.push_back(rainbow(0.5F + 0.2F * wave, 0.6F, 0.6F + 0.4F * place.y));
+            mesh.colors.push_back(rainbow(0.5F + hue + 0.2F * wave, 0.6F, 0.6F + 0.4F * place.y));
         }
     for (int row = 0; row + step < rows; row += step)
         for (int column = 0; column + step < columns; column += step) {
@@ -74,9 +74,9 @@ inline ColoredMesh sheet(int columns, int rows, int step)
 
 /// As many vertices as 16 bits can number, all of them in use, and one more: the tip of a triangle in front of the
 /// sheet.
-inline ColoredMesh sheet_and_one()
+inline ColoredMesh sheet_and_one(float hue = 0)
 {
-    ColoredMesh mesh = sheet(256, 256, 1);
+    ColoredMesh mesh = sheet(256, 256, 1, hue);
     mesh.positions.emplace_back(0, -0.6F, -0.5F);
     mesh.colors.emplace_back(1, 1, 1);
     const auto top = static_cast<std::uint32_t>(255 * 256);

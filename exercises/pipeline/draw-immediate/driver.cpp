@@ -19,10 +19,18 @@ void record_picture(Recorder& out, int size, const std::vector<Piece>& pieces)
     out.image("picture", stage.picture());
 }
 
-void record_calls(Recorder& out, std::string_view name, bool cut)
+/// Pieces that are written down.
+void record_written(Case& c, Recorder& out, int size, std::vector<Piece> pieces)
 {
-    const std::vector<glm::vec2> corners = polygon(9);
-    const Fan tables = fan(9, 2);
+    for (Piece& piece : pieces) piece = varied(c.vary, piece);
+    record_picture(out, size, pieces);
+}
+
+void record_calls(Case& c, Recorder& out, std::string_view name, bool cut)
+{
+    const int count = c.vary.one_of(9, std::array{5, 7, 13});  // odd: triangles come two after each other
+    const std::vector<glm::vec2> corners = polygon(count);
+    const Fan tables = fan(count, 2);
     gl::begin_trace();
     if (cut)
         ask<draw_triangles>(out, tables.positions, tables.indices, {1, 0, 0}, {1, 1, 1});
@@ -31,18 +39,18 @@ void record_calls(Recorder& out, std::string_view name, bool cut)
     gl::record_trace(out, name, gl::end_trace());
 }
 
-void calls(Case&, Recorder& out)
+void calls(Case& c, Recorder& out)
 {
     const Stage stage(32);
-    record_calls(out, "polygon", false);
-    record_calls(out, "triangles", true);
+    record_calls(c, out, "polygon", false);
+    record_calls(c, out, "triangles", true);
 }
 
 // Nearer pieces come first, so that the edges of farther ones must stop at them.
-void depth_test(Case&, Recorder& out)
+void depth_test(Case& c, Recorder& out)
 {
     glEnable(GL_DEPTH_TEST);
-    record_picture(out, 192,
+    record_written(c, out, 192,
                    {{5, false, {-0.3F, 0.3F, -0.5F}, 0.4F, 0.3F, {0.2F, 0.5F, 0.8F}, {0.8F, 0.95F, 1}},
                     {8, true, {0.35F, -0.2F, -0.4F}, 0.4F, 0.1F, {0.75F, 0.3F, 0.2F}, {1, 0.9F, 0.8F}},
                     {7, true, {-0.25F, -0.3F, 0.2F}, 0.6F, 0.2F, {0.15F, 0.5F, 0.3F}, {0.7F, 1, 0.8F}},
@@ -67,10 +75,10 @@ private:
     GLuint name_ = 0;
 };
 
-void buffer_bound(Case&, Recorder& out)
+void buffer_bound(Case& c, Recorder& out)
 {
     const BoundBuffer buffer;
-    record_picture(out, 128,
+    record_written(c, out, 128,
                    {{6, false, {-0.45F, 0.1F, 0}, 0.45F, 0.2F, {0.2F, 0.6F, 0.5F}, {1, 1, 1}},
                     {9, true, {0.45F, -0.1F, 0}, 0.45F, 0, {0.7F, 0.5F, 0.1F}, {1, 1, 1}}});
 }
@@ -155,14 +163,18 @@ void random(Case& c, Recorder& out)
 }
 
 const Driver driver = {
-    {"sunflower", [](Case&, Recorder& out) { record_picture(out, 384, sunflower(110)); }},
+    {"sunflower",
+     [](Case& c, Recorder& out) {
+         const float turn = c.vary.near(0.0F, 3.0F);
+         record_picture(out, 384, sunflower(110, turn, hue_shift(c.vary)));
+     }},
     {"polygon",
-     [](Case&, Recorder& out) {
-         record_picture(out, 128, {{7, false, {0, 0, 0}, 0.9F, 0, {0.2F, 0.5F, 0.8F}, {1, 0.85F, 0.4F}}});
+     [](Case& c, Recorder& out) {
+         record_written(c, out, 128, {{7, false, {0, 0, 0}, 0.9F, 0, {0.2F, 0.5F, 0.8F}, {1, 0.85F, 0.4F}}});
      }},
     {"triangles",
-     [](Case&, Recorder& out) {
-         record_picture(out, 128, {{11, true, {0, 0, 0}, 0.9F, 0, {0.2F, 0.6F, 0.5F}, {1, 0.85F, 0.4F}}});
+     [](Case& c, Recorder& out) {
+         record_written(c, out, 128, {{11, true, {0, 0, 0}, 0.9F, 0, {0.2F, 0.6F, 0.5F}, {1, 0.85F, 0.4F}}});
      }},
     {"calls", calls},
     {"depth test", depth_test},

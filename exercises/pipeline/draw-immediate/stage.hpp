@@ -11,6 +11,8 @@
 #include <umbral/pipeline/immediate.hpp>
 #include <umbral/record/ask.hpp>
 
+#include "../varied.hpp"
+
 /// Where the cases draw, and what: the tables of problems 1.1 and 1.2.
 namespace umbral::pipeline {
 
@@ -100,16 +102,28 @@ inline void draw(Recorder& out, const Piece& piece)
     }
 }
 
-/// A sunflower's head: polygons along Fermat's spiral, each turned by the golden angle against the one before.
-inline std::vector<Piece> sunflower(int count)
+/// The piece elsewhere, turned, with a corner more or less, in other colours.
+inline Piece varied(Variation& vary, Piece piece)
+{
+    piece.corners = vary.near(piece.corners, 1);
+    for (int axis = 0; axis < 2; ++axis) piece.place[axis] = vary.near(piece.place[axis], 0.05F);
+    piece.turn = vary.near(piece.turn, 0.5F);
+    piece.fill = other_color(vary, piece.fill);
+    piece.edges = other_color(vary, piece.edges);
+    return piece;
+}
+
+/// A sunflower's head: polygons along Fermat's spiral, each turned by the golden angle against the one before. `turn`
+/// and `hue` turn the whole head and all hues.
+inline std::vector<Piece> sunflower(int count, float turn = 0, float hue = 0)
 {
     constexpr float golden_angle = 2.3999632F;
     std::vector<Piece> pieces;
     for (int i = 0; i < count; ++i) {
         const float outwards = std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(count));
-        const float angle = golden_angle * static_cast<float>(i);
+        const float angle = golden_angle * static_cast<float>(i) + turn;
         const float reach = 0.9F * std::pow(outwards, 1.2F);
-        const glm::vec3 fill = rainbow(0.12F + 0.62F * outwards, 0.85F - 0.3F * static_cast<float>(i % 2),
+        const glm::vec3 fill = rainbow(0.12F + hue + 0.62F * outwards, 0.85F - 0.3F * static_cast<float>(i % 2),
                                        0.62F + 0.3F * static_cast<float>(i % 2));
         pieces.push_back({3 + i % 6,
                           i % 2 == 0,

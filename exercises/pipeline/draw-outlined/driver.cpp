@@ -4,6 +4,7 @@
 #include <umbral/record/driver.hpp>
 
 #include "../support_gl.hpp"
+#include "../varied.hpp"
 #include "shapes.hpp"
 
 namespace umbral {
@@ -33,9 +34,17 @@ void record_picture(Recorder& out, int size, const std::vector<Piece>& pieces)
     out.image("picture", stage.picture());
 }
 
-Piece large(Piece::Way way, int corners)
+Piece large(Variation& vary, Piece::Way way, int corners)
 {
-    return {way, corners, {0, 0}, 0.9F, 0.2F, {0.2F, 0.5F, 0.8F}, {1, 0.85F, 0.4F}};
+    Piece piece{way, vary.near(corners, 1), {0, 0}, 0.9F, vary.near(0.2F, 0.5F)};
+    piece.fill = other_color(vary, {0.2F, 0.5F, 0.8F});
+    piece.edges = other_color(vary, {1, 0.85F, 0.4F});
+    return piece;
+}
+
+void record_large(Case& c, Recorder& out, Piece::Way way, int corners)
+{
+    record_picture(out, 128, {large(c.vary, way, corners)});
 }
 
 template <class Work>
@@ -46,22 +55,24 @@ void record_calls(Recorder& out, std::string_view name, Work&& work)
     gl::record_trace(out, name, gl::end_trace());
 }
 
-void sent_calls(Case&, Recorder& out)
+void sent_calls(Case& c, Recorder& out)
 {
     const Stage stage(32);
-    record_calls(out, "sent", [&] { draw(out, large(Piece::Way::sent, 9)); });
+    const Piece piece = large(c.vary, Piece::Way::sent, c.vary.one_of(9, std::array{6, 12, 15}));
+    record_calls(out, "sent", [&] { draw(out, piece); });
 }
 
 // Made, drawn once, three times more in other colours, and gone.
-void frames(Recorder& out, Piece::Way way)
+void frames(Case& c, Recorder& out, Piece::Way way)
 {
     const Stage stage(64);
+    const Piece piece = large(c.vary, way, c.vary.one_of(11, std::array{8, 14, 17}));
     std::unique_ptr<OutlinedDrawing> drawing;
     const auto frame = [&](float red) {
         if (drawing) ask<&OutlinedDrawing::draw>(out, *drawing, {red, 0.4F, 0.3F}, {1, 1, red});
     };
     record_calls(out, "first frame", [&] {
-        drawing = drawing_of(out, large(way, 11));
+        drawing = drawing_of(out, piece);
         frame(0.1F);
     });
     record_calls(out, "later frames", [&] {
@@ -158,9 +169,10 @@ void state(Case& c, Recorder& out)
 
 // Drawings that live at once, drawn in turn; the last ones when others have gone. The two polygons, of 300 corners
 // each, come from one table that changes in its place; one of the wheels has 70,000 positions more than it needs.
-void several(Case&, Recorder& out)
+void several(Case& c, Recorder& out)
 {
     const Stage stage(160);
+    const float hue = hue_shift(c.vary);
     std::vector<Piece> pieces;
     std::vector<std::unique_ptr<OutlinedDrawing>> drawings;
     std::vector<glm::vec2> table;
@@ -168,10 +180,10 @@ void several(Case&, Recorder& out)
         const float side = i % 2 == 0 ? -0.45F : 0.45F;
         pieces.push_back({i < 2 ? Piece::Way::polygon : Piece::Way::triangles,
                           i < 2 ? 300 : 3 + 2 * i,
-                          {side, i < 2 ? 0.45F : -0.45F},
+                          c.vary.near(glm::vec2(side, i < 2 ? 0.45F : -0.45F), 0.05F),
                           0.4F,
-                          0,
-                          rainbow(0.23F * static_cast<float>(i), 0.8F, 0.7F),
+                          c.vary.near(0.0F, 0.5F),
+                          rainbow(0.23F * static_cast<float>(i) + hue, 0.8F, 0.7F),
                           {1, 1, 1},
                           i == 3 ? 70'000 : 0});
         const std::string name = "drawing" + std::to_string(i);
@@ -204,13 +216,17 @@ void random(Case& c, Recorder& out)
 }
 
 const Driver driver = {
-    {"window", [](Case&, Recorder& out) { record_picture(out, 384, window()); }},
-    {"sent", [](Case&, Recorder& out) { record_picture(out, 128, {large(Piece::Way::sent, 7)}); }},
-    {"polygon", [](Case&, Recorder& out) { record_picture(out, 128, {large(Piece::Way::polygon, 5)}); }},
-    {"triangles", [](Case&, Recorder& out) { record_picture(out, 128, {large(Piece::Way::triangles, 8)}); }},
+    {"window",
+     [](Case& c, Recorder& out) {
+         const float turn = c.vary.near(0.0F, 3.0F);
+         record_picture(out, 384, window(turn, hue_shift(c.vary)));
+     }},
+    {"sent", [](Case& c, Recorder& out) { record_large(c, out, Piece::Way::sent, 7); }},
+    {"polygon", [](Case& c, Recorder& out) { record_large(c, out, Piece::Way::polygon, 5); }},
+    {"triangles", [](Case& c, Recorder& out) { record_large(c, out, Piece::Way::triangles, 8); }},
     {"calls", sent_calls},
-    {"polygon frames", [](Case&, Recorder& out) { frames(out, Piece::Way::polygon); }},
-    {"triangle frames", [](Case&, Recorder& out) { frames(out, Piece::Way::triangles); }},
+    {"polygon frames", [](Case& c, Recorder& out) { frames(c, out, Piece::Way::polygon); }},
+    {"triangle frames", [](Case& c, Recorder& out) { frames(c, out, Piece::Way::triangles); }},
     {"state", state},
     {"several", several},
     {"random", random},

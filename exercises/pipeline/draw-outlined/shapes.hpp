@@ -73,18 +73,19 @@ inline void draw(Recorder& out, const Piece& piece)
         ask<&OutlinedDrawing::draw>(out, *drawing, piece.fill, piece.edges);
 }
 
-/// Rings of pieces in all three ways: the goal picture.
-inline std::vector<Piece> window()
+/// Rings of pieces in all three ways: the goal picture. `turn` and `hue` turn the whole window and all hues.
+inline std::vector<Piece> window(float turn = 0, float hue = 0)
 {
     std::vector<Piece> pieces;
     for (int ring = 4; ring >= 0; --ring)
         for (int i = 0; i < std::max(1, 7 * ring); ++i) {
             const float angle = 2 * std::numbers::pi_v<float> *
-                                (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) /
-                                static_cast<float>(std::max(1, 7 * ring));
+                                    (static_cast<float>(i) + 0.5F * static_cast<float>(ring % 2)) /
+                                    static_cast<float>(std::max(1, 7 * ring)) +
+                                turn;
             const float out = 0.2F * static_cast<float>(ring);
             const glm::vec3 fill =
-                rainbow(0.13F * static_cast<float>(ring) + 0.02F * static_cast<float>(i % 7), 0.75F, 0.75F);
+                rainbow(0.13F * static_cast<float>(ring) + 0.02F * static_cast<float>(i % 7) + hue, 0.75F, 0.75F);
             pieces.push_back({static_cast<Piece::Way>((ring + i) % 3), 4 + ring + i % 3,
                               out * glm::vec2(std::cos(angle), std::sin(angle)), ring == 0 ? 0.12F : 0.085F, angle,
                               fill, glm::mix(fill, glm::vec3(1), 0.75F)});

@@ -12,15 +12,16 @@ void pictures(Case& what, Recorder& out)
 {
     const gl::Program program = mirror_program(what);
     program.require_interface(mirror_interface());
-    out.image("lake", draw(out, lake(), program, 384, 288));
-    out.image("wall", draw(out, wall(Look::places), program, 192, 192));
-    out.image("light", draw(out, wall(Look::light, -1), program, 192, 192));
-    out.image("cut", draw(out, cut(), program, 192, 192));
-    out.image("bowls", draw(out, bowls(glm::vec3(1)), program, 192, 192));
-    out.image("mirrored bowls", draw(out, in_units(bowls({1, 1, -1}), 0.02F), program, 192, 192));
-    out.image("long normal", draw(out, with_normal(2.5F), program, 192, 192));
-    out.image("short normal", draw(out, with_normal(0.02F), program, 192, 192));
-    out.image("stretched", draw(out, stretched(), program, 192, 192));
+    const auto seen = [&](Scene scene) { return varied(what.vary, std::move(scene)); };
+    out.image("lake", draw(out, seen(lake()), program, 384, 288));
+    out.image("wall", draw(out, seen(wall(Look::places)), program, 192, 192));
+    out.image("light", draw(out, seen(wall(Look::light, -1)), program, 192, 192));
+    out.image("cut", draw(out, seen(cut()), program, 192, 192));
+    out.image("bowls", draw(out, seen(bowls(glm::vec3(1))), program, 192, 192));
+    out.image("mirrored bowls", draw(out, in_units(seen(bowls({1, 1, -1})), 0.02F), program, 192, 192));
+    out.image("long normal", draw(out, seen(with_normal(2.5F)), program, 192, 192));
+    out.image("short normal", draw(out, seen(with_normal(0.02F)), program, 192, 192));
+    out.image("stretched", draw(out, seen(stretched()), program, 192, 192));
 }
 
 void random(Case& what, Recorder& out)

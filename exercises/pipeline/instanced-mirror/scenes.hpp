@@ -31,6 +31,19 @@ inline Scene lake()
     return scene;
 }
 
+/// The same scene seen from farther to one side, in other light.
+inline Scene varied(Variation& vary, Scene scene)
+{
+    if (!vary) return scene;
+    const auto turned = [](const glm::vec3& v, float angle) {
+        return glm::vec3(glm::rotate(glm::mat4(1), angle, glm::vec3(0, 1, 0)) * glm::vec4(v, 0));
+    };
+    constexpr std::array sides{-0.35F, 0.35F};
+    scene.eye = scene.target + turned(scene.eye - scene.target, vary.near(vary.one_of(0.0F, sides), 0.1F));
+    scene.light = turned(scene.light, vary.near(vary.one_of(0.0F, sides), 0.15F));
+    return scene;
+}
+
 /// The same scene in another unit of length: it looks the same.
 inline Scene in_units(Scene scene, float unit)
 {

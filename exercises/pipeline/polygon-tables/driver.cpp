@@ -41,6 +41,13 @@ void record_several(Recorder& out, const std::vector<std::uint32_t>& all)
     out.text("edges.names", edges);
 }
 
+/// A few sides, as one can draw them.
+std::vector<std::uint32_t> few_sides(Variation& vary)
+{
+    return {vary.one_of(3U, std::array{5U, 7U}), vary.one_of(4U, std::array{8U, 9U}),
+            vary.one_of(6U, std::array{10U, 11U}), vary.one_of(12U, std::array{13U, 14U, 15U})};
+}
+
 std::vector<std::uint32_t> random_sides(Random& random)
 {
     std::vector<std::uint32_t> all;
@@ -175,13 +182,14 @@ glm::vec3 hue(double turns)
     return glm::vec3(0.12 + 0.8 * wave);
 }
 
-// Left: polygons of 3, 4, 5, … sides, each in the inscribed circle of the one before; the loops drawn filled and as
-// edges. Right: a fan, its triangles and its edges from the tables of indices.
-Image picture(Recorder& out)
+// Left: polygons of 3, 4, 5, … sides (varied, of more), each in the inscribed circle of the one before; the loops drawn
+// filled and as edges. Right: a fan, its triangles and its edges from the tables of indices.
+Image picture(Variation& vary, Recorder& out)
 {
+    const std::uint32_t fewest = vary.one_of(3U, std::array{4U, 5U});
     Drawing drawing(640, 320, {-2.1, -1.05}, {2.1, 1.05});
     double radius = 0.95;
-    for (std::uint32_t sides = 3; sides <= 10; ++sides) {
+    for (std::uint32_t sides = fewest; sides <= 10; ++sides) {
         std::vector<glm::dvec2> corners;
         for (const glm::vec2& corner : ask<polygon_loop>(out, sides)) {
             if (corners.size() > sides) break;
@@ -191,7 +199,7 @@ Image picture(Recorder& out)
         drawing.outline(corners, ink::white, 1.2);
         radius *= std::cos(3.14159265358979 / sides);
     }
-    constexpr std::uint32_t sides = 24;
+    const std::uint32_t sides = vary.one_of(24U, std::array{18U, 20U, 21U});
     const IndexedPolygon fan = ask<polygon_fan>(out, sides);
     const auto place = [&](std::uint32_t index) {
         return index < fan.positions.size() ? glm::dvec2(1.05, 0) + 0.95 * glm::dvec2(fan.positions[index])
@@ -211,17 +219,14 @@ Image picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand",
-     [](Case&, Recorder& out) {
-         record_several(out, {3, 4, 6, 12});
-     }},
+    {"by hand", [](Case& c, Recorder& out) { record_several(out, few_sides(c.vary)); }},
     {"random", [](Case& c, Recorder& out) { record_several(out, random_sides(c.random)); }},
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
     {"joints", [](Case& c, Recorder& out) { record_joints(c.random, out); }},
     {"many sides", [](Case& c, Recorder& out) { record_many(c.random, out); }},
     {"long tables", [](Case& c, Recorder& out) { record_long(c.random, out); }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("tables", picture(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("tables", picture(c.vary, out)); }},
 };
 
 }

@@ -1,3 +1,4 @@
+#include <kit/varied.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
 
@@ -34,6 +35,18 @@ std::vector<Triangle> by_hand()
     };
     for (WindowVertex& vertex : triangles.back()) vertex.inverse_w *= 0x1p-40F;  // far away, in small units
     return triangles;
+}
+
+/// Triangles in a picture of 8 x 8 pixels, mirrored or turned about its middle, each begun at another corner, in
+/// another order: what passes through centres still does.
+std::vector<Triangle> varied(Variation& vary, std::vector<Triangle> triangles)
+{
+    const PlaneMap map = plane_map(vary, glm::vec2(4));
+    for (Triangle& corners : triangles) {
+        for (WindowVertex& vertex : corners) vertex.position = map.place(vertex.position);
+        std::rotate(corners.begin(), corners.begin() + vary.one_of(0, std::array{1, 2}), corners.end());
+    }
+    return in_random_order(vary, std::move(triangles));
 }
 
 std::vector<Triangle> random_triangles(Random& random, int count, int width, int height)
@@ -258,9 +271,9 @@ void record_list(Random& random, Recorder& out)
     out.text("rows.names", "1 fragment\n");
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
-    const Canvas canvas = scene(out, 480, 320);
+    const Canvas canvas = scene(out, vary, 480, 320);
     out.image("colours", encoded(canvas.colours));
     out.buffer("ids", canvas.ids);
 }
@@ -268,7 +281,7 @@ void record_picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record(out, by_hand(), 8, 8, true); }},
+    {"by hand", [](Case& c, Recorder& out) { record(out, varied(c.vary, by_hand()), 8, 8, true); }},
     {"random", [](Case& c, Recorder& out) { record(out, random_triangles(c.random, 40, 50, 38), 50, 38, true); }},
     {"shared edges", [](Case& c, Recorder& out) { record(out, shared_edges(c.random), 32, 32, false); }},
     {"nothing", [](Case& c, Recorder& out) { record_nothing(c.random, out); }},
@@ -278,7 +291,7 @@ const Driver driver = {
     {"horizon", [](Case& c, Recorder& out) { horizon(c.random, out); }},
     {"list", [](Case& c, Recorder& out) { record_list(c.random, out); }},
     {"laws", [](Case& c, Recorder& out) { laws(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

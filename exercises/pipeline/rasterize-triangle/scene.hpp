@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kit/picture.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "../support.hpp"
 
@@ -66,8 +67,8 @@ T blended(const glm::vec3& weights, const T& a, const T& b, const T& c)
     return weights[0] * a + weights[1] * b + weights[2] * c;
 }
 
-/// A tube along a trefoil knot, standing on the floor, with colours that go once round the wheel.
-inline std::vector<ColouredTriangle> knot(int along, int about)
+/// A tube along a trefoil knot, standing on the floor, with colours that go once round the wheel, `hue_shift` further.
+inline std::vector<ColouredTriangle> knot(int along, int about, float hue_shift)
 {
     constexpr float turn = 6.2831853F;
     const auto core = [](float t) {
@@ -85,7 +86,7 @@ inline std::vector<ColouredTriangle> knot(int along, int about)
         for (int j = 0; j < about; ++j) {
             const float angle = turn * static_cast<float>(j) / static_cast<float>(about);
             const glm::vec3 normal = std::cos(angle) * side + std::sin(angle) * cross(side, tangent);
-            const glm::vec3 hue = 0.5F + 0.5F * cos(t + glm::vec3(0.3F, 2.5F, 4.4F));
+            const glm::vec3 hue = 0.5F + 0.5F * cos(t + hue_shift + glm::vec3(0.3F, 2.5F, 4.4F));
             const float diffuse = std::max(0.0F, dot(normal, light));
             const float shine = std::pow(std::max(0.0F, dot(normal, normalize(light + glm::vec3(0, 0.1F, 1)))), 30.0F);
             vertices.at(j, i) = {core(t) + 0.3F * normal,
@@ -104,9 +105,11 @@ inline std::vector<ColouredTriangle> knot(int along, int about)
 }
 
 /// The knot and its mirror image below a chequered floor of two triangles; all of it goes through the unit.
-inline Canvas scene(Recorder& out, int width, int height)
+inline Canvas scene(Recorder& out, Variation& vary, int width, int height)
 {
     Lens lens;
+    lens.eye.y = vary.near(lens.eye.y, 0.3F);
+    lens.zoom = vary.near(vary.one_of(lens.zoom, std::array{2.2F, 2.45F}), 0.1F);
     lens.width = width;
     lens.height = height;
     const auto sky = [&](int y) {
@@ -120,7 +123,7 @@ inline Canvas scene(Recorder& out, int width, int height)
     mirror.colours = canvas.colours;
 
     std::uint32_t id = 2;  // 1 and 2 are the floor's
-    for (const ColouredTriangle& triangle : knot(120, 16)) {
+    for (const ColouredTriangle& triangle : knot(120, 16, vary.one_of(0.0F, std::array{1.6F, 2.8F, 4.6F}))) {
         ++id;
         const auto smooth = [&](glm::vec3 weights, glm::ivec2) {
             return blended(weights, triangle[0].colour, triangle[1].colour, triangle[2].colour);

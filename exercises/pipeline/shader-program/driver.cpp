@@ -1,4 +1,5 @@
 #include <array>
+#include <kit/varied.hpp>
 #include <span>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/ask.hpp>
@@ -37,12 +38,12 @@ void record_answer(Recorder& out, const ShaderTexts& texts)
 }
 
 // Between them programs that are right, so that who always throws is wrong as well.
-void errors(Case&, Recorder& out)
+void errors(Case& c, Recorder& out)
 {
     std::size_t next = 0;
     const std::vector<ShaderTexts> right = right_texts();
-    for (const ShaderTexts& texts : failing_texts()) {
-        record_answer(out, texts);
+    for (const ShaderTexts& texts : in_random_order(c.vary, failing_texts())) {
+        record_answer(out, varied(c.vary, texts));
         const auto [step, size, sum] = answer_to(out, right[next++ % right.size()]);
         out.append("step", step);
     }
@@ -232,27 +233,22 @@ void record_life(Case&, Recorder& out)
     gl::record_trace(out, "life and death", gl::end_trace());
 }
 
-glm::mat4 seen(float turn, glm::vec3 stretch = glm::vec3(1))
+void pictures(Case& c, Recorder& out)
 {
-    const glm::mat4 placed = glm::translate(glm::mat4(1), glm::vec3(0, 0, -4.8F));
-    return glm::scale(glm::rotate(placed, turn, glm::vec3(0.35F, 1, 0.1F)), stretch);
-}
-
-const glm::vec3 lamp = glm::normalize(glm::vec3(-0.5F, 0.7F, 0.8F));
-
-void pictures(Case&, Recorder& out)
-{
+    const glm::vec3 lamp = glm::normalize(c.vary.near(glm::vec3(-0.5F, 0.7F, 0.8F), 0.4F));
     const auto lit = [&](const std::vector<Shot>& shots, int size) {
         ask_shots(out, "lit_shaders()", shots);
         return draw(shots, lit_shaders(), lit_interface(), size);
     };
-    out.image("switches", lit({{seen(0.3F), lamp, false, false, false},
-                               {seen(0.3F), lamp, false, false, true},
-                               {seen(0.3F), lamp, true, true, false},
-                               {seen(0.3F), lamp, true, false, true}},
+    const glm::mat4 model = seen(varied_turn(c.vary, 0.3F));
+    out.image("switches", lit({{model, lamp, false, false, false},
+                               {model, lamp, false, false, true},
+                               {model, lamp, true, true, false},
+                               {model, lamp, true, false, true}},
                               352));
-    out.image("smooth", lit({{seen(1.1F), lamp, true, false, false, true}}, 160));
-    out.image("stretched", lit({{seen(0.5F, {1.25F, 0.62F, 1}), lamp, true, false, false}}, 160));
+    out.image("smooth", lit({{seen(varied_turn(c.vary, 1.1F)), lamp, true, false, false, true}}, 160));
+    const glm::mat4 wide = seen(varied_turn(c.vary, 0.5F), {1.25F, 0.62F, 1});
+    out.image("stretched", lit({{wide, lamp, true, false, false}}, 160));
 }
 
 void random(Case& c, Recorder& out)
@@ -277,14 +273,16 @@ void random(Case& c, Recorder& out)
 const Driver driver = {
     {"pictures", pictures},
     {"minimal",
-     [](Case&, Recorder& out) {
-         ask_shots(out, "minimal_shaders()", {{seen(-0.4F)}});
-         out.image("picture", draw({{seen(-0.4F)}}, minimal_shaders(), minimal_interface(), 192));
+     [](Case& c, Recorder& out) {
+         const std::vector<Shot> shots{{seen(varied_turn(c.vary, -0.4F))}};
+         ask_shots(out, "minimal_shaders()", shots);
+         out.image("picture", draw(shots, minimal_shaders(), minimal_interface(), 192));
      }},
     {"errors", errors},
     {"long log",
-     [](Case&, Recorder& out) {
-         for (const int count : {1, 40, 200, 1000}) record_answer(out, with_many_errors(count));
+     [](Case& c, Recorder& out) {
+         for (const int count : {1, 40, 200, 1000})
+             record_answer(out, varied(c.vary, with_many_errors(c.vary.near(count, count / 10))));
      }},
     {"uniforms", uniforms},
     {"leaks", leaks},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <kit/attributes.hpp>
@@ -10,6 +11,7 @@
 #include <umbral/gl/program.hpp>
 #include <umbral/pipeline/program.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 /// Where the student's shaders draw. They are compiled by gl::Program here, so that pictures do not depend on the
 /// student's own class.
@@ -99,6 +101,19 @@ struct Shot {
     bool textured = false;
     bool cut = false;  ///< along the tube, so that its inside shows
 };
+
+/// A model before the viewer, turned.
+inline glm::mat4 seen(float turn, glm::vec3 stretch = glm::vec3(1))
+{
+    const glm::mat4 placed = glm::translate(glm::mat4(1), glm::vec3(0, 0, -4.8F));
+    return glm::scale(glm::rotate(placed, turn, glm::vec3(0.35F, 1, 0.1F)), stretch);
+}
+
+/// A turn of the model that is written down; varied, one that shows other sides of it.
+inline float varied_turn(Variation& vary, float turn)
+{
+    return vary.near(vary.one_of(turn, std::array{turn + 0.7F, turn - 0.7F, turn + 1.6F}), 0.2F);
+}
 
 /// What is drawn next: the texts, and the uniforms that change from shot to shot.
 inline void ask_shots(Recorder& out, std::string_view texts, const std::vector<Shot>& shots)

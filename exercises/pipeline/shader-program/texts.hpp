@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <umbral/pipeline/program.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// Shaders that the drivers hand to the student's class.
@@ -108,6 +110,15 @@ inline ShaderTexts with_many_errors(int count)
     for (int i = 0; i < count; ++i)
         texts.fragment += "    pixel.r += a_name_that_nobody_has_declared_" + std::to_string(i) + ";\n";
     texts.fragment += "}\n";
+    return texts;
+}
+
+/// The texts some lines further down, so that their logs name other lines. As written unless inputs are to vary.
+inline ShaderTexts varied(Variation& vary, ShaderTexts texts)
+{
+    constexpr std::array lines{1, 3, 5, 12};
+    for (std::string* const text : {&texts.vertex, &texts.fragment})
+        text->insert(0, static_cast<std::size_t>(vary.one_of(0, lines)), '\n');
     return texts;
 }
 

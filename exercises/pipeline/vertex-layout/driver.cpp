@@ -1,4 +1,5 @@
 #include <kit/drawing.hpp>
+#include <kit/varied.hpp>
 #include <limits>
 #include <optional>
 #include <umbral/record/ask.hpp>
@@ -29,18 +30,26 @@ void record_layouts(Recorder& out, const std::vector<VertexAttribute>& attribute
     record_layout(out, "separate", ask<separate_layout>(out, attributes, vertices), attributes.size());
 }
 
-void record_course(Recorder& out)
+/// Attributes that are written down, in another order, some with a component more or less.
+std::vector<VertexAttribute> varied(Variation& vary, std::vector<VertexAttribute> attributes)
 {
-    for (const std::uint64_t vertices : {1U, 8U, 1000U}) {
-        record_layouts(out, course_vertex, vertices);
-        record_layouts(out, {floats(3)}, vertices);
-        record_layouts(out, {floats(2), floats(3)}, vertices);
-        record_layouts(out, {floats(4), floats(1), floats(3)}, vertices);
-    }
+    for (VertexAttribute& attribute : attributes)
+        attribute.components = std::clamp(vary.near(attribute.components, 1U), 1U, 4U);
+    return in_random_order(vary, std::move(attributes));
+}
+
+void record_course(Variation& vary, Recorder& out)
+{
+    for (const std::uint64_t written : {1U, 8U, 1000U})
+        for (const std::vector<VertexAttribute>& attributes :
+             {course_vertex, {floats(3)}, {floats(2), floats(3)}, {floats(4), floats(1), floats(3)}}) {
+            const std::uint64_t vertices = vary.near(written, written / 4);
+            record_layouts(out, varied(vary, attributes), vertices);
+        }
 }
 
 // Small numbers beside large ones, as a C++ struct would have them.
-void record_mixed(Recorder& out)
+void record_mixed(Variation& vary, Recorder& out)
 {
     using enum ComponentType;
     const std::vector<std::vector<VertexAttribute>> all = {
@@ -55,7 +64,10 @@ void record_mixed(Recorder& out)
         {{unsigned_short, 3}, {unsigned_short, 1}, {unsigned_byte, 1}, {unsigned_byte, 3, true}},
     };
     for (const std::vector<VertexAttribute>& attributes : all)
-        for (const std::uint64_t vertices : {3U, 5U}) record_layouts(out, attributes, vertices);
+        for (const std::uint64_t written : {3U, 5U}) {
+            const std::uint64_t vertices = vary.one_of(written, std::array{written + 4, written + 6});
+            record_layouts(out, varied(vary, attributes), vertices);
+        }
 }
 
 // Without attributes, without vertices, and with both, which the two functions for layouts and repack must all survive.
@@ -167,7 +179,7 @@ void record_fetches(Random& random, Recorder& out, bool whole, bool zero_stride)
             }
 }
 
-// Sixteen vertices of 11 floats: a star, its colours and the rest.
+// Vertices of 11 floats: a star, its colours and the rest.
 std::vector<std::byte> star(std::uint64_t vertices)
 {
     std::vector<std::byte> bytes(44 * vertices);
@@ -207,9 +219,9 @@ void draw_memory(Drawing& drawing, const VertexLayout& layout, std::uint64_t ver
 }
 
 // Left: the two layouts in memory. Right: a star whose vertices were interleaved, and then fetched.
-Image picture(Recorder& out)
+Image picture(Variation& vary, Recorder& out)
 {
-    constexpr std::uint64_t vertices = 16;
+    const std::uint64_t vertices = vary.one_of<std::uint64_t>(16, std::array<std::uint64_t, 3>{10, 12, 14});
     Drawing drawing(660, 340, {-1, -9.5}, {40, 11.6});
     draw_memory(drawing, ask<interleaved_layout>(out, course_vertex, vertices), vertices, {0, 9.2});
     draw_memory(drawing, ask<separate_layout>(out, course_vertex, vertices), vertices, {0, -1.2});
@@ -236,8 +248,8 @@ Image picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"course vertex", [](Case&, Recorder& out) { record_course(out); }},
-    {"mixed types", [](Case&, Recorder& out) { record_mixed(out); }},
+    {"course vertex", [](Case& c, Recorder& out) { record_course(c.vary, out); }},
+    {"mixed types", [](Case& c, Recorder& out) { record_mixed(c.vary, out); }},
     {"nothing", [](Case& c, Recorder& out) { record_nothing(c.random, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"large", [](Case& c, Recorder& out) { record_large(c.random, out); }},
@@ -250,7 +262,7 @@ const Driver driver = {
          record_any_layout(c.random, out, true);
          record_fetches(c.random, out, false, true);
      }},
-    {"picture", [](Case&, Recorder& out) { out.image("memory", picture(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("memory", picture(c.vary, out)); }},
 };
 
 }

@@ -22,8 +22,37 @@ void record(Recorder& out, const Box& contents, int width, int height)
 
 constexpr Box cube = {{-1, -1, -1}, {1, 1, 1}};
 
+/// A box that is written down, elsewhere and in other proportions: what is flat or mirrored remains so.
+Box varied(Variation& vary, const Box& box)
+{
+    if (!vary) return box;
+    const glm::vec3 low = vary.near(box.low, 1.0F);
+    glm::vec3 size = box.high - box.low;
+    for (int axis = 0; axis < 3; ++axis) size[axis] = vary.scaled(size[axis], 1.6F);
+    return {low, low + size};
+}
+
+std::vector<Box> varied(Variation& vary, std::vector<Box> boxes)
+{
+    for (Box& box : boxes) box = varied(vary, box);
+    return boxes;
+}
+
+/// A script that is written down, with other sizes of windows: equal ones remain so, and those of a pixel or none.
+input::EventScript varied_script(Variation& vary, const char* text)
+{
+    input::EventScript script = input::parse_script(text);
+    constexpr std::array factors{0.75, 1.25, 1.5};
+    const glm::dvec2 factor(vary.one_of(1.0, factors), vary.one_of(1.0, factors));
+    for (input::TimedEvent& event : script)
+        if (auto* const resize = std::get_if<input::Resize>(&event.event))
+            for (int axis = 0; axis < 2; ++axis)
+                if (int& length = resize->size[axis]; length > 1) length = static_cast<int>(length * factor[axis]);
+    return script;
+}
+
 // Boxes whose matrices can be worked out by hand.
-void known_matrices(Case&, Recorder& out)
+void known_matrices(Case& c, Recorder& out)
 {
     const Box boxes[] = {cube,
                          {{-2, -1, -1}, {2, 1, 1}},
@@ -31,7 +60,7 @@ void known_matrices(Case&, Recorder& out)
                          {{1, -2, -1}, {4, 0, 1}},
                          {{-3, 5, 10}, {-1, 13, 12}},
                          {{0, 0, -8}, {0.5F, 0.25F, -4}}};
-    for (const Box& box : boxes) out.append("projection", ask<projection_of>(out, box));
+    for (const Box& box : boxes) out.append("projection", ask<projection_of>(out, varied(c.vary, box)));
 }
 
 Box random_box(Random& random, float away)
@@ -81,12 +110,15 @@ void record_points(Random& random, Recorder& out, float away)
     }
 }
 
-void known_regions(Case&, Recorder& out)
+void known_regions(Case& c, Recorder& out)
 {
     constexpr glm::ivec2 sizes[] = {{512, 512}, {1024, 512},  {512, 1024}, {800, 600},
                                     {600, 800}, {1920, 1080}, {333, 500},  {3, 7}};
     for (const glm::ivec2& size : sizes)
-        for (const Box& contents : {cube, Box{{-3, -1, -1}, {3, 1, 1}}, tile}) record(out, contents, size.x, size.y);
+        for (const Box& contents : {cube, Box{{-3, -1, -1}, {3, 1, 1}}, tile}) {
+            const int width = c.vary.near(size.x, size.x / 8);
+            record(out, varied(c.vary, contents), width, c.vary.near(size.y, size.y / 8));
+        }
 }
 
 void random_regions(Case& c, Recorder& out)
@@ -115,7 +147,7 @@ void odd_windows(Case& c, Recorder& out)
                          {{1, 9, 0}, {5, 2, 1}}};
     for (const glm::ivec2& size : sizes)
         for (const Box& contents : boxes) {
-            record(out, contents, size.x, size.y);
+            record(out, varied(c.vary, contents), size.x, size.y);
             record(out, random_box(c.random, 4), 700, 300 + static_cast<int>(c.random.below(800)));
         }
 }
@@ -175,24 +207,24 @@ constexpr const char* resizing = R"(
 
 // The second window begins with nothing of the first; what is shown changes between events. The third one is handed to
 // another viewer. The last two are there at the same time, and may be one pixel wide or high.
-void two_windows(Case&, Recorder& out)
+void two_windows(Case& c, Recorder& out)
 {
     out.text("commands.names", names);
-    record_commands(out, input::parse_script("0.1 resize 700 350\n0.2 resize 350 700\n"), {1, 1},
-                    {cube, tile, {{0, 0, 0}, {5, 1, 1}}});
-    record_commands(out, input::parse_script("0.1 refresh\n0.2 resize 900 450\n0.3 resize 450 901\n"), {2, 2},
-                    {{{-2, -1, 0}, {0, 5, 1}}, cube});
-    LoggedViewer first({cube});
-    LoggedViewer second({tile});
+    record_commands(out, varied_script(c.vary, "0.1 resize 700 350\n0.2 resize 350 700\n"), {1, 1},
+                    varied(c.vary, std::vector<Box>{cube, tile, {{0, 0, 0}, {5, 1, 1}}}));
+    record_commands(out, varied_script(c.vary, "0.1 refresh\n0.2 resize 900 450\n0.3 resize 450 901\n"), {2, 2},
+                    varied(c.vary, std::vector<Box>{{{-2, -1, 0}, {0, 5, 1}}, cube}));
+    LoggedViewer first({varied(c.vary, cube)});
+    LoggedViewer second({varied(c.vary, tile)});
     const input::EventScript script =
-        input::parse_script("0.1 resize 320 480\n0.2 resize 600 200\n0.3 resize 210 700\n0.4 resize 800 100\n");
+        varied_script(c.vary, "0.1 resize 320 480\n0.2 resize 600 200\n0.3 resize 210 700\n0.4 resize 800 100\n");
     play(script, {1, 1}, first, &second);
     append_rows(out, script, {1, 1}, first, 1);
     append_rows(out, script, {1, 1}, second, 2);
-    LoggedViewer left({cube, tile});
-    LoggedViewer right({{{0, 0, 0}, {5, 1, 1}}, cube});
+    LoggedViewer left(varied(c.vary, std::vector<Box>{cube, tile}));
+    LoggedViewer right(varied(c.vary, std::vector<Box>{{{0, 0, 0}, {5, 1, 1}}, cube}));
     const input::EventScript narrow =
-        input::parse_script("0.1 resize 1 300\n0.2 resize 420 1\n0.3 resize 200 300\n0.4 resize 1 1\n");
+        varied_script(c.vary, "0.1 resize 1 300\n0.2 resize 420 1\n0.3 resize 200 300\n0.4 resize 1 1\n");
     play_beside(narrow, left, right);
     append_rows(out, narrow, {1, 1}, left, 1);
     append_rows(out, narrow, {1, 1}, right, 2);
@@ -226,13 +258,13 @@ const Driver driver = {
     {"random windows", random_regions},
     {"odd windows", odd_windows},
     {"resize",
-     [](Case&, Recorder& out) {
+     [](Case& c, Recorder& out) {
          out.text("commands.names", names);
-         record_commands(out, input::parse_script(resizing), {2, 2}, {tile});
+         record_commands(out, varied_script(c.vary, resizing), {2, 2}, {varied(c.vary, tile)});
      }},
     {"two windows", two_windows},
     {"random sessions", random_windows},
-    {"picture", [](Case&, Recorder& out) { out.image("windows", windows_picture(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("windows", windows_picture(out, c.vary)); }},
 };
 
 }

@@ -5,6 +5,7 @@
 #include <umbral/input/headless.hpp>
 #include <umbral/pipeline/region.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// Windows that are played to, and windows that are drawn.
@@ -149,12 +150,16 @@ inline void draw_pane(Recorder& out, Drawing& drawing, const Pane& pane)
 }
 
 /// Four windows: wide, square, tall, and one with the contents' own proportions.
-inline Image windows_picture(Recorder& out)
+inline Image windows_picture(Recorder& out, Variation& vary)
 {
     Drawing drawing(512, 432, {0, 0}, {512, 432});
-    for (const Pane& pane : {Pane{{16, 276}, {480, 140}}, Pane{{16, 16}, {244, 244}}, Pane{{276, 16}, {76, 244}},
-                             Pane{{368, 174}, {129, 86}}, Pane{{368, 16}, {128, 142}}})
+    for (Pane pane : {Pane{{16, 276}, {480, 140}}, Pane{{16, 16}, {244, 244}}, Pane{{276, 16}, {76, 244}},
+                      Pane{{368, 174}, {129, 86}}, Pane{{368, 16}, {128, 142}}}) {
+        for (int axis = 0; axis < 2; ++axis)
+            pane.size[axis] =
+                static_cast<int>(static_cast<float>(pane.size[axis]) * vary.one_of(1.0F, std::array{0.6F, 0.7F, 0.8F}));
         draw_pane(out, drawing, pane);
+    }
     return drawing.picture();
 }
 

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <umbral/record/variation.hpp>
+#include <utility>
+#include <vector>
+
+/// What is written down in drivers, varied: what Variation itself does not have.
+namespace umbral {
+
+/// The list in another order, for what is asked in turn. As written unless inputs are to vary.
+template <class T>
+[[nodiscard]] std::vector<T> in_random_order(Variation& vary, std::vector<T> list)
+{
+    if (Random* const random = vary.random())
+        for (std::size_t i = list.size(); i > 1; --i)
+            std::swap(list[i - 1], list[random->below(static_cast<std::uint32_t>(i))]);
+    return list;
+}
+
+/// The plane, mirrored and turned by quarters about a point. Nothing is rounded if differences to that point are not.
+struct PlaneMap {
+    glm::vec2 middle{0};
+    bool swaps = false;  ///< x and y
+    glm::vec2 sign{1};   ///< then, of each
+
+    [[nodiscard]] glm::vec2 place(const glm::vec2& p) const
+    {
+        const glm::vec2 from_middle = p - middle;
+        return middle + sign * (swaps ? glm::vec2(from_middle.y, from_middle.x) : from_middle);
+    }
+    /// Does what turns counter-clockwise then turn clockwise?
+    [[nodiscard]] bool mirrors() const { return swaps != (sign.x * sign.y < 0); }
+};
+
+/// One of the seven that move something; else none.
+inline PlaneMap plane_map(Variation& vary, const glm::vec2& middle = glm::vec2(0))
+{
+    PlaneMap map{middle};
+    if (Random* const random = vary.random()) {
+        const std::uint32_t which = 1 + random->below(7);
+        map.swaps = (which & 4U) != 0;
+        map.sign = {(which & 1U) != 0 ? -1 : 1, (which & 2U) != 0 ? -1 : 1};
+    }
+    return map;
+}
+
+/// A power of two from 2^-`most` to 2^`most`; 1 unless inputs are to vary.
+inline float other_unit(Variation& vary, int most) { return std::ldexp(1.0F, vary.near(0, most)); }
+
+}
