@@ -4,11 +4,22 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <umbral/core/random.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/rotation.hpp>
 #include <vector>
 
 /// What the drivers of transforms share: turns about axes.
 namespace umbral::transforms {
+
+/// A number up to three quarters larger or smaller, in quarters, if inputs are to vary: whole numbers and halves are as
+/// exact as before.
+inline float by_quarters(Variation& vary, float value) { return value + 0.25F * static_cast<float>(vary.near(0, 3)); }
+
+inline glm::vec3 by_quarters(Variation& vary, glm::vec3 vector)
+{
+    for (int i = 0; i < 3; ++i) vector[i] = by_quarters(vary, vector[i]);
+    return vector;
+}
 
 /// A turn about a uniform axis of length 0.5 to 2, by less than half a turn to either side.
 inline AxisAngle random_turn(Random& random)

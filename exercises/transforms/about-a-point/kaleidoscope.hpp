@@ -4,6 +4,7 @@
 #include <kit/drawing.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/about_a_point.hpp>
 
 /// A kaleidoscope: shards of glass in a wedge of 30 degrees, its mirror image, and six turns of both about a point that
@@ -16,11 +17,11 @@ struct Shard {
     glm::vec3 color;
 };
 
-inline std::vector<Shard> shards()
+inline std::vector<Shard> shards(std::uint64_t seed)
 {
     constexpr glm::vec3 glass[] = {ink::blue, ink::orange,           ink::green,           ink::red,
                                    ink::pink, {0.45F, 0.36F, 0.80F}, {0.95F, 0.85F, 0.45F}};
-    Random random(14);
+    Random random(seed);
     std::vector<Shard> result;
     for (int i = 0; i < 26; ++i) {
         const float radius = random.uniform(0.16F, 2.6F);
@@ -35,8 +36,9 @@ inline std::vector<Shard> shards()
     return result;
 }
 
-inline Image draw_kaleidoscope(Recorder& out)
+inline Image draw_kaleidoscope(Variation& vary, Recorder& out)
 {
+    const std::vector<Shard> glass = shards(vary ? vary.random()->bits() : 14);
     const glm::vec3 centre(7, -4, 0);
     const auto polar = [&](float radius, float degrees) {
         return centre + radius * glm::vec3(std::cos(glm::radians(degrees)), std::sin(glm::radians(degrees)), 0);
@@ -62,7 +64,7 @@ inline Image draw_kaleidoscope(Recorder& out)
     for (const glm::mat4& sector : sectors) {
         for (const bool mirrored : {false, true}) {
             const glm::mat4 m = mirrored ? sector * mirrors[copy++ % 2] : sector;
-            for (const Shard& shard : shards()) {
+            for (const Shard& shard : glass) {
                 std::vector<glm::dvec2> corners;
                 for (const glm::vec2& corner : shard.corners) corners.push_back(place(m, polar(corner.x, corner.y)));
                 drawing.area(corners, shard.color, 0.62);

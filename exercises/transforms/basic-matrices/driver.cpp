@@ -3,6 +3,7 @@
 #include <umbral/record/driver.hpp>
 #include <vector>
 
+#include "../support.hpp"
 #include "tower.hpp"
 
 namespace umbral {
@@ -30,29 +31,30 @@ void record_rotations(float angle, Recorder& out)
 
 // The course's examples first: Tra[0,1.2,0], Tra[0.7,0.6,-0.5], Esc[1.5,…], the mirror Esc[1,1,-1], Rot_x[23°],
 // Rot_y[60°], Rot_z[45°].
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     for (const glm::vec3& offset : {glm::vec3(0, 1.2F, 0), {0.7F, 0.6F, -0.5F}, {1, 2, 3}, {0, 0, 0}})
-        out.append("translation", ask<translation_matrix>(out, offset));
+        out.append("translation", ask<translation_matrix>(out, vary.near(offset, 0.5F)));
     for (const glm::vec3& factors : {glm::vec3(1.5F), {2.5F, 1, 1}, {1, 3, 1}, {1, 1, -1}, {2, 0, 0.5F}})
-        out.append("scaling", ask<scaling_matrix>(out, factors));
+        out.append("scaling", ask<scaling_matrix>(out, vary.scaled(1.0F, 1.4F) * factors));
     for (int moved = 0; moved < 3; ++moved)
         for (const int by : {(moved + 1) % 3, (moved + 2) % 3})
-            out.append("shear", ask<shear_matrix>(out, moved, by, 0.5F + static_cast<float>(moved)));
-    for (const float angle : {pi / 2, 23 * pi / 180, pi / 3, pi / 4, -pi / 2, pi}) record_rotations(angle, out);
+            out.append("shear", ask<shear_matrix>(out, moved, by, vary.near(0.5F + static_cast<float>(moved), 0.3F)));
+    for (const float angle : {pi / 2, 23 * pi / 180, pi / 3, pi / 4, -pi / 2, pi})
+        record_rotations(vary.near(angle, 0.2F), out);
 
     glm::mat4 matrix(0.0F, 2.0F, 0.0F, 0.0F, -1.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 5.0F, 6.0F, 7.0F, 1.0F);
     for (const glm::vec3& v : {glm::vec3(1, 0, 0), {0, 1, 0}, {0, 0, 0}, {1, 2, 3}}) {
-        out.append("point", ask<transform_point>(out, matrix, v));
-        out.append("vector", ask<transform_vector>(out, matrix, v));
+        out.append("point", ask<transform_point>(out, matrix, by_quarters(vary, v)));
+        out.append("vector", ask<transform_vector>(out, matrix, by_quarters(vary, v)));
     }
     // Free vectors do not feel how far a matrix moves points.
     matrix[3] = {3e7F, -5e7F, 7e7F, 1};
     for (const glm::vec3& v : {glm::vec3(1, 2, 3), {0.5F, -1, 0.25F}})
-        out.append("vector", ask<transform_vector>(out, matrix, v));
-    matrix[3] = {5, 6, 7, 1};
+        out.append("vector", ask<transform_vector>(out, matrix, by_quarters(vary, v)));
+    matrix[3] = glm::vec4(by_quarters(vary, glm::vec3(5, 6, 7)), 1);
     glm::mat4 moved(1);
-    moved[3] = {3, 0, 0, 1};
+    moved[3] = {by_quarters(vary, 3), 0, 0, 1};
     glm::mat4 flat(1);
     flat[1] = glm::vec4(0);
     glm::mat4 doubled(2);
@@ -112,11 +114,11 @@ void record_many_turns(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
     {"no steps", [](Case& c, Recorder& out) { record_no_steps(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("tower", draw_tower(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("tower", draw_tower(c.vary, out)); }},
 };
 
 }

@@ -73,10 +73,10 @@ inline std::vector<Block> tower(Recorder& out)
 }
 
 /// 320 x 320 pixels.
-inline Image draw_tower(Recorder& out)
+inline Image draw_tower(Variation& vary, Recorder& out)
 {
     const Stage stage(320, 320, {0.61F, 0.735F, 0.85F});
-    stage.look({3.4F, 4.7F, 8.3F}, {0, 2.5F, 0}, 40);
+    stage.look(vary.near(glm::vec3(3.4F, 4.7F, 8.3F), 1.2F), {0, 2.5F, 0}, 40);
     const gl::Mesh box = uploaded(shapes::box());
     std::vector<Stage::Thing> things;
     for (const auto& [model, color] : tower(out)) things.push_back({box, model, {.color = color}});

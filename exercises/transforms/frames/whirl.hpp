@@ -3,6 +3,7 @@
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/frames.hpp>
 
 /// A whirl of frames, each a little smaller and turned beside the last one, as someone sees it who stands in an oblique
@@ -19,10 +20,13 @@ inline Frame whirl_frame(int k)
     return {x, k % 4 == 3 ? -y : y, {0, 0, size}, 5.0F * x + glm::vec3(40, 30, 0)};
 }
 
-inline Image draw_whirl(Recorder& out)
+inline Image draw_whirl(Variation& vary, Recorder& out)
 {
     constexpr int frames = 96;
-    const Frame viewer{{1, 0.12F, 0}, {-0.2F, 1, 0}, {0, 0, 1}, {40, 30, 0}};
+    const Frame viewer{glm::vec3(vary.near(glm::vec2(1, 0.12F), 0.25F), 0),
+                       glm::vec3(vary.near(glm::vec2(-0.2F, 1), 0.25F), 0),
+                       {0, 0, 1},
+                       {40, 30, 0}};
     Drawing drawing(400, 400, {-7, -6.6}, {7, 7.4});
     const auto place = [](const glm::mat4& m, glm::vec2 p) {
         const glm::vec4 q = m * glm::vec4(p, 0, 1);

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/record/ask.hpp>
@@ -43,27 +44,32 @@ void record(Recorder& out, const glm::mat3& basis, const glm::vec3& a, const glm
 }
 
 // Bases and vectors whose products a hand can work out.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     const glm::mat3 bases[] = {glm::mat3(1),
                                {{2, 0, 0}, {0, 3, 0}, {0, 0, 1}},
                                {{1, 0, 0}, {1, 1, 0}, {0, 0, 1}},
                                {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
                                {{1, 0, 0}, {1, 2, 0}, {0, 1, -1}}};
-    const glm::vec3 vectors[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, 2}, {-1, 0, 3}};
-    for (const glm::mat3& basis : bases) {
+    glm::vec3 vectors[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, 2}, {-1, 0, 3}};
+    for (glm::vec3& vector : vectors) vector = by_quarters(vary, vector);
+    const glm::vec3 slanted = vectors[3];
+    for (glm::mat3 basis : bases) {
+        if (basis != glm::mat3(1))
+            for (int i = 0; i < 3; ++i) basis[i] *= vary.one_of(1.0F, std::array{0.5F, 0.75F, 1.25F, 1.5F});
         for (std::size_t i = 0; i < std::size(vectors); ++i)
             record(out, basis, vectors[i], vectors[(i + 1) % std::size(vectors)]);
         // Parallel ones, and null vectors.
-        record(out, basis, {1, 2, 2}, {-2, -4, -4});
-        record(out, basis, {0, 0, 0}, {1, 2, 2});
-        record(out, basis, {1, 2, 2}, {0, 0, 0});
+        record(out, basis, slanted, -2.0F * slanted);
+        record(out, basis, {0, 0, 0}, slanted);
+        record(out, basis, slanted, {0, 0, 0});
     }
     const glm::ivec3 whole[][3] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
                                    {{1, 2, 3}, {0, 1, 4}, {5, 6, 0}},
                                    {{2, -1, 0}, {3, 3, -2}, {1, 0, 7}}};
-    for (const auto& [a, b, c] : whole) out.append("volume", static_cast<double>(ask<triple_product>(out, a, b, c)));
+    for (const auto& [a, b, c] : whole)
+        out.append("volume", static_cast<double>(ask<triple_product>(out, vary.near(a, 2), vary.near(b, 2), c)));
 }
 
 // Cartesian frames, each with its image in a mirror, in random order: problems 1.8 and 1.9. Dot products are the same
@@ -173,14 +179,14 @@ void record_all_units(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"both hands", [](Case& c, Recorder& out) { record_both_hands(c.random, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"exact", [](Case& c, Recorder& out) { record_exact(c.random, out); }},
     {"nearly parallel", [](Case& c, Recorder& out) { record_nearly_parallel(c.random, out); }},
     {"squashed", [](Case& c, Recorder& out) { record_squashed(c.random, out); }},
     {"all units", [](Case& c, Recorder& out) { record_all_units(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("paper", draw_slanted_paper(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("paper", draw_slanted_paper(c.vary, out)); }},
 };
 
 }

@@ -4,6 +4,7 @@
 #include <kit/drawing.hpp>
 #include <numbers>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/gram_matrix.hpp>
 #include <vector>
 
@@ -58,11 +59,12 @@ inline void draw_paper(Recorder& out, Drawing& drawing, const SlantedPaper& pape
     }
 }
 
-inline Image draw_slanted_paper(Recorder& out)
+inline Image draw_slanted_paper(Variation& vary, Recorder& out)
 {
     Drawing drawing(560, 560, {-4.2, -4.2}, {4.2, 4.2});
-    draw_paper(out, drawing, {{{1, 0.15F, 0}, {0.45F, 0.8F, 0}, {0, 0, 1}}, {-2.1, 2}, {2.1, 2}});
-    draw_paper(out, drawing, {{{0.3F, 1, 0}, {0.9F, 0.1F, 0}, {0, 0, 1}}, {-2.1, -2}, {2.1, -2}});
+    const auto lean = [&](float x, float y) { return glm::vec3(vary.near(glm::vec2(x, y), 0.15F), 0); };
+    draw_paper(out, drawing, {{lean(1, 0.15F), lean(0.45F, 0.8F), {0, 0, 1}}, {-2.1, 2}, {2.1, 2}});
+    draw_paper(out, drawing, {{lean(0.3F, 1), lean(0.9F, 0.1F), {0, 0, 1}}, {-2.1, -2}, {2.1, -2}});
     return drawing.picture();
 }
 

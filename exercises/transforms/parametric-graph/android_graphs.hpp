@@ -56,18 +56,22 @@ inline void pose(Recorder& out, const AndroidGraph& android, glm::mat4* matrix, 
 }
 
 // At rest; again while another one moves, and that one.
-inline void record_android(Recorder& out)
+inline void record_android(Variation& vary, Recorder& out)
 {
     record_solid_names(out);
     const AndroidGraph android = new_android(out, "android", android_parts());
     if (!is_complete(android)) return;
-    record_solids(out, android, standing(), "order");
+    Start start = standing();
+    start.color = vary.near(start.color, 0.15F);
+    start.modelview[3] += glm::vec4(vary.near(glm::vec3(0), 0.5F), 0);
+    record_solids(out, android, start, "order");
     const AndroidGraph other = new_android(out, "other", other_android_parts());
     if (!is_complete(other)) return;
-    pose(out, other, other.limb, "other.limb", glm::scale(glm::mat4(1), {1, 0.5F, 1}));
-    pose(out, other, other.left_arm, "other.left_arm", glm::rotate(glm::mat4(1), -1.25F, glm::vec3(1, 0, 0)));
-    record_solids(out, android, standing());
-    record_solids(out, other, standing());
+    pose(out, other, other.limb, "other.limb", glm::scale(glm::mat4(1), {1, vary.near(0.5F, 0.2F), 1}));
+    pose(out, other, other.left_arm, "other.left_arm",
+         glm::rotate(glm::mat4(1), vary.near(-1.25F, 0.4F), glm::vec3(1, 0, 0)));
+    record_solids(out, android, start);
+    record_solids(out, other, start);
 }
 
 // One matrix at a time, then all of them, of two androids; what else moves with it?

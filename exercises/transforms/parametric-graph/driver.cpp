@@ -2,6 +2,7 @@
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
+#include "../support.hpp"
 #include "android_graphs.hpp"
 #include "motion.hpp"
 #include "parts.hpp"
@@ -10,10 +11,6 @@ namespace umbral {
 namespace {
 
 using namespace transforms;
-
-glm::mat4 move(float x, float y, float z = 0) { return glm::translate(glm::mat4(1), {x, y, z}); }
-glm::mat4 scale(float x, float y, float z = 1) { return glm::scale(glm::mat4(1), {x, y, z}); }
-glm::mat4 turn(float angle, const glm::vec3& axis) { return glm::rotate(glm::mat4(1), angle, axis); }
 
 void record_names(Recorder& out)
 {
@@ -67,26 +64,27 @@ void add(Recorder& out, GraphNode& node, const std::shared_ptr<const Drawable>& 
 
 // Order, scope, sharing, an empty node, a transformation that nothing follows; a node that grows after it was shared;
 // and forty nodes deep.
-void record_node(Recorder& out)
+void record_node(Variation& vary, Recorder& out)
 {
     record_names(out);
+    const auto q = [&](float number) { return by_quarters(vary, number); };
     const std::shared_ptr<GraphNode> inner = ask_new<make_graph_node>(out, "inner");
     const std::shared_ptr<GraphNode> outer = ask_new<make_graph_node>(out, "outer");
     const std::shared_ptr<GraphNode> empty = ask_new<make_graph_node>(out, "empty");
     if (!inner || !outer || !empty) return;
     draw(out, *inner);
     add(out, *inner, numbered(1));
-    add(out, *inner, move(1, 2));
+    add(out, *inner, move(q(1), q(2)));
     add(out, *inner, numbered(2));
     add(out, *inner, empty);
-    add(out, *inner, scale(3, 3));
-    add(out, *outer, scale(2, 5));
+    add(out, *inner, scale(q(3), q(3)));
+    add(out, *outer, scale(q(2), q(5)));
     add(out, *outer, inner);
     add(out, *outer, numbered(3));
-    add(out, *outer, move(10, 20, 30));
+    add(out, *outer, move(q(10), q(20), q(30)));
     add(out, *outer, inner);
     draw(out, *inner);
-    draw(out, *outer, {.modelview = move(0, 0, 7), .depth = 2});
+    draw(out, *outer, {.modelview = move(0, 0, q(7)), .depth = 2});
     // The same object twice in a row, and a matrix that changes nothing.
     const std::shared_ptr<const Drawable> twice = numbered(4);
     add(out, *inner, twice);
@@ -99,7 +97,7 @@ void record_node(Recorder& out)
     for (int level = 1; level <= 40; ++level) {
         const std::shared_ptr<GraphNode> around = ask_new<make_graph_node>(out, "around");
         if (!around) return;
-        add(out, *around, move(1, 0));
+        add(out, *around, move(q(1), 0));
         add(out, *around, deep);
         deep = around;
         if (level == 40) draw(out, *around);
@@ -107,20 +105,21 @@ void record_node(Recorder& out)
 }
 
 // A part that throws, one node and two deep.
-void record_torn(Recorder& out)
+void record_torn(Variation& vary, Recorder& out)
 {
     record_names(out);
+    const auto q = [&](float number) { return by_quarters(vary, number); };
     const std::shared_ptr<GraphNode> inner = ask_new<make_graph_node>(out, "inner");
     const std::shared_ptr<GraphNode> outer = ask_new<make_graph_node>(out, "outer");
     if (!inner || !outer) return;
     for (GraphNode* const node : {inner.get(), outer.get()}) {
         ask<&GraphNode::add_object>(out, *node, numbered(1));
-        ask<&GraphNode::add_transformation>(out, *node, move(1, 2, 3));
+        ask<&GraphNode::add_transformation>(out, *node, move(q(1), q(2), q(3)));
     }
     ask<&GraphNode::add_object>(out, *inner, painted([](Pipeline&) { throw Torn{7}; }));
     ask<&GraphNode::add_object>(out, *outer, inner);
     draw(out, *inner, {.depth = 2});
-    draw(out, *outer, {.modelview = scale(2, 2), .depth = 3});
+    draw(out, *outer, {.modelview = scale(q(2), q(2)), .depth = 3});
 }
 
 // Pointers to the same matrices while the node grows tenfold, and matrices that are written to afterwards. A pointer is
@@ -237,14 +236,14 @@ bool draw(Recorder& out, const FacadeGraph& facade, const Start& start = {.depth
     return true;
 }
 
-void record_facade(Recorder& out)
+void record_facade(Variation& vary, Recorder& out)
 {
     record_names(out);
     // Each of parts of its own.
     int part = 1;
     for (const auto& [height, angle] :
          {std::pair{1.5F, 0.0F}, {3.0F, 0.0F}, {1.5F, 1.5F}, {0.75F, -0.25F}, {0.0F, 0.5F}}) {
-        const FacadeGraph facade = new_facade(out, "facade", part, height, angle);
+        const FacadeGraph facade = new_facade(out, "facade", part, vary.scaled(height, 1.3F), vary.near(angle, 0.2F));
         part += 3;
         draw(out, facade);
     }
@@ -285,15 +284,15 @@ void record_facade_moves(Recorder& out, Random& random)
 }
 
 const Driver driver = {
-    {"node", [](Case&, Recorder& out) { record_node(out); }},
-    {"torn", [](Case&, Recorder& out) { record_torn(out); }},
+    {"node", [](Case& c, Recorder& out) { record_node(c.vary, out); }},
+    {"torn", [](Case& c, Recorder& out) { record_torn(c.vary, out); }},
     {"pointers", [](Case& c, Recorder& out) { record_pointers(out, c.random); }},
     {"refused", [](Case& c, Recorder& out) { record_refused(out, c.random); }},
-    {"facade", [](Case&, Recorder& out) { record_facade(out); }},
+    {"facade", [](Case& c, Recorder& out) { record_facade(c.vary, out); }},
     {"facade moves", [](Case& c, Recorder& out) { record_facade_moves(out, c.random); }},
-    {"android", [](Case&, Recorder& out) { record_android(out); }},
+    {"android", [](Case& c, Recorder& out) { record_android(c.vary, out); }},
     {"android moves", [](Case& c, Recorder& out) { record_android_moves(out, c.random); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_motion(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_motion(c.vary, out)); }},
 };
 
 }

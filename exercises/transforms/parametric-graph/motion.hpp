@@ -35,20 +35,20 @@ inline FacadeParts painted_facade()
             panel(square, {0.24F, 0.42F, 0.58F}), panel(square, {0.97F, 0.83F, 0.47F})};
 }
 
-inline void paint_facades(Recorder& out, Pipeline& pipeline)
+inline void paint_facades(Variation& vary, Recorder& out, Pipeline& pipeline)
 {
     const FacadeGraph facade = ask<make_facade>(out, painted_facade(), 1.5F, 0.0F);
     if (!facade.root || facade.rotation == nullptr || facade.stretch == nullptr) return;
     for (int i = 0; i < 7; ++i) {
         const auto step = static_cast<float>(i);
-        ask<set_facade_height>(out, facade, 1.15F + 0.35F * static_cast<float>(i * 3 % 7) / 3);
-        ask<set_facade_angle>(out, facade, 0.09F * (3 - step));
+        ask<set_facade_height>(out, facade, vary.near(1.15F, 0.2F) + 0.35F * static_cast<float>(i * 3 % 7) / 3);
+        ask<set_facade_angle>(out, facade, vary.near(0.09F * (3 - step), 0.15F));
         pipeline.set_view(glm::translate(glm::mat4(1), {0.25F + 1.35F * step, 2.75F, 0}));
         ask<&GraphNode::draw>(out, *facade.root, pipeline);
     }
 }
 
-inline void paint_androids(Recorder& out, Pipeline& pipeline)
+inline void paint_androids(Variation& vary, Recorder& out, Pipeline& pipeline)
 {
     const AndroidGraph android = ask<make_android_graph>(out, android_parts());
     if (!android.root || android.left_arm == nullptr || android.right_arm == nullptr || android.head == nullptr ||
@@ -58,7 +58,7 @@ inline void paint_androids(Recorder& out, Pipeline& pipeline)
     constexpr int androids = 6;
     for (int i = 0; i < androids; ++i) {
         const auto step = static_cast<float>(i);
-        const float phase = 2 * std::numbers::pi_v<float> * step / androids;
+        const float phase = 2 * std::numbers::pi_v<float> * step / androids + vary.near(0.0F, 0.8F);
         *android.left_arm = turned(-1.4F + 1.4F * std::cos(phase), {1, 0, 0});
         *android.right_arm = turned(-1.4F - 1.4F * std::cos(phase), {1, 0, 0});
         *android.head = turned(0.7F * std::sin(phase), {0, 1, 0});
@@ -72,14 +72,14 @@ inline void paint_androids(Recorder& out, Pipeline& pipeline)
 }
 
 /// 560 x 290 pixels, by the programmable pipeline.
-inline Image draw_motion(Recorder& out)
+inline Image draw_motion(Variation& vary, Recorder& out)
 {
     const DoubleFrame frame(560, 290, motion_background);
     ProgrammablePipeline pipeline(make_matrix_stack(), glm::ortho(0.0F, 9.9F, -0.1F, 5.027F, -5.0F, 5.0F),
                                   motion_background, 2);
-    paint_facades(out, pipeline);
+    paint_facades(vary, out, pipeline);
     glEnable(GL_DEPTH_TEST);
-    paint_androids(out, pipeline);
+    paint_androids(vary, out, pipeline);
     return frame.picture();
 }
 

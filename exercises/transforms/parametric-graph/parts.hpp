@@ -1,12 +1,18 @@
 #pragma once
 
 #include <functional>
+#include <glm/gtc/matrix_transform.hpp>
 #include <umbral/transforms/parametric_graph.hpp>
 
 #include "../recording_pipeline.hpp"
 
 /// Simple objects to hang into graphs.
 namespace umbral::transforms {
+
+/// Matrices of one step.
+inline glm::mat4 move(float x, float y, float z = 0) { return glm::translate(glm::mat4(1), {x, y, z}); }
+inline glm::mat4 scale(float x, float y, float z = 1) { return glm::scale(glm::mat4(1), {x, y, z}); }
+inline glm::mat4 turn(float angle, const glm::vec3& axis) { return glm::rotate(glm::mat4(1), angle, axis); }
 
 /// A drawable of one function.
 class Painted final : public Drawable {

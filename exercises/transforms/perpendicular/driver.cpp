@@ -34,12 +34,13 @@ void record_space(const glm::vec3& e, const glm::vec3& u, Recorder& out)
     out.append("across matrix", ask<across_matrix>(out, e));
 }
 
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
-    const PlaneFrame shifted{{1, 0}, {0, 1}, {2, 1}};
-    const PlaneFrame turned{{0.6F, 0.8F}, {-0.8F, 0.6F}, {0, 5}};
-    const PlaneFrame mirrored{{0, 1}, {1, 0}, {-1, 2}};
-    for (const glm::vec2& u : {glm::vec2(1, 0), {0, 1}, {3, 4}, {-2, 5}, {0, 0}}) {
+    const auto other = [&](float x, float y) { return vary.near(glm::vec2(x, y), 0.4F); };
+    const PlaneFrame shifted{{1, 0}, {0, 1}, other(2, 1)};
+    const PlaneFrame turned{{0.6F, 0.8F}, {-0.8F, 0.6F}, other(0, 5)};
+    const PlaneFrame mirrored{{0, 1}, {1, 0}, other(-1, 2)};
+    for (const glm::vec2& u : {other(1, 0), other(0, 1), other(3, 4), other(-2, 5), glm::vec2(0, 0)}) {
         // Of any size: nothing rounds.
         for (const float size : {1.0F, 1e-12F, 1e30F}) {
             out.append("left", ask<turn_left>(out, size * u));
@@ -52,18 +53,23 @@ void record_known(Recorder& out)
             out.append("point", ask<turn_point_in>(out, frame, u));
         }
         for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F})
-            out.append("rotated", ask<rotate_in_plane>(out, u, angle));
+            out.append("rotated", ask<rotate_in_plane>(out, u, vary.near(angle, 0.1F)));
     }
     for (const float angle : {pi / 2, pi / 6, -pi / 4, pi, 0.0F, 50 * pi / 180})
-        out.append("matrix", ask<plane_rotation_matrix>(out, angle));
-    record_space({0, 0, 1}, {1, 0, 0}, out);
-    record_space({1, 0, 0}, {0, 2, 0}, out);
-    record_space({1, 2, 3}, {4, 5, 6}, out);
-    record_space({0, 0.25F, 0}, {1, 2, 3}, out);
-    record_space({1, 2, 3}, {2, 4, 6}, out);
+        out.append("matrix", ask<plane_rotation_matrix>(out, vary.near(angle, 0.1F)));
+    // Turned by quarters of a turn, which round nothing.
+    const auto record_turned = [&](const glm::vec3& e, const glm::vec3& v) {
+        const ExactMap map = vary.exact_map(1);
+        record_space(map.place(e), map.place(v), out);
+    };
+    record_turned({0, 0, 1}, {1, 0, 0});
+    record_turned({1, 0, 0}, {0, 2, 0});
+    record_turned({1, 2, 3}, {4, 5, 6});
+    record_turned({0, 0.25F, 0}, {1, 2, 3});
+    record_turned({1, 2, 3}, {2, 4, 6});
     // Exactly parallel, though products of their components round.
-    record_space({1234.567F, -765.4321F, 87.654F}, {2469.134F, -1530.8642F, 175.308F}, out);
-    record_space({1234.567F, -765.4321F, 87.654F}, {-1234.567F, 765.4321F, -87.654F}, out);
+    record_turned({1234.567F, -765.4321F, 87.654F}, {2469.134F, -1530.8642F, 175.308F});
+    record_turned({1234.567F, -765.4321F, 87.654F}, {-1234.567F, 765.4321F, -87.654F});
 }
 
 void record_random(Random& random, Recorder& out)
@@ -121,12 +127,12 @@ void record_many_turns(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"either hand", [](Case& c, Recorder& out) { record_hands(c.random, out); }},
     {"kept", [](Case& c, Recorder& out) { record_kept(c.random, out); }},
     {"many turns", [](Case& c, Recorder& out) { record_many_turns(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("tree", draw_tree(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("tree", draw_tree(c.vary, out)); }},
 };
 
 }

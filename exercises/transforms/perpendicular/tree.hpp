@@ -4,6 +4,7 @@
 #include <cmath>
 #include <kit/drawing.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/perpendicular.hpp>
 
 /// A tree of Pythagoras: on every square a right-angled triangle, on its legs two smaller squares, all by P and
@@ -17,7 +18,7 @@ struct Branch {
     int depth;
 };
 
-inline Image draw_tree(Recorder& out)
+inline Image draw_tree(Variation& vary, Recorder& out)
 {
     constexpr int deepest = 11;
     constexpr std::array<glm::vec3, 5> stops = {glm::vec3(0.36F, 0.24F, 0.20F),
@@ -28,7 +29,9 @@ inline Image draw_tree(Recorder& out)
     Drawing drawing(400, 400, {-3.5, -0.7}, {3.3, 5.3});
     drawing.line({-4, 0}, {5, 0}, ink::slate, 3);
     // Breadth first: no more squares than a binary tree of this depth has, whatever the functions give.
-    std::vector<Branch> branches = {{{-0.5F, 0}, {1, 0}, 0.66F, 0}};
+    std::vector<Branch> branches = {{{-0.5F, 0}, {1, 0}, vary.near(0.66F, 0.15F), 0}};
+    const float even = vary.near(0.86F, 0.1F);
+    const float odd = vary.near(0.72F, 0.1F);
     for (std::size_t i = 0; i < branches.size(); ++i) {
         const Branch branch = branches[i];
         // Sides shrink; one that grows is a wrong answer, and would take long to paint.
@@ -45,7 +48,7 @@ inline Image draw_tree(Recorder& out)
         // The legs: one leans by an angle from the side, the other stands at a right angle to the first.
         const glm::vec2 first = std::cos(branch.lean) * ask<rotate_in_plane>(out, branch.side, branch.lean);
         const glm::vec2 second = std::tan(branch.lean) * ask<turn_right>(out, first);
-        const float next = branch.depth % 2 == 0 ? 0.86F : 0.72F;
+        const float next = branch.depth % 2 == 0 ? even : odd;
         branches.push_back({top, first, next, branch.depth + 1});
         branches.push_back({top + first, second, next, branch.depth + 1});
     }

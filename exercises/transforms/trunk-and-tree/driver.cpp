@@ -1,3 +1,4 @@
+#include <array>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 #include <umbral/transforms/tree.hpp>
@@ -29,10 +30,22 @@ Grid<std::uint32_t> layers(const RecordingPipeline& drawn, int width, int height
     return sum;
 }
 
-void record_trunk(Recorder& out)
+/// The start of a pipeline that turns what is drawn about the middle of a trunk, and makes it smaller, if inputs are to
+/// vary.
+Start turned_start(Variation& vary)
 {
-    RecordingPipeline drawn;
-    introduce(out, drawn, {});
+    const glm::vec3 middle(0.7F, 1.5F, 0);
+    const glm::mat4 there = glm::translate(glm::mat4(1), middle);
+    const glm::mat4 turned = there * glm::mat4(vary.turn({0, 0, 1}, 1.5F));
+    const glm::vec3 size(vary.one_of(1.0F, std::array{-0.9F, -0.7F, 0.8F}), vary.near(1.0F, 0.1F), 1);
+    return vary ? Start{.modelview = glm::translate(glm::scale(turned, size), -middle)} : Start{};
+}
+
+void record_trunk(Variation& vary, Recorder& out)
+{
+    const Start start = turned_start(vary);
+    RecordingPipeline drawn(start);
+    introduce(out, drawn, start);
     ask<draw_trunk>(out, drawn);
     // No middle of a cell lies on a line between two corners.
     const glm::dvec2 low(-0.8337, -0.3119);
@@ -97,11 +110,12 @@ glm::mat4 in_the_plane(glm::mat4 m)
 }
 
 // 2047 trunks: where an error of each level adds up.
-void record_tall(Recorder& out)
+void record_tall(Variation& vary, Recorder& out)
 {
-    RecordingPipeline drawn;
+    const Start start = turned_start(vary);
+    RecordingPipeline drawn(start);
     const Figure trunk = drawn.marker();
-    introduce(out, drawn, {});
+    introduce(out, drawn, start);
     introduce(out, trunk, "trunk");
     ask<draw_tree>(out, drawn, 11, trunk);
     const std::vector<glm::dmat4> places = trunks_of(drawn);
@@ -111,7 +125,7 @@ void record_tall(Recorder& out)
 }
 
 const Driver driver = {
-    {"trunk", [](Case&, Recorder& out) { record_trunk(out); }},
+    {"trunk", [](Case& c, Recorder& out) { record_trunk(c.vary, out); }},
     {"edges", [](Case& c, Recorder& out) { record_edges(out, c.random); }},
     {"tree",
      [](Case& c, Recorder& out) {
@@ -121,8 +135,8 @@ const Driver driver = {
      [](Case& c, Recorder& out) {
          record_trees(out, {4 + c.random.below(2), 7 + c.random.below(2)}, c.random);
      }},
-    {"tall tree", [](Case&, Recorder& out) { record_tall(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_grove(out)); }},
+    {"tall tree", [](Case& c, Recorder& out) { record_tall(c.vary, out); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_grove(c.vary, out)); }},
 };
 
 }

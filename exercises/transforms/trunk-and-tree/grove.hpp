@@ -11,7 +11,7 @@ namespace umbral::transforms {
 inline constexpr glm::vec3 grove_background(0.93F, 0.95F, 0.97F);
 
 /// A tree of six levels, as the course's, between smaller ones, some of them mirrored.
-inline void paint_grove(Recorder& out, Pipeline& pipeline)
+inline void paint_grove(Variation& vary, Recorder& out, Pipeline& pipeline)
 {
     struct Place {
         float x;
@@ -26,8 +26,9 @@ inline void paint_grove(Recorder& out, Pipeline& pipeline)
                                 {1, 1, 1, 6}};
     for (const Place& place : places) {
         pipeline.push();
-        pipeline.compose(glm::translate(glm::mat4(1), {place.x, 0, 0}));
-        pipeline.compose(glm::scale(glm::mat4(1), {place.width, place.height, 1}));
+        pipeline.compose(glm::translate(glm::mat4(1), {vary.near(place.x, 0.4F), 0, 0}));
+        pipeline.compose(
+            glm::scale(glm::mat4(1), {vary.scaled(place.width, 1.2F), vary.scaled(place.height, 1.2F), 1}));
         ask<draw_tree>(out, pipeline, place.levels, draw_trunk);
         pipeline.pop();
     }
@@ -40,13 +41,13 @@ inline void paint_grove(Recorder& out, Pipeline& pipeline)
 inline glm::mat4 grove_window() { return glm::ortho(-2.9137F, 9.0863F, -0.6071F, 6.3929F); }
 
 /// 480 x 280 pixels, by the programmable pipeline.
-inline Image draw_grove(Recorder& out)
+inline Image draw_grove(Variation& vary, Recorder& out)
 {
     const DoubleFrame frame(480, 280, grove_background);
     ProgrammablePipeline pipeline(make_matrix_stack(), grove_window(), grove_background, 2);
     pipeline.set_view(glm::mat4(1));
     pipeline.set_line_width(1.5F);
-    paint_grove(out, pipeline);
+    paint_grove(vary, out, pipeline);
     return frame.picture();
 }
 

@@ -4,6 +4,7 @@
 #include <kit/drawing.hpp>
 #include <numbers>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/transforms/vectors.hpp>
 
 /// Thales' theorem as a flower: the feet of the perpendiculars from the tip of a vector onto all directions lie on a
@@ -22,13 +23,14 @@ inline glm::vec3 colour_at(float t)
     return glm::mix(stops[stop], stops[stop + 1], place - static_cast<float>(stop));
 }
 
-inline Image draw_rosette(Recorder& out)
+inline Image draw_rosette(Variation& vary, Recorder& out)
 {
     constexpr float pi = std::numbers::pi_v<float>;
     constexpr int petals = 6;
     constexpr int threads = 54;
     Drawing drawing(400, 400, {-1.12, -1.12}, {1.12, 1.12});
-    const auto direction = [](float angle) { return glm::vec3(std::cos(angle), std::sin(angle), 0); };
+    const float turn = vary.near(0.0F, 0.45F);
+    const auto direction = [turn](float angle) { return glm::vec3(std::cos(angle + turn), std::sin(angle + turn), 0); };
     for (int petal = 0; petal < petals; ++petal) {
         const glm::vec3 vector = direction(pi / 6 + 2 * pi * static_cast<float>(petal) / petals);
         for (int thread = 0; thread < threads; ++thread) {
