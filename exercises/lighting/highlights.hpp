@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <kit/varied.hpp>
 #include <utility>
 #include <vector>
 
@@ -46,13 +48,15 @@ inline Glance glance_from_behind(Random& random)
     return glance;
 }
 
-/// Values that follow without a calculator: exponents 0, cosines of 0 and below, and light that grazes exactly.
-inline std::vector<Glance> glances_by_hand()
+/// Values that follow without a calculator: exponents 0, cosines of 0 and below, and light that grazes exactly. Varied,
+/// they have other exponents but 0, are turned exactly, and come in another order.
+inline std::vector<Glance> glances_by_hand(Variation& vary)
 {
     constexpr glm::vec3 up(0, 0, 1);
     constexpr glm::vec3 l(0, 0.6F, 0.8F);
     std::vector<Glance> all;
-    for (const float e : {0.0F, 1.0F, 2.0F, 5.0F}) {
+    for (const float written : {0.0F, 1.0F, 2.0F, 5.0F}) {
+        const float e = vary.scaled(written, 1.5F);
         all.push_back({up, up, up, e});
         all.push_back({up, l, {0, -0.6F, 0.8F}, e});
         all.push_back({up, l, up, e});
@@ -66,7 +70,11 @@ inline std::vector<Glance> glances_by_hand()
         all.push_back({up, {1, 0, 0}, up, e});
         all.push_back({up, {0, 0.6F, -0.8F}, {0, -0.6F, 0.8F}, e});
     }
-    return all;
+    for (Glance& glance : all) {
+        const ExactMap map = vary.exact_map(0);
+        for (glm::vec3* const one : {&glance.normal, &glance.l, &glance.v}) *one = map.place(*one);
+    }
+    return in_random_order(vary, std::move(all));
 }
 
 /// The same with one of its three vectors, which `turn` chooses, of another length: 1/16 to 16, or, one time in three,
@@ -111,12 +119,17 @@ struct Shine {
     glm::vec3 eye{0};
 };
 
-/// Sums that a hand can do: a sun, a lamp, both and none on a floor, seen from three places.
-inline std::vector<Shine> shines_by_hand(float exponent)
+/// Sums that a hand can do: a sun, a lamp, both and none on a floor, seen from three places. Varied, all colours are
+/// darker.
+inline std::vector<Shine> shines_by_hand(Variation& vary, float exponent)
 {
-    const Material material{{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}, {0.5F, 1, 0.25F}, exponent};
-    const Light sun{{0, 0.6F, 0.8F, 0}, {1, 0.5F, 2}};
-    const Light lamp{{4, 0, 4, 1}, {0.5F, 1, 0.25F}};
+    const auto color = [&](const glm::vec3& written) {
+        return written * vary.one_of(1.0F, std::array{0.5F, 0.625F, 0.75F, 0.875F});
+    };
+    const Material material{color({0.125F, 0, 0.25F}), color({0.25F, 0.5F, 0.125F}), color({0.5F, 0.25F, 1}),
+                            color({0.5F, 1, 0.25F}), exponent};
+    const Light sun{{0, 0.6F, 0.8F, 0}, color({1, 0.5F, 2})};
+    const Light lamp{{4, 0, 4, 1}, color({0.5F, 1, 0.25F})};
     const std::vector<Light> sets[] = {{}, {sun}, {lamp}, {sun, lamp}, {lamp, sun}};
     std::vector<Shine> all;
     for (const std::vector<Light>& lights : sets)

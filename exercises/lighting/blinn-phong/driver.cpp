@@ -26,16 +26,19 @@ void record(Recorder& out, const Shine& s)
     out.append("light", ask<blinn_phong_reflection>(out, s.at, s.material, s.lights, s.global_ambient, s.eye));
 }
 
-void by_hand(Recorder& out)
+void by_hand(Variation& vary, Recorder& out)
 {
     const std::pair<glm::vec3, glm::vec3> pairs[] = {{{0, 0, 1}, {0, 0, 1}},   {{0, 0.6F, 0.8F}, {0, -0.6F, 0.8F}},
                                                      {{1, 0, 0}, {0, 1, 0}},   {{0, 3, 0}, {0, 0, 0.25F}},
                                                      {{2, 1, 2}, {-2, -1, 2}}, {{0, 0.6F, 0.8F}, {0, 0, 1}},
                                                      {{1, 2, 2}, {-1, 2, 2}},  {{8, 0, 0}, {-0.6F, 0.8F, 0}}};
-    for (const auto& [l, v] : pairs) record_half(out, l, v);
-    for (const Glance& glance : glances_by_hand()) record(out, glance);
+    for (const auto& [l, v] : pairs) {
+        const ExactMap map = vary.exact_map(0);
+        record_half(out, map.place(l), map.place(v));
+    }
+    for (const Glance& glance : glances_by_hand(vary)) record(out, glance);
 
-    for (const Shine& shine : shines_by_hand(4)) record(out, shine);
+    for (const Shine& shine : shines_by_hand(vary, 4)) record(out, shine);
 }
 
 void at_random(Random& random, Recorder& out)
@@ -157,7 +160,7 @@ void sharp(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
     {"behind", [](Case& c, Recorder& out) { behind(c.random, out); }},
     {"lengths", [](Case& c, Recorder& out) { lengths(c.random, out); }},
@@ -167,7 +170,7 @@ const Driver driver = {
     {"nearly opposite", [](Case& c, Recorder& out) { nearly_opposite(c.random, out); }},
     {"tiny and huge", [](Case& c, Recorder& out) { tiny_and_huge(c.random, out); }},
     {"sharp", [](Case& c, Recorder& out) { sharp(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("harbour", harbour(320, 208)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("harbour", harbour(320, 208, c.vary)); }},
 };
 
 }

@@ -1,3 +1,4 @@
+#include <kit/varied.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
 
@@ -37,26 +38,42 @@ void record_is_seen(Recorder& out, const Sphere& sphere, const glm::vec3& point,
     out.append("is seen", ask<is_seen>(out, sphere, point, eye) ? 1 : 0);
 }
 
-// Problem 3.9; the same with other sizes, equally far places, directions, and all on one line.
-void by_hand(Recorder& out)
+// Problem 3.9; the same with other sizes, equally far places, directions, and all on one line. Varied, each question is
+// turned exactly, and they come in another order.
+void by_hand(Variation& vary, Recorder& out)
 {
     const Light lamp{{0, 2, 0, 1}};
-    const LitSphere questions[] = {{{{0, 0, 0}, 1}, lamp, {2, 0, 0}},
-                                   {{{0, 0, 0}, 1}, lamp, {0, 0, -2}},
-                                   {{{1, 2, 3}, 2}, {{1, 6, 3, 1}}, {5, 2, 3}},
-                                   {{{0, 0, 0}, 1}, {{0, 0, 4, 0}}, {0, 0, 9}},
-                                   {{{0, 0, 0}, 1}, {{0, 5, 0, 1}}, {0, 3, 0}},
-                                   {{{0, 0, 0}, 1}, {{0, 5, 0, 1}}, {0, -3, 0}},
-                                   {{{0, 0, 0}, 1}, {{-1, 0, 0, 0}}, {4, 0, 0}},
-                                   {{{0, 0, 0}, 5}, {{15, 20, 0, 1}}, {-15, 20, 0}},
-                                   {{{2, 0, 0}, 0.5F}, {{0, 0, 3, 0}}, {2, 0.8F, 0.6F}},
-                                   {{{0, 0, 0}, 1}, {{1, 2, 0, 1}}, {-1, 2, 0}}};
-    for (const LitSphere& q : questions) record(out, q);
-    const Sphere unit;
+    const std::vector<LitSphere> questions = {{{{0, 0, 0}, 1}, lamp, {2, 0, 0}},
+                                              {{{0, 0, 0}, 1}, lamp, {0, 0, -2}},
+                                              {{{1, 2, 3}, 2}, {{1, 6, 3, 1}}, {5, 2, 3}},
+                                              {{{0, 0, 0}, 1}, {{0, 0, 4, 0}}, {0, 0, 9}},
+                                              {{{0, 0, 0}, 1}, {{0, 5, 0, 1}}, {0, 3, 0}},
+                                              {{{0, 0, 0}, 1}, {{0, 5, 0, 1}}, {0, -3, 0}},
+                                              {{{0, 0, 0}, 1}, {{-1, 0, 0, 0}}, {4, 0, 0}},
+                                              {{{0, 0, 0}, 5}, {{15, 20, 0, 1}}, {-15, 20, 0}},
+                                              {{{2, 0, 0}, 0.5F}, {{0, 0, 3, 0}}, {2, 0.8F, 0.6F}},
+                                              {{{0, 0, 0}, 1}, {{1, 2, 0, 1}}, {-1, 2, 0}}};
+    for (LitSphere q : in_random_order(vary, questions)) {
+        const ExactMap map = vary.exact_map(0);
+        for (glm::vec3* const place : {&q.sphere.centre, &q.eye}) *place = map.place(*place);
+        q.light.position = glm::vec4(map.place(glm::vec3(q.light.position)), q.light.position.w);
+        record(out, q);
+    }
+    struct Sight {
+        Sphere sphere;
+        glm::vec3 point{0};
+        glm::vec3 eye{0};
+    };
+    std::vector<Sight> sights;
     for (const glm::vec3& point : {glm::vec3(0, 1, 0), {1, 0, 0}, {-1, 0, 0}, {0.6F, 0.8F, 0}, {0.28F, 0.96F, 0}})
-        record_is_seen(out, unit, point, {2, 0, 0});
+        sights.push_back({{}, point, {2, 0, 0}});
     for (const glm::vec3& point : {glm::vec3(6, 6, 4), {2, 7, 7}, {5, 3, 8}, {2, 6, 0}})
-        record_is_seen(out, {{2, 3, 4}, 5}, point, {12, 9, 3});
+        sights.push_back({{{2, 3, 4}, 5}, point, {12, 9, 3}});
+    for (const Sight& sight : in_random_order(vary, std::move(sights))) {
+        const ExactMap map = vary.exact_map(0);
+        record_is_seen(out, {map.place(sight.sphere.centre), sight.sphere.radius}, map.place(sight.point),
+                       map.place(sight.eye));
+    }
 }
 
 void at_random(Random& random, Recorder& out)
@@ -177,7 +194,7 @@ void record_edge(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
     {"blocked", [](Case& c, Recorder& out) { record_blocked(c.random, out); }},
     {"directions", [](Case& c, Recorder& out) { record_directions(c.random, out); }},

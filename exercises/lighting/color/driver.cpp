@@ -1,3 +1,4 @@
+#include <array>
 #include <kit/color.hpp>
 #include <limits>
 #include <umbral/record/ask.hpp>
@@ -20,8 +21,17 @@ void record_mean(Recorder& out, const std::vector<glm::u8vec3>& pixels)
     out.append("means", glm::vec3(ask<mean_pixel>(out, pixels)));
 }
 
+// Light other than that which is written, about as bright, whose code lies at least 0.1 away from the border to the
+// next one. None and all of it remain.
+float other_light(Variation& vary, float light)
+{
+    if (!vary || light == 0 || light == 1) return light;
+    const double code = std::round(std::min(254.0, vary.scaled(255 * srgb_encoded(light), 1.3F)));
+    return static_cast<float>(srgb_decoded((code + vary.near(0.0, 0.4)) / 255));
+}
+
 // Numbers that a student can check with a pocket calculator.
-void by_hand(Recorder& out)
+void by_hand(Variation& vary, Recorder& out)
 {
     constexpr glm::vec3 red(1, 0, 0);
     constexpr glm::vec3 green(0, 1, 0);
@@ -30,34 +40,44 @@ void by_hand(Recorder& out)
                                        {{red, 1}, {blue, 1}},        {{red, 1}, {green, 1}, {blue, 1}},
                                        {{red, 0.5F}, {blue, 0.25F}}, {{{0.5F, 0.25F, 1}, 2}, {{1, 0.5F, 0.25F}, 4}},
                                        {{red, 0}, {green, 3}}};
-    for (const std::vector<Lamp>& lamps : mixes) out.append("sums", ask<add_lights>(out, lamps));
+    for (std::vector<Lamp> lamps : mixes) {
+        for (Lamp& lamp : lamps) lamp.amount *= vary.one_of(1.0F, std::array{0.5F, 0.75F, 1.25F, 1.5F});
+        out.append("sums", ask<add_lights>(out, lamps));
+    }
+    // 0 and 1 remain, and what lies on the line.
+    const auto beside = [&](float number) { return number < 1 ? vary.scaled(number, 1.1F) : number; };
     for (const float light : {0.0F, 0.001F, 0.002F, 0.01F, 0.18F, 0.2F, 0.5F, 0.8F, 1.0F})
-        out.append("encoded", ask<encode_srgb>(out, light));
+        out.append("encoded", ask<encode_srgb>(out, beside(light)));
     for (const float value : {0.0F, 0.01F, 0.03F, 0.1F, 0.25F, 0.5F, 0.75F, 0.9F, 1.0F})
-        out.append("decoded", ask<decode_srgb>(out, value));
+        out.append("decoded", ask<decode_srgb>(out, beside(value)));
     for (const glm::vec3& light :
          {glm::vec3(0, 0.5F, 1), {0.18F, 0.18F, 0.18F}, {0.002F, 0.02F, 0.2F}, {0.9F, 0, 0.1F}})
-        record_pixel(out, light);
+        record_pixel(out, {other_light(vary, light.r), other_light(vary, light.g), other_light(vary, light.b)});
     const std::vector<glm::u8vec3> sets[] = {{{0, 0, 0}, {255, 255, 255}},
                                              {{255, 0, 0}, {0, 255, 0}},
-                                             {{10, 100, 200}},
+                                             {vary.near(glm::ivec3(10, 100, 200), 9)},
                                              {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {255, 128, 64}}};
-    for (const std::vector<glm::u8vec3>& pixels : sets) record_mean(out, pixels);
+    for (std::vector<glm::u8vec3> pixels : sets) {
+        // So many black ones more that no mean comes near the border between two codes.
+        const std::size_t more = vary.one_of(0, std::array{1, 3, 5, 6});
+        if (pixels.size() > 1) pixels.resize(pixels.size() + more);
+        record_mean(out, pixels);
+    }
     // Black and white in turns, more of them than a byte can count.
     std::vector<glm::u8vec3> many(300);
-    for (std::size_t i = 0; i < many.size(); i += 2) many[i] = glm::u8vec3(255);
+    const std::size_t step = vary.one_of(2, std::array{3, 4, 5, 7});
+    for (std::size_t i = 0; i < many.size(); i += step) many[i] = glm::u8vec3(255);
     record_mean(out, many);
 }
 
-// All codes, and back again. The channels run against each other.
-void all_codes(Recorder& out)
+// All codes, and back again. The channels run against each other; varied, each of them begins elsewhere.
+void all_codes(Variation& vary, Recorder& out)
 {
+    const glm::ivec3 first = vary.near(glm::ivec3(0), 127);
+    const auto pixel = [&](int code) { return glm::u8vec3((first + glm::ivec3(code, 255 - code, code * 7)) & 255); };
+    for (int code = 0; code < 256; ++code) out.append("light", ask<to_light>(out, pixel(code)));
     for (int code = 0; code < 256; ++code) {
-        const glm::u8vec3 pixel(code, 255 - code, (code * 7) % 256);
-        out.append("light", ask<to_light>(out, pixel));
-    }
-    for (int code = 0; code < 256; ++code) {
-        const glm::vec3 light = to_light(glm::u8vec3(code, 255 - code, (code * 7) % 256));
+        const glm::vec3 light = to_light(pixel(code));
         out.append("back", glm::vec3(ask<to_pixel>(out, light)));
     }
 }
@@ -177,10 +197,13 @@ void many_lamps(Random& random, Recorder& out)
     }
 }
 
-// The floats on both sides of the border between each two codes, and of the ends of the line.
-void beside_borders(Recorder& out)
+// The floats on both sides of the border between each two codes, and of the ends of the line. Varied, the first border
+// is another one.
+void beside_borders(Variation& vary, Recorder& out)
 {
-    for (int code = 0; code < 255; ++code) {
+    const int first = vary.near(0, 127);
+    for (int i = 0; i < 255; ++i) {
+        const int code = (i + first + 255) % 255;
         const auto border = static_cast<float>(srgb_decoded((code + 0.5) / 255));
         record_pixel(out, {std::nextafter(border, 0.0F), border, std::nextafter(border, 1.0F)});
     }
@@ -216,8 +239,8 @@ void record_laws(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
-    {"codes", [](Case&, Recorder& out) { all_codes(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
+    {"codes", [](Case& c, Recorder& out) { all_codes(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
     {"out of range", [](Case& c, Recorder& out) { out_of_range(c.random, out); }},
     {"not numbers", [](Case& c, Recorder& out) { not_numbers(c.random, out); }},
@@ -225,9 +248,9 @@ const Driver driver = {
     {"bright", [](Case& c, Recorder& out) { bright(c.random, out); }},
     {"laws", [](Case& c, Recorder& out) { record_laws(c.random, out); }},
     {"many lamps", [](Case& c, Recorder& out) { many_lamps(c.random, out); }},
-    {"beside borders", [](Case&, Recorder& out) { beside_borders(out); }},
+    {"beside borders", [](Case& c, Recorder& out) { beside_borders(c.vary, out); }},
     {"to the last digit", [](Case& c, Recorder& out) { to_the_last_digit(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("shadows", colored_shadows(320, 240)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("shadows", colored_shadows(320, 240, c.vary)); }},
 };
 
 }

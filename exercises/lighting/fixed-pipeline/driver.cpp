@@ -1,3 +1,4 @@
+#include <kit/varied.hpp>
 #include <span>
 #include <umbral/gl/record_trace.hpp>
 #include <umbral/record/driver.hpp>
@@ -44,30 +45,37 @@ void name_columns(Recorder& out)
     out.columns("materials", material_columns);
 }
 
-void by_hand(Recorder& out)
+void by_hand(Variation& vary, Recorder& out)
 {
     name_columns(out);
-    const PlacedLight lamp{{{1, 2, 3, 1}, {1, 0.5F, 0.25F}}, LightFrame::world};
-    const PlacedLight sun{{{0, 1, 0, 0}, {0.25F, 0.5F, 1}}, LightFrame::world};
-    const PlacedLight torch{{{0.5F, 0, -2, 1}, {0, 0.75F, 0}}, LightFrame::camera};
-    const PlacedLight headlight{{{0, 0, 1, 0}, {2, 2, 2}}, LightFrame::camera};
+    PlacedLight lamp{{{1, 2, 3, 1}, {1, 0.5F, 0.25F}}, LightFrame::world};
+    PlacedLight sun{{{0, 1, 0, 0}, {0.25F, 0.5F, 1}}, LightFrame::world};
+    PlacedLight torch{{{0.5F, 0, -2, 1}, {0, 0.75F, 0}}, LightFrame::camera};
+    PlacedLight headlight{{{0, 0, 1, 0}, {2, 2, 2}}, LightFrame::camera};
     const glm::mat4 away = glm::translate(glm::mat4(1), {0, 0, -10});
     const glm::mat4 quarter({0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {2, -1, -5, 1});
     // One that is out has its place all the same.
-    const PlacedLight out_of_order{{{3, 1, -2, 1}, {0, 0, 0}}, LightFrame::world};
-    const std::vector<PlacedLight> sets[] = {{lamp},           {lamp, sun, torch, headlight}, {torch}, {},
-                                             {headlight, sun}, {sun, out_of_order, lamp}};
-    for (const std::vector<PlacedLight>& lights : sets)
+    PlacedLight out_of_order{{{3, 1, -2, 1}, {0, 0, 0}}, LightFrame::world};
+    for (PlacedLight* placed : {&lamp, &sun, &torch, &headlight, &out_of_order}) {
+        glm::vec4& position = placed->light.position;
+        position = glm::vec4(vary.exact_map().place(glm::vec3(position)), position.w);
+        placed->light.color *= vary.near(glm::vec3(1), 0.25F);
+    }
+    const std::vector<std::vector<PlacedLight>> sets = {{lamp},           {lamp, sun, torch, headlight}, {torch}, {},
+                                                        {headlight, sun}, {sun, out_of_order, lamp}};
+    for (const std::vector<PlacedLight>& lights : in_random_order(vary, sets))
         for (const glm::mat4& view : {glm::mat4(1), away, quarter})
             record_lights(out, {lights, glm::vec3(0), true, false}, view);
 
     record_material(out, {});
-    record_material(out, {{0.125F, 0, 0.25F}, {0.25F, 0.5F, 0.125F}, {0.5F, 0.25F, 1}, {0.5F, 1, 0.25F}, 2});
-    for (const float e : {0.0F, 5.0F, 129.0F, 3.0F, 128.0F, 7.0F, 10'000.0F})
-        record_material(out, {{}, {}, {}, glm::vec3(1), e});
+    const auto color = [&](const glm::vec3& written) { return written * vary.near(glm::vec3(1), 0.25F); };
+    record_material(out, {color({0.125F, 0, 0.25F}), color({0.25F, 0.5F, 0.125F}), color({0.5F, 0.25F, 1}),
+                          color({0.5F, 1, 0.25F}), vary.scaled(2.0F, 2)});
+    for (const float e : in_random_order(vary, std::vector{0.0F, 5.0F, 129.0F, 3.0F, 128.0F, 7.0F, 10'000.0F}))
+        record_material(out, {{}, {}, {}, color(glm::vec3(1)), e});
 
     const LinearFrame frame(1, 1);
-    for (const Probe& probe : probes_by_hand()) out.append("light", light_of(out, frame, probe));
+    for (const Probe& probe : probes_by_hand(vary)) out.append("light", light_of(out, frame, probe));
 }
 
 // Whatever OpenGL was told before; up to eleven lights.
@@ -133,21 +141,21 @@ void record_picture(Recorder& out, std::string_view name, const LitScene& scene,
 }
 
 // Each scene after what another one left, and in a state that no scene can have expected.
-void pictures(Random& random, Recorder& out)
+void pictures(Case& what, Recorder& out)
 {
     const std::pair<const char*, LitScene> scenes[] = {
         {"stretched", stretched()}, {"mirrored", mirrored()}, {"facets", facets()}, {"parallel", parallel()}};
     for (const auto& [name, scene] : scenes) {
-        disturb(random);
-        record_picture(out, name, scene);
+        disturb(what.random);
+        record_picture(out, name, varied(what.vary, scene));
     }
 }
 
 // The world turned under the camera, lights and all, first without the camera and then with it.
-void record_laws(Recorder& out)
+void record_laws(Variation& vary, Recorder& out)
 {
     const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.9F, normalize(glm::vec3(0.4F, 1, -0.3F)));
-    LitScene scene = mirrored();
+    LitScene scene = varied(vary, mirrored());
     record_picture(out, "straight", scene, 96);
     for (LitThing& thing : scene.things) thing.model = turned * thing.model;
     for (PlacedLight& placed : scene.lighting.lights)
@@ -178,10 +186,10 @@ void record_state(Random& random, Recorder& out)
     }
 }
 
-void record_calls(Recorder& out)
+void record_calls(Variation& vary, Recorder& out)
 {
     const LinearFrame frame(16, 16);
-    LitScene scene = facets();
+    LitScene scene = varied(vary, facets());
     for (int i = 0; i < 3; ++i) scene.things.push_back(scene.things.front());
     gl::begin_trace();
     ask<draw_lit>(out, scene);
@@ -191,20 +199,20 @@ void record_calls(Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
     {"matrices", [](Case& c, Recorder& out) { matrices(c.random, out); }},
-    {"pictures", [](Case& c, Recorder& out) { pictures(c.random, out); }},
-    {"laws", [](Case&, Recorder& out) { record_laws(out); }},
+    {"pictures", [](Case& c, Recorder& out) { pictures(c, out); }},
+    {"laws", [](Case& c, Recorder& out) { record_laws(c.vary, out); }},
     {"state", [](Case& c, Recorder& out) { record_state(c.random, out); }},
-    {"calls", [](Case&, Recorder& out) { record_calls(out); }},
+    {"calls", [](Case& c, Recorder& out) { record_calls(c.vary, out); }},
     {"scene",
      [](Case& c, Recorder& out) {
          disturb(c.random);
          record_picture(out, "smooth", random_scene(c.random, false));
          record_picture(out, "flat", random_scene(c.random, true));
      }},
-    {"wreath", [](Case&, Recorder& out) { record_picture(out, "picture", wreath(), 288); }},
+    {"wreath", [](Case& c, Recorder& out) { record_picture(out, "picture", varied(c.vary, wreath()), 288); }},
 };
 
 }

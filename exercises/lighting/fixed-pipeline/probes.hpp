@@ -110,8 +110,8 @@ inline Probe random_probe(Random& random)
     return probe;
 }
 
-/// A vertex straight ahead, in one white light; values that follow without a calculator.
-inline std::vector<Probe> probes_by_hand()
+/// A vertex straight ahead, in one white light; values that follow without a calculator. Varied, of other colours.
+inline std::vector<Probe> probes_by_hand(Variation vary = {})
 {
     std::vector<Probe> probes;
     const auto add = [&](const glm::vec4& light, float e, bool local_viewer, const glm::vec3& position,
@@ -119,7 +119,11 @@ inline std::vector<Probe> probes_by_hand()
         Probe probe;
         probe.position = position;
         probe.normal = normal;
-        probe.material = {{0.05F, 0, 0.1F}, glm::vec3(0.1F), {0.5F, 0.25F, 0}, {0.4F, 0.4F, 0.8F}, e};
+        probe.material = {{0.05F, 0, 0.1F},
+                          vary.near(glm::vec3(0.1F), 0.1F),
+                          vary.near(glm::vec3(0.5F, 0.25F, 0), 0.2F),
+                          vary.near(glm::vec3(0.4F, 0.4F, 0.8F), 0.2F),
+                          e};
         probe.lighting = {{{{light, glm::vec3(1)}, LightFrame::camera}}, glm::vec3(0.2F), local_viewer, false};
         probes.push_back(probe);
     };

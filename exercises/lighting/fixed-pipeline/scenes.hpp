@@ -125,6 +125,23 @@ inline LitScene parallel()
     return scene;
 }
 
+/// A scene that is written down, varied: the world is turned about its vertical axis, its lights by another angle, each
+/// of them is dimmer, and things change the channels of their colours. As written unless inputs are to vary.
+inline LitScene varied(Variation& vary, LitScene scene)
+{
+    if (!vary) return scene;
+    const glm::vec3 up(0, 1, 0);
+    scene.view = scene.view * glm::mat4(vary.turn(up, 0.4F));
+    const glm::mat4 lights_turned(vary.turn(up, 0.6F));
+    for (auto& [light, frame] : scene.lighting.lights)
+        light = {lights_turned * light.position, light.color * vary.near(glm::vec3(0.85F), 0.15F)};
+    const int red = vary.one_of(0, std::array{1, 2});
+    for (LitThing& thing : scene.things)
+        for (glm::vec3* color : {&thing.material.ambient, &thing.material.diffuse})
+            *color = {(*color)[red], (*color)[(red + 1) % 3], (*color)[(red + 2) % 3]};
+    return scene;
+}
+
 /// How much larger than 1 the ball is that random scenes place.
 inline constexpr float unit_of_balls = 64;
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <string>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -86,12 +87,21 @@ StagedMesh joined(StagedMesh first, const StagedMesh& second)
     return first;
 }
 
-void by_hand(Recorder& out)
+// A square; varied, it is never as large as it is written, and turned in the world.
+StagedMesh some_square(Variation& vary, float low, float high, float depth, float lean, float inverse_w = 1)
 {
-    const StagedMesh tilted = square(2, 18, 0.5F, 0.75F, 0.25F);
-    StagedMesh turned = square(4, 16, 0.5F, 0.3F);
+    const float varied_low = vary.one_of(low, std::array{low - 1});
+    const float varied_high = vary.one_of(high, std::array{high - 3, high - 2, high + 1});
+    return turned_in_world(vary, square(varied_low, varied_high, depth, lean, inverse_w));
+}
+
+void by_hand(Variation& vary, Recorder& out)
+{
+    const StagedMesh tilted = some_square(vary, 2, 18, 0.5F, 0.75F, 0.25F);
+    StagedMesh turned = some_square(vary, 4, 16, 0.5F, 0.3F);
     for (glm::uvec3& triangle : turned.triangles) std::swap(triangle[0], triangle[1]);
-    const Scene scenes[] = {{square(4, 16, 0.5F, 0)}, {square(3, 17, 0.25F, 2)}, {tilted}, {turned}};
+    const Scene scenes[] = {
+        {some_square(vary, 4, 16, 0.5F, 0)}, {some_square(vary, 3, 17, 0.25F, 2)}, {tilted}, {turned}};
     for (std::size_t i = 0; i < std::size(scenes); ++i) {
         record_all(out, scenes[i], i);
         // How often each method asks, where all is drawn.
@@ -130,12 +140,13 @@ void at_random(Random& random, Recorder& out)
 
 // Squares before and behind each other, in either order, and targets that are not empty: nothing that is hidden may
 // show, and light is asked for what passes the depth test at its turn only.
-void record_occlusion(Random& random, Recorder& out)
+void record_occlusion(Random& random, Variation& vary, Recorder& out)
 {
     for (std::size_t i = 0; i < 12; ++i) {
         // Every fourth one lies in the near plane.
-        const StagedMesh near = square(6, 14, i % 4 == 3 ? 0 : random.uniform(0.2F, 0.4F), 0.5F);
-        const StagedMesh far = square(2, 12, random.uniform(0.5F, 0.7F), 1);
+        const float near_depth = i % 4 == 3 ? 0 : random.uniform(0.2F, 0.4F);
+        const StagedMesh near = some_square(vary, 6, 14, near_depth, 0.5F);
+        const StagedMesh far = some_square(vary, 2, 12, random.uniform(0.5F, 0.7F), 1);
         Scene scene{i % 2 == 0 ? joined(near, far) : joined(far, near)};
         if (i % 3 == 1)  // the left part of the target hides all, its middle the far one
             for (int y = 0; y < size; ++y)
@@ -150,7 +161,7 @@ void record_occlusion(Random& random, Recorder& out)
 }
 
 // Triangles too small for the products of floats, or of no area in the world; normals that are null.
-void record_degenerate(Random& random, Recorder& out)
+void record_degenerate(Random& random, Variation& vary, Recorder& out)
 {
     for (std::size_t i = 0; i < 8; ++i) {
         StagedMesh mesh = square(2, 18, 0.5F, random.uniform(0.2F, 1));
@@ -162,6 +173,7 @@ void record_degenerate(Random& random, Recorder& out)
         }
         // Of the last two scenes one vertex has a normal.
         if (i >= 6) mesh.vertices[i - 6].at.normal = random.unit_vector();
+        mesh = turned_in_world(vary, std::move(mesh));
         const auto with_light = [](const SurfacePoint& at) { return at.normal + 2.0F; };
         record<draw_flat>(out, "flat", {mesh}, with_light, i);
         record<draw_phong>(out, "phong", {mesh}, with_light, i);
@@ -171,11 +183,11 @@ void record_degenerate(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
-    {"occlusion", [](Case& c, Recorder& out) { record_occlusion(c.random, out); }},
-    {"degenerate", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("knot", knot(400, 260)); }},
+    {"occlusion", [](Case& c, Recorder& out) { record_occlusion(c.random, c.vary, out); }},
+    {"degenerate", [](Case& c, Recorder& out) { record_degenerate(c.random, c.vary, out); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("knot", knot(400, 260, c.vary)); }},
 };
 
 }

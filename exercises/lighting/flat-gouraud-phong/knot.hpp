@@ -6,6 +6,7 @@
 #include <kit/shapes.hpp>
 #include <umbral/lighting/blinn_phong.hpp>
 #include <umbral/lighting/shading_methods.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// The goal picture: a knot of few triangles, from left to right in flat, Gouraud and Phong shading.
@@ -37,7 +38,8 @@ inline std::vector<glm::uvec3> triangles_of(const shapes::Shape& shape)
     return triangles;
 }
 
-inline Image knot(int width, int height)
+/// Varied, the knot is turned and has another glaze.
+inline Image knot(int width, int height, Variation vary = {})
 {
     const glm::vec2 size(2 * width, 2 * height);
     const glm::vec3 eye(0, 0.25F, 4.55F);
@@ -51,11 +53,14 @@ inline Image knot(int width, int height)
             return blinn_phong_reflection(at, material, lights, glm::vec3(0.06F), eye);
         };
     };
-    const Illumination glaze =
-        in_material({{}, {0.003F, 0.001F, 0.002F}, {0.20F, 0.016F, 0.010F}, {0.80F, 0.66F, 0.52F}, 70});
+    const Illumination glaze = in_material({{},
+                                            {0.003F, 0.001F, 0.002F},
+                                            glm::vec3(0.20F, 0.016F, 0.010F) + vary.near(glm::vec3(0), 0.01F),
+                                            {0.80F, 0.66F, 0.52F},
+                                            vary.scaled(70.0F, 2)});
     const shapes::Shape shape = shapes::trefoil(46, 9, 0.24F);
     const glm::mat4 model =
-        glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1.22F, 0.98F, 1)), 0.52F, glm::vec3(0, 0, 1));
+        glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1.22F, 0.98F, 1)), vary.near(0.52F, 1.0F), glm::vec3(0, 0, 1));
     const std::vector<StagedVertex> vertices = staged(shape, model, camera, size);
     const std::vector<glm::uvec3> triangles = triangles_of(shape);
 

@@ -2,6 +2,7 @@
 
 #include <umbral/core/random.hpp>
 #include <umbral/lighting/shading_methods.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// Small scenes for the drivers and tests of shading methods.
@@ -58,6 +59,16 @@ inline StagedMesh square(float low, float high, float depth, float lean, float i
             {{place, depth, i == 1 ? inverse_w : 1}, {{corner, 0}, normalize(glm::vec3(lean * corner, 1))}});
     }
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return mesh;
+}
+
+/// The same in the window, and turned or mirrored exactly in the world, and larger or smaller there. As it is unless
+/// inputs are to vary.
+inline StagedMesh turned_in_world(Variation& vary, StagedMesh mesh)
+{
+    const ExactMap map = vary.exact_map();
+    for (StagedVertex& vertex : mesh.vertices)
+        vertex.at = {map.place(vertex.at.position), map.direction(vertex.at.normal)};
     return mesh;
 }
 

@@ -19,15 +19,18 @@ void record(Recorder& out, const Shine& s)
     out.append("light", ask<phong_reflection>(out, s.at, s.material, s.lights, s.global_ambient, s.eye));
 }
 
-void by_hand(Recorder& out)
+void by_hand(Variation& vary, Recorder& out)
 {
     const std::pair<glm::vec3, glm::vec3> mirrors[] = {
         {{0, 0, 1}, {0, 0, 1}}, {{0, 0.6F, 0.8F}, {0, 0, 1}}, {{1, 2, 3}, {0, 1, 0}},  {{1, 0, 0}, {0, 0, 1}},
         {{1, 0, 0}, {1, 1, 0}}, {{3, 4, 0}, {0, 0, 7}},       {{2, -1, 5}, {1, 2, 2}}, {{0, 3, -4}, {0, 0, 1}}};
-    for (const auto& [l, normal] : mirrors) out.append("mirrored", ask<mirrored_direction>(out, l, normal));
-    for (const Glance& glance : glances_by_hand()) record(out, glance);
+    for (const auto& [l, normal] : mirrors) {
+        const ExactMap map = vary.exact_map(0);
+        out.append("mirrored", ask<mirrored_direction>(out, map.place(l), map.place(normal)));
+    }
+    for (const Glance& glance : glances_by_hand(vary)) record(out, glance);
 
-    for (const Shine& shine : shines_by_hand(2)) record(out, shine);
+    for (const Shine& shine : shines_by_hand(vary, 2)) record(out, shine);
 }
 
 void at_random(Random& random, Recorder& out)
@@ -118,7 +121,7 @@ void terminator(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { by_hand(out); }},
+    {"by hand", [](Case& c, Recorder& out) { by_hand(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { at_random(c.random, out); }},
     {"behind", [](Case& c, Recorder& out) { behind(c.random, out); }},
     {"lengths", [](Case& c, Recorder& out) { lengths(c.random, out); }},
@@ -127,7 +130,7 @@ const Driver driver = {
     {"laws", [](Case& c, Recorder& out) { record_laws(c.random, out); }},
     {"sharp", [](Case& c, Recorder& out) { sharp(c.random, out); }},
     {"terminator", [](Case& c, Recorder& out) { terminator(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("rack", rack(320, 208)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("rack", rack(320, 208, c.vary)); }},
 };
 
 }

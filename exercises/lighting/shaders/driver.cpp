@@ -25,19 +25,19 @@ void record_scene(Recorder& out, std::string_view name, const Scene& scene, cons
     out.image(name, draw(scene, program, background));
 }
 
-// The still life with the world turned under it, lights and all, first without the camera and then with it; and in half
+// A still life with the world turned under it, lights and all, first without the camera and then with it; and in half
 // the light, and all of it, on black. Lights are given in eye coordinates: those that turn with the camera stay what
 // they are.
-void record_laws(Recorder& out, const gl::Program& program)
+void record_laws(Recorder& out, const Scene& still_life, const gl::Program& program)
 {
     const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.9F, normalize(glm::vec3(0.4F, 1, -0.3F)));
-    Scene scene = still_life();
+    Scene scene = still_life;
     for (Thing& thing : scene.things) thing.model = turned * thing.model;
     record_scene(out, "turned alone", scene, program);
     scene.view = scene.view * inverse(turned);
     record_scene(out, "turned together", scene, program);
 
-    Scene dim = still_life();
+    Scene dim = still_life;
     dim.global_ambient *= 0.5F;
     for (Light& light : dim.lights) light.color *= 0.5F;
     for (Thing& thing : dim.things) {
@@ -54,8 +54,11 @@ void record_laws(Recorder& out, const gl::Program& program)
 void record_pictures(Case& what, Recorder& out)
 {
     const auto program = compile(what);
-    const auto record = [&](const char* name, const Scene& scene) { record_scene(out, name, scene, *program); };
-    record("still life", still_life());
+    const auto record = [&](const char* name, const Scene& scene) {
+        record_scene(out, name, varied(what.vary, scene), *program);
+    };
+    const Scene still = varied(what.vary, still_life());
+    record_scene(out, "still life", still, *program);
     record("diffuse sphere", diffuse_sphere());
     record("exponents", exponents());
     record("near lamps", near_lamps());
@@ -65,14 +68,14 @@ void record_pictures(Case& what, Recorder& out)
     record("coarse flat", coarse_sphere(true));
     record("bowls smooth", bowls(false));
     record("bowls flat", bowls(true));
-    record_laws(out, *program);
+    record_laws(out, still, *program);
 }
 
 }
 
 const Driver driver = {
     {"pictures", record_pictures},
-    {"edges", [](Case& c, Recorder& out) { record_points(out, "colors", edges(), *compile(c)); }},
+    {"edges", [](Case& c, Recorder& out) { record_points(out, "colors", edges(c.vary), *compile(c)); }},
     {"random",
      [](Case& c, Recorder& out) {
          const auto program = compile(c);

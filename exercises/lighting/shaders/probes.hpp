@@ -27,11 +27,13 @@ inline std::vector<Probe> random_points(Random& random)
 }
 
 /// Points straight ahead of the viewer (v = (0, 0, 1)) where a term vanishes, is undefined or changes its formula.
-inline std::vector<Probe> edges()
+/// Varied, they and their lights have other colours.
+inline std::vector<Probe> edges(Variation vary = {})
 {
     std::vector<Probe> probes;
     const auto add = [&](const glm::vec3& normal, float shininess, const std::vector<glm::vec4>& places) {
-        for (const glm::vec3& tint : {glm::vec3(0.5F, 0.3F, 0.2F), glm::vec3(0.2F, 0.4F, 0.5F)}) {
+        for (const glm::vec3& written : {glm::vec3(0.5F, 0.3F, 0.2F), glm::vec3(0.2F, 0.4F, 0.5F)}) {
+            const glm::vec3 tint = vary.near(written, 0.15F);
             Probe probe{{0, 0, -4},
                         normal,
                         {0.1F * tint, 0.3F * tint, tint, glm::vec3(0.75F) - tint, shininess},

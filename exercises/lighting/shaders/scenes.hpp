@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <umbral/core/random.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "stage.hpp"
 
@@ -159,6 +160,23 @@ inline Scene eight_lights()
     }
     scene.things = {
         {trefoil(300, 40, 0.22F), placed({0, 0, 0}, glm::vec3(1.0F)), plastic(glm::vec3(0.70F), 0.55F, 45)}};
+    return scene;
+}
+
+/// A scene that is written down, varied: the world is turned about its vertical axis, its lights by another angle, each
+/// of them is dimmer, and things change the channels of their colours. As written unless inputs are to vary.
+inline Scene varied(Variation& vary, Scene scene)
+{
+    if (!vary) return scene;
+    const glm::vec3 up(0, 1, 0);
+    const glm::mat4 lights_turned = scene.view * glm::mat4(vary.turn(up, 0.6F)) * inverse(scene.view);
+    for (Light& light : scene.lights)
+        light = {lights_turned * light.position, light.color * vary.near(glm::vec3(0.85F), 0.15F)};
+    scene.view = scene.view * glm::mat4(vary.turn(up, 0.4F));
+    const int red = vary.one_of(0, std::array{1, 2});
+    for (Thing& thing : scene.things)
+        for (glm::vec3* color : {&thing.material.emission, &thing.material.ambient, &thing.material.diffuse})
+            *color = {(*color)[red], (*color)[(red + 1) % 3], (*color)[(red + 2) % 3]};
     return scene;
 }
 
