@@ -45,10 +45,11 @@ inline void record_textures(Recorder& out, Random& random, bool generates)
     out.image("texels", target.read_pixels());
 }
 
-inline void record_names(Recorder& out, Random& random)
+inline void record_names(Recorder& out, Case& c)
 {
     std::array<LabTexture, 3> textures;
-    for (LabTexture& texture : textures) texture.picture = random_picture(random, 20, 12);
+    for (LabTexture& texture : textures)
+        texture.picture = random_picture(c.random, c.vary.near(20, 8), c.vary.near(12, 5));
     constexpr std::array<std::size_t, 7> order = {0, 1, 0, 2, 2, 1, 0};
     const float before = living_texels();
     out.columns("made", "texels in OpenGL, uploads later than the first of this texture");

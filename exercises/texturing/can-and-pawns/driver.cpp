@@ -43,9 +43,9 @@ void textures_of_program(Case&, Recorder& out)
     }
 }
 
-void looks_of_program(Case&, Recorder& out)
+void looks_of_program(Case& c, Recorder& out)
 {
-    const Session session(a_visit, {});
+    const Session session(a_visit, {.start = first_pose(c.vary)});
     out.text("looks.names", "0 moment\n1 thing: M_D/3, M_S/3, e, textured, depth test, place/3, projection/2\n");
     for (int i = 1; i <= 13; i += 2) {
         const double time = 0.1 * i + 0.08;
@@ -61,10 +61,12 @@ void looks_of_program(Case&, Recorder& out)
     }
 }
 
-void pictures_of_program(Case&, Recorder& out)
+void pictures_of_program(Case& c, Recorder& out)
 {
-    const Session session(a_visit,
-                          {.pictures = {0.38, 0.78, 0.98, 1.18}, .pixels = 2, .motion = {{1.0, {.longitude = 0.9F}}}});
+    const Session session(a_visit, {.pictures = {0.38, 0.78, 0.98, 1.18},
+                                    .pixels = 2,
+                                    .motion = {{1.0, {.longitude = 0.9F}}},
+                                    .start = first_pose(c.vary)});
     const auto show = [&](const char* name, double time) {
         tell(out, a_visit, time);
         const Image picture = session.frame_at(time).picture;
@@ -90,7 +92,7 @@ const Driver driver = {
     {"3 random profiles", random_surfaces},
     {"4 table", [](Case& c, Recorder& out) { record_textures(out, c.random, false); }},
     {"4 generated", [](Case& c, Recorder& out) { record_textures(out, c.random, true); }},
-    {"4 made once", [](Case& c, Recorder& out) { record_names(out, c.random); }},
+    {"4 made once", [](Case& c, Recorder& out) { record_names(out, c); }},
     {"4 program", textures_of_program},
     {"5 materials", materials},
     {"5 activated", activated_materials},

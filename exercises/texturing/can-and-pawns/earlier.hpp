@@ -5,6 +5,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <umbral/gl/opengl.hpp>
 #include <umbral/input/glfw.hpp>
+#include <umbral/record/variation.hpp>
 #include <umbral/texturing/lab4_program.hpp>
 #include <vector>
 
@@ -38,6 +39,13 @@ struct CameraPose {
     float lens = 24;
 };
 
+/// How the camera stands at first: varied, a little aside, and with another lens.
+inline CameraPose first_pose(Variation& vary)
+{
+    const CameraPose written;
+    return {vary.near(written.longitude, 0.3F), vary.near(written.latitude, 0.12F), vary.near(written.lens, 2.0F)};
+}
+
 /// The camera moves by itself, too: from that second on it stands so.
 struct TimedPose {
     double time = 0;
@@ -46,7 +54,10 @@ struct TimedPose {
 
 class ColouredBoxes : public EarlierLabs {
 public:
-    explicit ColouredBoxes(std::vector<TimedPose> motion = {}) : motion_(std::move(motion)) {}
+    explicit ColouredBoxes(std::vector<TimedPose> motion = {}, const CameraPose& start = {})
+        : moved_(start), motion_(std::move(motion))
+    {
+    }
 
     /// A key as it came: its number, what was done to it, and the modifiers.
     using KeyRow = std::array<int, 3>;

@@ -30,10 +30,10 @@ inline std::string keys_of_light()
            held(1.8, "4", 1) + held(2.0, "P", 1);
 }
 
-inline void lights_of_program(Case&, Recorder& out)
+inline void lights_of_program(Case& c, Recorder& out)
 {
     const std::string script = keys_of_light();
-    const Session session(script, {});
+    const Session session(script, {.start = first_pose(c.vary)});
     out.columns("lights", "directional lights, positional lights, direction/3, place/3, colour/3, colour/3");
     for (int i = 1; i <= 21; i += 2) {
         const double time = 0.1 * i + 0.08;

@@ -26,6 +26,14 @@ inline meshes::IndexedMesh tetrahedron()
     return {{{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
+/// The mesh turned exactly, as it is unless inputs are to vary.
+inline meshes::IndexedMesh turned(Variation& vary, meshes::IndexedMesh mesh)
+{
+    const ExactMap map = vary.exact_map();
+    for (glm::vec3& position : mesh.positions) position = map.place(position);
+    return mesh;
+}
+
 /// An open surface over a grid of size² squares in [-1, 1]², its inner vertices moved, its heights random.
 inline meshes::IndexedMesh patch(Random& random, int size, float reach = 1)
 {

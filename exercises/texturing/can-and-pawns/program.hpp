@@ -89,6 +89,7 @@ struct Wanted {
     bool uploads = false;
     double pixels = 0.25;             ///< of the framebuffer for each screen coordinate
     std::vector<TimedPose> motion{};  ///< of the camera
+    CameraPose start{};               ///< … and how it stands before
 };
 
 /// Is a frame of that time the one that a moment's picture comes from? Scripts change something at most 0.18 s before.
@@ -131,7 +132,7 @@ public:
           script_(input::parse_script(script)),
           size_(largest(sizes_until(script_, std::numeric_limits<double>::infinity(), wanted.pixels))),
           target_(size_.x, size_.y),
-          earlier_(wanted.motion)
+          earlier_(wanted.motion, wanted.start)
     {
         glUseProgram(0);              // the fixed function, as in a new context
         target_.clear({1, 0, 1, 1});  // so that what a frame leaves out shows

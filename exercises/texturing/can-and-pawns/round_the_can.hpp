@@ -14,12 +14,16 @@ struct View {
     CameraPose pose;
 };
 
-inline void round_the_can(Case&, Recorder& out)
+inline void round_the_can(Case& c, Recorder& out)
 {
-    constexpr std::array<View, 4> views = {{{"from above", 0.4, {560, 420}, {0.3F, 1.15F, 24}},
-                                            {"from below", 0.6, {420, 420}, {-0.4F, -0.8F, 30}},
-                                            {"tall window", 0.8, {320, 480}, {0.12F, 0.36F, 34}},
-                                            {"long lens", 1.0, {640, 400}, {0.9F, 0.2F, 12}}}};
+    std::array<View, 4> views = {{{"from above", 0.4, {560, 420}, {0.3F, 1.15F, 24}},
+                                  {"from below", 0.6, {420, 420}, {-0.4F, -0.8F, 30}},
+                                  {"tall window", 0.8, {320, 480}, {0.12F, 0.36F, 34}},
+                                  {"long lens", 1.0, {640, 400}, {0.9F, 0.2F, 12}}}};
+    for (View& view : views) {
+        view.size = c.vary.near(view.size, 30);
+        view.pose.longitude = c.vary.near(view.pose.longitude, 0.3F);
+    }
     std::string script = "0.2 key 4 press\n0.25 key 4 release\n";
     Wanted wanted{.pixels = 1};
     for (const View& view : views) {

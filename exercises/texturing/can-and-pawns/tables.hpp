@@ -17,14 +17,14 @@ inline void record_normals(Recorder& out, const meshes::IndexedMesh& mesh)
     record_rows(out, "vertices", tables.vertices, mesh.positions.size());
 }
 
-inline void normals(Case&, Recorder& out)
+inline void normals(Case& c, Recorder& out)
 {
-    record_normals(out, tetrahedron());
-    record_normals(out, cube());
-    meshes::IndexedMesh turned = cube();
-    for (glm::uvec3& triangle : turned.triangles) triangle = {triangle.y, triangle.z, triangle.x};
-    record_normals(out, turned);
-    record_normals(out, {{{0, 0, 0}, {2, 0, 0}, {2, 0, -3}, {0, 0, -3}, {0, 4, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}});
+    meshes::IndexedMesh other_corner_first = cube();
+    for (glm::uvec3& triangle : other_corner_first.triangles) triangle = {triangle.y, triangle.z, triangle.x};
+    const meshes::IndexedMesh corner = {{{0, 0, 0}, {2, 0, 0}, {2, 0, -3}, {0, 0, -3}, {0, 4, 0}},
+                                        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}};
+    for (const meshes::IndexedMesh& mesh : {tetrahedron(), cube(), other_corner_first, corner})
+        record_normals(out, turned(c.vary, mesh));
 }
 
 inline void random_normals(Case& c, Recorder& out)
@@ -32,12 +32,12 @@ inline void random_normals(Case& c, Recorder& out)
     for (int i = 0; i < 6; ++i) record_normals(out, patch(c.random, 4 + i, 0.5F * static_cast<float>(1 + i * i)));
 }
 
-inline void odd_normals(Case&, Recorder& out)
+inline void odd_normals(Case& c, Recorder& out)
 {
-    record_normals(out, with_degenerate_ones());
+    record_normals(out, turned(c.vary, with_degenerate_ones()));
     record_normals(out, {});
-    meshes::IndexedMesh small = cube();
-    meshes::IndexedMesh large = cube();
+    meshes::IndexedMesh small = turned(c.vary, cube());
+    meshes::IndexedMesh large = turned(c.vary, cube());
     for (glm::vec3& place : small.positions) place *= 1e-6F;
     for (glm::vec3& place : large.positions) place *= 1e6F;
     record_normals(out, small);
@@ -89,13 +89,19 @@ inline profiles::Profile random_profile(Random& random, std::uint32_t points)
     return profile;
 }
 
-inline void known_surfaces(Case&, Recorder& out)
+/// Surfaces whose coordinates follow without a calculator. Varied, they are higher or lower, and of more copies.
+inline void known_surfaces(Case& c, Recorder& out)
 {
     out.text("triangles.names", names_of_triangles);
-    record_surface(out, {{2, 0}, {2, 3}, {1, 3}}, 5);
-    record_surface(out, {{1, 0}, {1, 1}, {1, 4}, {4, 8}}, 4);
-    record_surface(out, {{0, -1}, {1, -1}, {1, 1}, {0, 1}}, 9);
-    record_surface(out, profiles::can_top(), 7);
+    const auto record = [&](profiles::Profile profile, std::uint32_t copies) {
+        const float height = c.vary.one_of(1.0F, std::array{0.5F, 0.75F, 1.5F, 2.0F});
+        for (glm::vec2& point : profile) point.y *= height;
+        record_surface(out, profile, copies + c.vary.one_of(0U, std::array{1U, 2U, 3U}));
+    };
+    record({{2, 0}, {2, 3}, {1, 3}}, 5);
+    record({{1, 0}, {1, 1}, {1, 4}, {4, 8}}, 4);
+    record({{0, -1}, {1, -1}, {1, 1}, {0, 1}}, 9);
+    record(profiles::can_top(), 7);
 }
 
 inline void random_surfaces(Case& c, Recorder& out)

@@ -13,11 +13,11 @@ void record_pictures(Case& what, Recorder& out)
     const auto program = compile(what);
     {
         const Slide rose(rose_window(512));
-        out.image("steps", draw(out, *program, steps(), 480, 360));
+        out.image("steps", draw(out, *program, varied(what.vary, steps()), 480, 360));
     }
     const Slide braid(braid_tile(128));
     const auto record = [&](const char* name, const Scene& scene) {
-        out.image(name, draw(out, *program, scene, 160, 120));
+        out.image(name, draw(out, *program, varied(what.vary, scene), 160, 120));
     };
     record("wall", wall());
     record("corridor", corridor());

@@ -179,6 +179,17 @@ inline Scene shifted_lens()
     return scene;
 }
 
+/// A scene that is written down, varied: it is seen from another side, and the slide is turned and has other light.
+/// As written unless inputs are to vary.
+inline Scene varied(Variation& vary, Scene scene)
+{
+    if (!vary) return scene;
+    scene.eye = scene.target + vary.turn({0, 1, 0}, 0.25F) * (scene.eye - scene.target);
+    scene.projector.view = glm::mat4(vary.turn({0, 0, 1}, 0.8F)) * scene.projector.view;
+    scene.projector.lamp *= vary.near(glm::vec3(0.85F), 0.15F);
+    return scene;
+}
+
 /// Turned, stretched and moved.
 inline glm::mat4 random_model(Random& random)
 {
