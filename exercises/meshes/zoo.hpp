@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <umbral/core/random.hpp>
 #include <umbral/meshes/mesh.hpp>
+#include <umbral/record/variation.hpp>
 #include <utility>
 #include <vector>
 
@@ -167,6 +168,13 @@ inline IndexedMesh shuffled(const IndexedMesh& mesh, Random& random)
     return result;
 }
 
+/// The mesh shuffled; as it is unless inputs are to vary.
+inline IndexedMesh shuffled(const IndexedMesh& mesh, Variation& vary)
+{
+    Random* const random = vary.random();
+    return random != nullptr ? shuffled(mesh, *random) : mesh;
+}
+
 /// About half of the triangles wound the other way round.
 inline IndexedMesh with_mixed_winding(IndexedMesh mesh, Random& random)
 {
@@ -189,22 +197,29 @@ struct Sample {
 };
 
 /// One of each kind that is coherently wound and a 2-manifold (every edge has one or two triangles, the triangles round
-/// a vertex form one fan).
-inline std::vector<Sample> tame_meshes()
+/// a vertex form one fan). Varied, those that have a size have another one.
+inline std::vector<Sample> tame_meshes(Variation& vary)
 {
+    const auto size = [&](std::uint32_t written) { return vary.one_of(written, std::array{written + 1, written + 2}); };
     return {{"tetrahedron", tetrahedron()},
             {"octahedron", octahedron()},
             {"cube", cube()},
-            {"ball", ball(8, 5)},
-            {"torus", torus(7, 5)},
+            {"ball", ball(size(8), size(5))},
+            {"torus", torus(size(7), size(5))},
             {"plate with two holes", plate_with_holes(2)},
             {"plate with three holes", plate_with_holes(3)},
-            {"two balls", joined(ball(5, 3), ball(4, 4), {3, 0, 0})},
-            {"sheet", flat_sheet(4, 3)},
-            {"disc", disc(7)},
-            {"tube", tube(6, 2)},
+            {"two balls", joined(ball(size(5), size(3)), ball(size(4), size(4)), {3, 0, 0})},
+            {"sheet", flat_sheet(size(4), size(3))},
+            {"disc", disc(size(7))},
+            {"tube", tube(size(6), size(2))},
             {"triangle", book(1)},
-            {"two sheets", joined(flat_sheet(2, 2), flat_sheet(1, 3), {0, 1, 0})}};
+            {"two sheets", joined(flat_sheet(size(2), size(2)), flat_sheet(size(1), size(3)), {0, 1, 0})}};
+}
+
+inline std::vector<Sample> tame_meshes()
+{
+    Variation none;
+    return tame_meshes(none);
 }
 
 /// A mesh and its copy, whose vertices have numbers that are 65,536 larger: two numbers of vertices do not fit into 32

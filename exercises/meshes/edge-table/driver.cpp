@@ -1,4 +1,5 @@
 #include <kit/amount.hpp>
+#include <kit/varied.hpp>
 #include <map>
 #include <string>
 #include <umbral/meshes/edges.hpp>
@@ -45,13 +46,14 @@ bool is_closed(const Sample& sample)
     return std::ranges::all_of(sides, [](const auto& side) { return side.second == 2; });
 }
 
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
     EdgeLog any(out, "edges");
     EdgeLog closed(out, "edges of closed");
-    for (const Sample& sample : tame_meshes()) {
-        any.add<edge_table>(sample.name, sample.mesh);
-        if (is_closed(sample)) closed.add<edge_table_of_closed>(sample.name, sample.mesh);
+    for (const Sample& sample : in_random_order(vary, tame_meshes(vary))) {
+        const IndexedMesh mesh = shuffled(sample.mesh, vary);
+        any.add<edge_table>(sample.name, mesh);
+        if (is_closed(sample)) closed.add<edge_table_of_closed>(sample.name, mesh);
     }
     any.add<edge_table>("nothing", {});
     closed.add<edge_table_of_closed>("nothing", {});
@@ -101,11 +103,11 @@ void record_closed(Random& random, Recorder& out)
 
 // Two discs, of whose spokes each one of the first has the same number low * factor + high as one of the second, in 64
 // or in 32 bits.
-IndexedMesh discs_with_equal_keys(std::uint32_t factor)
+IndexedMesh discs_with_equal_keys(std::uint32_t factor, Variation& vary)
 {
     constexpr std::uint32_t slices = 16;
-    constexpr std::uint32_t middle = 300;
-    constexpr std::uint32_t rim = 120'000;
+    const std::uint32_t middle = vary.near(300U, 200U);
+    const std::uint32_t rim = vary.near(120'000U, 5'000U);
     IndexedMesh mesh{std::vector<glm::vec3>(rim + slices), {}};
     std::uint32_t up = 1;
     while (up * factor > 100'000) ++up;  // modulo 2 to the power of 32
@@ -117,12 +119,13 @@ IndexedMesh discs_with_equal_keys(std::uint32_t factor)
     return mesh;
 }
 
-void record_large_indices(Recorder& out)
+void record_large_indices(Variation& vary, Recorder& out)
 {
     EdgeLog log(out, "edges");
-    for (const std::uint32_t slices : {5U, 40U}) log.add<edge_table>("three cones", cones_with_large_indices(slices));
+    for (const std::uint32_t slices : {vary.one_of(5U, std::array{4U, 6U, 7U}), vary.near(40U, 9U)})
+        log.add<edge_table>("three cones", cones_with_large_indices(slices));
     for (const std::uint32_t factor : {1000U, 1024U, 4096U, 5000U, 10'000U, 16'384U, 65'536U, 100'000U, 1'000'000U})
-        log.add<edge_table>("discs, factor " + std::to_string(factor), discs_with_equal_keys(factor));
+        log.add<edge_table>("discs, factor " + std::to_string(factor), discs_with_equal_keys(factor, vary));
     log.finish();
 }
 
@@ -158,7 +161,7 @@ void record_work(Random& random, Recorder& out)
 
 // The second function asks nothing of vertices, and needs no memory but its result. A row is the number of edges, and
 // how many pieces of memory were held at once: a vector that grows holds two, and up to three are as good as none.
-void record_closed_alone(Recorder& out)
+void record_closed_alone(Variation& vary, Recorder& out)
 {
     out.text("blocks.names", "vertices");
     for (const int vertices : {600, 1800, 5400, 16'200}) {
@@ -169,7 +172,7 @@ void record_closed_alone(Recorder& out)
     constexpr std::int64_t free_pieces = 3;
     out.text("edges and memory.names", "edges, pieces of memory");
     for (const std::uint32_t side : {5U, 8U, 12U, 17U, 23U, 30U}) {
-        const IndexedMesh mesh = torus(side, side);
+        const IndexedMesh mesh = torus(vary.one_of(side, std::array{side + 1, side + 2, side + 4}), side);
         const AllocationCount memory;
         const std::vector<glm::uvec2> edges = ask<edge_table_of_closed>(out, mesh);
         out.append("edges and memory", glm::vec2(edges.size(), std::max(memory.most(), free_pieces)));
@@ -177,15 +180,16 @@ void record_closed_alone(Recorder& out)
 }
 
 // A Moebius strip from the first function, a knot from the second.
-Image draw_wireframes(Recorder& out)
+Image draw_wireframes(Variation& vary, Recorder& out)
 {
     Drawing drawing(600, 300, {-4.4, -2.2}, {4.4, 2.2});
     const auto tilted = [](const glm::vec3& p) {
         return 1.45F * glm::vec3(p.x, 0.8F * p.y - 0.6F * p.z, 0.6F * p.y + 0.8F * p.z);
     };
-    const IndexedMesh strip = mapped(moebius(48, 5), tilted);
+    const IndexedMesh strip = mapped(moebius(vary.one_of(48U, std::array{36U, 40U, 43U}), 5), tilted);
     draw_wireframe(drawing, strip, canonical(ask<edge_table>(out, strip), strip), {-2.35, 0}, 9, ink::orange, ink::red);
-    const IndexedMesh knot = mapped(trefoil(54, 8, 0.5), [](const glm::vec3& p) { return 0.55F * p; });
+    const IndexedMesh knot = mapped(trefoil(vary.one_of(54U, std::array{44U, 48U, 60U}), 8, 0.5),
+                                    [](const glm::vec3& p) { return 0.55F * p; });
     draw_wireframe(drawing, knot, canonical(ask<edge_table_of_closed>(out, knot), knot), {2.3, 0}, 9, ink::blue,
                    ink::green);
     return drawing.picture();
@@ -194,15 +198,15 @@ Image draw_wireframes(Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"any winding", [](Case& c, Recorder& out) { record_any_winding(c.random, out); }},
     {"odd meshes", [](Case& c, Recorder& out) { record_wild(c.random, out); }},
     {"closed", [](Case& c, Recorder& out) { record_closed(c.random, out); }},
-    {"large indices", [](Case&, Recorder& out) { record_large_indices(out); }},
+    {"large indices", [](Case& c, Recorder& out) { record_large_indices(c.vary, out); }},
     {"large mesh", [](Case& c, Recorder& out) { record_large_mesh(c.random, out); }},
-    {"closed alone", [](Case&, Recorder& out) { record_closed_alone(out); }},
+    {"closed alone", [](Case& c, Recorder& out) { record_closed_alone(c.vary, out); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_wireframes(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_wireframes(c.vary, out)); }},
 };
 
 }

@@ -1,3 +1,4 @@
+#include <kit/varied.hpp>
 #include <umbral/meshes/euler.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
@@ -81,17 +82,16 @@ void record_genera(Random& random, Recorder& out)
     }
 }
 
-void record_degenerate(Random& random, Recorder& out)
+void record_degenerate(Random& random, Variation& vary, Recorder& out)
 {
     // A vertex that only a triangle that is no face has is isolated; whoever counts its edges finds some that are not
     // there.
-    for (const Sample& sample : tame_meshes()) {
+    for (const Sample& sample : in_random_order(vary, tame_meshes(vary))) {
         IndexedMesh mesh = with_lonely_vertices(sample.mesh, 2);
         const auto last = static_cast<std::uint32_t>(mesh.positions.size()) - 1;
         mesh.triangles.insert(mesh.triangles.begin(), {{0, last, last}, {1, 0, 1}, {2, 2, 2}});
         mesh = shuffled(mesh, random);
-        record_counts(out, mesh);
-        record_genus(out, mesh);
+        std::vector<IndexedMesh> pair{mesh};
         // Nothing but triangles that are no faces, but vertices, or nothing at all.
         mesh.triangles.resize(0);
         switch (random.below(3)) {
@@ -99,8 +99,11 @@ void record_degenerate(Random& random, Recorder& out)
             case 1: mesh.triangles = {{0, last, last}, {1, 0, 1}, {2, 2, 2}}; break;
             default: break;
         }
-        record_counts(out, mesh);
-        record_genus(out, mesh);
+        pair.push_back(mesh);
+        for (const IndexedMesh& one : in_random_order(vary, pair)) {
+            record_counts(out, one);
+            record_genus(out, one);
+        }
     }
 }
 
@@ -110,17 +113,21 @@ void record_sphere(Recorder& out, const std::optional<ElementCounts>& counts)
         out.append("counts", counts ? std::optional<float>(static_cast<float>((*counts).*member)) : std::nullopt);
 }
 
-void record_spheres(Recorder& out)
+void record_spheres(Variation& vary, Recorder& out)
 {
-    for (const std::int64_t number : {-6, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 20, 30, 36, 41, 999, 30'000}) {
+    std::vector<std::int64_t> numbers{-6, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 13, 20, 30, 36, 41, 999, 30'000};
+    for (std::int64_t& number : numbers)
+        if (number > 9) number = vary.near(number, number / 4);
+    for (const std::int64_t number : in_random_order(vary, numbers)) {
         record_sphere(out, ask<sphere_from_vertices>(out, number));
         record_sphere(out, ask<sphere_from_edges>(out, number));
         record_sphere(out, ask<sphere_from_faces>(out, number));
     }
     // Powers of two and their like are exact in float; in 32 bits three times as many do not fit.
-    record_sphere(out, ask<sphere_from_vertices>(out, (std::int64_t{1} << 40) + 2));
-    record_sphere(out, ask<sphere_from_edges>(out, std::int64_t{3} << 40));
-    record_sphere(out, ask<sphere_from_faces>(out, std::int64_t{1} << 41));
+    const int bits = vary.one_of(40, std::array{38, 39, 41, 42});
+    record_sphere(out, ask<sphere_from_vertices>(out, (std::int64_t{1} << bits) + 2));
+    record_sphere(out, ask<sphere_from_edges>(out, std::int64_t{3} << bits));
+    record_sphere(out, ask<sphere_from_faces>(out, std::int64_t{2} << bits));
     // These cannot be told from their neighbours in double.
     constexpr std::int64_t most = 1'000'000'000'000'000'000;
     record_sphere(out, ask<sphere_from_vertices>(out, most));
@@ -156,11 +163,11 @@ IndexedMesh course_example()
     return mesh;
 }
 
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
-    record_counts(out, course_example());
-    record_genus(out, course_example());
-    for (const Sample& sample : tame_meshes()) {
+    std::vector<Sample> samples = tame_meshes(vary);
+    samples.insert(samples.begin(), {"the course's example", course_example()});
+    for (const Sample& sample : in_random_order(vary, samples)) {
         record_counts(out, sample.mesh);
         record_genus(out, sample.mesh);
     }
@@ -169,18 +176,21 @@ void record_known(Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
-    {"sphere", [](Case&, Recorder& out) { record_spheres(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
+    {"sphere", [](Case& c, Recorder& out) { record_spheres(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"genus", [](Case& c, Recorder& out) { record_genera(c.random, out); }},
-    {"no faces", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
+    {"no faces", [](Case& c, Recorder& out) { record_degenerate(c.random, c.vary, out); }},
     {"large indices",
      [](Case& c, Recorder& out) {
-         for (const std::uint32_t slices : {3U, 8U, 60U}) record_counts(out, cones_with_large_indices(slices));
-         record_counts(out, spread(tube(9, 7), 100'000, c.random));
+         for (const std::uint32_t slices : {3U, 8U, 60U}) {
+             const auto others = std::array{slices + 1, slices + 2, slices + 3};
+             record_counts(out, cones_with_large_indices(c.vary.one_of(slices, others)));
+         }
+         record_counts(out, spread(tube(c.vary.near(9U, 2U), 7), 100'000, c.random));
      }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_gallery(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_gallery(out, c.vary)); }},
 };
 
 }

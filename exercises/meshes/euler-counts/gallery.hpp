@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <kit/drawing.hpp>
+#include <kit/varied.hpp>
 #include <umbral/meshes/euler.hpp>
 #include <umbral/record/ask.hpp>
 #include <utility>
@@ -45,22 +46,23 @@ inline void draw_marks(const Show& show, const std::vector<Mark>& marks)
     }
 }
 
-/// Blue where there is a genus, pink where there is none.
-inline Image draw_gallery(Recorder& out)
+/// Blue where there is a genus, pink where there is none. Varied, they hang in another order.
+inline Image draw_gallery(Recorder& out, Variation& vary)
 {
     constexpr int columns = 4;
     Show show(columns, 2, 150, 150);
     const auto lying = [](const glm::vec3& p) {
         return glm::vec3(p.x, 0.35F * p.y + 0.85F * p.z, 0.35F * p.z - 0.85F * p.y);
     };
-    const std::vector<IndexedMesh> meshes = {ball(16, 10),
-                                             torus(20, 10, 0.85F),
-                                             mapped(plate_with_holes(2), lying),
-                                             mapped(plate_with_holes(3), lying),
-                                             disc(14),
-                                             tube(18, 5),
-                                             moebius(28, 3),
-                                             cubes_at_a_corner()};
+    const std::vector<IndexedMesh> written = {ball(16, 10),
+                                              torus(20, 10, 0.85F),
+                                              mapped(plate_with_holes(2), lying),
+                                              mapped(plate_with_holes(3), lying),
+                                              disc(14),
+                                              tube(18, 5),
+                                              moebius(28, 3),
+                                              cubes_at_a_corner()};
+    const std::vector<IndexedMesh> meshes = in_random_order(vary, written);
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const std::optional<int> handles = ask<genus>(out, meshes[i]);
         show.pane(static_cast<int>(i) % columns, static_cast<int>(i) / columns, {{0, 2.1F, 4.9F}, {0, -0.2F, 0}, 33});

@@ -1,5 +1,6 @@
 #include <kit/amount.hpp>
 #include <kit/canonical.hpp>
+#include <kit/varied.hpp>
 #include <optional>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
@@ -62,6 +63,15 @@ void record_shapes(Recorder& out, const std::vector<Shape>& shapes, const std::v
     out.text("triangles.names", names);
 }
 
+/// Shapes that are written down, of a few more columns and rows.
+std::vector<Shape> varied(Variation& vary, std::vector<Shape> shapes)
+{
+    for (Shape& shape : shapes)
+        for (std::uint32_t* const count : {&shape.columns, &shape.rows})
+            *count = vary.one_of(*count, std::array{*count + 1, *count + 2, *count + 3});
+    return shapes;
+}
+
 std::vector<Shape> random_shapes(Random& random)
 {
     std::vector<Shape> shapes;
@@ -93,9 +103,14 @@ void record_sizes(Random& random, Recorder& out)
     }
 }
 
-void record_voxels(Recorder& out)
+void record_voxels(Variation& vary, Recorder& out)
 {
-    for (const std::uint32_t k : {1U, 2U, 3U, 4U, 5U, 8U, 11U, 16U, 20U}) {
+    std::vector sides{1U, 2U, 3U, 4U, 5U, 8U, 11U, 16U, 20U};
+    if (vary) {
+        sides = in_random_order(vary, std::vector{6U, 7U, 9U, 10U, 12U, 13U, 14U, 15U, 17U, 18U, 19U});
+        sides.resize(8);
+    }
+    for (const std::uint32_t k : sides) {
         const std::vector<std::uint8_t> bytes = ask<make_voxel_sphere>(out, k);
         out.append("sizes", static_cast<float>(bytes.size()));
         for (std::size_t i = 0; i < (k * k * k + 7) / 8; ++i)
@@ -164,12 +179,13 @@ std::vector<glm::vec3> colored(IndexedMesh& mesh, std::size_t most, Hue hue)
 }
 
 // The grid, bent into a wave; the sphere by meridians and parallels; the sphere of voxels.
-Image picture(Recorder& out)
+Image picture(Variation& vary, Recorder& out)
 {
+    constexpr std::array others{11U, 13U, 18U};
     Show show(3, 1, 240, 240);
     const Look edges{1.2F, {0.3F, 0.05F, 0.05F}, 0.85F};
 
-    IndexedMesh grid = ask<make_grid>(out, 14, 14);
+    IndexedMesh grid = ask<make_grid>(out, vary.one_of(14U, others), 14);
     grid.positions.resize(std::min<std::size_t>(grid.positions.size(), 1000));
     for (glm::vec3& p : grid.positions) {
         const glm::vec2 q = 2.0F * glm::vec2(p) - 1.0F;
@@ -178,11 +194,12 @@ Image picture(Recorder& out)
     show.pane(0, 0, {{1.6F, 2.7F, 3.6F}, {0, -0.1F, 0}, 36});
     show.mesh(grid, colored(grid, 2000, [](glm::vec3 p) { return 0.5 + 1.4 * p.y; }), edges);
 
-    IndexedMesh sphere = ask<make_sphere>(out, 24, 16);
+    IndexedMesh sphere = ask<make_sphere>(out, vary.one_of(24U, others), 16);
     show.pane(1, 0, {{1.3F, 1.5F, 3.2F}, {0, 0, 0}, 21});
     show.mesh(sphere, colored(sphere, 4000, [](glm::vec3 p) { return 0.5 + 0.6 * p.y; }), edges);
 
-    IndexedMesh voxels = surface(ask<make_voxel_sphere>(out, 20), 20);
+    const std::uint32_t side = vary.one_of(20U, others);
+    IndexedMesh voxels = surface(ask<make_voxel_sphere>(out, side), static_cast<int>(side));
     show.pane(2, 0, {{1.3F, 1.5F, 3.2F}, {0, 0, 0}, 21});
     show.mesh(voxels, colored(voxels, 20'000, [](glm::vec3 p) { return 0.5 + 0.6 * p.y; }), {0, {0, 0, 0}, 0});
     return show.picture();
@@ -192,23 +209,23 @@ Image picture(Recorder& out)
 
 const Driver driver = {
     {"grid",
-     [](Case&, Recorder& out) {
-         record_shapes(out, {{false, 1, 1}, {false, 2, 1}, {false, 1, 3}, {false, 8, 4}});
+     [](Case& c, Recorder& out) {
+         record_shapes(out, varied(c.vary, {{false, 1, 1}, {false, 2, 1}, {false, 1, 3}, {false, 8, 4}}));
      }},
     {"sphere",
-     [](Case&, Recorder& out) {
-         record_shapes(out, {{true, 4, 2}, {true, 3, 3}, {true, 6, 4}, {true, 12, 9}});
+     [](Case& c, Recorder& out) {
+         record_shapes(out, varied(c.vary, {{true, 4, 2}, {true, 3, 3}, {true, 6, 4}, {true, 12, 9}}));
      }},
     {"random",
      [](Case& c, Recorder& out) {
          record_shapes(out, random_shapes(c.random), {{false, 1000, 70}, {true, 12, 6000}});
      }},
     {"sizes", [](Case& c, Recorder& out) { record_sizes(c.random, out); }},
-    {"voxels", [](Case&, Recorder& out) { record_voxels(out); }},
+    {"voxels", [](Case& c, Recorder& out) { record_voxels(c.vary, out); }},
     {"border", [](Case& c, Recorder& out) { record_border(c.random, out); }},
     {"fine", [](Case& c, Recorder& out) { record_fine(c.random, out); }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("shapes", picture(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("shapes", picture(c.vary, out)); }},
 };
 
 }

@@ -1,5 +1,6 @@
 #include <kit/amount.hpp>
 #include <kit/canonical.hpp>
+#include <kit/varied.hpp>
 #include <umbral/meshes/orientation.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
@@ -153,9 +154,10 @@ void record_work(Random& random, Recorder& out)
 
 const Driver driver = {
     {"small",
-     [](Case&, Recorder& out) {
+     [](Case& c, Recorder& out) {
          out.text("faults.names", names_of_faults);
-         for (const IndexedMesh& mesh : small_suspects()) {
+         for (const IndexedMesh& written : in_random_order(c.vary, small_suspects())) {
+             const IndexedMesh mesh = shuffled(written, c.vary);
              record_faults(out, mesh);
              record_separated(out, mesh);
          }

@@ -166,4 +166,18 @@ inline Dialect some_dialect(PlyFormat format, Random& random)
     return dialect;
 }
 
+/// Polygons of 3 to 6 corners over vertices anywhere. Places are multiples of 2^-10, so that they have short decimals.
+inline PolygonMesh some_mesh(Random& random)
+{
+    PolygonMesh mesh;
+    const std::uint32_t count = 4 + random.below(9);
+    for (std::uint32_t i = 0; i < count; ++i) mesh.positions.push_back(round(4096.0F * random.in_cube()) / 1024.0F);
+    for (std::uint32_t i = 2 + random.below(6); i > 0; --i) {
+        std::vector<std::uint32_t> face;
+        for (std::uint32_t corners = 3 + random.below(4); corners > 0; --corners) face.push_back(random.below(count));
+        mesh.faces.push_back(face);
+    }
+    return mesh;
+}
+
 }

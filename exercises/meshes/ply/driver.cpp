@@ -1,3 +1,4 @@
+#include <kit/varied.hpp>
 #include <umbral/meshes/ply.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
@@ -76,26 +77,15 @@ void record_read(Recorder& out, const std::string& file, const PolygonMesh& expe
     record_faces(out, mesh.faces, expected);
 }
 
-/// Polygons of 3 to 6 corners over vertices anywhere. Places are multiples of 2^-10, so that they have short decimals.
-PolygonMesh some_mesh(Random& random)
-{
-    PolygonMesh mesh;
-    const std::uint32_t count = 4 + random.below(9);
-    for (std::uint32_t i = 0; i < count; ++i) mesh.positions.push_back(round(4096.0F * random.in_cube()) / 1024.0F);
-    for (std::uint32_t i = 2 + random.below(6); i > 0; --i) {
-        std::vector<std::uint32_t> face;
-        for (std::uint32_t corners = 3 + random.below(4); corners > 0; --corners) face.push_back(random.below(count));
-        mesh.faces.push_back(face);
-    }
-    return mesh;
-}
-
 /// The course's example, and what a first file may have that it has not.
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
-    const PolygonMesh course{
+    PolygonMesh course{
         {{0, 0, 0}, {0, 0, 2}, {0, 1.3F, 1}, {0, 1.4F, 0}, {1.1F, 0, 0}, {1, 0, 2}, {1, 0.8F, 1.5F}, {0.5F, 1, 0}},
         {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}}};
+    const ExactMap map = vary.exact_map();
+    for (glm::vec3& position : course.positions) position = map.place(position);
+    course.faces = in_random_order(vary, course.faces);
     Random unused(1);
     Dialect dialect;
     dialect.corners_name = "vertex_index";
@@ -114,7 +104,10 @@ void record_known(Recorder& out)
                 "ply\nformat ascii 1.0\nelement vertex 2\nproperty int x\nproperty short y\nproperty uchar "
                 "z\nend_header\n16777217 -1 0\n+16777219 -32768 255\n",
                 {{{16777216, -1, 0}, {16777220, -32768, 255}}, {}});
-    for (const std::string& file : odd_files()) record_read(out, file, four_corners);
+    for (const std::string& file : odd_files()) {
+        const PolygonMesh mesh = varied_corners(vary);
+        record_read(out, with_corners(commented(vary, file), mesh), mesh);
+    }
     // More vertices than 16 bits count; of them all only the faces are recorded.
     std::string many =
         "ply\nformat ascii 1.0\nelement vertex 70000\nproperty float x\nproperty float y\nproperty float "
@@ -135,15 +128,16 @@ void record_dialects(std::initializer_list<PlyFormat> kinds, Random& random, Rec
 }
 
 /// Numbers that hardly are floats.
-void record_binary_numbers(Recorder& out)
+void record_binary_numbers(Variation& vary, Recorder& out)
 {
-    for (const std::string& file : binary_number_files()) record_bits(out, read_or_nothing(out, file, {"bits"}), 1);
+    for (const std::string& file : in_random_order(vary, binary_number_files()))
+        record_bits(out, read_or_nothing(out, commented(vary, file), {"bits"}), 1);
 }
 
-void record_decimals(Recorder& out)
+void record_decimals(Variation& vary, Recorder& out)
 {
-    for (const auto& [word, file] : decimal_files()) {
-        PolygonMesh mesh = read_or_nothing(out, file, {"bits"});
+    for (const auto& [word, file] : in_random_order(vary, decimal_files())) {
+        PolygonMesh mesh = read_or_nothing(out, commented(vary, file), {"bits"});
         // A zero that came of what is too small may have either sign.
         if (word != "-0" && !mesh.positions.empty() && mesh.positions[0].x == 0) mesh.positions[0].x = 0;
         record_bits(out, mesh, 1);
@@ -170,15 +164,19 @@ Outcome outcome(Recorder& out, const std::string& file)
 }
 
 /// Each bad file is paired with a good one, so that refusing everything earns nothing.
-void record_problems(Recorder& out, const std::vector<Malformed>& files)
+void record_problems(Variation& vary, Recorder& out, const std::vector<Malformed>& written)
 {
+    const std::vector<Malformed> files = in_random_order(vary, written);
     std::vector<std::string> good = odd_files();
     for (const std::string& file : empty_files()) good.push_back(file);
     for (std::size_t i = 0; i < files.size(); ++i) {
         const Malformed& bad = files[i];
-        out.append("problems", outcome(out, good[i % good.size()]).problem);
-        const auto [problem, place, text] = outcome(out, bad.file);
+        const bool bad_first = vary.one_of(false, std::array{false, true});
+        const std::string right = commented(vary, good[i % good.size()]);
+        if (!bad_first) out.append("problems", outcome(out, right).problem);
+        const auto [problem, place, text] = outcome(out, commented(vary, bad.file));
         out.append("problems", problem);
+        if (bad_first) out.append("problems", outcome(out, right).problem);
         if (bad.has_place) out.append("places", place);
         if (bad.word.empty()) continue;
         const auto tells = [&](const std::string& word) { return text.find(word) != std::string::npos; };
@@ -261,24 +259,25 @@ void record_in_locale(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"ascii", [](Case& c, Recorder& out) { record_dialects({PlyFormat::ascii}, c.random, out); }},
     {"binary",
      [](Case& c, Recorder& out) {
          record_dialects({PlyFormat::little_endian, PlyFormat::big_endian}, c.random, out);
      }},
-    {"binary numbers", [](Case&, Recorder& out) { record_binary_numbers(out); }},
-    {"decimals", [](Case&, Recorder& out) { record_decimals(out); }},
-    {"headers", [](Case&, Recorder& out) { record_problems(out, bad_headers()); }},
-    {"data", [](Case&, Recorder& out) { record_problems(out, bad_data()); }},
-    {"bytes", [](Case&, Recorder& out) { record_problems(out, bad_binaries()); }},
-    {"counts that lie", [](Case&, Recorder& out) { record_problems(out, lying_counts()); }},
+    {"binary numbers", [](Case& c, Recorder& out) { record_binary_numbers(c.vary, out); }},
+    {"decimals", [](Case& c, Recorder& out) { record_decimals(c.vary, out); }},
+    {"headers", [](Case& c, Recorder& out) { record_problems(c.vary, out, bad_headers()); }},
+    {"data", [](Case& c, Recorder& out) { record_problems(c.vary, out, bad_data()); }},
+    {"bytes", [](Case& c, Recorder& out) { record_problems(c.vary, out, bad_binaries()); }},
+    {"counts that lie", [](Case& c, Recorder& out) { record_problems(c.vary, out, lying_counts()); }},
     {"writing", [](Case& c, Recorder& out) { record_writing(c.random, out); }},
     {"locale", [](Case& c, Recorder& out) { record_in_locale(c.random, out); }},
     {"own file", [](Case& c, Recorder& out) { record_own_file(c, out); }},
     {"picture",
      [](Case& c, Recorder& out) {
-         const PolygonMesh models[] = {football(), twisted_ring(), knot()};
+         const PolygonMesh models[] = {football(), twisted_ring(c.vary.one_of(36U, std::array{24U, 28U, 44U})),
+                                       knot(c.vary.one_of(72U, std::array{54U, 60U, 84U}))};
          std::vector<PolygonMesh> got;
          for (std::size_t i = 0; i < 3; ++i) {
              Dialect dialect;

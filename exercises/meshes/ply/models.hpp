@@ -33,9 +33,9 @@ inline PolygonMesh twisted_ring(std::uint32_t columns = 36)
 }
 
 /// The trefoil knot of the vertex normals, in triangles.
-inline PolygonMesh knot()
+inline PolygonMesh knot(std::uint32_t along = 72)
 {
-    const IndexedMesh tube = mapped(trefoil(72, 8, 0.5), [](const glm::vec3& position) { return 0.35F * position; });
+    const IndexedMesh tube = mapped(trefoil(along, 8, 0.5), [](const glm::vec3& position) { return 0.35F * position; });
     PolygonMesh mesh{tube.positions, {}};
     for (const glm::uvec3& t : tube.triangles) mesh.faces.push_back({t.x, t.y, t.z});
     return mesh;

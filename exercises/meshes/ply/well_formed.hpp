@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <umbral/meshes/ply_types.hpp>
+#include <umbral/record/variation.hpp>
 #include <vector>
 
 /// Files that must be read: one that is as usual as can be, and others that are right all the same.
@@ -43,6 +45,38 @@ inline std::string with_number(PlyType type, const std::string& number)
     const std::string name(ply_type_names[static_cast<int>(type)]);
     return changed(changed(good_ascii, "element vertex", "element limit 1\nproperty " + name + " is\nelement vertex"),
                    "end_header\n", "end_header\n" + number + "\n");
+}
+
+/// The corners elsewhere, at whole numbers; as they are unless inputs are to vary.
+inline PolygonMesh varied_corners(Variation& vary)
+{
+    PolygonMesh mesh = four_corners;
+    if (vary)
+        for (glm::vec3& corner : mesh.positions) corner = glm::vec3(vary.near(glm::ivec3(0), 90));
+    return mesh;
+}
+
+/// A file that holds `four_corners`, with those of `mesh` instead.
+inline std::string with_corners(const std::string& file, const PolygonMesh& mesh)
+{
+    if (mesh.positions == four_corners.positions) return file;
+    std::string lines;
+    for (const glm::vec3& corner : mesh.positions)
+        for (int axis = 0; axis < 3; ++axis)
+            lines += std::to_string(static_cast<int>(corner[axis])) + (axis < 2 ? " " : "\n");
+    return changed(file, "0 0 0.5\n1 0 0\n0 1 0\n0 0 1\n", lines);
+}
+
+/// The file with some lines of comments behind its first line, so that what follows stands further down. As written
+/// unless inputs are to vary.
+inline std::string commented(Variation& vary, std::string file)
+{
+    const int lines = vary.one_of(0, std::array{1, 2, 3, 5, 8});
+    const std::size_t first_end = file.find('\n');
+    for (int line = 0; line < lines && first_end != std::string::npos; ++line)
+        file.insert(first_end + 1,
+                    "comment line " + std::to_string(lines - line) + " of " + std::to_string(lines) + "\n");
+    return file;
 }
 
 /// They all hold `four_corners`.

@@ -4,6 +4,7 @@
 #include <umbral/meshes/sizes.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/driver.hpp>
+#include <umbral/record/variation.hpp>
 #include <utility>
 
 namespace umbral {
@@ -39,21 +40,34 @@ void record_work(Recorder& out, std::uint64_t columns, std::uint64_t rows)
     for (const std::uint64_t count : {work.isolated, work.indexed, work.strips}) record(out, "work", count);
 }
 
-void record_sphere(Recorder& out)
+/// A number that is written down; varied, a larger one.
+std::uint64_t varied(Variation& vary, std::uint64_t number)
 {
-    for (const std::uint64_t k : {1U, 2U, 3U, 5U, 8U, 16U, 17U, 31U, 100U, 288U, 1024U})
-        record(out, "voxels", ask<voxel_bytes>(out, k));
-    for (const std::uint64_t k : {2U, 3U, 8U, 16U, 17U, 100U, 287U, 288U, 1024U})
-        record(out, "mesh", ask<sphere_mesh_bytes>(out, k, EntryBytes{}));
-    for (const auto& [vertex, index] : {std::pair{12U, 4U}, {24U, 4U}, {12U, 2U}, {1U, 1U}, {6U, 8U}, {44U, 4U}})
-        record(out, "crossover", ask<crossover_resolution>(out, EntryBytes{vertex, index, 8}));
+    const std::uint64_t step = 1 + number / 5;
+    return vary.one_of(number, std::array{number + step, number + 2 * step, number + 3 * step});
 }
 
-void record_grid(Recorder& out)
+/// As usual; varied, with vertices of another size.
+EntryBytes usual_bytes(Variation& vary) { return {vary.one_of(12U, std::array{8U, 10U, 16U}), 4, 8}; }
+
+void record_sphere(Variation& vary, Recorder& out)
 {
-    for (const auto& [columns, rows] : {std::pair{1U, 1U}, {8U, 4U}, {4U, 8U}, {1U, 7U}, {128U, 128U}, {1000U, 10U}}) {
+    for (const std::uint64_t k : {1U, 2U, 3U, 5U, 8U, 16U, 17U, 31U, 100U, 288U, 1024U})
+        record(out, "voxels", ask<voxel_bytes>(out, varied(vary, k)));
+    for (const std::uint64_t k : {2U, 3U, 8U, 16U, 17U, 100U, 287U, 288U, 1024U})
+        record(out, "mesh", ask<sphere_mesh_bytes>(out, varied(vary, k), usual_bytes(vary)));
+    for (const auto& [vertex, index] : {std::pair{12U, 4U}, {24U, 4U}, {12U, 2U}, {1U, 1U}, {6U, 8U}, {44U, 4U}})
+        record(out, "crossover", ask<crossover_resolution>(out, EntryBytes{varied(vary, vertex), index, 8}));
+}
+
+void record_grid(Variation& vary, Recorder& out)
+{
+    for (const auto& [written_columns, written_rows] :
+         {std::pair{1U, 1U}, {8U, 4U}, {4U, 8U}, {1U, 7U}, {128U, 128U}, {1000U, 10U}}) {
+        const std::uint64_t columns = varied(vary, written_columns);
+        const std::uint64_t rows = varied(vary, written_rows);
         record_counts(out, columns, rows);
-        record_bytes(out, columns, rows, {});
+        record_bytes(out, columns, rows, usual_bytes(vary));
         record_work(out, columns, rows);
     }
 }
@@ -107,8 +121,11 @@ glm::dvec2 on_chart(std::uint64_t k, std::uint64_t bytes)
 
 // Left: bytes of voxels and of meshes for all resolutions, and where they cross. Right: bytes per vertex of a large
 // grid, a square each, those of coordinates in orange; isolated triangles, indexed, strips, indexed strips.
-Image picture(Recorder& out)
+Image picture(Variation& vary, Recorder& out)
 {
+    const EntryBytes bytes_each = usual_bytes(vary);
+    EntryBytes twice = bytes_each;
+    twice.vertex *= 2;
     Drawing drawing(640, 340, {-0.2, -0.45}, {11.6, 5.8});
     for (int e = 0; e <= 30; e += 5)
         drawing.line(on_chart(2, std::uint64_t{1} << e), on_chart(2048, std::uint64_t{1} << e), ink::slate, 1);
@@ -122,15 +139,15 @@ Image picture(Recorder& out)
         }
     };
     chart([&](std::uint64_t k) { return ask<voxel_bytes>(out, k); }, ink::blue);
-    chart([&](std::uint64_t k) { return ask<sphere_mesh_bytes>(out, k, EntryBytes{}); }, ink::orange);
-    const std::uint64_t crossing = ask<crossover_resolution>(out, EntryBytes{});
+    chart([&](std::uint64_t k) { return ask<sphere_mesh_bytes>(out, k, bytes_each); }, ink::orange);
+    const std::uint64_t crossing = ask<crossover_resolution>(out, bytes_each);
     const glm::dvec2 crossed = on_chart(crossing, ask<voxel_bytes>(out, crossing));
     drawing.line(on_chart(crossing, 1), crossed, ink::white, 1.5);
     drawing.ring(crossed, 9, ink::white, 2.5);
 
     constexpr std::uint64_t side = 4096;
-    const GridBytes sizes = ask<grid_bytes>(out, side, side, EntryBytes{});
-    const GridBytes doubled = ask<grid_bytes>(out, side, side, EntryBytes{24, 4, 8});
+    const GridBytes sizes = ask<grid_bytes>(out, side, side, bytes_each);
+    const GridBytes doubled = ask<grid_bytes>(out, side, side, twice);
     const auto per_vertex = [](std::uint64_t bytes) {
         return std::min(static_cast<int>(std::lround(static_cast<double>(bytes) / double{side * side})), 96);
     };
@@ -155,11 +172,11 @@ Image picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"sphere", [](Case&, Recorder& out) { record_sphere(out); }},
-    {"grid", [](Case&, Recorder& out) { record_grid(out); }},
+    {"sphere", [](Case& c, Recorder& out) { record_sphere(c.vary, out); }},
+    {"grid", [](Case& c, Recorder& out) { record_grid(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"large", [](Case& c, Recorder& out) { record_large(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("chart", picture(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("chart", picture(c.vary, out)); }},
 };
 
 }

@@ -1,4 +1,5 @@
 #include <kit/amount.hpp>
+#include <kit/varied.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
@@ -12,11 +13,17 @@ namespace {
 
 using namespace meshes;
 
-void record_grids(Recorder& out)
+void record_grids(Variation& vary, Recorder& out)
 {
+    // Nothing remains nothing.
+    const auto other = [&](std::uint32_t count) {
+        return count == 0 ? 0 : vary.one_of(count, std::array{count + 1, count + 2, count + 3});
+    };
     StripLog log(out, "strips");
-    for (const auto& [columns, rows] :
+    for (const auto& [written_columns, written_rows] :
          {std::pair{1U, 1U}, {1U, 4U}, {5U, 1U}, {2U, 3U}, {8U, 4U}, {3U, 7U}, {0U, 3U}, {4U, 0U}, {70'000U, 2U}}) {
+        const std::uint32_t columns = other(written_columns);
+        const std::uint32_t rows = other(written_rows);
         log.begin("grid of " + std::to_string(columns) + " x " + std::to_string(rows) + ": strip, vertex");
         const std::vector<Strip> strips = ask<grid_strips>(out, columns, rows);
         for (std::uint32_t i = 0; i < std::min<std::size_t>(strips.size(), 20); ++i)
@@ -34,22 +41,30 @@ void record_decoded(Recorder& out, StripLog& log, const std::string& name, const
     log.add(triangles);
 }
 
-void record_known_strips(Recorder& out)
+/// Varied, the small indices of all strips are so much larger, and the strips come in another order.
+void record_known_strips(Variation& vary, Recorder& out)
 {
     constexpr std::uint32_t r = restart_index;
+    const std::uint32_t shift = vary.one_of(0U, std::array{13U, 29U, 50U});
+    std::vector<std::pair<const char*, Strip>> strips = {
+        {"one triangle", {4, 7, 5}},
+        {"zigzag", {0, 1, 2, 3, 4, 5, 6, 7}},
+        {"nothing", {}},
+        {"two indices", {3, 8}},
+        {"repeated index", {0, 1, 2, 2, 3, 4, 5}},
+        {"joined strips", {0, 1, 2, 3, 3, 6, 6, 7, 8, 9}},
+        {"joined strips of odd length", {0, 1, 2, 3, 4, 4, 6, 6, 6, 7, 8, 9}},
+        {"corner and back", {0, 1, 2, 1, 3, 1, 4}},
+        {"restart after an even number", {0, 1, 2, 3, r, 4, 5, 6, 7}},
+        {"restart after an odd number", {0, 1, 2, 3, 4, r, 5, 6, 7, 8}},
+        {"restarts of no use", {r, r, 0, 1, r, 2, r, 3, 4, 5, 6, r}},
+        {"large numbers that are no restarts", {65535, 1, 65536, 2, 0x80000000U, 3, r - 1, 4, 5}}};
     StripLog log(out, "triangles");
-    record_decoded(out, log, "one triangle", {4, 7, 5});
-    record_decoded(out, log, "zigzag", {0, 1, 2, 3, 4, 5, 6, 7});
-    record_decoded(out, log, "nothing", {});
-    record_decoded(out, log, "two indices", {3, 8});
-    record_decoded(out, log, "repeated index", {0, 1, 2, 2, 3, 4, 5});
-    record_decoded(out, log, "joined strips", {0, 1, 2, 3, 3, 6, 6, 7, 8, 9});
-    record_decoded(out, log, "joined strips of odd length", {0, 1, 2, 3, 4, 4, 6, 6, 6, 7, 8, 9});
-    record_decoded(out, log, "corner and back", {0, 1, 2, 1, 3, 1, 4});
-    record_decoded(out, log, "restart after an even number", {0, 1, 2, 3, r, 4, 5, 6, 7});
-    record_decoded(out, log, "restart after an odd number", {0, 1, 2, 3, 4, r, 5, 6, 7, 8});
-    record_decoded(out, log, "restarts of no use", {r, r, 0, 1, r, 2, r, 3, 4, 5, 6, r});
-    record_decoded(out, log, "large numbers that are no restarts", {65535, 1, 65536, 2, 0x80000000U, 3, r - 1, 4, 5});
+    for (auto& [name, strip] : in_random_order(vary, strips)) {
+        for (std::uint32_t& index : strip)
+            if (index < 1000) index += shift;
+        record_decoded(out, log, name, strip);
+    }
     log.finish();
 }
 
@@ -115,6 +130,13 @@ void record_strips_of(Recorder& out, const std::vector<Sample>& meshes)
         log.add(drawn(ask<make_strips>(out, mesh), mesh.triangles.size()));
     }
     log.finish();
+}
+
+std::vector<Sample> varied_tame_meshes(Variation& vary)
+{
+    std::vector<Sample> meshes = tame_meshes(vary);
+    for (Sample& sample : meshes) sample.mesh = shuffled(sample.mesh, vary);
+    return in_random_order(vary, meshes);
 }
 
 std::vector<Sample> larger_meshes(Random& random)
@@ -233,17 +255,17 @@ void record_work(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"grid", [](Case&, Recorder& out) { record_grids(out); }},
-    {"decoding", [](Case&, Recorder& out) { record_known_strips(out); }},
+    {"grid", [](Case& c, Recorder& out) { record_grids(c.vary, out); }},
+    {"decoding", [](Case& c, Recorder& out) { record_known_strips(c.vary, out); }},
     {"decoding at random", [](Case& c, Recorder& out) { record_random_strips(c.random, out); }},
     {"joining", [](Case& c, Recorder& out) { record_joined(c.random, out); }},
-    {"known meshes", [](Case&, Recorder& out) { record_strips_of(out, tame_meshes()); }},
+    {"known meshes", [](Case& c, Recorder& out) { record_strips_of(out, varied_tame_meshes(c.vary)); }},
     {"larger meshes", [](Case& c, Recorder& out) { record_strips_of(out, larger_meshes(c.random)); }},
     {"few strips", [](Case& c, Recorder& out) { record_index_counts(c.random, out); }},
     {"coordinates", [](Case& c, Recorder& out) { record_coordinates(c.random, out); }},
     {"odd meshes", [](Case& c, Recorder& out) { record_strips_of(out, odd_meshes(c.random)); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_strips(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_strips(out, c.vary)); }},
 };
 
 }

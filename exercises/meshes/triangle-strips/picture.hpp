@@ -4,6 +4,7 @@
 #include <kit/drawing.hpp>
 #include <umbral/meshes/strips.hpp>
 #include <umbral/record/ask.hpp>
+#include <umbral/record/variation.hpp>
 
 #include "../show.hpp"
 #include "../zoo.hpp"
@@ -30,10 +31,10 @@ inline std::vector<glm::vec3> hills_over_a_grid(std::uint32_t columns, std::uint
 
 /// Left: the strips of a grid, joined and taken apart again, each in a colour of its own, with its zigzag over it.
 /// Right: a knot drawn from its strips. Backs are red.
-inline Image draw_strips(Recorder& out)
+inline Image draw_strips(Recorder& out, Variation& vary)
 {
-    constexpr std::uint32_t columns = 16;
-    constexpr std::uint32_t rows = 8;
+    const std::uint32_t columns = vary.one_of(16U, std::array{11U, 13U, 19U});
+    const std::uint32_t rows = vary.one_of(8U, std::array{6U, 9U, 10U});
     const Look look{1.0F, ink::red, 0.9F};
     Show show(2, 1, 300, 300);
 
@@ -55,7 +56,8 @@ inline Image draw_strips(Recorder& out)
     show.lines(zigzag, ink::orange, 1.6F);
 
     show.pane(1, 0, {{0.4F, -1.8F, 6.4F}, {0, 0, 0}, 33});
-    IndexedMesh knot = mapped(trefoil(72, 8, 0.55), [](const glm::vec3& p) { return 0.5F * p; });
+    IndexedMesh knot = mapped(trefoil(vary.one_of(72U, std::array{54U, 60U, 84U}), 8, 0.55),
+                              [](const glm::vec3& p) { return 0.5F * p; });
     knot.triangles = drawn(ask<make_strips>(out, knot), knot.triangles.size());
     std::vector<glm::vec3> shades;
     for (const glm::uvec3& t : knot.triangles) {

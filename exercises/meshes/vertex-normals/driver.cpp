@@ -31,15 +31,24 @@ void record_behind_others(Recorder& out, IndexedMesh mesh)
 }
 
 // Meshes whose normals a student can work out by hand.
-void record_known(Recorder& out)
+/// A mesh that is written down, longer or shorter along each axis, and its axes turned.
+IndexedMesh varied(Variation& vary, const IndexedMesh& mesh)
 {
-    record(out, {{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}});
-    record(out, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+    const ExactMap map = vary.exact_map(0);
+    const glm::vec3 stretch(vary.scaled(1.0F, 1.5F), vary.scaled(1.0F, 1.5F), vary.scaled(1.0F, 1.5F));
+    return mapped(mesh, [&](const glm::vec3& position) { return map.place(stretch * position); });
+}
+
+void record_known(Variation& vary, Recorder& out)
+{
+    const auto record_varied = [&](const IndexedMesh& mesh) { record(out, varied(vary, mesh)); };
+    record_varied({{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}});
+    record_varied({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
     // The pyramid of the statement: the four sides are unlike in size and meet the base at unlike angles.
     IndexedMesh pyramid{{{0, 0, 0}, {4, 0, 0}, {4, 0, -3}, {0, 0, -3}, {0, 2, 0}}, {}};
     add_quad(pyramid, {0, 3, 2, 1});
     pyramid.triangles.insert(pyramid.triangles.end(), {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
-    record(out, pyramid);
+    record_varied(pyramid);
     // The sides of a cube are cut into triangles along a diagonal: its corners see three, four, five or six of them.
     IndexedMesh cube;
     for (const float z : {0.0F, 1.0F})
@@ -48,7 +57,7 @@ void record_known(Recorder& out)
     for (const glm::uvec4& side :
          {glm::uvec4(4, 5, 7, 6), {1, 0, 2, 3}, {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}})
         add_quad(cube, side);
-    record(out, cube);
+    record_varied(cube);
 }
 
 void record_random(Random& random, Recorder& out)
@@ -207,7 +216,7 @@ void record_work(Random& random, Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"degenerate", [](Case& c, Recorder& out) { record_degenerate(c.random, out); }},
     {"slivers", [](Case& c, Recorder& out) { record_slivers(c.random, out); }},
@@ -216,8 +225,8 @@ const Driver driver = {
     {"far from the origin", [](Case& c, Recorder& out) { record_far(c.random, out); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
     {"picture",
-     [](Case&, Recorder& out) {
-         const IndexedMesh knot = trefoil(72, 8, 0.55);
+     [](Case& c, Recorder& out) {
+         const IndexedMesh knot = varied(c.vary, trefoil(72, 8, 0.55));
          const shapes::Shape left = flat(knot, ask<face_normals>(out, knot));
          const shapes::Shape right = smooth(knot, ask<vertex_normals>(out, knot));
          out.image("colours", draw_side_by_side(left, right));

@@ -55,17 +55,23 @@ private:
     int count_ = 0;
 };
 
-void record_known(Recorder& out)
+void record_known(Variation& vary, Recorder& out)
 {
+    const ExactMap map = vary.exact_map();
+    const auto placed = [&](Soup soup) {
+        for (glm::vec3& corner : soup) corner = map.place(corner);
+        return soup;
+    };
     MeshLog log(out);
     log.add("nothing", {});
-    log.add("two triangles", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}});
-    log.add("a triangle twice", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}});
-    log.add("triangles whose corners coincide", {{2, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}});
-    log.add("coordinates in another order", {{1, 2, 3}, {3, 2, 1}, {2, 3, 1}, {1, 3, 2}, {3, 1, 2}, {2, 1, 3}});
-    log.add("cube", soup_of(cube()));
-    log.add("octahedron", soup_of(octahedron()));
-    log.add("ball", soup_of(ball(8, 6)));
+    log.add("two triangles", placed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}}));
+    log.add("a triangle twice", placed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}}));
+    log.add("triangles whose corners coincide",
+            placed({{2, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}}));
+    log.add("coordinates in another order", placed({{1, 2, 3}, {3, 2, 1}, {2, 3, 1}, {1, 3, 2}, {3, 1, 2}, {2, 1, 3}}));
+    log.add("cube", placed(soup_of(shuffled(cube(), vary))));
+    log.add("octahedron", placed(soup_of(shuffled(octahedron(), vary))));
+    log.add("ball", placed(soup_of(shuffled(ball(8, 6), vary))));
     log.finish();
 }
 
@@ -126,9 +132,9 @@ void record_work(Random& random, Recorder& out)
 
 // Left: triangles before welding, drawn apart. Right: the welded mesh; the more triangles a vertex has, the larger and
 // the warmer its disc.
-Image draw_before_and_after(Recorder& out)
+Image draw_before_and_after(Variation& vary, Recorder& out)
 {
-    const Soup soup = soup_of(ball(12, 8));
+    const Soup soup = soup_of(ball(vary.one_of(12U, std::array{9U, 10U, 14U}), vary.one_of(8U, std::array{6U, 7U})));
     Show show(2, 1, 300, 300);
     const Camera camera{{0, 2.3F, 5.2F}, {0, 0, 0}, 31};
     show.pane(0, 0, camera);
@@ -162,14 +168,14 @@ Image draw_before_and_after(Recorder& out)
 }
 
 const Driver driver = {
-    {"known", [](Case&, Recorder& out) { record_known(out); }},
+    {"known", [](Case& c, Recorder& out) { record_known(c.vary, out); }},
     {"random", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"two zeros", record_special<soup_of_two_zeros>},
     {"close places", record_special<soup_of_close_places>},
     {"not a number", record_special<soup_of_broken_corners>},
     {"isolated", [](Case& c, Recorder& out) { record_isolated(c.random, out); }},
     {"work", [](Case& c, Recorder& out) { record_work(c.random, out); }},
-    {"picture", [](Case&, Recorder& out) { out.image("colours", draw_before_and_after(out)); }},
+    {"picture", [](Case& c, Recorder& out) { out.image("colours", draw_before_and_after(c.vary, out)); }},
 };
 
 }

@@ -1,4 +1,5 @@
 #include <kit/amount.hpp>
+#include <kit/varied.hpp>
 #include <umbral/record/ask.hpp>
 #include <umbral/record/cost.hpp>
 #include <umbral/record/driver.hpp>
@@ -179,14 +180,14 @@ std::uint32_t facing(const PolygonMesh& mesh, const glm::vec3& place)
     return static_cast<std::uint32_t>(best - mesh.faces.begin());
 }
 
-void record_picture(Recorder& out)
+void record_picture(Variation& vary, Recorder& out)
 {
     Show show(2, 1, 300, 260);
-    const glm::vec3 eye(0.7F, 0.9F, 4.6F);
-    const PolygonMesh ball_of_faces = football();
+    const glm::vec3 eye = vary.near(glm::vec3(0.7F, 0.9F, 4.6F), 0.4F);
+    const PolygonMesh ball_of_faces = shuffled(football(), vary);
     show.pane(0, 0, {eye, {0, 0, 0}, 27});
     draw_round(out, show, ball_of_faces, facing(ball_of_faces, eye + glm::vec3(0, 1, -2)), true);
-    PolygonMesh globe = polygons_of(ball(10, 7, 1.05F));
+    const PolygonMesh globe = polygons_of(ball(vary.one_of(10U, std::array{8U, 9U, 12U}), 7, 1.05F));
     show.pane(1, 0, {{0.7F, 1.9F, 4.2F}, {0, 0, 0}, 27});
     draw_round(out, show, globe, 21, false);
     out.image("neighbours", show.picture());
@@ -202,17 +203,19 @@ void record_random(Random& random, Recorder& out)
 
 const Driver driver = {
     {"known",
-     [](Case&, Recorder& out) {
-         for (const PolygonMesh& body : {polygons_of(tetrahedron()), prism(4), PolygonMesh{}}) record_tables(out, body);
+     [](Case& c, Recorder& out) {
+         const std::uint32_t sides = c.vary.one_of(4U, std::array{3U, 5U, 6U});
+         for (const PolygonMesh& body : {polygons_of(tetrahedron()), prism(sides), PolygonMesh{}})
+             record_tables(out, shuffled(body, c.vary));
      }},
     {"bodies", [](Case& c, Recorder& out) { record_random(c.random, out); }},
     {"no bodies",
      [](Case& c, Recorder& out) {
          const std::vector<PolygonMesh> good = bodies();
          std::size_t i = 0;
-         for (const PolygonMesh& bad : no_bodies()) {
-             record_fault(out, shuffled(good[i++ % good.size()], c.random));
-             record_fault(out, bad);
+         for (const PolygonMesh& bad : in_random_order(c.vary, no_bodies())) {
+             const std::vector<PolygonMesh> pair{shuffled(good[i++ % good.size()], c.random), shuffled(bad, c.vary)};
+             for (const PolygonMesh& mesh : in_random_order(c.vary, pair)) record_fault(out, mesh);
          }
      }},
     {"questions",
@@ -220,7 +223,7 @@ const Driver driver = {
          for (const PolygonMesh& body : bodies()) record_questions(out, shuffled(body, c.random));
      }},
     {"work", [](Case&, Recorder& out) { record_work(out); }},
-    {"picture", [](Case&, Recorder& out) { record_picture(out); }},
+    {"picture", [](Case& c, Recorder& out) { record_picture(c.vary, out); }},
 };
 
 }

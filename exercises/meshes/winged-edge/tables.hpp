@@ -82,7 +82,8 @@ inline PolygonMesh prism(std::uint32_t sides)
     return mesh;
 }
 
-/// The same mesh with vertices and faces in another order, and faces begun at any corner.
+/// The same mesh with vertices and faces in another order, and faces begun at any corner. Corners that are no vertices
+/// stay what they are.
 inline PolygonMesh shuffled(const PolygonMesh& mesh, Random& random)
 {
     const auto some = [&](std::size_t count) { return random.below(static_cast<std::uint32_t>(count)); };
@@ -93,10 +94,19 @@ inline PolygonMesh shuffled(const PolygonMesh& mesh, Random& random)
     for (std::size_t i = result.faces.size(); i > 1; --i) std::swap(result.faces[i - 1], result.faces[some(i)]);
     for (std::size_t i = 0; i < place.size(); ++i) result.positions[place[i]] = mesh.positions[i];
     for (auto& face : result.faces) {
+        if (face.empty()) continue;
         std::rotate(face.begin(), face.begin() + some(face.size()), face.end());
-        for (std::uint32_t& corner : face) corner = place[corner];
+        for (std::uint32_t& corner : face)
+            if (corner < place.size()) corner = place[corner];
     }
     return result;
+}
+
+/// The mesh shuffled; as it is unless inputs are to vary.
+inline PolygonMesh shuffled(const PolygonMesh& mesh, Variation& vary)
+{
+    Random* const random = vary.random();
+    return random != nullptr ? shuffled(mesh, *random) : mesh;
 }
 
 /// Bodies of triangles, quadrilaterals, pentagons, hexagons and more, of genus 0, 1 and 2, in one piece and in two.

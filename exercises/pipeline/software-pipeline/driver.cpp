@@ -1,3 +1,4 @@
+#include <kit/varied.hpp>
 #include <limits>
 #include <umbral/record/driver.hpp>
 
@@ -49,6 +50,16 @@ std::vector<Call> by_hand()
     shared.triangles = {{2, 0, 1}, {0, 2, 3}};
     calls.push_back(shared);
     return calls;
+}
+
+/// Calls on a square picture, mirrored or turned about its middle, in another order.
+std::vector<Call> varied(Variation& vary, std::vector<Call> calls)
+{
+    const PlaneMap map = plane_map(vary);
+    for (Call& call : calls)
+        for (ColoredVertex& vertex : call.vertices)
+            vertex.position = glm::vec3(map.place(glm::vec2(vertex.position)), vertex.position.z);
+    return in_random_order(vary, std::move(calls));
 }
 
 template <class Make>
@@ -245,7 +256,7 @@ void record_picture(Recorder& out)
 }
 
 const Driver driver = {
-    {"by hand", [](Case&, Recorder& out) { record(out, by_hand()); }},
+    {"by hand", [](Case& c, Recorder& out) { record(out, varied(c.vary, by_hand())); }},
     {"random",
      [](Case& c, Recorder& out) {
          record(out, several(20, [&](int i) { return behind_others(in_front(c.random, 6), i % 4 == 3 ? 70'000 : 0); }));
