@@ -116,10 +116,14 @@ std::vector<Exercise> Application::chosen(const std::vector<std::string>& names)
     std::vector<Exercise> result;
     for (const std::string& typed : names) {
         const std::string name = without_slashes(typed);
-        const auto before = result.size();
-        std::ranges::copy_if(exercises, std::back_inserter(result),
-                             [&](const Exercise& exercise) { return is_meant(exercise.id, name); });
-        if (result.size() > before) continue;
+        bool known = false;
+        for (const Exercise& exercise : exercises) {
+            if (!is_meant(exercise.id, name)) continue;
+            known = true;
+            // Named twice it counts once.
+            if (std::ranges::find(result, exercise.id, &Exercise::id) == result.end()) result.push_back(exercise);
+        }
+        if (known) continue;
         for (const BrokenUnit& unit : broken)
             if (is_meant(unit.id, name)) throw UsageError(cannot_be_read(unit));
         refuse_unknown(exercises, name);

@@ -14,6 +14,7 @@
 #include <fstream>
 
 #include "build/student_header.hpp"
+#include "cli/unit_sources.hpp"
 #include "model/caps.hpp"
 #include "run/descriptor.hpp"
 
@@ -23,9 +24,22 @@ namespace {
 namespace fs = std::filesystem;
 
 // The file that tells that the parts are there, and the target that makes them (cmake/UmbralUnit.cmake).
+fs::path mark_of(const Application& application, const Exercise& unit, UnitParts parts)
+{
+    return unit_folder(application.tools, unit.id) / (parts == UnitParts::all ? "built" : "answers");
+}
+
 bool is_built(const Application& application, const Exercise& unit, UnitParts parts)
 {
-    return fs::exists(unit_folder(application.tools, unit.id) / (parts == UnitParts::all ? "built" : "answers"));
+    return fs::exists(mark_of(application, unit, parts));
+}
+
+/// Was anything changed since that could lead to other parts?
+bool is_stale(const Application& application, const Exercise& unit, UnitParts parts)
+{
+    std::error_code none;
+    const fs::file_time_type built = fs::last_write_time(mark_of(application, unit, parts), none);
+    return !none && built < last_change(application.tools, unit, parts);
 }
 
 std::string target_of(const Exercise& unit, UnitParts parts)
@@ -139,17 +153,29 @@ bool are_built(const Application& application, std::span<const Exercise> units)
 void have_built(const Application& application, std::span<const Exercise> units, UnitParts parts)
 {
     if (application.layout.installed) return have_header(application);
-    std::vector<std::string> names;
+    std::vector<std::string> missing;
+    std::vector<std::string> changed;
     std::vector<std::string> targets;
+    std::vector<fs::path> marks;
     for (const Exercise& unit : units) {
-        if (is_built(application, unit, parts)) continue;
-        names.push_back(unit.name);
+        const bool is_there = is_built(application, unit, parts);
+        if (is_there && !is_stale(application, unit, parts)) continue;
+        (is_there ? changed : missing).push_back(unit.name);
         targets.push_back(target_of(unit, parts));
+        marks.push_back(mark_of(application, unit, parts));
     }
     if (targets.empty()) return;
-    application.say(fmt::format("building {} for the first time: {}",
-                                names.size() == 1 ? "a unit" : fmt::format("{} units", names.size()), listed(names)));
+    const auto say = [&](const char* what, const std::vector<std::string>& names) {
+        if (!names.empty())
+            application.say(fmt::format(fmt::runtime(what),
+                                        names.size() == 1 ? "a unit" : fmt::format("{} units", names.size()),
+                                        listed(names)));
+    };
+    say("building {} for the first time: {}", missing);
+    say("bringing {} up to date, whose sources were changed: {}", changed);
     build_targets(application.layout.build, targets);
+    // The build leaves a mark as it is where a change leads to nothing new; then it would be asked each time.
+    for (const fs::path& mark : marks) fs::last_write_time(mark, fs::file_time_type::clock::now());
 }
 
 fs::path have_program(const Application& application, const std::string& name)

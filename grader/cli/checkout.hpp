@@ -18,8 +18,8 @@ enum class UnitParts { answers, all };
 /// Were all parts of these units built? In an installation they are.
 [[nodiscard]] bool are_built(const Application& application, std::span<const Exercise> units);
 
-/// Builds those of the units whose parts were not built yet; in an installation the precompiled header, if this
-/// compiler has none yet.
+/// Builds those of the units whose parts were not built yet, or whose sources were changed since (last_change); in an
+/// installation the precompiled header, if this compiler has none yet.
 void have_built(const Application& application, std::span<const Exercise> units, UnitParts parts = UnitParts::all);
 
 /// Builds the program `name` if it was not built yet. Its path. Throws UsageError in an installation that does not hold

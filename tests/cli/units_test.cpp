@@ -70,6 +70,12 @@ TEST(HalfWrittenUnit, stops_only_what_needs_it)
     EXPECT_NE(course.complaint_about({"hlaf"}).find("there is no unit"), std::string::npos);
 }
 
+TEST(Units, count_once_however_often_they_are_named)
+{
+    const Course course;
+    EXPECT_EQ(course.application.chosen({"sphere", "raytracing/sphere", "sphere/"}).size(), 1U);
+}
+
 TEST(HalfWrittenUnit, is_warned_of_by_what_gets_along_without_it)
 {
     Course course;
